@@ -1,0 +1,44 @@
+//! The attribute `#[portable]`: checks that an item keeps to the subset, leaves it as it is, and puts its description
+//! beside it. What the subset is stands in `docs/portable-rust.md`.
+#![forbid(unsafe_code)]
+
+mod block;
+mod expr;
+mod function;
+mod item;
+mod pattern;
+mod place;
+mod reject;
+
+use proc_macro::TokenStream;
+use quote::quote;
+use reject::Rejections;
+
+/// Makes a struct, an enum of unit variants or a function portable.
+///
+/// The item stays ordinary Rust. A struct or an enum gets an implementation of `portable::Portable`; a function gets a
+/// hidden module of its own name with `Ir<R>::IR`, so that one `use` imports both. Everything outside the subset is an
+/// error at its own place that says what to write instead, all of them at once.
+#[proc_macro_attribute]
+pub fn portable(attribute: TokenStream, item: TokenStream) -> TokenStream {
+    let mut rejections = Rejections::default();
+    if !attribute.is_empty() {
+        rejections.push(
+            proc_macro2::TokenStream::from(attribute),
+            "#[portable] takes no arguments; write #[portable]",
+        );
+    }
+    let original = proc_macro2::TokenStream::from(item.clone());
+    let description = match syn::parse::<syn::Item>(item) {
+        Ok(syn::Item::Fn(function)) => function::describe(&function, &mut rejections),
+        Ok(syn::Item::Struct(item)) => item::describe_struct(&item, &mut rejections),
+        Ok(syn::Item::Enum(item)) => item::describe_enum(&item, &mut rejections),
+        Ok(other) => {
+            rejections.push(&other, "only a function, a struct or an enum can be portable; remove #[portable]");
+            proc_macro2::TokenStream::new()
+        }
+        Err(error) => error.to_compile_error(),
+    };
+    let errors = rejections.into_compile_errors();
+    quote!(#original #description #errors).into()
+}

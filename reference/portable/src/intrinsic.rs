@@ -1,0 +1,43 @@
+//! Operations that each target prints in its own way. They are called like any portable function.
+
+use crate::Real;
+
+/// Whether `-limit <= x <= limit`. False for a NaN and, with a finite limit, for an infinity, which need not be named.
+///
+/// A target whose runtime may stop at a comparison with a NaN looks at the exponent bits first.
+#[must_use]
+pub fn within<R: Real>(x: R, limit: R) -> bool {
+    -limit <= x && x <= limit
+}
+
+/// The integer as a real, rounded to nearest. Exact below 2^24 in every real type.
+#[must_use]
+pub fn from_u32<R: Real>(value: u32) -> R {
+    R::from_u32(value)
+}
+
+macro_rules! intrinsic {
+    ($name:ident, $intrinsic:ident, ($($param:ident: $type:ty),*) -> $returns:ty) => {
+        #[doc(hidden)]
+        pub mod $name {
+            use crate::{Block, Body, Fn, Intrinsic, Mode, Param, Portable, Real};
+            use core::marker::PhantomData;
+
+            pub struct Ir<R>(PhantomData<R>);
+
+            impl<R: Real> Ir<R> {
+                pub const IR: Fn = Fn {
+                    name: stringify!($name),
+                    module: module_path!(),
+                    doc: "",
+                    params: &[$(Param { name: stringify!($param), mode: Mode::Value, ty: <$type as Portable>::TY }),*],
+                    returns: Some(<$returns as Portable>::TY),
+                    body: Body { intrinsic: Some(Intrinsic::$intrinsic), block: Block { statements: &[], value: None } },
+                };
+            }
+        }
+    };
+}
+
+intrinsic!(within, Within, (x: R, limit: R) -> bool);
+intrinsic!(from_u32, FromU32, (value: u32) -> R);

@@ -1,0 +1,259 @@
+//! Functions of portable Rust as data: what `#[portable]` writes and the specialiser reads. No behaviour here.
+//!
+//! Everything is `'static` and borrowed, so that a function's IR is one constant. Variants with a reference inside have
+//! named fields: rustc extends the life of what such a field borrows, which it does not do for a constructor's argument.
+
+use crate::{Literal, Ty};
+
+/// A function.
+#[derive(Debug)]
+pub struct Fn {
+    /// the Rust name
+    pub name: &'static str,
+    /// the Rust module that holds it, for messages
+    pub module: &'static str,
+    /// the doc comment
+    pub doc: &'static str,
+    /// the parameters
+    pub params: &'static [Param],
+    /// the type of the value, if there is one
+    pub returns: Option<Ty>,
+    /// what it does
+    pub body: Body,
+}
+
+/// What a function does: an operation that each target knows, or a block.
+#[derive(Debug)]
+pub struct Body {
+    /// set where each target prints the function in its own way
+    pub intrinsic: Option<Intrinsic>,
+    /// the block, empty for an intrinsic
+    pub block: Block,
+}
+
+/// An operation that each target prints in its own way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Intrinsic {
+    /// [`crate::within`]
+    Within,
+    /// [`crate::from_u32`]
+    FromU32,
+}
+
+/// A parameter.
+#[derive(Debug)]
+pub struct Param {
+    /// the Rust name
+    pub name: &'static str,
+    /// by value, or how it is borrowed
+    pub mode: Mode,
+    /// the type, without the borrow
+    pub ty: Ty,
+}
+
+/// How a parameter is passed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mode {
+    /// a scalar
+    Value,
+    /// `&T`
+    Shared,
+    /// `&mut T`
+    Mutable,
+}
+
+/// Statements, then perhaps a value.
+#[derive(Debug)]
+pub struct Block {
+    /// in the order of their execution
+    pub statements: &'static [Statement],
+    /// the last expression
+    pub value: Option<&'static Expr>,
+}
+
+/// A statement.
+#[derive(Debug)]
+pub enum Statement {
+    /// `let name = value;`
+    Let {
+        /// the name; no other local of the function has it
+        name: &'static str,
+        /// the value
+        value: &'static Expr,
+    },
+    /// `place = value;`
+    Assign {
+        /// what is written
+        place: Place,
+        /// the value
+        value: &'static Expr,
+    },
+    /// `for variable in from..to { body }`
+    For {
+        /// the loop variable, a `usize`
+        variable: &'static str,
+        /// the first value
+        from: &'static Expr,
+        /// one past the last value
+        to: &'static Expr,
+        /// what is repeated
+        body: Block,
+    },
+    /// a call, an `if` or a `match` whose value is not used
+    Expr {
+        /// which
+        value: &'static Expr,
+    },
+}
+
+/// An expression. A call with a mutable argument, an `if` and a `match` stand only where a whole value stands.
+#[derive(Debug)]
+pub enum Expr {
+    /// a value that rustc evaluates
+    Constant {
+        /// evaluates it
+        value: fn() -> Literal,
+    },
+    /// what a place holds
+    Read {
+        /// the place
+        place: Place,
+    },
+    /// an operator with one operand
+    Unary {
+        /// which
+        operator: Unary,
+        /// the operand
+        operand: &'static Expr,
+    },
+    /// an operator with two operands
+    Binary {
+        /// which
+        operator: Binary,
+        /// left of it
+        left: &'static Expr,
+        /// right of it
+        right: &'static Expr,
+    },
+    /// a call
+    Call {
+        /// what is called
+        function: &'static Fn,
+        /// with what
+        arguments: &'static [Argument],
+    },
+    /// `if condition { then } else { otherwise }`
+    If {
+        /// decides
+        condition: &'static Expr,
+        /// if it holds
+        then: Block,
+        /// if not
+        otherwise: Block,
+    },
+    /// `match scrutinee { arms }`
+    Match {
+        /// the value that is looked at: an enum, an integer or a bool
+        scrutinee: &'static Expr,
+        /// the arms in order
+        arms: &'static [Arm],
+    },
+    /// `[a, b, c]`
+    Array {
+        /// the elements
+        elements: &'static [Expr],
+    },
+    /// `[value; len]`
+    Repeat {
+        /// each element
+        value: &'static Expr,
+        /// how many there are
+        len: usize,
+    },
+}
+
+/// An arm of a `match`.
+#[derive(Debug)]
+pub struct Arm {
+    /// the values that choose it; none: the wildcard
+    pub patterns: &'static [fn() -> Literal],
+    /// what it does
+    pub body: Block,
+}
+
+/// An argument of a call.
+#[derive(Debug)]
+pub enum Argument {
+    /// a scalar
+    Value {
+        /// its value
+        value: Expr,
+    },
+    /// `&place` or `&mut place`
+    Borrow {
+        /// the place
+        place: Place,
+    },
+}
+
+/// A local or a parameter, or a part of one.
+#[derive(Debug)]
+pub struct Place {
+    /// the local or the parameter
+    pub root: &'static str,
+    /// from there inwards
+    pub projections: &'static [Projection],
+}
+
+/// One step from a value to a part of it.
+#[derive(Debug)]
+pub enum Projection {
+    /// `.name`
+    Field {
+        /// the name
+        name: &'static str,
+    },
+    /// `[index]`
+    Index {
+        /// known when the function is specialised
+        index: &'static Expr,
+    },
+}
+
+/// Operators with one operand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unary {
+    /// `-` of a real or an `i32`
+    Negate,
+    /// `!` of a bool
+    Not,
+}
+
+/// Operators with two operands. Integers wrap around.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Binary {
+    /// `+`
+    Add,
+    /// `-`
+    Subtract,
+    /// `*`
+    Multiply,
+    /// `/`, of reals only
+    Divide,
+    /// `<`
+    Less,
+    /// `<=`
+    LessEqual,
+    /// `>`
+    Greater,
+    /// `>=`
+    GreaterEqual,
+    /// `==`, not of reals
+    Equal,
+    /// `!=`, not of reals
+    NotEqual,
+    /// `&&`
+    And,
+    /// `||`
+    Or,
+}

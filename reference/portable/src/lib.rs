@@ -1,0 +1,19 @@
+//! Portable Rust: the IR types as plain data, the real type, the intrinsics, and the macro that fills the IR.
+//!
+//! `#[portable]` on a struct, an enum or a function keeps the item as it is and puts its description beside it,
+//! as a constant that rustc itself has resolved. Nothing here knows a target language or an algorithm.
+#![no_std]
+#![forbid(unsafe_code)]
+
+extern crate self as portable;
+
+mod intrinsic;
+mod ir;
+mod literal;
+mod real;
+
+pub use intrinsic::{from_u32, within};
+pub use ir::{Argument, Arm, Binary, Block, Body, Expr, Fn, Intrinsic, Mode, Param, Place, Projection, Statement, Unary};
+pub use literal::{scalar, EnumDef, Field, Literal, Portable, StructDef, Ty};
+pub use portable_macro::portable;
+pub use real::{Real, RealKind};

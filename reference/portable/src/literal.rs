@@ -1,0 +1,161 @@
+//! Values and types of portable Rust as data, and the trait that carries a Rust value across. No expressions here.
+
+use crate::RealKind;
+
+/// One scalar value.
+#[derive(Clone, Copy, Debug)]
+pub enum Literal {
+    /// `bool`
+    Bool(bool),
+    /// `i32`: C `int32_t`, ST `DINT`
+    I32(i32),
+    /// `u32`: C `uint32_t`, ST `UDINT`
+    U32(u32),
+    /// `usize`: an index, a length or a loop variable; known before any block is emitted
+    Usize(usize),
+    /// `f64`: C `double`, ST `LREAL`
+    F64(f64),
+    /// `f32`: C `float`, ST `REAL`
+    F32(f32),
+    /// a unit variant, by its position in the [`EnumDef`]
+    Variant(u32),
+}
+
+/// Literals are equal where their bits are: `-0.0` differs from `0.0`, and a NaN equals itself.
+impl PartialEq for Literal {
+    fn eq(&self, other: &Self) -> bool {
+        match (*self, *other) {
+            (Self::Bool(a), Self::Bool(b)) => a == b,
+            (Self::I32(a), Self::I32(b)) => a == b,
+            (Self::U32(a), Self::U32(b)) | (Self::Variant(a), Self::Variant(b)) => a == b,
+            (Self::Usize(a), Self::Usize(b)) => a == b,
+            (Self::F64(a), Self::F64(b)) => a.to_bits() == b.to_bits(),
+            (Self::F32(a), Self::F32(b)) => a.to_bits() == b.to_bits(),
+            _ => false,
+        }
+    }
+}
+
+/// A type of portable Rust.
+#[derive(Clone, Copy, Debug)]
+pub enum Ty {
+    /// `bool`
+    Bool,
+    /// `i32`
+    I32,
+    /// `u32`
+    U32,
+    /// `usize`
+    Usize,
+    /// the real type that the generic `R` stands for
+    Real(RealKind),
+    /// `[element; len]`
+    Array {
+        /// the type of each element
+        element: &'static Ty,
+        /// how many there are
+        len: usize,
+    },
+    /// a portable struct
+    Struct {
+        /// its fields
+        def: &'static StructDef,
+    },
+    /// a portable enum
+    Enum {
+        /// its variants
+        def: &'static EnumDef,
+    },
+}
+
+/// A struct: its fields in the order of their declaration.
+#[derive(Debug)]
+pub struct StructDef {
+    /// the Rust name
+    pub name: &'static str,
+    /// the fields
+    pub fields: &'static [Field],
+}
+
+/// A field of a struct.
+#[derive(Debug)]
+pub struct Field {
+    /// the Rust name
+    pub name: &'static str,
+    /// the doc comment: meaning, unit, sign convention; it stands beside the number in every target
+    pub doc: &'static str,
+    /// the type
+    pub ty: Ty,
+}
+
+/// An enum of unit variants, numbered from 0 in the order of their declaration.
+#[derive(Debug)]
+pub struct EnumDef {
+    /// the Rust name
+    pub name: &'static str,
+    /// the names of the variants
+    pub variants: &'static [&'static str],
+}
+
+/// A type that the generator can describe, take apart into scalars and put together again.
+pub trait Portable: Sized {
+    /// The type as data.
+    const TY: Ty;
+
+    /// Calls `visit` once for each scalar, in the order in which [`Portable::TY`] lists them.
+    fn visit(&self, visit: &mut dyn FnMut(Literal));
+
+    /// The inverse of [`Portable::visit`]: takes each scalar from `next`, in the same order.
+    ///
+    /// # Panics
+    /// If `next` yields a literal of another type than the one that is due.
+    fn build(next: &mut dyn FnMut() -> Literal) -> Self;
+}
+
+/// The one literal of a scalar.
+#[doc(hidden)]
+pub fn scalar<T: Portable>(value: &T) -> Literal {
+    let mut found = None;
+    value.visit(&mut |literal| found = Some(literal));
+    found.expect("a scalar has one literal")
+}
+
+macro_rules! scalar {
+    ($type:ty, $ty:expr, $literal:ident) => {
+        impl Portable for $type {
+            const TY: Ty = $ty;
+
+            fn visit(&self, visit: &mut dyn FnMut(Literal)) {
+                visit(Literal::$literal(*self));
+            }
+
+            fn build(next: &mut dyn FnMut() -> Literal) -> Self {
+                match next() {
+                    Literal::$literal(value) => value,
+                    other => panic!("{} expected, found {other:?}", stringify!($type)),
+                }
+            }
+        }
+    };
+}
+
+scalar!(bool, Ty::Bool, Bool);
+scalar!(i32, Ty::I32, I32);
+scalar!(u32, Ty::U32, U32);
+scalar!(usize, Ty::Usize, Usize);
+scalar!(f64, Ty::Real(RealKind::F64), F64);
+scalar!(f32, Ty::Real(RealKind::F32), F32);
+
+impl<T: Portable, const N: usize> Portable for [T; N] {
+    const TY: Ty = Ty::Array { element: &T::TY, len: N };
+
+    fn visit(&self, visit: &mut dyn FnMut(Literal)) {
+        for element in self {
+            element.visit(visit);
+        }
+    }
+
+    fn build(next: &mut dyn FnMut() -> Literal) -> Self {
+        core::array::from_fn(|_| T::build(next))
+    }
+}

@@ -1,0 +1,102 @@
+//! The real type that an algorithm is generic over: `f64` or `f32`, nothing but arithmetic and comparison.
+
+use crate::{Literal, Portable};
+use core::fmt::{Debug, Display};
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// Which real type an instance uses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum RealKind {
+    /// IEEE 754 binary64: C `double`, ST `LREAL`
+    F64,
+    /// IEEE 754 binary32: C `float`, ST `REAL`
+    F32,
+}
+
+/// The real type of a portable algorithm. Every operation rounds once, to nearest, ties to even.
+pub trait Real:
+    Portable
+    + Copy
+    + Debug
+    + Display
+    + Default
+    + PartialOrd
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + 'static
+{
+    /// Which one it is.
+    const KIND: RealKind;
+    /// 0
+    const ZERO: Self;
+    /// 1
+    const ONE: Self;
+
+    /// `value` rounded to this type. Coefficients are computed in f64 and rounded here, once.
+    fn lit(value: f64) -> Self;
+
+    /// A constant that has a value of its own in each real type.
+    fn per_kind(double: f64, single: f32) -> Self;
+
+    /// The integer as a real, rounded to nearest.
+    fn from_u32(value: u32) -> Self;
+
+    /// The value as f64, exactly.
+    fn to_f64(self) -> f64;
+
+    /// The value of a real literal of this type.
+    ///
+    /// # Panics
+    /// If the literal is of another type.
+    fn from_literal(literal: Literal) -> Self {
+        Self::build(&mut || literal)
+    }
+}
+
+impl Real for f64 {
+    const KIND: RealKind = RealKind::F64;
+    const ZERO: Self = 0.0;
+    const ONE: Self = 1.0;
+
+    fn lit(value: f64) -> Self {
+        value
+    }
+
+    fn per_kind(double: f64, _: f32) -> Self {
+        double
+    }
+
+    fn from_u32(value: u32) -> Self {
+        Self::from(value)
+    }
+
+    fn to_f64(self) -> f64 {
+        self
+    }
+}
+
+impl Real for f32 {
+    const KIND: RealKind = RealKind::F32;
+    const ZERO: Self = 0.0;
+    const ONE: Self = 1.0;
+
+    #[expect(clippy::cast_possible_truncation, reason = "this is the one rounding to single precision")]
+    fn lit(value: f64) -> Self {
+        value as Self
+    }
+
+    fn per_kind(_: f64, single: f32) -> Self {
+        single
+    }
+
+    fn from_u32(value: u32) -> Self {
+        value as Self
+    }
+
+    fn to_f64(self) -> f64 {
+        f64::from(self)
+    }
+}

@@ -1,0 +1,38 @@
+//! A band-pass section: a biquad with b1 = 0 and b2 = -b0, and no operation spent on either.
+//!
+//! H(z) = b0 (1 - z^-2) / (1 + a1 z^-1 + a2 z^-2). Zeros at DC and at the Nyquist frequency.
+
+use crate::section::{State, tiny};
+use portable::{Real, portable};
+
+/// Coefficients, with a0 = 1 and the signs of `y = b0 x + s1; s1 = s2 - a1 y; s2 = -b0 x - a2 y`.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Coeffs<R> {
+    /// numerator: y = b0 x + s1, s2 = -b0 x - a2 y
+    pub b0: R,
+    /// denominator: s1 = s2 - a1 y
+    pub a1: R,
+    /// denominator: s2 = -b0 x - a2 y
+    pub a2: R,
+}
+
+/// One cycle: takes the input, gives the output.
+#[portable]
+pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
+    let t = coeffs.b0 * x;
+    let y = t + state.s1;
+    state.s1 = state.s2 - coeffs.a1 * y;
+    // `tiny() - t` stands in place of the negation `-t`: it costs nothing.
+    state.s2 = tiny::<R>() - t - coeffs.a2 * y;
+    y
+}
+
+/// Puts the state where a constant input `x` would have brought it; gives the output that belongs to it: 0.
+#[portable]
+pub fn settle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
+    let s = -(coeffs.b0 * x);
+    state.s1 = s;
+    state.s2 = s;
+    R::ZERO
+}

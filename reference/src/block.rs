@@ -1,0 +1,34 @@
+//! What every block offers: the types around its `step`, and the IR of its two functions. No algorithm.
+
+use portable::{Fn, Portable, Real};
+
+/// A function block: called once per position-controller cycle.
+pub trait Block<R: Real> {
+    /// Constants of the block, designed from the parameters.
+    type Coeffs: Portable;
+    /// What it remembers from one cycle to the next.
+    type State: Portable;
+    /// What the caller gives each cycle.
+    type Inputs: Portable + Clone;
+    /// What the caller gets each cycle.
+    type Outputs: Portable;
+
+    /// The name in files and on the command line.
+    const NAME: &'static str;
+    /// `init(state)`: before the first cycle.
+    const INIT: Fn;
+    /// `step(state, coeffs, inputs, outputs)`: one cycle.
+    const STEP: Fn;
+
+    /// The state before the first cycle.
+    fn state() -> Self::State;
+
+    /// The values that inputs have until the caller writes them.
+    fn inputs(coeffs: &Self::Coeffs) -> Self::Inputs;
+
+    /// The values of the outputs before the first cycle.
+    fn outputs() -> Self::Outputs;
+
+    /// One cycle.
+    fn step(state: &mut Self::State, coeffs: &Self::Coeffs, inputs: &Self::Inputs, outputs: &mut Self::Outputs);
+}

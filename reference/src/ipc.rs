@@ -1,0 +1,301 @@
+//! Improved position control: up to three stages, their sum, the limit, the gate, and what the block does when it must
+//! not act.
+//!
+//! ```text
+//! v_sum            = v_stage[0] + v_stage[1] + v_stage[2]
+//! v_add_calculated = v_sum, limited to +-limit
+//! v_add            = gate * v_add_calculated
+//! ```
+//!
+//! The gate moves linearly between 0 and 1 within `fade_cycles` cycles: up while the mode is ON, down while it is
+//! DRYRUN or OFF. It falls to 0 at once with a fault, a reset and the loss of position control. Where the gate starts
+//! again the sections start from the steady state of the present input, so that nothing jumps.
+
+use crate::Block;
+use crate::stage;
+use portable::{Fn, Real, from_u32, portable, within};
+
+/// Stages of a block.
+pub const STAGES: usize = 3;
+
+/// Coefficients.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Coeffs<R> {
+    /// cycle time that all coefficients were designed for [ns]
+    pub cycle_time_ns: u32,
+    /// mode before the caller writes one: 0 OFF, 1 ON, 2 DRYRUN
+    pub enable: i32,
+    /// the stages
+    pub stage: [stage::Coeffs<R>; STAGES],
+    /// largest |v_add|
+    pub limit: R,
+    /// -limit
+    pub lower_limit: R,
+    /// a sum below this magnitude is exactly 0: an axis at rest puts out exactly 0
+    pub rest: R,
+    /// cycles that the gate takes from 0 to 1
+    pub fade_cycles: u32,
+    /// 1 / fade_cycles
+    pub fade_step: R,
+}
+
+/// State.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct State<R> {
+    /// whether the sections have been put to the steady state of an input
+    pub settled: bool,
+    /// position of the gate: 0 closed, fade_cycles open
+    pub gate: u32,
+    /// the sections of each stage
+    pub stage: [stage::State<R>; STAGES],
+}
+
+/// Inputs. Velocities are in um/s for a translatory axis, in 0.001 deg/s for a rotary axis or a spindle.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Inputs<R> {
+    /// output of the position controller with feedforward, before v_add is added
+    pub v_command: R,
+    /// velocity of the motor encoder (v_ist1)
+    pub v_motor: R,
+    /// velocity of the direct measuring system (v_ist2)
+    pub v_direct: R,
+    /// 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758)
+    pub mode: i32,
+    /// FALSE: the output is 0 at once
+    pub position_controlled: bool,
+    /// while TRUE the output is 0 and the states follow the input
+    pub reset: bool,
+    /// the caller's cycle [ns], 0: unchecked; another value than designed for is a fault
+    pub task_cycle_ns: u32,
+}
+
+/// Outputs.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Outputs<R> {
+    /// velocity to add to the manipulated variable
+    pub v_add: R,
+    /// the same after the limit and before the gate; 0 in OFF
+    pub v_add_calculated: R,
+    /// the limit acts in this cycle
+    pub limited: bool,
+    /// the block cannot act in this cycle, error_id says why
+    pub fault: bool,
+    /// 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct is no usable number
+    pub error_id: u32,
+}
+
+/// error_id: no fault
+#[portable]
+pub fn error_none() -> u32 {
+    0u32
+}
+
+/// error_id: task_cycle_ns is not the cycle time that the coefficients were designed for
+#[portable]
+pub fn error_cycle_time() -> u32 {
+    1u32
+}
+
+/// error_id: mode is none of OFF, ON, DRYRUN
+#[portable]
+pub fn error_mode() -> u32 {
+    2u32
+}
+
+/// error_id: v_command is not within the sample limit
+#[portable]
+pub fn error_v_command() -> u32 {
+    11u32
+}
+
+/// error_id: v_motor is not within the sample limit
+#[portable]
+pub fn error_v_motor() -> u32 {
+    12u32
+}
+
+/// error_id: v_direct is not within the sample limit
+#[portable]
+pub fn error_v_direct() -> u32 {
+    13u32
+}
+
+/// mode: the block is off
+#[portable]
+pub fn mode_off() -> i32 {
+    0i32
+}
+
+/// mode: the block acts
+#[portable]
+pub fn mode_on() -> i32 {
+    1i32
+}
+
+/// mode: the block calculates and does not act
+#[portable]
+pub fn mode_dryrun() -> i32 {
+    2i32
+}
+
+/// largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named
+#[portable]
+pub fn sample_limit<R: Real>() -> R {
+    R::per_kind(1.0e15, 1.0e9)
+}
+
+/// Why the block cannot act in this cycle. Only the inputs that a stage looks at are judged.
+#[portable]
+pub fn error_of<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> u32 {
+    let mut command_used = false;
+    let mut motor_used = false;
+    let mut direct_used = false;
+    for i in 0..STAGES {
+        command_used = command_used || stage::reads_command(&coeffs.stage[i]);
+        motor_used = motor_used || stage::reads_motor(&coeffs.stage[i]);
+        direct_used = direct_used || stage::reads_direct(&coeffs.stage[i]);
+    }
+    if inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns {
+        error_cycle_time()
+    } else if inputs.mode != mode_off() && inputs.mode != mode_on() && inputs.mode != mode_dryrun() {
+        error_mode()
+    } else if command_used && !within(inputs.v_command, sample_limit()) {
+        error_v_command()
+    } else if motor_used && !within(inputs.v_motor, sample_limit()) {
+        error_v_motor()
+    } else if direct_used && !within(inputs.v_direct, sample_limit()) {
+        error_v_direct()
+    } else {
+        error_none()
+    }
+}
+
+/// Puts all sections to the steady state of the present input.
+#[portable]
+pub fn settle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) {
+    for i in 0..STAGES {
+        if coeffs.stage[i].mode != stage::Mode::NotActive {
+            let x = stage::source(&coeffs.stage[i], inputs.v_command, inputs.v_motor, inputs.v_direct);
+            stage::settle(&mut state.stage[i], &coeffs.stage[i], x);
+        }
+    }
+}
+
+/// Runs all stages; gives the sum of what they want to add.
+#[portable]
+pub fn sum_of_stages<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
+    let mut v_sum = R::ZERO;
+    let mut first = true;
+    for i in 0..STAGES {
+        if coeffs.stage[i].mode != stage::Mode::NotActive {
+            let x = stage::source(&coeffs.stage[i], inputs.v_command, inputs.v_motor, inputs.v_direct);
+            let v_stage = stage::step(&mut state.stage[i], &coeffs.stage[i], x);
+            // Not `0 + v_stage`: that addition would stay in every block.
+            v_sum = if first { v_stage } else { v_sum + v_stage };
+            first = false;
+        }
+    }
+    v_sum
+}
+
+/// Moves the gate by one cycle: up while the mode is ON, down otherwise.
+#[portable]
+pub fn move_gate<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, mode: i32) {
+    if mode == mode_on() {
+        if state.gate < coeffs.fade_cycles {
+            state.gate += 1u32;
+        }
+    } else if state.gate > 0u32 {
+        state.gate -= 1u32;
+    }
+}
+
+/// Before the first cycle. The sections need nothing: the first active cycle settles them.
+#[portable]
+pub fn init<R: Real>(state: &mut State<R>) {
+    state.settled = false;
+    state.gate = 0u32;
+}
+
+/// One cycle.
+#[portable]
+pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    let error_id = error_of(coeffs, inputs);
+    let mut v_add = R::ZERO;
+    let mut v_add_calculated = R::ZERO;
+    let mut limited = false;
+    if error_id != error_none()
+        || !inputs.position_controlled
+        || inputs.reset
+        || inputs.mode == mode_off() && state.gate == 0u32
+    {
+        state.settled = false;
+        state.gate = 0u32;
+    } else {
+        if state.settled {
+            move_gate(state, coeffs, inputs.mode);
+        } else {
+            settle(state, coeffs, inputs);
+            state.settled = true;
+        }
+        let v_sum = sum_of_stages(state, coeffs, inputs);
+        let mut v_limited = v_sum;
+        if v_sum > coeffs.limit {
+            v_limited = coeffs.limit;
+            limited = true;
+        } else if v_sum < coeffs.lower_limit {
+            v_limited = coeffs.lower_limit;
+            limited = true;
+        } else if v_sum < coeffs.rest && v_sum > -coeffs.rest {
+            v_limited = R::ZERO;
+        }
+        if inputs.mode != mode_off() {
+            v_add_calculated = v_limited;
+        }
+        if state.gate == coeffs.fade_cycles {
+            v_add = v_limited;
+        } else if state.gate > 0u32 {
+            v_add = v_limited * (from_u32::<R>(state.gate) * coeffs.fade_step);
+        }
+    }
+    outputs.v_add = v_add;
+    outputs.v_add_calculated = v_add_calculated;
+    outputs.limited = limited;
+    outputs.fault = error_id != error_none();
+    outputs.error_id = error_id;
+}
+
+/// The block.
+#[derive(Clone, Copy, Debug)]
+pub struct Ipc;
+
+impl<R: Real> Block<R> for Ipc {
+    type Coeffs = Coeffs<R>;
+    type State = State<R>;
+    type Inputs = Inputs<R>;
+    type Outputs = Outputs<R>;
+
+    const NAME: &'static str = "ipc";
+    const INIT: Fn = init::Ir::<R>::IR;
+    const STEP: Fn = step::Ir::<R>::IR;
+
+    fn state() -> State<R> {
+        State::default()
+    }
+
+    fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {
+        Inputs { mode: coeffs.enable, position_controlled: true, ..Inputs::default() }
+    }
+
+    fn outputs() -> Outputs<R> {
+        Outputs::default()
+    }
+
+    fn step(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+        step(state, coeffs, inputs, outputs);
+    }
+}

@@ -1,0 +1,17 @@
+//! The control algorithms, each written once, generic over the real type.
+//!
+//! Every target language is derived from this source. Coefficients never change in `step`, state is the only thing
+//! that does, and there is no trigonometry, no unit conversion and no parameter id in here: the design has done that.
+#![no_std]
+#![forbid(unsafe_code)]
+
+pub mod allpass;
+pub mod bandpass;
+pub mod biquad;
+mod block;
+pub mod filter;
+pub mod ipc;
+pub mod section;
+pub mod stage;
+
+pub use block::Block;
