@@ -5,33 +5,34 @@
 use crate::section::{State, tiny};
 use portable::{Real, portable};
 
-/// Coefficients, with a0 = 1 and the signs of `y = b0 x + s1; s1 = s2 - a1 y; s2 = -b0 x - a2 y`.
+/// Coefficients, with a0 = 1, b0 = -b2 and the signs of `y = -b2 x + s1; s1 = s2 - a1 y; s2 = b2 x - a2 y`.
+///
+/// b2 stands here rather than b0 because its product is used as it is in `s2`, where a sign would cost an instruction.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
-    /// numerator: y = b0 x + s1, s2 = -b0 x - a2 y
-    pub b0: R,
+    /// numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y
+    pub b2: R,
     /// denominator: s1 = s2 - a1 y
     pub a1: R,
-    /// denominator: s2 = -b0 x - a2 y
+    /// denominator: s2 = b2 x - a2 y
     pub a2: R,
 }
 
 /// One cycle: takes the input, gives the output.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
-    let t = coeffs.b0 * x;
-    let y = t + state.s1;
+    let t = coeffs.b2 * x;
+    let y = state.s1 - t;
     state.s1 = state.s2 - coeffs.a1 * y;
-    // `tiny() - t` stands in place of the negation `-t`: it costs nothing.
-    state.s2 = tiny::<R>() - t - coeffs.a2 * y;
+    state.s2 = t + tiny() - coeffs.a2 * y;
     y
 }
 
 /// Puts the state where a constant input `x` would have brought it; gives the output that belongs to it: 0.
 #[portable]
 pub fn settle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
-    let s = -(coeffs.b0 * x);
+    let s = coeffs.b2 * x;
     state.s1 = s;
     state.s2 = s;
     R::ZERO

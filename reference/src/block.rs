@@ -26,6 +26,9 @@ pub trait Block<R: Real> {
     /// The values that inputs have until the caller writes them.
     fn inputs(coeffs: &Self::Coeffs) -> Self::Inputs;
 
+    /// Sets the switches among the inputs so that the block does all that it can; what a self-test runs with.
+    fn exercise(inputs: &mut Self::Inputs);
+
     /// The values of the outputs before the first cycle.
     fn outputs() -> Self::Outputs;
 

@@ -202,6 +202,26 @@ pub fn sum_of_stages<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: 
     v_sum
 }
 
+/// The sum within +-limit; exactly 0 where its magnitude is below `rest`.
+#[portable]
+pub fn limit<R: Real>(outputs: &mut Outputs<R>, coeffs: &Coeffs<R>, v_sum: R) -> R {
+    let mut v_limited = R::ZERO;
+    if v_sum >= coeffs.rest {
+        v_limited = v_sum;
+        if v_sum > coeffs.limit {
+            v_limited = coeffs.limit;
+            outputs.limited = true;
+        }
+    } else if v_sum <= -coeffs.rest {
+        v_limited = v_sum;
+        if v_sum < coeffs.lower_limit {
+            v_limited = coeffs.lower_limit;
+            outputs.limited = true;
+        }
+    }
+    v_limited
+}
+
 /// Moves the gate by one cycle: up while the mode is ON, down otherwise.
 #[portable]
 pub fn move_gate<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, mode: i32) {
@@ -212,6 +232,13 @@ pub fn move_gate<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, mode: i32) {
     } else if state.gate > 0u32 {
         state.gate -= 1u32;
     }
+}
+
+/// Puts out nothing.
+#[portable]
+pub fn put_out_zero<R: Real>(outputs: &mut Outputs<R>) {
+    outputs.v_add = R::ZERO;
+    outputs.v_add_calculated = R::ZERO;
 }
 
 /// Before the first cycle. The sections need nothing: the first active cycle settles them.
@@ -225,9 +252,9 @@ pub fn init<R: Real>(state: &mut State<R>) {
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let error_id = error_of(coeffs, inputs);
-    let mut v_add = R::ZERO;
-    let mut v_add_calculated = R::ZERO;
-    let mut limited = false;
+    outputs.limited = false;
+    outputs.fault = error_id != error_none();
+    outputs.error_id = error_id;
     if error_id != error_none()
         || !inputs.position_controlled
         || inputs.reset
@@ -235,38 +262,29 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     {
         state.settled = false;
         state.gate = 0u32;
+        put_out_zero(outputs);
+    } else if !state.settled {
+        // Steady sections put out 0: there is nothing to run in this cycle.
+        settle(state, coeffs, inputs);
+        state.settled = true;
+        put_out_zero(outputs);
     } else {
-        if state.settled {
-            move_gate(state, coeffs, inputs.mode);
-        } else {
-            settle(state, coeffs, inputs);
-            state.settled = true;
-        }
+        move_gate(state, coeffs, inputs.mode);
         let v_sum = sum_of_stages(state, coeffs, inputs);
-        let mut v_limited = v_sum;
-        if v_sum > coeffs.limit {
-            v_limited = coeffs.limit;
-            limited = true;
-        } else if v_sum < coeffs.lower_limit {
-            v_limited = coeffs.lower_limit;
-            limited = true;
-        } else if v_sum < coeffs.rest && v_sum > -coeffs.rest {
-            v_limited = R::ZERO;
-        }
-        if inputs.mode != mode_off() {
-            v_add_calculated = v_limited;
-        }
-        if state.gate == coeffs.fade_cycles {
-            v_add = v_limited;
-        } else if state.gate > 0u32 {
-            v_add = v_limited * (from_u32::<R>(state.gate) * coeffs.fade_step);
+        let v_limited = limit(outputs, coeffs, v_sum);
+        if state.gate >= coeffs.fade_cycles {
+            // The gate has just moved: where it is open, the mode is ON.
+            outputs.v_add = v_limited;
+            outputs.v_add_calculated = v_limited;
+        } else {
+            outputs.v_add = if state.gate > 0u32 {
+                v_limited * (from_u32::<R>(state.gate) * coeffs.fade_step)
+            } else {
+                R::ZERO
+            };
+            outputs.v_add_calculated = if inputs.mode != mode_off() { v_limited } else { R::ZERO };
         }
     }
-    outputs.v_add = v_add;
-    outputs.v_add_calculated = v_add_calculated;
-    outputs.limited = limited;
-    outputs.fault = error_id != error_none();
-    outputs.error_id = error_id;
 }
 
 /// The block.
@@ -289,6 +307,10 @@ impl<R: Real> Block<R> for Ipc {
 
     fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {
         Inputs { mode: coeffs.enable, position_controlled: true, ..Inputs::default() }
+    }
+
+    fn exercise(inputs: &mut Inputs<R>) {
+        inputs.mode = mode_on();
     }
 
     fn outputs() -> Outputs<R> {

@@ -1,0 +1,250 @@
+//! What is legal, but inert, out of date or dangerous: warnings about an axis that is valid. Nothing here is an error.
+
+use super::effective::Effective;
+use super::ipc::{is_gantry_slave, rounded};
+use crate::axis::{Axis, DirectSource, Enable, Filter, Mode, Stage};
+use crate::codes;
+use crate::config::Key;
+use crate::design::band::{band, edges, frequency};
+use crate::design::filter;
+use crate::diagnostics::Diagnostic;
+use crate::parameters::{FILTERS, Name, STAGES, Value, path_with, real_text};
+
+/// Above this f0 * Ts the upper skirt of a band-pass is squeezed against half the sampling frequency.
+const NEAR_NYQUIST: f64 = 0.35;
+/// A loop through the measured velocity costs one cycle of transport at the least, and the hold half a cycle.
+const LEAST_DELAY_CYCLES: f64 = 1.5;
+/// Beyond this lag of the delay alone [deg], what drive and mechanics add will soon make it 90.
+const MUCH_DELAY: f64 = 60.0;
+
+/// Says what a user would want to know before the block acts.
+pub fn advise(axis: &Axis, e: &mut Effective<'_>) {
+    gear_steps(e);
+    whole(axis, e);
+    for (i, stage) in (0..STAGES).zip(&axis.ipc.stage) {
+        inert_source(e, i, stage.as_ref());
+        if let Some(stage) = stage {
+            damping_generations(e, i, stage);
+            filter_without_type(e, i, stage);
+            weight(e, i, stage);
+            direct_source(e, i, stage);
+            near_nyquist(e, i, stage, axis);
+            delay(e, i, stage, axis);
+            polarity(e, i, stage);
+        }
+    }
+    overlaps(axis, e);
+}
+
+fn warn(e: &mut Effective<'_>, code: &'static str, key: Key, found: String, instead: Option<String>) {
+    let diagnostic = Diagnostic::warning(code, e.place_of(key), found);
+    e.report.push(Diagnostic { instead, ..diagnostic });
+}
+
+/// Which gear step is used, where that may be a surprise.
+fn gear_steps(e: &mut Effective<'_>) {
+    let mut steps: Vec<u32> =
+        e.all_given().filter(|((name, _), _)| *name == Name::VbMax).map(|((_, [step, _]), _)| step).collect();
+    steps.sort_unstable();
+    let gear_key = (Name::Gear, [0, 0]);
+    let Some(Value::Integer(gear)) = e.judged(gear_key) else { return };
+    let given = steps.iter().any(|step| i64::from(*step) == gear);
+    let Some(other) = steps.iter().copied().find(|step| i64::from(*step) != gear) else { return };
+    let listed = steps.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
+    if !given {
+        let default = Name::VbMax.parameter().default_at([0, 0]).unwrap_or_default();
+        let found = format!(
+            "gear step {gear} is used, and only {listed} is given: vb_max of step {gear} is its default {default} (P-AXIS-00212)"
+        );
+        warn(e, codes::GEAR, (Name::VbMax, [other, 0]), found, Some(format!("the key `gear`, or getriebe[{gear}].dynamik.vb_max")));
+    } else if e.given(gear_key).is_none() {
+        let found = format!("the gear steps {listed} are given; step {gear} is used");
+        warn(e, codes::GEAR, (Name::VbMax, [other, 0]), found, Some("the key `gear` in a set, to choose one".to_owned()));
+    }
+}
+
+fn whole(axis: &Axis, e: &mut Effective<'_>) {
+    let active = axis.ipc.stage.iter().flatten().count();
+    let slave = is_gantry_slave(e);
+    if slave && active > 0 && axis.ipc.enable == Enable::Off {
+        let found = "the axis is a gantry slave with active stages: its input `mode` must stay OFF (error 70600)".to_owned();
+        let instead = Some("the stages in the list of the master".to_owned());
+        warn(e, codes::SLAVE_STAGES, (Name::GantryMaster, [0, 0]), found, instead);
+    }
+    if active == 0 && !slave {
+        let found = "no stage is active: the block puts out 0".to_owned();
+        let instead = format!("{} with DIRECT, INDIRECT or SET_POINT", path_with(Name::Mode.parameter().path, [0, 0]));
+        warn(e, codes::NO_STAGE, (Name::Enable, [0, 0]), found, Some(instead));
+    }
+    if active > 0 && axis.ipc.v_add_max_fact == 0 {
+        let how = if e.given((Name::VAddMaxFact, [0, 0])).is_some() { "is" } else { "has the default" };
+        let found = format!(
+            "`{}` (P-AXIS-00757) {how} 0: the limit is 0, the block puts out 0",
+            Name::VAddMaxFact.parameter().path
+        );
+        warn(e, codes::MUTED, (Name::VAddMaxFact, [0, 0]), found, Some("a limit above 0, in 0.1 % of vb_max".to_owned()));
+    }
+}
+
+/// P-AXIS-00756 should not stand beside the parameters that came with its successor.
+fn damping_generations(e: &mut Effective<'_>, i: u32, stage: &Stage) {
+    let old_key = (Name::FilterDamping, [i, 0]);
+    let uses_damping = !matches!(stage.mode, Mode::Direct { .. });
+    let old_is_set = e.given(old_key).is_some_and(|setting| matches!(setting.value, Some(Value::Real(x)) if x > 0.0));
+    if !uses_damping || !old_is_set {
+        return;
+    }
+    let is_new = |key: Key, spelling: &str| {
+        let (name, [stage, _]) = key;
+        let parameter = name.parameter();
+        let of_filter = parameter.path.contains("filter[k]") && spelling == parameter.path;
+        stage == i && (of_filter || name == Name::OscDamping)
+    };
+    let newer = e.all_given().find(|(key, setting)| is_new(*key, setting.spelling));
+    if let Some(((_, index), setting)) = newer {
+        let beside = path_with(setting.spelling, index);
+        let found = format!("stage[{i}].filter.damping (P-AXIS-00756) stands beside `{beside}` of the newer parameters");
+        let instead = format!("{} (P-AXIS-00850) alone", path_with(Name::OscDamping.parameter().path, [i, 0]));
+        warn(e, codes::GENERATIONS, old_key, found, Some(instead));
+    }
+}
+
+/// A filter that was described and is not there.
+fn filter_without_type(e: &mut Effective<'_>, i: u32, stage: &Stage) {
+    for k in (0..FILTERS).filter(|k| stage.filter[*k as usize] == Filter::NoFilter) {
+        let described = [Name::FilterOrder, Name::FilterF0, Name::FilterQ, Name::FilterPrototype]
+            .into_iter()
+            .find(|name| e.given((*name, [i, k])).is_some());
+        let typed = e.given((Name::FilterType, [i, k])).is_some();
+        if let Some(name) = described.filter(|_| !typed) {
+            let found = format!("stage[{i}].filter[{k}] has parameters and no type: it is NO_FILTER (P-AXIS-00849)");
+            let instead = format!("{} BANDPASS or ALLPASS", path_with(Name::FilterType.parameter().path, [i, k]));
+            warn(e, codes::NO_TYPE, (name, [i, k]), found, Some(instead));
+        }
+    }
+}
+
+/// SET_POINT is an open-loop pre-filter 1 - w H: above twice its best weight it amplifies.
+fn weight(e: &mut Effective<'_>, i: u32, stage: &Stage) {
+    let Mode::SetPoint { osc_damping } = stage.mode else { return };
+    let four_d_squared = 4.0 * osc_damping * osc_damping;
+    let best = four_d_squared / (four_d_squared + 1.0);
+    if stage.weight() > 2.0 * best {
+        let found = format!(
+            "stage[{i}] is SET_POINT with the weight {}: above {} it amplifies what it is to damp",
+            rounded(stage.weight()),
+            rounded(2.0 * best)
+        );
+        let instead = Some(format!("about {}, the best weight at this damping", rounded(best)));
+        warn(e, codes::SET_POINT, (Name::WeightFactNum, [i, 0]), found, instead);
+    }
+}
+
+/// What is fed back from the load lags more than what is fed back from the motor.
+fn direct_source(e: &mut Effective<'_>, i: u32, stage: &Stage) {
+    let from_load = stage.mode == Mode::Direct { source: DirectSource::Direct };
+    if from_load && !(has_allpass(stage) && stage.weight() <= 1.0) {
+        let found = format!(
+            "stage[{i}] feeds back v_direct, which lags by the drive, the mechanics and the delay: beyond 90 degrees at \
+             f0 an all-pass is mandatory, or the loop is unstable"
+        );
+        let instead = Some("an ALLPASS in filter[1], and a weight of at most 1".to_owned());
+        warn(e, codes::LAG, (Name::DirectSource, [i, 0]), found, instead);
+    }
+}
+
+/// A source that no stage takes.
+fn inert_source(e: &mut Effective<'_>, i: u32, stage: Option<&Stage>) {
+    let key = (Name::DirectSource, [i, 0]);
+    let is_direct = stage.is_some_and(|stage| matches!(stage.mode, Mode::Direct { .. }));
+    if !is_direct && e.given(key).is_some() {
+        let found = format!("stage[{i}].direct_source has no effect: the stage is not DIRECT");
+        warn(e, codes::INERT, key, found, None);
+    }
+}
+
+fn near_nyquist(e: &mut Effective<'_>, i: u32, stage: &Stage, axis: &Axis) {
+    for (k, filter) in (0..FILTERS).zip(&stage.filter) {
+        let Some(f0) = filter::f0(filter) else { continue };
+        let f0_ts = f0 * f64::from(axis.cycle_time_ns) / 1e9;
+        if f0_ts > NEAR_NYQUIST {
+            let found = format!(
+                "stage[{i}].filter[{k}] lies at {} of the sampling frequency: its upper skirt is squeezed against one half",
+                rounded(f0_ts)
+            );
+            let instead = Some(format!("a shorter cycle time, or fg_f0 below {NEAR_NYQUIST} of the sampling frequency"));
+            warn(e, codes::SQUEEZED, (Name::FilterF0, [i, k]), found, instead);
+        }
+    }
+}
+
+/// The delay of the loop turns the phase, which an all-pass turns back. A pre-filter (SET_POINT) has no loop.
+fn delay(e: &mut Effective<'_>, i: u32, stage: &Stage, axis: &Axis) {
+    let lag = 360.0 * stage.f0() * axis.cycle_time() * LEAST_DELAY_CYCLES;
+    if lag > MUCH_DELAY && !has_allpass(stage) && !matches!(stage.mode, Mode::SetPoint { .. }) {
+        let k = first_bandpass(stage);
+        let found = format!(
+            "stage[{i}] at {} Hz: the delay of the loop alone, {LEAST_DELAY_CYCLES} cycles at the least, costs {} degrees; \
+             beyond 90 degrees in all it excites what it is to damp",
+            real_text(stage.f0()),
+            rounded(lag)
+        );
+        let instead = Some("an ALLPASS in the other filter, SET_POINT, or a shorter cycle time".to_owned());
+        warn(e, codes::DELAY, (Name::FilterF0, [i, k]), found, instead);
+    }
+}
+
+/// An all-pass at the frequency of the band-pass turns by 180 degrees there.
+fn polarity(e: &mut Effective<'_>, i: u32, stage: &Stage) {
+    for (k, filter) in (0..FILTERS).zip(&stage.filter) {
+        if matches!(filter, Filter::Allpass { f0, .. } if f0.to_bits() == stage.f0().to_bits()) {
+            let found = format!("stage[{i}].filter[{k}] is an all-pass at the f0 of the band-pass: it inverts the stage's polarity");
+            let instead = Some("an fg_f0 beside it, unless the inversion is meant".to_owned());
+            warn(e, codes::POLARITY, (Name::FilterF0, [i, k]), found, instead);
+        }
+    }
+}
+
+/// Stages whose bands intersect influence each other.
+fn overlaps(axis: &Axis, e: &mut Effective<'_>) {
+    let bands: Vec<(u32, &Stage, [f64; 2])> = (0..STAGES)
+        .zip(&axis.ipc.stage)
+        .filter_map(|(i, stage)| stage.as_ref().map(|stage| (i, stage, band_of(stage, axis.cycle_time()))))
+        .collect();
+    for (n, (i, _, [low, high])) in bands.iter().enumerate() {
+        for (j, other, [other_low, other_high]) in &bands[n + 1..] {
+            if low.max(*other_low) < high.min(*other_high) {
+                let found = format!(
+                    "stage[{i}] ({} to {} Hz) and stage[{j}] ({} to {} Hz) overlap, and influence each other",
+                    rounded(*low),
+                    rounded(*high),
+                    rounded(*other_low),
+                    rounded(*other_high)
+                );
+                let key = (Name::FilterF0, [*j, first_bandpass(other)]);
+                warn(e, codes::OVERLAP, key, found, Some("a higher q_factor, or other frequencies".to_owned()));
+            }
+        }
+    }
+}
+
+/// The band in which all band-passes of a stage lose at most 3 dB [Hz].
+fn band_of(stage: &Stage, cycle_time: f64) -> [f64; 2] {
+    let mut common = [0.0, f64::INFINITY];
+    for filter in &stage.filter {
+        if let Filter::Bandpass { f0, q_factor, .. } = *filter {
+            let [low, high] = edges(&band(f0, q_factor, cycle_time)).map(|t| frequency(t, cycle_time));
+            common = [low.max(common[0]), high.min(common[1])];
+        }
+    }
+    common
+}
+
+fn has_allpass(stage: &Stage) -> bool {
+    stage.filter.iter().any(|filter| matches!(filter, Filter::Allpass { .. }))
+}
+
+fn first_bandpass(stage: &Stage) -> u32 {
+    let at = (0..FILTERS).zip(&stage.filter).find(|(_, filter)| matches!(filter, Filter::Bandpass { .. }));
+    at.map_or(0, |(k, _)| k)
+}

@@ -1,0 +1,136 @@
+//! The effective value of a parameter: what was given, else its default; within its range, else a message. No rule
+//! that concerns two parameters.
+
+use crate::codes;
+use crate::config::{self, Key, Setting, Values};
+use crate::diagnostics::{Diagnostic, Place, Report};
+use crate::parameters::{Name, Value, path_with};
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+/// What an axis was given, what was said about it, and what of it its block uses.
+#[derive(Debug)]
+pub struct Effective<'a> {
+    values: &'a Values<'a>,
+    home: Place,
+    /// what was said so far
+    pub report: Report,
+    used: BTreeMap<Key, String>,
+}
+
+impl<'a> Effective<'a> {
+    /// Nothing said, nothing used yet.
+    #[must_use]
+    pub fn of(values: &'a Values<'a>, home: Place) -> Self {
+        Self { values, home, report: Report::default(), used: BTreeMap::new() }
+    }
+
+    /// What was given, as it was given.
+    #[must_use]
+    pub fn given(&self, key: Key) -> Option<&'a Setting<'a>> {
+        self.values.get(key)
+    }
+
+    /// All that was given.
+    pub fn all_given(&self) -> impl Iterator<Item = (Key, &'a Setting<'a>)> + use<'a> {
+        self.values.iter()
+    }
+
+    /// Where a parameter was given; else where its stage was; else where the axis is named.
+    #[must_use]
+    pub fn place_of(&self, key: Key) -> Place {
+        let (name, [i, _]) = key;
+        let of_stage = || self.given((Name::Mode, [i, 0])).filter(|_| name.parameter().path.contains("stage[i]"));
+        match self.given(key) {
+            Some(setting) => setting.value_place(),
+            None => of_stage().map_or_else(|| self.home.clone(), Setting::path_place),
+        }
+    }
+
+    /// The value that holds, judged; it does not go into the canonical form.
+    pub fn judged(&mut self, key: Key) -> Option<Value> {
+        let (name, index) = key;
+        let parameter = name.parameter();
+        if let Some(setting) = self.given(key) {
+            let value = setting.value.clone()?;
+            if parameter.contains(&value) {
+                return Some(value);
+            }
+            let found = format!("{} is {}", parameter.title(setting.spelling, index), value.text());
+            let diagnostic = Diagnostic::error(codes::RANGE, setting.value_place(), found);
+            self.report.push(diagnostic.allowed(parameter.allowed()));
+            return None;
+        }
+        let text = parameter.default_at(index).unwrap_or_default();
+        match config::of_text(parameter, text) {
+            Ok(value) if parameter.contains(&value) => Some(value),
+            _ => {
+                let title = parameter.title(parameter.path, index);
+                let found = format!("{title} is missing; its default {text} is outside of its range");
+                let diagnostic = Diagnostic::error(codes::MISSING, self.place_of(key), found);
+                let instead = format!("{} with a value", path_with(parameter.path, index));
+                self.report.push(diagnostic.allowed(parameter.allowed()).instead(instead));
+                None
+            }
+        }
+    }
+
+    /// The word that holds, judged and noted.
+    pub fn word(&mut self, key: Key) -> Option<&'static str> {
+        match self.used_value(key)? {
+            Value::Word(word) => Some(word),
+            other => wrong_kind(key, &other),
+        }
+    }
+
+    /// The whole number that holds, judged and noted.
+    pub fn integer(&mut self, key: Key) -> Option<u32> {
+        match self.used_value(key)? {
+            Value::Integer(n) => u32::try_from(n).ok(),
+            other => wrong_kind(key, &other),
+        }
+    }
+
+    /// The real number that holds, judged and noted.
+    pub fn real(&mut self, key: Key) -> Option<f64> {
+        match self.used_value(key)? {
+            Value::Real(x) => Some(x),
+            other => wrong_kind(key, &other),
+        }
+    }
+
+    /// The time that holds [ns], judged and noted.
+    pub fn duration(&mut self, key: Key) -> Option<u64> {
+        match self.used_value(key)? {
+            Value::Duration(ns) => Some(ns),
+            other => wrong_kind(key, &other),
+        }
+    }
+
+    fn used_value(&mut self, key: Key) -> Option<Value> {
+        let value = self.judged(key)?;
+        self.note(key, &value);
+        Some(value)
+    }
+
+    /// Notes a value that the block uses.
+    pub fn note(&mut self, key: Key, value: &Value) {
+        self.used.insert(key, value.text());
+    }
+
+    /// What the block uses: one `path value` a line, in the order of the table, independent of how it was written.
+    #[must_use]
+    pub fn canonical(&self) -> String {
+        let mut lines = String::with_capacity(2048);
+        for ((name, index), text) in &self.used {
+            // Writing to a String cannot fail.
+            let _ = writeln!(lines, "{} {text}", path_with(name.parameter().path, *index));
+        }
+        lines
+    }
+}
+
+/// A rule asks for a value of another kind than the table declares.
+fn wrong_kind(key: Key, value: &Value) -> ! {
+    panic!("check: {key:?} is {value:?}, another kind than the rule expects")
+}

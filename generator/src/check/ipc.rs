@@ -1,0 +1,241 @@
+//! The rules of improved position control that are errors: a block that breaks one must not act on a machine.
+
+use super::effective::Effective;
+use crate::axis::{DirectSource, Enable, Filter, Ipc, Mode, Prototype, Stage};
+use crate::codes;
+use crate::design::ipc::{MAX_FADE_CYCLES, fade};
+use crate::design::unusable::lowest;
+use crate::diagnostics::Diagnostic;
+use crate::parameters::{FILTERS, Name, STAGES, Value, path_with, real_text, time_text};
+use portable::RealKind;
+
+/// The highest f0 * Ts: above, the tangent that the design is made of runs into its pole.
+const MAX_F0_TS: f64 = 0.45;
+
+/// Improved position control of one axis; none: an error, which has been said.
+pub fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option<RealKind>) -> Option<Ipc> {
+    let enable = e.word((Name::Enable, [0, 0])).map(|word| match word {
+        "OFF" => Enable::Off,
+        "ON" => Enable::On,
+        _ => Enable::DryRun,
+    });
+    gantry(e, enable);
+    let v_add_max_fact = e.integer((Name::VAddMaxFact, [0, 0]));
+    let v_max = v_max(e);
+    let fade = e.duration((Name::Fade, [0, 0]));
+    // Every stage is judged, so that all errors of all stages are told.
+    let stages: [Option<Option<Stage>>; STAGES as usize] =
+        std::array::from_fn(|i| u32::try_from(i).ok().and_then(|i| stage(e, i, cycle_time, real)));
+    let [first, second, third] = stages;
+    #[expect(clippy::cast_precision_loss, reason = "at most 1e12 ns")]
+    let fade = fade? as f64 / 1e9;
+    let ipc = Ipc { enable: enable?, v_add_max_fact: v_add_max_fact?, v_max: v_max?, fade, stage: [first?, second?, third?] };
+    gate(e, &ipc, cycle_time)?;
+    Some(ipc)
+}
+
+/// A gantry slave gets the master's additive velocity: of its own it must have none (70600).
+fn gantry(e: &mut Effective<'_>, enable: Option<Enable>) {
+    let enabled = enable.is_some_and(|enable| enable != Enable::Off);
+    if !is_gantry_slave(e) || !enabled {
+        return;
+    }
+    let master = e.given((Name::GantryMaster, [0, 0])).and_then(|setting| setting.value.as_ref());
+    let master = master.map(Value::text).unwrap_or_default();
+    let found = format!(
+        "improved position control is enabled on a gantry slave, whose master is axis {master} (P-AXIS-00070): the \
+         controller stops with error 70600"
+    );
+    let instead = format!("{} OFF here, and the stages in the list of axis {master}", Name::Enable.parameter().path);
+    let place = e.place_of((Name::Enable, [0, 0]));
+    e.report.push(Diagnostic::error(codes::GANTRY_SLAVE, place, found).instead(instead));
+}
+
+/// Whether the axis follows another one.
+pub fn is_gantry_slave(e: &mut Effective<'_>) -> bool {
+    let own = e.judged((Name::AxisNumber, [0, 0]));
+    match e.judged((Name::GantryMaster, [0, 0])) {
+        Some(Value::Integer(master)) => master > 0 && own != Some(Value::Integer(master)),
+        _ => false,
+    }
+}
+
+/// The largest velocity, of the gear step that is used.
+fn v_max(e: &mut Effective<'_>) -> Option<f64> {
+    let Some(Value::Integer(gear)) = e.judged((Name::Gear, [0, 0])) else { return None };
+    e.integer((Name::VbMax, [u32::try_from(gear).ok()?, 0])).map(f64::from)
+}
+
+/// A stage; outer none: an error, which has been said; inner none: it is not active.
+fn stage(e: &mut Effective<'_>, i: u32, cycle_time: Option<u32>, real: Option<RealKind>) -> Option<Option<Stage>> {
+    let word = e.word((Name::Mode, [i, 0]))?;
+    let mode = match word {
+        "DIRECT" => direct_source(e, i).map(|source| Mode::Direct { source }),
+        "INDIRECT" => osc_damping(e, i).map(|osc_damping| Mode::Indirect { osc_damping }),
+        "SET_POINT" => osc_damping(e, i).map(|osc_damping| Mode::SetPoint { osc_damping }),
+        _ => return Some(None),
+    };
+    let weight_fact_num = e.integer((Name::WeightFactNum, [i, 0]));
+    let weight_fact_denom = e.integer((Name::WeightFactDenom, [i, 0]));
+    let filters: [Option<Filter>; FILTERS as usize] =
+        std::array::from_fn(|k| u32::try_from(k).ok().and_then(|k| filter(e, [i, k], cycle_time, real)));
+    let [first, second] = filters;
+    let filter = [first?, second?];
+    if !filter.iter().any(|filter| matches!(filter, Filter::Bandpass { .. })) {
+        let place = e.place_of((Name::FilterType, [i, 0]));
+        let found = format!("stage[{i}] is {word} and has no band-pass");
+        let instead = format!("{} BANDPASS", path_with(Name::FilterType.parameter().path, [i, 0]));
+        e.report.push(
+            Diagnostic::error(codes::NO_BANDPASS, place, found)
+                .allowed("at least one BANDPASS in every active stage (P-AXIS-00849)")
+                .instead(instead),
+        );
+        return None;
+    }
+    Some(Some(Stage { mode: mode?, weight_fact_num: weight_fact_num?, weight_fact_denom: weight_fact_denom?, filter }))
+}
+
+fn direct_source(e: &mut Effective<'_>, i: u32) -> Option<DirectSource> {
+    e.word((Name::DirectSource, [i, 0])).map(|word| match word {
+        "v_direct" => DirectSource::Direct,
+        _ => DirectSource::Motor,
+    })
+}
+
+/// Damping ratio from P-AXIS-00850 or its predecessor P-AXIS-00756; both with different values: an error.
+fn osc_damping(e: &mut Effective<'_>, i: u32) -> Option<f64> {
+    let keys = [(Name::OscDamping, [i, 0]), (Name::FilterDamping, [i, 0])];
+    let [new, old] = keys.map(|key| e.given(key));
+    if [new, old].into_iter().flatten().any(|setting| setting.value.is_none()) {
+        return None;
+    }
+    let [new_value, old_value] = [new, old].map(|setting| match setting.and_then(|setting| setting.value.as_ref()) {
+        Some(Value::Real(x)) if *x > 0.0 => Some(*x),
+        _ => None,
+    });
+    if let (Some(new_value), Some(old_value), Some(old)) = (new_value, old_value, old)
+        && new_value.to_bits() != old_value.to_bits()
+    {
+        let found = format!(
+            "{} is {}, and its predecessor {} is {}",
+            Name::OscDamping.parameter().title(Name::OscDamping.parameter().path, keys[0].1),
+            real_text(new_value),
+            Name::FilterDamping.parameter().title(old.spelling, keys[1].1),
+            real_text(old_value)
+        );
+        let diagnostic = Diagnostic::error(codes::DAMPING, e.place_of(keys[0]), found);
+        e.report.push(diagnostic.allowed("one of the two, or equal values").instead("only P-AXIS-00850"));
+        return None;
+    }
+    let key = if new_value.is_none() && old_value.is_some() { keys[1] } else { keys[0] };
+    let value = e.judged(key)?;
+    // Which of the two it came from changes nothing in the block.
+    e.note(keys[0], &value);
+    match value {
+        Value::Real(damping) => Some(damping),
+        _ => None,
+    }
+}
+
+fn filter(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u32>, real: Option<RealKind>) -> Option<Filter> {
+    match e.word((Name::FilterType, index))? {
+        "BANDPASS" => {
+            let prototype = prototype(e, index);
+            let order = e.integer((Name::FilterOrder, index));
+            let f0 = f0(e, index, cycle_time, real);
+            let q_factor = e.real((Name::FilterQ, index));
+            let order = usize::try_from(order?).ok()?;
+            Some(Filter::Bandpass { prototype: prototype?, order, f0: f0?, q_factor: q_factor? })
+        }
+        "ALLPASS" => {
+            let f0 = f0(e, index, cycle_time, real);
+            let q_factor = e.real((Name::FilterQ, index));
+            Some(Filter::Allpass { f0: f0?, q_factor: q_factor? })
+        }
+        _ => Some(Filter::NoFilter),
+    }
+}
+
+/// The prototype; behind the first filter it has no default.
+fn prototype(e: &mut Effective<'_>, index: [u32; 2]) -> Option<Prototype> {
+    let key = (Name::FilterPrototype, index);
+    let parameter = key.0.parameter();
+    if index[1] > 0 && e.given(key).is_none() {
+        let found = format!(
+            "{} is missing: the band-pass in filter[{}] needs it in writing",
+            parameter.title(parameter.path, index),
+            index[1]
+        );
+        let diagnostic = Diagnostic::error(codes::PROTOTYPE, e.place_of((Name::FilterType, index)), found);
+        let instead = format!("{} CRIT_DAMPING", path_with(parameter.path, index));
+        e.report.push(diagnostic.allowed(parameter.allowed()).instead(instead));
+        return None;
+    }
+    e.word(key).map(|word| match word {
+        "BUTTERWORTH" => Prototype::Butterworth,
+        "BESSEL" => Prototype::Bessel,
+        _ => Prototype::CritDamping,
+    })
+}
+
+/// The frequency, which the cycle time bounds from above and single precision from below.
+fn f0(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u32>, real: Option<RealKind>) -> Option<f64> {
+    let key = (Name::FilterF0, index);
+    let f0 = e.real(key)?;
+    let Some(ns) = cycle_time else { return Some(f0) };
+    // In nanoseconds, where 450 Hz and 1 ms make exactly 0.45.
+    let f0_ts = f0 * f64::from(ns) / 1e9;
+    let title = || {
+        let spelling = e.given(key).map_or(key.0.parameter().path, |setting| setting.spelling);
+        key.0.parameter().title(spelling, index)
+    };
+    let time = time_text(u64::from(ns));
+    if f0_ts > MAX_F0_TS {
+        let highest = (MAX_F0_TS * 1e9 / f64::from(ns) * 1e3).floor() / 1e3;
+        let found = format!("{} is {} Hz, {} of the sampling frequency", title(), real_text(f0), rounded(f0_ts));
+        let allowed = format!("fg_f0 <= {highest} Hz at a cycle time of {time} ({MAX_F0_TS} of the sampling frequency)");
+        e.report.push(Diagnostic::error(codes::NYQUIST, e.place_of(key), found).allowed(allowed));
+        return None;
+    }
+    let Some(real) = real else { return Some(f0) };
+    if f0_ts < lowest(real) {
+        let (precision, instead) = match real {
+            RealKind::F32 => ("single precision", "real = \"f64\" for this axis"),
+            RealKind::F64 => ("double precision", "a longer cycle time, or a higher frequency"),
+        };
+        let least = (lowest(real) * 1e9 / f64::from(ns) * 1e6).ceil() / 1e6;
+        let found = format!(
+            "{} is {} Hz, {} of the sampling frequency: {precision} loses so narrow and low a filter; it needs another \
+             structure, which this version does not have",
+            title(),
+            real_text(f0),
+            rounded(f0_ts)
+        );
+        let allowed = format!("fg_f0 >= {least} Hz in {precision} at a cycle time of {time}");
+        let diagnostic = Diagnostic::error(codes::TOO_LOW, e.place_of(key), found);
+        e.report.push(diagnostic.allowed(allowed).instead(instead));
+        return None;
+    }
+    Some(f0)
+}
+
+/// The gate's length is counted in cycles, which single precision must count too.
+fn gate(e: &mut Effective<'_>, ipc: &Ipc, cycle_time: Option<u32>) -> Option<()> {
+    let ns = cycle_time?;
+    let cycles = fade(ipc) * 1e9 / f64::from(ns);
+    if cycles <= MAX_FADE_CYCLES {
+        return Some(());
+    }
+    let key = (Name::Fade, [0, 0]);
+    let longest = MAX_FADE_CYCLES * f64::from(ns) / 1e9;
+    let time = time_text(u64::from(ns));
+    let found = format!("`fade` is {} s, {} cycles", real_text(fade(ipc)), cycles.ceil());
+    let allowed = format!("{MAX_FADE_CYCLES} cycles: {} s at a cycle time of {time}", real_text(rounded(longest)));
+    e.report.push(Diagnostic::error(codes::FADE, e.place_of(key), found).allowed(allowed));
+    None
+}
+
+/// Six significant digits, for a message.
+pub fn rounded(x: f64) -> f64 {
+    format!("{x:.5e}").parse().unwrap_or(x)
+}

@@ -1,0 +1,108 @@
+//! Which known name an unknown one was probably meant to be; no message is made here.
+
+use super::path;
+use crate::parameters::path_with;
+
+/// Longer names are not compared: the cost grows with the square.
+const LONGEST: usize = 128;
+
+/// The candidate with the fewest letters that differ, if they are few.
+pub fn of<'c>(name: &str, candidates: impl Iterator<Item = &'c str>) -> Option<&'c str> {
+    let few = 1 + name.len() / 4;
+    let with_distance = candidates.filter_map(|candidate| distance(name, candidate).map(|distance| (distance, candidate)));
+    // The first of equals: the order of the candidates is the same on every host.
+    with_distance.min_by_key(|(distance, _)| *distance).filter(|(distance, _)| *distance <= few).map(|(_, name)| name)
+}
+
+/// The path that a path was probably meant to be: one that differs in a few letters, or ends alike.
+#[must_use]
+pub fn path(path: &str) -> Option<String> {
+    among(path, path::templates()).or_else(|| among(path, path::structures()))
+}
+
+/// The structure that the name of a table was probably meant to be.
+#[must_use]
+pub fn structure(path: &str) -> Option<String> {
+    among(path, path::structures())
+}
+
+/// Whether the second part of a path is nearly `improved_position_control`: the structure that is ours.
+#[must_use]
+pub fn is_ours(path: &str) -> bool {
+    const OURS: &str = "improved_position_control";
+    let second = path.split('.').nth(1).unwrap_or("");
+    second.len().abs_diff(OURS.len()) <= 3 && distance(second, OURS).is_some_and(|distance| distance <= 3)
+}
+
+fn among(written: &str, candidates: impl Iterator<Item = &'static str>) -> Option<String> {
+    const TYPO: usize = 3;
+    let plain = path::without_indices(written);
+    let end = last(&plain);
+    let score = |template: &'static str| {
+        let candidate = path::without_indices(template);
+        let whole = distance(&plain, &candidate)?;
+        let of_end = distance(end, last(&candidate))?;
+        (whole <= TYPO || of_end <= 1 + end.len() / 4).then_some((whole.min(TYPO + 1), of_end, whole, template))
+    };
+    candidates.filter_map(score).min().map(|(_, _, _, template)| path_with(template, indices(written)))
+}
+
+fn last(path: &str) -> &str {
+    path.rsplit('.').next().unwrap_or(path)
+}
+
+/// The indices of a path, as far as they are numbers.
+fn indices(path: &str) -> [u32; 2] {
+    let mut numbers = path.split('[').skip(1).map(|rest| rest.split(']').next().and_then(|n| n.parse().ok()).unwrap_or(0));
+    std::array::from_fn(|_| numbers.next().unwrap_or(0))
+}
+
+/// How many letters must be changed, added or left out (Levenshtein), whatever their case.
+fn distance(a: &str, b: &str) -> Option<usize> {
+    if a.len() > LONGEST || b.len() > LONGEST {
+        return None;
+    }
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.bytes().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, y) in b.bytes().enumerate() {
+            let changed = diagonal + usize::from(!x.eq_ignore_ascii_case(&y));
+            diagonal = row[j + 1];
+            row[j + 1] = changed.min(diagonal + 1).min(row[j] + 1);
+        }
+    }
+    row.last().copied()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words() {
+        assert_eq!(of("INDIRCT", ["DIRECT", "INDIRECT"].into_iter()), Some("INDIRECT"));
+        assert_eq!(of("PERHAPS", ["DIRECT", "INDIRECT"].into_iter()), None);
+    }
+
+    #[test]
+    fn paths() {
+        let ipc = "lr_param.improved_position_control";
+        let close = |written: &str, meant: &str| assert_eq!(path(written), Some(format!("{ipc}.{meant}")), "{written}");
+        close(&format!("{ipc}.enabel"), "enable");
+        close("lr_param.improved_postion_control.enable", "enable");
+        close(&format!("{ipc}.stage[2].wieght_fact_num"), "stage[2].weight_fact_num");
+        close(&format!("{ipc}.stage[1].fg_f0"), "stage[1].filter[0].fg_f0");
+        close(&format!("{ipc}.stage[1].filter[1].qfactor"), "stage[1].filter[1].q_factor");
+        assert_eq!(path(&format!("{ipc}.stage[0].colour")), None);
+        assert_eq!(path(&"x".repeat(10_000)), None);
+    }
+
+    #[test]
+    fn ours() {
+        assert!(is_ours("lr_param.improved_postion_control.enable"));
+        assert!(is_ours("LR_PARAM.IMPROVED_POSITION_CONTROL.ENABLE"));
+        assert!(!is_ours("lr_param.suppress_pos_lag_error"));
+        assert!(!is_ours("lr_param"));
+    }
+}

@@ -1,0 +1,101 @@
+//! A file's bytes with the way from a byte to its line and column; no syntax is known here.
+
+use crate::diagnostics::Place;
+use std::sync::OnceLock;
+
+/// A file that is being read.
+#[derive(Debug)]
+pub struct Source<'a> {
+    /// as the user named it
+    pub name: &'a str,
+    /// its content
+    pub bytes: &'a [u8],
+    /// found when the first message needs them
+    lines: OnceLock<Lines>,
+}
+
+/// Bytes between two counts of characters: a line of many megabytes must not be counted anew for each message.
+const STRIDE: usize = 1024;
+
+/// Where lines begin, and how many bytes go on a character of UTF-8.
+#[derive(Debug)]
+struct Lines {
+    starts: Vec<usize>,
+    continuations: Vec<usize>,
+}
+
+impl<'a> Source<'a> {
+    /// A file and its content.
+    #[must_use]
+    pub fn of(name: &'a str, bytes: &'a [u8]) -> Self {
+        Self { name, bytes, lines: OnceLock::new() }
+    }
+
+    /// The file as a whole.
+    #[must_use]
+    pub fn whole(&self) -> Place {
+        Place { file: self.name.to_owned(), line: 0, column: 0 }
+    }
+
+    /// The place of a byte.
+    #[must_use]
+    pub fn place(&self, offset: usize) -> Place {
+        let lines = self.lines.get_or_init(|| Lines::of(self.bytes));
+        let line = lines.starts.partition_point(|start| *start <= offset);
+        let start = lines.starts[line - 1];
+        let characters = offset - start + lines.continuations_before(self.bytes, start)
+            - lines.continuations_before(self.bytes, offset);
+        Place { file: self.name.to_owned(), line, column: characters + 1 }
+    }
+}
+
+impl Lines {
+    fn of(bytes: &[u8]) -> Self {
+        let mut starts = vec![0];
+        starts.extend(bytes.iter().enumerate().filter(|(_, byte)| **byte == b'\n').map(|(at, _)| at + 1));
+        let mut sum = 0;
+        let mut continuations = vec![0];
+        for chunk in bytes.chunks(STRIDE) {
+            sum += count(chunk);
+            continuations.push(sum);
+        }
+        Self { starts, continuations }
+    }
+
+    fn continuations_before(&self, bytes: &[u8], offset: usize) -> usize {
+        let offset = offset.min(bytes.len());
+        let chunk = offset / STRIDE;
+        self.continuations[chunk] + count(&bytes[chunk * STRIDE..offset])
+    }
+}
+
+/// Bytes that go on a character of UTF-8.
+fn count(bytes: &[u8]) -> usize {
+    bytes.iter().filter(|byte| **byte & 0xC0 == 0x80).count()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(bytes: &[u8], offset: usize) -> (usize, usize) {
+        let place = Source::of("x", bytes).place(offset);
+        (place.line, place.column)
+    }
+
+    #[test]
+    fn lines_and_columns_count_from_one() {
+        assert_eq!(at(b"", 0), (1, 1));
+        assert_eq!(at(b"ab\ncd", 0), (1, 1));
+        assert_eq!(at(b"ab\ncd", 2), (1, 3));
+        assert_eq!(at(b"ab\ncd", 3), (2, 1));
+        assert_eq!(at(b"ab\ncd", 5), (2, 3));
+    }
+
+    #[test]
+    fn columns_count_characters_also_far_into_a_line() {
+        assert_eq!(at("aäb".as_bytes(), 3), (1, 3));
+        let line = "ä".repeat(5000);
+        assert_eq!(at(line.as_bytes(), 9998), (1, 5000));
+    }
+}

@@ -1,0 +1,231 @@
+//! From the text of a value to the value that its parameter's kind demands; ranges are judged where a value is used.
+
+use super::closest;
+use crate::codes;
+use crate::diagnostics::{Diagnostic, Place};
+use crate::parameters::{Kind, Name, Parameter, Value, Word};
+use std::borrow::Cow;
+use toml::de::DeValue;
+
+/// Why a text is no value of a parameter.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Refused {
+    /// the diagnostic's code
+    pub code: &'static str,
+    /// what was found, to follow the parameter's name
+    pub found: String,
+    /// what is allowed
+    pub allowed: String,
+    /// what to write instead
+    pub instead: Option<String>,
+}
+
+impl Refused {
+    /// The message about a parameter, whose path is as it was written.
+    pub(super) fn diagnostic(self, name: Name, written: &str, place: Place) -> Diagnostic {
+        let id = name.parameter().id.map_or(String::new(), |id| format!(" ({id})"));
+        let found = format!("`{written}`{id} {}", self.found);
+        Diagnostic { instead: self.instead, ..Diagnostic::error(self.code, place, found).allowed(self.allowed) }
+    }
+}
+
+/// The value of a parameter in an axis list, or of a default.
+///
+/// # Errors
+/// If the text is none; the range is not judged.
+pub fn of_text(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
+    match parameter.kind {
+        Kind::Word(words) => of_word(parameter, words, text).map(Value::Word),
+        Kind::Words(words) => {
+            text.split_ascii_whitespace().map(|text| of_word(parameter, words, text)).collect::<Result<_, _>>().map(Value::Words)
+        }
+        Kind::Integer { .. } => of_integer(parameter, text),
+        Kind::Real { .. } => of_real(parameter, text),
+        Kind::Duration { .. } => of_duration(parameter, text),
+        Kind::Text => Ok(Value::Text(text.to_owned())),
+    }
+}
+
+/// The value of a parameter in a set.
+///
+/// # Errors
+/// If it is of another type, or its text is no value; the range is not judged.
+pub fn of_toml(parameter: &Parameter, value: &DeValue<'_>) -> Result<Value, Refused> {
+    match (parameter.kind, value) {
+        (Kind::Word(_) | Kind::Duration { .. } | Kind::Text, DeValue::String(text)) => of_text(parameter, text),
+        (Kind::Word(words), DeValue::Integer(_) | DeValue::Boolean(_)) => {
+            of_word(parameter, words, &scalar(value)).map(Value::Word)
+        }
+        (Kind::Words(words), DeValue::Array(array)) => of_array(parameter, words, array),
+        (Kind::Integer { .. } | Kind::Real { .. }, DeValue::Integer(_) | DeValue::Float(_)) => {
+            of_text(parameter, &scalar(value))
+        }
+        _ => Err(wrong_type(parameter, value)),
+    }
+}
+
+/// A text from a file, fit for a message: on one line, and not too long.
+#[must_use]
+pub fn shown(text: &str) -> String {
+    const LONGEST: usize = 60;
+    let start: String = text.chars().take(LONGEST).flat_map(char::escape_debug).collect();
+    let dots = if text.chars().nth(LONGEST).is_some() { "..." } else { "" };
+    format!("`{start}{dots}`")
+}
+
+fn of_word(parameter: &Parameter, words: &'static [Word], text: &str) -> Result<&'static str, Refused> {
+    let is_spelling = |word: &&Word| {
+        let mut spellings = std::iter::once(&word.name).chain(word.also);
+        spellings.any(|spelling| spelling.eq_ignore_ascii_case(text))
+            || word.number.is_some_and(|number| integer(text) == Some(i64::from(number)))
+    };
+    words.iter().find(is_spelling).map(|word| word.name).ok_or_else(|| Refused {
+        code: codes::WORD,
+        found: format!("is {}", shown(text)),
+        allowed: parameter.allowed(),
+        instead: closest::of(text, words.iter().map(|word| word.name)).map(str::to_owned),
+    })
+}
+
+fn of_array(parameter: &Parameter, words: &'static [Word], array: &[toml::Spanned<DeValue<'_>>]) -> Result<Value, Refused> {
+    let mut found = Vec::with_capacity(array.len());
+    for element in array {
+        let DeValue::String(text) = element.get_ref() else { return Err(wrong_type(parameter, element.get_ref())) };
+        let word = of_word(parameter, words, text)?;
+        if found.contains(&word) {
+            return Err(Refused {
+                code: codes::GIVEN_TWICE,
+                found: format!("names {} twice", shown(word)),
+                allowed: parameter.allowed(),
+                instead: None,
+            });
+        }
+        found.push(word);
+    }
+    Ok(Value::Words(found))
+}
+
+fn of_integer(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
+    integer(text).map(Value::Integer).ok_or_else(|| Refused {
+        code: codes::NUMBER,
+        found: format!("is {}, no whole number", shown(text)),
+        allowed: format!("a whole number, {}", parameter.allowed()),
+        instead: None,
+    })
+}
+
+fn of_real(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
+    real(text).map(Value::Real).ok_or_else(|| Refused {
+        code: codes::NUMBER,
+        found: format!("is {}, no finite number", shown(text)),
+        allowed: format!("a number, {}", parameter.allowed()),
+        instead: real(&text.replace(',', ".")).map(|_| text.replace(',', ".")),
+    })
+}
+
+/// Decimal or 0x, with a sign.
+fn integer(text: &str) -> Option<i64> {
+    let (negative, digits) = signed(text);
+    let (digits, radix) = match digits.get(..2) {
+        Some("0x" | "0X") => (&digits[2..], 16),
+        _ => (digits, 10),
+    };
+    // The standard parser takes a second sign.
+    let magnitude = digits.starts_with(|c: char| c.is_ascii_hexdigit()).then(|| i64::from_str_radix(digits, radix).ok())??;
+    Some(if negative { -magnitude } else { magnitude })
+}
+
+/// Decimal with point and exponent, or 0x; finite.
+fn real(text: &str) -> Option<f64> {
+    let (_, digits) = signed(text);
+    if digits.starts_with("0x") || digits.starts_with("0X") {
+        #[expect(clippy::cast_precision_loss, reason = "rounded to nearest, as a decimal is")]
+        return integer(text).map(|n| n as f64);
+    }
+    // The standard parser takes words such as `inf`.
+    let plain = digits.starts_with(|c: char| c.is_ascii_digit() || c == '.');
+    plain.then(|| text.parse().ok())?.filter(|x: &f64| x.is_finite())
+}
+
+fn signed(text: &str) -> (bool, &str) {
+    match text.as_bytes().first() {
+        Some(b'-') => (true, &text[1..]),
+        Some(b'+') => (false, &text[1..]),
+        _ => (false, text),
+    }
+}
+
+/// A time with its unit, exactly: `1ms`, `62.5us`, `0.1 s`.
+fn of_duration(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
+    let number_end = text.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(text.len());
+    let (number, unit) = text.split_at(number_end);
+    let refused = |found: String, instead: Option<String>| Refused {
+        code: codes::DURATION,
+        found,
+        allowed: format!("a number with a unit (s, ms, us or ns), {}", parameter.allowed()),
+        instead,
+    };
+    let digits = match unit.trim_start() {
+        "s" => 9,
+        "ms" => 6,
+        "us" | "\u{b5}s" | "\u{3bc}s" => 3,
+        "ns" => 0,
+        "" => {
+            let found = format!("is {}, which has no unit", shown(text));
+            return Err(refused(found, real(number).map(|_| format!("\"{number}ms\", if milliseconds are meant"))));
+        }
+        _ => return Err(refused(format!("is {}, no time", shown(text)), None)),
+    };
+    let (whole, fraction) = number.split_once('.').unwrap_or((number, ""));
+    let fraction = fraction.trim_end_matches('0');
+    if (whole.is_empty() && fraction.is_empty()) || fraction.contains('.') {
+        return Err(refused(format!("is {}, no time", shown(text)), None));
+    }
+    if fraction.len() > digits {
+        return Err(refused(format!("is {}, no whole number of nanoseconds", shown(text)), None));
+    }
+    format!("{whole}{fraction:0<digits$}")
+        .parse()
+        .map(Value::Duration)
+        .map_err(|_| refused(format!("is {}, far too long", shown(text)), None))
+}
+
+fn wrong_type(parameter: &Parameter, value: &DeValue<'_>) -> Refused {
+    let needed = match parameter.kind {
+        Kind::Word(_) | Kind::Text => "a string",
+        Kind::Duration { .. } => "a string: a number with a unit (s, ms, us or ns)",
+        Kind::Words(_) => "an array of strings",
+        Kind::Integer { .. } => "a whole number",
+        Kind::Real { .. } => "a number",
+    };
+    let instead = match (parameter.kind, value) {
+        (Kind::Integer { .. } | Kind::Real { .. }, DeValue::String(text)) => {
+            of_text(parameter, text).ok().map(|value| format!("{}, without quotes", value.text()))
+        }
+        (Kind::Duration { .. }, DeValue::Integer(_) | DeValue::Float(_)) => {
+            Some(format!("\"{}ms\", if milliseconds are meant", scalar(value)))
+        }
+        _ => None,
+    };
+    Refused {
+        code: codes::TYPE,
+        found: format!("is of type {}", value.type_str()),
+        allowed: format!("{needed}, {}", parameter.allowed()),
+        instead,
+    }
+}
+
+/// A number or a truth value of a set as a list would write it.
+fn scalar<'v>(value: &'v DeValue<'_>) -> Cow<'v, str> {
+    match value {
+        DeValue::Integer(n) if n.radix() == 10 => Cow::Borrowed(n.as_str()),
+        DeValue::Integer(n) => match i64::from_str_radix(n.as_str(), n.radix()) {
+            Ok(number) => Cow::Owned(number.to_string()),
+            Err(_) => Cow::Owned(n.to_string()),
+        },
+        DeValue::Float(x) => Cow::Borrowed(x.as_str()),
+        DeValue::Boolean(true) => Cow::Borrowed("TRUE"),
+        DeValue::Boolean(false) => Cow::Borrowed("FALSE"),
+        other => Cow::Borrowed(other.type_str()),
+    }
+}

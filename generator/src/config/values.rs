@@ -1,0 +1,74 @@
+//! The values that were given for one axis, each with its place; no default, no range and no rule.
+
+use super::source::Source;
+use crate::diagnostics::Place;
+use crate::parameters::{Name, Value};
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
+
+/// A parameter with its indices; an index that the parameter lacks is 0.
+pub type Key = (Name, [u32; 2]);
+
+/// What was given for one parameter.
+#[derive(Clone, Debug)]
+pub struct Setting<'a> {
+    /// the value; none: it could not be read, and that has been said
+    pub value: Option<Value>,
+    /// the path template that was used: the parameter's path, or an alias
+    pub spelling: &'static str,
+    /// the file
+    pub source: &'a Source<'a>,
+    /// where the path begins
+    pub path_at: usize,
+    /// where the value begins
+    pub value_at: usize,
+}
+
+impl Setting<'_> {
+    /// Place of the path.
+    #[must_use]
+    pub fn path_place(&self) -> Place {
+        self.source.place(self.path_at)
+    }
+
+    /// Place of the value.
+    #[must_use]
+    pub fn value_place(&self) -> Place {
+        self.source.place(self.value_at)
+    }
+}
+
+/// What was given for one axis, in the order of the table.
+#[derive(Clone, Debug, Default)]
+pub struct Values<'a> {
+    settings: BTreeMap<Key, Setting<'a>>,
+}
+
+impl<'a> Values<'a> {
+    /// What was given for a parameter.
+    #[must_use]
+    pub fn get(&self, key: Key) -> Option<&Setting<'a>> {
+        self.settings.get(&key)
+    }
+
+    /// Takes a value, unless there is one: then gives that one.
+    pub fn insert(&mut self, key: Key, setting: Setting<'a>) -> Option<&Setting<'a>> {
+        match self.settings.entry(key) {
+            Entry::Vacant(vacant) => {
+                vacant.insert(setting);
+                None
+            }
+            Entry::Occupied(occupied) => Some(occupied.into_mut()),
+        }
+    }
+
+    /// Lets the values of a set take the place of those of its list.
+    pub fn override_with(&mut self, other: Self) {
+        self.settings.extend(other.settings);
+    }
+
+    /// All that was given.
+    pub fn iter(&self) -> impl Iterator<Item = (Key, &Setting<'a>)> {
+        self.settings.iter().map(|(key, setting)| (*key, setting))
+    }
+}

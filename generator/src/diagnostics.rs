@@ -1,0 +1,129 @@
+//! What the tool says about its input: code, place, what was found, what is allowed, what to write instead.
+
+use std::fmt;
+
+/// How bad it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// nothing is written
+    Error,
+    /// legal, but inert, deprecated or dangerous
+    Warning,
+}
+
+/// Where it is: lines and columns count from 1, columns count characters.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Place {
+    /// the file as the user named it
+    pub file: String,
+    /// the line; 0: the file as a whole
+    pub line: usize,
+    /// the column; 0: the line as a whole
+    pub column: usize,
+}
+
+/// One message.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// from the list in [`crate::codes`]
+    pub code: &'static str,
+    /// error or warning
+    pub severity: Severity,
+    /// where
+    pub place: Place,
+    /// what was found
+    pub found: String,
+    /// what is allowed
+    pub allowed: Option<String>,
+    /// what to write instead
+    pub instead: Option<String>,
+}
+
+impl Diagnostic {
+    /// An error.
+    #[must_use]
+    pub fn error(code: &'static str, place: Place, found: impl Into<String>) -> Self {
+        Self { code, severity: Severity::Error, place, found: found.into(), allowed: None, instead: None }
+    }
+
+    /// A warning.
+    #[must_use]
+    pub fn warning(code: &'static str, place: Place, found: impl Into<String>) -> Self {
+        Self { severity: Severity::Warning, ..Self::error(code, place, found) }
+    }
+
+    /// With what is allowed.
+    #[must_use]
+    pub fn allowed(self, allowed: impl Into<String>) -> Self {
+        Self { allowed: Some(allowed.into()), ..self }
+    }
+
+    /// With what to write instead.
+    #[must_use]
+    pub fn instead(self, instead: impl Into<String>) -> Self {
+        Self { instead: Some(instead.into()), ..self }
+    }
+}
+
+impl fmt::Display for Diagnostic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let severity = match self.severity {
+            Severity::Error => "error",
+            Severity::Warning => "warning",
+        };
+        let Place { file, line, column } = &self.place;
+        match (line, column) {
+            (0, _) => write!(f, "{file}")?,
+            (_, 0) => write!(f, "{file}:{line}")?,
+            _ => write!(f, "{file}:{line}:{column}")?,
+        }
+        write!(f, ": {severity}[{}]: {}", self.code, self.found)?;
+        if let Some(allowed) = &self.allowed {
+            write!(f, "\n    allowed: {allowed}")?;
+        }
+        if let Some(instead) = &self.instead {
+            write!(f, "\n    write instead: {instead}")?;
+        }
+        Ok(())
+    }
+}
+
+/// All messages about one input.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Report {
+    /// in the order of their discovery
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+impl Report {
+    /// Adds a message.
+    pub fn push(&mut self, diagnostic: Diagnostic) {
+        self.diagnostics.push(diagnostic);
+    }
+
+    /// Adds all messages of another report.
+    pub fn extend(&mut self, other: Self) {
+        self.diagnostics.extend(other.diagnostics);
+    }
+
+    /// Whether anything forbids to go on.
+    #[must_use]
+    pub fn has_errors(&self) -> bool {
+        self.diagnostics.iter().any(|d| d.severity == Severity::Error)
+    }
+
+    /// How many of them are warnings.
+    #[must_use]
+    pub fn warnings(&self) -> usize {
+        self.diagnostics.iter().filter(|d| d.severity == Severity::Warning).count()
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for diagnostic in &self.diagnostics {
+            writeln!(f, "{diagnostic}")?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,99 @@
+//! Runs a [`Program`] sample by sample, so that it can be compared with the reference without any compiler.
+
+use crate::arithmetic::{binary, unary};
+use crate::program::{Expr, Program, Statement, Var};
+use portable::{Intrinsic, Literal};
+
+/// A block in operation: what its variables hold.
+pub struct Machine<'p> {
+    program: &'p Program,
+    inputs: Vec<Literal>,
+    outputs: Vec<Literal>,
+    state: Vec<Literal>,
+    locals: Vec<Option<Literal>>,
+}
+
+impl<'p> Machine<'p> {
+    /// A block before its first cycle, after `init`.
+    #[must_use]
+    pub fn start(program: &'p Program) -> Self {
+        let values = |variables: &[crate::program::Variable]| variables.iter().map(|variable| variable.start).collect();
+        let mut machine = Self {
+            program,
+            inputs: values(&program.inputs),
+            outputs: values(&program.outputs),
+            state: values(&program.state),
+            locals: vec![None; program.locals.len()],
+        };
+        machine.run(&program.init);
+        machine
+    }
+
+    /// One cycle.
+    pub fn step(&mut self, inputs: &[Literal], outputs: &mut Vec<Literal>) {
+        self.inputs.clear();
+        self.inputs.extend_from_slice(inputs);
+        self.locals.fill(None);
+        self.run(&self.program.step);
+        outputs.clear();
+        outputs.extend_from_slice(&self.outputs);
+    }
+
+    fn run(&mut self, statements: &'p [Statement]) {
+        for statement in statements {
+            match statement {
+                Statement::Note(_) => {}
+                Statement::Assign { target, value } => {
+                    let value = self.value(value);
+                    match *target {
+                        Var::Output(index) => self.outputs[index] = value,
+                        Var::State(index) => self.state[index] = value,
+                        Var::Local(index) => self.locals[index] = Some(value),
+                        Var::Input(_) | Var::Constant(_) => panic!("interp: {target:?} is written"),
+                    }
+                }
+                Statement::If { condition, then, otherwise } => {
+                    let holds = self.value(condition) == Literal::Bool(true);
+                    self.run(if holds { then } else { otherwise });
+                }
+            }
+        }
+    }
+
+    fn value(&self, expr: &Expr) -> Literal {
+        match expr {
+            Expr::Literal(literal) => *literal,
+            Expr::Var(var) => match *var {
+                Var::Input(index) => self.inputs[index],
+                Var::Output(index) => self.outputs[index],
+                Var::State(index) => self.state[index],
+                Var::Constant(index) => self.program.constants[index].value,
+                Var::Local(index) => self.locals[index].expect("interp: a local is read after it was assigned"),
+            },
+            Expr::Unary(operator, operand) => unary(*operator, self.value(operand)),
+            // Without effects, evaluating both sides always gives what short-circuiting gives.
+            Expr::Binary(operator, left, right) => binary(*operator, self.value(left), self.value(right)),
+            Expr::Intrinsic(intrinsic, operands) => match (intrinsic, operands.as_slice()) {
+                (Intrinsic::Within, [x, limit]) => within(self.value(x), self.value(limit)),
+                (Intrinsic::FromU32, [value]) => self.from_u32(self.value(value)),
+                _ => panic!("interp: {intrinsic:?} with {} operands", operands.len()),
+            },
+        }
+    }
+
+    fn from_u32(&self, value: Literal) -> Literal {
+        let Literal::U32(value) = value else { panic!("interp: {value:?} is no UDINT") };
+        match self.program.real {
+            portable::RealKind::F64 => Literal::F64(portable::from_u32(value)),
+            portable::RealKind::F32 => Literal::F32(portable::from_u32(value)),
+        }
+    }
+}
+
+fn within(x: Literal, limit: Literal) -> Literal {
+    Literal::Bool(match (x, limit) {
+        (Literal::F64(x), Literal::F64(limit)) => portable::within(x, limit),
+        (Literal::F32(x), Literal::F32(limit)) => portable::within(x, limit),
+        other => panic!("interp: within {other:?}"),
+    })
+}

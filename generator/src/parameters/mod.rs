@@ -1,0 +1,159 @@
+//! What a parameter is: its kinds, ranges and words, as plain data; the declarations are in `table.rs`, no value is here.
+
+mod table;
+mod text;
+
+pub use table::{FILTERS, Name, STAGES, TABLE};
+pub use text::{path_with, real_text, time_text};
+
+/// One declaration of the table.
+#[derive(Debug)]
+pub struct Parameter {
+    /// the vendor's id; a key of our own has none
+    pub id: Option<&'static str>,
+    /// where it stands, with a letter for each index: `stage[i].filter[k].order`
+    pub path: &'static str,
+    /// older paths of the same parameter; an index that they lack is 0
+    pub aliases: &'static [&'static str],
+    /// paths that are printed wrongly in a manual
+    pub misprints: &'static [&'static str],
+    /// how many values each index has
+    pub indices: &'static [u32],
+    /// in which file it may stand
+    pub scope: Scope,
+    /// what its value looks like
+    pub kind: Kind,
+    /// the unit of a number
+    pub unit: &'static str,
+    /// the value that holds when none is given, as a list would write it: one for all, or one for each value of the last
+    /// index; it may lie outside the range, then the parameter must be given where it is used
+    pub default: &'static [&'static str],
+    /// the controller build that has it first
+    pub since: &'static str,
+    /// what it means
+    pub meaning: &'static str,
+}
+
+/// In which file a parameter may stand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scope {
+    /// in an axis list, and below an axis of a set: the vendor's parameters
+    List,
+    /// only below an axis of a set: keys of our own
+    Axis,
+    /// only at the top of a set: keys of our own
+    Set,
+}
+
+/// What a value looks like.
+#[derive(Clone, Copy, Debug)]
+pub enum Kind {
+    /// one of a few words
+    Word(&'static [Word]),
+    /// several different words of a few
+    Words(&'static [Word]),
+    /// a whole number
+    Integer {
+        /// the smallest
+        from: u32,
+        /// the largest
+        to: u32,
+    },
+    /// a real number
+    Real {
+        /// the lower end
+        from: Bound,
+        /// the upper end
+        to: Bound,
+    },
+    /// a time with its unit
+    Duration {
+        /// the shortest [ns]
+        from: u64,
+        /// the longest [ns]
+        to: u64,
+    },
+    /// any text
+    Text,
+}
+
+/// An end of a range.
+#[derive(Clone, Copy, Debug)]
+pub enum Bound {
+    /// the value itself is outside
+    Open(f64),
+    /// the value itself is inside
+    Closed(f64),
+}
+
+/// A word of an enumeration.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Word {
+    /// as we write it
+    pub name: &'static str,
+    /// the number that stands for it
+    pub number: Option<u32>,
+    /// further spellings
+    pub also: &'static [&'static str],
+}
+
+/// A value, as its parameter's kind demands.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// a word, as we write it
+    Word(&'static str),
+    /// several words, as we write them
+    Words(Vec<&'static str>),
+    /// a whole number
+    Integer(i64),
+    /// a finite real number
+    Real(f64),
+    /// a time [ns]
+    Duration(u64),
+    /// a text
+    Text(String),
+}
+
+impl Name {
+    /// Its declaration.
+    #[must_use]
+    pub fn parameter(self) -> &'static Parameter {
+        &TABLE[self as usize]
+    }
+}
+
+impl Parameter {
+    /// The last part of the path: `order`.
+    #[must_use]
+    pub fn short(&self) -> &'static str {
+        self.path.rsplit('.').next().unwrap_or(self.path)
+    }
+
+    /// The default at these indices, as a list would write it; none: the parameter has no default.
+    #[must_use]
+    pub fn default_at(&self, index: [u32; 2]) -> Option<&'static str> {
+        let last = index[self.indices.len().saturating_sub(1)] as usize;
+        self.default.get(last).or(self.default.last()).copied()
+    }
+
+    /// Whether the value lies within the range of the kind.
+    #[must_use]
+    pub fn contains(&self, value: &Value) -> bool {
+        match (&self.kind, value) {
+            (Kind::Integer { from, to }, Value::Integer(n)) => (i64::from(*from)..=i64::from(*to)).contains(n),
+            (Kind::Real { from, to }, Value::Real(x)) => {
+                let above = match *from {
+                    Bound::Open(end) => *x > end,
+                    Bound::Closed(end) => *x >= end,
+                };
+                let below = match *to {
+                    Bound::Open(end) => *x < end,
+                    Bound::Closed(end) => *x <= end,
+                };
+                above && below
+            }
+            (Kind::Duration { from, to }, Value::Duration(ns)) => (from..=to).contains(&ns),
+            _ => true,
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! How parameters, values and ranges are written in messages and in the canonical form; nothing is read here.
+
+use super::{Bound, Kind, Parameter, Value, Word};
+use std::fmt::Write;
+
+/// A path template with these indices in place of its letters.
+#[must_use]
+pub fn path_with(template: &str, index: [u32; 2]) -> String {
+    let mut path = String::with_capacity(template.len());
+    let mut indices = index.into_iter();
+    let mut rest = template;
+    while let Some((before, after)) = rest.split_once('[') {
+        path.push_str(before);
+        // Writing to a String cannot fail.
+        let _ = write!(path, "[{}]", indices.next().unwrap_or(0));
+        rest = after.split_once(']').map_or("", |(_, after)| after);
+    }
+    path + rest
+}
+
+/// A time with the largest unit that needs no more than a few digits: `62.5us`, `1ms`.
+#[must_use]
+pub fn time_text(ns: u64) -> String {
+    let (unit, per_unit, digits) = match ns {
+        0 => return "0s".to_owned(),
+        1_000_000_000.. => ("s", 1_000_000_000, 9),
+        1_000_000.. => ("ms", 1_000_000, 6),
+        1000.. => ("us", 1000, 3),
+        _ => ("ns", 1, 0),
+    };
+    let fraction = format!("{:0digits$}", ns % per_unit);
+    let fraction = if digits == 0 { "" } else { fraction.trim_end_matches('0') };
+    let point = if fraction.is_empty() { "" } else { "." };
+    format!("{}{point}{fraction}{unit}", ns / per_unit)
+}
+
+/// The shortest decimal that is read back to the same bits.
+#[must_use]
+pub fn real_text(x: f64) -> String {
+    if x != 0.0 && !(1e-5..1e16).contains(&x.abs()) { format!("{x:e}") } else { format!("{x}") }
+}
+
+impl Value {
+    /// As the canonical form writes it.
+    #[must_use]
+    pub fn text(&self) -> String {
+        match self {
+            Self::Word(word) => (*word).to_owned(),
+            Self::Words(words) => words.join(" "),
+            Self::Integer(n) => n.to_string(),
+            Self::Real(x) => real_text(*x),
+            Self::Duration(ns) => time_text(*ns),
+            Self::Text(text) => text.clone(),
+        }
+    }
+}
+
+impl Parameter {
+    /// What is allowed, for a message: `1 <= order <= 3`.
+    #[must_use]
+    pub fn allowed(&self) -> String {
+        let short = self.short();
+        let unit = if self.unit.is_empty() { String::new() } else { format!(" [{}]", self.unit) };
+        match self.kind {
+            Kind::Word(words) => words.iter().map(spellings).collect::<Vec<_>>().join(", "),
+            Kind::Words(words) => format!("any of {}", words.iter().map(spellings).collect::<Vec<_>>().join(", ")),
+            Kind::Integer { from, to } => format!("{from} <= {short} <= {to}{unit}"),
+            Kind::Real { from, to } => {
+                let from = match from {
+                    Bound::Open(end) => format!("{end} <"),
+                    Bound::Closed(end) => format!("{end} <="),
+                };
+                let to = match to {
+                    Bound::Open(end) => format!("< {end}"),
+                    Bound::Closed(end) => format!("<= {end}"),
+                };
+                format!("{from} {short} {to}{unit}")
+            }
+            Kind::Duration { from, to } => format!("{} <= {short} <= {}", time_text(from), time_text(to)),
+            Kind::Text => "a text".to_owned(),
+        }
+    }
+
+    /// Path and id, for a message.
+    #[must_use]
+    pub fn title(&self, template: &str, index: [u32; 2]) -> String {
+        let path = path_with(template, index);
+        match self.id {
+            Some(id) => format!("`{path}` ({id})"),
+            None => format!("`{path}`"),
+        }
+    }
+}
+
+/// A word with everything that stands for it: `ON (TRUE, 1)`.
+fn spellings(word: &Word) -> String {
+    let number = word.number.map(|number| number.to_string());
+    let others: Vec<&str> = word.also.iter().copied().chain(number.as_deref()).collect();
+    if others.is_empty() { word.name.to_owned() } else { format!("{} ({})", word.name, others.join(", ")) }
+}

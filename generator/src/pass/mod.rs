@@ -1,0 +1,53 @@
+//! The passes over a [`Program`], one per file, and the order in which they run.
+
+pub mod coalesce;
+pub mod identity;
+pub mod prune;
+pub mod typing;
+pub mod verify;
+
+use crate::program::Program;
+use std::fmt;
+
+/// A program that breaks the rules: a defect of a block or of a pass, never of anybody's input.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Defect {
+    /// which pass found it
+    pub pass: &'static str,
+    /// what it is
+    pub message: String,
+}
+
+impl fmt::Display for Defect {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.pass, self.message)
+    }
+}
+
+impl std::error::Error for Defect {}
+
+/// A pass.
+pub type Pass = fn(Program) -> Result<Program, Defect>;
+
+/// The stages after specialisation, in their order, by the names that `--emit` takes.
+pub const PASSES: [(&str, Pass); 5] = [
+    ("typed", typing::run),
+    ("identity", identity::run),
+    ("coalesced", coalesce::run),
+    ("pruned", prune::run),
+    ("verified", verify::run),
+];
+
+/// Runs the passes up to the one that is named, or all of them.
+///
+/// # Errors
+/// The first defect.
+pub fn run(mut program: Program, last: Option<&str>) -> Result<Program, Defect> {
+    for (name, pass) in PASSES {
+        program = pass(program)?;
+        if last == Some(name) {
+            break;
+        }
+    }
+    Ok(program)
+}

@@ -1,0 +1,120 @@
+//! Gives every local its type, from the bottom up, and makes sure that each operator fits its operands.
+
+use super::Defect;
+use crate::program::{Expr, Program, Statement, Type, Var};
+use portable::{Binary, Intrinsic, Literal, Unary};
+
+/// Runs the pass.
+///
+/// # Errors
+/// An operand or a value of the wrong type; a local that is read before it is assigned; an equality of reals.
+pub fn run(mut program: Program) -> Result<Program, Defect> {
+    let (init, step) = (std::mem::take(&mut program.init), std::mem::take(&mut program.step));
+    type_statements(&init, &mut program)?;
+    type_statements(&step, &mut program)?;
+    Ok(Program { init, step, ..program })
+}
+
+fn type_statements(statements: &[Statement], program: &mut Program) -> Result<(), Defect> {
+    for statement in statements {
+        match statement {
+            Statement::Note(_) => {}
+            Statement::Assign { target, value } => {
+                let found = type_of(value, program)?;
+                let declared = match *target {
+                    Var::Local(local) => *program.locals[local].ty.get_or_insert(found),
+                    var => variable_type(var, program)?,
+                };
+                expect(declared, found, value)?;
+            }
+            Statement::If { condition, then, otherwise } => {
+                expect(Type::Bool, type_of(condition, program)?, condition)?;
+                type_statements(then, program)?;
+                type_statements(otherwise, program)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The type of an expression whose locals are typed.
+///
+/// # Errors
+/// As [`run`].
+pub fn type_of(expr: &Expr, program: &Program) -> Result<Type, Defect> {
+    match expr {
+        Expr::Literal(literal) => literal_type(*literal),
+        Expr::Var(var) => variable_type(*var, program),
+        Expr::Unary(operator, operand) => {
+            let found = type_of(operand, program)?;
+            match (operator, found) {
+                (Unary::Not, Type::Bool) | (Unary::Negate, Type::Real | Type::I32) => Ok(found),
+                _ => Err(defect(format!("{operator:?} of {found:?} in {expr:?}"))),
+            }
+        }
+        Expr::Binary(operator, left, right) => {
+            let found = type_of(left, program)?;
+            expect(found, type_of(right, program)?, right)?;
+            binary_type(*operator, found).ok_or_else(|| defect(format!("{operator:?} of {found:?} in {expr:?}")))
+        }
+        Expr::Intrinsic(intrinsic, operands) => {
+            let (takes, gives) = match intrinsic {
+                Intrinsic::Within => (Type::Real, Type::Bool),
+                Intrinsic::FromU32 => (Type::U32, Type::Real),
+            };
+            for operand in operands {
+                expect(takes, type_of(operand, program)?, operand)?;
+            }
+            Ok(gives)
+        }
+    }
+}
+
+/// The type of a literal.
+fn literal_type(literal: Literal) -> Result<Type, Defect> {
+    match literal {
+        Literal::Bool(_) => Ok(Type::Bool),
+        Literal::I32(_) => Ok(Type::I32),
+        Literal::U32(_) => Ok(Type::U32),
+        Literal::F64(_) | Literal::F32(_) => Ok(Type::Real),
+        Literal::Usize(_) | Literal::Variant(_) => Err(defect(format!("{literal:?} is left at run time"))),
+    }
+}
+
+fn binary_type(operator: Binary, operand: Type) -> Option<Type> {
+    match (operator, operand) {
+        (Binary::Add | Binary::Subtract | Binary::Multiply, Type::Real | Type::I32 | Type::U32)
+        | (Binary::Divide, Type::Real)
+        | (Binary::And | Binary::Or, Type::Bool) => Some(operand),
+        (Binary::Less | Binary::LessEqual | Binary::Greater | Binary::GreaterEqual, ty) if ty != Type::Bool => {
+            Some(Type::Bool)
+        }
+        // Reals are compared by order: a block that asks whether two are equal is almost always wrong.
+        (Binary::Equal | Binary::NotEqual, ty) if ty != Type::Real => Some(Type::Bool),
+        _ => None,
+    }
+}
+
+fn variable_type(var: Var, program: &Program) -> Result<Type, Defect> {
+    match var {
+        Var::Input(index) => Ok(program.inputs[index].ty),
+        Var::Output(index) => Ok(program.outputs[index].ty),
+        Var::State(index) => Ok(program.state[index].ty),
+        Var::Constant(index) => literal_type(program.constants[index].value),
+        Var::Local(index) => {
+            let local = &program.locals[index];
+            local.ty.ok_or_else(|| defect(format!("`{}` is read before it is assigned", local.path)))
+        }
+    }
+}
+
+fn expect(wanted: Type, found: Type, expr: &Expr) -> Result<(), Defect> {
+    if wanted == found {
+        return Ok(());
+    }
+    Err(defect(format!("{wanted:?} wanted, {found:?} found in {expr:?}")))
+}
+
+fn defect(message: String) -> Defect {
+    Defect { pass: "typing", message }
+}

@@ -1,0 +1,143 @@
+//! What the templates are filled with. No logic: every field is text that a target has made.
+
+use askama::Template;
+
+/// The comment at a file's top, then its body.
+#[derive(Template)]
+#[template(path = "c/header.h")]
+pub struct CFile<'a> {
+    /// the file's name
+    pub file: &'a str,
+    /// the tool's version
+    pub version: &'a str,
+    /// the axis
+    pub axis: &'a str,
+    /// C name of the real type
+    pub real: &'a str,
+    /// position-controller cycle
+    pub cycle_time_ns: u32,
+    /// digest of the axis's effective parameters
+    pub parameters_digest: &'a str,
+    /// digest of `body`
+    pub body_digest: &'a str,
+    /// everything below the comment
+    pub body: &'a str,
+}
+
+/// The body of a header.
+#[derive(Template)]
+#[template(path = "c/header_body.h")]
+pub struct CHeader<'a> {
+    /// the include guard
+    pub guard: &'a str,
+    /// the blocks of the axis
+    pub blocks: &'a [CBlock],
+}
+
+/// The body of a source.
+#[derive(Template)]
+#[template(path = "c/source_body.c")]
+pub struct CSource<'a> {
+    /// the header's name
+    pub header: &'a str,
+    /// the blocks of the axis
+    pub blocks: &'a [CBlock],
+}
+
+/// One block.
+pub struct CBlock {
+    /// what all its names begin with
+    pub prefix: String,
+    /// members of the inputs
+    pub inputs: Vec<Member>,
+    /// members of the outputs
+    pub outputs: Vec<Member>,
+    /// members of the state
+    pub state: Vec<Member>,
+    /// the constants, in groups that belong together
+    pub constants: Vec<Group>,
+    /// body of `init`
+    pub init: String,
+    /// body of `step`
+    pub step: String,
+    /// samples of the self-test
+    pub samples: usize,
+    /// the self-test
+    pub self_test: String,
+}
+
+/// A member of a struct.
+pub struct Member {
+    /// its type
+    pub ty: &'static str,
+    /// its name
+    pub name: String,
+    /// its meaning
+    pub doc: String,
+    /// its first value
+    pub start: String,
+}
+
+/// Constants that belong together.
+pub struct Group {
+    /// what they belong to; empty: said already
+    pub note: String,
+    /// the constants
+    pub constants: Vec<ConstantText>,
+}
+
+/// A named number.
+pub struct ConstantText {
+    /// its type
+    pub ty: &'static str,
+    /// its name
+    pub name: String,
+    /// its value
+    pub value: String,
+    /// its meaning
+    pub doc: String,
+}
+
+/// The self-test of a block.
+#[derive(Template)]
+#[template(path = "c/self_test.c")]
+pub struct CSelfTest<'a> {
+    /// what all names of the block begin with
+    pub prefix: &'a str,
+    /// the name of the function that shows the bits
+    pub bits_of: &'a str,
+    /// C name of the real type
+    pub real: &'a str,
+    /// the unsigned integer of the same size
+    pub bits_type: &'a str,
+    /// the output that is compared
+    pub output: &'a str,
+    /// its bits, sample by sample
+    pub expected: &'a [String],
+    /// the inputs that are set once
+    pub switches: &'a [Switch],
+    /// the inputs that get noise
+    pub noisy: &'a [String],
+    /// 2^23
+    pub middle: &'a str,
+    /// the factor of the noise
+    pub scale: &'a str,
+    /// the state after the last sample
+    pub state: &'a [Leaf],
+}
+
+/// An input that the self-test sets.
+pub struct Switch {
+    /// the member
+    pub name: String,
+    /// the value
+    pub value: String,
+}
+
+/// A part of the state after the self-test.
+pub struct Leaf {
+    /// the member
+    pub name: String,
+    /// its bits
+    pub bits: String,
+}

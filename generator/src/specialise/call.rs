@@ -1,0 +1,63 @@
+//! Calls: inlined, with borrowed parameters standing for the caller's places.
+
+use super::node::Node;
+use super::{Frame, Specialiser};
+use crate::program::{Expr, Statement};
+use portable::{Argument, Fn, Mode};
+use std::rc::Rc;
+
+impl Specialiser<'_> {
+    /// Inlines a call; gives its value, if it has one.
+    pub(super) fn call(&mut self, function: &'static Fn, arguments: &'static [Argument]) -> Option<Expr> {
+        if let Some(intrinsic) = function.body.intrinsic {
+            let operands = arguments.iter().map(|argument| self.value_argument(argument, function)).collect();
+            return Some(Expr::Intrinsic(intrinsic, operands));
+        }
+        let mut names = Vec::new();
+        let mut context = None;
+        for (param, argument) in function.params.iter().zip(arguments) {
+            let node = match argument {
+                Argument::Borrow { place } => {
+                    let node = self.place(place);
+                    if param.mode == Mode::Mutable && context.is_none() {
+                        context = Some(node.path());
+                    }
+                    node
+                }
+                Argument::Value { .. } => {
+                    let value = self.value_argument(argument, function);
+                    self.bind(param.name, value)
+                }
+            };
+            names.push((param.name, node));
+        }
+        let context = context.filter(|path| !path.is_empty()).unwrap_or_else(|| Rc::clone(&self.frame().context));
+        if context != self.frame().context
+            && let Some(note) = self.notes.get(&*context)
+        {
+            self.statements.push(Statement::Note(note.clone()));
+        }
+        self.frames.push(Frame { names, context, function: function.name });
+        let value = self.block(&function.body.block);
+        self.frames.pop();
+        match value {
+            // A function without parameters is a named number.
+            Some(Expr::Literal(literal)) if function.params.is_empty() => Some(self.named(function, literal)),
+            value => value,
+        }
+    }
+
+    fn value_argument(&mut self, argument: &'static Argument, function: &Fn) -> Expr {
+        match argument {
+            Argument::Value { value } => self.expr(value),
+            Argument::Borrow { .. } => panic!("specialise: {} takes a scalar by value", function.name),
+        }
+    }
+
+    /// A new name for a value. What can still change, or is computed, gets a local.
+    pub(super) fn bind(&mut self, name: &str, value: Expr) -> Rc<Node> {
+        let cell = self.settled(name, value);
+        self.cells.push(cell);
+        Rc::new(Node::Leaf(self.cells.len() - 1))
+    }
+}

@@ -1,0 +1,198 @@
+//! Partial evaluation: a portable function and the coefficients of one axis become a [`Program`].
+//!
+//! Calls are inlined, loops unrolled, branches on known values chosen, arrays and structs taken apart. The value of a
+//! local is tracked, so that a local is assigned once on each way and a copy costs nothing. A named coefficient keeps its
+//! name: it decides branches, but is never folded into an anonymous number.
+
+mod call;
+mod expr;
+mod node;
+mod statement;
+
+use crate::program::{Constant, Expr, Local, Program, Statement, Type, Var, Variable};
+use node::{Cell, Coefficient, Node};
+use portable::{Fn, Literal, Portable, Real, Ty};
+use reference::Block;
+use std::collections::{BTreeMap, HashMap};
+use std::rc::Rc;
+
+/// Specialises a block. `notes` say in words what the parts of the state at these paths are.
+///
+/// # Panics
+/// If the block is not portable in a way that only shows here: a loop whose bound or an index that is not known, a
+/// struct passed by value. That is a defect of the block, not of anybody's input.
+#[must_use]
+pub fn block<R: Real, B: Block<R>>(coeffs: &B::Coeffs, notes: &BTreeMap<String, String>) -> Program {
+    let mut specialiser = Specialiser::new(notes);
+    let coefficients = specialiser.enter_coefficients(<B::Coeffs as Portable>::TY, &leaves(coeffs));
+    let state = specialiser.enter_variables(<B::State as Portable>::TY, &leaves(&B::state()), Space::State);
+    let inputs = specialiser.enter_variables(<B::Inputs as Portable>::TY, &leaves(&B::inputs(coeffs)), Space::Input);
+    let outputs = specialiser.enter_variables(<B::Outputs as Portable>::TY, &leaves(&B::outputs()), Space::Output);
+    let init = specialiser.function(&B::INIT, vec![state.clone()]);
+    let step = specialiser.function(&B::STEP, vec![state, coefficients, inputs, outputs]);
+    specialiser.into_program(B::NAME, R::KIND, init, step)
+}
+
+/// The scalars of a value, in the order of its type.
+fn leaves<T: Portable>(value: &T) -> Vec<Literal> {
+    let mut leaves = Vec::new();
+    value.visit(&mut |literal| leaves.push(literal));
+    leaves
+}
+
+/// A list of variables of the program.
+#[derive(Clone, Copy)]
+enum Space {
+    Input,
+    Output,
+    State,
+}
+
+/// What is known at the present point of the function that is being specialised.
+struct Specialiser<'n> {
+    notes: &'n BTreeMap<String, String>,
+    inputs: Vec<Variable>,
+    outputs: Vec<Variable>,
+    state: Vec<Variable>,
+    constants: Vec<Constant>,
+    constant_of: HashMap<(usize, &'static str), usize>,
+    locals: Vec<Local>,
+    cells: Vec<Cell>,
+    coefficients: Vec<Coefficient>,
+    frames: Vec<Frame>,
+    statements: Vec<Statement>,
+}
+
+/// A function that is being inlined.
+struct Frame {
+    names: Vec<(&'static str, Rc<Node>)>,
+    /// the path of the state that the function works on, which names its locals
+    context: Rc<str>,
+    function: &'static str,
+}
+
+impl<'n> Specialiser<'n> {
+    fn new(notes: &'n BTreeMap<String, String>) -> Self {
+        Self {
+            notes,
+            inputs: Vec::new(),
+            outputs: Vec::new(),
+            state: Vec::new(),
+            constants: Vec::new(),
+            constant_of: HashMap::new(),
+            locals: Vec::new(),
+            cells: Vec::new(),
+            coefficients: Vec::new(),
+            frames: Vec::new(),
+            statements: Vec::new(),
+        }
+    }
+
+    /// Enters the coefficients: every leaf is known.
+    fn enter_coefficients(&mut self, ty: Ty, leaves: &[Literal]) -> Rc<Node> {
+        node::build(ty, "", "", &mut |_, path, doc| {
+            let position = self.coefficients.len();
+            self.coefficients.push(Coefficient { path, doc, value: leaves[position] });
+            self.cells.push(Cell::Coefficient(position));
+            self.cells.len() - 1
+        })
+    }
+
+    /// Enters inputs, outputs or state: every leaf is a variable.
+    fn enter_variables(&mut self, ty: Ty, leaves: &[Literal], space: Space) -> Rc<Node> {
+        let mut position = 0;
+        node::build(ty, "", "", &mut |leaf, path, doc| {
+            let start = number(leaves[position]);
+            let variable = Variable { path: path.to_string(), doc, ty: scalar_type(leaf, &path), start };
+            let cell = match space {
+                Space::Input => Cell::Fixed(Var::Input(position)),
+                Space::Output => Cell::Memory(Var::Output(position)),
+                Space::State => Cell::Memory(Var::State(position)),
+            };
+            match space {
+                Space::Input => self.inputs.push(variable),
+                Space::Output => self.outputs.push(variable),
+                Space::State => self.state.push(variable),
+            }
+            position += 1;
+            self.cells.push(cell);
+            self.cells.len() - 1
+        })
+    }
+
+    /// Specialises a function without a value.
+    fn function(&mut self, function: &'static Fn, arguments: Vec<Rc<Node>>) -> Vec<Statement> {
+        let names = function.params.iter().map(|param| param.name).zip(arguments).collect();
+        self.frames.push(Frame { names, context: "".into(), function: function.name });
+        self.block(&function.body.block);
+        self.frames.pop();
+        std::mem::take(&mut self.statements)
+    }
+
+    fn into_program(
+        self,
+        block: &'static str,
+        real: portable::RealKind,
+        init: Vec<Statement>,
+        step: Vec<Statement>,
+    ) -> Program {
+        let Self { inputs, outputs, state, constants, locals, .. } = self;
+        Program { block, real, inputs, outputs, state, constants, locals, init, step }
+    }
+
+    /// The coefficient as a named number, entered where it is first met.
+    fn coefficient(&mut self, position: usize) -> Expr {
+        let next = self.constants.len();
+        let index = *self.constant_of.entry((position, "")).or_insert(next);
+        if index == next {
+            let Coefficient { path, doc, value } = &self.coefficients[position];
+            self.constants.push(Constant { path: path.to_string(), doc, value: *value, position });
+        }
+        Expr::Var(Var::Constant(index))
+    }
+
+    /// The value of a function without parameters as a named number, entered where it is first met.
+    fn named(&mut self, function: &'static Fn, value: Literal) -> Expr {
+        let (next, position) = (self.constants.len(), self.coefficients.len());
+        let index = *self.constant_of.entry((position, function.name)).or_insert(next);
+        if index == next {
+            self.constants.push(Constant { path: function.name.to_owned(), doc: function.doc, value, position });
+        }
+        Expr::Var(Var::Constant(index))
+    }
+
+    /// A new local of the function that is being inlined.
+    fn local(&mut self, name: &str) -> Var {
+        let context = &self.frame().context;
+        let path = if context.is_empty() { name.to_owned() } else { format!("{context}.{name}") };
+        self.locals.push(Local { path, ty: None });
+        Var::Local(self.locals.len() - 1)
+    }
+
+    fn frame(&self) -> &Frame {
+        self.frames.last().expect("specialise: inside a function")
+    }
+
+    fn frame_mut(&mut self) -> &mut Frame {
+        self.frames.last_mut().expect("specialise: inside a function")
+    }
+}
+
+/// The type of a scalar variable. A `usize` exists only while specialising.
+fn scalar_type(ty: Ty, path: &str) -> Type {
+    match ty {
+        Ty::Bool => Type::Bool,
+        Ty::I32 | Ty::Enum { .. } => Type::I32,
+        Ty::U32 => Type::U32,
+        Ty::Real(_) => Type::Real,
+        Ty::Usize | Ty::Array { .. } | Ty::Struct { .. } => panic!("specialise: `{path}` is no variable: {ty:?}"),
+    }
+}
+
+/// A literal as the program has it: a variant is its number.
+fn number(literal: Literal) -> Literal {
+    match literal {
+        Literal::Variant(index) => Literal::I32(i32::try_from(index).expect("specialise: an enum has few variants")),
+        other => other,
+    }
+}

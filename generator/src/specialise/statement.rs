@@ -1,0 +1,240 @@
+//! Statements, branches and loops: the order of effects, and what is known after a branch.
+
+use super::node::{Cell, Node};
+use super::{Specialiser, number};
+use crate::program::{Expr, Statement, Var};
+use portable::{Arm, Binary, Block, Literal};
+use std::rc::Rc;
+
+impl Specialiser<'_> {
+    /// Runs a block; gives its value. The names that it declares end with it.
+    pub(super) fn block(&mut self, block: &'static Block) -> Option<Expr> {
+        let outer = self.frame().names.len();
+        for statement in block.statements {
+            self.statement(statement);
+        }
+        let value = block.value.map(|value| self.expr(value));
+        self.frame_mut().names.truncate(outer);
+        value
+    }
+
+    fn statement(&mut self, statement: &'static portable::Statement) {
+        match statement {
+            portable::Statement::Let { name, value } => {
+                let node = match value {
+                    portable::Expr::Array { elements } => self.array(name, elements),
+                    portable::Expr::Repeat { value, len } => {
+                        let value = self.expr(value);
+                        let cell = self.settled(name, value);
+                        let elements = (0..*len).map(|_| self.leaf(cell)).collect();
+                        Rc::new(Node::Array { path: (*name).into(), elements })
+                    }
+                    portable::Expr::If { .. } | portable::Expr::Match { .. } => {
+                        let value = self.choice(value, name);
+                        self.bind(name, value)
+                    }
+                    value => {
+                        let value = self.expr(value);
+                        self.bind(name, value)
+                    }
+                };
+                self.frame_mut().names.push((name, node));
+            }
+            portable::Statement::Assign { place, value } => {
+                let name = place.projections.iter().rev().find_map(|projection| match projection {
+                    portable::Projection::Field { name } => Some(*name),
+                    portable::Projection::Index { .. } => None,
+                });
+                let name = name.unwrap_or(place.root);
+                let value = match value {
+                    portable::Expr::If { .. } | portable::Expr::Match { .. } => self.choice(value, name),
+                    value => self.expr(value),
+                };
+                let node = self.place(place);
+                self.assign(&node, name, value);
+            }
+            portable::Statement::For { variable, from, to, body } => {
+                for index in self.known_index(from)..self.known_index(to) {
+                    let node = self.leaf(Cell::Known(Literal::Usize(index)));
+                    self.frame_mut().names.push((variable, node));
+                    self.block(body);
+                    self.frame_mut().names.pop();
+                }
+            }
+            portable::Statement::Expr { value } => match value {
+                portable::Expr::Call { function, arguments } => {
+                    self.call(function, arguments);
+                }
+                branching => {
+                    self.branch(branching, None);
+                }
+            },
+        }
+    }
+
+    fn array(&mut self, name: &'static str, elements: &'static [portable::Expr]) -> Rc<Node> {
+        let elements = elements
+            .iter()
+            .map(|element| {
+                let value = self.expr(element);
+                self.bind(name, value)
+            })
+            .collect();
+        Rc::new(Node::Array { path: name.into(), elements })
+    }
+
+    fn assign(&mut self, node: &Node, name: &str, value: Expr) {
+        let Node::Leaf(cell) = *node else {
+            panic!("specialise: in {}: only a scalar can be assigned", self.frame().function)
+        };
+        match self.cells[cell] {
+            Cell::Memory(target) => {
+                let value = run_time(value);
+                self.statements.push(Statement::Assign { target, value });
+            }
+            Cell::Known(_) | Cell::Fixed(_) => self.cells[cell] = self.settled(name, value),
+            Cell::Coefficient(_) => panic!("specialise: in {}: a coefficient is written", self.frame().function),
+        }
+    }
+
+    /// The value in a form that nothing can change any more: what can change, or is computed, goes to a new local.
+    pub(super) fn settled(&mut self, name: &str, value: Expr) -> Cell {
+        match value {
+            Expr::Literal(literal) => Cell::Known(literal),
+            Expr::Var(var @ (Var::Constant(_) | Var::Input(_) | Var::Local(_))) => Cell::Fixed(var),
+            computed => {
+                let target = self.local(name);
+                self.statements.push(Statement::Assign { target, value: computed });
+                Cell::Fixed(target)
+            }
+        }
+    }
+
+    fn leaf(&mut self, cell: Cell) -> Rc<Node> {
+        self.cells.push(cell);
+        Rc::new(Node::Leaf(self.cells.len() - 1))
+    }
+
+    /// The value of an `if` or a `match`; `name` is what a local that holds it is called.
+    pub(super) fn choice(&mut self, expr: &'static portable::Expr, name: &str) -> Expr {
+        self.branch(expr, Some(name)).expect("specialise: every branch of a value has one")
+    }
+
+    fn branch(&mut self, expr: &'static portable::Expr, name: Option<&str>) -> Option<Expr> {
+        match expr {
+            portable::Expr::If { condition, then, otherwise } => {
+                let condition = self.expr(condition);
+                self.decide(condition, name, |this| this.block(then), |this| this.block(otherwise))
+            }
+            portable::Expr::Match { scrutinee, arms } => {
+                let scrutinee = self.expr(scrutinee);
+                let scrutinee = value_of(self.settled("choice", scrutinee));
+                self.arms(&scrutinee, arms, name)
+            }
+            other => panic!("specialise: in {}: no branch: {other:?}", self.frame().function),
+        }
+    }
+
+    /// The arms of a match, as a chain of `if`s. The last arm needs no question: Rust has made sure that one fits.
+    fn arms(&mut self, scrutinee: &Expr, arms: &'static [Arm], name: Option<&str>) -> Option<Expr> {
+        let (arm, rest) = arms.split_first().expect("specialise: a match has an arm");
+        if arm.patterns.is_empty() || rest.is_empty() {
+            return self.block(&arm.body);
+        }
+        let condition = arm.patterns.iter().fold(Expr::Literal(Literal::Bool(false)), |any, pattern| {
+            let equal = self.binary(Binary::Equal, scrutinee.clone(), Expr::Literal(pattern()));
+            self.binary(Binary::Or, any, equal)
+        });
+        let (scrutinee, body) = (scrutinee.clone(), &arm.body);
+        self.decide(condition, name, |this| this.block(body), move |this| this.arms(&scrutinee, rest, name))
+    }
+
+    /// Takes the branch that is known, or both; a local that differs after them gets a new value in each.
+    fn decide(
+        &mut self,
+        condition: Expr,
+        name: Option<&str>,
+        then: impl FnOnce(&mut Self) -> Option<Expr>,
+        otherwise: impl FnOnce(&mut Self) -> Option<Expr>,
+    ) -> Option<Expr> {
+        match self.known(&condition) {
+            Some(Literal::Bool(true)) => return then(self),
+            Some(Literal::Bool(false)) => return otherwise(self),
+            _ => {}
+        }
+        let before = self.cells.clone();
+        let outer = std::mem::take(&mut self.statements);
+        let run = |this: &mut Self, branch: &mut dyn FnMut(&mut Self) -> Option<Expr>| {
+            this.cells.clone_from(&before);
+            let value = branch(this);
+            let mut cells = std::mem::take(&mut this.cells);
+            cells.truncate(before.len());
+            (std::mem::take(&mut this.statements), cells, value)
+        };
+        let (mut then, mut otherwise) = (Some(then), Some(otherwise));
+        let mut yes = run(self, &mut |this| then.take().and_then(|then| then(this)));
+        let mut no = run(self, &mut |this| otherwise.take().and_then(|otherwise| otherwise(this)));
+        self.cells = before;
+        let value = match (name, yes.2.take(), no.2.take()) {
+            (Some(name), Some(a), Some(b)) => Some(self.merge(name, a, b, &mut yes.0, &mut no.0)),
+            _ => None,
+        };
+        for cell in 0..self.cells.len() {
+            if yes.1[cell] != no.1[cell] {
+                let name = self.name_of(cell);
+                let (a, b) = (value_of(yes.1[cell]), value_of(no.1[cell]));
+                let merged = self.merge(&name, a, b, &mut yes.0, &mut no.0);
+                self.cells[cell] = self.settled(&name, merged);
+            } else {
+                self.cells[cell] = yes.1[cell];
+            }
+        }
+        self.statements = outer;
+        self.statements.push(Statement::If { condition, then: yes.0, otherwise: no.0 });
+        value
+    }
+
+    /// One value after two branches.
+    fn merge(&mut self, name: &str, a: Expr, b: Expr, yes: &mut Vec<Statement>, no: &mut Vec<Statement>) -> Expr {
+        if a == b && matches!(a, Expr::Literal(_) | Expr::Var(Var::Constant(_) | Var::Input(_) | Var::Local(_))) {
+            return a; // nothing in the branches can have changed it
+        }
+        let target = self.local(name);
+        yes.push(Statement::Assign { target, value: run_time(a) });
+        no.push(Statement::Assign { target, value: run_time(b) });
+        Expr::Var(target)
+    }
+
+    /// The Rust name that stands for a cell, innermost function first.
+    fn name_of(&self, cell: usize) -> String {
+        let names = self.frames.iter().rev().flat_map(|frame| frame.names.iter().rev());
+        let found = names.into_iter().find(|(_, node)| contains(node, cell));
+        found.map_or_else(|| "value".to_owned(), |(name, _)| (*name).to_owned())
+    }
+}
+
+/// Whether a cell is a part of what a name stands for.
+fn contains(node: &Node, cell: usize) -> bool {
+    match node {
+        Node::Leaf(leaf) => *leaf == cell,
+        Node::Struct { fields, .. } => fields.iter().any(|(_, field)| contains(field, cell)),
+        Node::Array { elements, .. } => elements.iter().any(|element| contains(element, cell)),
+    }
+}
+
+/// The value that a cell has after a branch.
+fn value_of(cell: Cell) -> Expr {
+    match cell {
+        Cell::Known(literal) => Expr::Literal(literal),
+        Cell::Fixed(var) => Expr::Var(var),
+        Cell::Coefficient(_) | Cell::Memory(_) => panic!("specialise: only a local has a value that changes"),
+    }
+}
+
+/// A value that the program stores: a variant becomes its number.
+fn run_time(expr: Expr) -> Expr {
+    match expr {
+        Expr::Literal(literal) => Expr::Literal(number(literal)),
+        other => other,
+    }
+}

@@ -1,0 +1,153 @@
+//! The two files of an axis in C: what goes into the templates.
+
+use super::names::identifier;
+use super::print::{Printer, member};
+use super::types;
+use crate::axis::Axis;
+use crate::block::Block;
+use crate::digest::digest;
+use crate::program::{Program, Type, Variable};
+use crate::render::{CBlock, CFile, CHeader, CSelfTest, CSource, ConstantText, Group, Leaf, Member, Switch};
+use crate::target::File;
+use crate::target::number::bits;
+use askama::Template;
+use portable::{Literal, RealKind};
+
+/// The header and the source of an axis.
+///
+/// # Panics
+/// If a template cannot be filled, which no input can bring about.
+#[must_use]
+pub fn files(axis: &Axis, blocks: &[Block]) -> Vec<File> {
+    let stem = format!("axis_{}", axis.name.to_ascii_lowercase());
+    let (header, source) = (format!("{stem}.h"), format!("{stem}.c"));
+    let texts: Vec<CBlock> = blocks.iter().map(|block| block_text(&stem, block)).collect();
+    let guard = format!("{}_H", stem.to_ascii_uppercase());
+    let header_body = CHeader { guard: &guard, blocks: &texts }.render().expect("c: the header's template is filled");
+    let source_body = CSource { header: &header, blocks: &texts }.render().expect("c: the source's template is filled");
+    vec![with_origin(axis, header, &header_body), with_origin(axis, source, &source_body)]
+}
+
+/// Puts the comment that names the origin on top.
+fn with_origin(axis: &Axis, file: String, body: &str) -> File {
+    let text = CFile {
+        file: &file,
+        version: env!("CARGO_PKG_VERSION"),
+        axis: &axis.name,
+        real: types::name(Type::Real, axis.real),
+        cycle_time_ns: axis.cycle_time_ns,
+        parameters_digest: &digest(axis.canonical.as_bytes()),
+        body_digest: &digest(body.as_bytes()),
+        body,
+    };
+    let text = text.render().expect("c: the file's template is filled") + "\n";
+    File { name: file, text }
+}
+
+fn block_text(stem: &str, block: &Block) -> CBlock {
+    let program = &block.program;
+    let prefix = format!("{stem}_{}", program.block);
+    let printer = Printer::new(program);
+    CBlock {
+        inputs: members(&program.inputs, program.real),
+        outputs: members(&program.outputs, program.real),
+        state: members(&program.state, program.real),
+        constants: groups(block, &printer),
+        init: printer.body(&program.init),
+        step: printer.body(&program.step),
+        samples: block.self_test.expected.len(),
+        self_test: self_test(&prefix, block),
+        prefix,
+    }
+}
+
+fn members(variables: &[Variable], real: RealKind) -> Vec<Member> {
+    let text = |variable: &Variable| Member {
+        ty: types::name(variable.ty, real),
+        name: member(&variable.path),
+        doc: variable.doc.to_owned(),
+        start: types::literal(variable.start),
+    };
+    variables.iter().map(text).collect()
+}
+
+/// The constants in their order, a new group where another note begins.
+fn groups(block: &Block, printer: &Printer<'_>) -> Vec<Group> {
+    let program = &block.program;
+    let mut groups: Vec<Group> = Vec::new();
+    let mut said = Vec::new();
+    for (constant, name) in program.constants.iter().zip(printer.constants()) {
+        let notes: Vec<&String> = notes_of(&constant.path).filter_map(|path| block.notes.get(path)).collect();
+        let fresh: Vec<&str> = notes.iter().filter(|note| !said.contains(**note)).map(|note| note.as_str()).collect();
+        let text = ConstantText {
+            ty: constant_type(constant.value, program.real),
+            name: name.clone(),
+            value: types::literal(constant.value),
+            doc: constant.doc.to_owned(),
+        };
+        match groups.last_mut() {
+            Some(last) if fresh.is_empty() => last.constants.push(text),
+            _ => groups.push(Group { note: fresh.join("\n * "), constants: vec![text] }),
+        }
+        said.extend(notes.into_iter().cloned());
+    }
+    groups
+}
+
+/// A path and those that contain it, outermost first.
+fn notes_of(path: &str) -> impl Iterator<Item = &str> {
+    let ends = path.char_indices().filter(|(_, character)| *character == '.').map(|(end, _)| end);
+    ends.chain([path.len()]).map(|end| &path[..end])
+}
+
+fn constant_type(value: Literal, real: RealKind) -> &'static str {
+    match value {
+        Literal::Bool(_) => types::name(Type::Bool, real),
+        Literal::U32(_) => types::name(Type::U32, real),
+        Literal::F64(_) | Literal::F32(_) => types::name(Type::Real, real),
+        _ => types::name(Type::I32, real),
+    }
+}
+
+fn self_test(prefix: &str, block: &Block) -> String {
+    let (program, test) = (&block.program, &block.self_test);
+    let noisy: Vec<String> = reals(program).collect();
+    let middle = types::literal(match program.real {
+        RealKind::F64 => Literal::F64(8_388_608.0),
+        RealKind::F32 => Literal::F32(8_388_608.0),
+    });
+    let hexadecimal = |value| match program.real {
+        RealKind::F64 => format!("UINT64_C(0x{:016x})", bits(value)),
+        RealKind::F32 => format!("UINT32_C(0x{:08x})", bits(value)),
+    };
+    let text = CSelfTest {
+        prefix,
+        bits_of: &format!("{}_bits_of", program.block),
+        real: types::name(Type::Real, program.real),
+        bits_type: types::bits_name(program.real),
+        output: &identifier(&program.outputs[0].path),
+        expected: &test.expected.iter().map(|value| hexadecimal(*value)).collect::<Vec<_>>(),
+        switches: &test
+            .switches
+            .iter()
+            .map(|(index, value)| Switch {
+                name: identifier(&program.inputs[*index].path),
+                value: types::literal(*value),
+            })
+            .collect::<Vec<_>>(),
+        noisy: &noisy,
+        middle: &middle,
+        scale: &types::literal(test.scale),
+        state: &test
+            .state
+            .iter()
+            .map(|(index, value)| Leaf { name: member(&program.state[*index].path), bits: hexadecimal(*value) })
+            .collect::<Vec<_>>(),
+    };
+    text.render().expect("c: the self-test's template is filled")
+}
+
+/// The real inputs.
+fn reals(program: &Program) -> impl Iterator<Item = String> {
+    program.inputs.iter().filter(|input| input.ty == Type::Real).map(|input| member(&input.path))
+}

@@ -1,0 +1,9 @@
+//! C99: names, types, and statements as text. The skeletons of the files are templates.
+
+mod file;
+pub mod names;
+pub mod print;
+mod scope;
+pub mod types;
+
+pub use file::files;

@@ -1,0 +1,33 @@
+//! Real numbers as decimal text that every compiler reads back to the same bits. No suffix, no sign rules of a language.
+
+use portable::Literal;
+
+/// The shortest decimal that reads back to the same bits, with a digit on each side of the point: `0.1`, `1.0e-30`.
+///
+/// # Panics
+/// If the literal is no real number, or not finite: the passes have excluded both.
+#[must_use]
+pub fn decimal(value: Literal) -> String {
+    let shortest = match value {
+        Literal::F64(value) if value.is_finite() => format!("{value:?}"),
+        Literal::F32(value) if value.is_finite() => format!("{value:?}"),
+        other => panic!("number: {other:?} cannot be written"),
+    };
+    match shortest.split_once('e') {
+        Some((mantissa, exponent)) if !mantissa.contains('.') => format!("{mantissa}.0e{exponent}"),
+        _ => shortest,
+    }
+}
+
+/// The bits of a real number.
+///
+/// # Panics
+/// If the literal is no real number.
+#[must_use]
+pub fn bits(value: Literal) -> u64 {
+    match value {
+        Literal::F64(value) => value.to_bits(),
+        Literal::F32(value) => u64::from(value.to_bits()),
+        other => panic!("number: {other:?} has no such bits"),
+    }
+}

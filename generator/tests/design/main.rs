@@ -1,0 +1,12 @@
+//! The design against closed forms, an independent implementation and the reference's own `step`. No golden files.
+
+mod allpass;
+mod bandpass;
+mod golden;
+mod oscillation;
+mod refused;
+mod response;
+mod rounding;
+mod scipy;
+mod sets;
+mod tree;

@@ -1,0 +1,53 @@
+#ifndef {{ guard }}
+#define {{ guard }}
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+{%- for block in blocks %}
+
+/* Written by the caller. {{ block.prefix }}_inputs_init fills in what is said to be the start. */
+typedef struct {
+{%- for member in block.inputs %}
+    {{ member.ty }} {{ member.name }}; /* {{ member.doc }}; start {{ member.start }} */
+{%- endfor %}
+} {{ block.prefix }}_inputs;
+
+/* Written by {{ block.prefix }}_step. */
+typedef struct {
+{%- for member in block.outputs %}
+    {{ member.ty }} {{ member.name }}; /* {{ member.doc }} */
+{%- endfor %}
+} {{ block.prefix }}_outputs;
+
+/* Kept from cycle to cycle; only the functions below look inside. */
+typedef struct {
+{%- for member in block.state %}
+    {{ member.ty }} {{ member.name }}; /* {{ member.doc }} */
+{%- endfor %}
+} {{ block.prefix }}_state;
+
+/* Once before the first cycle. */
+void {{ block.prefix }}_init({{ block.prefix }}_state *state);
+
+/* Gives every input the value that it has until the caller writes it. */
+void {{ block.prefix }}_inputs_init({{ block.prefix }}_inputs *inputs);
+
+/* Once per position-controller cycle. The three structs do not overlap. */
+void {{ block.prefix }}_step({{ block.prefix }}_state *state, const {{ block.prefix }}_inputs *inputs,
+    {{ block.prefix }}_outputs *outputs);
+
+/* Compares a short run with the bits of the reference: 0 if all are the same, else the number of the first sample that
+ * differs ({{ block.samples }} samples, then the state). Run it once at start-up, on the machine and with the compiler options that the block
+ * runs with: it finds a build that fuses or reorders floating-point operations. */
+uint32_t {{ block.prefix }}_self_test(void);
+{%- endfor %}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

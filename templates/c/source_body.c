@@ -1,0 +1,46 @@
+#include "{{ header }}"
+
+/* The numbers below hold for IEEE 754 arithmetic that rounds every operation once. */
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) \
+    || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || defined(__NO_SIGNED_ZEROS__)
+#error "this block needs exact arithmetic: compile it without -ffast-math and its parts"
+#endif
+#include <float.h>
+#if FLT_EVAL_METHOD != 0
+#error "this block needs arithmetic in the declared type: on x86 compile it with -mfpmath=sse"
+#endif
+/* A fused multiply-add rounds once where the reference rounds twice. */
+#if defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#elif defined(__GNUC__)
+#pragma GCC optimize ("fp-contract=off")
+#else
+#pragma STDC FP_CONTRACT OFF
+#endif
+{%- for block in blocks %}
+{% for group in block.constants %}
+{%- if !group.note.is_empty() %}
+/* {{ group.note }} */
+{%- endif %}
+{%- for constant in group.constants %}
+static const {{ constant.ty }} {{ constant.name }} = {{ constant.value }}; /* {{ constant.doc }} */
+{%- endfor %}
+{% endfor %}
+void {{ block.prefix }}_init({{ block.prefix }}_state *state)
+{
+{{ block.init }}}
+
+void {{ block.prefix }}_inputs_init({{ block.prefix }}_inputs *inputs)
+{
+{%- for member in block.inputs %}
+    inputs->{{ member.name }} = {{ member.start }};
+{%- endfor %}
+}
+
+void {{ block.prefix }}_step({{ block.prefix }}_state *restrict state, const {{ block.prefix }}_inputs *restrict inputs,
+    {{ block.prefix }}_outputs *restrict outputs)
+{
+{{ block.step }}}
+
+{{ block.self_test }}
+{%- endfor %}
