@@ -74,7 +74,7 @@ impl<'p> Machine<'p> {
             // Without effects, evaluating both sides always gives what short-circuiting gives.
             Expr::Binary(operator, left, right) => binary(*operator, self.value(left), self.value(right)),
             Expr::Intrinsic(intrinsic, operands) => match (intrinsic, operands.as_slice()) {
-                (Intrinsic::Within, [x, limit]) => within(self.value(x), self.value(limit)),
+                (Intrinsic::Usable | Intrinsic::Within, [x, limit]) => within(self.value(x), self.value(limit)),
                 (Intrinsic::FromU32, [value]) => self.from_u32(self.value(value)),
                 _ => panic!("interp: {intrinsic:?} with {} operands", operands.len()),
             },

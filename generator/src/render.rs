@@ -40,6 +40,12 @@ pub struct CHeader<'a> {
 pub struct CSource<'a> {
     /// the header's name
     pub header: &'a str,
+    /// C name of the real type
+    pub real: &'a str,
+    /// 0 of the real type
+    pub zero: &'a str,
+    /// what GCC and Clang call the magnitude
+    pub builtin_magnitude: &'a str,
     /// the blocks of the axis
     pub blocks: &'a [CBlock],
 }

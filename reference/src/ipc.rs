@@ -13,7 +13,7 @@
 
 use crate::Block;
 use crate::stage;
-use portable::{Fn, Real, from_u32, portable, within};
+use portable::{Fn, Real, from_u32, portable, usable, within};
 
 /// Stages of a block.
 pub const STAGES: usize = 3;
@@ -32,7 +32,7 @@ pub struct Coeffs<R> {
     pub limit: R,
     /// -limit
     pub lower_limit: R,
-    /// a sum below this magnitude is exactly 0: an axis at rest puts out exactly 0
+    /// a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0
     pub rest: R,
     /// cycles that the gate takes from 0 to 1
     pub fade_cycles: u32,
@@ -148,30 +148,34 @@ pub fn sample_limit<R: Real>() -> R {
     R::per_kind(1.0e15, 1.0e9)
 }
 
-/// Why the block cannot act in this cycle. Only the inputs that a stage looks at are judged.
+/// Whether a stage looks at the command velocity.
 #[portable]
-pub fn error_of<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> u32 {
-    let mut command_used = false;
-    let mut motor_used = false;
-    let mut direct_used = false;
+pub fn reads_command<R: Real>(coeffs: &Coeffs<R>) -> bool {
+    let mut found = false;
     for i in 0..STAGES {
-        command_used = command_used || stage::reads_command(&coeffs.stage[i]);
-        motor_used = motor_used || stage::reads_motor(&coeffs.stage[i]);
-        direct_used = direct_used || stage::reads_direct(&coeffs.stage[i]);
+        found = found || stage::reads_command(&coeffs.stage[i]);
     }
-    if inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns {
-        error_cycle_time()
-    } else if inputs.mode != mode_off() && inputs.mode != mode_on() && inputs.mode != mode_dryrun() {
-        error_mode()
-    } else if command_used && !within(inputs.v_command, sample_limit()) {
-        error_v_command()
-    } else if motor_used && !within(inputs.v_motor, sample_limit()) {
-        error_v_motor()
-    } else if direct_used && !within(inputs.v_direct, sample_limit()) {
-        error_v_direct()
-    } else {
-        error_none()
+    found
+}
+
+/// Whether a stage looks at the motor's velocity.
+#[portable]
+pub fn reads_motor<R: Real>(coeffs: &Coeffs<R>) -> bool {
+    let mut found = false;
+    for i in 0..STAGES {
+        found = found || stage::reads_motor(&coeffs.stage[i]);
     }
+    found
+}
+
+/// Whether a stage looks at the velocity of the direct measuring system.
+#[portable]
+pub fn reads_direct<R: Real>(coeffs: &Coeffs<R>) -> bool {
+    let mut found = false;
+    for i in 0..STAGES {
+        found = found || stage::reads_direct(&coeffs.stage[i]);
+    }
+    found
 }
 
 /// Puts all sections to the steady state of the present input.
@@ -202,43 +206,51 @@ pub fn sum_of_stages<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: 
     v_sum
 }
 
-/// The sum within +-limit; exactly 0 where its magnitude is below `rest`.
+/// The sum within +-limit; exactly 0 where its magnitude is not above `rest`.
 #[portable]
 pub fn limit<R: Real>(outputs: &mut Outputs<R>, coeffs: &Coeffs<R>, v_sum: R) -> R {
     let mut v_limited = R::ZERO;
-    if v_sum >= coeffs.rest {
-        v_limited = v_sum;
-        if v_sum > coeffs.limit {
-            v_limited = coeffs.limit;
-            outputs.limited = true;
+    if within(v_sum, coeffs.limit) {
+        if !within(v_sum, coeffs.rest) {
+            v_limited = v_sum;
         }
-    } else if v_sum <= -coeffs.rest {
-        v_limited = v_sum;
-        if v_sum < coeffs.lower_limit {
-            v_limited = coeffs.lower_limit;
-            outputs.limited = true;
-        }
+    } else if v_sum > coeffs.limit {
+        v_limited = coeffs.limit;
+        outputs.limited = true;
+    } else if v_sum < coeffs.lower_limit {
+        v_limited = coeffs.lower_limit;
+        outputs.limited = true;
     }
     v_limited
 }
 
-/// Moves the gate by one cycle: up while the mode is ON, down otherwise.
+/// Moves the gate by one cycle: up while the mode is ON, down otherwise. OFF ends where the gate is closed.
 #[portable]
 pub fn move_gate<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, mode: i32) {
     if mode == mode_on() {
         if state.gate < coeffs.fade_cycles {
             state.gate += 1u32;
         }
-    } else if state.gate > 0u32 {
-        state.gate -= 1u32;
+    } else {
+        if state.gate > 0u32 {
+            state.gate -= 1u32;
+        }
+        if mode == mode_off() && state.gate == 0u32 {
+            state.settled = false;
+        }
     }
 }
 
-/// Puts out nothing.
+/// A cycle in which the block must not act: everything starts anew after it.
 #[portable]
-pub fn put_out_zero<R: Real>(outputs: &mut Outputs<R>) {
+pub fn stop<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, error_id: u32) {
+    state.settled = false;
+    state.gate = 0u32;
     outputs.v_add = R::ZERO;
     outputs.v_add_calculated = R::ZERO;
+    outputs.limited = false;
+    outputs.fault = error_id != error_none();
+    outputs.error_id = error_id;
 }
 
 /// Before the first cycle. The sections need nothing: the first active cycle settles them.
@@ -248,42 +260,61 @@ pub fn init<R: Real>(state: &mut State<R>) {
     state.gate = 0u32;
 }
 
-/// One cycle.
+/// A cycle in which the sections are put to the steady state of the input. Steady sections put out 0, so that there is
+/// nothing to run.
+#[portable]
+pub fn start<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    settle(state, coeffs, inputs);
+    state.settled = true;
+    outputs.v_add = R::ZERO;
+    outputs.v_add_calculated = R::ZERO;
+    outputs.limited = false;
+    outputs.fault = false;
+    outputs.error_id = error_none();
+}
+
+/// A cycle in which the sections run.
+#[portable]
+pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    outputs.limited = false;
+    outputs.fault = false;
+    outputs.error_id = error_none();
+    move_gate(state, coeffs, inputs.mode);
+    let v_sum = sum_of_stages(state, coeffs, inputs);
+    let v_limited = limit(outputs, coeffs, v_sum);
+    if state.gate >= coeffs.fade_cycles {
+        // The gate has just moved: where it is open, the mode is ON.
+        outputs.v_add = v_limited;
+        outputs.v_add_calculated = v_limited;
+    } else {
+        outputs.v_add = if state.gate > 0u32 {
+            v_limited * (from_u32::<R>(state.gate) * coeffs.fade_step)
+        } else {
+            R::ZERO
+        };
+        outputs.v_add_calculated = if inputs.mode != mode_off() { v_limited } else { R::ZERO };
+    }
+}
+
+/// One cycle. Only the inputs that a stage looks at are judged.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    let error_id = error_of(coeffs, inputs);
-    outputs.limited = false;
-    outputs.fault = error_id != error_none();
-    outputs.error_id = error_id;
-    if error_id != error_none()
-        || !inputs.position_controlled
-        || inputs.reset
-        || inputs.mode == mode_off() && state.gate == 0u32
-    {
-        state.settled = false;
-        state.gate = 0u32;
-        put_out_zero(outputs);
+    if inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns {
+        stop(state, outputs, error_cycle_time());
+    } else if inputs.mode != mode_off() && inputs.mode != mode_on() && inputs.mode != mode_dryrun() {
+        stop(state, outputs, error_mode());
+    } else if reads_command(coeffs) && !usable(inputs.v_command, sample_limit()) {
+        stop(state, outputs, error_v_command());
+    } else if reads_motor(coeffs) && !usable(inputs.v_motor, sample_limit()) {
+        stop(state, outputs, error_v_motor());
+    } else if reads_direct(coeffs) && !usable(inputs.v_direct, sample_limit()) {
+        stop(state, outputs, error_v_direct());
+    } else if !inputs.position_controlled || inputs.reset || inputs.mode == mode_off() && !state.settled {
+        stop(state, outputs, error_none());
     } else if !state.settled {
-        // Steady sections put out 0: there is nothing to run in this cycle.
-        settle(state, coeffs, inputs);
-        state.settled = true;
-        put_out_zero(outputs);
+        start(state, coeffs, inputs, outputs);
     } else {
-        move_gate(state, coeffs, inputs.mode);
-        let v_sum = sum_of_stages(state, coeffs, inputs);
-        let v_limited = limit(outputs, coeffs, v_sum);
-        if state.gate >= coeffs.fade_cycles {
-            // The gate has just moved: where it is open, the mode is ON.
-            outputs.v_add = v_limited;
-            outputs.v_add_calculated = v_limited;
-        } else {
-            outputs.v_add = if state.gate > 0u32 {
-                v_limited * (from_u32::<R>(state.gate) * coeffs.fade_step)
-            } else {
-                R::ZERO
-            };
-            outputs.v_add_calculated = if inputs.mode != mode_off() { v_limited } else { R::ZERO };
-        }
+        act(state, coeffs, inputs, outputs);
     }
 }
 

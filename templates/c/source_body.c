@@ -17,6 +17,16 @@
 #else
 #pragma STDC FP_CONTRACT OFF
 #endif
+
+/* |value|, without a library */
+static {{ real }} magnitude({{ real }} value)
+{
+#if defined(__GNUC__)
+    return {{ builtin_magnitude }}(value);
+#else
+    return value < {{ zero }} ? -value : value;
+#endif
+}
 {%- for block in blocks %}
 {% for group in block.constants %}
 {%- if !group.note.is_empty() %}

@@ -42,9 +42,11 @@ fn among(written: &str, candidates: impl Iterator<Item = &'static str>) -> Optio
         let candidate = path::without_indices(template);
         let whole = distance(&plain, &candidate)?;
         let of_end = distance(end, last(&candidate))?;
-        (whole <= TYPO || of_end <= 1 + end.len() / 4).then_some((whole.min(TYPO + 1), of_end, whole, template))
+        (whole <= TYPO || of_end <= 1 + end.len() / 4).then_some(((whole.min(TYPO + 1), of_end), template))
     };
-    candidates.filter_map(score).min().map(|(_, _, _, template)| path_with(template, indices(written)))
+    // The first of equals, which is a path rather than its aliases.
+    let best = candidates.filter_map(score).min_by_key(|(score, _)| *score);
+    best.map(|(_, template)| path_with(template, indices(written)))
 }
 
 fn last(path: &str) -> &str {

@@ -2,9 +2,16 @@
 
 use crate::Real;
 
-/// Whether `-limit <= x <= limit`. False for a NaN and, with a finite limit, for an infinity, which need not be named.
+/// Whether `x` is a usable number: `-limit <= x <= limit`. With a finite limit this is false for a NaN and for an
+/// infinity, neither of which need be named.
 ///
 /// A target whose runtime may stop at a comparison with a NaN looks at the exponent bits first.
+#[must_use]
+pub fn usable<R: Real>(x: R, limit: R) -> bool {
+    -limit <= x && x <= limit
+}
+
+/// Whether `-limit <= x <= limit`, for an `x` that is a number.
 #[must_use]
 pub fn within<R: Real>(x: R, limit: R) -> bool {
     -limit <= x && x <= limit
@@ -39,5 +46,6 @@ macro_rules! intrinsic {
     };
 }
 
+intrinsic!(usable, Usable, (x: R, limit: R) -> bool);
 intrinsic!(within, Within, (x: R, limit: R) -> bool);
 intrinsic!(from_u32, FromU32, (value: u32) -> R);

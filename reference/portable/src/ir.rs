@@ -34,6 +34,8 @@ pub struct Body {
 /// An operation that each target prints in its own way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Intrinsic {
+    /// [`crate::usable`]
+    Usable,
     /// [`crate::within`]
     Within,
     /// [`crate::from_u32`]

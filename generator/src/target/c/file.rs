@@ -24,7 +24,13 @@ pub fn files(axis: &Axis, blocks: &[Block]) -> Vec<File> {
     let texts: Vec<CBlock> = blocks.iter().map(|block| block_text(&stem, block)).collect();
     let guard = format!("{}_H", stem.to_ascii_uppercase());
     let header_body = CHeader { guard: &guard, blocks: &texts }.render().expect("c: the header's template is filled");
-    let source_body = CSource { header: &header, blocks: &texts }.render().expect("c: the source's template is filled");
+    let (zero, builtin_magnitude) = match axis.real {
+        RealKind::F64 => ("0.0", "__builtin_fabs"),
+        RealKind::F32 => ("0.0f", "__builtin_fabsf"),
+    };
+    let real = types::name(Type::Real, axis.real);
+    let source_body = CSource { header: &header, real, zero, builtin_magnitude, blocks: &texts };
+    let source_body = source_body.render().expect("c: the source's template is filled");
     vec![with_origin(axis, header, &header_body), with_origin(axis, source, &source_body)]
 }
 

@@ -13,7 +13,7 @@ const RESERVED: &[&str] = &[
     "static", "static_assert", "static_cast", "struct", "switch", "template", "this", "thread_local", "throw", "true",
     "try", "typedef", "typeid", "typename", "typeof", "uint32_t", "uint64_t", "union", "unsigned", "using", "virtual",
     "void", "volatile", "wchar_t", "while", "xor", "xor_eq", "state", "inputs", "outputs", "bits_of", "step", "random",
-    "sample",
+    "sample", "magnitude",
 ];
 
 /// The identifier of a path: `stage[0].filter[1].y` becomes `stage0_filter1_y`.

@@ -194,11 +194,9 @@ impl<'p> Printer<'p> {
 
     fn intrinsic(&self, intrinsic: Intrinsic, operands: &[Expr]) -> (String, Precedence) {
         match (intrinsic, operands) {
-            (Intrinsic::Within, [x, limit]) => {
-                let x = self.bound(x, Precedence::Sum);
-                let negative = self.bound(limit, Precedence::Primary);
-                let limit = self.bound(limit, Precedence::Sum);
-                (format!("-{negative} <= {x} && {x} <= {limit}"), Precedence::And)
+            (Intrinsic::Usable | Intrinsic::Within, [x, limit]) => {
+                let (x, limit) = (self.expr(x), self.bound(limit, Precedence::Sum));
+                (format!("magnitude({x}) <= {limit}"), Precedence::Relation)
             }
             (Intrinsic::FromU32, [value]) => {
                 let ty = match self.program.real {

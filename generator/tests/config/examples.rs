@@ -1,0 +1,64 @@
+//! The examples of the repository: they load, and say nothing but what they should.
+
+use generator::axis::{DirectSource, Enable, Filter, Mode, Prototype, Stage};
+use generator::config::{ListOptions, Set, read};
+use portable::RealKind;
+use std::path::Path;
+
+fn example(name: &str, options: &ListOptions) -> (Set, String) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples").join(name);
+    let (set, report) = read(&path, options);
+    (set.unwrap_or_else(|| panic!("{report}")), report.to_string())
+}
+
+fn at_1ms() -> ListOptions {
+    ListOptions { cycle_time: Some("1ms".to_owned()), name: None }
+}
+
+#[test]
+fn rack_and_pinion() {
+    let (set, said) = example("rack-and-pinion.lis", &at_1ms());
+    assert_eq!(said, "");
+    assert_eq!((set.axes.len(), set.foreign), (1, 0));
+    let axis = &set.axes[0];
+    assert_eq!((axis.name.as_str(), axis.real, axis.cycle_time_ns), ("rack_and_pinion", RealKind::F64, 1_000_000));
+    assert_eq!((axis.ipc.enable, axis.ipc.v_add_max_fact), (Enable::On, 1000));
+    assert_eq!((axis.ipc.v_max.to_bits(), axis.ipc.fade.to_bits()), (530_000f64.to_bits(), 0.1f64.to_bits()));
+    let bandpass = |f0, q_factor| {
+        [Filter::Bandpass { prototype: Prototype::CritDamping, order: 1, f0, q_factor }, Filter::NoFilter]
+    };
+    let direct = Stage {
+        mode: Mode::Direct { source: DirectSource::Motor },
+        weight_fact_num: 300,
+        weight_fact_denom: 100,
+        filter: bandpass(53.0, 10.0),
+    };
+    let indirect = Stage {
+        mode: Mode::Indirect { osc_damping: 0.8 },
+        weight_fact_num: 190,
+        weight_fact_denom: 100,
+        filter: bandpass(11.0, 2.0),
+    };
+    assert_eq!(axis.ipc.stage, [Some(direct), Some(indirect), None]);
+}
+
+#[test]
+fn two_frequencies() {
+    let (set, said) = example("two-frequencies.lis", &at_1ms());
+    assert_eq!(said, "");
+    assert_eq!(set.axes[0].ipc.stage.iter().flatten().map(Stage::f0).collect::<Vec<_>>(), [53.0, 90.0]);
+}
+
+#[test]
+fn machine() {
+    let (set, said) = example("machine.toml", &ListOptions::default());
+    assert_eq!(said, "");
+    assert_eq!(set.targets, ["c"]);
+    assert_eq!(set.axes.iter().map(|axis| axis.name.as_str()).collect::<Vec<_>>(), ["X", "Y", "C"]);
+    let [x, y, c] = &set.axes[..] else { panic!() };
+    assert_eq!(x.ipc.fade.to_bits(), 0.2f64.to_bits());
+    let allpass = Filter::Allpass { f0: 28.1, q_factor: 2.0 };
+    assert_eq!(y.ipc.stage[0].as_ref().unwrap().filter[1], allpass);
+    assert_eq!((y.ipc.enable, c.real), (Enable::DryRun, RealKind::F32));
+    assert_eq!(c.ipc.stage.iter().flatten().count(), 2);
+}

@@ -1,0 +1,82 @@
+//! What the readers and the check say, to the letter; files are in memory.
+
+mod advice;
+mod arbitrary;
+mod canonical;
+mod examples;
+mod files;
+mod list;
+mod rules;
+mod set;
+mod values;
+
+use generator::config::{ListOptions, Set, Unreadable, read_with};
+use generator::diagnostics::Report;
+use std::path::Path;
+
+/// One axis list `x.lis` at a cycle time of 1 ms.
+fn read_list(text: impl AsRef<[u8]>) -> (Option<Set>, Report) {
+    let options = ListOptions { cycle_time: Some("1ms".to_owned()), name: None };
+    read("x.lis", &[("x.lis", text.as_ref())], &options)
+}
+
+/// A set `set.toml`.
+fn read_set(text: impl AsRef<[u8]>) -> (Option<Set>, Report) {
+    read("set.toml", &[("set.toml", text.as_ref())], &ListOptions::default())
+}
+
+fn read(path: &str, files: &[(&str, &[u8])], options: &ListOptions) -> (Option<Set>, Report) {
+    let load = |path: &Path| {
+        let found = files.iter().find(|(name, _)| path == Path::new(name));
+        found.map(|(_, bytes)| bytes.to_vec()).ok_or(Unreadable::System("there is no such file".to_owned()))
+    };
+    let (set, report) = read_with(Path::new(path), options, &load);
+    assert_eq!(set.is_none(), report.has_errors(), "{report}");
+    (set, report)
+}
+
+/// What is said about a list; an abbreviation: `ipc.` begins the paths of improved position control.
+fn said(text: &str) -> String {
+    short(&read_list(text.replace("ipc.", IPC)).1)
+}
+
+/// What is said about a set.
+fn said_of_set(text: &str) -> String {
+    short(&read_set(text).1)
+}
+
+/// What is said about an axis of a set with a cycle time of 1 ms; `ipc.` begins paths, as above.
+fn said_of_axis(text: &str) -> String {
+    said_of_set(&format!("cycle_time = \"1ms\"\n[axis.X]\n{}", text.replace("ipc.", IPC)))
+}
+
+fn short(report: &Report) -> String {
+    report.to_string().replace(IPC, "ipc.").trim_end().to_owned()
+}
+
+const IPC: &str = "lr_param.improved_position_control.";
+
+/// A DIRECT stage that nothing is said about, without what the test itself gives.
+fn direct(but: &str) -> String {
+    stage(
+        &["ipc.v_add_max_fact 1000", "ipc.stage[0].mode DIRECT", "ipc.stage[0].filter.order 1", "ipc.stage[0].filter.fg_f0 53",
+          "ipc.stage[0].filter.q_factor 10"],
+        but,
+    )
+}
+
+/// The same, INDIRECT.
+fn indirect(but: &str) -> String {
+    stage(
+        &["ipc.v_add_max_fact 1000", "ipc.stage[0].mode INDIRECT", "ipc.stage[0].filter.order 1", "ipc.stage[0].filter.fg_f0 11",
+          "ipc.stage[0].filter.q_factor 2"],
+        but,
+    )
+}
+
+/// `but` first, then those lines whose path it does not give.
+fn stage(lines: &[&str], but: &str) -> String {
+    let given: Vec<&str> = but.lines().filter_map(|line| line.split_whitespace().next()).collect();
+    let rest = lines.iter().filter(|line| !given.contains(&line.split_whitespace().next().unwrap()));
+    std::iter::once(but).chain(rest.copied()).collect::<Vec<_>>().join("\n")
+}
