@@ -309,12 +309,14 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
         stop(state, outputs, error_v_motor());
     } else if reads_direct(coeffs) && !usable(inputs.v_direct, sample_limit()) {
         stop(state, outputs, error_v_direct());
-    } else if !inputs.position_controlled || inputs.reset || inputs.mode == mode_off() && !state.settled {
+    } else if !inputs.position_controlled || inputs.reset {
         stop(state, outputs, error_none());
-    } else if !state.settled {
-        start(state, coeffs, inputs, outputs);
-    } else {
+    } else if state.settled {
         act(state, coeffs, inputs, outputs);
+    } else if inputs.mode == mode_off() {
+        stop(state, outputs, error_none());
+    } else {
+        start(state, coeffs, inputs, outputs);
     }
 }
 

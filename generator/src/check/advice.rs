@@ -4,7 +4,7 @@ use super::effective::Effective;
 use super::ipc::{is_gantry_slave, rounded};
 use crate::axis::{Axis, DirectSource, Enable, Filter, Mode, Stage};
 use crate::codes;
-use crate::config::Key;
+use crate::config::{Key, Setting};
 use crate::design::band::{band, edges, frequency};
 use crate::design::filter;
 use crate::diagnostics::Diagnostic;
@@ -90,17 +90,16 @@ fn whole(axis: &Axis, e: &mut Effective<'_>) {
 fn damping_generations(e: &mut Effective<'_>, i: u32, stage: &Stage) {
     let old_key = (Name::FilterDamping, [i, 0]);
     let uses_damping = !matches!(stage.mode, Mode::Direct { .. });
-    let old_is_set = e.given(old_key).is_some_and(|setting| matches!(setting.value, Some(Value::Real(x)) if x > 0.0));
-    if !uses_damping || !old_is_set {
+    let is_set = |setting: &Setting<'_>| matches!(setting.value, Some(Value::Real(x)) if x > 0.0);
+    if !uses_damping || !e.given(old_key).is_some_and(is_set) {
         return;
     }
-    let is_new = |key: Key, spelling: &str| {
-        let (name, [stage, _]) = key;
-        let parameter = name.parameter();
-        let of_filter = parameter.path.contains("filter[k]") && spelling == parameter.path;
-        stage == i && (of_filter || name == Name::OscDamping)
+    let is_new = |(name, [stage, _]): Key, setting: &Setting<'_>| {
+        let path = name.parameter().path;
+        let of_filter = path.contains("filter[k]") && setting.spelling == path;
+        stage == i && (of_filter || name == Name::OscDamping && is_set(setting))
     };
-    let newer = e.all_given().find(|(key, setting)| is_new(*key, setting.spelling));
+    let newer = e.all_given().find(|(key, setting)| is_new(*key, setting));
     if let Some(((_, index), setting)) = newer {
         let beside = path_with(setting.spelling, index);
         let found = format!("stage[{i}].filter.damping (P-AXIS-00756) stands beside `{beside}` of the newer parameters");

@@ -43,8 +43,8 @@ fn gantry(e: &mut Effective<'_>, enable: Option<Enable>) {
     let master = e.given((Name::GantryMaster, [0, 0])).and_then(|setting| setting.value.as_ref());
     let master = master.map(Value::text).unwrap_or_default();
     let found = format!(
-        "improved position control is enabled on a gantry slave, whose master is axis {master} (P-AXIS-00070): the \
-         controller stops with error 70600"
+        "improved position control is enabled on a gantry slave, whose master is axis {master} (P-AXIS-00070): error \
+         70600 of the controller"
     );
     let instead = format!("{} OFF here, and the stages in the list of axis {master}", Name::Enable.parameter().path);
     let place = e.place_of((Name::Enable, [0, 0]));
@@ -209,7 +209,7 @@ fn f0(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u32>, real: Opt
              structure, which this version does not have",
             title(),
             real_text(f0),
-            rounded(f0_ts)
+            real_text(rounded(f0_ts))
         );
         let allowed = format!("fg_f0 >= {least} Hz in {precision} at a cycle time of {time}");
         let diagnostic = Diagnostic::error(codes::TOO_LOW, e.place_of(key), found);

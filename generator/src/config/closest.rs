@@ -35,14 +35,14 @@ pub fn is_ours(path: &str) -> bool {
 }
 
 fn among(written: &str, candidates: impl Iterator<Item = &'static str>) -> Option<String> {
-    const TYPO: usize = 3;
     let plain = path::without_indices(written);
+    let typo = 3.min(1 + plain.len() / 4);
     let end = last(&plain);
     let score = |template: &'static str| {
         let candidate = path::without_indices(template);
         let whole = distance(&plain, &candidate)?;
         let of_end = distance(end, last(&candidate))?;
-        (whole <= TYPO || of_end <= 1 + end.len() / 4).then_some(((whole.min(TYPO + 1), of_end), template))
+        (whole <= typo || of_end <= 1 + end.len() / 4).then_some(((whole.min(typo + 1), of_end), template))
     };
     // The first of equals, which is a path rather than its aliases.
     let best = candidates.filter_map(score).min_by_key(|(score, _)| *score);

@@ -25,7 +25,7 @@ pub use values::{Key, Setting, Values};
 use crate::axis::Axis;
 use crate::check;
 use crate::codes;
-use crate::diagnostics::{Diagnostic, Place, Report};
+use crate::diagnostics::{Diagnostic, Place, Report, Severity};
 use crate::parameters::Name;
 use rayon::prelude::*;
 use source::Source;
@@ -114,9 +114,7 @@ fn read_axis(
     let keys = set::values_of(source, axis, &mut report);
     let home = source.place(axis.name_at);
     let Some(list) = set::text_of(&keys, Name::List) else {
-        let (axis, said) = check::axis(axis.name, cycle_time, &keys, home);
-        report.extend(said);
-        return (axis, 0, report);
+        return (checked(axis.name, cycle_time, &keys, home, &mut report), 0, report);
     };
     let path = folder.join(list);
     let name = path.display().to_string();
@@ -136,9 +134,17 @@ fn read_axis(
     }
     let mut values = list.values;
     values.override_with(keys);
-    let (axis, said) = check::axis(axis.name, cycle_time, &values, home);
+    (checked(axis.name, cycle_time, &values, home, &mut report), list.foreign, report)
+}
+
+fn checked(name: &str, cycle_time: Option<u32>, values: &Values<'_>, home: Place, report: &mut Report) -> Option<Axis> {
+    let (axis, mut said) = check::axis(name, cycle_time, values, home);
+    if report.has_errors() {
+        // What could not be read is missing: advice about what is there would mislead.
+        said.diagnostics.retain(|diagnostic| diagnostic.severity == Severity::Error);
+    }
     report.extend(said);
-    (axis, list.foreign, report)
+    axis
 }
 
 fn read_list(path: &Path, source: &Source<'_>, options: &ListOptions, report: &mut Report) -> Set {
@@ -158,8 +164,7 @@ fn read_list(path: &Path, source: &Source<'_>, options: &ListOptions, report: &m
     if !list.complete {
         return Set::default();
     }
-    let (axis, said) = check::axis(&name, cycle_time, &list.values, source.whole());
-    report.extend(said);
+    let axis = checked(&name, cycle_time, &list.values, source.whole(), report);
     Set { targets: Vec::new(), axes: axis.into_iter().collect(), foreign: list.foreign }
 }
 

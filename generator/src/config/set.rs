@@ -73,7 +73,7 @@ pub fn top<'a>(source: &'a Source<'a>, table: &'a DeTable<'a>, report: &mut Repo
                 other => report.push(no_table("axis", other, place())),
             },
             (_, Path::Known { name, index, spelling, .. }) if name.parameter().scope == Scope::Set => {
-                let setting = setting(source, (name, spelling), key, value, report);
+                let setting = setting(source, (name, spelling), key, (key.get_ref(), value), report);
                 top.values.insert((name, index), setting);
             }
             (written, _) => {
@@ -109,7 +109,7 @@ fn axes_of<'a>(source: &'a Source<'a>, axes: &'a DeTable<'a>, report: &mut Repor
         }
         match value.get_ref() {
             DeValue::Table(table) => found.push(AxisTable { name, name_at, table }),
-            other => report.push(no_table(name, other, source.place(name_at))),
+            other => report.push(no_table(&format!("axis.{name}"), other, source.place(name_at))),
         }
     }
     found
@@ -139,7 +139,7 @@ fn below<'a>(
         path.push_str(key.get_ref());
         match (path::find(path), value.get_ref()) {
             (Path::Known { name, index, spelling, misprint: false }, _) if name.parameter().scope != Scope::Set => {
-                let setting = setting(source, (name, spelling), key, value, report);
+                let setting = setting(source, (name, spelling), key, (path, value), report);
                 if values.insert((name, index), setting).is_some() {
                     let found = format!("{} is given twice", value::shown(path));
                     report.push(Diagnostic::error(codes::GIVEN_TWICE, source.place(key.span().start), found));
@@ -171,14 +171,14 @@ fn setting<'a>(
     source: &'a Source<'a>,
     (name, spelling): (Name, &'static str),
     key: &Spanned<DeString<'a>>,
-    value: &Spanned<DeValue<'a>>,
+    (written, value): (&str, &Spanned<DeValue<'a>>),
     report: &mut Report,
 ) -> Setting<'a> {
     let Range { start: value_at, .. } = value.span();
     let value = match value::of_toml(name.parameter(), value.get_ref()) {
         Ok(value) => Some(value),
         Err(refused) => {
-            report.push(refused.diagnostic(name, spelling, source.place(value_at)));
+            report.push(refused.diagnostic(name, written, source.place(value_at)));
             None
         }
     };

@@ -67,7 +67,7 @@ pub fn of_toml(parameter: &Parameter, value: &DeValue<'_>) -> Result<Value, Refu
 /// A text from a file, fit for a message: on one line, and not too long.
 #[must_use]
 pub fn shown(text: &str) -> String {
-    const LONGEST: usize = 60;
+    const LONGEST: usize = 100;
     let start: String = text.chars().take(LONGEST).flat_map(char::escape_debug).collect();
     let dots = if text.chars().nth(LONGEST).is_some() { "..." } else { "" };
     format!("`{start}{dots}`")
@@ -106,11 +106,14 @@ fn of_array(parameter: &Parameter, words: &'static [Word], array: &[toml::Spanne
 }
 
 fn of_integer(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
-    integer(text).map(Value::Integer).ok_or_else(|| Refused {
-        code: codes::NUMBER,
-        found: format!("is {}, no whole number", shown(text)),
-        allowed: format!("a whole number, {}", parameter.allowed()),
-        instead: None,
+    integer(text).map(Value::Integer).ok_or_else(|| {
+        let too_large = signed(text).1.bytes().all(|byte| byte.is_ascii_digit()) && real(text).is_some();
+        Refused {
+            code: if too_large { codes::RANGE } else { codes::NUMBER },
+            found: format!("is {}{}", shown(text), if too_large { "" } else { ", no whole number" }),
+            allowed: format!("a whole number, {}", parameter.allowed()),
+            instead: None,
+        }
     })
 }
 
@@ -210,7 +213,10 @@ fn wrong_type(parameter: &Parameter, value: &DeValue<'_>) -> Refused {
     Refused {
         code: codes::TYPE,
         found: format!("is of type {}", value.type_str()),
-        allowed: format!("{needed}, {}", parameter.allowed()),
+        allowed: match parameter.kind {
+            Kind::Text => needed.to_owned(),
+            _ => format!("{needed}, {}", parameter.allowed()),
+        },
         instead,
     }
 }
