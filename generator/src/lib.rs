@@ -1,4 +1,10 @@
 //! From axis parameters to specialised blocks.
+//!
+//! ```text
+//! read -> check -> design -> specialise -> passes -> print -> render -> write
+//! config  check    design    specialise    pass      target   render    write
+//! ```
+//! `block` and `generate` are the drivers; `axis` and `program` are the data between the steps.
 #![forbid(unsafe_code)]
 
 pub mod arithmetic;
@@ -10,10 +16,12 @@ pub mod config;
 pub mod design;
 pub mod diagnostics;
 pub mod digest;
+pub mod generate;
 pub mod interp;
 pub mod parameters;
 pub mod pass;
 pub mod program;
-pub mod specialise;
 pub mod render;
+pub mod specialise;
 pub mod target;
+pub mod write;

@@ -1,1 +1,20 @@
-//! placeholder
+//! Stimuli, vectors, and the engines that must agree on every bit.
+//!
+//! ```text
+//! stimulus   what the inputs do, sample by sample, from integers and libm
+//! samples    the values of all signals of a run, packed; csv: the same as text
+//! engine     four ways to run a block: reference, program, c (and, later, st)
+//! compare    how many bits of two runs differ, and where first
+//! exercise   the stimulus for a user's own axes
+//! case       a folder with an axis set, a stimulus and the answers that were recorded
+//! ```
+#![forbid(unsafe_code)]
+
+
+pub mod case;
+pub mod compare;
+pub mod csv;
+pub mod engine;
+pub mod exercise;
+pub mod samples;
+pub mod stimulus;

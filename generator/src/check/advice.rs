@@ -56,10 +56,22 @@ fn gear_steps(e: &mut Effective<'_>) {
         let found = format!(
             "gear step {gear} is used, and only {listed} is given: vb_max of step {gear} is its default {default} (P-AXIS-00212)"
         );
-        warn(e, codes::GEAR, (Name::VbMax, [other, 0]), found, Some(format!("the key `gear`, or getriebe[{gear}].dynamik.vb_max")));
+        warn(
+            e,
+            codes::GEAR,
+            (Name::VbMax, [other, 0]),
+            found,
+            Some(format!("the key `gear`, or getriebe[{gear}].dynamik.vb_max")),
+        );
     } else if e.given(gear_key).is_none() {
         let found = format!("the gear steps {listed} are given; step {gear} is used");
-        warn(e, codes::GEAR, (Name::VbMax, [other, 0]), found, Some("the key `gear` in a set, to choose one".to_owned()));
+        warn(
+            e,
+            codes::GEAR,
+            (Name::VbMax, [other, 0]),
+            found,
+            Some("the key `gear` in a set, to choose one".to_owned()),
+        );
     }
 }
 
@@ -67,7 +79,8 @@ fn whole(axis: &Axis, e: &mut Effective<'_>) {
     let active = axis.ipc.stage.iter().flatten().count();
     let slave = is_gantry_slave(e);
     if slave && active > 0 && axis.ipc.enable == Enable::Off {
-        let found = "the axis is a gantry slave with active stages: its input `mode` must stay OFF (error 70600)".to_owned();
+        let found =
+            "the axis is a gantry slave with active stages: its input `mode` must stay OFF (error 70600)".to_owned();
         let instead = Some("the stages in the list of the master".to_owned());
         warn(e, codes::SLAVE_STAGES, (Name::GantryMaster, [0, 0]), found, instead);
     }
@@ -82,7 +95,13 @@ fn whole(axis: &Axis, e: &mut Effective<'_>) {
             "`{}` (P-AXIS-00757) {how} 0: the limit is 0, the block puts out 0",
             Name::VAddMaxFact.parameter().path
         );
-        warn(e, codes::MUTED, (Name::VAddMaxFact, [0, 0]), found, Some("a limit above 0, in 0.1 % of vb_max".to_owned()));
+        warn(
+            e,
+            codes::MUTED,
+            (Name::VAddMaxFact, [0, 0]),
+            found,
+            Some("a limit above 0, in 0.1 % of vb_max".to_owned()),
+        );
     }
 }
 
@@ -102,7 +121,8 @@ fn damping_generations(e: &mut Effective<'_>, i: u32, stage: &Stage) {
     let newer = e.all_given().find(|(key, setting)| is_new(*key, setting));
     if let Some(((_, index), setting)) = newer {
         let beside = path_with(setting.spelling, index);
-        let found = format!("stage[{i}].filter.damping (P-AXIS-00756) stands beside `{beside}` of the newer parameters");
+        let found =
+            format!("stage[{i}].filter.damping (P-AXIS-00756) stands beside `{beside}` of the newer parameters");
         let instead = format!("{} (P-AXIS-00850) alone", path_with(Name::OscDamping.parameter().path, [i, 0]));
         warn(e, codes::GENERATIONS, old_key, found, Some(instead));
     }
@@ -171,7 +191,8 @@ fn near_nyquist(e: &mut Effective<'_>, i: u32, stage: &Stage, axis: &Axis) {
                 "stage[{i}].filter[{k}] lies at {} of the sampling frequency: its upper skirt is squeezed against one half",
                 rounded(f0_ts)
             );
-            let instead = Some(format!("a shorter cycle time, or fg_f0 below {NEAR_NYQUIST} of the sampling frequency"));
+            let instead =
+                Some(format!("a shorter cycle time, or fg_f0 below {NEAR_NYQUIST} of the sampling frequency"));
             warn(e, codes::SQUEEZED, (Name::FilterF0, [i, k]), found, instead);
         }
     }
@@ -197,7 +218,9 @@ fn delay(e: &mut Effective<'_>, i: u32, stage: &Stage, axis: &Axis) {
 fn polarity(e: &mut Effective<'_>, i: u32, stage: &Stage) {
     for (k, filter) in (0..FILTERS).zip(&stage.filter) {
         if matches!(filter, Filter::Allpass { f0, .. } if f0.to_bits() == stage.f0().to_bits()) {
-            let found = format!("stage[{i}].filter[{k}] is an all-pass at the f0 of the band-pass: it inverts the stage's polarity");
+            let found = format!(
+                "stage[{i}].filter[{k}] is an all-pass at the f0 of the band-pass: it inverts the stage's polarity"
+            );
             let instead = Some("an fg_f0 beside it, unless the inversion is meant".to_owned());
             warn(e, codes::POLARITY, (Name::FilterF0, [i, k]), found, instead);
         }

@@ -29,7 +29,8 @@ pub fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option<RealKi
     let [first, second, third] = stages;
     #[expect(clippy::cast_precision_loss, reason = "at most 1e12 ns")]
     let fade = fade? as f64 / 1e9;
-    let ipc = Ipc { enable: enable?, v_add_max_fact: v_add_max_fact?, v_max: v_max?, fade, stage: [first?, second?, third?] };
+    let ipc =
+        Ipc { enable: enable?, v_add_max_fact: v_add_max_fact?, v_max: v_max?, fade, stage: [first?, second?, third?] };
     gate(e, &ipc, cycle_time)?;
     Some(ipc)
 }
@@ -193,7 +194,8 @@ fn f0(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u32>, real: Opt
     if f0_ts > MAX_F0_TS {
         let highest = (MAX_F0_TS * 1e9 / f64::from(ns) * 1e3).floor() / 1e3;
         let found = format!("{} is {} Hz, {} of the sampling frequency", title(), real_text(f0), rounded(f0_ts));
-        let allowed = format!("fg_f0 <= {highest} Hz at a cycle time of {time} ({MAX_F0_TS} of the sampling frequency)");
+        let allowed =
+            format!("fg_f0 <= {highest} Hz at a cycle time of {time} ({MAX_F0_TS} of the sampling frequency)");
         e.report.push(Diagnostic::error(codes::NYQUIST, e.place_of(key), found).allowed(allowed));
         return None;
     }

@@ -18,8 +18,7 @@ pub fn is_allowed(name: &str) -> bool {
 /// The name that the stem of a file's name gives: what is not allowed becomes an underscore; `axis_` before a digit.
 #[must_use]
 pub fn of_stem(stem: &str) -> String {
-    let words: Vec<&str> =
-        stem.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).collect();
+    let words: Vec<&str> = stem.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).collect();
     let name = words.join("_");
     if name.starts_with(|c: char| c.is_ascii_digit()) { format!("axis_{name}") } else { name }
 }

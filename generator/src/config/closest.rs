@@ -9,9 +9,9 @@ const LONGEST: usize = 128;
 /// The candidate with the fewest letters that differ, if they are few.
 pub fn of<'c>(name: &str, candidates: impl Iterator<Item = &'c str>) -> Option<&'c str> {
     let few = 1 + name.len() / 4;
-    let with_distance = candidates.filter_map(|candidate| distance(name, candidate).map(|distance| (distance, candidate)));
+    let near = candidates.filter_map(|candidate| distance(name, candidate, few).map(|distance| (distance, candidate)));
     // The first of equals: the order of the candidates is the same on every host.
-    with_distance.min_by_key(|(distance, _)| *distance).filter(|(distance, _)| *distance <= few).map(|(_, name)| name)
+    near.min_by_key(|(distance, _)| *distance).map(|(_, name)| name)
 }
 
 /// The path that a path was probably meant to be: one that differs in a few letters, or ends alike.
@@ -31,7 +31,7 @@ pub fn structure(path: &str) -> Option<String> {
 pub fn is_ours(path: &str) -> bool {
     const OURS: &str = "improved_position_control";
     let second = path.split('.').nth(1).unwrap_or("");
-    second.len().abs_diff(OURS.len()) <= 3 && distance(second, OURS).is_some_and(|distance| distance <= 3)
+    distance(second, OURS, 3).is_some()
 }
 
 fn among(written: &str, candidates: impl Iterator<Item = &'static str>) -> Option<String> {
@@ -39,10 +39,9 @@ fn among(written: &str, candidates: impl Iterator<Item = &'static str>) -> Optio
     let typo = 3.min(1 + plain.len() / 4);
     let end = last(&plain);
     let score = |template: &'static str| {
-        let candidate = path::without_indices(template);
-        let whole = distance(&plain, &candidate)?;
-        let of_end = distance(end, last(&candidate))?;
-        (whole <= typo || of_end <= 1 + end.len() / 4).then_some(((whole.min(typo + 1), of_end), template))
+        let of_end = distance(end, last(template), 1 + end.len() / 4);
+        let whole = distance(&plain, &path::without_indices(template), typo);
+        (whole.is_some() || of_end.is_some()).then_some(((whole.unwrap_or(usize::MAX), of_end), template))
     };
     // The first of equals, which is a path rather than its aliases.
     let best = candidates.filter_map(score).min_by_key(|(score, _)| *score);
@@ -55,17 +54,21 @@ fn last(path: &str) -> &str {
 
 /// The indices of a path, as far as they are numbers.
 fn indices(path: &str) -> [u32; 2] {
-    let mut numbers = path.split('[').skip(1).map(|rest| rest.split(']').next().and_then(|n| n.parse().ok()).unwrap_or(0));
+    let mut numbers =
+        path.split('[').skip(1).map(|rest| rest.split(']').next().and_then(|n| n.parse().ok()).unwrap_or(0));
     std::array::from_fn(|_| numbers.next().unwrap_or(0))
 }
 
-/// How many letters must be changed, added or left out (Levenshtein), whatever their case.
-fn distance(a: &str, b: &str) -> Option<usize> {
-    if a.len() > LONGEST || b.len() > LONGEST {
+/// How many letters must be changed, added or left out (Levenshtein), whatever their case; none: more than `most`.
+fn distance(a: &str, b: &str, most: usize) -> Option<usize> {
+    if a.len() > LONGEST || b.len() > LONGEST || a.len().abs_diff(b.len()) > most {
         return None;
     }
     let mut row: Vec<usize> = (0..=b.len()).collect();
     for (i, x) in a.bytes().enumerate() {
+        if row.iter().all(|distance| *distance > most) {
+            return None;
+        }
         let mut diagonal = row[0];
         row[0] = i + 1;
         for (j, y) in b.bytes().enumerate() {
@@ -74,7 +77,7 @@ fn distance(a: &str, b: &str) -> Option<usize> {
             row[j + 1] = changed.min(diagonal + 1).min(row[j] + 1);
         }
     }
-    row.last().copied()
+    row.last().copied().filter(|distance| *distance <= most)
 }
 
 #[cfg(test)]

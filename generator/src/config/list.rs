@@ -2,11 +2,11 @@
 //!
 //! A `#`, or a `(` at the start of a line or behind a blank, begins a comment, in which every byte is legal.
 
-use super::source::Source;
-use super::values::{Setting, Values};
-use super::path::{self, Path};
-use super::value::{self, Refused};
 use super::closest;
+use super::path::{self, Path};
+use super::source::Source;
+use super::value::{self, Refused};
+use super::values::{Setting, Values};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Name, Scope, Value, path_with};
@@ -52,7 +52,8 @@ pub fn read<'a>(source: &'a Source<'a>) -> List<'a> {
         }
         if unreadable == UNREADABLE_LINES {
             let found = format!("{UNREADABLE_LINES} lines that no axis list has; the rest is not read");
-            list.report.push(Diagnostic::error(codes::NO_LIST, source.whole(), found).instead("the name of an axis list"));
+            list.report
+                .push(Diagnostic::error(codes::NO_LIST, source.whole(), found).instead("the name of an axis list"));
             list.complete = false;
             break;
         }
@@ -70,23 +71,30 @@ struct Statement<'l> {
     value_at: usize,
 }
 
+/// The bytes that neither begin a comment nor are illegal outside of one. A list is mostly these.
+const PLAIN: [bool; 256] = {
+    let mut plain = [false; 256];
+    let mut byte = b' ';
+    while byte <= b'~' {
+        plain[byte as usize] = byte != b'#' && byte != b'(';
+        byte += 1;
+    }
+    plain[b'\t' as usize] = true;
+    plain
+};
+
 /// What a line says; or where it has a byte that is legal in a comment only.
 fn statement(line: &[u8]) -> Result<Option<Statement<'_>>, usize> {
     let is_blank = |byte: &u8| matches!(byte, b' ' | b'\t');
     let line = line.strip_suffix(b"\r").unwrap_or(line);
-    let mut end = line.len();
-    for (at, byte) in line.iter().enumerate() {
-        match byte {
-            b'#' => {
-                end = at;
-                break;
-            }
-            b'(' if at == 0 || is_blank(&line[at - 1]) => {
-                end = at;
-                break;
-            }
-            b' '..=b'~' | b'\t' => {}
-            _ => return Err(at),
+    let mut end = 0;
+    loop {
+        end += line[end..].iter().position(|byte| !PLAIN[usize::from(*byte)]).unwrap_or(line.len() - end);
+        match line.get(end) {
+            None | Some(b'#') => break,
+            Some(b'(') if end == 0 || is_blank(&line[end - 1]) => break,
+            Some(b'(') => end += 1,
+            Some(_) => return Err(end),
         }
     }
     let Ok(text) = str::from_utf8(&line[..end]) else { return Err(0) };
@@ -95,7 +103,7 @@ fn statement(line: &[u8]) -> Result<Option<Statement<'_>>, usize> {
     if path_at == text.len() {
         return Ok(None);
     }
-    let path_end = text[path_at..].find([' ', '\t']).map_or(text.len(), |length| path_at + length);
+    let path_end = text.bytes().skip(path_at).position(|byte| is_blank(&byte)).map_or(text.len(), |length| path_at + length);
     let value = text[path_end..].trim_ascii_start();
     Ok(Some(Statement { path: &text[path_at..path_end], path_at, value, value_at: text.len() - value.len() }))
 }

@@ -88,7 +88,8 @@ fn read_set(path: &Path, source: &Source<'_>, load: Load<'_>, report: &mut Repor
     let top = set::top(source, table.get_ref(), report);
     let (cycle_time, said) = check::cycle_time(&top.values, || {
         let found = "the set has no cycle time";
-        Diagnostic::error(codes::CYCLE_TIME, source.whole(), found).instead("cycle_time = \"1ms\", if that is its cycle")
+        Diagnostic::error(codes::CYCLE_TIME, source.whole(), found)
+            .instead("cycle_time = \"1ms\", if that is its cycle")
     });
     report.extend(said);
     let folder = path.parent().unwrap_or(Path::new(""));
@@ -189,7 +190,9 @@ fn cycle_time_of(options: &ListOptions, list: &Source<'_>) -> (Option<u32>, Repo
         let found = "no axis list holds the cycle time of the position controller";
         Diagnostic::error(codes::CYCLE_TIME, list.whole(), found).instead("--cycle-time 1ms, if that is its cycle")
     });
-    report.extend(said);
+    let of_option = options.cycle_time.is_some();
+    let at_option = |diagnostic| Diagnostic { place: of_command_line(OPTION), ..diagnostic };
+    report.diagnostics.extend(said.diagnostics.into_iter().map(|said| if of_option { at_option(said) } else { said }));
     (cycle_time, report)
 }
 

@@ -111,7 +111,8 @@ pub fn find(path: &str) -> Path {
     if before == b'.' || bytes[0].is_ascii_digit() {
         return Path::Malformed;
     }
-    let Some(&Spelling { name, template, misprint }) = plain.get(..length).and_then(|plain| SPELLINGS.get(plain)) else {
+    let Some(&Spelling { name, template, misprint }) = plain.get(..length).and_then(|plain| SPELLINGS.get(plain))
+    else {
         return Path::Foreign;
     };
     let within = name.parameter().indices.iter().zip(index).all(|(size, index)| index < *size);
@@ -183,7 +184,9 @@ mod tests {
         assert!(matches!(find("getriebe[99999999999].dynamik.vb_max"), Path::OutOfRange { .. }));
         assert_eq!(find("kenngr.swe_pos"), Path::Foreign);
         assert_eq!(find(&"x".repeat(1000)), Path::Foreign);
-        for malformed in ["", ".", "a.", ".a", "a..b", "a[", "a[x]", "a[1", "[1]", "a[0][", "1a", "a=1", "a-b", "a[[0]]", "ä"] {
+        for malformed in
+            ["", ".", "a.", ".a", "a..b", "a[", "a[x]", "a[1", "[1]", "a[0][", "1a", "a=1", "a-b", "a[[0]]", "ä"]
+        {
             assert_eq!(find(malformed), Path::Malformed, "{malformed}");
         }
     }

@@ -77,7 +77,8 @@ pub fn top<'a>(source: &'a Source<'a>, table: &'a DeTable<'a>, report: &mut Repo
                 top.values.insert((name, index), setting);
             }
             (written, _) => {
-                let keys = Name::ALL.iter().map(|name| name.parameter()).filter(|p| p.scope == Scope::Set).map(|p| p.path);
+                let keys =
+                    Name::ALL.iter().map(|name| name.parameter()).filter(|p| p.scope == Scope::Set).map(|p| p.path);
                 let found = format!("{} is no key of a set", value::shown(written));
                 let known = closest::of(written, keys.clone().chain(["axis"]));
                 let allowed = keys.chain(["axis.NAME"]).collect::<Vec<_>>().join(", ");
@@ -104,7 +105,8 @@ fn axes_of<'a>(source: &'a Source<'a>, axes: &'a DeTable<'a>, report: &mut Repor
             report.push(Diagnostic::error(codes::AXIS_NAME, source.place(name_at), found).allowed(axis_name::ALLOWED));
         } else if let Some(first) = lines.insert(name.to_ascii_lowercase(), name_at) {
             let line = source.place(first).line;
-            let found = format!("`{name}` differs only in case from the axis in line {line}; Structured Text sees one name");
+            let found =
+                format!("`{name}` differs only in case from the axis in line {line}; Structured Text sees one name");
             report.push(Diagnostic::error(codes::AXIS_TWICE, source.place(name_at), found).instead("another name"));
         }
         match value.get_ref() {

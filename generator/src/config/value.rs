@@ -36,9 +36,11 @@ impl Refused {
 pub fn of_text(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
     match parameter.kind {
         Kind::Word(words) => of_word(parameter, words, text).map(Value::Word),
-        Kind::Words(words) => {
-            text.split_ascii_whitespace().map(|text| of_word(parameter, words, text)).collect::<Result<_, _>>().map(Value::Words)
-        }
+        Kind::Words(words) => text
+            .split_ascii_whitespace()
+            .map(|text| of_word(parameter, words, text))
+            .collect::<Result<_, _>>()
+            .map(Value::Words),
         Kind::Integer { .. } => of_integer(parameter, text),
         Kind::Real { .. } => of_real(parameter, text),
         Kind::Duration { .. } => of_duration(parameter, text),
@@ -87,7 +89,11 @@ fn of_word(parameter: &Parameter, words: &'static [Word], text: &str) -> Result<
     })
 }
 
-fn of_array(parameter: &Parameter, words: &'static [Word], array: &[toml::Spanned<DeValue<'_>>]) -> Result<Value, Refused> {
+fn of_array(
+    parameter: &Parameter,
+    words: &'static [Word],
+    array: &[toml::Spanned<DeValue<'_>>],
+) -> Result<Value, Refused> {
     let mut found = Vec::with_capacity(array.len());
     for element in array {
         let DeValue::String(text) = element.get_ref() else { return Err(wrong_type(parameter, element.get_ref())) };
@@ -134,7 +140,8 @@ fn integer(text: &str) -> Option<i64> {
         _ => (digits, 10),
     };
     // The standard parser takes a second sign.
-    let magnitude = digits.starts_with(|c: char| c.is_ascii_hexdigit()).then(|| i64::from_str_radix(digits, radix).ok())??;
+    let magnitude =
+        digits.starts_with(|c: char| c.is_ascii_hexdigit()).then(|| i64::from_str_radix(digits, radix).ok())??;
     Some(if negative { -magnitude } else { magnitude })
 }
 

@@ -1,1 +1,154 @@
-//! x
+//! Files, options, names; lists that a set names.
+
+use super::{IPC, assert_said, direct, read, short};
+use generator::axis::{Filter, Prototype};
+use generator::config::{ListOptions, Unreadable, read_with};
+use std::path::Path;
+
+fn options(cycle_time: Option<&str>, name: Option<&str>) -> ListOptions {
+    ListOptions { cycle_time: cycle_time.map(str::to_owned), name: name.map(str::to_owned) }
+}
+
+#[test]
+fn no_such_file() {
+    let (_, report) = read("x.lis", &[], &options(Some("1ms"), None));
+    assert_said(&report.to_string(), &["x.lis: error[AX001]: `x.lis` cannot be read: there is no such file"]);
+}
+
+#[test]
+fn files_of_the_system() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let said = |path: &Path| {
+        let (_, report) = generator::config::read(path, &options(Some("1ms"), None));
+        report.diagnostics[0].found.rsplit(": ").next().unwrap().to_owned()
+    };
+    assert_eq!(said(&folder.join("none.lis")), "there is no such file");
+    assert_eq!(said(folder), "it is a folder");
+}
+
+#[test]
+fn a_file_that_is_too_large() {
+    let (_, report) = read_with(Path::new("x.lis"), &options(Some("1ms"), None), &|_| Err(Unreadable::TooLarge));
+    assert_said(
+        &report.to_string(),
+        &["x.lis: error[AX002]: `x.lis` is too large for a set or an axis list", "    allowed: 64 MiB"],
+    );
+}
+
+#[test]
+fn a_list_that_a_set_names_and_nobody_has() {
+    let set = b"cycle_time = \"1ms\"\n[axis.X]\nlist = \"lists/x.lis\"\n[axis.Y]\nlist = \"\"";
+    let (_, report) = read("sets/set.toml", &[("sets/set.toml", set)], &ListOptions::default());
+    assert_said(
+        &report.to_string(),
+        &[
+            "sets/set.toml:3:8: error[AX001]: `sets/lists/x.lis` cannot be read: there is no such file",
+            "sets/set.toml:5:8: error[AX001]: `sets/` cannot be read: there is no such file",
+        ],
+    );
+}
+
+#[test]
+fn messages_about_a_list_name_the_list_and_all_are_told() {
+    let set = "cycle_time = \"1ms\"\ntarget = []\n[axis.X]\nlist = \"x.lis\"\ngear = 99\n[axis.Y]\nlist = \"y.lis\"\nreal = 1";
+    let list = direct("ipc.enable MAYBE").replace("ipc.", IPC);
+    let files = [("set.toml", set.as_bytes()), ("x.lis", list.as_bytes()), ("y.lis", b"?".as_slice())];
+    let (_, report) = read("set.toml", &files, &ListOptions::default());
+    assert_said(
+        &short(&report),
+        &[
+            "set.toml:2:1: error[AX104]: `target` is no key of a set",
+            "    allowed: cycle_time, targets, axis.NAME",
+            "    write instead: targets",
+            "x.lis:1:43: error[AX202]: `ipc.enable` (P-AXIS-00758) is `MAYBE`",
+            "    allowed: OFF (FALSE, 0), ON (TRUE, 1), DRYRUN",
+            "set.toml:5:8: error[AX203]: `gear` is 99",
+            "    allowed: 0 <= gear <= 15",
+            "set.toml:8:8: error[AX202]: `real` is `1`",
+            "    allowed: f64 (LREAL), f32 (REAL)",
+            "y.lis:1:1: error[AX101]: `?` is no path",
+            "    allowed: path value # comment",
+        ],
+    );
+}
+
+#[test]
+fn keys_of_a_set_override_its_list() {
+    let set = format!(
+        "cycle_time = \"1ms\"\n[axis.X]\nlist = \"x.lis\"\n{IPC}v_add_max_fact = 7\n\
+         {IPC}stage = [{{ filter = [{{ order = 3, prototype = \"BESSEL\" }}] }}]"
+    );
+    // Overridden, a value need not be within its range.
+    let list = direct("ipc.v_add_max_fact 9999").replace("ipc.", IPC);
+    let files = [("set.toml", set.as_bytes()), ("x.lis", list.as_bytes())];
+    let (set, report) = read("set.toml", &files, &ListOptions::default());
+    assert_eq!(report.to_string(), "");
+    let axis = set.unwrap().axes.remove(0);
+    assert_eq!(axis.ipc.v_add_max_fact, 7);
+    let filter = Filter::Bandpass { prototype: Prototype::Bessel, order: 3, f0: 53.0, q_factor: 10.0 };
+    assert_eq!(axis.ipc.stage[0].as_ref().unwrap().filter[0], filter);
+}
+
+#[test]
+fn a_list_needs_a_cycle_time() {
+    let list = direct("").replace("ipc.", IPC);
+    let said = |cycle_time| short(&read("x.lis", &[("x.lis", list.as_bytes())], &options(cycle_time, None)).1);
+    assert_said(
+        &said(None),
+        &[
+            "x.lis: error[AX009]: no axis list holds the cycle time of the position controller",
+            "    write instead: --cycle-time 1ms, if that is its cycle",
+        ],
+    );
+    assert_said(
+        &said(Some("1")),
+        &[
+            "--cycle-time: error[AX205]: `--cycle-time` is `1`, which has no unit",
+            "    allowed: a number with a unit (s, ms, us or ns), 1ns <= cycle_time <= 4.294967295s",
+            "    write instead: \"1ms\", if milliseconds are meant",
+        ],
+    );
+    assert_said(
+        &said(Some("5s")),
+        &["--cycle-time: error[AX203]: `cycle_time` is 5s", "    allowed: 1ns <= cycle_time <= 4.294967295s"],
+    );
+}
+
+#[test]
+fn a_set_has_a_cycle_time_and_names_of_its_own() {
+    let files = [("set.toml", b"cycle_time = \"1ms\"\n[axis.X]".as_slice())];
+    let (_, report) = read("set.toml", &files, &options(Some("1ms"), Some("Y")));
+    assert_said(
+        &short(&report),
+        &[
+            "--cycle-time: error[AX008]: --cycle-time is for a single axis list; this is a set",
+            "    write instead: the key `cycle_time` of the set",
+            "--name: error[AX008]: --name is for a single axis list; this is a set",
+            "    write instead: the name in [axis.NAME]",
+            "set.toml:2:7: warning[AX401]: no stage is active: the block puts out 0",
+            "    write instead: ipc.stage[0].mode with DIRECT, INDIRECT or SET_POINT",
+        ],
+    );
+}
+
+#[test]
+fn names_of_lists() {
+    let name = |path: &str, name| {
+        let (set, report) = read(path, &[(path, b"")], &options(Some("1ms"), name));
+        set.map(|set| set.axes[0].name.clone()).ok_or_else(|| report.diagnostics[0].to_string())
+    };
+    assert_eq!(name("lists/rack-and-pinion.lis", None).unwrap(), "rack_and_pinion");
+    assert_eq!(name("X", None).unwrap(), "X");
+    assert_eq!(name("1.txt", None).unwrap(), "axis_1");
+    assert_eq!(name("1.txt", Some("Y2")).unwrap(), "Y2");
+    let allowed = "\n    allowed: 1 to 32 letters, digits and single underscores, a letter first and no underscore last \
+                   (what C and ST both accept)";
+    assert_eq!(
+        name("\u{e4}.lis", None).unwrap_err(),
+        format!("\u{e4}.lis: error[AX006]: `` is no name for an axis{allowed}\n    write instead: --name NAME")
+    );
+    assert_eq!(
+        name("x.lis", Some("x */")).unwrap_err(),
+        format!("--name: error[AX006]: `x */` is no name for an axis{allowed}")
+    );
+}

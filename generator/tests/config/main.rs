@@ -56,11 +56,21 @@ fn short(report: &Report) -> String {
 
 const IPC: &str = "lr_param.improved_position_control.";
 
+/// Line for line.
+fn assert_said(said: &str, expected: &[&str]) {
+    assert_eq!(said.lines().collect::<Vec<_>>(), expected);
+}
+
 /// A DIRECT stage that nothing is said about, without what the test itself gives.
 fn direct(but: &str) -> String {
     stage(
-        &["ipc.v_add_max_fact 1000", "ipc.stage[0].mode DIRECT", "ipc.stage[0].filter.order 1", "ipc.stage[0].filter.fg_f0 53",
-          "ipc.stage[0].filter.q_factor 10"],
+        &[
+            "ipc.v_add_max_fact 1000",
+            "ipc.stage[0].mode DIRECT",
+            "ipc.stage[0].filter.order 1",
+            "ipc.stage[0].filter.fg_f0 53",
+            "ipc.stage[0].filter.q_factor 10",
+        ],
         but,
     )
 }
@@ -68,10 +78,20 @@ fn direct(but: &str) -> String {
 /// The same, INDIRECT.
 fn indirect(but: &str) -> String {
     stage(
-        &["ipc.v_add_max_fact 1000", "ipc.stage[0].mode INDIRECT", "ipc.stage[0].filter.order 1", "ipc.stage[0].filter.fg_f0 11",
-          "ipc.stage[0].filter.q_factor 2"],
+        &[
+            "ipc.v_add_max_fact 1000",
+            "ipc.stage[0].mode INDIRECT",
+            "ipc.stage[0].filter.order 1",
+            "ipc.stage[0].filter.fg_f0 11",
+            "ipc.stage[0].filter.q_factor 2",
+        ],
         but,
     )
+}
+
+/// The same, SET_POINT.
+fn set_point(but: &str) -> String {
+    indirect(but).replace("INDIRECT", "SET_POINT")
 }
 
 /// `but` first, then those lines whose path it does not give.

@@ -1,1 +1,373 @@
-//! x
+//! The rules of improved position control, letter by letter as the tests name them, and the limits of the design.
+
+use super::{assert_said, direct, indirect, said, said_of_axis, said_of_set};
+
+#[test]
+fn a_filter_without_index_is_filter_0() {
+    assert_said(
+        &said(&direct(
+            "ipc.stage[0].filter.order 1\n\
+         ipc.stage[0].filter[0].order 1",
+        )),
+        &[
+            "x.lis:2:1: error[AX107]: `ipc.stage[0].filter[0].order` is given twice, first in line 1",
+            "    write instead: one of the two lines",
+        ],
+    );
+}
+
+#[test]
+fn b_only_what_the_mode_uses_is_judged() {
+    assert_said(
+        &said(&direct(
+            "ipc.stage[0].filter.damping 1\n\
+         ipc.stage[1].mode NOT_ACTIVE\n\
+         ipc.stage[1].filter.order 9\n\
+         ipc.stage[1].filter.fg_f0 9999\n\
+         ipc.stage[1].filter.damping 1\n\
+         ipc.stage[1].weight_fact_num 0\n\
+         ipc.stage[0].filter[1].type NO_FILTER\n\
+         ipc.stage[0].filter[1].fg_f0 -7",
+        )),
+        &[],
+    );
+}
+
+#[test]
+fn b_order_of_an_allpass_is_not_judged() {
+    assert_said(
+        &said(&direct(
+            "ipc.stage[0].filter[1].type ALLPASS\n\
+         ipc.stage[0].filter[1].order 9\n\
+         ipc.stage[0].filter[1].fg_f0 40\n\
+         ipc.stage[0].filter[1].q_factor 2",
+        )),
+        &[],
+    );
+}
+
+#[test]
+fn c_both_dampings_and_different() {
+    assert_said(
+        &said(&indirect(
+            "ipc.stage[0].osc_damping 0.5\n\
+         ipc.stage[0].filter.damping 0.8",
+        )),
+        &[
+            "x.lis:1:57: error[AX303]: `ipc.stage[0].osc_damping` (P-AXIS-00850) is 0.5, and its predecessor `ipc.stage[0].filter.damping` (P-AXIS-00756) is 0.8",
+            "    allowed: one of the two, or equal values",
+            "    write instead: only P-AXIS-00850",
+        ],
+    );
+}
+
+#[test]
+fn c_both_dampings_and_equal() {
+    assert_said(
+        &said(&indirect(
+            "ipc.stage[0].osc_damping 0.5\n\
+         ipc.stage[0].filter.damping 0.5",
+        )),
+        &[
+            "x.lis:2:60: warning[AX404]: stage[0].filter.damping (P-AXIS-00756) stands beside `ipc.stage[0].osc_damping` of the newer parameters",
+            "    write instead: ipc.stage[0].osc_damping (P-AXIS-00850) alone",
+        ],
+    );
+}
+
+#[test]
+fn c_only_the_predecessor() {
+    assert_said(&said(&indirect("ipc.stage[0].filter.damping 0.5")), &[]);
+}
+
+#[test]
+fn c_only_the_predecessor_is_set() {
+    assert_said(
+        &said(&indirect(
+            "ipc.stage[0].filter.damping 0.5\n\
+         ipc.stage[0].osc_damping -1",
+        )),
+        &[],
+    );
+}
+
+#[test]
+fn c_only_the_successor_is_set() {
+    assert_said(
+        &said(&indirect(
+            "ipc.stage[0].filter.damping -1\n\
+         ipc.stage[0].osc_damping 0.5",
+        )),
+        &[],
+    );
+}
+
+#[test]
+fn c_the_predecessor_beside_filter_k() {
+    assert_said(
+        &said(&indirect(
+            "ipc.stage[0].filter.damping 0.5\n\
+         ipc.stage[0].filter[0].type BANDPASS",
+        )),
+        &[
+            "x.lis:1:60: warning[AX404]: stage[0].filter.damping (P-AXIS-00756) stands beside `ipc.stage[0].filter[0].type` of the newer parameters",
+            "    write instead: ipc.stage[0].osc_damping (P-AXIS-00850) alone",
+        ],
+    );
+}
+
+#[test]
+fn d_defaults_outside_of_their_range() {
+    assert_said(
+        &said(
+            "ipc.v_add_max_fact 1000\n\
+         ipc.stage[0].mode INDIRECT\n\
+         ipc.stage[2].mode DIRECT\n\
+         ipc.stage[2].filter[1].type ALLPASS\n\
+         ipc.stage[2].filter[1].q_factor 2",
+        ),
+        &[
+            "x.lis:2:1: error[AX206]: `ipc.stage[0].osc_damping` (P-AXIS-00850) is missing; its default -1 is outside of its range",
+            "    allowed: 0 < osc_damping < 1",
+            "    write instead: ipc.stage[0].osc_damping with a value",
+            "x.lis:2:1: error[AX206]: `ipc.stage[0].filter[0].order` (P-AXIS-00750) is missing; its default 0 is outside of its range",
+            "    allowed: 1 <= order <= 3",
+            "    write instead: ipc.stage[0].filter[0].order with a value",
+            "x.lis:2:1: error[AX206]: `ipc.stage[0].filter[0].fg_f0` (P-AXIS-00751) is missing; its default -1 is outside of its range",
+            "    allowed: 0 < fg_f0 <= 500 [Hz]",
+            "    write instead: ipc.stage[0].filter[0].fg_f0 with a value",
+            "x.lis:2:1: error[AX206]: `ipc.stage[0].filter[0].q_factor` (P-AXIS-00752) is missing; its default -1 is outside of its range",
+            "    allowed: 1 <= q_factor <= 10",
+            "    write instead: ipc.stage[0].filter[0].q_factor with a value",
+            "x.lis:3:1: error[AX206]: `ipc.stage[2].filter[0].order` (P-AXIS-00750) is missing; its default 0 is outside of its range",
+            "    allowed: 1 <= order <= 3",
+            "    write instead: ipc.stage[2].filter[0].order with a value",
+            "x.lis:3:1: error[AX206]: `ipc.stage[2].filter[0].fg_f0` (P-AXIS-00751) is missing; its default -1 is outside of its range",
+            "    allowed: 0 < fg_f0 <= 500 [Hz]",
+            "    write instead: ipc.stage[2].filter[0].fg_f0 with a value",
+            "x.lis:3:1: error[AX206]: `ipc.stage[2].filter[0].q_factor` (P-AXIS-00752) is missing; its default -1 is outside of its range",
+            "    allowed: 1 <= q_factor <= 10",
+            "    write instead: ipc.stage[2].filter[0].q_factor with a value",
+            "x.lis:3:1: error[AX206]: `ipc.stage[2].filter[1].fg_f0` (P-AXIS-00751) is missing; its default -1 is outside of its range",
+            "    allowed: 0 < fg_f0 <= 500 [Hz]",
+            "    write instead: ipc.stage[2].filter[1].fg_f0 with a value",
+        ],
+    );
+}
+
+#[test]
+fn e_no_stage_is_left_out_because_of_an_error() {
+    assert_said(
+        &said(&direct(
+            "ipc.stage[1].mode DIRECT\n\
+         ipc.stage[1].filter.order 7\n\
+         ipc.stage[1].filter.fg_f0 12\n\
+         ipc.stage[1].filter.q_factor 2",
+        )),
+        &["x.lis:2:58: error[AX203]: `ipc.stage[1].filter.order` (P-AXIS-00750) is 7", "    allowed: 1 <= order <= 3"],
+    );
+}
+
+#[test]
+fn g_gantry_slave_enabled() {
+    assert_said(
+        &said(&direct(
+            "kopf.achs_nr 2\n\
+         kenngr.gantry_ax_nr 1\n\
+         ipc.enable ON",
+        )),
+        &[
+            "x.lis:3:43: error[AX305]: improved position control is enabled on a gantry slave, whose master is axis 1 (P-AXIS-00070): error 70600 of the controller",
+            "    write instead: ipc.enable OFF here, and the stages in the list of axis 1",
+        ],
+    );
+}
+
+#[test]
+fn g_gantry_slave_in_dryrun() {
+    assert_said(
+        &said(&direct(
+            "kenngr.gantry_ax_nr 1\n\
+         ipc.enable DRYRUN",
+        )),
+        &[
+            "x.lis:2:43: error[AX305]: improved position control is enabled on a gantry slave, whose master is axis 1 (P-AXIS-00070): error 70600 of the controller",
+            "    write instead: ipc.enable OFF here, and the stages in the list of axis 1",
+        ],
+    );
+}
+
+#[test]
+fn g_gantry_master() {
+    assert_said(
+        &said(&direct(
+            "kopf.achs_nr 1\n\
+         kenngr.gantry_ax_nr 1\n\
+         ipc.enable ON",
+        )),
+        &[],
+    );
+}
+
+#[test]
+fn g_gantry_slave_without_a_stage() {
+    assert_said(
+        &said(
+            "kopf.achs_nr 2\n\
+         kenngr.gantry_ax_nr 1",
+        ),
+        &[],
+    );
+}
+
+#[test]
+fn h_a_weight_above_the_cap_says_nothing() {
+    assert_said(
+        &said(&direct(
+            "ipc.stage[0].weight_fact_num 900\n\
+         ipc.stage[0].weight_fact_denom 100",
+        )),
+        &[],
+    );
+}
+
+#[test]
+fn no_bandpass() {
+    assert_said(
+        &said(&direct("ipc.stage[0].filter.type NO_FILTER")),
+        &[
+            "x.lis:1:57: error[AX301]: stage[0] is DIRECT and has no band-pass",
+            "    allowed: at least one BANDPASS in every active stage (P-AXIS-00849)",
+            "    write instead: ipc.stage[0].filter[0].type BANDPASS",
+        ],
+    );
+    assert_said(
+        &said(&direct("ipc.stage[0].filter[0].type ALLPASS")),
+        &[
+            "x.lis:1:60: error[AX301]: stage[0] is DIRECT and has no band-pass",
+            "    allowed: at least one BANDPASS in every active stage (P-AXIS-00849)",
+            "    write instead: ipc.stage[0].filter[0].type BANDPASS",
+        ],
+    );
+}
+
+#[test]
+fn prototype_of_a_second_bandpass() {
+    assert_said(
+        &said(&direct(
+            "ipc.stage[0].filter[1].type BANDPASS\n\
+         ipc.stage[0].filter[1].order 1\n\
+         ipc.stage[0].filter[1].fg_f0 53\n\
+         ipc.stage[0].filter[1].q_factor 2",
+        )),
+        &[
+            "x.lis:1:60: error[AX302]: `ipc.stage[0].filter[1].prototype` (P-AXIS-00848) is missing: the band-pass in filter[1] needs it in writing",
+            "    allowed: CRIT_DAMPING, BUTTERWORTH, BESSEL",
+            "    write instead: ipc.stage[0].filter[1].prototype CRIT_DAMPING",
+        ],
+    );
+}
+
+#[test]
+fn a_second_bandpass_with_its_prototype() {
+    assert_said(
+        &said(&direct(
+            "ipc.stage[0].filter[1].type BANDPASS\n\
+         ipc.stage[0].filter[1].prototype CRIT_DAMPING\n\
+         ipc.stage[0].filter[1].order 1\n\
+         ipc.stage[0].filter[1].fg_f0 53\n\
+         ipc.stage[0].filter[1].q_factor 2",
+        )),
+        &[],
+    );
+}
+
+#[test]
+fn f0_above_what_the_cycle_time_allows() {
+    assert_said(
+        &said(&direct("ipc.stage[0].filter.fg_f0 451")),
+        &[
+            "x.lis:1:58: error[AX304]: `ipc.stage[0].filter.fg_f0` (P-AXIS-00751) is 451 Hz, 0.451 of the sampling frequency",
+            "    allowed: fg_f0 <= 450 Hz at a cycle time of 1ms (0.45 of the sampling frequency)",
+        ],
+    );
+    assert_said(
+        &said(&direct("ipc.stage[0].filter.fg_f0 450.0000001")),
+        &[
+            "x.lis:1:58: error[AX304]: `ipc.stage[0].filter.fg_f0` (P-AXIS-00751) is 450.0000001 Hz, 0.45 of the sampling frequency",
+            "    allowed: fg_f0 <= 450 Hz at a cycle time of 1ms (0.45 of the sampling frequency)",
+        ],
+    );
+}
+
+#[test]
+fn f0_of_an_allpass_above_what_the_cycle_time_allows() {
+    assert_said(
+        &said(&direct(
+            "ipc.stage[0].filter[1].type ALLPASS\n\
+         ipc.stage[0].filter[1].fg_f0 480\n\
+         ipc.stage[0].filter[1].q_factor 2",
+        )),
+        &[
+            "x.lis:2:61: error[AX304]: `ipc.stage[0].filter[1].fg_f0` (P-AXIS-00751) is 480 Hz, 0.48 of the sampling frequency",
+            "    allowed: fg_f0 <= 450 Hz at a cycle time of 1ms (0.45 of the sampling frequency)",
+        ],
+    );
+}
+
+#[test]
+fn too_low_for_double_precision() {
+    assert_said(
+        &said(&direct("ipc.stage[0].filter.fg_f0 0.0001")),
+        &[
+            "x.lis:1:58: error[AX307]: `ipc.stage[0].filter.fg_f0` (P-AXIS-00751) is 0.0001 Hz, 1e-7 of the sampling frequency: double precision loses so narrow and low a filter; it needs another structure, which this version does not have",
+            "    allowed: fg_f0 >= 0.001 Hz in double precision at a cycle time of 1ms",
+            "    write instead: a longer cycle time, or a higher frequency",
+        ],
+    );
+}
+
+#[test]
+fn too_low_for_single_precision() {
+    assert_said(
+        &said_of_axis(
+            "real = \"f32\"\n\
+         ipc.v_add_max_fact = 1\n\
+         ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 9.99, q_factor = 2 }] }]",
+        ),
+        &[
+            "set.toml:5:95: error[AX307]: `ipc.stage[0].filter[0].fg_f0` (P-AXIS-00751) is 9.99 Hz, 0.00999 of the sampling frequency: single precision loses so narrow and low a filter; it needs another structure, which this version does not have",
+            "    allowed: fg_f0 >= 10 Hz in single precision at a cycle time of 1ms",
+            "    write instead: real = \"f64\" for this axis",
+        ],
+    );
+}
+
+#[test]
+fn the_lowest_for_single_precision() {
+    assert_said(
+        &said_of_axis(
+            "real = \"REAL\"\n\
+         ipc.v_add_max_fact = 1\n\
+         ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 10, q_factor = 2 }] }]",
+        ),
+        &[],
+    );
+}
+
+#[test]
+fn fade_of_too_many_cycles() {
+    assert_said(
+        &said_of_set(
+            "cycle_time = \"1us\"\n\
+         [axis.X]\n\
+         fade = \"20s\"\n\
+         lr_param.improved_position_control.v_add_max_fact = 1\n\
+         lr_param.improved_position_control.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 10, q_factor = 2 }] }]",
+        ),
+        &[
+            "set.toml:3:8: error[AX306]: `fade` is 20 s, 20000000 cycles",
+            "    allowed: 16777216 cycles: 16.7772 s at a cycle time of 1us",
+        ],
+    );
+}

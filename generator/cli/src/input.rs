@@ -1,0 +1,39 @@
+//! Reading the set that a command names, with its messages on standard error.
+
+use crate::SetArguments;
+use crate::exit::Exit;
+use generator::axis::Axis;
+use generator::config::{self, ListOptions, Set};
+
+/// Reads and checks the set; says all messages. With an error the command ends here.
+pub fn read(arguments: &SetArguments) -> Result<(Set, usize), Exit> {
+    let options = ListOptions { cycle_time: arguments.cycle_time.clone(), name: arguments.name.clone() };
+    let (set, report) = config::read(&arguments.set, &options);
+    eprint!("{report}");
+    let warnings = report.warnings();
+    match set {
+        Some(set) => Ok((set, warnings)),
+        None => {
+            let errors = report.diagnostics.len() - warnings;
+            Err(Exit::input(format!("{}; nothing was written", counted(errors, "error"))))
+        }
+    }
+}
+
+/// The axis of that name, or the only one.
+pub fn axis<'s>(set: &'s Set, name: Option<&str>) -> Result<&'s Axis, Exit> {
+    let names = || set.axes.iter().map(|axis| axis.name.as_str()).collect::<Vec<_>>().join(", ");
+    match (name, set.axes.as_slice()) {
+        (None, [axis]) => Ok(axis),
+        (None, _) => Err(Exit::input(format!("which axis? give --axis with one of: {}", names()))),
+        (Some(name), axes) => axes
+            .iter()
+            .find(|axis| axis.name == name)
+            .ok_or_else(|| Exit::input(format!("no axis `{}`; the set has: {}", name.escape_default(), names()))),
+    }
+}
+
+/// `1 file`, `2 files`.
+pub fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}

@@ -1,0 +1,63 @@
+//! `axgen verify`: every block of every axis, every engine, against the reference, bit by bit.
+
+use crate::SetArguments;
+use crate::exit::Exit;
+use crate::input;
+use generator::axis::Axis;
+use generator::block::{self, Block};
+use golden::compare::{Place, compare};
+use golden::engine::{self, ENGINES, Engine, Failure};
+use golden::samples::{Samples, Shape};
+use golden::{exercise, stimulus};
+
+/// Runs the command.
+#[expect(clippy::print_stdout, reason = "what the command has found")]
+pub fn run(arguments: &SetArguments, samples: usize) -> Result<Exit, Exit> {
+    let (set, _) = input::read(arguments)?;
+    let mut exit = Exit::Done;
+    println!("{:<20} {:<8} {:<10} {:>10} {:>15}  first difference", "axis", "block", "engine", "samples", "differing bits");
+    for axis in &set.axes {
+        let blocks = block::blocks(axis).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
+        for block in &blocks {
+            let shape = Shape::of(&block.program.inputs, axis.real);
+            let inputs = stimulus::samples(&exercise::stimulus(axis), &shape, samples).map_err(Exit::environment)?;
+            if !every_engine(axis, block, &inputs)? {
+                exit = Exit::Different;
+            }
+        }
+    }
+    Ok(exit)
+}
+
+/// Prints a line for each engine; tells whether all of them agree.
+#[expect(clippy::print_stdout, reason = "what the command has found")]
+fn every_engine(axis: &Axis, block: &Block, inputs: &Samples) -> Result<bool, Exit> {
+    let mut expected: Option<Samples> = None;
+    let mut agree = true;
+    for engine in ENGINES {
+        let (bits, first) = match engine::run(engine, axis, block, inputs) {
+            Ok(found) => {
+                let difference = compare(expected.as_ref().unwrap_or(&found), &found);
+                expected.get_or_insert(found);
+                (difference.bits.to_string(), difference.first.map(place).unwrap_or_default())
+            }
+            Err(Failure::SelfTest(sample)) => ("-".to_owned(), format!("self-test, sample {sample}")),
+            Err(Failure::Environment(text)) => return Err(Exit::environment(text)),
+            Err(failure) => return Err(Exit::environment(format!("engine {engine}: {failure}"))),
+        };
+        agree &= first.is_empty() && bits == "0";
+        let is_reference = if engine == Engine::Reference { "(reference)" } else { &bits };
+        println!(
+            "{:<20} {:<8} {engine:<10} {:>10} {is_reference:>15}  {first}",
+            axis.name,
+            block.program.block,
+            inputs.len()
+        );
+    }
+    Ok(agree)
+}
+
+fn place(place: Place) -> String {
+    let Place { sample, signal, expected, found } = place;
+    format!("sample {sample}, {signal}: {expected:?} expected, {found:?} found")
+}

@@ -1,0 +1,63 @@
+//! Two runs, bit by bit. There is no tolerance anywhere.
+
+use crate::samples::Samples;
+use portable::Literal;
+
+/// How two runs differ.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Difference {
+    /// differing bits in all samples
+    pub bits: u64,
+    /// where they first differ; `None`: nowhere
+    pub first: Option<Place>,
+}
+
+/// The first difference.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Place {
+    /// the sample, counted from 0
+    pub sample: usize,
+    /// the signal
+    pub signal: String,
+    /// its value in the run that is right
+    pub expected: Literal,
+    /// its value in the other run
+    pub found: Literal,
+}
+
+/// Compares a run with the one that is right. A sample that one of them lacks counts with all its bits.
+///
+/// # Panics
+/// If the runs are not of the same signals.
+#[must_use]
+pub fn compare(expected: &Samples, found: &Samples) -> Difference {
+    assert_eq!(expected.shape, found.shape, "compare: the runs are of different signals");
+    if expected.bytes == found.bytes {
+        return Difference { bits: 0, first: None };
+    }
+    let common = expected.bytes.len().min(found.bytes.len());
+    let pairs = expected.bytes.iter().zip(&found.bytes);
+    let bits: u64 = pairs.map(|(a, b)| u64::from((a ^ b).count_ones())).sum();
+    let missing = expected.bytes.len().max(found.bytes.len()) - common;
+    let bits = bits + 8 * missing as u64;
+    let at = (0..common).find(|at| expected.bytes[*at] != found.bytes[*at]);
+    Difference { bits, first: at.map(|at| place(expected, found, at)) }
+}
+
+fn place(expected: &Samples, found: &Samples, at: usize) -> Place {
+    let frame = expected.shape.frame();
+    let (sample, mut offset) = (at / frame, at % frame);
+    let mut index = 0;
+    for signal in &expected.shape.signals {
+        let size = expected.shape.size(signal.ty);
+        if offset < size {
+            break;
+        }
+        offset -= size;
+        index += 1;
+    }
+    let (mut a, mut b) = (Vec::new(), Vec::new());
+    expected.read(sample, &mut a);
+    found.read(sample, &mut b);
+    Place { sample, signal: expected.shape.signals[index].name.clone(), expected: a[index], found: b[index] }
+}

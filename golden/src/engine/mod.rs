@@ -1,0 +1,80 @@
+//! Ways to run a block. All of them must give the same bits.
+
+mod c;
+mod program;
+mod reference;
+
+pub use c::Compiler;
+
+use crate::samples::Samples;
+use generator::axis::Axis;
+use generator::block::Block;
+use std::fmt;
+
+/// A way to run a block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Engine {
+    /// the Rust source itself
+    Reference,
+    /// the specialised program, interpreted
+    Program,
+    /// the emitted C, compiled
+    C,
+}
+
+/// All engines; the first one is right.
+pub const ENGINES: [Engine; 3] = [Engine::Reference, Engine::Program, Engine::C];
+
+impl fmt::Display for Engine {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Reference => "reference",
+            Self::Program => "program",
+            Self::C => "c",
+        })
+    }
+}
+
+/// Why an engine could not run a block.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Failure {
+    /// something that the engine needs is not there; the text says what to install
+    Environment(String),
+    /// the compiler refused the emitted file, as the file itself demands
+    Refused(String),
+    /// the self-test of the compiled block found other bits
+    SelfTest(u32),
+    /// a defect of ours: the emitted file does not compile, or the engine broke off
+    Broken(String),
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Environment(text) | Self::Refused(text) | Self::Broken(text) => f.write_str(text),
+            Self::SelfTest(sample) => write!(f, "the self-test found other bits than the reference's, at sample {sample}"),
+        }
+    }
+}
+
+impl std::error::Error for Failure {}
+
+/// Runs a block of an axis from its start.
+///
+/// # Errors
+/// Only the engine `c` can fail.
+pub fn run(engine: Engine, axis: &Axis, block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
+    match engine {
+        Engine::Reference => Ok(reference::run(axis, block, inputs)),
+        Engine::Program => Ok(program::run(block, inputs)),
+        Engine::C => c::run(axis, block, inputs, &Compiler::host()),
+    }
+}
+
+/// Runs a block through the emitted C and a compiler of one's choice.
+///
+/// # Errors
+/// The compiler is not there, refuses, or the block does not pass its self-test.
+pub fn run_c(axis: &Axis, block: &Block, inputs: &Samples, compiler: &Compiler) -> Result<Samples, Failure> {
+    c::run(axis, block, inputs, compiler)
+}

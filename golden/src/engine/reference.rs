@@ -1,0 +1,37 @@
+//! The engine `reference`: the Rust source itself.
+
+use crate::samples::{Samples, Shape};
+use generator::axis::Axis;
+use generator::block::{Block, leaves};
+use generator::design;
+use portable::{Portable, Real, RealKind};
+use reference::{Block as Reference, ipc::Ipc};
+
+/// Runs a block.
+pub fn run(axis: &Axis, block: &Block, inputs: &Samples) -> Samples {
+    match axis.real {
+        RealKind::F64 => run_as::<f64>(axis, block, inputs),
+        RealKind::F32 => run_as::<f32>(axis, block, inputs),
+    }
+}
+
+fn run_as<R: Real>(axis: &Axis, block: &Block, inputs: &Samples) -> Samples {
+    match block.program.block {
+        name if name == <Ipc as Reference<R>>::NAME => run_block::<R, Ipc>(&design::ipc(axis), block, inputs),
+        other => panic!("engine: no block `{other}`"),
+    }
+}
+
+fn run_block<R: Real, B: Reference<R>>(coeffs: &B::Coeffs, block: &Block, inputs: &Samples) -> Samples {
+    let shape = Shape::of(&block.program.outputs, block.program.real);
+    let mut samples = Samples::with_capacity(shape, inputs.len());
+    let (mut state, mut outputs, mut values) = (B::state(), B::outputs(), Vec::new());
+    for sample in 0..inputs.len() {
+        inputs.read(sample, &mut values);
+        let mut next = values.iter().copied();
+        let input = B::Inputs::build(&mut || next.next().expect("engine: as many values as inputs"));
+        B::step(&mut state, coeffs, &input, &mut outputs);
+        samples.push(&leaves(&outputs));
+    }
+    samples
+}

@@ -1,0 +1,134 @@
+//! The values of all signals of a run, packed sample by sample. What a compiled engine reads and writes has this form.
+
+use generator::program::{Type, Variable};
+use portable::{Literal, RealKind};
+
+/// Names and types of the signals of one side of a block.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shape {
+    /// what a real is
+    pub real: RealKind,
+    /// the signals
+    pub signals: Vec<Signal>,
+}
+
+/// One signal.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Signal {
+    /// its name
+    pub name: String,
+    /// its type
+    pub ty: Type,
+    /// its value until it is written
+    pub start: Literal,
+}
+
+impl Shape {
+    /// The shape of a block's inputs or outputs.
+    #[must_use]
+    pub fn of(variables: &[Variable], real: RealKind) -> Self {
+        let signal = |variable: &Variable| Signal {
+            name: variable.path.clone(),
+            ty: variable.ty,
+            start: variable.start,
+        };
+        Self { real, signals: variables.iter().map(signal).collect() }
+    }
+
+    /// Bytes of a signal's value.
+    #[must_use]
+    pub fn size(&self, ty: Type) -> usize {
+        match (ty, self.real) {
+            (Type::Bool, _) => 1,
+            (Type::I32 | Type::U32, _) | (Type::Real, RealKind::F32) => 4,
+            (Type::Real, RealKind::F64) => 8,
+        }
+    }
+
+    /// Bytes of a sample.
+    #[must_use]
+    pub fn frame(&self) -> usize {
+        self.signals.iter().map(|signal| self.size(signal.ty)).sum()
+    }
+}
+
+/// A run: sample after sample, in each the signals in their order, each little-endian.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Samples {
+    /// names and types
+    pub shape: Shape,
+    /// the values
+    pub bytes: Vec<u8>,
+}
+
+impl Samples {
+    /// No samples yet, with room for `count`.
+    #[must_use]
+    pub fn with_capacity(shape: Shape, count: usize) -> Self {
+        let bytes = Vec::with_capacity(shape.frame() * count);
+        Self { shape, bytes }
+    }
+
+    /// How many samples there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.bytes.len() / self.shape.frame().max(1)
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.bytes.is_empty()
+    }
+
+    /// Appends a sample.
+    ///
+    /// # Panics
+    /// If a value exists only while specialising.
+    pub fn push(&mut self, values: &[Literal]) {
+        for value in values {
+            match *value {
+                Literal::Bool(value) => self.bytes.push(u8::from(value)),
+                Literal::I32(value) => self.bytes.extend(value.to_le_bytes()),
+                Literal::U32(value) => self.bytes.extend(value.to_le_bytes()),
+                Literal::F64(value) => self.bytes.extend(value.to_bits().to_le_bytes()),
+                Literal::F32(value) => self.bytes.extend(value.to_bits().to_le_bytes()),
+                Literal::Usize(_) | Literal::Variant(_) => panic!("samples: {value:?} is no signal"),
+            }
+        }
+    }
+
+    /// The values of a sample, into `values`.
+    pub fn read(&self, sample: usize, values: &mut Vec<Literal>) {
+        values.clear();
+        let frame = self.shape.frame();
+        let mut rest = &self.bytes[sample * frame..][..frame];
+        for signal in &self.shape.signals {
+            let (value, after) = rest.split_at(self.shape.size(signal.ty));
+            values.push(unpack(signal.ty, self.shape.real, value));
+            rest = after;
+        }
+    }
+
+    /// The first samples of the run.
+    #[must_use]
+    pub fn first(&self, count: usize) -> Self {
+        let bytes = self.bytes[..self.shape.frame() * count.min(self.len())].to_vec();
+        Self { shape: self.shape.clone(), bytes }
+    }
+}
+
+/// A packed value.
+fn unpack(ty: Type, real: RealKind, bytes: &[u8]) -> Literal {
+    let mut word = [0; 8];
+    word[..bytes.len()].copy_from_slice(bytes);
+    let [a, b, c, d, ..] = word;
+    let half = u32::from_le_bytes([a, b, c, d]);
+    match (ty, real) {
+        (Type::Bool, _) => Literal::Bool(a != 0),
+        (Type::I32, _) => Literal::I32(half.cast_signed()),
+        (Type::U32, _) => Literal::U32(half),
+        (Type::Real, RealKind::F32) => Literal::F32(f32::from_bits(half)),
+        (Type::Real, RealKind::F64) => Literal::F64(f64::from_bits(u64::from_le_bytes(word))),
+    }
+}
