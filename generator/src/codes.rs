@@ -95,7 +95,7 @@ codes! {
     NO_BANDPASS = "AX301", "an active stage without a band-pass",
         "Without a band-pass the whole velocity would be fed back. Every active stage needs a BANDPASS in one of its two \
          filters (P-AXIS-00849).";
-    PROTOTYPE = "AX302", "a band-pass in filter[1] without a prototype",
+    PROTOTYPE = "AX302", "a band-pass in the second filter without a prototype",
         "In the first filter the prototype has a default, in the second it must be written (P-AXIS-00848).";
     DAMPING = "AX303", "two values for one damping",
         "P-AXIS-00850 replaces P-AXIS-00756. Both are given, and differ: which one is meant cannot be told.";

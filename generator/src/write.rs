@@ -2,6 +2,7 @@
 
 use crate::digest::digest;
 use crate::target::File;
+use rayon::prelude::*;
 use std::fmt;
 use std::fs;
 use std::io;
@@ -39,35 +40,45 @@ impl fmt::Display for Refusal {
     }
 }
 
+/// A file that has to be written.
+struct Change<'f> {
+    path: PathBuf,
+    text: &'f str,
+    /// whether an older one is there
+    replaces: bool,
+    /// whether that one was changed by hand
+    edited: bool,
+}
+
 /// Writes the files into the folder, which is made if need be. A file that is there already, to the byte, is left alone.
 ///
 /// # Errors
 /// A file that was edited by hand, unless `force` is set; or the folder does not take them. Either way the folder is as it
 /// was before.
 pub fn write(folder: &Path, files: &[File], force: bool) -> Result<Written, Refusal> {
-    let mut changed = Vec::new();
-    let mut edited = Vec::new();
-    for file in files {
-        let path = folder.join(&file.name);
-        match fs::read(&path) {
-            Ok(old) if old == file.text.as_bytes() => {}
-            Ok(old) => {
-                if edited_by_hand(&old) {
-                    edited.push(path.clone());
-                }
-                changed.push((path, file));
-            }
-            Err(error) if error.kind() == io::ErrorKind::NotFound => changed.push((path, file)),
-            Err(error) => return Err(Refusal::Failed(path, error)),
-        }
-    }
-    if !edited.is_empty() && !force {
-        return Err(Refusal::Edited(edited));
+    let changes: Result<Vec<_>, Refusal> = files.par_iter().map(|file| change(folder, file)).collect();
+    let changes: Vec<Change<'_>> = changes?.into_iter().flatten().collect();
+    if !force && changes.iter().any(|change| change.edited) {
+        let edited = changes.into_iter().filter(|change| change.edited);
+        return Err(Refusal::Edited(edited.map(|change| change.path).collect()));
     }
     fs::create_dir_all(folder).map_err(|error| Refusal::Failed(folder.to_owned(), error))?;
-    stage(&changed)?;
-    replace(&changed)?;
-    Ok(Written { changed: changed.len(), unchanged: files.len() - changed.len() })
+    stage(&changes)?;
+    replace(&changes)?;
+    Ok(Written { changed: changes.len(), unchanged: files.len() - changes.len() })
+}
+
+/// What has to be done for a file; nothing, if it is there to the byte.
+fn change<'f>(folder: &Path, file: &'f File) -> Result<Option<Change<'f>>, Refusal> {
+    let (path, text) = (folder.join(&file.name), file.text.as_str());
+    match fs::read(&path) {
+        Ok(old) if old == text.as_bytes() => Ok(None),
+        Ok(old) => Ok(Some(Change { path, text, replaces: true, edited: edited_by_hand(&old) })),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            Ok(Some(Change { path, text, replaces: false, edited: false }))
+        }
+        Err(error) => Err(Refusal::Failed(path, error)),
+    }
 }
 
 /// Whether a generated file's body is no longer the one that its digest was made of.
@@ -98,45 +109,48 @@ fn beside(path: &Path, what: &str) -> PathBuf {
 }
 
 /// Writes every file beside its target; on a failure removes what it has written.
-fn stage(files: &[(PathBuf, &File)]) -> Result<(), Refusal> {
-    for (position, (path, file)) in files.iter().enumerate() {
-        if let Err(error) = fs::write(staged(path), &file.text) {
-            for (path, _) in &files[..=position] {
-                remove(&staged(path));
-            }
-            return Err(Refusal::Failed(path.clone(), error));
-        }
+fn stage(changes: &[Change<'_>]) -> Result<(), Refusal> {
+    let staged = changes.par_iter().try_for_each(|change| {
+        let written = fs::write(staged(&change.path), change.text);
+        written.map_err(|error| Refusal::Failed(change.path.clone(), error))
+    });
+    if staged.is_err() {
+        remove_staged(changes);
     }
-    Ok(())
+    staged
 }
 
 /// Renames every staged file; on a failure puts back what was there.
-fn replace(files: &[(PathBuf, &File)]) -> Result<(), Refusal> {
-    for (position, (path, _)) in files.iter().enumerate() {
-        let result = keep(path).and_then(|()| fs::rename(staged(path), path));
-        if let Err(error) = result {
-            for (path, _) in files[..=position].iter().rev() {
-                if fs::rename(kept(path), path).is_err() && staged(path).exists().eq(&false) {
-                    remove(path); // it was not there before
-                }
+fn replace(changes: &[Change<'_>]) -> Result<(), Refusal> {
+    for (position, Change { path, replaces, .. }) in changes.iter().enumerate() {
+        let aside = if *replaces { fs::rename(path, kept(path)) } else { Ok(()) };
+        if let Err(error) = aside.and_then(|()| fs::rename(staged(path), path)) {
+            for done in changes[..=position].iter().rev() {
+                put_back(done);
             }
-            for (path, _) in files {
-                remove(&staged(path));
-            }
+            remove_staged(changes);
             return Err(Refusal::Failed(path.clone(), error));
         }
     }
-    for (path, _) in files {
-        remove(&kept(path));
+    for change in changes.iter().filter(|change| change.replaces) {
+        remove(&kept(&change.path));
     }
     Ok(())
 }
 
-/// Moves an old file aside.
-fn keep(path: &Path) -> io::Result<()> {
-    match fs::rename(path, kept(path)) {
-        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
-        _ => Ok(()),
+/// Undoes the renaming of one file, as far as it had come.
+fn put_back(change: &Change<'_>) {
+    let renamed = !staged(&change.path).exists();
+    if change.replaces {
+        let _ = fs::rename(kept(&change.path), &change.path); // fails where the old file never left its place
+    } else if renamed {
+        remove(&change.path);
+    }
+}
+
+fn remove_staged(changes: &[Change<'_>]) {
+    for change in changes {
+        remove(&staged(&change.path));
     }
 }
 

@@ -14,7 +14,7 @@ use crate::parameters::{FILTERS, Name, STAGES, Value, path_with, real_text};
 const NEAR_NYQUIST: f64 = 0.35;
 /// A loop through the measured velocity costs one cycle of transport at the least, and the hold half a cycle.
 const LEAST_DELAY_CYCLES: f64 = 1.5;
-/// Beyond this lag of the delay alone [deg], what drive and mechanics add will soon make it 90.
+/// Beyond this lag of the delay alone, in degrees, what drive and mechanics add will soon make it 90.
 const MUCH_DELAY: f64 = 60.0;
 
 /// Says what a user would want to know before the block acts.
@@ -250,7 +250,7 @@ fn overlaps(axis: &Axis, e: &mut Effective<'_>) {
     }
 }
 
-/// The band in which all band-passes of a stage lose at most 3 dB [Hz].
+/// The band in which all band-passes of a stage lose at most 3 dB, in Hz.
 fn band_of(stage: &Stage, cycle_time: f64) -> [f64; 2] {
     let mut common = [0.0, f64::INFINITY];
     for filter in &stage.filter {

@@ -99,7 +99,7 @@ impl<'a> Effective<'a> {
         }
     }
 
-    /// The time that holds [ns], judged and noted.
+    /// The time that holds, in ns, judged and noted.
     pub fn duration(&mut self, key: Key) -> Option<u64> {
         match self.used_value(key)? {
             Value::Duration(ns) => Some(ns),

@@ -20,7 +20,7 @@ use crate::parameters::{Name, Value};
 use effective::Effective;
 use portable::RealKind;
 
-/// The set's cycle time [ns].
+/// The cycle time of the set, in ns.
 pub fn cycle_time(values: &Values<'_>, missing: impl FnOnce() -> Diagnostic) -> (Option<u32>, Report) {
     let key = (Name::CycleTime, [0, 0]);
     if values.get(key).is_none() {

@@ -13,7 +13,7 @@ pub type Load<'a> = &'a (dyn Fn(&Path) -> Result<Vec<u8>, Unreadable> + Sync);
 /// Why a file cannot be read.
 #[derive(Debug)]
 pub enum Unreadable {
-    /// it holds more than [`LARGEST`] bytes
+    /// it holds more bytes than any set or list
     TooLarge,
     /// what the system says
     System(String),

@@ -10,6 +10,7 @@ use super::values::{Setting, Values};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Name, Scope, Value, path_with};
+use std::io::BufRead;
 
 /// What an axis list holds.
 #[derive(Debug)]
@@ -34,10 +35,12 @@ pub fn read<'a>(source: &'a Source<'a>) -> List<'a> {
     let mut unreadable = 0;
     // Some editors put a byte order mark before the text.
     let mut next = if source.bytes.starts_with(b"\xEF\xBB\xBF") { 3 } else { 0 };
-    for line in source.bytes[next..].split(|byte| *byte == b'\n') {
+    while next < source.bytes.len() {
         let start = next;
-        next += line.len() + 1;
-        match statement(line) {
+        // Reading from memory cannot fail; of the standard library's ways to the next line this is the fastest.
+        next += (&source.bytes[start..]).skip_until(b'\n').unwrap_or(source.bytes.len() - start);
+        let line = &source.bytes[start..next];
+        match statement(line.strip_suffix(b"\n").unwrap_or(line)) {
             Ok(None) => {}
             Ok(Some(statement)) => {
                 if list.take(source, start, &statement) {
@@ -72,7 +75,7 @@ struct Statement<'l> {
 }
 
 /// The bytes that neither begin a comment nor are illegal outside of one. A list is mostly these.
-const PLAIN: [bool; 256] = {
+static PLAIN: [bool; 256] = {
     let mut plain = [false; 256];
     let mut byte = b' ';
     while byte <= b'~' {
@@ -103,7 +106,8 @@ fn statement(line: &[u8]) -> Result<Option<Statement<'_>>, usize> {
     if path_at == text.len() {
         return Ok(None);
     }
-    let path_end = text.bytes().skip(path_at).position(|byte| is_blank(&byte)).map_or(text.len(), |length| path_at + length);
+    let path_end =
+        text.bytes().skip(path_at).position(|byte| is_blank(&byte)).map_or(text.len(), |length| path_at + length);
     let value = text[path_end..].trim_ascii_start();
     Ok(Some(Statement { path: &text[path_at..path_end], path_at, value, value_at: text.len() - value.len() }))
 }

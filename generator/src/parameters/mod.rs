@@ -68,9 +68,9 @@ pub enum Kind {
     },
     /// a time with its unit
     Duration {
-        /// the shortest [ns]
+        /// the shortest, in ns
         from: u64,
-        /// the longest [ns]
+        /// the longest, in ns
         to: u64,
     },
     /// any text
@@ -108,7 +108,7 @@ pub enum Value {
     Integer(i64),
     /// a finite real number
     Real(f64),
-    /// a time [ns]
+    /// a time, in ns
     Duration(u64),
     /// a text
     Text(String),

@@ -227,7 +227,7 @@ table! {
         default: &["BANDPASS", "NO_FILTER"],
         since: IPC_FILTERS,
     }
-    /// low-pass prototype of a band-pass; filter[1] needs it in writing
+    /// low-pass prototype of a band-pass; the second filter needs it in writing
     FilterPrototype: VENDOR {
         id: Some("P-AXIS-00848"),
         path: ipc!("stage[i].filter[k].prototype"),

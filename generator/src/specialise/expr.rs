@@ -75,7 +75,7 @@ impl Specialiser<'_> {
             panic!("specialise: in {}: a struct or an array is no scalar; borrow it", self.frame().function)
         };
         match self.cells[*cell] {
-            Cell::Coefficient(position) => match self.coefficients[position].value {
+            Cell::Coefficient(position) => match self.coefficients[position] {
                 Literal::F64(_) | Literal::F32(_) | Literal::I32(_) | Literal::U32(_) => self.coefficient(position),
                 decides => Expr::Literal(decides),
             },

@@ -10,7 +10,7 @@ mod node;
 mod statement;
 
 use crate::program::{Constant, Expr, Local, Program, Statement, Type, Var, Variable};
-use node::{Cell, Coefficient, Node};
+use node::{Cell, Node};
 use portable::{Fn, Literal, Portable, Real, Ty};
 use reference::Block;
 use std::collections::{BTreeMap, HashMap};
@@ -58,7 +58,8 @@ struct Specialiser<'n> {
     constant_of: HashMap<(usize, &'static str), usize>,
     locals: Vec<Local>,
     cells: Vec<Cell>,
-    coefficients: Vec<Coefficient>,
+    coefficients: Vec<Literal>,
+    coefficient_type: Option<Ty>,
     frames: Vec<Frame>,
     statements: Vec<Statement>,
 }
@@ -83,6 +84,7 @@ impl<'n> Specialiser<'n> {
             locals: Vec::new(),
             cells: Vec::new(),
             coefficients: Vec::new(),
+            coefficient_type: None,
             frames: Vec::new(),
             statements: Vec::new(),
         }
@@ -90,10 +92,12 @@ impl<'n> Specialiser<'n> {
 
     /// Enters the coefficients: every leaf is known.
     fn enter_coefficients(&mut self, ty: Ty, leaves: &[Literal]) -> Rc<Node> {
-        node::build(ty, "", "", &mut |_, path, doc| {
-            let position = self.coefficients.len();
-            self.coefficients.push(Coefficient { path, doc, value: leaves[position] });
+        self.coefficient_type = Some(ty);
+        self.coefficients = leaves.to_vec();
+        let mut position = 0;
+        node::build_unnamed(ty, &mut || {
             self.cells.push(Cell::Coefficient(position));
+            position += 1;
             self.cells.len() - 1
         })
     }
@@ -145,8 +149,9 @@ impl<'n> Specialiser<'n> {
         let next = self.constants.len();
         let index = *self.constant_of.entry((position, "")).or_insert(next);
         if index == next {
-            let Coefficient { path, doc, value } = &self.coefficients[position];
-            self.constants.push(Constant { path: path.to_string(), doc, value: *value, position });
+            let ty = self.coefficient_type.expect("specialise: the coefficients were entered");
+            let (path, doc) = node::leaf_at(ty, position);
+            self.constants.push(Constant { path, doc, value: self.coefficients[position], position });
         }
         Expr::Var(Var::Constant(index))
     }

@@ -37,16 +37,6 @@ pub enum Cell {
     Memory(Var),
 }
 
-/// A leaf of the coefficients.
-pub struct Coefficient {
-    /// where it stands
-    pub path: Rc<str>,
-    /// the doc comment of its field
-    pub doc: &'static str,
-    /// its value
-    pub value: Literal,
-}
-
 impl Node {
     /// Where the aggregate stands; empty for a leaf.
     pub fn path(&self) -> Rc<str> {
@@ -81,5 +71,64 @@ pub fn build(
             elements: (0..len).map(|index| build(*element, &format!("{path}[{index}]"), doc, leaf)).collect(),
         },
         scalar => Node::Leaf(leaf(scalar, path.into(), doc)),
+    })
+}
+
+/// The path and the doc comment of a leaf, by its position among the leaves of a type.
+pub fn leaf_at(ty: Ty, position: usize) -> (String, &'static str) {
+    let (mut ty, mut position, mut path, mut doc) = (ty, position, String::new(), "");
+    loop {
+        match ty {
+            Ty::Struct { def } => {
+                let mut fields = def.fields.iter();
+                let field = fields.find(|field| {
+                    let leaves = leaves(field.ty);
+                    let inside = position < leaves;
+                    if !inside {
+                        position -= leaves;
+                    }
+                    inside
+                });
+                let field = field.expect("specialise: the position is one of the type's leaves");
+                path.push_str(if path.is_empty() { "" } else { "." });
+                path.push_str(field.name);
+                (ty, doc) = (field.ty, field.doc);
+            }
+            Ty::Array { element, .. } => {
+                let each = leaves(*element);
+                path.push_str(&format!("[{}]", position / each));
+                (ty, position) = (*element, position % each);
+            }
+            _ => return (path, doc),
+        }
+    }
+}
+
+/// How many scalars a type has.
+fn leaves(ty: Ty) -> usize {
+    match ty {
+        Ty::Struct { def } => def.fields.iter().map(|field| leaves(field.ty)).sum(),
+        Ty::Array { element, len } => len * leaves(*element),
+        _ => 1,
+    }
+}
+
+/// Builds the tree of a type whose parts need no names.
+pub fn build_unnamed(ty: Ty, leaf: &mut dyn FnMut() -> usize) -> Rc<Node> {
+    let nowhere: Rc<str> = "".into();
+    build_at(ty, &nowhere, leaf)
+}
+
+fn build_at(ty: Ty, nowhere: &Rc<str>, leaf: &mut dyn FnMut() -> usize) -> Rc<Node> {
+    let path = Rc::clone(nowhere);
+    Rc::new(match ty {
+        Ty::Struct { def } => Node::Struct {
+            path,
+            fields: def.fields.iter().map(|field| (field.name, build_at(field.ty, nowhere, leaf))).collect(),
+        },
+        Ty::Array { element, len } => {
+            Node::Array { path, elements: (0..len).map(|_| build_at(*element, nowhere, leaf)).collect() }
+        }
+        _ => Node::Leaf(leaf()),
     })
 }

@@ -18,9 +18,9 @@ fn limit_0_by_default() {
     assert_said(
         &said(
             "ipc.stage[0].mode DIRECT\n\
-         ipc.stage[0].filter.order 1\n\
-         ipc.stage[0].filter.fg_f0 53\n\
-         ipc.stage[0].filter.q_factor 10",
+             ipc.stage[0].filter.order 1\n\
+             ipc.stage[0].filter.fg_f0 53\n\
+             ipc.stage[0].filter.q_factor 10",
         ),
         &[
             "x.lis: warning[AX402]: `ipc.v_add_max_fact` (P-AXIS-00757) has the default 0: the limit is 0, the block puts out 0",
@@ -45,16 +45,16 @@ fn weight_of_set_point() {
     assert_said(
         &said(&set_point(
             "ipc.stage[0].osc_damping 0.8\n\
-         ipc.stage[0].weight_fact_num 143\n\
-         ipc.stage[0].weight_fact_denom 100",
+             ipc.stage[0].weight_fact_num 143\n\
+             ipc.stage[0].weight_fact_denom 100",
         )),
         &[],
     );
     assert_said(
         &said(&set_point(
             "ipc.stage[0].osc_damping 0.8\n\
-         ipc.stage[0].weight_fact_num 144\n\
-         ipc.stage[0].weight_fact_denom 100",
+             ipc.stage[0].weight_fact_num 144\n\
+             ipc.stage[0].weight_fact_denom 100",
         )),
         &[
             "x.lis:2:61: warning[AX405]: stage[0] is SET_POINT with the weight 1.44: above 1.4382 it amplifies what it is to damp",
@@ -68,7 +68,7 @@ fn v_direct() {
     assert_said(
         &said_of_axis(
             "ipc.v_add_max_fact = 1000\n\
-         ipc.stage = [{ mode = 'DIRECT', direct_source = 'v_direct', filter = [{ order = 1, fg_f0 = 20, q_factor = 2 }] }]",
+             ipc.stage = [{ mode = 'DIRECT', direct_source = 'v_direct', filter = [{ order = 1, fg_f0 = 20, q_factor = 2 }] }]",
         ),
         &[
             "set.toml:4:80: warning[AX406]: stage[0] feeds back v_direct, which lags by the drive, the mechanics and the delay: beyond 90 degrees at f0 an all-pass is mandatory, or the loop is unstable",
@@ -82,7 +82,7 @@ fn v_direct_with_an_allpass_and_a_weight_of_1() {
     assert_said(
         &said_of_axis(
             "ipc.v_add_max_fact = 1000\n\
-         ipc.stage = [{ mode = 'DIRECT', direct_source = 'v_direct', filter = [{ order = 1, fg_f0 = 20, q_factor = 2 }, { type = 'ALLPASS', fg_f0 = 15, q_factor = 2 }] }]",
+             ipc.stage = [{ mode = 'DIRECT', direct_source = 'v_direct', filter = [{ order = 1, fg_f0 = 20, q_factor = 2 }, { type = 'ALLPASS', fg_f0 = 15, q_factor = 2 }] }]",
         ),
         &[],
     );
@@ -93,7 +93,7 @@ fn v_direct_with_an_allpass_and_a_larger_weight() {
     assert_said(
         &said_of_axis(
             "ipc.v_add_max_fact = 1000\n\
-         ipc.stage = [{ mode = 'DIRECT', direct_source = 'v_direct', weight_fact_num = 2, filter = [{ order = 1, fg_f0 = 20, q_factor = 2 }, { type = 'ALLPASS', fg_f0 = 15, q_factor = 2 }] }]",
+             ipc.stage = [{ mode = 'DIRECT', direct_source = 'v_direct', weight_fact_num = 2, filter = [{ order = 1, fg_f0 = 20, q_factor = 2 }, { type = 'ALLPASS', fg_f0 = 15, q_factor = 2 }] }]",
         ),
         &[
             "set.toml:4:80: warning[AX406]: stage[0] feeds back v_direct, which lags by the drive, the mechanics and the delay: beyond 90 degrees at f0 an all-pass is mandatory, or the loop is unstable",
@@ -107,7 +107,7 @@ fn direct_source_of_another_mode() {
     assert_said(
         &said_of_axis(
             "ipc.v_add_max_fact = 1000\n\
-         ipc.stage = [{ mode = 'INDIRECT', direct_source = 'v_motor', osc_damping = 0.5, filter = [{ order = 1, fg_f0 = 20, q_factor = 2 }] }, { direct_source = 'v_direct' }]",
+             ipc.stage = [{ mode = 'INDIRECT', direct_source = 'v_motor', osc_damping = 0.5, filter = [{ order = 1, fg_f0 = 20, q_factor = 2 }] }, { direct_source = 'v_direct' }]",
         ),
         &[
             "set.toml:4:82: warning[AX413]: stage[0].direct_source has no effect: the stage is not DIRECT",
@@ -121,7 +121,7 @@ fn near_half_the_sampling_frequency() {
     assert_said(
         &said(&set_point(
             "ipc.stage[0].osc_damping 0.8\n\
-         ipc.stage[0].filter.fg_f0 351",
+             ipc.stage[0].filter.fg_f0 351",
         )),
         &[
             "x.lis:2:58: warning[AX407]: stage[0].filter[0] lies at 0.351 of the sampling frequency: its upper skirt is squeezed against one half",
@@ -147,9 +147,9 @@ fn delay_with_an_allpass_or_without_a_loop() {
     assert_said(
         &said(&direct(
             "ipc.stage[0].filter.fg_f0 200\n\
-         ipc.stage[0].filter[1].type ALLPASS\n\
-         ipc.stage[0].filter[1].fg_f0 180\n\
-         ipc.stage[0].filter[1].q_factor 2",
+             ipc.stage[0].filter[1].type ALLPASS\n\
+             ipc.stage[0].filter[1].fg_f0 180\n\
+             ipc.stage[0].filter[1].q_factor 2",
         )),
         &[],
     );
@@ -160,9 +160,9 @@ fn stages_overlap() {
     assert_said(
         &said(&direct(
             "ipc.stage[2].mode DIRECT\n\
-         ipc.stage[2].filter.order 1\n\
-         ipc.stage[2].filter.fg_f0 57\n\
-         ipc.stage[2].filter.q_factor 10",
+             ipc.stage[2].filter.order 1\n\
+             ipc.stage[2].filter.fg_f0 57\n\
+             ipc.stage[2].filter.q_factor 10",
         )),
         &[
             "x.lis:3:58: warning[AX409]: stage[0] (50.4137 to 55.7137 Hz) and stage[2] (54.2181 to 59.9181 Hz) overlap, and influence each other",
@@ -176,9 +176,9 @@ fn stages_beside_each_other() {
     assert_said(
         &said(&direct(
             "ipc.stage[2].mode DIRECT\n\
-         ipc.stage[2].filter.order 1\n\
-         ipc.stage[2].filter.fg_f0 59\n\
-         ipc.stage[2].filter.q_factor 10",
+             ipc.stage[2].filter.order 1\n\
+             ipc.stage[2].filter.fg_f0 59\n\
+             ipc.stage[2].filter.q_factor 10",
         )),
         &[],
     );
@@ -189,8 +189,8 @@ fn allpass_at_the_f0_of_the_bandpass() {
     assert_said(
         &said(&direct(
             "ipc.stage[0].filter[1].type ALLPASS\n\
-         ipc.stage[0].filter[1].fg_f0 53\n\
-         ipc.stage[0].filter[1].q_factor 2",
+             ipc.stage[0].filter[1].fg_f0 53\n\
+             ipc.stage[0].filter[1].q_factor 2",
         )),
         &[
             "x.lis:2:61: warning[AX410]: stage[0].filter[1] is an all-pass at the f0 of the band-pass: it inverts the stage's polarity",
@@ -204,7 +204,7 @@ fn filter_without_a_type() {
     assert_said(
         &said(&direct(
             "ipc.stage[0].filter[1].fg_f0 53\n\
-         ipc.stage[0].filter[1].q_factor 2",
+             ipc.stage[0].filter[1].q_factor 2",
         )),
         &[
             "x.lis:1:61: warning[AX411]: stage[0].filter[1] has parameters and no type: it is NO_FILTER (P-AXIS-00849)",
@@ -218,7 +218,7 @@ fn gantry_slave_with_stages() {
     assert_said(
         &said(&direct(
             "kopf.achs_nr 2\n\
-         kenngr.gantry_ax_nr 1",
+             kenngr.gantry_ax_nr 1",
         )),
         &[
             "x.lis:2:21: warning[AX412]: the axis is a gantry slave with active stages: its input `mode` must stay OFF (error 70600)",

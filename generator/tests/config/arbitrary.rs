@@ -91,6 +91,17 @@ fn one_long_line() {
     assert!(report.diagnostics.len() >= 50_000);
 }
 
+#[test]
+fn deep_nesting() {
+    for (opening, closing) in [("[", "]"), ("{ a = ", " }"), ("a.", "a = 1")] {
+        let (_, report) = read_set(format!("x = {}{}", opening.repeat(100_000), closing.repeat(100_000)));
+        assert!(report.has_errors());
+        let (_, report) = read_set(format!("{}a = 1", opening.repeat(100_000)));
+        assert!(report.has_errors());
+    }
+    let _ = read_list(format!("{}x 1\n{IPC}{} 1", "a.".repeat(1_000_000), "[".repeat(1_000_000)));
+}
+
 /// Every code is asserted somewhere in these tests, but for those that only the design can raise.
 #[test]
 fn every_code_has_a_test() {

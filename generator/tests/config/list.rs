@@ -33,12 +33,12 @@ fn words_in_any_case_and_numbers() {
     assert_said(
         &said(
             "ipc.v_add_max_fact 0x3E8\n\
-         ipc.enable dryrun\n\
-         ipc.stage[].mode 1\n\
-         ipc.stage[].filter.order 0x2\n\
-         ipc.stage[].filter.fg_f0 5.3e1\n\
-         ipc.stage[].filter.q_factor 0xA\n\
-         ipc.stage[].filter.type bandpass",
+             ipc.enable dryrun\n\
+             ipc.stage[].mode 1\n\
+             ipc.stage[].filter.order 0x2\n\
+             ipc.stage[].filter.fg_f0 5.3e1\n\
+             ipc.stage[].filter.q_factor 0xA\n\
+             ipc.stage[].filter.type bandpass",
         ),
         &[],
     );
@@ -78,10 +78,10 @@ fn no_path() {
     assert_said(
         &said(&direct(
             "kopf.achs_nr=1\n\
-         ?\n\
-         kenngr..x 1\n\
-         a[x] 1\n\
-         5 1",
+             ?\n\
+             kenngr..x 1\n\
+             a[x] 1\n\
+             5 1",
         )),
         &[
             "x.lis:1:1: error[AX101]: `kopf.achs_nr=1` is no path",
@@ -127,8 +127,8 @@ fn no_value() {
     assert_said(
         &said(&direct(
             "ipc.enable\n\
-         kopf.achs_nr # 1\n\
-         kenngr.foreign",
+             kopf.achs_nr # 1\n\
+             kenngr.foreign",
         )),
         &[
             "x.lis:1:42: error[AX103]: `ipc.enable` (P-AXIS-00758) has no value",
@@ -144,11 +144,11 @@ fn unknown_but_close() {
     assert_said(
         &said(&direct(
             "ipc.enabel ON\n\
-         ipc.stage[0].wieght_fact_num 3\n\
-         ipc.stage[2].fg_f0 3\n\
-         ipc.stage[0].filter[1].qfactor 3\n\
-         LR_PARAM.IMPROVED_POSITION_CONTROL.ENABLE ON\n\
-         lr_param.improved_postion_control.enable ON",
+             ipc.stage[0].wieght_fact_num 3\n\
+             ipc.stage[2].fg_f0 3\n\
+             ipc.stage[0].filter[1].qfactor 3\n\
+             LR_PARAM.IMPROVED_POSITION_CONTROL.ENABLE ON\n\
+             lr_param.improved_postion_control.enable ON",
         )),
         &[
             "x.lis:1:1: error[AX104]: `ipc.enabel` is not known",
@@ -172,7 +172,7 @@ fn unknown_and_not_close() {
     assert_said(
         &said(&direct(
             "ipc.stage[0].colour 3\n\
-         ipc.stage[0].x.y 3",
+             ipc.stage[0].x.y 3",
         )),
         &[
             "x.lis:1:1: warning[AX105]: `ipc.stage[0].colour` is not known, and passed over",
@@ -186,10 +186,10 @@ fn index_out_of_range() {
     assert_said(
         &said(&direct(
             "ipc.stage[3].mode DIRECT\n\
-         ipc.stage[0].filter[2].order 1\n\
-         ipc.stage[0].filter[1].damping 1\n\
-         getriebe[16].dynamik.vb_max 1\n\
-         ipc.stage[4294967296].mode 0",
+             ipc.stage[0].filter[2].order 1\n\
+             ipc.stage[0].filter[1].damping 1\n\
+             getriebe[16].dynamik.vb_max 1\n\
+             ipc.stage[4294967296].mode 0",
         )),
         &[
             "x.lis:1:1: error[AX106]: `ipc.stage[3].mode` has an index that does not exist",
@@ -239,7 +239,7 @@ fn misprint_and_the_proper_path_are_one() {
     assert_said(
         &said(&indirect(
             "ipc.stage[0]osc_damping 0.5\n\
-         ipc.stage[0].osc_damping 0.5",
+             ipc.stage[0].osc_damping 0.5",
         )),
         &[
             "x.lis:1:1: warning[AX108]: `ipc.stage[0]osc_damping` is a misprint of the manual",
@@ -255,8 +255,8 @@ fn keys_of_a_set() {
     assert_said(
         &said(&direct(
             "real f32\n\
-         cycle_time 1ms\n\
-         ipc.stage[0].direct_source v_direct",
+             cycle_time 1ms\n\
+             ipc.stage[0].direct_source v_direct",
         )),
         &[
             "x.lis:1:1: error[AX109]: `real` is a key of an axis set; no axis list has it",
@@ -274,7 +274,7 @@ fn gear_steps() {
     assert_said(
         &said(&direct(
             "getriebe[0].dynamik.vb_max 1000\n\
-         getriebe[2].dynamik.vb_max 2000",
+             getriebe[2].dynamik.vb_max 2000",
         )),
         &[
             "x.lis:2:28: warning[AX403]: the gear steps 0, 2 are given; step 0 is used",

@@ -96,7 +96,8 @@ fn set_point(but: &str) -> String {
 
 /// `but` first, then those lines whose path it does not give.
 fn stage(lines: &[&str], but: &str) -> String {
-    let given: Vec<&str> = but.lines().filter_map(|line| line.split_whitespace().next()).collect();
-    let rest = lines.iter().filter(|line| !given.contains(&line.split_whitespace().next().unwrap()));
+    let path = |line: &str| line.split_whitespace().next().map(str::to_owned);
+    let given: Vec<_> = but.lines().filter_map(path).collect();
+    let rest = lines.iter().filter(|line| path(line).is_none_or(|path| !given.contains(&path)));
     std::iter::once(but).chain(rest.copied()).collect::<Vec<_>>().join("\n")
 }

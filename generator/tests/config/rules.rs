@@ -7,7 +7,7 @@ fn a_filter_without_index_is_filter_0() {
     assert_said(
         &said(&direct(
             "ipc.stage[0].filter.order 1\n\
-         ipc.stage[0].filter[0].order 1",
+             ipc.stage[0].filter[0].order 1",
         )),
         &[
             "x.lis:2:1: error[AX107]: `ipc.stage[0].filter[0].order` is given twice, first in line 1",
@@ -21,13 +21,13 @@ fn b_only_what_the_mode_uses_is_judged() {
     assert_said(
         &said(&direct(
             "ipc.stage[0].filter.damping 1\n\
-         ipc.stage[1].mode NOT_ACTIVE\n\
-         ipc.stage[1].filter.order 9\n\
-         ipc.stage[1].filter.fg_f0 9999\n\
-         ipc.stage[1].filter.damping 1\n\
-         ipc.stage[1].weight_fact_num 0\n\
-         ipc.stage[0].filter[1].type NO_FILTER\n\
-         ipc.stage[0].filter[1].fg_f0 -7",
+             ipc.stage[1].mode NOT_ACTIVE\n\
+             ipc.stage[1].filter.order 9\n\
+             ipc.stage[1].filter.fg_f0 9999\n\
+             ipc.stage[1].filter.damping 1\n\
+             ipc.stage[1].weight_fact_num 0\n\
+             ipc.stage[0].filter[1].type NO_FILTER\n\
+             ipc.stage[0].filter[1].fg_f0 -7",
         )),
         &[],
     );
@@ -38,9 +38,9 @@ fn b_order_of_an_allpass_is_not_judged() {
     assert_said(
         &said(&direct(
             "ipc.stage[0].filter[1].type ALLPASS\n\
-         ipc.stage[0].filter[1].order 9\n\
-         ipc.stage[0].filter[1].fg_f0 40\n\
-         ipc.stage[0].filter[1].q_factor 2",
+             ipc.stage[0].filter[1].order 9\n\
+             ipc.stage[0].filter[1].fg_f0 40\n\
+             ipc.stage[0].filter[1].q_factor 2",
         )),
         &[],
     );
@@ -51,7 +51,7 @@ fn c_both_dampings_and_different() {
     assert_said(
         &said(&indirect(
             "ipc.stage[0].osc_damping 0.5\n\
-         ipc.stage[0].filter.damping 0.8",
+             ipc.stage[0].filter.damping 0.8",
         )),
         &[
             "x.lis:1:57: error[AX303]: `ipc.stage[0].osc_damping` (P-AXIS-00850) is 0.5, and its predecessor `ipc.stage[0].filter.damping` (P-AXIS-00756) is 0.8",
@@ -66,7 +66,7 @@ fn c_both_dampings_and_equal() {
     assert_said(
         &said(&indirect(
             "ipc.stage[0].osc_damping 0.5\n\
-         ipc.stage[0].filter.damping 0.5",
+             ipc.stage[0].filter.damping 0.5",
         )),
         &[
             "x.lis:2:60: warning[AX404]: stage[0].filter.damping (P-AXIS-00756) stands beside `ipc.stage[0].osc_damping` of the newer parameters",
@@ -85,7 +85,7 @@ fn c_only_the_predecessor_is_set() {
     assert_said(
         &said(&indirect(
             "ipc.stage[0].filter.damping 0.5\n\
-         ipc.stage[0].osc_damping -1",
+             ipc.stage[0].osc_damping -1",
         )),
         &[],
     );
@@ -96,7 +96,7 @@ fn c_only_the_successor_is_set() {
     assert_said(
         &said(&indirect(
             "ipc.stage[0].filter.damping -1\n\
-         ipc.stage[0].osc_damping 0.5",
+             ipc.stage[0].osc_damping 0.5",
         )),
         &[],
     );
@@ -107,7 +107,7 @@ fn c_the_predecessor_beside_filter_k() {
     assert_said(
         &said(&indirect(
             "ipc.stage[0].filter.damping 0.5\n\
-         ipc.stage[0].filter[0].type BANDPASS",
+             ipc.stage[0].filter[0].type BANDPASS",
         )),
         &[
             "x.lis:1:60: warning[AX404]: stage[0].filter.damping (P-AXIS-00756) stands beside `ipc.stage[0].filter[0].type` of the newer parameters",
@@ -121,10 +121,10 @@ fn d_defaults_outside_of_their_range() {
     assert_said(
         &said(
             "ipc.v_add_max_fact 1000\n\
-         ipc.stage[0].mode INDIRECT\n\
-         ipc.stage[2].mode DIRECT\n\
-         ipc.stage[2].filter[1].type ALLPASS\n\
-         ipc.stage[2].filter[1].q_factor 2",
+             ipc.stage[0].mode INDIRECT\n\
+             ipc.stage[2].mode DIRECT\n\
+             ipc.stage[2].filter[1].type ALLPASS\n\
+             ipc.stage[2].filter[1].q_factor 2",
         ),
         &[
             "x.lis:2:1: error[AX206]: `ipc.stage[0].osc_damping` (P-AXIS-00850) is missing; its default -1 is outside of its range",
@@ -160,9 +160,9 @@ fn e_no_stage_is_left_out_because_of_an_error() {
     assert_said(
         &said(&direct(
             "ipc.stage[1].mode DIRECT\n\
-         ipc.stage[1].filter.order 7\n\
-         ipc.stage[1].filter.fg_f0 12\n\
-         ipc.stage[1].filter.q_factor 2",
+             ipc.stage[1].filter.order 7\n\
+             ipc.stage[1].filter.fg_f0 12\n\
+             ipc.stage[1].filter.q_factor 2",
         )),
         &["x.lis:2:58: error[AX203]: `ipc.stage[1].filter.order` (P-AXIS-00750) is 7", "    allowed: 1 <= order <= 3"],
     );
@@ -173,8 +173,8 @@ fn g_gantry_slave_enabled() {
     assert_said(
         &said(&direct(
             "kopf.achs_nr 2\n\
-         kenngr.gantry_ax_nr 1\n\
-         ipc.enable ON",
+             kenngr.gantry_ax_nr 1\n\
+             ipc.enable ON",
         )),
         &[
             "x.lis:3:43: error[AX305]: improved position control is enabled on a gantry slave, whose master is axis 1 (P-AXIS-00070): error 70600 of the controller",
@@ -188,7 +188,7 @@ fn g_gantry_slave_in_dryrun() {
     assert_said(
         &said(&direct(
             "kenngr.gantry_ax_nr 1\n\
-         ipc.enable DRYRUN",
+             ipc.enable DRYRUN",
         )),
         &[
             "x.lis:2:43: error[AX305]: improved position control is enabled on a gantry slave, whose master is axis 1 (P-AXIS-00070): error 70600 of the controller",
@@ -202,8 +202,8 @@ fn g_gantry_master() {
     assert_said(
         &said(&direct(
             "kopf.achs_nr 1\n\
-         kenngr.gantry_ax_nr 1\n\
-         ipc.enable ON",
+             kenngr.gantry_ax_nr 1\n\
+             ipc.enable ON",
         )),
         &[],
     );
@@ -214,7 +214,7 @@ fn g_gantry_slave_without_a_stage() {
     assert_said(
         &said(
             "kopf.achs_nr 2\n\
-         kenngr.gantry_ax_nr 1",
+             kenngr.gantry_ax_nr 1",
         ),
         &[],
     );
@@ -225,7 +225,7 @@ fn h_a_weight_above_the_cap_says_nothing() {
     assert_said(
         &said(&direct(
             "ipc.stage[0].weight_fact_num 900\n\
-         ipc.stage[0].weight_fact_denom 100",
+             ipc.stage[0].weight_fact_denom 100",
         )),
         &[],
     );
@@ -256,9 +256,9 @@ fn prototype_of_a_second_bandpass() {
     assert_said(
         &said(&direct(
             "ipc.stage[0].filter[1].type BANDPASS\n\
-         ipc.stage[0].filter[1].order 1\n\
-         ipc.stage[0].filter[1].fg_f0 53\n\
-         ipc.stage[0].filter[1].q_factor 2",
+             ipc.stage[0].filter[1].order 1\n\
+             ipc.stage[0].filter[1].fg_f0 53\n\
+             ipc.stage[0].filter[1].q_factor 2",
         )),
         &[
             "x.lis:1:60: error[AX302]: `ipc.stage[0].filter[1].prototype` (P-AXIS-00848) is missing: the band-pass in filter[1] needs it in writing",
@@ -273,10 +273,10 @@ fn a_second_bandpass_with_its_prototype() {
     assert_said(
         &said(&direct(
             "ipc.stage[0].filter[1].type BANDPASS\n\
-         ipc.stage[0].filter[1].prototype CRIT_DAMPING\n\
-         ipc.stage[0].filter[1].order 1\n\
-         ipc.stage[0].filter[1].fg_f0 53\n\
-         ipc.stage[0].filter[1].q_factor 2",
+             ipc.stage[0].filter[1].prototype CRIT_DAMPING\n\
+             ipc.stage[0].filter[1].order 1\n\
+             ipc.stage[0].filter[1].fg_f0 53\n\
+             ipc.stage[0].filter[1].q_factor 2",
         )),
         &[],
     );
@@ -305,8 +305,8 @@ fn f0_of_an_allpass_above_what_the_cycle_time_allows() {
     assert_said(
         &said(&direct(
             "ipc.stage[0].filter[1].type ALLPASS\n\
-         ipc.stage[0].filter[1].fg_f0 480\n\
-         ipc.stage[0].filter[1].q_factor 2",
+             ipc.stage[0].filter[1].fg_f0 480\n\
+             ipc.stage[0].filter[1].q_factor 2",
         )),
         &[
             "x.lis:2:61: error[AX304]: `ipc.stage[0].filter[1].fg_f0` (P-AXIS-00751) is 480 Hz, 0.48 of the sampling frequency",
@@ -332,8 +332,8 @@ fn too_low_for_single_precision() {
     assert_said(
         &said_of_axis(
             "real = \"f32\"\n\
-         ipc.v_add_max_fact = 1\n\
-         ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 9.99, q_factor = 2 }] }]",
+             ipc.v_add_max_fact = 1\n\
+             ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 9.99, q_factor = 2 }] }]",
         ),
         &[
             "set.toml:5:95: error[AX307]: `ipc.stage[0].filter[0].fg_f0` (P-AXIS-00751) is 9.99 Hz, 0.00999 of the sampling frequency: single precision loses so narrow and low a filter; it needs another structure, which this version does not have",
@@ -348,8 +348,8 @@ fn the_lowest_for_single_precision() {
     assert_said(
         &said_of_axis(
             "real = \"REAL\"\n\
-         ipc.v_add_max_fact = 1\n\
-         ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 10, q_factor = 2 }] }]",
+             ipc.v_add_max_fact = 1\n\
+             ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 10, q_factor = 2 }] }]",
         ),
         &[],
     );
@@ -360,10 +360,10 @@ fn fade_of_too_many_cycles() {
     assert_said(
         &said_of_set(
             "cycle_time = \"1us\"\n\
-         [axis.X]\n\
-         fade = \"20s\"\n\
-         lr_param.improved_position_control.v_add_max_fact = 1\n\
-         lr_param.improved_position_control.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 10, q_factor = 2 }] }]",
+             [axis.X]\n\
+             fade = \"20s\"\n\
+             lr_param.improved_position_control.v_add_max_fact = 1\n\
+             lr_param.improved_position_control.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 10, q_factor = 2 }] }]",
         ),
         &[
             "set.toml:3:8: error[AX306]: `fade` is 20 s, 20000000 cycles",

@@ -7,7 +7,7 @@ fn a_valid_axis_says_nothing() {
     assert_said(
         &said_of_axis(
             "ipc.v_add_max_fact = 1000\n\
-         ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] }]",
+             ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] }]",
         ),
         &[],
     );
@@ -18,14 +18,14 @@ fn arrays_of_tables() {
     assert_said(
         &said_of_axis(
             "[axis.X.lr_param.improved_position_control]\n\
-         enable = true\n\
-         v_add_max_fact = 1000\n\
-         [[axis.X.lr_param.improved_position_control.stage]]\n\
-         [[axis.X.lr_param.improved_position_control.stage]]\n\
-         mode = 1\n\
-         filter.order = 1\n\
-         filter.fg_f0 = 53\n\
-         filter.q_factor = 10",
+             enable = true\n\
+             v_add_max_fact = 1000\n\
+             [[axis.X.lr_param.improved_position_control.stage]]\n\
+             [[axis.X.lr_param.improved_position_control.stage]]\n\
+             mode = 1\n\
+             filter.order = 1\n\
+             filter.fg_f0 = 53\n\
+             filter.q_factor = 10",
         ),
         &[],
     );
@@ -68,7 +68,7 @@ fn cycle_times() {
     assert_said(
         &said_of_set(
             "cycle_time = 1\n\
-         [axis.X]",
+             [axis.X]",
         ),
         &[
             "set.toml:1:14: error[AX204]: `cycle_time` is of type integer",
@@ -79,7 +79,7 @@ fn cycle_times() {
     assert_said(
         &said_of_set(
             "cycle_time = 1.5\n\
-         [axis.X]",
+             [axis.X]",
         ),
         &[
             "set.toml:1:14: error[AX204]: `cycle_time` is of type float",
@@ -90,7 +90,7 @@ fn cycle_times() {
     assert_said(
         &said_of_set(
             "cycle_time = \"1\"\n\
-         [axis.X]",
+             [axis.X]",
         ),
         &[
             "set.toml:1:14: error[AX205]: `cycle_time` is `1`, which has no unit",
@@ -101,7 +101,7 @@ fn cycle_times() {
     assert_said(
         &said_of_set(
             "cycle_time = \"1ms \"\n\
-         [axis.X]",
+             [axis.X]",
         ),
         &[
             "set.toml:1:14: error[AX205]: `cycle_time` is `1ms `, no time",
@@ -111,7 +111,7 @@ fn cycle_times() {
     assert_said(
         &said_of_set(
             "cycle_time = \"-1ms\"\n\
-         [axis.X]",
+             [axis.X]",
         ),
         &[
             "set.toml:1:14: error[AX205]: `cycle_time` is `-1ms`, no time",
@@ -121,7 +121,7 @@ fn cycle_times() {
     assert_said(
         &said_of_set(
             "cycle_time = \"1 fortnight\"\n\
-         [axis.X]",
+             [axis.X]",
         ),
         &[
             "set.toml:1:14: error[AX205]: `cycle_time` is `1 fortnight`, no time",
@@ -131,7 +131,7 @@ fn cycle_times() {
     assert_said(
         &said_of_set(
             "cycle_time = \"0.5ns\"\n\
-         [axis.X]",
+             [axis.X]",
         ),
         &[
             "set.toml:1:14: error[AX205]: `cycle_time` is `0.5ns`, no whole number of nanoseconds",
@@ -141,14 +141,14 @@ fn cycle_times() {
     assert_said(
         &said_of_set(
             "cycle_time = \"0s\"\n\
-         [axis.X]",
+             [axis.X]",
         ),
         &["set.toml:1:14: error[AX203]: `cycle_time` is 0s", "    allowed: 1ns <= cycle_time <= 4.294967295s"],
     );
     assert_said(
         &said_of_set(
             "cycle_time = \"4294967295ns\"\n\
-         [axis.X]",
+             [axis.X]",
         ),
         &[
             "set.toml:2:7: warning[AX401]: no stage is active: the block puts out 0",
@@ -158,7 +158,7 @@ fn cycle_times() {
     assert_said(
         &said_of_set(
             "cycle_time = \"4.294967296s\"\n\
-         [axis.X]",
+             [axis.X]",
         ),
         &[
             "set.toml:1:14: error[AX203]: `cycle_time` is 4.294967296s",
@@ -168,7 +168,7 @@ fn cycle_times() {
     assert_said(
         &said_of_set(
             "cycle_time = \"1e3us\"\n\
-         [axis.X]",
+             [axis.X]",
         ),
         &[
             "set.toml:1:14: error[AX205]: `cycle_time` is `1e3us`, no time",
@@ -178,7 +178,7 @@ fn cycle_times() {
     assert_said(
         &said_of_set(
             "cycle_time = \".\"\n\
-         [axis.X]",
+             [axis.X]",
         ),
         &[
             "set.toml:1:14: error[AX205]: `cycle_time` is `.`, which has no unit",
@@ -188,7 +188,7 @@ fn cycle_times() {
     assert_said(
         &said_of_set(
             "cycle_time = \".s\"\n\
-         [axis.X]",
+             [axis.X]",
         ),
         &[
             "set.toml:1:14: error[AX205]: `cycle_time` is `.s`, no time",
@@ -198,7 +198,7 @@ fn cycle_times() {
     assert_said(
         &said_of_set(
             "cycle_time = \"1.2.3ms\"\n\
-         [axis.X]",
+             [axis.X]",
         ),
         &[
             "set.toml:1:14: error[AX205]: `cycle_time` is `1.2.3ms`, no time",
@@ -208,7 +208,7 @@ fn cycle_times() {
     assert_said(
         &said_of_set(
             "cycle_time = \"99999999999999999999s\"\n\
-         [axis.X]",
+             [axis.X]",
         ),
         &[
             "set.toml:1:14: error[AX205]: `cycle_time` is `99999999999999999999s`, far too long",
@@ -218,7 +218,7 @@ fn cycle_times() {
     assert_said(
         &said_of_set(
             "cycle_time = \"62.5 us\"\n\
-         [axis.X]",
+             [axis.X]",
         ),
         &[
             "set.toml:2:7: warning[AX401]: no stage is active: the block puts out 0",
@@ -228,7 +228,7 @@ fn cycle_times() {
     assert_said(
         &said_of_set(
             "cycle_time = \"62.5\u{b5}s\"\n\
-         [axis.X]",
+             [axis.X]",
         ),
         &[
             "set.toml:2:7: warning[AX401]: no stage is active: the block puts out 0",
@@ -242,8 +242,8 @@ fn targets() {
     assert_said(
         &said_of_set(
             "cycle_time = \"1ms\"\n\
-         targets = [\"c\", \"ST\"]\n\
-         [axis.X]",
+             targets = [\"c\", \"ST\"]\n\
+             [axis.X]",
         ),
         &[
             "set.toml:3:7: warning[AX401]: no stage is active: the block puts out 0",
@@ -253,8 +253,8 @@ fn targets() {
     assert_said(
         &said_of_set(
             "cycle_time = \"1ms\"\n\
-         targets = \"c\"\n\
-         [axis.X]",
+             targets = \"c\"\n\
+             [axis.X]",
         ),
         &[
             "set.toml:2:11: error[AX204]: `targets` is of type string",
@@ -266,8 +266,8 @@ fn targets() {
     assert_said(
         &said_of_set(
             "cycle_time = \"1ms\"\n\
-         targets = [\"pascal\"]\n\
-         [axis.X]",
+             targets = [\"pascal\"]\n\
+             [axis.X]",
         ),
         &[
             "set.toml:2:11: error[AX202]: `targets` is `pascal`",
@@ -279,8 +279,8 @@ fn targets() {
     assert_said(
         &said_of_set(
             "cycle_time = \"1ms\"\n\
-         targets = [\"twincta\"]\n\
-         [axis.X]",
+             targets = [\"twincta\"]\n\
+             [axis.X]",
         ),
         &[
             "set.toml:2:11: error[AX202]: `targets` is `twincta`",
@@ -293,8 +293,8 @@ fn targets() {
     assert_said(
         &said_of_set(
             "cycle_time = \"1ms\"\n\
-         targets = [\"c\", \"c\"]\n\
-         [axis.X]",
+             targets = [\"c\", \"c\"]\n\
+             [axis.X]",
         ),
         &[
             "set.toml:2:11: error[AX107]: `targets` names `c` twice",
@@ -306,8 +306,8 @@ fn targets() {
     assert_said(
         &said_of_set(
             "cycle_time = \"1ms\"\n\
-         targets = [1]\n\
-         [axis.X]",
+             targets = [1]\n\
+             [axis.X]",
         ),
         &[
             "set.toml:2:11: error[AX204]: `targets` is of type integer",
@@ -319,8 +319,8 @@ fn targets() {
     assert_said(
         &said_of_set(
             "cycle_time = \"1ms\"\n\
-         targets = []\n\
-         [axis.X]",
+             targets = []\n\
+             [axis.X]",
         ),
         &[
             "set.toml:3:7: warning[AX401]: no stage is active: the block puts out 0",
@@ -334,7 +334,7 @@ fn no_toml() {
     assert_said(
         &said_of_set(
             "cycle_time = \n\
-         [axis.X",
+             [axis.X",
         ),
         &[
             "set.toml:2:8: error[AX004]: no TOML: unclosed table, expected `]`",
@@ -352,7 +352,7 @@ fn no_toml() {
     assert_said(
         &said_of_set(
             "a = 1\n\
-         a = 2",
+             a = 2",
         ),
         &["set.toml:2:1: error[AX004]: no TOML: duplicate key"],
     );
@@ -363,10 +363,10 @@ fn keys_at_the_top() {
     assert_said(
         &said_of_set(
             "cycle_tme = \"1ms\"\n\
-         enable = \"ON\"\n\
-         axes = 1\n\
-         cycle_time = \"1ms\"\n\
-         [axis.X]",
+             enable = \"ON\"\n\
+             axes = 1\n\
+             cycle_time = \"1ms\"\n\
+             [axis.X]",
         ),
         &[
             "set.toml:1:1: error[AX104]: `cycle_tme` is no key of a set",
@@ -388,21 +388,21 @@ fn axis_is_no_table() {
     assert_said(
         &said_of_set(
             "cycle_time = \"1ms\"\n\
-         axis = 1",
+             axis = 1",
         ),
         &["set.toml:2:1: error[AX204]: `axis` is of type integer", "    allowed: a table"],
     );
     assert_said(
         &said_of_set(
             "cycle_time = \"1ms\"\n\
-         axis.X = 1",
+             axis.X = 1",
         ),
         &["set.toml:2:6: error[AX204]: `axis.X` is of type integer", "    allowed: a table"],
     );
     assert_said(
         &said_of_set(
             "cycle_time = \"1ms\"\n\
-         [[axis]]",
+             [[axis]]",
         ),
         &["set.toml:2:3: error[AX204]: `axis` is of type array", "    allowed: a table"],
     );
@@ -474,14 +474,14 @@ fn unknown_keys() {
     assert_said(
         &said_of_axis(
             "rael = \"f32\"\n\
-         colour = 1\n\
-         cycle_time = \"1ms\"\n\
-         kenngr.swe_pos = 1\n\
-         [axis.X.lr_param.improved_postion_control]\n\
-         enable = 1\n\
-         [axis.X.lr_param.improved_position_control]\n\
-         enabel = 1\n\
-         stage = [{ mod = 1, filtre = [{}] }]",
+             colour = 1\n\
+             cycle_time = \"1ms\"\n\
+             kenngr.swe_pos = 1\n\
+             [axis.X.lr_param.improved_postion_control]\n\
+             enable = 1\n\
+             [axis.X.lr_param.improved_position_control]\n\
+             enabel = 1\n\
+             stage = [{ mod = 1, filtre = [{}] }]",
         ),
         &[
             "set.toml:3:1: error[AX104]: `rael` is not known",
@@ -507,13 +507,13 @@ fn tables_and_values_in_each_others_place() {
     assert_said(
         &said_of_axis(
             "list = 1\n\
-         kopf = 1\n\
-         getriebe = { dynamik.vb_max = 1 }\n\
-         ipc.enable = { a = 1 }\n\
-         ipc.stage = [1, { mode = [], filter = [[]] }]\n\
-         [axis.X.kenngr]\n\
-         achs_typ.x = 1\n\
-         [[axis.X.real]]",
+             kopf = 1\n\
+             getriebe = { dynamik.vb_max = 1 }\n\
+             ipc.enable = { a = 1 }\n\
+             ipc.stage = [1, { mode = [], filter = [[]] }]\n\
+             [axis.X.kenngr]\n\
+             achs_typ.x = 1\n\
+             [[axis.X.real]]",
         ),
         &[
             "set.toml:3:8: error[AX204]: `list` is of type integer",
@@ -544,11 +544,11 @@ fn types() {
     assert_said(
         &said_of_axis(
             "gear = \"1\"\n\
-         fade = 100\n\
-         ipc.enable = 1.5\n\
-         ipc.v_add_max_fact = \"1000\"\n\
-         ipc.stage = [{ mode = true, weight_fact_num = 1.0, filter = [{ fg_f0 = '53', q_factor = nan, order = 0x2 }] }]\n\
-         kopf.achs_nr = 1979-05-27",
+             fade = 100\n\
+             ipc.enable = 1.5\n\
+             ipc.v_add_max_fact = \"1000\"\n\
+             ipc.stage = [{ mode = true, weight_fact_num = 1.0, filter = [{ fg_f0 = '53', q_factor = nan, order = 0x2 }] }]\n\
+             kopf.achs_nr = 1979-05-27",
         ),
         &[
             "set.toml:3:8: error[AX204]: `gear` is of type string",
@@ -582,24 +582,24 @@ fn real_types() {
     assert_said(
         &said_of_axis(
             "real = \"LREAL\"\n\
-         ipc.v_add_max_fact = 1000\n\
-         ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] }]",
+             ipc.v_add_max_fact = 1000\n\
+             ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] }]",
         ),
         &[],
     );
     assert_said(
         &said_of_axis(
             "real = \"f64\"\n\
-         ipc.v_add_max_fact = 1000\n\
-         ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] }]",
+             ipc.v_add_max_fact = 1000\n\
+             ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] }]",
         ),
         &[],
     );
     assert_said(
         &said_of_axis(
             "real = \"double\"\n\
-         ipc.v_add_max_fact = 1000\n\
-         ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] }]",
+             ipc.v_add_max_fact = 1000\n\
+             ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] }]",
         ),
         &["set.toml:3:8: error[AX202]: `real` is `double`", "    allowed: f64 (LREAL), f32 (REAL)"],
     );
@@ -621,9 +621,9 @@ fn the_gear_step_is_chosen() {
     assert_said(
         &said_of_axis(
             "gear = 1\n\
-         getriebe = [{}, { dynamik.vb_max = 5 }, { dynamik.vb_max = 6 }]\n\
-         ipc.v_add_max_fact = 1000\n\
-         ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] }]",
+             getriebe = [{}, { dynamik.vb_max = 5 }, { dynamik.vb_max = 6 }]\n\
+             ipc.v_add_max_fact = 1000\n\
+             ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] }]",
         ),
         &[],
     );
@@ -634,9 +634,9 @@ fn a_gear_step_that_is_not_given() {
     assert_said(
         &said_of_axis(
             "gear = 3\n\
-         getriebe = [{}, { dynamik.vb_max = 5 }]\n\
-         ipc.v_add_max_fact = 1000\n\
-         ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] }]",
+             getriebe = [{}, { dynamik.vb_max = 5 }]\n\
+             ipc.v_add_max_fact = 1000\n\
+             ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] }]",
         ),
         &[
             "set.toml:4:36: warning[AX403]: gear step 3 is used, and only 1 is given: vb_max of step 3 is its default 200000 (P-AXIS-00212)",
@@ -650,7 +650,7 @@ fn the_same_checks_as_for_lists() {
     assert_said(
         &said_of_axis(
             "ipc.v_add_max_fact = 2001\n\
-         ipc.stage = [{ mode = 'INDIRECT', filter = [{ order = 4, fg_f0 = 480 }] }]",
+             ipc.stage = [{ mode = 'INDIRECT', filter = [{ order = 4, fg_f0 = 480 }] }]",
         ),
         &[
             "set.toml:3:53: error[AX203]: `ipc.v_add_max_fact` (P-AXIS-00757) is 2001",

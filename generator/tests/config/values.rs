@@ -7,11 +7,11 @@ fn no_whole_number() {
     assert_said(
         &said(&direct(
             "ipc.stage[0].filter.order 1.5\n\
-         ipc.v_add_max_fact x\n\
-         ipc.stage[0].weight_fact_num 1e3\n\
-         ipc.stage[0].weight_fact_denom --1\n\
-         kopf.achs_nr 0xG\n\
-         kenngr.gantry_ax_nr 99999999999999999999",
+             ipc.v_add_max_fact x\n\
+             ipc.stage[0].weight_fact_num 1e3\n\
+             ipc.stage[0].weight_fact_denom --1\n\
+             kopf.achs_nr 0xG\n\
+             kenngr.gantry_ax_nr 99999999999999999999",
         )),
         &[
             "x.lis:1:58: error[AX201]: `ipc.stage[0].filter.order` (P-AXIS-00750) is `1.5`, no whole number",
@@ -35,8 +35,8 @@ fn no_finite_number() {
     assert_said(
         &said(&indirect(
             "ipc.stage[0].filter.fg_f0 NaN\n\
-         ipc.stage[0].filter.q_factor 1e999\n\
-         ipc.stage[0].osc_damping 0,5",
+             ipc.stage[0].filter.q_factor 1e999\n\
+             ipc.stage[0].osc_damping 0,5",
         )),
         &[
             "x.lis:1:58: error[AX201]: `ipc.stage[0].filter.fg_f0` (P-AXIS-00751) is `NaN`, no finite number",
@@ -55,8 +55,8 @@ fn no_finite_number_either() {
     assert_said(
         &said(&indirect(
             "ipc.stage[0].filter.fg_f0 -inf\n\
-         ipc.stage[0].filter.q_factor 1_0\n\
-         ipc.stage[0].osc_damping .",
+             ipc.stage[0].filter.q_factor 1_0\n\
+             ipc.stage[0].osc_damping .",
         )),
         &[
             "x.lis:1:58: error[AX201]: `ipc.stage[0].filter.fg_f0` (P-AXIS-00751) is `-inf`, no finite number",
@@ -74,11 +74,11 @@ fn words() {
     assert_said(
         &said(&direct(
             "ipc.enable 2\n\
-         ipc.stage[0].mode INDIREKT\n\
-         ipc.stage[1].mode 4\n\
-         ipc.stage[0].filter.type LOWPASS\n\
-         kenngr.achs_typ 3\n\
-         ipc.stage[0].filter.prototype BUTTERWORT",
+             ipc.stage[0].mode INDIREKT\n\
+             ipc.stage[1].mode 4\n\
+             ipc.stage[0].filter.type LOWPASS\n\
+             kenngr.achs_typ 3\n\
+             ipc.stage[0].filter.prototype BUTTERWORT",
         )),
         &[
             "x.lis:1:43: error[AX202]: `ipc.enable` (P-AXIS-00758) is `2`",
@@ -104,7 +104,7 @@ fn long_or_strange_text_is_shortened_and_escaped() {
     assert_said(
         &said(&direct(
             "ipc.enable xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx\n\
-         ipc.stage[1].mode \"`'\\",
+             ipc.stage[1].mode \"`'\\",
         )),
         &[
             "x.lis:1:43: error[AX202]: `ipc.enable` (P-AXIS-00758) is `xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx`",
@@ -290,7 +290,7 @@ fn range_of_axis_numbers() {
     assert_said(
         &said(&direct(
             "kopf.achs_nr 70000\n\
-         kenngr.gantry_ax_nr -1",
+             kenngr.gantry_ax_nr -1",
         )),
         &[
             "x.lis:1:14: error[AX203]: `kopf.achs_nr` (P-AXIS-00016) is 70000",
