@@ -50,8 +50,17 @@ pub struct Constant {
     pub doc: &'static str,
     /// its value
     pub value: Literal,
-    /// the position among the leaves of the coefficients; functions come after all of them
-    pub position: usize,
+    /// where it comes from
+    pub origin: Origin,
+}
+
+/// Where a named number comes from; in this order they are listed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Origin {
+    /// a coefficient, by its position among their leaves
+    Coefficient(usize),
+    /// a function without parameters, the same for every axis
+    Function,
 }
 
 /// An intermediate value.
@@ -168,18 +177,27 @@ impl Statement {
 }
 
 impl Expr {
+    /// Calls `visit` for the expression and for every part of it.
+    pub fn parts<'a>(&'a self, visit: &mut dyn FnMut(&'a Self)) {
+        visit(self);
+        match self {
+            Self::Literal(_) | Self::Var(_) => {}
+            Self::Unary(_, operand) => operand.parts(visit),
+            Self::Binary(_, left, right) => {
+                left.parts(visit);
+                right.parts(visit);
+            }
+            Self::Intrinsic(_, operands) => operands.iter().for_each(|operand| operand.parts(visit)),
+        }
+    }
+
     /// Calls `visit` for every variable that the expression reads.
     pub fn variables(&self, visit: &mut dyn FnMut(Var)) {
-        match self {
-            Self::Literal(_) => {}
-            Self::Var(var) => visit(*var),
-            Self::Unary(_, operand) => operand.variables(visit),
-            Self::Binary(_, left, right) => {
-                left.variables(visit);
-                right.variables(visit);
+        self.parts(&mut |part| {
+            if let Self::Var(var) = part {
+                visit(*var);
             }
-            Self::Intrinsic(_, operands) => operands.iter().for_each(|operand| operand.variables(visit)),
-        }
+        });
     }
 
     /// Replaces every part of the expression, inner parts first.
@@ -234,11 +252,9 @@ pub fn rename(statements: Vec<Statement>, renamed: &dyn Fn(Var) -> Var) -> Vec<S
             Statement::Assign { target, value } => {
                 Statement::Assign { target: renamed(target), value: value.map(change) }
             }
-            Statement::If { condition, then, otherwise } => Statement::If {
-                condition: condition.map(change),
-                then: in_list(then),
-                otherwise: in_list(otherwise),
-            },
+            Statement::If { condition, then, otherwise } => {
+                Statement::If { condition: condition.map(change), then: in_list(then), otherwise: in_list(otherwise) }
+            }
         })
         .collect()
 }

@@ -40,6 +40,8 @@ pub struct CHeader<'a> {
 pub struct CSource<'a> {
     /// the header's name
     pub header: &'a str,
+    /// whether a block asks for a magnitude
+    pub uses_magnitude: bool,
     /// C name of the real type
     pub real: &'a str,
     /// 0 of the real type

@@ -1,16 +1,20 @@
 //! Golden cases: a folder with an axis set, a stimulus, and the answers that were recorded.
 //!
 //! ```text
-//! case.toml      purpose, axis, block, stimulus
+//! case.toml      purpose, axis, block, stimulus, what it shows
 //! set.toml       the axis set (or what case.toml names)
-//! vectors.csv    the first 2,000 samples of inputs and outputs, as bits
+//! inputs.csv     the first 2,000 samples as bits, without the inputs that keep their start
+//! outputs.csv    the answers
 //! digest         128-bit digests of inputs and outputs of 1,000,000 samples
 //! emitted/       the files that the axis gets
 //! ```
+//!
+//! `axgen run set.toml --axis X --stimulus inputs.csv --hex` prints outputs.csv, whatever the engine.
 
 use crate::csv::{self, Reals};
 use crate::engine::{self, Engine};
 use crate::samples::{Samples, Shape};
+use crate::shows::shown;
 use crate::stimulus::{self, Stimulus};
 use generator::axis::Axis;
 use generator::block::{self, Block};
@@ -20,10 +24,13 @@ use generator::target::{File, TARGETS};
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 
-/// Samples that stand in `vectors.csv`.
+/// Samples that stand in `inputs.csv` and `outputs.csv`.
 pub const VECTOR_SAMPLES: usize = 2_000;
 /// Samples that the digests cover.
 pub const DIGEST_SAMPLES: usize = 1_000_000;
+
+/// The folder of the emitted files.
+const EMITTED: &str = "emitted";
 
 /// A case, read.
 #[derive(Clone, Debug)]
@@ -32,6 +39,8 @@ pub struct Case {
     pub folder: PathBuf,
     /// what it is there for
     pub purpose: String,
+    /// what the recorded samples or the axis must have in them, in the words of [`shown`]
+    pub shows: Vec<String>,
     /// the axis
     pub axis: Axis,
     /// the block
@@ -45,6 +54,8 @@ pub struct Case {
 #[serde(deny_unknown_fields)]
 struct Description {
     purpose: String,
+    #[serde(default)]
+    shows: Vec<String>,
     #[serde(default = "set_beside")]
     set: String,
     cycle_time: Option<String>,
@@ -73,6 +84,7 @@ pub fn read(folder: &Path) -> Result<Case, String> {
     Ok(Case {
         folder: folder.to_owned(),
         purpose: description.purpose,
+        shows: description.shows,
         block: named_block(&axis, &description.block)?,
         axis,
         stimulus: description.stimulus,
@@ -101,56 +113,83 @@ pub fn inputs(case: &Case, count: usize) -> Result<Samples, String> {
         .map_err(|mistake| format!("{}: {mistake}", case.folder.join("case.toml").display()))
 }
 
-/// What a case's folder has to hold, as the reference answers now.
-///
-/// # Errors
-/// The stimulus does not fit the block.
-pub fn recorded(case: &Case) -> Result<Vec<File>, String> {
+/// A run of a case and what it must leave in the case's folder.
+struct Recording {
+    files: Vec<File>,
+    /// what the case says that it shows, and does not
+    missing: Vec<String>,
+}
+
+/// What the reference answers now.
+fn recording(case: &Case) -> Result<Recording, String> {
     let inputs = inputs(case, DIGEST_SAMPLES)?;
-    let outputs = engine::run(Engine::Reference, &case.axis, &case.block, &inputs).map_err(|failure| failure.to_string())?;
-    let vectors = csv::write(&[&inputs.first(VECTOR_SAMPLES), &outputs.first(VECTOR_SAMPLES)], Reals::Hexadecimal);
-    let digests = format!(
-        "samples {DIGEST_SAMPLES}\ninputs {}\noutputs {}\n",
-        digest(&inputs.bytes),
-        digest(&outputs.bytes)
-    );
-    let mut files = vec![
-        File { name: "vectors.csv".to_owned(), text: vectors },
-        File { name: "digest".to_owned(), text: digests },
+    let outputs =
+        engine::run(Engine::Reference, &case.axis, &case.block, &inputs).map_err(|failure| failure.to_string())?;
+    let (first, answers) = (inputs.first(VECTOR_SAMPLES), outputs.first(VECTOR_SAMPLES));
+    let shown = shown(&case.axis, &first, &answers);
+    let digests =
+        format!("samples {DIGEST_SAMPLES}\ninputs {}\noutputs {}\n", digest(&inputs.bytes), digest(&outputs.bytes));
+    let texts = [
+        ("inputs.csv", csv::write(&[&first.without_constant()], Reals::Hexadecimal)),
+        ("outputs.csv", csv::write(&[&answers], Reals::Hexadecimal)),
+        ("digest", digests),
     ];
     let blocks = std::slice::from_ref(&case.block);
     let emitted = TARGETS.iter().flat_map(|target| (target.files)(&case.axis, blocks));
-    files.extend(emitted.map(|file| File { name: format!("emitted/{}", file.name), text: file.text }));
-    Ok(files)
+    let emitted = emitted.map(|file| File { name: format!("{EMITTED}/{}", file.name), text: file.text });
+    let texts = texts.into_iter().map(|(name, text)| File { name: name.to_owned(), text });
+    Ok(Recording {
+        files: texts.chain(emitted).collect(),
+        missing: case.shows.iter().filter(|word| !shown.contains(*word)).cloned().collect(),
+    })
 }
 
-/// Writes what [`recorded`] gives.
+/// Writes the reference's answers and the emitted files; what else lies among the emitted files goes.
 ///
 /// # Errors
-/// The stimulus does not fit, or the folder does not take the files.
+/// The stimulus does not fit, the case does not show what it says, or the folder does not take the files.
 pub fn record(case: &Case) -> Result<(), String> {
-    let emitted = case.folder.join("emitted");
+    let Recording { files, missing } = recording(case)?;
+    if !missing.is_empty() {
+        return Err(format!("{}: the case does not show {}", case.folder.display(), missing.join(", ")));
+    }
+    let emitted = case.folder.join(EMITTED);
     std::fs::create_dir_all(&emitted).map_err(|error| format!("{}: {error}", emitted.display()))?;
-    for file in recorded(case)? {
+    for path in left_over(case, &files) {
+        std::fs::remove_file(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+    }
+    for file in files {
         let path = case.folder.join(&file.name);
         std::fs::write(&path, file.text).map_err(|error| format!("{}: {error}", path.display()))?;
     }
     Ok(())
 }
 
-/// Compares the folder with what [`recorded`] gives; names every file that differs.
+/// Compares the folder with what the reference and the targets give now; names every difference.
 ///
 /// # Errors
 /// The stimulus does not fit the block.
 pub fn verify(case: &Case) -> Result<Vec<String>, String> {
-    let mut differing = Vec::new();
-    for file in recorded(case)? {
+    let Recording { files, missing } = recording(case)?;
+    let mut differing: Vec<String> = missing.iter().map(|word| format!("shows: {word}")).collect();
+    for file in &files {
         let found = std::fs::read(case.folder.join(&file.name));
         if found.ok().as_deref() != Some(file.text.as_bytes()) {
-            differing.push(file.name);
+            differing.push(file.name.clone());
         }
     }
+    differing
+        .extend(left_over(case, &files).iter().map(|path| format!("{} (no such file is emitted)", path.display())));
     Ok(differing)
+}
+
+/// Emitted files of another time, in the order of their names.
+fn left_over(case: &Case, files: &[File]) -> Vec<PathBuf> {
+    let found = std::fs::read_dir(case.folder.join(EMITTED)).into_iter().flatten().flatten();
+    let mut paths: Vec<PathBuf> = found.map(|entry| entry.path()).collect();
+    paths.retain(|path| !files.iter().any(|file| case.folder.join(&file.name) == *path));
+    paths.sort();
+    paths
 }
 
 /// The folders of all cases below a folder, in the order of their names.

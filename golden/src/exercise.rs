@@ -1,6 +1,7 @@
 //! A stimulus for any axis: what `verify` runs a user's own blocks with.
 
-use crate::stimulus::{Component, Event, Form, Stimulus, Window};
+use crate::stimulus::{Component, Event, Stimulus, Window};
+use crate::waveform::Form;
 use generator::axis::{Axis, Filter};
 
 /// Everything that can happen to a block: moves, vibrations at its own frequencies, noise, steps to the limit, mode
@@ -24,9 +25,7 @@ fn components(axis: &Axis, seed: u32, v_max: f64) -> Vec<Component> {
     ];
     let filters = axis.ipc.stage.iter().flatten().flat_map(|stage| stage.filter);
     components.extend(filters.filter_map(|filter| match filter {
-        Filter::Bandpass { f0, .. } => {
-            Some(part(Form::Sine { period: 1.0 / (f0 * axis.cycle_time()) }, 0.1, moving))
-        }
+        Filter::Bandpass { f0, .. } => Some(part(Form::Sine { period: 1.0 / (f0 * axis.cycle_time()) }, 0.1, moving)),
         _ => None,
     }));
     components

@@ -1,15 +1,15 @@
 //! Stimuli, vectors, and the engines that must agree on every bit.
 //!
 //! ```text
-//! stimulus   what the inputs do, sample by sample, from integers and libm
+//! stimulus   what the inputs do, sample by sample; waveform: the forms that it is made of, from integers and libm
 //! samples    the values of all signals of a run, packed; csv: the same as text
 //! engine     four ways to run a block: reference, program, c (and, later, st)
 //! compare    how many bits of two runs differ, and where first
 //! exercise   the stimulus for a user's own axes
 //! case       a folder with an axis set, a stimulus and the answers that were recorded
+//! shows      what a case has in it: so that none can silently cease to show what it is there for
 //! ```
 #![forbid(unsafe_code)]
-
 
 pub mod case;
 pub mod compare;
@@ -17,4 +17,6 @@ pub mod csv;
 pub mod engine;
 pub mod exercise;
 pub mod samples;
+pub mod shows;
 pub mod stimulus;
+pub mod waveform;

@@ -27,11 +27,8 @@ impl Shape {
     /// The shape of a block's inputs or outputs.
     #[must_use]
     pub fn of(variables: &[Variable], real: RealKind) -> Self {
-        let signal = |variable: &Variable| Signal {
-            name: variable.path.clone(),
-            ty: variable.ty,
-            start: variable.start,
-        };
+        let signal =
+            |variable: &Variable| Signal { name: variable.path.clone(), ty: variable.ty, start: variable.start };
         Self { real, signals: variables.iter().map(signal).collect() }
     }
 
@@ -108,6 +105,27 @@ impl Samples {
             values.push(unpack(signal.ty, self.shape.real, value));
             rest = after;
         }
+    }
+
+    /// The run without the signals that keep their start from the first sample to the last; the first signal stays.
+    #[must_use]
+    pub fn without_constant(&self) -> Self {
+        let start: Vec<Literal> = self.shape.signals.iter().map(|signal| signal.start).collect();
+        let mut first = Self::with_capacity(self.shape.clone(), 1);
+        first.push(&start);
+        let (mut signals, mut ranges, mut at) = (Vec::new(), Vec::new(), 0);
+        for signal in &self.shape.signals {
+            let range = at..at + self.shape.size(signal.ty);
+            at = range.end;
+            let changes = |frame: &[u8]| frame[range.clone()] != first.bytes[range.clone()];
+            if signals.is_empty() || self.bytes.chunks(self.shape.frame()).any(changes) {
+                signals.push(signal.clone());
+                ranges.push(range);
+            }
+        }
+        let frames = self.bytes.chunks(self.shape.frame());
+        let bytes = frames.flat_map(|frame| ranges.iter().flat_map(|range| &frame[range.clone()])).copied().collect();
+        Self { shape: Shape { real: self.shape.real, signals }, bytes }
     }
 
     /// The first samples of the run.

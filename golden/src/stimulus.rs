@@ -4,9 +4,10 @@
 
 use crate::csv::parse;
 use crate::samples::{Samples, Shape};
+use crate::waveform::{Form, Waveform};
 use generator::program::Type;
 use portable::{Literal, RealKind};
-use serde::Deserialize;
+use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
 
 /// What the inputs do. An input that is not mentioned keeps its start.
@@ -34,40 +35,6 @@ pub struct Component {
     pub window: Window,
 }
 
-/// The form of a component, with values between -1 and 1.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "snake_case")]
-pub enum Form {
-    /// 1
-    Constant,
-    /// a sine
-    Sine {
-        /// cycles of the block in one period
-        period: f64,
-    },
-    /// a sine whose frequency rises linearly, and begins again
-    Chirp {
-        /// period at the beginning
-        from: f64,
-        /// period at the end
-        to: f64,
-        /// cycles from the beginning to the end
-        length: f64,
-    },
-    /// white noise
-    Noise {
-        /// which one
-        seed: u32,
-    },
-    /// forward, rest, backward, rest: a velocity with limited jerk
-    Move {
-        /// cycles of each of the four phases
-        phase: u32,
-        /// cycles of a ramp, of which a quarter each the acceleration grows and falls
-        ramp: u32,
-    },
-}
-
 /// Cycles in which a component or an event is there: `length` cycles from `at` on, again after every `every` cycles.
 #[derive(Clone, Copy, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -89,7 +56,8 @@ pub struct Window {
 pub struct Event {
     /// the signal
     pub signal: String,
-    /// the value, as a cell of a CSV file has it; reals also `nan`, `inf`, `-inf`
+    /// the value, as a cell of a CSV file has it; a case file may also give a number, `true` or `nan`, `inf`, `-inf`
+    #[serde(deserialize_with = "cell")]
     pub value: String,
     /// when
     pub window: Window,
@@ -103,38 +71,33 @@ impl Window {
     }
 }
 
+impl Component {
+    /// Its value at a sample.
+    fn at(&self, waveform: &mut Waveform<'_>, sample: u64) -> f64 {
+        if self.window.contains(sample) { self.amplitude * waveform.at(sample) } else { 0.0 }
+    }
+}
+
 /// Makes a run of a block's inputs.
 ///
 /// # Errors
 /// What the stimulus says of a signal that the block does not have, or cannot have.
 pub fn samples(stimulus: &Stimulus, shape: &Shape, count: usize) -> Result<Samples, String> {
-    let mut samples = Samples::with_capacity(shape.clone(), count);
-    let index = |name: &str| {
-        let found = shape.signals.iter().position(|signal| signal.name == name);
-        found.ok_or_else(|| format!("the block has no input `{name}`"))
-    };
     let mut signals = Vec::new();
     for (name, components) in &stimulus.signal {
-        let signal = index(name)?;
-        if shape.signals[signal].ty != Type::Real {
-            return Err(format!("`{name}` is no real: only an event can set it"));
-        }
-        signals.push((signal, components.iter().map(Generator::new).collect::<Vec<_>>()));
+        signals.push((real_signal(name, components, shape)?, with_waveforms(components)));
     }
-    let mut events = Vec::new();
-    for Event { signal, value, window } in &stimulus.event {
-        let signal = index(signal)?;
-        let parsed = parse(value, &shape.signals[signal], shape.real);
-        events.push((signal, parsed.ok_or_else(|| format!("`{value}` is no value of `{}`", shape.signals[signal].name))?, window));
-    }
-    let mut values: Vec<Literal> = shape.signals.iter().map(|signal| signal.start).collect();
+    let events: Result<Vec<_>, String> = stimulus.event.iter().map(|event| overruling(event, shape)).collect();
+    let events = events?;
+    let start: Vec<Literal> = shape.signals.iter().map(|signal| signal.start).collect();
+    let mut samples = Samples::with_capacity(shape.clone(), count);
+    let mut values = start.clone();
     for sample in 0..count as u64 {
-        for (value, signal) in values.iter_mut().zip(&shape.signals) {
-            *value = signal.start;
-        }
-        for (signal, generators) in &mut signals {
-            let sum: f64 = generators.iter_mut().map(|generator| generator.at(sample)).sum();
-            values[*signal] = real(sum, shape.real);
+        values.copy_from_slice(&start);
+        for (signal, components) in &mut signals {
+            let parts = components.iter_mut().map(|(component, waveform)| component.at(waveform, sample));
+            // Not `sum()`: the sign of the zero that it begins with is not the same in all versions of Rust.
+            values[*signal] = real(parts.fold(0.0, |sum, part| sum + part), shape.real);
         }
         for (signal, value, window) in &events {
             if window.contains(sample) {
@@ -146,6 +109,35 @@ pub fn samples(stimulus: &Stimulus, shape: &Shape, count: usize) -> Result<Sampl
     Ok(samples)
 }
 
+/// The position of a real input whose components make sense.
+fn real_signal(name: &str, components: &[Component], shape: &Shape) -> Result<usize, String> {
+    let signal = position(name, shape)?;
+    if shape.signals[signal].ty != Type::Real {
+        return Err(format!("`{name}` is no real: only an event can set it"));
+    }
+    match components.iter().find_map(|component| component.form.mistake()) {
+        Some(mistake) => Err(format!("`{name}`: {mistake}")),
+        None => Ok(signal),
+    }
+}
+
+fn with_waveforms(components: &[Component]) -> Vec<(&Component, Waveform<'_>)> {
+    components.iter().map(|component| (component, Waveform::of(&component.form))).collect()
+}
+
+/// Which input an event overrules, with which value, when.
+fn overruling(event: &Event, shape: &Shape) -> Result<(usize, Literal, Window), String> {
+    let signal = position(&event.signal, shape)?;
+    let value = parse(&event.value, &shape.signals[signal], shape.real);
+    let value = value.ok_or_else(|| format!("`{}` is no value of `{}`", event.value, event.signal))?;
+    Ok((signal, value, event.window))
+}
+
+fn position(name: &str, shape: &Shape) -> Result<usize, String> {
+    let found = shape.signals.iter().position(|signal| signal.name == name);
+    found.ok_or_else(|| format!("the block has no input `{name}`"))
+}
+
 #[expect(clippy::cast_possible_truncation, reason = "a stimulus in single precision is rounded once, here")]
 fn real(value: f64, kind: RealKind) -> Literal {
     match kind {
@@ -154,69 +146,20 @@ fn real(value: f64, kind: RealKind) -> Literal {
     }
 }
 
-/// A component in motion.
-struct Generator<'c> {
-    component: &'c Component,
-    random: u64,
-}
-
-impl<'c> Generator<'c> {
-    fn new(component: &'c Component) -> Self {
-        let seed = match component.form {
-            Form::Noise { seed } => u64::from(seed),
-            _ => 0,
-        };
-        Self { component, random: 88_172_645_463_325_252 ^ (seed << 20) }
+/// A value of a case file as a cell.
+fn cell<'de, D: Deserializer<'de>>(deserializer: D) -> Result<String, D::Error> {
+    #[derive(Deserialize)]
+    #[serde(untagged)]
+    enum Value {
+        Bool(bool),
+        Integer(i64),
+        Real(f64),
+        Text(String),
     }
-
-    /// The value at a sample; to be asked sample by sample.
-    fn at(&mut self, sample: u64) -> f64 {
-        if !self.component.window.contains(sample) {
-            return 0.0;
-        }
-        let n = sample as f64;
-        let turns = match self.component.form {
-            Form::Constant => return self.component.amplitude,
-            Form::Noise { .. } => return self.component.amplitude * self.noise(),
-            Form::Move { phase, ramp } => return self.component.amplitude * velocity(sample, phase, ramp),
-            Form::Sine { period } => n / period,
-            Form::Chirp { from, to, length } => {
-                let n = n % length;
-                n / from + (1.0 / to - 1.0 / from) * n * n / (2.0 * length)
-            }
-        };
-        self.component.amplitude * libm::sin(2.0 * std::f64::consts::PI * (turns - libm::floor(turns)))
-    }
-
-    /// Uniform between -1 and 1, from xorshift64.
-    fn noise(&mut self) -> f64 {
-        self.random ^= self.random << 13;
-        self.random ^= self.random >> 7;
-        self.random ^= self.random << 17;
-        (self.random >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
-}
-
-/// Velocity of the move, between -1 and 1.
-fn velocity(sample: u64, phase: u32, ramp: u32) -> f64 {
-    let (phase, ramp) = (u64::from(phase), f64::from(ramp));
-    let (direction, within) = match (sample / phase) % 4 {
-        0 => (1.0, sample % phase),
-        2 => (-1.0, sample % phase),
-        _ => return 0.0,
-    };
-    let end = phase as f64 - within as f64;
-    direction * rise((within as f64).min(end) / ramp)
-}
-
-/// From 0 to 1 while `t` goes from 0 to 1: the acceleration grows for a quarter, stays for a half, falls for a quarter.
-fn rise(t: f64) -> f64 {
-    let top = 4.0 / 3.0; // the acceleration in the middle half
-    match t {
-        t if t <= 0.0 => 0.0,
-        t if t < 0.25 => top * 2.0 * t * t,
-        t if t < 0.75 => top * (t - 0.125),
-        t if t < 1.0 => 1.0 - top * 2.0 * (1.0 - t) * (1.0 - t),
-        _ => 1.0,
-    }
+    Value::deserialize(deserializer).map(|value| match value {
+        Value::Bool(value) => u8::from(value).to_string(),
+        Value::Integer(value) => value.to_string(),
+        Value::Real(value) => format!("{value:?}"),
+        Value::Text(text) => text,
+    })
 }

@@ -12,7 +12,7 @@ pub struct State<R> {
     pub s2: R,
 }
 
-/// Added in every update of `s2`, so that a section at rest never decays into subnormal numbers.
+/// added in every update of s2, so that a section at rest never decays into subnormal numbers
 ///
 /// On a PLC's x86 an operation on a subnormal can take a hundred times as long as on a normal number. The value is far
 /// below any velocity: 1e-30 in double, 1e-18 in single precision.

@@ -17,6 +17,7 @@
 #else
 #pragma STDC FP_CONTRACT OFF
 #endif
+{%- if uses_magnitude %}
 
 /* |value|, without a library */
 static {{ real }} magnitude({{ real }} value)
@@ -27,6 +28,7 @@ static {{ real }} magnitude({{ real }} value)
     return value < {{ zero }} ? -value : value;
 #endif
 }
+{%- endif %}
 {%- for block in blocks %}
 {% for group in block.constants %}
 {%- if !group.note.is_empty() %}

@@ -13,7 +13,13 @@ use std::path::Path;
 const DESCRIBED_AXES: usize = 10;
 
 /// Runs the command.
-pub fn run(arguments: &SetArguments, targets: &[String], axes: &[String], out: &Path, force: bool) -> Result<Exit, Exit> {
+pub fn run(
+    arguments: &SetArguments,
+    targets: &[String],
+    axes: &[String],
+    out: &Path,
+    force: bool,
+) -> Result<Exit, Exit> {
     let (mut set, warnings) = input::read(arguments)?;
     for name in axes {
         input::axis(&set, Some(name))?;

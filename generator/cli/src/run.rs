@@ -59,10 +59,7 @@ fn read(path: &Path) -> Result<String, Exit> {
 }
 
 fn write(path: &Path, text: &str) -> Result<(), Exit> {
-    let written = if path.as_os_str() == "-" {
-        std::io::stdout().write_all(text.as_bytes())
-    } else {
-        std::fs::write(path, text)
-    };
+    let written =
+        if path.as_os_str() == "-" { std::io::stdout().write_all(text.as_bytes()) } else { std::fs::write(path, text) };
     written.map_err(|error| Exit::environment(format!("{}: {error}", path.display())))
 }

@@ -15,7 +15,10 @@ use golden::{exercise, stimulus};
 pub fn run(arguments: &SetArguments, samples: usize) -> Result<Exit, Exit> {
     let (set, _) = input::read(arguments)?;
     let mut exit = Exit::Done;
-    println!("{:<20} {:<8} {:<10} {:>10} {:>15}  first difference", "axis", "block", "engine", "samples", "differing bits");
+    println!(
+        "{:<20} {:<8} {:<10} {:>10} {:>15}  first difference",
+        "axis", "block", "engine", "samples", "differing bits"
+    );
     for axis in &set.axes {
         let blocks = block::blocks(axis).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
         for block in &blocks {

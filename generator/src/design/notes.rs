@@ -6,7 +6,7 @@ use crate::axis::{Axis, DirectSource, Enable, Filter, Mode, Prototype, Stage};
 use portable::RealKind;
 
 /// Path prefixes in the tree of coefficients (`stage[0].filter[1]`, `limit`) and what stands there, in the order of the
-/// tree. ASCII; a parameter as the user wrote it, a computed number with seven digits.
+/// tree; what is not there, or says all in its doc comment, has no note. ASCII; a parameter as the user wrote it, a computed number with seven digits.
 #[must_use]
 pub fn notes(axis: &Axis) -> Vec<(String, String)> {
     let ipc = &axis.ipc;
@@ -15,14 +15,12 @@ pub fn notes(axis: &Axis) -> Vec<(String, String)> {
         let path = format!("stage[{i}]");
         match stage {
             Some(stage) => notes.extend(of_stage(&path, stage, axis.cycle_time())),
-            None => notes.push((path, "NOT_ACTIVE (P-AXIS-00753)".to_owned())),
+            None => {}
         }
     }
     notes.push(note("limit", of_limit(axis)));
-    notes.push(note("lower_limit", "-limit".to_owned()));
     notes.push(note("rest", of_rest(axis.real)));
     notes.push(note("fade_cycles", of_fade(axis)));
-    notes.push(note("fade_step", "1 / fade_cycles".to_owned()));
     notes
 }
 
@@ -46,7 +44,7 @@ fn of_stage(path: &str, stage: &Stage, cycle_time: f64) -> Vec<(String, String)>
     }
     for (k, filter) in stage.filter.iter().enumerate() {
         let path = format!("{path}.filter[{k}]");
-        notes.push((path.clone(), of_filter(filter, cycle_time)));
+        notes.extend(of_filter(filter, cycle_time).map(|text| (path.clone(), text)));
         notes.extend(of_sections(&path, filter, cycle_time));
     }
     notes.push((format!("{path}.gain"), of_gain(stage, cycle_time)));
@@ -80,23 +78,23 @@ fn of_oscillation(f0: f64, damping: f64) -> String {
     )
 }
 
-fn of_filter(filter: &Filter, cycle_time: f64) -> String {
+fn of_filter(filter: &Filter, cycle_time: f64) -> Option<String> {
     match *filter {
-        Filter::NoFilter => "NO_FILTER (P-AXIS-00849)".to_owned(),
+        Filter::NoFilter => None,
         Filter::Bandpass { prototype, order, f0, q_factor } => {
             let [lower, upper] = edges(&band(f0, q_factor, cycle_time)).map(|t| digits(frequency(t, cycle_time)));
-            format!(
+            Some(format!(
                 "BANDPASS {} order {order} (P-AXIS-00849, 00848, 00750): centre frequency {f0} Hz (P-AXIS-00751), \
                  quality factor {q_factor} (P-AXIS-00752), -3 dB at {lower} and {upper} Hz",
                 word(prototype)
-            )
+            ))
         }
         Filter::Allpass { f0, q_factor } => {
             let [lower, upper] = edges(&band(f0, q_factor, cycle_time)).map(|t| digits(frequency(t, cycle_time)));
-            format!(
+            Some(format!(
                 "ALLPASS (P-AXIS-00849): -180 deg at {f0} Hz (P-AXIS-00751), quality factor {q_factor} (P-AXIS-00752), \
                  -90 deg at {lower} and -270 deg at {upper} Hz"
-            )
+            ))
         }
     }
 }

@@ -42,7 +42,9 @@ fn coalesce(mut statements: Vec<Statement>, everywhere: &mut Vec<usize>) -> Vec<
 /// can take the value as soon as it exists.
 fn find(statements: &[Statement], everywhere: &[usize]) -> Option<(usize, usize, usize)> {
     let copies = statements.iter().enumerate().filter_map(|(position, statement)| match statement {
-        Statement::Assign { target: Var::Local(to), value: Expr::Var(Var::Local(from)) } => Some((position, *from, *to)),
+        Statement::Assign { target: Var::Local(to), value: Expr::Var(Var::Local(from)) } => {
+            Some((position, *from, *to))
+        }
         _ => None,
     });
     let mut here = None;

@@ -93,7 +93,7 @@ fn number_afresh(mut program: Program) -> Result<Program, Defect> {
     let state = order(program.state.len(), |index| mentioned.contains(&Var::State(index)));
     let locals = order(program.locals.len(), |index| mentioned.contains(&Var::Local(index)));
     let mut constants = order(program.constants.len(), |index| mentioned.contains(&Var::Constant(index)));
-    constants.sort_by_key(|index| program.constants[*index].position);
+    constants.sort_by_key(|index| program.constants[*index].origin);
     let (new_state, new_locals, new_constants) = (inverse(&state), inverse(&locals), inverse(&constants));
     let renamed = |var: Var| match var {
         Var::State(index) => Var::State(new_state[index]),

@@ -58,7 +58,9 @@ impl Specialiser<'_> {
                 }
                 _ => None,
             };
-            node = inner.unwrap_or_else(|| panic!("specialise: in {}: no such part of `{}`", self.frame().function, place.root));
+            node = inner.unwrap_or_else(|| {
+                panic!("specialise: in {}: no such part of `{}`", self.frame().function, place.root)
+            });
         }
         node
     }
@@ -105,8 +107,12 @@ impl Specialiser<'_> {
     pub(super) fn binary(&self, operator: Binary, left: Expr, right: Expr) -> Expr {
         let known = (self.known(&left), self.known(&right));
         match (operator, known) {
-            (Binary::And, (Some(Literal::Bool(true)), _)) | (Binary::Or, (Some(Literal::Bool(false)), _)) => return right,
-            (Binary::And, (_, Some(Literal::Bool(true)))) | (Binary::Or, (_, Some(Literal::Bool(false)))) => return left,
+            (Binary::And, (Some(Literal::Bool(true)), _)) | (Binary::Or, (Some(Literal::Bool(false)), _)) => {
+                return right;
+            }
+            (Binary::And, (_, Some(Literal::Bool(true)))) | (Binary::Or, (_, Some(Literal::Bool(false)))) => {
+                return left;
+            }
             (Binary::And, (Some(Literal::Bool(false)), _) | (_, Some(Literal::Bool(false)))) => {
                 return Expr::Literal(Literal::Bool(false));
             }
@@ -114,8 +120,7 @@ impl Specialiser<'_> {
                 return Expr::Literal(Literal::Bool(true));
             }
             (_, (Some(a), Some(b))) => {
-                let computes =
-                    matches!(operator, Binary::Add | Binary::Subtract | Binary::Multiply | Binary::Divide);
+                let computes = matches!(operator, Binary::Add | Binary::Subtract | Binary::Multiply | Binary::Divide);
                 let anonymous = matches!((&left, &right), (Expr::Literal(_), Expr::Literal(_)));
                 if anonymous || !computes {
                     let value = arithmetic::binary(operator, a, b);

@@ -9,7 +9,7 @@ mod expr;
 mod node;
 mod statement;
 
-use crate::program::{Constant, Expr, Local, Program, Statement, Type, Var, Variable};
+use crate::program::{Constant, Expr, Local, Origin, Program, Statement, Type, Var, Variable};
 use node::{Cell, Node};
 use portable::{Fn, Literal, Portable, Real, Ty};
 use reference::Block;
@@ -55,7 +55,7 @@ struct Specialiser<'n> {
     outputs: Vec<Variable>,
     state: Vec<Variable>,
     constants: Vec<Constant>,
-    constant_of: HashMap<(usize, &'static str), usize>,
+    constant_of: HashMap<(Origin, &'static str, &'static str), usize>,
     locals: Vec<Local>,
     cells: Vec<Cell>,
     coefficients: Vec<Literal>,
@@ -146,22 +146,32 @@ impl<'n> Specialiser<'n> {
 
     /// The coefficient as a named number, entered where it is first met.
     fn coefficient(&mut self, position: usize) -> Expr {
-        let next = self.constants.len();
-        let index = *self.constant_of.entry((position, "")).or_insert(next);
-        if index == next {
-            let ty = self.coefficient_type.expect("specialise: the coefficients were entered");
+        let origin = Origin::Coefficient(position);
+        self.constant((origin, "", ""), |this| {
+            let ty = this.coefficient_type.expect("specialise: the coefficients were entered");
             let (path, doc) = node::leaf_at(ty, position);
-            self.constants.push(Constant { path, doc, value: self.coefficients[position], position });
-        }
-        Expr::Var(Var::Constant(index))
+            Constant { path, doc, value: this.coefficients[position], origin }
+        })
     }
 
     /// The value of a function without parameters as a named number, entered where it is first met.
     fn named(&mut self, function: &'static Fn, value: Literal) -> Expr {
-        let (next, position) = (self.constants.len(), self.coefficients.len());
-        let index = *self.constant_of.entry((position, function.name)).or_insert(next);
+        self.constant((Origin::Function, function.module, function.name), |_| {
+            let (path, doc) = (function.name.to_owned(), function.doc);
+            Constant { path, doc, value, origin: Origin::Function }
+        })
+    }
+
+    fn constant(
+        &mut self,
+        key: (Origin, &'static str, &'static str),
+        describe: impl FnOnce(&Self) -> Constant,
+    ) -> Expr {
+        let next = self.constants.len();
+        let index = *self.constant_of.entry(key).or_insert(next);
         if index == next {
-            self.constants.push(Constant { path: function.name.to_owned(), doc: function.doc, value, position });
+            let constant = describe(self);
+            self.constants.push(constant);
         }
         Expr::Var(Var::Constant(index))
     }

@@ -1,6 +1,7 @@
 //! The target languages: each turns verified programs into files. A target never looks at a parameter.
 
 pub mod c;
+pub mod comment;
 pub mod number;
 
 use crate::axis::Axis;

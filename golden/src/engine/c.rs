@@ -75,7 +75,9 @@ fn call(compiler: &Compiler, folder: &Path, arguments: &[&str], with_options: bo
     }
     let output = command.output().map_err(|error| {
         let name = &compiler.command;
-        Failure::Environment(format!("the C compiler `{name}` does not start ({error}); install it, or set CC to another"))
+        Failure::Environment(format!(
+            "the C compiler `{name}` does not start ({error}); install it, or set CC to another"
+        ))
     })?;
     if output.status.success() {
         return Ok(());
@@ -131,9 +133,7 @@ fn pipe(harness: &Path, input: &[u8]) -> Result<Vec<u8>, Failure> {
     read.map_err(|error| broken("reading from", &error))?;
     match result.status.code() {
         Some(0) => Ok(output),
-        Some(2) => {
-            Err(Failure::SelfTest(String::from_utf8_lossy(&result.stderr).trim().parse().unwrap_or_default()))
-        }
+        Some(2) => Err(Failure::SelfTest(String::from_utf8_lossy(&result.stderr).trim().parse().unwrap_or_default())),
         other => Err(Failure::Broken(format!("the compiled block ended with {other:?}"))),
     }
 }

@@ -52,7 +52,9 @@ impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Environment(text) | Self::Refused(text) | Self::Broken(text) => f.write_str(text),
-            Self::SelfTest(sample) => write!(f, "the self-test found other bits than the reference's, at sample {sample}"),
+            Self::SelfTest(sample) => {
+                write!(f, "the self-test found other bits than the reference's, at sample {sample}")
+            }
         }
     }
 }

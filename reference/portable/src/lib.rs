@@ -13,7 +13,9 @@ mod literal;
 mod real;
 
 pub use intrinsic::{from_u32, usable, within};
-pub use ir::{Argument, Arm, Binary, Block, Body, Expr, Fn, Intrinsic, Mode, Param, Place, Projection, Statement, Unary};
-pub use literal::{scalar, EnumDef, Field, Literal, Portable, StructDef, Ty};
+pub use ir::{
+    Argument, Arm, Binary, Block, Body, Expr, Fn, Intrinsic, Mode, Param, Place, Projection, Statement, Unary,
+};
+pub use literal::{EnumDef, Field, Literal, Portable, StructDef, Ty, scalar};
 pub use portable_macro::portable;
 pub use real::{Real, RealKind};

@@ -6,12 +6,15 @@ use super::types;
 use crate::axis::Axis;
 use crate::block::Block;
 use crate::digest::digest;
-use crate::program::{Program, Type, Variable};
+use crate::program::{Expr, Origin, Program, Type, Var, Variable};
 use crate::render::{CBlock, CFile, CHeader, CSelfTest, CSource, ConstantText, Group, Leaf, Member, Switch};
-use crate::target::File;
 use crate::target::number::bits;
+use crate::target::{File, comment};
 use askama::Template;
-use portable::{Literal, RealKind};
+use portable::{Intrinsic, Literal, RealKind};
+
+/// Characters in a line of a comment, without the marks around it.
+const COMMENT_WIDTH: usize = 110;
 
 /// The header and the source of an axis.
 ///
@@ -29,9 +32,23 @@ pub fn files(axis: &Axis, blocks: &[Block]) -> Vec<File> {
         RealKind::F32 => ("0.0f", "__builtin_fabsf"),
     };
     let real = types::name(Type::Real, axis.real);
-    let source_body = CSource { header: &header, real, zero, builtin_magnitude, blocks: &texts };
+    let uses_magnitude = blocks.iter().any(|block| compares_magnitudes(&block.program));
+    let source_body = CSource { header: &header, uses_magnitude, real, zero, builtin_magnitude, blocks: &texts };
     let source_body = source_body.render().expect("c: the source's template is filled");
     vec![with_origin(axis, header, &header_body), with_origin(axis, source, &source_body)]
+}
+
+/// Whether a program asks for a magnitude.
+fn compares_magnitudes(program: &Program) -> bool {
+    let mut found = false;
+    for statement in program.init.iter().chain(&program.step) {
+        statement.expressions(&mut |expr| {
+            expr.parts(&mut |part| {
+                found |= matches!(part, Expr::Intrinsic(Intrinsic::Usable | Intrinsic::Within, _));
+            });
+        });
+    }
+    found
 }
 
 /// Puts the comment that names the origin on top.
@@ -55,7 +72,7 @@ fn block_text(stem: &str, block: &Block) -> CBlock {
     let prefix = format!("{stem}_{}", program.block);
     let printer = Printer::new(program);
     CBlock {
-        inputs: members(&program.inputs, program.real),
+        inputs: inputs(program),
         outputs: members(&program.outputs, program.real),
         state: members(&program.state, program.real),
         constants: groups(block, &printer),
@@ -65,6 +82,17 @@ fn block_text(stem: &str, block: &Block) -> CBlock {
         self_test: self_test(&prefix, block),
         prefix,
     }
+}
+
+/// The inputs; those that this axis does not need say so.
+fn inputs(program: &Program) -> Vec<Member> {
+    let mut members = members(&program.inputs, program.real);
+    for (index, member) in members.iter_mut().enumerate() {
+        if !program.step.iter().any(|statement| statement.mentions(Var::Input(index))) {
+            member.doc.push_str("; not read for this axis");
+        }
+    }
+    members
 }
 
 fn members(variables: &[Variable], real: RealKind) -> Vec<Member> {
@@ -83,8 +111,13 @@ fn groups(block: &Block, printer: &Printer<'_>) -> Vec<Group> {
     let mut groups: Vec<Group> = Vec::new();
     let mut said = Vec::new();
     for (constant, name) in program.constants.iter().zip(printer.constants()) {
-        let notes: Vec<&String> = notes_of(&constant.path).filter_map(|path| block.notes.get(path)).collect();
-        let fresh: Vec<&str> = notes.iter().filter(|note| !said.contains(**note)).map(|note| note.as_str()).collect();
+        let notes: Vec<&str> = match constant.origin {
+            Origin::Coefficient(_) => {
+                notes_of(&constant.path).filter_map(|path| block.notes.get(path)).map(String::as_str).collect()
+            }
+            Origin::Function => vec!["the same for every axis"],
+        };
+        let fresh: Vec<&str> = notes.iter().copied().filter(|note| !said.contains(note)).collect();
         let text = ConstantText {
             ty: constant_type(constant.value, program.real),
             name: name.clone(),
@@ -93,11 +126,17 @@ fn groups(block: &Block, printer: &Printer<'_>) -> Vec<Group> {
         };
         match groups.last_mut() {
             Some(last) if fresh.is_empty() => last.constants.push(text),
-            _ => groups.push(Group { note: fresh.join("\n * "), constants: vec![text] }),
+            _ => groups.push(Group { note: block_comment(&fresh), constants: vec![text] }),
         }
-        said.extend(notes.into_iter().cloned());
+        said.extend(notes);
     }
     groups
+}
+
+/// Notes as the inside of one comment.
+fn block_comment(notes: &[&str]) -> String {
+    let lines = notes.iter().flat_map(|note| comment::lines(&comment::harmless(note), COMMENT_WIDTH));
+    lines.collect::<Vec<_>>().join("\n * ")
 }
 
 /// A path and those that contain it, outermost first.

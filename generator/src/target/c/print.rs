@@ -3,9 +3,16 @@
 use super::names::{Names, identifier, is_reserved};
 use super::{scope, types};
 use crate::program::{Expr, Program, Statement, Var};
+use crate::target::comment;
 use portable::{Binary, Intrinsic, Literal, RealKind, Unary};
 use std::collections::BTreeSet;
 use std::fmt::Write;
+
+/// Characters in a line of code, where it can be broken.
+const LINE_WIDTH: usize = 120;
+
+/// Characters in a line of a comment inside a function.
+const NOTE_WIDTH: usize = 100;
 
 /// A program with the names that its variables have in C.
 pub struct Printer<'p> {
@@ -59,7 +66,7 @@ impl<'p> Printer<'p> {
                 && here.any(|declared| declared == *local)
             {
                 let (ty, name) = (self.local_type(*local), &self.locals[*local]);
-                line(text, level, format_args!("const {ty} {name} = {};", self.expr(value)));
+                assignment(text, level, &format!("const {ty} {name} ="), &self.expr(value));
                 continue;
             }
             for local in declared.iter().filter(|(before, _)| *before == position).map(|(_, local)| *local) {
@@ -71,9 +78,13 @@ impl<'p> Printer<'p> {
 
     fn statement(&self, statement: &Statement, undeclared: &BTreeSet<usize>, level: usize, text: &mut String) {
         match statement {
-            Statement::Note(note) => line(text, level, format_args!("/* {note} */")),
+            Statement::Note(note) => {
+                let lines = comment::lines(&comment::harmless(note), NOTE_WIDTH);
+                let indent = "    ".repeat(level);
+                line(text, level, format_args!("/* {} */", lines.join(&format!("\n{indent} * "))));
+            }
             Statement::Assign { target, value } => {
-                line(text, level, format_args!("{} = {};", self.var(*target), self.expr(value)));
+                assignment(text, level, &format!("{} =", self.var(*target)), &self.expr(value));
             }
             Statement::If { condition, then, otherwise } => {
                 line(text, level, format_args!("if ({}) {{", self.expr(condition)));
@@ -139,9 +150,7 @@ impl<'p> Printer<'p> {
         let inner = self.bound(operand, Precedence::Primary);
         match operator {
             Unary::Not => (format!("!{inner}"), Precedence::Unary),
-            Unary::Negate if self.is_i32(operand) => {
-                (format!("(int32_t)(0u - (uint32_t){inner})"), Precedence::Unary)
-            }
+            Unary::Negate if self.is_i32(operand) => (format!("(int32_t)(0u - (uint32_t){inner})"), Precedence::Unary),
             Unary::Negate => (format!("-{inner}"), Precedence::Unary),
         }
     }
@@ -184,11 +193,8 @@ impl<'p> Printer<'p> {
             let (text, precedence) = self.print(expr);
             if precedence == Precedence::And { format!("({text})") } else { text }
         };
-        let right_text = if matches!(right, Expr::Binary(Binary::Or, ..)) {
-            format!("({})", self.expr(right))
-        } else {
-            side(right)
-        };
+        let right_text =
+            if matches!(right, Expr::Binary(Binary::Or, ..)) { format!("({})", self.expr(right)) } else { side(right) };
         format!("{} || {right_text}", side(left))
     }
 
@@ -226,6 +232,16 @@ pub fn member(path: &str) -> String {
     match identifier(path) {
         name if is_reserved(&name) => format!("{name}_value"),
         name => name,
+    }
+}
+
+/// An assignment, on two lines where one would be too long.
+fn assignment(text: &mut String, level: usize, target: &str, value: &str) {
+    if 4 * level + target.len() + value.len() < LINE_WIDTH {
+        line(text, level, format_args!("{target} {value};"));
+    } else {
+        line(text, level, format_args!("{target}"));
+        line(text, level + 1, format_args!("{value};"));
     }
 }
 

@@ -1,170 +1,104 @@
-//! Blocks and statements, and the names that are visible in them. Expressions are described in `expr`.
+//! Blocks and statements. Expressions are described in `expr`.
 
-use crate::expr;
-use crate::function::Mode;
-use crate::place;
+use crate::kind::{self, Kind};
 use crate::reject::Rejections;
+use crate::scope::Scope;
+use crate::{branch, call, expr, outside, place, ty};
 use proc_macro2::TokenStream;
 use quote::quote;
-use syn::Ident;
-
-/// The names that are visible at a place of a function.
-pub struct Scope {
-    /// the function itself, which must not call itself
-    pub function: Ident,
-    /// the type parameter
-    pub real: Option<Ident>,
-    names: Vec<(Ident, Option<Mode>)>,
-}
-
-impl Scope {
-    /// Of a function, before its parameters.
-    pub fn new(function: Ident, real: Option<Ident>) -> Self {
-        Self { function, real, names: Vec::new() }
-    }
-
-    /// Enters a parameter.
-    pub fn enter_parameter(&mut self, name: &Ident, mode: Mode, rejections: &mut Rejections) {
-        self.enter(name, Some(mode), rejections);
-    }
-
-    /// Enters a local.
-    fn enter_local(&mut self, name: &Ident, rejections: &mut Rejections) {
-        self.enter(name, None, rejections);
-    }
-
-    fn enter(&mut self, name: &Ident, mode: Option<Mode>, rejections: &mut Rejections) {
-        if self.names.iter().any(|(known, _)| known == name) {
-            rejections.push(
-                name,
-                format!("`{name}` is already visible here and Structured Text has one scope; write another name"),
-            );
-        }
-        self.names.push((name.clone(), mode));
-    }
-
-    /// Whether the name is a parameter or a local.
-    pub fn has(&self, name: &Ident) -> bool {
-        self.names.iter().any(|(known, _)| known == name)
-    }
-
-    /// How the name is borrowed, if it is a borrowed parameter.
-    pub fn borrowed(&self, name: &Ident) -> Option<Mode> {
-        let mode = self.names.iter().rev().find(|(known, _)| known == name)?.1?;
-        (mode != Mode::Value).then_some(mode)
-    }
-}
+use syn::{BinOp, Expr, Pat, Stmt};
 
 /// Describes a block; the names that it declares end with it.
-pub fn describe(
-    block: &syn::Block,
-    wants_value: bool,
-    scope: &mut Scope,
-    rejections: &mut Rejections,
-) -> TokenStream {
-    let outer = scope.names.len();
+pub fn describe(block: &syn::Block, wants_value: bool, scope: &mut Scope, rejections: &mut Rejections) -> TokenStream {
+    let outer = scope.len();
     let mut statements = Vec::new();
     let mut value = quote!(None);
     for (position, statement) in block.stmts.iter().enumerate() {
         let last = position + 1 == block.stmts.len();
         match statement {
-            syn::Stmt::Expr(tail, None) if last && wants_value => {
+            Stmt::Expr(tail, None) if last && wants_value => {
                 let tail = expr::whole(tail, scope, rejections);
                 value = quote!(Some(&#tail));
             }
             _ => statements.push(describe_statement(statement, scope, rejections)),
         }
     }
-    scope.names.truncate(outer);
+    scope.leave(outer);
     quote!(::portable::Block { statements: &[#(#statements),*], value: #value })
 }
 
-/// Describes an arm or a branch that may be a bare expression.
-pub fn describe_branch(
-    body: &syn::Expr,
-    wants_value: bool,
-    scope: &mut Scope,
-    rejections: &mut Rejections,
-) -> TokenStream {
-    match body {
-        syn::Expr::Block(block) if block.label.is_none() => describe(&block.block, wants_value, scope, rejections),
-        _ if wants_value => {
-            let value = expr::whole(body, scope, rejections);
-            quote!(::portable::Block { statements: &[], value: Some(&#value) })
-        }
-        _ => {
-            let statement = expression_statement(body, scope, rejections);
-            quote!(::portable::Block { statements: &[#statement], value: None })
-        }
-    }
-}
-
-fn describe_statement(statement: &syn::Stmt, scope: &mut Scope, rejections: &mut Rejections) -> TokenStream {
+fn describe_statement(statement: &Stmt, scope: &mut Scope, rejections: &mut Rejections) -> TokenStream {
     match statement {
-        syn::Stmt::Local(local) => describe_let(local, scope, rejections),
-        syn::Stmt::Expr(expression, _) => expression_statement(expression, scope, rejections),
-        syn::Stmt::Item(item) => {
-            rejections.push(item, "an item inside a function has no description; write it beside the function");
-            TokenStream::new()
+        Stmt::Local(local) => return describe_let(local, scope, rejections),
+        Stmt::Expr(value, _) => return expression(value, scope, rejections),
+        Stmt::Item(item) => {
+            rejections.push(item, "an item inside a function is not described; write it beside the function")
         }
-        syn::Stmt::Macro(call) => {
-            rejections.push(call, "a macro has no counterpart in C or Structured Text; write what it expands to");
-            TokenStream::new()
-        }
+        Stmt::Macro(call) => rejections.push(call, outside::MACRO),
     }
+    TokenStream::new()
 }
 
 fn describe_let(local: &syn::Local, scope: &mut Scope, rejections: &mut Rejections) -> TokenStream {
-    rejections.attributes(&local.attrs);
     let pattern = match &local.pat {
-        syn::Pat::Type(typed) => &*typed.pat,
+        Pat::Type(typed) => {
+            ty::held(&typed.ty, rejections);
+            &*typed.pat
+        }
         pattern => pattern,
     };
-    let syn::Pat::Ident(syn::PatIdent { by_ref: None, subpat: None, ident, .. }) = pattern else {
-        rejections.push(pattern, "a local is one plain name; write one `let` for each value");
-        return TokenStream::new();
-    };
-    let Some(init) = &local.init else {
-        rejections.push(local, "a local has a value from the start; write `let name = value;`");
-        return TokenStream::new();
-    };
-    if let Some((_, diverge)) = &init.diverge {
-        rejections.push(diverge, "`let ... else` has no counterpart; write `if`");
+    let (mut value, mut kind) = (TokenStream::new(), Kind::Unknown);
+    match &local.init {
+        Some(init) => {
+            if let Some((token, _)) = &init.diverge {
+                rejections.push(token, "`let ... else` has no counterpart; write `if`");
+            }
+            value = expr::initial(&init.expr, scope, rejections);
+            kind = kind::of(&init.expr, scope);
+        }
+        None => rejections.push(local, "a local has a value from the start; write `let name = value;`"),
     }
-    let value = expr::whole(&init.expr, scope, rejections);
-    scope.enter_local(ident, rejections);
-    quote!(::portable::Statement::Let { name: stringify!(#ident), value: &#value })
+    match pattern {
+        Pat::Ident(name) if name.by_ref.is_none() && name.subpat.is_none() => {
+            let name = &name.ident;
+            scope.enter(name, kind, rejections);
+            return quote!(::portable::Statement::Let { name: stringify!(#name), value: &#value });
+        }
+        Pat::Wild(_) => rejections.push(pattern, "a local has a name; write the call alone, as a statement"),
+        _ => rejections.push(pattern, "a local is one plain name; write one `let` for each value"),
+    }
+    scope.enter_rejected(pattern);
+    TokenStream::new()
 }
 
 /// Describes an expression whose value is not used.
-fn expression_statement(expression: &syn::Expr, scope: &mut Scope, rejections: &mut Rejections) -> TokenStream {
-    match expression {
-        syn::Expr::Assign(assign) => {
-            rejections.attributes(&assign.attrs);
+pub fn expression(expression: &Expr, scope: &mut Scope, rejections: &mut Rejections) -> TokenStream {
+    let value = match expression {
+        Expr::Group(group) => return self::expression(&group.expr, scope, rejections),
+        Expr::Assign(assign) => {
             let place = place::describe(&assign.left, scope, rejections);
             let value = expr::whole(&assign.right, scope, rejections);
-            quote!(::portable::Statement::Assign { place: #place, value: &#value })
+            return quote!(::portable::Statement::Assign { place: #place, value: &#value });
         }
-        syn::Expr::Binary(binary) if is_compound(&binary.op) => {
+        Expr::Binary(binary) if is_compound(&binary.op) => {
             let place = place::describe(&binary.left, scope, rejections);
-            let value = expr::compound(binary, scope, rejections);
-            quote!(::portable::Statement::Assign { place: #place, value: &#value })
+            let value = expr::compound(binary, &place, scope, rejections);
+            return quote!(::portable::Statement::Assign { place: #place, value: &#value });
         }
-        syn::Expr::ForLoop(each) => describe_for(each, scope, rejections),
-        syn::Expr::If(_) | syn::Expr::Match(_) | syn::Expr::Call(_) => {
-            let value = expr::statement(expression, scope, rejections);
-            quote!(::portable::Statement::Expr { value: &#value })
-        }
+        Expr::ForLoop(each) => return describe_for(each, scope, rejections),
+        Expr::Call(call) => call::describe(call, true, scope, rejections),
+        Expr::If(branch) => branch::describe_if(branch, false, scope, rejections),
+        Expr::Match(choice) => branch::describe_match(choice, false, scope, rejections),
         other => {
-            expr::reject(other, rejections);
-            TokenStream::new()
+            outside::reject_statement(other, scope, rejections);
+            return TokenStream::new();
         }
-    }
+    };
+    quote!(::portable::Statement::Expr { value: &#value })
 }
 
 /// Whether the operator is `+=` or one of its kind.
-pub fn is_compound(operator: &syn::BinOp) -> bool {
-    use syn::BinOp;
+pub fn is_compound(operator: &BinOp) -> bool {
     matches!(
         operator,
         BinOp::AddAssign(_)
@@ -180,37 +114,37 @@ pub fn is_compound(operator: &syn::BinOp) -> bool {
     )
 }
 
-fn describe_for(each: &syn::ExprForLoop, scope: &mut Scope, rejections: &mut Rejections) -> TokenStream {
-    rejections.attributes(&each.attrs);
+/// Describes a loop.
+pub fn describe_for(each: &syn::ExprForLoop, scope: &mut Scope, rejections: &mut Rejections) -> TokenStream {
     if let Some(label) = &each.label {
         rejections.push(label, "loops run to their end; remove the label");
     }
-    let range = match &*each.expr {
-        syn::Expr::Range(syn::ExprRange {
+    let (mut from, mut to) = (TokenStream::new(), TokenStream::new());
+    match expr::bare(&each.expr) {
+        Expr::Range(syn::ExprRange {
             start: Some(start),
             end: Some(end),
             limits: syn::RangeLimits::HalfOpen(_),
             ..
-        }) => Some((&**start, &**end)),
-        other => {
-            rejections.push(other, "a loop counts over a constant range; write `for i in 0..N`");
-            None
+        }) => {
+            from = expr::index(start, scope, rejections);
+            to = expr::index(end, scope, rejections);
         }
-    };
-    let variable = match &*each.pat {
-        syn::Pat::Ident(syn::PatIdent { by_ref: None, mutability: None, subpat: None, ident, .. }) => ident.clone(),
+        other => rejections.push(other, "a loop counts over a range with known ends; write `for i in 0..N`"),
+    }
+    let outer = scope.len();
+    let mut variable = TokenStream::new();
+    match &*each.pat {
+        Pat::Ident(name) if name.by_ref.is_none() && name.mutability.is_none() && name.subpat.is_none() => {
+            scope.enter(&name.ident, Kind::Integer, rejections);
+            variable = quote!(#name);
+        }
         other => {
             rejections.push(other, "the loop variable is a plain name; write `for i in 0..N`");
-            quote::format_ident!("i")
+            scope.enter_rejected(other);
         }
-    };
-    let (from, to) = match range {
-        Some((from, to)) => (expr::index(from, scope, rejections), expr::index(to, scope, rejections)),
-        None => (TokenStream::new(), TokenStream::new()),
-    };
-    let outer = scope.names.len();
-    scope.enter_local(&variable, rejections);
+    }
     let body = describe(&each.body, false, scope, rejections);
-    scope.names.truncate(outer);
+    scope.leave(outer);
     quote!(::portable::Statement::For { variable: stringify!(#variable), from: &#from, to: &#to, body: #body })
 }

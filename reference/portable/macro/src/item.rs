@@ -1,29 +1,50 @@
 //! Structs and enums: `impl Portable`, which describes the type and takes a value apart. No functions here.
 
 use crate::reject::Rejections;
+use crate::{attribute, generics, name, ty};
 use proc_macro2::TokenStream;
 use quote::quote;
+use syn::Item;
+
+/// Where a condition of a whole item stands.
+pub const CONDITION: &str = "write it above `#[portable]`";
 
 /// Describes a struct.
 pub fn describe_struct(item: &syn::ItemStruct, rejections: &mut Rejections) -> TokenStream {
-    let bounded = generics(&item.generics, rejections);
-    let syn::Fields::Named(fields) = &item.fields else {
-        rejections.push(&item.fields, "a portable struct has named fields; write `struct Name { field: Type }`");
-        return TokenStream::new();
-    };
+    attribute::reject_conditions(&item.attrs, CONDITION, rejections);
+    name::check(&item.ident, rejections);
+    let real = generics::of_struct(&item.generics, rejections);
+    match &item.fields {
+        syn::Fields::Named(fields) => fields.named.iter().for_each(|field| check_field(field, rejections)),
+        syn::Fields::Unnamed(fields) => {
+            rejections.push(fields, "a portable struct has named fields; write `struct Name { field: Type }`");
+        }
+        syn::Fields::Unit => {
+            rejections.push(&item.ident, "a portable struct has named fields; write `struct Name { field: Type }`");
+        }
+    }
     let name = &item.ident;
+    if !rejections.is_empty() {
+        return undescribed(name, &item.generics);
+    }
     let (_, arguments, _) = item.generics.split_for_impl();
-    let field = fields.named.iter().map(|field| field.ident.as_ref());
-    let (field, field_again) = (field.clone(), field);
-    let ty = fields.named.iter().map(|field| &field.ty);
-    let described = fields.named.iter().map(|field| {
-        let (ident, ty, doc) = (&field.ident, &field.ty, doc(&field.attrs));
-        quote!(::portable::Field { name: stringify!(#ident), doc: #doc, ty: <#ty as ::portable::Portable>::TY })
-    });
+    let bounds = real.map(|real| quote!(<#real: ::portable::Real>));
+    let field: Vec<_> = item.fields.iter().map(|field| &field.ident).collect();
+    let ty: Vec<_> = item.fields.iter().map(|field| &field.ty).collect();
+    let doc = item.fields.iter().map(|field| doc(&field.attrs));
     quote! {
-        impl #bounded ::portable::Portable for #name #arguments {
+        impl #bounds ::portable::Portable for #name #arguments {
             const TY: ::portable::Ty = ::portable::Ty::Struct {
-                def: &::portable::StructDef { name: stringify!(#name), fields: &[#(#described),*] },
+                def: &::portable::StructDef {
+                    name: stringify!(#name),
+                    fields: &[#(
+                        ::portable::Field {
+                            name: stringify!(#field),
+                            doc: #doc,
+                            ty: <#ty as ::portable::Portable>::TY,
+                        }
+                    ),*],
+                },
             };
 
             fn visit(&self, visit: &mut dyn FnMut(::portable::Literal)) {
@@ -31,7 +52,7 @@ pub fn describe_struct(item: &syn::ItemStruct, rejections: &mut Rejections) -> T
             }
 
             fn build(next: &mut dyn FnMut() -> ::portable::Literal) -> Self {
-                Self { #(#field_again: <#ty as ::portable::Portable>::build(next)),* }
+                Self { #(#field: <#ty as ::portable::Portable>::build(next)),* }
             }
         }
     }
@@ -39,27 +60,23 @@ pub fn describe_struct(item: &syn::ItemStruct, rejections: &mut Rejections) -> T
 
 /// Describes an enum of unit variants.
 pub fn describe_enum(item: &syn::ItemEnum, rejections: &mut Rejections) -> TokenStream {
-    if !item.generics.params.is_empty() {
-        rejections.push(&item.generics, "a portable enum has no type parameter; remove it");
+    attribute::reject_conditions(&item.attrs, CONDITION, rejections);
+    name::check(&item.ident, rejections);
+    if !item.generics.params.is_empty() || item.generics.where_clause.is_some() {
+        rejections.push(&item.generics, "a portable enum has no parameter; remove it");
+    }
+    if item.variants.is_empty() {
+        rejections.push(&item.ident, "a portable enum has a value; write at least one variant");
     }
     for variant in &item.variants {
-        if !variant.fields.is_empty() {
-            rejections.push(
-                &variant.fields,
-                "a variant with data has no counterpart in Structured Text; write a unit variant and keep the data in a struct",
-            );
-        }
-        if let Some((_, discriminant)) = &variant.discriminant {
-            rejections.push(discriminant, "variants are numbered from 0 in their order; remove the discriminant");
-        }
-    }
-    if !rejections.is_empty() {
-        return TokenStream::new();
+        check_variant(variant, rejections);
     }
     let name = &item.ident;
+    if !rejections.is_empty() {
+        return undescribed(name, &item.generics);
+    }
     let variant: Vec<_> = item.variants.iter().map(|variant| &variant.ident).collect();
-    let number = 0u32..;
-    let number_again = number.clone();
+    let number: Vec<_> = (0u32..).take(variant.len()).collect();
     let unknown = quote!(other => panic!("a variant of {} expected, found {other:?}", stringify!(#name)));
     quote! {
         impl ::portable::Portable for #name {
@@ -73,7 +90,7 @@ pub fn describe_enum(item: &syn::ItemEnum, rejections: &mut Rejections) -> Token
 
             fn build(next: &mut dyn FnMut() -> ::portable::Literal) -> Self {
                 match next() {
-                    #(::portable::Literal::Variant(#number_again) => Self::#variant,)*
+                    #(::portable::Literal::Variant(#number) => Self::#variant,)*
                     #unknown
                 }
             }
@@ -81,19 +98,53 @@ pub fn describe_enum(item: &syn::ItemEnum, rejections: &mut Rejections) -> Token
     }
 }
 
-/// The generics of a struct with the bound that its description needs: none, or one type parameter.
-fn generics(generics: &syn::Generics, rejections: &mut Rejections) -> TokenStream {
-    if let Some(clause) = &generics.where_clause {
-        rejections.push(clause, "the real type needs no where clause; remove it");
+/// Rejects every other item.
+pub fn reject(item: &Item, rejections: &mut Rejections) {
+    let message = match item {
+        Item::Const(_) | Item::Static(_) => {
+            "a constant needs no description; remove #[portable], or write a function without parameters to give it a name in the emitted code"
+        }
+        Item::Impl(_) | Item::Trait(_) => "methods have no counterpart; write free functions, each with #[portable]",
+        Item::Union(_) => "a union has no counterpart; write a struct",
+        Item::Mod(_) => "a module is described by its items; write #[portable] at each",
+        _ => "only a struct, an enum or a function can be portable; remove #[portable]",
+    };
+    rejections.push(item, message);
+}
+
+fn check_field(field: &syn::Field, rejections: &mut Rejections) {
+    attribute::reject_conditions(&field.attrs, "keep the field, and choose with a coefficient", rejections);
+    field.ident.iter().for_each(|ident| name::check(ident, rejections));
+    ty::held(&field.ty, rejections);
+}
+
+fn check_variant(variant: &syn::Variant, rejections: &mut Rejections) {
+    attribute::reject_conditions(&variant.attrs, "keep the variant", rejections);
+    name::check(&variant.ident, rejections);
+    if !matches!(variant.fields, syn::Fields::Unit) {
+        rejections.push(variant, "a variant holds nothing; write its name alone, and the data as fields of a struct");
     }
-    let mut parameter = None;
-    for (position, param) in generics.params.iter().enumerate() {
-        match param {
-            syn::GenericParam::Type(ty) if position == 0 => parameter = Some(&ty.ident),
-            _ => rejections.push(param, "at most one type parameter, the real type; write `<R>`"),
+    if let Some((_, discriminant)) = &variant.discriminant {
+        rejections.push(discriminant, "variants are numbered from 0 in their order; remove the discriminant");
+    }
+}
+
+/// Stands in for the description of a rejected type, so that its uses are not errors too.
+fn undescribed(name: &syn::Ident, generics: &syn::Generics) -> TokenStream {
+    let (bounds, arguments, clause) = generics.split_for_impl();
+    quote! {
+        impl #bounds ::portable::Portable for #name #arguments #clause {
+            const TY: ::portable::Ty = ::portable::Ty::Struct {
+                def: &::portable::StructDef { name: stringify!(#name), fields: &[] },
+            };
+
+            fn visit(&self, _: &mut dyn FnMut(::portable::Literal)) {}
+
+            fn build(_: &mut dyn FnMut() -> ::portable::Literal) -> Self {
+                unreachable!("a rejected type does not compile")
+            }
         }
     }
-    parameter.map_or_else(TokenStream::new, |parameter| quote!(<#parameter: ::portable::Real>))
 }
 
 /// The text of the doc comments, joined to one line.

@@ -2,13 +2,24 @@
 //! beside it. What the subset is stands in `docs/portable-rust.md`.
 #![forbid(unsafe_code)]
 
+mod attribute;
 mod block;
+mod branch;
+mod call;
 mod expr;
 mod function;
+mod generics;
 mod item;
+mod kind;
+mod name;
+mod outside;
+mod outward;
 mod pattern;
 mod place;
+mod real;
 mod reject;
+mod scope;
+mod ty;
 
 use proc_macro::TokenStream;
 use quote::quote;
@@ -23,10 +34,8 @@ use reject::Rejections;
 pub fn portable(attribute: TokenStream, item: TokenStream) -> TokenStream {
     let mut rejections = Rejections::default();
     if !attribute.is_empty() {
-        rejections.push(
-            proc_macro2::TokenStream::from(attribute),
-            "#[portable] takes no arguments; write #[portable]",
-        );
+        let arguments = proc_macro2::TokenStream::from(attribute);
+        rejections.push(arguments, "#[portable] takes no arguments; write #[portable]");
     }
     let original = proc_macro2::TokenStream::from(item.clone());
     let description = match syn::parse::<syn::Item>(item) {
@@ -34,7 +43,7 @@ pub fn portable(attribute: TokenStream, item: TokenStream) -> TokenStream {
         Ok(syn::Item::Struct(item)) => item::describe_struct(&item, &mut rejections),
         Ok(syn::Item::Enum(item)) => item::describe_enum(&item, &mut rejections),
         Ok(other) => {
-            rejections.push(&other, "only a function, a struct or an enum can be portable; remove #[portable]");
+            item::reject(&other, &mut rejections);
             proc_macro2::TokenStream::new()
         }
         Err(error) => error.to_compile_error(),

@@ -1,8 +1,8 @@
 //! Places: a local or a parameter, or a field or an element of one. What stands in an index is described in `expr`.
 
-use crate::block::Scope;
-use crate::expr;
 use crate::reject::Rejections;
+use crate::scope::Scope;
+use crate::{expr, outside};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -30,17 +30,17 @@ pub fn describe(expression: &syn::Expr, scope: &mut Scope, rejections: &mut Reje
             }
             syn::Expr::Paren(paren) => inner = &paren.expr,
             syn::Expr::Group(group) => inner = &group.expr,
-            syn::Expr::Path(path) if path.path.get_ident().is_some_and(|name| scope.has(name)) => {
-                let name = path.path.get_ident();
+            syn::Expr::Path(path) if root(path, scope).is_some() => {
                 projections.reverse();
-                return quote!(::portable::Place { root: stringify!(#name), projections: &[#(#projections),*] });
+                return quote!(::portable::Place { root: stringify!(#path), projections: &[#(#projections),*] });
             }
             syn::Expr::Path(path) => {
-                rejections.push(path, "a place is a local or a parameter of this function, or a part of one; pass it as a parameter");
+                rejections
+                    .push(path, "a place begins with a local or a parameter; write one, or pass this as a parameter");
                 return TokenStream::new();
             }
             other => {
-                expr::reject(other, rejections);
+                outside::reject(other, scope, rejections);
                 return TokenStream::new();
             }
         }
@@ -54,7 +54,11 @@ pub fn is_place(expression: &syn::Expr, scope: &Scope) -> bool {
         syn::Expr::Index(element) => is_place(&element.expr, scope),
         syn::Expr::Paren(paren) => is_place(&paren.expr, scope),
         syn::Expr::Group(group) => is_place(&group.expr, scope),
-        syn::Expr::Path(path) => path.path.get_ident().is_some_and(|name| scope.has(name)),
+        syn::Expr::Path(path) => root(path, scope).is_some(),
         _ => false,
     }
+}
+
+fn root<'p>(path: &'p syn::ExprPath, scope: &Scope) -> Option<&'p syn::Ident> {
+    path.path.get_ident().filter(|name| scope.kind(name).is_some())
 }

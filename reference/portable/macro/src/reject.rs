@@ -15,16 +15,14 @@ impl Rejections {
         self.errors.push(syn::Error::new_spanned(tokens, message));
     }
 
-    /// Rejects every attribute but a doc comment: what it would change in Rust, it would not change in the IR.
-    pub fn attributes(&mut self, attributes: &[syn::Attribute]) {
-        for attribute in attributes.iter().filter(|attribute| !attribute.path().is_ident("doc")) {
-            self.push(attribute, "an attribute has no counterpart here; put it on the item or remove it");
-        }
-    }
-
     /// Whether nothing was rejected.
     pub fn is_empty(&self) -> bool {
         self.errors.is_empty()
+    }
+
+    /// How many violations there are.
+    pub fn len(&self) -> usize {
+        self.errors.len()
     }
 
     /// One `compile_error!` for each violation.

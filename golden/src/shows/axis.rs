@@ -1,0 +1,86 @@
+//! The constructs of an axis, in words.
+
+use generator::axis::{Axis, DirectSource, Enable, Filter, Mode, Prototype, Stage};
+use generator::design::unusable;
+use portable::RealKind;
+use std::collections::BTreeSet;
+
+/// The highest f0 * Ts that the check lets through.
+const HIGHEST: f64 = 0.45;
+
+/// The constructs of an axis.
+pub fn shown(axis: &Axis) -> BTreeSet<String> {
+    let mut shown = BTreeSet::new();
+    let real = match axis.real {
+        RealKind::F64 => "double precision",
+        RealKind::F32 => "single precision",
+    };
+    let enable = match axis.ipc.enable {
+        Enable::Off => "start in OFF",
+        Enable::On => "start in ON",
+        Enable::DryRun => "start in DRYRUN",
+    };
+    shown.extend([
+        real.to_owned(),
+        enable.to_owned(),
+        format!("cycle time {} us", f64::from(axis.cycle_time_ns) / 1e3),
+    ]);
+    if axis.ipc.v_add_max_fact == 0 {
+        shown.insert("limit 0".to_owned());
+    }
+    let stages: Vec<&Stage> = axis.ipc.stage.iter().flatten().collect();
+    let is_full = |stage: &&&Stage| stage.filter.iter().all(|filter| *filter != Filter::NoFilter);
+    if stages.iter().filter(is_full).count() == axis.ipc.stage.len() {
+        shown.insert("three full stages".to_owned());
+    }
+    for stage in stages {
+        shown.insert(mode(stage.mode).to_owned());
+        shown.insert(stage.filter.map(|filter| kind(&filter)).join(" + "));
+        if f64::from(stage.weight_fact_num) > Stage::MAX_WEIGHT * f64::from(stage.weight_fact_denom) {
+            shown.insert("weight above the cap".to_owned());
+        }
+        for filter in stage.filter {
+            shown.extend(of_filter(&filter, axis));
+        }
+    }
+    shown
+}
+
+fn of_filter(filter: &Filter, axis: &Axis) -> Vec<String> {
+    let (f0, mut shown) = match *filter {
+        Filter::NoFilter => return Vec::new(),
+        Filter::Allpass { f0, .. } => (f0, Vec::new()),
+        Filter::Bandpass { prototype, order, f0, .. } => {
+            let prototype = match prototype {
+                Prototype::CritDamping => "CRIT_DAMPING",
+                Prototype::Butterworth => "BUTTERWORTH",
+                Prototype::Bessel => "BESSEL",
+            };
+            (f0, vec![format!("{prototype} order {order}")])
+        }
+    };
+    let cycles = f0 * f64::from(axis.cycle_time_ns) / 1e9;
+    for (limit, end) in [(unusable::lowest(axis.real), "lowest"), (HIGHEST, "highest")] {
+        if (cycles - limit).abs() < 1e-9 * limit {
+            shown.push(format!("{end} f0"));
+        }
+    }
+    shown
+}
+
+fn mode(mode: Mode) -> &'static str {
+    match mode {
+        Mode::Direct { source: DirectSource::Motor } => "DIRECT from v_motor",
+        Mode::Direct { source: DirectSource::Direct } => "DIRECT from v_direct",
+        Mode::Indirect { .. } => "INDIRECT",
+        Mode::SetPoint { .. } => "SET_POINT",
+    }
+}
+
+fn kind(filter: &Filter) -> &'static str {
+    match filter {
+        Filter::NoFilter => "NO_FILTER",
+        Filter::Bandpass { .. } => "BANDPASS",
+        Filter::Allpass { .. } => "ALLPASS",
+    }
+}

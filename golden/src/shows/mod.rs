@@ -1,0 +1,17 @@
+//! What a golden case has in it, in the words that its `shows` may use: constructs of the axis, events of the recorded
+//! samples. So that a case cannot silently cease to show what it is there for.
+
+mod axis;
+mod run;
+
+use crate::samples::Samples;
+use generator::axis::Axis;
+use std::collections::BTreeSet;
+
+/// All that an axis and a run of its block have in them.
+#[must_use]
+pub fn shown(axis: &Axis, inputs: &Samples, outputs: &Samples) -> BTreeSet<String> {
+    let mut shown = axis::shown(axis);
+    shown.extend(run::shown(inputs, outputs));
+    shown
+}

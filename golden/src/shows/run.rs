@@ -1,0 +1,158 @@
+//! The events of a run of improved position control, in words. A run of other signals has none.
+
+use crate::samples::Samples;
+use portable::Literal;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Cycles at rest, up to the end of the run, in which the output has to be exactly 0.
+const REST: usize = 100;
+
+const OFF: i32 = 0;
+const ON: i32 = 1;
+const DRYRUN: i32 = 2;
+
+/// One cycle. Reals are f64, which holds them exactly.
+#[derive(Default)]
+struct Cycle {
+    velocities: Vec<f64>,
+    mode: i32,
+    position_controlled: bool,
+    reset: bool,
+    task_cycle_ns: u32,
+    v_add: f64,
+    v_add_calculated: f64,
+    limited: bool,
+    fault: bool,
+    error_id: u32,
+}
+
+/// The events of a run.
+pub fn shown(inputs: &Samples, outputs: &Samples) -> BTreeSet<String> {
+    let mut watch = Watch::default();
+    for sample in 0..inputs.len() {
+        let Some(cycle) = cycle(sample, inputs, outputs) else { return BTreeSet::new() };
+        watch.see(cycle);
+    }
+    if watch.rest >= REST {
+        watch.shown.insert("rest is exactly 0".to_owned());
+    }
+    watch.shown
+}
+
+/// What has been seen up to now.
+#[derive(Default)]
+struct Watch {
+    shown: BTreeSet<String>,
+    /// the cycle before
+    last: Cycle,
+    /// why the block stopped, until it acts again
+    stops: BTreeSet<String>,
+    /// cycles at rest up to now
+    rest: usize,
+}
+
+impl Watch {
+    fn see(&mut self, now: Cycle) {
+        let words = [of_limit(&now), of_samples(&now), of_task_cycle(&now), of_gate(&now, &self.last)];
+        self.shown.extend(words.into_iter().flatten().map(str::to_owned));
+        if now.v_add == 0.0 {
+            self.stops.extend(of_stop(&now, self.last.v_add != 0.0));
+        } else {
+            self.shown
+                .extend(std::mem::take(&mut self.stops).into_iter().map(|stop| format!("acts again after {stop}")));
+        }
+        self.shown.extend(now.fault.then(|| format!("fault {}", now.error_id)));
+        self.rest = if at_rest(&now) { self.rest + 1 } else { 0 };
+        self.last = now;
+    }
+}
+
+fn of_limit(now: &Cycle) -> Option<&'static str> {
+    match now.v_add_calculated {
+        v if now.limited && v > 0.0 => Some("limited above"),
+        v if now.limited && v < 0.0 => Some("limited below"),
+        _ if now.limited => Some("limited to 0"),
+        _ => None,
+    }
+}
+
+fn of_samples(now: &Cycle) -> Option<&'static str> {
+    let bad = now.velocities.iter().find(|v| !(v.abs() <= 1e9))?;
+    match bad {
+        _ if !now.fault => Some("bad sample that no stage reads").filter(|_| !bad.is_finite()),
+        _ if bad.is_nan() => Some("bad sample: NaN"),
+        _ if bad.is_infinite() => Some("bad sample: infinity"),
+        _ => Some("bad sample: beyond the limit"),
+    }
+}
+
+fn of_task_cycle(now: &Cycle) -> Option<&'static str> {
+    (now.task_cycle_ns != 0 && !now.fault).then_some("task cycle is right")
+}
+
+fn of_gate(now: &Cycle, last: &Cycle) -> Option<&'static str> {
+    let is_between = |cycle: &Cycle| 0.0 < cycle.v_add.abs() && cycle.v_add.abs() < cycle.v_add_calculated.abs();
+    let moves = now.velocities.iter().any(|v| *v != 0.0) && !now.fault && now.position_controlled && !now.reset;
+    match now.mode {
+        ON if is_between(now) && last.mode == DRYRUN && is_between(last) => Some("gate turns round"),
+        ON if is_between(now) => Some("gate opens"),
+        ON if now.v_add != 0.0 => Some("gate is open"),
+        DRYRUN if is_between(now) => Some("gate closes in DRYRUN"),
+        DRYRUN if now.v_add == 0.0 && now.v_add_calculated != 0.0 => Some("DRYRUN while moving"),
+        OFF if now.v_add != 0.0 => Some("gate closes in OFF"),
+        OFF if moves => Some("OFF while moving"),
+        _ => None,
+    }
+}
+
+/// Why a block that has just acted does not act.
+fn of_stop(now: &Cycle, acted: bool) -> Vec<String> {
+    let reasons = [(now.reset, "reset"), (!now.position_controlled, "loss of position control")];
+    let reasons = reasons.into_iter().filter(|(holds, _)| *holds && acted).map(|(_, reason)| reason.to_owned());
+    reasons.chain(now.fault.then(|| format!("fault {}", now.error_id))).collect()
+}
+
+/// Whether the block is on, stands still, and puts out exactly +0.
+fn at_rest(now: &Cycle) -> bool {
+    let positive_zero = 0.0f64.to_bits();
+    now.mode == ON
+        && now.position_controlled
+        && !now.reset
+        && !now.fault
+        && now.velocities.iter().all(|v| v.to_bits() == positive_zero)
+        && now.v_add.to_bits() == positive_zero
+        && now.v_add_calculated.to_bits() == positive_zero
+}
+
+/// The signals of a cycle; none: they are those of another block.
+fn cycle(sample: usize, inputs: &Samples, outputs: &Samples) -> Option<Cycle> {
+    let mut signals = BTreeMap::new();
+    let mut values = Vec::new();
+    for run in [inputs, outputs] {
+        run.read(sample, &mut values);
+        signals.extend(run.shape.signals.iter().map(|signal| signal.name.as_str()).zip(values.iter().copied()));
+    }
+    let real = |name| match signals.get(name)? {
+        Literal::F64(value) => Some(*value),
+        Literal::F32(value) => Some(f64::from(*value)),
+        _ => None,
+    };
+    let bool = |name| Some(*signals.get(name)? == Literal::Bool(true));
+    let u32 = |name| match signals.get(name)? {
+        Literal::U32(value) => Some(*value),
+        _ => None,
+    };
+    let Literal::I32(mode) = *signals.get("mode")? else { return None };
+    Some(Cycle {
+        velocities: ["v_command", "v_motor", "v_direct"].into_iter().map(real).collect::<Option<_>>()?,
+        mode,
+        position_controlled: bool("position_controlled")?,
+        reset: bool("reset")?,
+        task_cycle_ns: u32("task_cycle_ns")?,
+        v_add: real("v_add")?,
+        v_add_calculated: real("v_add_calculated")?,
+        limited: bool("limited")?,
+        fault: bool("fault")?,
+        error_id: u32("error_id")?,
+    })
+}

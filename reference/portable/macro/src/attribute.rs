@@ -1,0 +1,44 @@
+//! Attributes: what one changes in Rust, it does not change in the IR.
+
+use crate::reject::Rejections;
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
+
+/// Rejects every attribute inside a function but a doc comment. It looks at the tokens, where none can hide.
+pub fn reject_inside(tokens: TokenStream, rejections: &mut Rejections) {
+    let mut tokens = tokens.into_iter().peekable();
+    while let Some(token) = tokens.next() {
+        match token {
+            TokenTree::Group(group) => reject_inside(group.stream(), rejections),
+            TokenTree::Punct(ref hash) if hash.as_char() == '#' => {
+                let inner = tokens.next_if(|next| matches!(next, TokenTree::Punct(mark) if mark.as_char() == '!'));
+                if let Some(TokenTree::Group(content)) = tokens.next_if(|next| is_bracket(next) && !is_doc(next)) {
+                    let attribute: TokenStream =
+                        [Some(token), inner, Some(content.into())].into_iter().flatten().collect();
+                    rejections.push(
+                        attribute,
+                        "an attribute here is not seen by the description; put it on the item or remove it",
+                    );
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+fn is_bracket(token: &TokenTree) -> bool {
+    matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Bracket)
+}
+
+fn is_doc(token: &TokenTree) -> bool {
+    let TokenTree::Group(group) = token else { return false };
+    matches!(group.stream().into_iter().next(), Some(TokenTree::Ident(name)) if name == "doc")
+}
+
+/// Rejects the attributes that may take the item, a field or a variant away while its description stays.
+pub fn reject_conditions(attributes: &[syn::Attribute], instead: &str, rejections: &mut Rejections) {
+    for attribute in attributes {
+        if attribute.path().is_ident("cfg") || attribute.path().is_ident("cfg_attr") {
+            rejections.push(attribute, format!("the description does not know this condition; {instead}"));
+        }
+    }
+}

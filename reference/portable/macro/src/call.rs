@@ -1,0 +1,109 @@
+//! Calls of portable functions and their arguments.
+
+use crate::kind::Kind;
+use crate::reject::Rejections;
+use crate::scope::Scope;
+use crate::{expr, place, real};
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::{Expr, GenericArgument, Ident, PathArguments, Type};
+
+/// Describes a call; `alone` says whether it is a whole value, where it may change something.
+pub fn describe(call: &syn::ExprCall, alone: bool, scope: &mut Scope, rejections: &mut Rejections) -> TokenStream {
+    let mut mutates = false;
+    let function = match &*call.func {
+        Expr::Path(function) if real::is_path(&function.path, scope) => {
+            return real::describe_call(call, &function.path, scope, rejections);
+        }
+        Expr::Path(function) => callee(function, scope, rejections),
+        other => {
+            rejections.push(other, "a call names a portable function; write its path");
+            TokenStream::new()
+        }
+    };
+    let arguments: Vec<_> =
+        call.args.iter().map(|argument| describe_argument(argument, &mut mutates, scope, rejections)).collect();
+    if mutates && !alone {
+        rejections.push(call, "languages disagree about when this call changes its argument; write `let value = ...;` before, with the call alone");
+    }
+    let real = scope.real.as_ref().map_or_else(|| quote!(R), |real| quote!(#real));
+    quote! {
+        ::portable::Expr::Call { function: &#function::Ir::<#real>::IR, arguments: &[#(#arguments),*] }
+    }
+}
+
+/// The path of the function without the real type.
+fn callee(function: &syn::ExprPath, scope: &Scope, rejections: &mut Rejections) -> TokenStream {
+    if let Some(message) = no_free_function(function) {
+        rejections.push(function, message);
+        return TokenStream::new();
+    }
+    let mut path = function.path.clone();
+    let names: Vec<_> = path.segments.iter().map(|segment| &segment.ident).collect();
+    if matches!(names[..], [name] if *name == scope.function)
+        || matches!(names[..], [own, name] if own == "self" && *name == scope.function)
+    {
+        rejections.push(function, "a function that calls itself has no bounded time; write `for i in 0..N`");
+    }
+    for segment in &mut path.segments {
+        if !is_callers_real(&segment.arguments, scope) {
+            rejections
+                .push(&segment.arguments, "a function runs in the real type of its caller; write `::<R>` or nothing");
+        }
+        segment.arguments = PathArguments::None;
+    }
+    quote!(#path)
+}
+
+/// What to write instead of a call that reaches into a type.
+fn no_free_function(function: &syn::ExprPath) -> Option<&'static str> {
+    let mut names = function.path.segments.iter().rev().map(|segment| segment.ident.to_string());
+    let is_type = |name: String| {
+        name.starts_with(char::is_uppercase)
+            || matches!(name.as_str(), "f64" | "f32" | "bool" | "usize" | "i32" | "u32" | "i64" | "u64")
+    };
+    if names.next().is_some_and(is_type) {
+        return Some("a value with parts is not made by a call; write its fields through a `&mut` parameter");
+    }
+    (function.qself.is_some() || names.any(is_type))
+        .then_some("a function of a type has no counterpart; write a free portable function")
+}
+
+/// Whether there is nothing but the caller's real type between the angle brackets.
+fn is_callers_real(arguments: &PathArguments, scope: &Scope) -> bool {
+    let arguments = match arguments {
+        PathArguments::None => return true,
+        PathArguments::AngleBracketed(arguments) => &arguments.args,
+        PathArguments::Parenthesized(_) => return false,
+    };
+    let is_real = |ty: &syn::TypePath| ty.path.get_ident().is_some() && ty.path.get_ident() == scope.real.as_ref();
+    matches!((arguments.first(), arguments.len()), (Some(GenericArgument::Type(Type::Path(ty))), 1) if is_real(ty))
+}
+
+fn describe_argument(
+    argument: &Expr,
+    mutates: &mut bool,
+    scope: &mut Scope,
+    rejections: &mut Rejections,
+) -> TokenStream {
+    if let Expr::Reference(reference) = argument {
+        *mutates |= reference.mutability.is_some();
+        let place = place::describe(&reference.expr, scope, rejections);
+        return quote!(::portable::Argument::Borrow { place: #place });
+    }
+    if let Some((name, kind)) = borrowed(argument, scope) {
+        *mutates |= kind == Kind::Mutable;
+        let place = quote!(::portable::Place { root: stringify!(#name), projections: &[] });
+        return quote!(::portable::Argument::Borrow { place: #place });
+    }
+    let value = expr::operand(argument, scope, rejections);
+    quote!(::portable::Argument::Value { value: #value })
+}
+
+/// The name of a borrowed parameter, passed on as it is.
+fn borrowed<'a>(argument: &'a Expr, scope: &Scope) -> Option<(&'a Ident, Kind)> {
+    let Expr::Path(path) = argument else { return None };
+    let name = path.path.get_ident()?;
+    let kind = scope.kind(name)?;
+    matches!(kind, Kind::Shared | Kind::Mutable).then_some((name, kind))
+}

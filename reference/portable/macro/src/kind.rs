@@ -1,0 +1,68 @@
+//! What can be seen of a value without rustc's types: enough to reject in the editor what the generator would reject.
+
+use crate::reject::Rejections;
+use crate::scope::Scope;
+use crate::{expr, real};
+use syn::{BinOp, Expr, Lit};
+
+/// What a name or an expression stands for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// a scalar, or something that only rustc knows
+    Unknown,
+    /// a scalar of the real type
+    Real,
+    /// a scalar of an integer type
+    Integer,
+    /// an array of this function
+    Array,
+    /// a parameter `&T`
+    Shared,
+    /// a parameter `&mut T`
+    Mutable,
+}
+
+/// What an expression is seen to stand for.
+pub fn of(expression: &Expr, scope: &Scope) -> Kind {
+    match expr::bare(expression) {
+        Expr::Path(path) if real::is_path(&path.path, scope) => Kind::Real,
+        Expr::Path(path) => path.path.get_ident().and_then(|name| scope.kind(name)).unwrap_or(Kind::Unknown),
+        Expr::Call(call) => match &*call.func {
+            Expr::Path(function) if real::is_path(&function.path, scope) => Kind::Real,
+            _ => Kind::Unknown,
+        },
+        Expr::Lit(literal) if matches!(literal.lit, Lit::Int(_)) => Kind::Integer,
+        Expr::Lit(literal) if matches!(literal.lit, Lit::Float(_)) => Kind::Real,
+        Expr::Array(_) | Expr::Repeat(_) => Kind::Array,
+        Expr::Unary(unary) => of(&unary.expr, scope),
+        Expr::Binary(binary) if matches!(binary.op, BinOp::Add(_) | BinOp::Sub(_) | BinOp::Mul(_) | BinOp::Div(_)) => {
+            match of(&binary.left, scope) {
+                Kind::Unknown => of(&binary.right, scope),
+                known => known,
+            }
+        }
+        _ => Kind::Unknown,
+    }
+}
+
+/// Rejects an operator that its operands do not have in every language.
+pub fn check_binary(binary: &syn::ExprBinary, scope: &Scope, rejections: &mut Rejections) {
+    let kinds = [of(&binary.left, scope), of(&binary.right, scope)];
+    match binary.op {
+        BinOp::Eq(_) | BinOp::Ne(_) if kinds.contains(&Kind::Real) => {
+            rejections
+                .push(binary, "reals are never compared for equality; write `<` or `>`, or `within(a - b, tolerance)`");
+        }
+        BinOp::Div(_) if kinds.contains(&Kind::Integer) && !kinds.contains(&Kind::Real) => {
+            rejections.push(binary, "integers are not divided; divide reals, or let the design compute the quotient");
+        }
+        _ => {}
+    }
+}
+
+/// Rejects `!` of an integer.
+pub fn check_unary(unary: &syn::ExprUnary, scope: &Scope, rejections: &mut Rejections) {
+    if matches!(unary.op, syn::UnOp::Not(_)) && of(&unary.expr, scope) == Kind::Integer {
+        rejections.push(unary, "an integer has no bits here; write the number itself, or `!` of a bool");
+    }
+}

@@ -1,0 +1,14 @@
+//! Names: what C and Structured Text can take over as it is.
+
+use crate::reject::Rejections;
+use syn::Ident;
+
+/// Rejects a name that other languages cannot carry.
+pub fn check(name: &Ident, rejections: &mut Rejections) {
+    let text = name.to_string();
+    if text.starts_with("r#") {
+        rejections.push(name, "a keyword is no name in the emitted code; write another name");
+    } else if !text.is_ascii() {
+        rejections.push(name, "names in C and Structured Text are ASCII; write another name");
+    }
+}

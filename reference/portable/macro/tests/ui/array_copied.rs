@@ -1,0 +1,10 @@
+use portable::{Real, portable};
+
+#[portable]
+fn first<R: Real>(x: R) -> R {
+    let both = [x, x];
+    let again = both;
+    x
+}
+
+fn main() {}

@@ -1,0 +1,8 @@
+use portable::portable;
+
+#[portable]
+async fn next(count: u32) -> u32 {
+    count + 1u32
+}
+
+fn main() {}

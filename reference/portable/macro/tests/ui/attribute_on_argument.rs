@@ -1,0 +1,17 @@
+use portable::{Real, portable};
+
+#[portable]
+fn half<R: Real>(x: R) -> R {
+    x * R::lit(0.5)
+}
+
+#[portable]
+fn quarter<R: Real>(x: R) -> R {
+    let y = half(x);
+    half(
+        #[allow(unused)]
+        y,
+    )
+}
+
+fn main() {}

@@ -1,0 +1,19 @@
+use portable::{Real, portable};
+
+#[portable]
+struct State<R> {
+    x: R,
+    count: u32,
+}
+
+#[portable]
+fn count<R: Real>(state: &mut State<R>) {
+    for i in 0..3 {
+        if state.count > 2u32 {
+            break;
+        }
+        state.count += 1u32;
+    }
+}
+
+fn main() {}

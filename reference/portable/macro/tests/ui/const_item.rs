@@ -1,0 +1,6 @@
+use portable::portable;
+
+#[portable]
+const STAGES: usize = 3;
+
+fn main() {}

@@ -1,0 +1,6 @@
+use portable::portable;
+
+#[portable]
+fn run(filter: &dyn Send) {}
+
+fn main() {}

@@ -1,0 +1,6 @@
+use portable::portable;
+
+#[portable]
+enum Mode {}
+
+fn main() {}

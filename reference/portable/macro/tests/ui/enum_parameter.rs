@@ -1,0 +1,9 @@
+use portable::portable;
+
+#[portable]
+enum Mode<const N: usize> {
+    Off,
+    On,
+}
+
+fn main() {}

@@ -1,0 +1,8 @@
+use portable::portable;
+
+#[portable]
+struct State {
+    count: &'static u32,
+}
+
+fn main() {}

@@ -1,0 +1,8 @@
+use portable::portable;
+
+#[portable]
+struct State {
+    x: f64,
+}
+
+fn main() {}

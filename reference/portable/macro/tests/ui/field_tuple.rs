@@ -1,0 +1,8 @@
+use portable::portable;
+
+#[portable]
+struct State<R> {
+    x: (R, R),
+}
+
+fn main() {}

@@ -1,0 +1,16 @@
+use portable::{Real, portable};
+
+#[portable]
+struct State<R> {
+    x: R,
+    count: u32,
+}
+
+#[portable]
+fn count<R: Real>(state: &mut State<R>) {
+    for _ in 0..3 {
+        state.count += 1u32;
+    }
+}
+
+fn main() {}

@@ -1,0 +1,8 @@
+use portable::portable;
+
+struct Counter;
+
+#[portable]
+impl Counter {}
+
+fn main() {}

@@ -1,0 +1,6 @@
+use portable::portable;
+
+#[portable]
+fn run(filter: &impl Send) {}
+
+fn main() {}

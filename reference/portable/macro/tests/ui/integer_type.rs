@@ -1,0 +1,8 @@
+use portable::portable;
+
+#[portable]
+struct State {
+    count: u8,
+}
+
+fn main() {}

@@ -1,0 +1,9 @@
+use portable::portable;
+
+#[portable]
+#[cfg(all())]
+fn next(count: u32) -> u32 {
+    count + 1u32
+}
+
+fn main() {}

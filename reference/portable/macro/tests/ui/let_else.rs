@@ -1,0 +1,9 @@
+use portable::{Real, portable};
+
+#[portable]
+fn twice<R: Real>(x: R) -> R {
+    let y = x + x else { unreachable!() };
+    y
+}
+
+fn main() {}

@@ -1,0 +1,11 @@
+use portable::portable;
+
+#[portable]
+fn sign(count: i32) -> i32 {
+    match count {
+        0i32 if true => 1i32,
+        _ => 2i32,
+    }
+}
+
+fn main() {}

@@ -1,0 +1,6 @@
+use portable::portable;
+
+#[portable]
+mod section {}
+
+fn main() {}

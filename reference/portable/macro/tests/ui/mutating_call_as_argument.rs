@@ -1,0 +1,25 @@
+use portable::{Real, portable};
+
+#[portable]
+struct State<R> {
+    x: R,
+    count: u32,
+}
+
+#[portable]
+fn next<R: Real>(state: &mut State<R>) -> R {
+    state.count += 1u32;
+    state.x
+}
+
+#[portable]
+fn half<R: Real>(x: R) -> R {
+    x * R::lit(0.5)
+}
+
+#[portable]
+fn twice<R: Real>(state: &mut State<R>) -> R {
+    half(next(state))
+}
+
+fn main() {}

@@ -1,0 +1,14 @@
+use portable::{Real, portable};
+
+#[portable]
+struct State<R> {
+    x: R,
+    count: u32,
+}
+
+#[portable]
+fn read<R: Real>(State { x, .. }: &State<R>) -> u32 {
+    1u32
+}
+
+fn main() {}

@@ -1,0 +1,9 @@
+use portable::{Real, portable};
+
+#[portable]
+fn is_double<R: Real>() -> bool {
+    let kind = R::KIND;
+    true
+}
+
+fn main() {}

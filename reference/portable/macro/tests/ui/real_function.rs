@@ -1,0 +1,8 @@
+use portable::{Real, portable};
+
+#[portable]
+fn zero<R: Real>() -> R {
+    R::default()
+}
+
+fn main() {}

@@ -1,0 +1,6 @@
+use portable::portable;
+
+#[portable]
+fn reset(count: &mut u32) {}
+
+fn main() {}

@@ -1,0 +1,6 @@
+use portable::portable;
+
+#[portable]
+static STAGES: usize = 3;
+
+fn main() {}

@@ -1,0 +1,8 @@
+use portable::portable;
+
+#[portable]
+struct State<R: Copy> {
+    x: R,
+}
+
+fn main() {}

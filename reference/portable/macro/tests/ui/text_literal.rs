@@ -1,0 +1,9 @@
+use portable::portable;
+
+#[portable]
+fn next(count: u32) -> u32 {
+    let unit = "mm";
+    count
+}
+
+fn main() {}

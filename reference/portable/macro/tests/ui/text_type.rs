@@ -1,0 +1,8 @@
+use portable::portable;
+
+#[portable]
+struct State {
+    unit: char,
+}
+
+fn main() {}

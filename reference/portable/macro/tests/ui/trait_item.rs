@@ -1,0 +1,6 @@
+use portable::portable;
+
+#[portable]
+trait Filter {}
+
+fn main() {}

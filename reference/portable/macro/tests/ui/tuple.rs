@@ -1,0 +1,9 @@
+use portable::{Real, portable};
+
+#[portable]
+fn first<R: Real>(x: R) -> R {
+    let both = (x, x);
+    x
+}
+
+fn main() {}

@@ -1,0 +1,6 @@
+use portable::portable;
+
+#[portable]
+struct Pair<R>(R, R);
+
+fn main() {}

@@ -1,0 +1,6 @@
+use portable::{Real, portable};
+
+#[portable]
+fn run<R: Real>(x: (R, R)) {}
+
+fn main() {}

@@ -1,0 +1,6 @@
+use portable::portable;
+
+#[portable]
+type Count = u32;
+
+fn main() {}

@@ -1,0 +1,8 @@
+use portable::portable;
+
+#[portable]
+fn twice<R: Copy>(x: R) -> R {
+    x
+}
+
+fn main() {}

@@ -1,0 +1,8 @@
+use portable::portable;
+
+#[portable]
+union Bits {
+    integer: u32,
+}
+
+fn main() {}

@@ -1,0 +1,6 @@
+use portable::portable;
+
+#[portable]
+struct Empty;
+
+fn main() {}

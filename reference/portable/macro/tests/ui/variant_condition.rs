@@ -1,0 +1,10 @@
+use portable::portable;
+
+#[portable]
+enum Mode {
+    Off,
+    #[cfg(all())]
+    On,
+}
+
+fn main() {}

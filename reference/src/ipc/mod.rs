@@ -1,0 +1,261 @@
+//! Improved position control: up to three stages, their sum, the limit, the gate, and what the block does when it must
+//! not act.
+//!
+//! ```text
+//! v_sum            = v_stage[0] + v_stage[1] + v_stage[2]
+//! v_add_calculated = v_sum, limited to +-limit
+//! v_add            = gate * v_add_calculated
+//! ```
+//!
+//! The gate moves linearly between 0 and 1 within `fade_cycles` cycles: up while the mode is ON, down while it is
+//! DRYRUN or OFF. It falls to 0 at once with a fault, a reset and the loss of position control. Where the gate starts
+//! again the sections start from the steady state of the present input, so that nothing jumps.
+
+mod signals;
+
+pub use signals::{Inputs, Outputs};
+pub use signals::{error_cycle_time, error_mode, error_none, error_v_command, error_v_direct, error_v_motor};
+pub use signals::{mode_dryrun, mode_off, mode_on, sample_limit};
+
+use crate::Block;
+use crate::stage;
+use portable::{Fn, Real, from_u32, portable, usable, within};
+
+/// Stages of a block.
+pub const STAGES: usize = 3;
+
+/// Coefficients.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Coeffs<R> {
+    /// cycle time that all coefficients were designed for [ns]
+    pub cycle_time_ns: u32,
+    /// mode before the caller writes one: 0 OFF, 1 ON, 2 DRYRUN
+    pub enable: i32,
+    /// the stages
+    pub stage: [stage::Coeffs<R>; STAGES],
+    /// largest |v_add|
+    pub limit: R,
+    /// -limit
+    pub lower_limit: R,
+    /// a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0
+    pub rest: R,
+    /// cycles that the gate takes from 0 to 1
+    pub fade_cycles: u32,
+    /// 1 / fade_cycles
+    pub fade_step: R,
+}
+
+/// State.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct State<R> {
+    /// whether the sections have been put to the steady state of an input
+    pub settled: bool,
+    /// position of the gate: 0 closed, fade_cycles open
+    pub gate: u32,
+    /// the sections of each stage
+    pub stage: [stage::State<R>; STAGES],
+}
+
+/// Whether a stage looks at the command velocity.
+#[portable]
+pub fn reads_command<R: Real>(coeffs: &Coeffs<R>) -> bool {
+    let mut found = false;
+    for i in 0..STAGES {
+        found = found || stage::reads_command(&coeffs.stage[i]);
+    }
+    found
+}
+
+/// Whether a stage looks at the motor's velocity.
+#[portable]
+pub fn reads_motor<R: Real>(coeffs: &Coeffs<R>) -> bool {
+    let mut found = false;
+    for i in 0..STAGES {
+        found = found || stage::reads_motor(&coeffs.stage[i]);
+    }
+    found
+}
+
+/// Whether a stage looks at the velocity of the direct measuring system.
+#[portable]
+pub fn reads_direct<R: Real>(coeffs: &Coeffs<R>) -> bool {
+    let mut found = false;
+    for i in 0..STAGES {
+        found = found || stage::reads_direct(&coeffs.stage[i]);
+    }
+    found
+}
+
+/// Puts all sections to the steady state of the present input.
+#[portable]
+pub fn settle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) {
+    for i in 0..STAGES {
+        if coeffs.stage[i].mode != stage::Mode::NotActive {
+            let x = stage::source(&coeffs.stage[i], inputs.v_command, inputs.v_motor, inputs.v_direct);
+            stage::settle(&mut state.stage[i], &coeffs.stage[i], x);
+        }
+    }
+}
+
+/// Runs all stages; gives the sum of what they want to add.
+#[portable]
+pub fn sum_of_stages<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
+    let mut v_sum = R::ZERO;
+    let mut first = true;
+    for i in 0..STAGES {
+        if coeffs.stage[i].mode != stage::Mode::NotActive {
+            let x = stage::source(&coeffs.stage[i], inputs.v_command, inputs.v_motor, inputs.v_direct);
+            let v_stage = stage::step(&mut state.stage[i], &coeffs.stage[i], x);
+            // Not `0 + v_stage`: that addition would stay in every block.
+            v_sum = if first { v_stage } else { v_sum + v_stage };
+            first = false;
+        }
+    }
+    v_sum
+}
+
+/// The sum within +-limit; exactly 0 where its magnitude is not above `rest`.
+#[portable]
+pub fn limit<R: Real>(outputs: &mut Outputs<R>, coeffs: &Coeffs<R>, v_sum: R) -> R {
+    let mut v_limited = R::ZERO;
+    if within(v_sum, coeffs.limit) {
+        v_limited = if within(v_sum, coeffs.rest) { R::ZERO } else { v_sum };
+    } else if v_sum > coeffs.limit {
+        v_limited = coeffs.limit;
+        outputs.limited = true;
+    } else if v_sum < coeffs.lower_limit {
+        v_limited = coeffs.lower_limit;
+        outputs.limited = true;
+    }
+    v_limited
+}
+
+/// Moves the gate by one cycle: up while the mode is ON, down otherwise. OFF ends where the gate is closed.
+#[portable]
+pub fn move_gate<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, mode: i32) {
+    if mode == mode_on() {
+        if state.gate < coeffs.fade_cycles {
+            state.gate += 1u32;
+        }
+    } else {
+        if state.gate > 0u32 {
+            state.gate -= 1u32;
+        }
+        if mode == mode_off() && state.gate == 0u32 {
+            state.settled = false;
+        }
+    }
+}
+
+/// A cycle in which the block must not act: everything starts anew after it.
+#[portable]
+pub fn stop<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, error_id: u32) {
+    state.settled = false;
+    state.gate = 0u32;
+    outputs.v_add = R::ZERO;
+    outputs.v_add_calculated = R::ZERO;
+    outputs.limited = false;
+    outputs.fault = error_id != error_none();
+    outputs.error_id = error_id;
+}
+
+/// Before the first cycle. The sections need nothing: the first active cycle settles them.
+#[portable]
+pub fn init<R: Real>(state: &mut State<R>) {
+    state.settled = false;
+    state.gate = 0u32;
+}
+
+/// A cycle in which the sections are put to the steady state of the input. Steady sections put out 0, so that there is
+/// nothing to run.
+#[portable]
+pub fn start<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    settle(state, coeffs, inputs);
+    state.settled = true;
+    outputs.v_add = R::ZERO;
+    outputs.v_add_calculated = R::ZERO;
+    outputs.limited = false;
+    outputs.fault = false;
+    outputs.error_id = error_none();
+}
+
+/// A cycle in which the sections run.
+#[portable]
+pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    outputs.limited = false;
+    outputs.fault = false;
+    outputs.error_id = error_none();
+    move_gate(state, coeffs, inputs.mode);
+    let v_sum = sum_of_stages(state, coeffs, inputs);
+    let v_limited = limit(outputs, coeffs, v_sum);
+    if state.gate >= coeffs.fade_cycles {
+        // The gate has just moved: where it is open, the mode is ON.
+        outputs.v_add = v_limited;
+        outputs.v_add_calculated = v_limited;
+    } else {
+        outputs.v_add =
+            if state.gate > 0u32 { v_limited * (from_u32::<R>(state.gate) * coeffs.fade_step) } else { R::ZERO };
+        outputs.v_add_calculated = if inputs.mode != mode_off() { v_limited } else { R::ZERO };
+    }
+}
+
+/// One cycle. Only the inputs that a stage looks at are judged.
+#[portable]
+pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    if inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns {
+        stop(state, outputs, error_cycle_time());
+    } else if inputs.mode != mode_off() && inputs.mode != mode_on() && inputs.mode != mode_dryrun() {
+        stop(state, outputs, error_mode());
+    } else if reads_command(coeffs) && !usable(inputs.v_command, sample_limit()) {
+        stop(state, outputs, error_v_command());
+    } else if reads_motor(coeffs) && !usable(inputs.v_motor, sample_limit()) {
+        stop(state, outputs, error_v_motor());
+    } else if reads_direct(coeffs) && !usable(inputs.v_direct, sample_limit()) {
+        stop(state, outputs, error_v_direct());
+    } else if !inputs.position_controlled || inputs.reset {
+        stop(state, outputs, error_none());
+    } else if state.settled {
+        act(state, coeffs, inputs, outputs);
+    } else if inputs.mode == mode_off() {
+        stop(state, outputs, error_none());
+    } else {
+        start(state, coeffs, inputs, outputs);
+    }
+}
+
+/// The block.
+#[derive(Clone, Copy, Debug)]
+pub struct Ipc;
+
+impl<R: Real> Block<R> for Ipc {
+    type Coeffs = Coeffs<R>;
+    type State = State<R>;
+    type Inputs = Inputs<R>;
+    type Outputs = Outputs<R>;
+
+    const NAME: &'static str = "ipc";
+    const INIT: Fn = init::Ir::<R>::IR;
+    const STEP: Fn = step::Ir::<R>::IR;
+
+    fn state() -> State<R> {
+        State::default()
+    }
+
+    fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {
+        Inputs { mode: coeffs.enable, position_controlled: true, ..Inputs::default() }
+    }
+
+    fn exercise(inputs: &mut Inputs<R>) {
+        inputs.mode = mode_on();
+    }
+
+    fn outputs() -> Outputs<R> {
+        Outputs::default()
+    }
+
+    fn step(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+        step(state, coeffs, inputs, outputs);
+    }
+}

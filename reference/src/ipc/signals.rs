@@ -1,0 +1,99 @@
+//! What goes into the block `ipc` and what comes out: signals, modes, error ids. Nothing is computed here.
+
+use portable::{Real, portable};
+
+/// Inputs. Velocities are in um/s for a translatory axis, in 0.001 deg/s for a rotary axis or a spindle.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Inputs<R> {
+    /// output of the position controller with feedforward, before v_add is added [um/s or 0.001 deg/s]
+    pub v_command: R,
+    /// velocity of the motor encoder, v_ist1 [um/s or 0.001 deg/s]
+    pub v_motor: R,
+    /// velocity of the direct measuring system, v_ist2 [um/s or 0.001 deg/s]
+    pub v_direct: R,
+    /// 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758)
+    pub mode: i32,
+    /// FALSE: the axis is not in position control, the output is 0 at once
+    pub position_controlled: bool,
+    /// while TRUE the output is 0 and the states follow the input
+    pub reset: bool,
+    /// the caller's cycle [ns], 0: unchecked; another value than designed for is a fault
+    pub task_cycle_ns: u32,
+}
+
+/// Outputs.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Outputs<R> {
+    /// velocity to add to the manipulated variable [um/s or 0.001 deg/s]
+    pub v_add: R,
+    /// the same after the limit and before the gate; 0 in OFF [um/s or 0.001 deg/s]
+    pub v_add_calculated: R,
+    /// the limit acts in this cycle
+    pub limited: bool,
+    /// the block cannot act in this cycle, error_id says why
+    pub fault: bool,
+    /// 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct is no usable number
+    pub error_id: u32,
+}
+
+/// error_id: no fault
+#[portable]
+pub fn error_none() -> u32 {
+    0u32
+}
+
+/// error_id: task_cycle_ns is not the cycle time that the coefficients were designed for
+#[portable]
+pub fn error_cycle_time() -> u32 {
+    1u32
+}
+
+/// error_id: mode is none of OFF, ON, DRYRUN
+#[portable]
+pub fn error_mode() -> u32 {
+    2u32
+}
+
+/// error_id: v_command is not within the sample limit
+#[portable]
+pub fn error_v_command() -> u32 {
+    11u32
+}
+
+/// error_id: v_motor is not within the sample limit
+#[portable]
+pub fn error_v_motor() -> u32 {
+    12u32
+}
+
+/// error_id: v_direct is not within the sample limit
+#[portable]
+pub fn error_v_direct() -> u32 {
+    13u32
+}
+
+/// mode: the block is off
+#[portable]
+pub fn mode_off() -> i32 {
+    0i32
+}
+
+/// mode: the block acts
+#[portable]
+pub fn mode_on() -> i32 {
+    1i32
+}
+
+/// mode: the block calculates and does not act
+#[portable]
+pub fn mode_dryrun() -> i32 {
+    2i32
+}
+
+/// largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named
+#[portable]
+pub fn sample_limit<R: Real>() -> R {
+    R::per_kind(1.0e15, 1.0e9)
+}
