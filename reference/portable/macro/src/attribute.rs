@@ -34,11 +34,12 @@ fn is_doc(token: &TokenTree) -> bool {
     matches!(group.stream().into_iter().next(), Some(TokenTree::Ident(name)) if name == "doc")
 }
 
-/// Rejects the attributes that may take the item, a field or a variant away while its description stays.
-pub fn reject_conditions(attributes: &[syn::Attribute], instead: &str, rejections: &mut Rejections) {
+/// Rejects the attributes that may take a field or a variant away while its description stays. One at the item itself
+/// is no danger: rustc decides it before it runs the macro.
+pub fn reject_conditions(attributes: &[syn::Attribute], rejections: &mut Rejections) {
     for attribute in attributes {
         if attribute.path().is_ident("cfg") || attribute.path().is_ident("cfg_attr") {
-            rejections.push(attribute, format!("the description does not know this condition; {instead}"));
+            rejections.push(attribute, "the description does not know this condition; write it at the whole item");
         }
     }
 }

@@ -10,7 +10,6 @@ use quote::{ToTokens, quote};
 /// Describes a function.
 pub fn describe(function: &syn::ItemFn, rejections: &mut Rejections) -> TokenStream {
     let signature = &function.sig;
-    attribute::reject_conditions(&function.attrs, item::CONDITION, rejections);
     qualifiers(signature, rejections);
     name::check(&signature.ident, rejections);
     let real = generics::of_function(&signature.generics, rejections);
@@ -99,6 +98,7 @@ fn parameters(
         let param = match input {
             syn::FnArg::Typed(param) => param,
             syn::FnArg::Receiver(_) => {
+                scope.enter_rejected(input);
                 rejections.push(
                     input,
                     "a method has no counterpart; write a free function with the state as a `&mut` parameter",

@@ -6,12 +6,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::Item;
 
-/// Where a condition of a whole item stands.
-pub const CONDITION: &str = "write it above `#[portable]`";
-
 /// Describes a struct.
 pub fn describe_struct(item: &syn::ItemStruct, rejections: &mut Rejections) -> TokenStream {
-    attribute::reject_conditions(&item.attrs, CONDITION, rejections);
     name::check(&item.ident, rejections);
     let real = generics::of_struct(&item.generics, rejections);
     match &item.fields {
@@ -60,7 +56,6 @@ pub fn describe_struct(item: &syn::ItemStruct, rejections: &mut Rejections) -> T
 
 /// Describes an enum of unit variants.
 pub fn describe_enum(item: &syn::ItemEnum, rejections: &mut Rejections) -> TokenStream {
-    attribute::reject_conditions(&item.attrs, CONDITION, rejections);
     name::check(&item.ident, rejections);
     if !item.generics.params.is_empty() || item.generics.where_clause.is_some() {
         rejections.push(&item.generics, "a portable enum has no parameter; remove it");
@@ -113,13 +108,13 @@ pub fn reject(item: &Item, rejections: &mut Rejections) {
 }
 
 fn check_field(field: &syn::Field, rejections: &mut Rejections) {
-    attribute::reject_conditions(&field.attrs, "keep the field, and choose with a coefficient", rejections);
+    attribute::reject_conditions(&field.attrs, rejections);
     field.ident.iter().for_each(|ident| name::check(ident, rejections));
     ty::held(&field.ty, rejections);
 }
 
 fn check_variant(variant: &syn::Variant, rejections: &mut Rejections) {
-    attribute::reject_conditions(&variant.attrs, "keep the variant", rejections);
+    attribute::reject_conditions(&variant.attrs, rejections);
     name::check(&variant.ident, rejections);
     if !matches!(variant.fields, syn::Fields::Unit) {
         rejections.push(variant, "a variant holds nothing; write its name alone, and the data as fields of a struct");

@@ -76,7 +76,7 @@ fn instead(expression: &Expr) -> &'static str {
 pub fn operator(operator: &BinOp) -> &'static str {
     match operator {
         BinOp::Rem(_) | BinOp::RemAssign(_) => {
-            "a remainder has another sign in each language; write a counter that begins again at its bound"
+            "a remainder has no counterpart; write a counter that begins again at its bound"
         }
         BinOp::BitAnd(_) | BinOp::BitAndAssign(_) => {
             "bits have no counterpart; write `&&` between bools, or a bool of its own for each bit"

@@ -36,7 +36,7 @@ pub fn describe_call(
     match name.as_str() {
         "lit" | "per_kind" => {}
         "from_u32" => {
-            rejections.push(function, "this is not in the description; write `from_u32(value)`");
+            rejections.push(function, "the real type offers constants; write `from_u32(value)`");
             return TokenStream::new();
         }
         _ => {

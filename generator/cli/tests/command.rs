@@ -1,0 +1,253 @@
+//! The command as a user and a script see it: output, exit codes, files.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use tempfile::TempDir;
+
+const EXAMPLES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
+
+struct Run {
+    code: i32,
+    out: String,
+    err: String,
+}
+
+fn axgen(folder: &Path, arguments: &[&str]) -> Run {
+    let Output { status, stdout, stderr } =
+        Command::new(env!("CARGO_BIN_EXE_axgen")).current_dir(folder).args(arguments).output().unwrap();
+    Run {
+        code: status.code().unwrap(),
+        out: String::from_utf8(stdout).unwrap(),
+        err: String::from_utf8(stderr).unwrap(),
+    }
+}
+
+/// A folder with the examples in it.
+fn folder() -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    for entry in fs::read_dir(EXAMPLES).unwrap() {
+        let path = entry.unwrap().path();
+        fs::copy(&path, folder.path().join(path.file_name().unwrap())).unwrap();
+    }
+    folder
+}
+
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let Ok(entries) = fs::read_dir(folder) else { return Vec::new() };
+    let mut files: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
+    files.sort();
+    files
+}
+
+fn read(folder: &Path, name: &str) -> String {
+    fs::read_to_string(folder.join(name)).unwrap()
+}
+
+/// Replaces a text in a file, which must hold it.
+fn edit(folder: &Path, name: &str, from: &str, to: &str) {
+    let text = read(folder, name);
+    assert!(text.contains(from), "{name} has no `{from}`");
+    fs::write(folder.join(name), text.replacen(from, to, 1)).unwrap();
+}
+
+#[test]
+fn generate_says_what_it_made() {
+    let folder = folder();
+    let run = axgen(folder.path(), &["generate", "rack-and-pinion.lis", "--cycle-time", "1ms"]);
+    assert_eq!(
+        run.out,
+        "axis rack_and_pinion: ipc, f64, cycle 1000 us, starts ON, |v_add| <= 530000, fades in 100 cycles\n  \
+         stage[0] DIRECT from v_motor: BANDPASS CRIT_DAMPING order 1 at 53 Hz, Q 10, weight 3\n  \
+         stage[1] INDIRECT from v_motor, damping 0.8: BANDPASS CRIT_DAMPING order 1 at 11 Hz, Q 2, weight 1.9\n  \
+         stage[2] NOT_ACTIVE\n\
+         generated/axis_rack_and_pinion.h\n\
+         generated/axis_rack_and_pinion.c\n\
+         1 axis: 2 files written, 0 unchanged, 0 warnings\n"
+    );
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    assert_eq!(files(&folder.path().join("generated")).len(), 2, "and nothing else is left in the folder");
+}
+
+#[test]
+fn a_second_run_touches_nothing() {
+    let folder = folder();
+    let arguments = ["generate", "machine.toml", "--out", "out"];
+    axgen(folder.path(), &arguments);
+    let before: Vec<_> =
+        files(&folder.path().join("out")).iter().map(|file| fs::metadata(file).unwrap().modified().unwrap()).collect();
+    let run = axgen(folder.path(), &arguments);
+    assert!(run.out.ends_with("3 axes: 0 files written, 6 unchanged, 0 warnings\n"), "{}", run.out);
+    let after: Vec<_> =
+        files(&folder.path().join("out")).iter().map(|file| fs::metadata(file).unwrap().modified().unwrap()).collect();
+    assert_eq!(before, after);
+}
+
+#[test]
+fn one_axis_alone() {
+    let folder = folder();
+    let run = axgen(folder.path(), &["generate", "machine.toml", "--axis", "Y", "--target", "c"]);
+    assert_eq!(run.code, 0);
+    assert_eq!(files(&folder.path().join("generated")).len(), 2);
+    let run = axgen(folder.path(), &["generate", "machine.toml", "--axis", "Q"]);
+    assert_eq!((run.code, run.err.as_str()), (2, "no axis `Q`; the set has: X, Y, C\n"));
+}
+
+#[test]
+fn an_error_writes_nothing() {
+    let folder = folder();
+    edit(folder.path(), "machine.toml", "fg_f0 = 36.0", "fg_f0 = 460.0");
+    let run = axgen(folder.path(), &["generate", "machine.toml"]);
+    assert_eq!(run.code, 2);
+    assert!(run.err.contains("machine.toml:26:"), "{}", run.err);
+    assert!(run.err.ends_with("nothing was written\n"), "{}", run.err);
+    assert!(!folder.path().join("generated").exists());
+}
+
+#[test]
+fn a_file_that_was_edited_by_hand_is_kept() {
+    let folder = folder();
+    let arguments = ["generate", "rack-and-pinion.lis", "--cycle-time", "1ms"];
+    axgen(folder.path(), &arguments);
+    edit(folder.path(), "generated/axis_rack_and_pinion.c", "gain = -3.0;", "gain = -2.0;");
+    edit(folder.path(), "rack-and-pinion.lis", "fg_f0      53 ", "fg_f0      54 ");
+    let header = read(folder.path(), "generated/axis_rack_and_pinion.h");
+    let run = axgen(folder.path(), &arguments);
+    assert_eq!(run.code, 2);
+    assert_eq!(
+        run.err,
+        "generated/axis_rack_and_pinion.c: was changed by hand after it had been generated\n\
+         nothing was written; move the changes to the set, or overwrite them with --force\n"
+    );
+    assert!(read(folder.path(), "generated/axis_rack_and_pinion.c").contains("gain = -2.0;"));
+    assert_eq!(read(folder.path(), "generated/axis_rack_and_pinion.h"), header);
+    let forced = axgen(folder.path(), &[&arguments[..], &["--force"]].concat());
+    assert_eq!(forced.code, 0, "{}", forced.err);
+    assert!(read(folder.path(), "generated/axis_rack_and_pinion.c").contains("gain = -3.0;"));
+}
+
+#[test]
+fn a_folder_that_takes_no_files_is_the_environment() {
+    let folder = folder();
+    fs::write(folder.path().join("generated"), "a file").unwrap();
+    let run = axgen(folder.path(), &["generate", "rack-and-pinion.lis", "--cycle-time", "1ms"]);
+    assert_eq!(run.code, 3, "{}", run.err);
+    assert!(run.err.contains("nothing was written"), "{}", run.err);
+    assert_eq!(read(folder.path(), "generated"), "a file");
+}
+
+#[test]
+fn a_comment_changes_no_file_and_a_weight_only_its_lines() {
+    let folder = folder();
+    let generate = || axgen(folder.path(), &["generate", "machine.toml", "--out", "out"]);
+    generate();
+    let before: Vec<String> =
+        files(&folder.path().join("out")).iter().map(|path| fs::read_to_string(path).unwrap()).collect();
+
+    edit(folder.path(), "machine.toml", "# A small machine", "# A machine");
+    edit(folder.path(), "rack-and-pinion.lis", "TRUE", "ON  # as newer lists say it");
+    assert!(generate().out.ends_with("3 axes: 0 files written, 6 unchanged, 0 warnings\n"));
+
+    edit(folder.path(), "machine.toml", "weight_fact_num = 120", "weight_fact_num = 121");
+    assert!(generate().out.ends_with("3 axes: 2 files written, 4 unchanged, 0 warnings\n"));
+    let after: Vec<String> =
+        files(&folder.path().join("out")).iter().map(|path| fs::read_to_string(path).unwrap()).collect();
+    for (old, new) in before.iter().zip(&after) {
+        assert_eq!(old.lines().count(), new.lines().count());
+        for (old, new) in old.lines().zip(new.lines()).filter(|(old, new)| old != new) {
+            let weight = new.contains("121/100") || new.contains("stage0_gain") || new.contains("-weight, against");
+            let digest = new.starts_with(" * parameters ") || new.starts_with(" * body ");
+            let expected = new.trim_start().starts_with("UINT32_C(0x") || new.contains("bits_of(state.");
+            assert!(weight || digest || expected, "- {old}\n+ {new}");
+        }
+    }
+}
+
+#[test]
+fn run_gives_the_same_in_every_engine() {
+    let folder = folder();
+    let mut stimulus = "v_motor,mode\n".to_owned();
+    for n in 0..200 {
+        stimulus += &format!("{},1\n", (n * 7919) % 1000);
+    }
+    fs::write(folder.path().join("in.csv"), stimulus).unwrap();
+    let engine = |engine: &str, more: &[&str]| {
+        let arguments =
+            ["run", "machine.toml", "--axis", "X", "--block", "ipc", "--engine", engine, "--stimulus", "in.csv"];
+        axgen(folder.path(), &[&arguments[..], more].concat())
+    };
+    let reference = engine("reference", &["--hex"]);
+    assert_eq!(reference.code, 0, "{}", reference.err);
+    assert!(reference.out.starts_with("v_add,v_add_calculated,limited,fault,error_id\n0x0000000000000000,"));
+    assert_eq!(reference.out.lines().count(), 201);
+    for other in ["program", "c"] {
+        assert_eq!(engine(other, &["--hex"]).out, reference.out, "{other}");
+    }
+    let decimal = engine("reference", &["--out", "out.csv"]);
+    assert_eq!((decimal.code, decimal.out.as_str()), (0, ""));
+    let decimal = read(folder.path(), "out.csv");
+    for (row, bits) in decimal.lines().zip(reference.out.lines()).skip(1) {
+        let first = |row: &str| row.split(',').next().unwrap().to_owned();
+        let value: f64 = first(row).parse().unwrap();
+        assert_eq!(format!("0x{:016x}", value.to_bits()), first(bits));
+    }
+}
+
+#[test]
+fn a_bad_stimulus_is_told_with_its_place() {
+    let folder = folder();
+    fs::write(folder.path().join("in.csv"), "v_motor,mode\n1.0,1\n1.0\n1.0,x\n").unwrap();
+    let run = axgen(folder.path(), &["run", "machine.toml", "--axis", "X", "--stimulus", "in.csv"]);
+    assert_eq!(run.code, 2);
+    assert_eq!(
+        run.err,
+        "in.csv:3:1: 1 cells; allowed: 2 cells, as many as the header has columns\n\
+         in.csv:4:5: `x` for mode; allowed: an integer from -2147483648 to 2147483647\n"
+    );
+    fs::write(folder.path().join("in.csv"), "v_motor,speed,v_motor\n").unwrap();
+    let run = axgen(folder.path(), &["run", "machine.toml", "--axis", "X", "--stimulus", "in.csv"]);
+    let inputs = "v_command, v_motor, v_direct, mode, position_controlled, reset, task_cycle_ns";
+    assert_eq!(
+        run.err,
+        format!(
+            "in.csv:1:9: the column `speed`; allowed: {inputs}\nin.csv:1:15: the column `v_motor` a second time; allowed: {inputs}\n"
+        )
+    );
+}
+
+#[test]
+fn verify_counts_no_differing_bit() {
+    let folder = folder();
+    let run = axgen(folder.path(), &["verify", "machine.toml", "--samples", "5000"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    let rows: Vec<Vec<&str>> = run.out.lines().skip(1).map(|line| line.split_whitespace().collect()).collect();
+    assert_eq!(rows.len(), 9);
+    for row in rows {
+        assert_eq!(row[3], "5000");
+        assert_eq!(row[4], if row[2] == "reference" { "(reference)" } else { "0" });
+    }
+}
+
+#[test]
+fn a_missing_compiler_is_the_environment() {
+    let folder = folder();
+    let output = Command::new(env!("CARGO_BIN_EXE_axgen"))
+        .current_dir(folder.path())
+        .env("CC", "no-such-compiler")
+        .args(["verify", "machine.toml", "--samples", "10"])
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(3));
+    let err = String::from_utf8(output.stderr).unwrap();
+    assert!(err.contains("the C compiler `no-such-compiler` does not start"), "{err}");
+}
+
+#[test]
+fn check_says_what_the_blocks_would_do() {
+    let folder = folder();
+    let run = axgen(folder.path(), &["check", "two-frequencies.lis", "--cycle-time", "1ms"]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    assert!(run.out.contains("BANDPASS CRIT_DAMPING order 2 at 90 Hz, Q 10, weight 0.5"), "{}", run.out);
+    assert!(run.out.ends_with("0 warnings, 0 parameters of other functions passed over\n"), "{}", run.out);
+    assert!(!folder.path().join("generated").exists());
+}
