@@ -26,14 +26,18 @@ pub struct SelfTest {
     pub switches: Vec<(usize, Literal)>,
     /// the factor of the noise on the real inputs, a power of two
     pub scale: Literal,
+    /// the samples in which a real input is no number, with the position of the input
+    pub bad: Vec<(usize, usize)>,
     /// the first real output of each sample
     pub expected: Vec<Literal>,
     /// the real parts of the state after the last sample, by position in [`Program::state`]
     pub state: Vec<(usize, Literal)>,
 }
 
-/// Samples of a self-test: enough that a fused multiplication shows in the last bits.
+/// Samples of a self-test behind the bad ones: enough that a fused multiplication shows in the last bits.
 const SELF_TEST_SAMPLES: usize = 32;
+/// From a bad sample to the next: a block that has noticed it starts anew in the second sample and acts in the third.
+const BAD_SAMPLE_DISTANCE: usize = 3;
 
 /// The blocks of an axis.
 ///
@@ -64,7 +68,8 @@ fn block<R: Real, B: Reference<R>>(
     Ok(Block { program, notes, self_test })
 }
 
-/// Runs the reference on noise from the generator that every target has too.
+/// Runs the reference on noise from the generator that every target has too. At the beginning each real input is no
+/// number for a sample: a build that takes it for one goes on with other bits.
 fn self_test<R: Real, B: Reference<R>>(
     coeffs: &B::Coeffs,
     program: &Program,
@@ -80,14 +85,16 @@ fn self_test<R: Real, B: Reference<R>>(
         .filter(|index| switched[*index] != program.inputs[*index].start)
         .map(|index| (index, switched[index]))
         .collect();
+    let reals = (0..program.inputs.len()).filter(|index| program.inputs[*index].ty == Type::Real);
+    let bad: Vec<(usize, usize)> = (1..).step_by(BAD_SAMPLE_DISTANCE).zip(reals).collect();
     let (mut state, mut outputs) = (B::state(), B::outputs());
     let (mut random, mut expected) = (1u32, Vec::new());
-    for _ in 0..SELF_TEST_SAMPLES {
-        let mut values = switched.iter().zip(&program.inputs).map(|(value, input)| match input.ty {
+    for sample in 0..BAD_SAMPLE_DISTANCE * bad.len() + SELF_TEST_SAMPLES {
+        let mut values = switched.iter().enumerate().map(|(index, value)| match program.inputs[index].ty {
             Type::Real => {
                 random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
                 let noise = (R::from_u32(random >> 8) - R::lit(8_388_608.0)) * scale;
-                leaves(&noise)[0]
+                leaves(&if bad.contains(&(sample, index)) { R::lit(f64::NAN) } else { noise })[0]
             }
             _ => *value,
         });
@@ -101,7 +108,7 @@ fn self_test<R: Real, B: Reference<R>>(
         let leaf = state_paths.iter().position(|path| *path == variable.path)?;
         Some((index, last[leaf]))
     });
-    SelfTest { switches, scale: leaves(&scale)[0], expected, state: state.collect() }
+    SelfTest { switches, scale: leaves(&scale)[0], bad, expected, state: state.collect() }
 }
 
 /// The scalars of a value, in the order of its type.

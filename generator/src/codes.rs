@@ -113,6 +113,9 @@ codes! {
          a longer cycle time.";
     ROUNDING = "AX308", "a filter that rounding spoils",
         "Rounded to the real type, the coefficients of this section are unstable, or its centre frequency is elsewhere.";
+    TOO_FAST = "AX309", "a velocity that the block takes for a bad sample",
+        "A block takes a velocity beyond its sample limit, 1e9 in single precision, for a bad sample: it would stop at speed. \
+         Use double precision.";
 
     NO_STAGE = "AX401", "no stage is active",
         "The block is generated, and puts out 0.";

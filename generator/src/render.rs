@@ -125,7 +125,11 @@ pub struct CSelfTest<'a> {
     /// the inputs that are set once
     pub switches: &'a [Switch],
     /// the inputs that get noise
-    pub noisy: &'a [String],
+    pub noisy: &'a [Noisy],
+    /// the name of the function that makes a real of bits
+    pub real_of: &'a str,
+    /// the bits of a quiet NaN
+    pub not_a_number: &'a str,
     /// 2^23
     pub middle: &'a str,
     /// the factor of the noise
@@ -140,6 +144,14 @@ pub struct Switch {
     pub name: String,
     /// the value
     pub value: String,
+}
+
+/// An input that gets noise.
+pub struct Noisy {
+    /// the member
+    pub name: String,
+    /// the sample in which it is no number
+    pub bad_sample: usize,
 }
 
 /// A part of the state after the self-test.

@@ -7,7 +7,8 @@ use crate::design::ipc::{MAX_FADE_CYCLES, fade};
 use crate::design::unusable::lowest;
 use crate::diagnostics::Diagnostic;
 use crate::parameters::{FILTERS, Name, STAGES, Value, path_with, real_text, time_text};
-use portable::RealKind;
+use portable::{Real, RealKind};
+use reference::ipc::sample_limit;
 
 /// The highest f0 * Ts: above, the tangent that the design is made of runs into its pole.
 const MAX_F0_TS: f64 = 0.45;
@@ -21,7 +22,7 @@ pub fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option<RealKi
     });
     gantry(e, enable);
     let v_add_max_fact = e.integer((Name::VAddMaxFact, [0, 0]));
-    let v_max = v_max(e);
+    let v_max = v_max(e, real);
     let fade = e.duration((Name::Fade, [0, 0]));
     // Every stage is judged, so that all errors of all stages are told.
     let stages: [Option<Option<Stage>>; STAGES as usize] =
@@ -61,10 +62,26 @@ pub fn is_gantry_slave(e: &mut Effective<'_>) -> bool {
     }
 }
 
-/// The largest velocity, of the gear step that is used.
-fn v_max(e: &mut Effective<'_>) -> Option<f64> {
+/// The largest velocity, of the gear step that is used. The block must take it, and twice it, for a usable sample.
+fn v_max(e: &mut Effective<'_>, real: Option<RealKind>) -> Option<f64> {
     let Some(Value::Integer(gear)) = e.judged((Name::Gear, [0, 0])) else { return None };
-    e.integer((Name::VbMax, [u32::try_from(gear).ok()?, 0])).map(f64::from)
+    let key = (Name::VbMax, [u32::try_from(gear).ok()?, 0]);
+    let v_max = e.integer(key).map(f64::from)?;
+    let largest = sample_limit::<f32>().to_f64() / 2.0;
+    if real? == RealKind::F32 && v_max > largest {
+        let found = format!(
+            "`{}` (P-AXIS-00212) is {v_max}: in single precision the block takes more than {} for a bad sample",
+            path_with(key.0.parameter().path, key.1),
+            2.0 * largest
+        );
+        e.report.push(
+            Diagnostic::error(codes::TOO_FAST, e.place_of(key), found)
+                .allowed(format!("vb_max <= {largest} in single precision"))
+                .instead("real = \"f64\" for this axis"),
+        );
+        return None;
+    }
+    Some(v_max)
 }
 
 /// A stage; outer none: an error, which has been said; inner none: it is not active.

@@ -371,3 +371,24 @@ fn fade_of_too_many_cycles() {
         ],
     );
 }
+
+#[test]
+fn a_velocity_that_single_precision_takes_for_a_bad_sample() {
+    let set = |v_max: u32| {
+        said_of_axis(&format!(
+            "real = \"f32\"\n\
+             getriebe = [{{ dynamik.vb_max = {v_max} }}]\n\
+             ipc.v_add_max_fact = 1\n\
+             ipc.stage = [{{ mode = 'DIRECT', filter = [{{ order = 1, fg_f0 = 50, q_factor = 2 }}] }}]"
+        ))
+    };
+    assert_said(&set(500_000_000), &[]);
+    assert_said(
+        &set(500_000_001),
+        &[
+            "set.toml:4:32: error[AX309]: `getriebe[0].dynamik.vb_max` (P-AXIS-00212) is 500000001: in single precision the block takes more than 1000000000 for a bad sample",
+            "    allowed: vb_max <= 500000000 in single precision",
+            "    write instead: real = \"f64\" for this axis",
+        ],
+    );
+}

@@ -7,7 +7,7 @@ use crate::axis::Axis;
 use crate::block::Block;
 use crate::digest::digest;
 use crate::program::{Expr, Origin, Program, Type, Var, Variable};
-use crate::render::{CBlock, CFile, CHeader, CSelfTest, CSource, ConstantText, Group, Leaf, Member, Switch};
+use crate::render::{CBlock, CFile, CHeader, CSelfTest, CSource, ConstantText, Group, Leaf, Member, Noisy, Switch};
 use crate::target::number::bits;
 use crate::target::{File, comment};
 use askama::Template;
@@ -87,10 +87,18 @@ fn block_text(stem: &str, block: &Block) -> CBlock {
 /// The inputs; those that this axis does not need say so.
 fn inputs(program: &Program) -> Vec<Member> {
     let mut members = members(&program.inputs, program.real);
-    for (index, member) in members.iter_mut().enumerate() {
-        if !program.step.iter().any(|statement| statement.mentions(Var::Input(index))) {
-            member.doc.push_str("; not read for this axis");
-        }
+    let mut read = vec![false; members.len()];
+    for statement in &program.step {
+        statement.expressions(&mut |expr| {
+            expr.variables(&mut |var| {
+                if let Var::Input(index) = var {
+                    read[index] = true;
+                }
+            });
+        });
+    }
+    for (member, _) in members.iter_mut().zip(read).filter(|(_, read)| !read) {
+        member.doc.push_str("; not read for this axis");
     }
     members
 }
@@ -156,7 +164,10 @@ fn constant_type(value: Literal, real: RealKind) -> &'static str {
 
 fn self_test(prefix: &str, block: &Block) -> String {
     let (program, test) = (&block.program, &block.self_test);
-    let noisy: Vec<String> = reals(program).collect();
+    let noisy = test
+        .bad
+        .iter()
+        .map(|(sample, input)| Noisy { name: member(&program.inputs[*input].path), bad_sample: *sample });
     let middle = types::literal(match program.real {
         RealKind::F64 => Literal::F64(8_388_608.0),
         RealKind::F32 => Literal::F32(8_388_608.0),
@@ -180,7 +191,12 @@ fn self_test(prefix: &str, block: &Block) -> String {
                 value: types::literal(*value),
             })
             .collect::<Vec<_>>(),
-        noisy: &noisy,
+        noisy: &noisy.collect::<Vec<_>>(),
+        real_of: &format!("{}_real_of", program.block),
+        not_a_number: match program.real {
+            RealKind::F64 => "UINT64_C(0x7ff8000000000000)",
+            RealKind::F32 => "UINT32_C(0x7fc00000)",
+        },
         middle: &middle,
         scale: &types::literal(test.scale),
         state: &test
@@ -190,9 +206,4 @@ fn self_test(prefix: &str, block: &Block) -> String {
             .collect::<Vec<_>>(),
     };
     text.render().expect("c: the self-test's template is filled")
-}
-
-/// The real inputs.
-fn reals(program: &Program) -> impl Iterator<Item = String> {
-    program.inputs.iter().filter(|input| input.ty == Type::Real).map(|input| member(&input.path))
 }

@@ -2,10 +2,9 @@
 
 use super::names::{Names, identifier, is_reserved};
 use super::{scope, types};
-use crate::program::{Expr, Program, Statement, Var};
+use crate::program::{Expr, Program, Statement, Var, Variable};
 use crate::target::comment;
 use portable::{Binary, Intrinsic, Literal, RealKind, Unary};
-use std::collections::BTreeSet;
 use std::fmt::Write;
 
 /// Characters in a line of code, where it can be broken.
@@ -17,6 +16,9 @@ const NOTE_WIDTH: usize = 100;
 /// A program with the names that its variables have in C.
 pub struct Printer<'p> {
     program: &'p Program,
+    inputs: Vec<String>,
+    outputs: Vec<String>,
+    state: Vec<String>,
     locals: Vec<String>,
     constants: Vec<String>,
 }
@@ -40,7 +42,17 @@ impl<'p> Printer<'p> {
         let mut names = Names::default();
         let constants = program.constants.iter().map(|constant| names.take(&constant.path)).collect();
         let locals = program.locals.iter().map(|local| names.take(&local.path)).collect();
-        Self { program, locals, constants }
+        let members = |of: &str, variables: &[Variable]| -> Vec<String> {
+            variables.iter().map(|variable| format!("{of}->{}", member(&variable.path))).collect()
+        };
+        Self {
+            program,
+            inputs: members("inputs", &program.inputs),
+            outputs: members("outputs", &program.outputs),
+            state: members("state", &program.state),
+            locals,
+            constants,
+        }
     }
 
     /// The names of the constants, in their order.
@@ -51,32 +63,27 @@ impl<'p> Printer<'p> {
     /// The body of a function, indented by one level.
     pub fn body(&self, statements: &[Statement]) -> String {
         let mut text = String::new();
-        let locals = statements.iter().flat_map(scope::locals).collect();
-        self.list(statements, &locals, 1, &mut text);
+        self.list(statements, &mut vec![false; self.program.locals.len()], 1, &mut text);
         text
     }
 
-    fn list(&self, list: &[Statement], undeclared: &BTreeSet<usize>, level: usize, text: &mut String) {
-        let declared = scope::declared_here(list, undeclared);
-        let inner: BTreeSet<usize> =
-            undeclared.iter().copied().filter(|local| declared.iter().all(|(_, here)| here != local)).collect();
-        for (position, statement) in list.iter().enumerate() {
-            let mut here = declared.iter().filter(|(before, _)| *before == position).map(|(_, local)| *local);
+    fn list(&self, list: &[Statement], declared: &mut [bool], level: usize, text: &mut String) {
+        for (statement, locals) in list.iter().zip(scope::declarations(list, declared)) {
             if let Statement::Assign { target: Var::Local(local), value } = statement
-                && here.any(|declared| declared == *local)
+                && locals.contains(local)
             {
                 let (ty, name) = (self.local_type(*local), &self.locals[*local]);
                 assignment(text, level, &format!("const {ty} {name} ="), &self.expr(value));
                 continue;
             }
-            for local in declared.iter().filter(|(before, _)| *before == position).map(|(_, local)| *local) {
+            for local in locals {
                 line(text, level, format_args!("{} {};", self.local_type(local), self.locals[local]));
             }
-            self.statement(statement, &inner, level, text);
+            self.statement(statement, declared, level, text);
         }
     }
 
-    fn statement(&self, statement: &Statement, undeclared: &BTreeSet<usize>, level: usize, text: &mut String) {
+    fn statement(&self, statement: &Statement, declared: &mut [bool], level: usize, text: &mut String) {
         match statement {
             Statement::Note(note) => {
                 let lines = comment::lines(&comment::harmless(note), NOTE_WIDTH);
@@ -88,17 +95,17 @@ impl<'p> Printer<'p> {
             }
             Statement::If { condition, then, otherwise } => {
                 line(text, level, format_args!("if ({}) {{", self.expr(condition)));
-                self.list(then, undeclared, level + 1, text);
+                self.list(then, declared, level + 1, text);
                 let mut rest = otherwise;
                 // A chain of questions reads as one.
                 while let [Statement::If { condition, then, otherwise }] = rest.as_slice() {
                     line(text, level, format_args!("}} else if ({}) {{", self.expr(condition)));
-                    self.list(then, undeclared, level + 1, text);
+                    self.list(then, declared, level + 1, text);
                     rest = otherwise;
                 }
                 if !rest.is_empty() {
                     line(text, level, format_args!("}} else {{"));
-                    self.list(rest, undeclared, level + 1, text);
+                    self.list(rest, declared, level + 1, text);
                 }
                 line(text, level, format_args!("}}"));
             }
@@ -110,13 +117,13 @@ impl<'p> Printer<'p> {
         types::name(ty, self.program.real)
     }
 
-    fn var(&self, var: Var) -> String {
+    fn var(&self, var: Var) -> &str {
         match var {
-            Var::Input(index) => format!("inputs->{}", member(&self.program.inputs[index].path)),
-            Var::Output(index) => format!("outputs->{}", member(&self.program.outputs[index].path)),
-            Var::State(index) => format!("state->{}", member(&self.program.state[index].path)),
-            Var::Constant(index) => self.constants[index].clone(),
-            Var::Local(index) => self.locals[index].clone(),
+            Var::Input(index) => &self.inputs[index],
+            Var::Output(index) => &self.outputs[index],
+            Var::State(index) => &self.state[index],
+            Var::Constant(index) => &self.constants[index],
+            Var::Local(index) => &self.locals[index],
         }
     }
 
@@ -138,7 +145,7 @@ impl<'p> Printer<'p> {
                 let precedence = if text.starts_with('-') { Precedence::Unary } else { Precedence::Primary };
                 (text, precedence)
             }
-            Expr::Var(var) => (self.var(*var), Precedence::Primary),
+            Expr::Var(var) => (self.var(*var).to_owned(), Precedence::Primary),
             Expr::Unary(operator, operand) => self.unary(*operator, operand),
             Expr::Binary(operator, left, right) => self.binary(*operator, left, right),
             Expr::Intrinsic(intrinsic, operands) => self.intrinsic(*intrinsic, operands),

@@ -1,40 +1,59 @@
 //! Where each local is declared: at its only assignment, or just before the branch that first assigns it.
 
-use crate::program::{Statement, Var};
-use std::collections::BTreeSet;
+use crate::program::{Expr, Statement, Var};
 
-/// The locals that a list of statements declares itself, with the statement before which each stands. Those that only
-/// one branch of one statement mentions are left to that branch.
-pub fn declared_here(list: &[Statement], candidates: &BTreeSet<usize>) -> Vec<(usize, usize)> {
-    let mentioned: Vec<BTreeSet<usize>> = list.iter().map(locals).collect();
-    let mut declared = Vec::new();
-    for local in candidates {
-        let mut mentions = mentioned.iter().enumerate().filter(|(_, locals)| locals.contains(local));
-        let Some((first, _)) = mentions.next() else { continue };
-        if mentions.next().is_some() || !within_one_branch(&list[first], *local) {
-            declared.push((first, *local));
+/// For every statement of a list the locals that are declared with it; those that only one branch of it mentions are left
+/// to that branch. `declared` knows the locals that an outer list declares, and learns those of this one.
+pub fn declarations(list: &[Statement], declared: &mut [bool]) -> Vec<Vec<usize>> {
+    let mut seen: Vec<Seen> = Vec::new();
+    for (position, statement) in list.iter().enumerate() {
+        mentions(statement, &mut |local| {
+            if declared[local] {
+                return;
+            }
+            match seen.iter_mut().find(|seen| seen.local == local) {
+                Some(seen) => seen.again |= seen.first != position,
+                None => seen.push(Seen { local, first: position, again: false }),
+            }
+        });
+    }
+    let mut here = vec![Vec::new(); list.len()];
+    for Seen { local, first, again } in seen {
+        if again || !within_one_branch(&list[first], local) {
+            here[first].push(local);
+            declared[local] = true;
         }
     }
-    declared
+    here
 }
 
-/// The locals that a statement or one inside it mentions.
-pub fn locals(statement: &Statement) -> BTreeSet<usize> {
-    let mut found = BTreeSet::new();
-    let mut add = |var| {
+/// A local that a list mentions.
+struct Seen {
+    local: usize,
+    /// the first statement that mentions it
+    first: usize,
+    /// whether another one does
+    again: bool,
+}
+
+/// Calls `visit` for every local that a statement mentions, as often as it does.
+fn mentions(statement: &Statement, visit: &mut dyn FnMut(usize)) {
+    let mut local = |var| {
         if let Var::Local(local) = var {
-            found.insert(local);
+            visit(local);
         }
     };
-    statement.targets(&mut add);
-    statement.expressions(&mut |expr| expr.variables(&mut add));
-    found
+    statement.targets(&mut local);
+    statement.expressions(&mut |expr| expr.variables(&mut local));
 }
 
 fn within_one_branch(statement: &Statement, local: usize) -> bool {
     let Statement::If { condition, then, otherwise } = statement else { return false };
-    let mut in_condition = false;
-    condition.variables(&mut |var| in_condition |= var == Var::Local(local));
-    let mentions = |branch: &[Statement]| branch.iter().any(|inner| inner.mentions(Var::Local(local)));
-    !in_condition && mentions(then) != mentions(otherwise)
+    let reads = |expr: &Expr| {
+        let mut found = false;
+        expr.variables(&mut |var| found |= var == Var::Local(local));
+        found
+    };
+    let mentioned = |branch: &[Statement]| branch.iter().any(|inner| inner.mentions(Var::Local(local)));
+    !reads(condition) && mentioned(then) != mentioned(otherwise)
 }

@@ -1,0 +1,157 @@
+//! Each pass on a program that is small enough to be read; the random programs find what these do not think of.
+
+use generator::interp::Machine;
+use generator::pass::{coalesce, identity, prune, typing, verify};
+use generator::program::{Constant, Expr, Local, Origin, Program, Statement, Type, Var, Variable};
+use portable::{Binary, Literal, RealKind};
+
+fn variable(path: &str, ty: Type, start: Literal) -> Variable {
+    Variable { path: path.to_owned(), doc: "", ty, start }
+}
+
+/// One real input, one real output, one real part of the state, as many locals as asked for.
+fn program(locals: usize, step: Vec<Statement>) -> Program {
+    Program {
+        block: "small",
+        real: RealKind::F64,
+        inputs: vec![variable("x", Type::Real, Literal::F64(0.0)), variable("on", Type::Bool, Literal::Bool(false))],
+        outputs: vec![variable("y", Type::Real, Literal::F64(0.0))],
+        state: vec![variable("s", Type::Real, Literal::F64(0.0))],
+        constants: vec![constant("a", 2.0), constant("one", 1.0), constant("minus_one", -1.0)],
+        locals: (0..locals).map(|index| Local { path: format!("l{index}"), ty: None }).collect(),
+        init: Vec::new(),
+        step,
+    }
+}
+
+fn constant(path: &str, value: f64) -> Constant {
+    Constant { path: path.to_owned(), doc: "", value: Literal::F64(value), origin: Origin::Function }
+}
+
+const X: Expr = Expr::Var(Var::Input(0));
+const ON: Expr = Expr::Var(Var::Input(1));
+const Y: Var = Var::Output(0);
+const S: Var = Var::State(0);
+
+fn local(index: usize) -> Expr {
+    Expr::Var(Var::Local(index))
+}
+
+fn real(value: f64) -> Expr {
+    Expr::Literal(Literal::F64(value))
+}
+
+fn binary(operator: Binary, left: Expr, right: Expr) -> Expr {
+    Expr::Binary(operator, Box::new(left), Box::new(right))
+}
+
+fn assign(target: Var, value: Expr) -> Statement {
+    Statement::Assign { target, value }
+}
+
+fn choose(then: Vec<Statement>, otherwise: Vec<Statement>) -> Statement {
+    Statement::If { condition: ON, then, otherwise }
+}
+
+fn message(result: Result<Program, generator::pass::Defect>) -> String {
+    result.expect_err("the program has a defect").to_string()
+}
+
+#[test]
+fn typing_fills_in_locals() {
+    let comparison = binary(Binary::Less, X, real(1.0));
+    let typed = typing::run(program(2, vec![assign(Var::Local(0), X), assign(Var::Local(1), comparison)])).unwrap();
+    assert_eq!(typed.locals.iter().map(|local| local.ty).collect::<Vec<_>>(), [Some(Type::Real), Some(Type::Bool)]);
+}
+
+#[test]
+fn typing_rejects_what_has_no_counterpart() {
+    let equal = binary(Binary::Equal, X, real(1.0));
+    assert!(message(typing::run(program(1, vec![assign(Var::Local(0), equal)]))).starts_with("typing: Equal of Real"));
+    let mixed = binary(Binary::Add, X, Expr::Literal(Literal::U32(1)));
+    assert!(message(typing::run(program(0, vec![assign(Y, mixed)]))).starts_with("typing: Real wanted, U32 found"));
+    let index = Expr::Literal(Literal::Usize(1));
+    assert!(message(typing::run(program(0, vec![assign(Y, index)]))).contains("is left at run time"));
+}
+
+#[test]
+fn identity_removes_exact_multiplications_only() {
+    let step = |value| identity::run(program(0, vec![assign(Y, value)])).unwrap().step;
+    let one = Expr::Var(Var::Constant(1));
+    let minus_one = Expr::Var(Var::Constant(2));
+    let negated = Expr::Unary(portable::Unary::Negate, Box::new(X));
+    assert_eq!(step(binary(Binary::Multiply, one.clone(), X)), [assign(Y, X)]);
+    assert_eq!(step(binary(Binary::Multiply, X, minus_one.clone())), [assign(Y, negated)]);
+    assert_eq!(step(binary(Binary::Multiply, minus_one, real(0.0))), [assign(Y, real(-0.0))]);
+    for kept in [
+        binary(Binary::Multiply, X, real(0.0)),
+        binary(Binary::Add, X, real(0.0)),
+        binary(Binary::Multiply, X, Expr::Var(Var::Constant(0))),
+        binary(Binary::Divide, one, X),
+    ] {
+        assert_eq!(step(kept.clone()), [assign(Y, kept)]);
+    }
+}
+
+#[test]
+fn coalescing_moves_a_copy_into_the_branches() {
+    let inner = choose(vec![assign(Var::Local(0), X)], vec![assign(Var::Local(0), real(1.0))]);
+    let before = program(2, vec![inner, assign(Var::Local(1), local(0)), assign(Y, local(1))]);
+    let after = coalesce::run(before).unwrap();
+    let inner = choose(vec![assign(Var::Local(1), X)], vec![assign(Var::Local(1), real(1.0))]);
+    assert_eq!(after.step, [inner, assign(Y, local(1))]);
+}
+
+#[test]
+fn coalescing_leaves_a_source_that_is_read_elsewhere() {
+    let copy = choose(vec![assign(Var::Local(1), local(0))], vec![assign(Var::Local(1), real(1.0))]);
+    let step = vec![assign(Var::Local(0), X), copy, assign(Y, binary(Binary::Add, local(0), local(1)))];
+    assert_eq!(coalesce::run(program(2, step.clone())).unwrap().step, step);
+}
+
+#[test]
+fn pruning_keeps_what_an_output_depends_on_in_a_later_cycle() {
+    let state = Expr::Var(S);
+    let step = vec![
+        assign(Var::Local(0), binary(Binary::Multiply, X, Expr::Var(Var::Constant(0)))),
+        assign(Var::Local(1), X),
+        assign(Y, state),
+        assign(S, local(0)),
+        choose(vec![Statement::Note("nothing".to_owned())], vec![assign(Var::Local(2), X)]),
+    ];
+    let after = prune::run(typing::run(program(3, step)).unwrap()).unwrap();
+    assert_eq!(after.step.len(), 3);
+    assert_eq!(after.locals.iter().map(|local| local.path.as_str()).collect::<Vec<_>>(), ["l0"]);
+    assert_eq!(after.constants.iter().map(|constant| constant.path.as_str()).collect::<Vec<_>>(), ["a"]);
+
+    let mut machine = Machine::start(&after);
+    let mut outputs = Vec::new();
+    let seen = [3.0, 5.0, 7.0].map(|x| {
+        machine.step(&[Literal::F64(x), Literal::Bool(false)], &mut outputs);
+        outputs[0]
+    });
+    assert_eq!(seen, [Literal::F64(0.0), Literal::F64(6.0), Literal::F64(10.0)]);
+}
+
+#[test]
+fn pruning_turns_a_branch_without_a_then() {
+    let step = vec![assign(Y, X), choose(Vec::new(), vec![assign(Y, real(1.0))])];
+    let after = prune::run(program(0, step)).unwrap();
+    let Statement::If { condition, then, otherwise } = &after.step[1] else { panic!("a branch is left") };
+    assert_eq!(*condition, Expr::Unary(portable::Unary::Not, Box::new(ON)));
+    assert_eq!((then.len(), otherwise.len()), (1, 0));
+}
+
+#[test]
+fn verifying_finds_broken_promises() {
+    let defect = |locals, step| message(typing::run(program(locals, step)).and_then(verify::run));
+    let twice = vec![assign(Var::Local(0), X), assign(Var::Local(0), X), assign(Y, local(0))];
+    assert_eq!(defect(1, twice), "verify: Local(0) is assigned twice on one way");
+    let one_way = vec![choose(vec![assign(Var::Local(0), X)], Vec::new()), assign(Y, local(0))];
+    assert_eq!(defect(1, one_way), "verify: `l0` is read where it may have no value");
+    let silent = vec![choose(vec![assign(Y, X)], Vec::new())];
+    assert_eq!(defect(0, silent), "verify: the output y is not written on every way");
+    let mut infinite = program(0, vec![assign(Y, X)]);
+    infinite.constants[0].value = Literal::F64(f64::INFINITY);
+    assert_eq!(message(verify::run(infinite)), "verify: the constant a is F64(inf)");
+}
