@@ -58,7 +58,7 @@ fn compare(operator: Binary, left: Literal, right: Literal) -> bool {
         (Literal::I32(a), Literal::I32(b)) => (Some(a == b), Some(a.cmp(&b))),
         (Literal::U32(a), Literal::U32(b)) => (Some(a == b), Some(a.cmp(&b))),
         (Literal::Usize(a), Literal::Usize(b)) => (Some(a == b), Some(a.cmp(&b))),
-        (Literal::Variant(a), Literal::Variant(b)) => (Some(a == b), None),
+        (Literal::Variant(a), Literal::Variant(b)) => (Some(a == b), Some(a.cmp(&b))),
         (Literal::Bool(a), Literal::Bool(b)) => (Some(a == b), None),
         _ => (None, None),
     };

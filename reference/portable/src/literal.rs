@@ -98,6 +98,10 @@ pub struct EnumDef {
 }
 
 /// A type that the generator can describe, take apart into scalars and put together again.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no type of portable Rust",
+    label = "put #[portable] on it, or use R, bool, i32, u32, or an array of these"
+)]
 pub trait Portable: Sized {
     /// The type as data.
     const TY: Ty;
@@ -116,8 +120,11 @@ pub trait Portable: Sized {
 #[doc(hidden)]
 pub fn scalar<T: Portable>(value: &T) -> Literal {
     let mut found = None;
-    value.visit(&mut |literal| found = Some(literal));
-    found.expect("a scalar has one literal")
+    value.visit(&mut |literal| {
+        assert!(found.is_none(), "a constant of portable Rust is a scalar");
+        found = Some(literal);
+    });
+    found.expect("a constant of portable Rust is a scalar")
 }
 
 macro_rules! scalar {

@@ -40,12 +40,12 @@ fn describe_statement(statement: &Stmt, scope: &mut Scope, rejections: &mut Reje
 }
 
 fn describe_let(local: &syn::Local, scope: &mut Scope, rejections: &mut Rejections) -> TokenStream {
-    let pattern = match &local.pat {
+    let (pattern, declared) = match &local.pat {
         Pat::Type(typed) => {
             ty::held(&typed.ty, rejections);
-            &*typed.pat
+            (&*typed.pat, ty::scalar(&typed.ty, scope.real.as_ref()))
         }
-        pattern => pattern,
+        pattern => (pattern, None),
     };
     let (mut value, mut kind) = (TokenStream::new(), Kind::Unknown);
     match &local.init {
@@ -54,7 +54,7 @@ fn describe_let(local: &syn::Local, scope: &mut Scope, rejections: &mut Rejectio
                 rejections.push(token, "`let ... else` has no counterpart; write `if`");
             }
             value = expr::initial(&init.expr, scope, rejections);
-            kind = kind::of(&init.expr, scope);
+            kind = declared.unwrap_or_else(|| kind::of(&init.expr, scope));
         }
         None => rejections.push(local, "a local has a value from the start; write `let name = value;`"),
     }

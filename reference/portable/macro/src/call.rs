@@ -24,7 +24,10 @@ pub fn describe(call: &syn::ExprCall, alone: bool, scope: &mut Scope, rejections
     let arguments: Vec<_> =
         call.args.iter().map(|argument| describe_argument(argument, &mut mutates, scope, rejections)).collect();
     if mutates && !alone {
-        rejections.push(call, "languages disagree about when this call changes its argument; write `let value = ...;` before, with the call alone");
+        rejections.push(
+            call,
+            "languages disagree about when this call changes its argument; write `let value = ...;` before it",
+        );
     }
     let real = scope.real.as_ref().map_or_else(|| quote!(R), |real| quote!(#real));
     quote! {

@@ -6,7 +6,7 @@
 use crate::kind::{self, Kind};
 use crate::reject::Rejections;
 use crate::scope::Scope;
-use crate::{branch, call, outside, place, real};
+use crate::{block, branch, call, outside, place, real};
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
@@ -58,7 +58,7 @@ pub fn operand(expression: &Expr, scope: &mut Scope, rejections: &mut Rejections
         Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_) | UnOp::Not(_)) => {
             describe_unary(unary, scope, rejections)
         }
-        Expr::Binary(binary) => {
+        Expr::Binary(binary) if !block::is_compound(&binary.op) => {
             let operator = operator(&binary.op, rejections);
             kind::check_binary(binary, scope, rejections);
             let (left, right) = (operand(&binary.left, scope, rejections), operand(&binary.right, scope, rejections));

@@ -21,7 +21,8 @@ pub fn describe_struct(item: &syn::ItemStruct, rejections: &mut Rejections) -> T
     }
     let name = &item.ident;
     if !rejections.is_empty() {
-        return undescribed(name, &item.generics);
+        let def = quote!(::portable::StructDef { name: stringify!(#name), fields: &[] });
+        return undescribed(name, &item.generics, &quote!(::portable::Ty::Struct { def: &#def }));
     }
     let (_, arguments, _) = item.generics.split_for_impl();
     let bounds = real.map(|real| quote!(<#real: ::portable::Real>));
@@ -68,7 +69,8 @@ pub fn describe_enum(item: &syn::ItemEnum, rejections: &mut Rejections) -> Token
     }
     let name = &item.ident;
     if !rejections.is_empty() {
-        return undescribed(name, &item.generics);
+        let def = quote!(::portable::EnumDef { name: stringify!(#name), variants: &[] });
+        return undescribed(name, &item.generics, &quote!(::portable::Ty::Enum { def: &#def }));
     }
     let variant: Vec<_> = item.variants.iter().map(|variant| &variant.ident).collect();
     let number: Vec<_> = (0u32..).take(variant.len()).collect();
@@ -97,7 +99,7 @@ pub fn describe_enum(item: &syn::ItemEnum, rejections: &mut Rejections) -> Token
 pub fn reject(item: &Item, rejections: &mut Rejections) {
     let message = match item {
         Item::Const(_) | Item::Static(_) => {
-            "a constant needs no description; remove #[portable], or write a function without parameters to give it a name in the emitted code"
+            "a constant needs no description; remove #[portable], or write a function without parameters"
         }
         Item::Impl(_) | Item::Trait(_) => "methods have no counterpart; write free functions, each with #[portable]",
         Item::Union(_) => "a union has no counterpart; write a struct",
@@ -125,13 +127,11 @@ fn check_variant(variant: &syn::Variant, rejections: &mut Rejections) {
 }
 
 /// Stands in for the description of a rejected type, so that its uses are not errors too.
-fn undescribed(name: &syn::Ident, generics: &syn::Generics) -> TokenStream {
+fn undescribed(name: &syn::Ident, generics: &syn::Generics, ty: &TokenStream) -> TokenStream {
     let (bounds, arguments, clause) = generics.split_for_impl();
     quote! {
         impl #bounds ::portable::Portable for #name #arguments #clause {
-            const TY: ::portable::Ty = ::portable::Ty::Struct {
-                def: &::portable::StructDef { name: stringify!(#name), fields: &[] },
-            };
+            const TY: ::portable::Ty = #ty;
 
             fn visit(&self, _: &mut dyn FnMut(::portable::Literal)) {}
 

@@ -51,3 +51,8 @@ pub fn portable(attribute: TokenStream, item: TokenStream) -> TokenStream {
     let errors = rejections.into_compile_errors();
     quote!(#original #description #errors).into()
 }
+
+/// The examples of the guide compile, or fail to, as it says.
+#[cfg(doctest)]
+#[doc = include_str!("../../../../docs/portable-rust.md")]
+struct Guide;

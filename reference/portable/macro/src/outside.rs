@@ -90,7 +90,7 @@ pub fn operator(operator: &BinOp) -> &'static str {
         BinOp::Shl(_) | BinOp::ShlAssign(_) | BinOp::Shr(_) | BinOp::ShrAssign(_) => {
             "a shift has no counterpart; write a product, or a constant"
         }
-        _ => "an assignment has no value; write it as a statement",
+        _ => "this operator has no counterpart; write + - * / or a comparison",
     }
 }
 
@@ -149,6 +149,7 @@ fn check_inside(expression: &Expr, scope: &mut Scope, rejections: &mut Rejection
         Expr::Return(end) => check_values(end.expr.as_deref(), scope, rejections),
         Expr::Break(end) => check_values(end.expr.as_deref(), scope, rejections),
         Expr::Assign(assign) => check_value(&assign.right, scope, rejections),
+        Expr::Binary(assign) => check_value(&assign.right, scope, rejections),
         _ => {}
     }
 }

@@ -40,7 +40,7 @@ pub fn describe_call(
             return TokenStream::new();
         }
         _ => {
-            rejections.push(function, "the real type offers constants; write `R::lit(0.5)` or `R::per_kind(1.0, 2.0)`, and operators for values");
+            rejections.push(function, "the real type offers constants; write `R::lit(0.5)`, and operators for values");
             return TokenStream::new();
         }
     }

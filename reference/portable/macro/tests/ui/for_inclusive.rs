@@ -1,3 +1,5 @@
+#![allow(unused)]
+
 use portable::{Real, portable};
 
 #[portable]

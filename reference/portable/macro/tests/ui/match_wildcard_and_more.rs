@@ -1,3 +1,5 @@
+#![allow(unreachable_patterns)]
+
 use portable::portable;
 
 #[portable]

@@ -2,9 +2,7 @@ use portable::portable;
 
 #[portable]
 struct State<'a> {
-    count: Count<'a>,
+    count: &'a u32,
 }
-
-type Count<'a> = u32;
 
 fn main() {}

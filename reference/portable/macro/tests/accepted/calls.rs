@@ -1,0 +1,116 @@
+//! Calls: where they stand, what is passed, and whose function is meant.
+
+use crate::text;
+use portable::{Real, from_u32, portable, usable, within};
+
+#[portable]
+struct Section<R> {
+    s1: R,
+    count: u32,
+}
+
+#[portable]
+struct State<R> {
+    section: [Section<R>; 2],
+}
+
+#[expect(unused_qualifications, reason = "these paths are the test")]
+mod inner {
+    use portable::{Real, portable};
+
+    pub const LEN: usize = 2;
+
+    /// Not the one outside.
+    #[portable]
+    pub fn weight<R: Real>() -> R {
+        R::lit(0.25)
+    }
+
+    #[portable]
+    pub fn both<R: Real>(x: R) -> R {
+        let mut w = [x; self::LEN];
+        w[super::FIRST] = super::weight();
+        w[0] + self::weight::<R>() + w[1]
+    }
+}
+
+const FIRST: usize = 0;
+
+#[portable]
+fn weight<R: Real>() -> R {
+    R::lit(0.75)
+}
+
+#[portable]
+fn next<R: Real>(section: &mut Section<R>, x: R) -> R {
+    let y = section.s1;
+    section.s1 = x;
+    y
+}
+
+#[portable]
+fn sum<R: Real>(x: &[R; 2]) -> R {
+    x[0] + x[1]
+}
+
+#[portable]
+fn look<R: Real>(state: &State<R>) -> R {
+    state.section[0].s1
+}
+
+#[portable]
+fn step<R: Real>(state: &mut State<R>, x: R) -> R {
+    let mut y = next(&mut state.section[0], x + weight());
+    y = next::<R>(&mut state.section[1], y * R::lit(0.5));
+    state.section[0].s1 = next(&mut state.section[1], -y);
+    let t = [x, y];
+    let s1 = look(state);
+    let z = sum(&t) + inner::both(s1) * sum(&t);
+    next(&mut state.section[0], z)
+}
+
+#[portable]
+fn intrinsics<R: Real>(state: &State<R>, x: R) -> bool {
+    let share = from_u32::<R>(state.section[0].count) * x;
+    usable(x, portable_limit()) && within(share, R::ONE)
+}
+
+#[portable]
+fn portable_limit<R: Real>() -> R {
+    R::per_kind(1e15, 1e9)
+}
+
+#[test]
+fn a_call_that_changes_something_stands_alone() {
+    let expected = "step(state: &mut State, x: f64) -> f64 { \
+                    let y = next(&state.section[0], (x + weight())); \
+                    y = next(&state.section[1], (y * 0.5f64)); \
+                    state.section[0].s1 = next(&state.section[1], -y); \
+                    let t = [x, y]; \
+                    let s1 = look(&state); \
+                    let z = (sum(&t) + (both(s1) * sum(&t))); \
+                    next(&state.section[0], z) }";
+    assert_eq!(text::function(&step::Ir::<f64>::IR), expected);
+}
+
+#[test]
+fn intrinsics_are_calls() {
+    let expected = "intrinsics(state: &State, x: f32) -> bool { \
+                    let share = (from_u32(state.section[0].count) * x); \
+                    (usable(x, portable_limit()) && within(share, 1.0f32)) }";
+    assert_eq!(text::function(&intrinsics::Ir::<f32>::IR), expected);
+    assert_eq!(text::function(&portable_limit::Ir::<f32>::IR), "portable_limit() -> f32 { 1000000000.0f32 }");
+}
+
+#[test]
+fn paths_mean_what_they_mean_in_the_rust() {
+    let ir = inner::both::Ir::<f64>::IR;
+    let expected = "both(x: f64) -> f64 { let w = [x; 2]; w[0] = weight(); ((w[0] + weight()) + w[1]) }";
+    assert_eq!(text::function(&ir), expected);
+    let portable::Statement::Assign { value: portable::Expr::Call { function, .. }, .. } = &ir.body.block.statements[1]
+    else {
+        panic!("an assignment of a call expected");
+    };
+    assert_eq!(function.module, "accepted::calls::weight");
+    assert!((inner::both(1.0) - 2.0_f64).abs() < 1e-15);
+}

@@ -1,0 +1,88 @@
+//! Locals, assignments, loops, and `if` and `match` without a value.
+
+use crate::text;
+use portable::{Real, portable};
+
+const ON: i32 = 1;
+
+#[portable]
+#[derive(Clone, Copy, PartialEq)]
+enum Mode {
+    Off,
+    On,
+}
+
+#[portable]
+struct State<R> {
+    x: [R; 4],
+    count: u32,
+    mode: Mode,
+}
+
+#[portable]
+fn next<R: Real>(state: &mut State<R>) -> R {
+    state.count += 1u32;
+    state.x[0]
+}
+
+#[portable]
+fn loops<R: Real>(state: &mut State<R>, last: usize) {
+    for i in 0..4 {
+        state.x[i] = R::ZERO;
+    }
+    for i in 1..last {
+        for k in i + 1..4usize {
+            state.x[k] = state.x[i];
+        }
+    }
+}
+
+#[portable]
+fn branches<R: Real>(state: &mut State<R>, n: i32) {
+    if state.count > 3u32 {
+        let y: R = next(state);
+        state.x[1] = y;
+    } else if n > 0i32 {
+        next(state);
+    }
+    match state.mode {
+        Mode::Off => {}
+        Mode::On => state.count -= 1u32,
+    }
+    match n {
+        ON => next_again(state),
+        2i32 => {
+            // A name may come again where the first one is out of sight.
+            let y = next(state);
+            state.x[2] = y;
+        }
+        _ => state.x[3] = R::ONE,
+    }
+    if n == 0i32 { state.count = 0u32 } else { next_again(state) }
+}
+
+#[portable]
+fn next_again<R: Real>(state: &mut State<R>) {
+    next(state);
+}
+
+#[test]
+fn loops_count_over_indices() {
+    let expected = "loops(state: &mut State, last: usize) { \
+                    for i in 0..4 { state.x[i] = 0.0f64; } \
+                    for i in 1..last { for k in (i + 1)..4 { state.x[k] = state.x[i]; } } }";
+    assert_eq!(text::function(&loops::Ir::<f64>::IR), expected);
+}
+
+#[test]
+fn branches_need_no_value() {
+    let expected = "branches(state: &mut State, n: i32) { \
+                    if (state.count > 3u32) { let y = next(&state); state.x[1] = y; } \
+                    else { if (n > 0i32) { next(&state); } else {}; }; \
+                    match state.mode { variant 0 => {}, variant 1 => { state.count = (state.count - 1u32); } }; \
+                    match n { 1i32 => { next_again(&state); }, \
+                    2i32 => { let y = next(&state); state.x[2] = y; }, \
+                    _ => { state.x[3] = 1.0f64; } }; \
+                    if (n == 0i32) { state.count = 0u32; } else { next_again(&state); }; }";
+    assert_eq!(text::function(&branches::Ir::<f64>::IR), expected);
+}
