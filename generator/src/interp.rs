@@ -75,13 +75,13 @@ impl<'p> Machine<'p> {
             Expr::Binary(operator, left, right) => binary(*operator, self.value(left), self.value(right)),
             Expr::Intrinsic(intrinsic, operands) => match (intrinsic, operands.as_slice()) {
                 (Intrinsic::Usable | Intrinsic::Within, [x, limit]) => within(self.value(x), self.value(limit)),
-                (Intrinsic::FromU32, [value]) => self.from_u32(self.value(value)),
+                (Intrinsic::FromU32, [value]) => self.real_of(self.value(value)),
                 _ => panic!("interp: {intrinsic:?} with {} operands", operands.len()),
             },
         }
     }
 
-    fn from_u32(&self, value: Literal) -> Literal {
+    fn real_of(&self, value: Literal) -> Literal {
         let Literal::U32(value) = value else { panic!("interp: {value:?} is no UDINT") };
         match self.program.real {
             portable::RealKind::F64 => Literal::F64(portable::from_u32(value)),

@@ -13,9 +13,8 @@ pub fn notes(axis: &Axis) -> Vec<(String, String)> {
     let mut notes = vec![note("cycle_time_ns", of_cycle_time(axis)), note("enable", of_enable(ipc.enable))];
     for (i, stage) in ipc.stage.iter().enumerate() {
         let path = format!("stage[{i}]");
-        match stage {
-            Some(stage) => notes.extend(of_stage(&path, stage, axis.cycle_time())),
-            None => {}
+        if let Some(stage) = stage {
+            notes.extend(of_stage(&path, stage, axis.cycle_time()));
         }
     }
     notes.push(note("limit", of_limit(axis)));

@@ -54,7 +54,7 @@ fn band_pass_of_order_1() {
 fn sections_of_higher_orders() {
     let band = band(53.0, 10.0, TS);
     let first = [0.168060374918548, 0.101881858197184, 1.0];
-    let (k, c) = (0.0508913978394623, 2.0019465474022169);
+    let (k, c) = (0.0508913978394623, 2.001946547402217);
     sections(Prototype::Butterworth, &band, &[first, [0.160807367408649, k, c], [0.175640519914661, k, c]]);
     let (k, c) = (0.112174146222307, 1.1553083301297592);
     sections(Prototype::Bessel, &band, &[[0.162695274588519, k, c], [0.173602396807142, k, c]]);
