@@ -2,7 +2,6 @@
 
 use super::Defect;
 use crate::program::{Expr, Program, Statement, Var, rename};
-use std::collections::BTreeSet;
 
 /// Runs the pass.
 ///
@@ -15,28 +14,65 @@ pub fn run(mut program: Program) -> Result<Program, Defect> {
     number_afresh(program)
 }
 
+/// A set of variables of one program.
+struct Marks {
+    marked: [Vec<bool>; 5],
+    count: usize,
+}
+
+impl Marks {
+    /// The empty set.
+    fn of(program: &Program) -> Self {
+        let Program { inputs, outputs, state, constants, locals, .. } = program;
+        let lengths = [inputs.len(), outputs.len(), state.len(), constants.len(), locals.len()];
+        Self { marked: lengths.map(|length| vec![false; length]), count: 0 }
+    }
+
+    fn mark(&mut self, var: Var) {
+        let (space, index) = Self::place(var);
+        self.count += usize::from(!self.marked[space][index]);
+        self.marked[space][index] = true;
+    }
+
+    fn has(&self, var: Var) -> bool {
+        let (space, index) = Self::place(var);
+        self.marked[space][index]
+    }
+
+    fn place(var: Var) -> (usize, usize) {
+        match var {
+            Var::Input(index) => (0, index),
+            Var::Output(index) => (1, index),
+            Var::State(index) => (2, index),
+            Var::Constant(index) => (3, index),
+            Var::Local(index) => (4, index),
+        }
+    }
+}
+
 /// The variables that an output depends on, in this cycle or a later one.
-fn live_variables(program: &Program) -> BTreeSet<Var> {
-    let mut live: BTreeSet<Var> = (0..program.outputs.len()).map(Var::Output).collect();
+fn live_variables(program: &Program) -> Marks {
+    let mut live = Marks::of(program);
+    (0..program.outputs.len()).for_each(|output| live.mark(Var::Output(output)));
     loop {
-        let known = live.len();
+        let known = live.count;
         for statement in program.step.iter().chain(&program.init).rev() {
             mark(statement, &mut live);
         }
-        if live.len() == known {
+        if live.count == known {
             return live;
         }
     }
 }
 
 /// Marks what the live part of a statement reads; tells whether there is such a part.
-fn mark(statement: &Statement, live: &mut BTreeSet<Var>) -> bool {
+fn mark(statement: &Statement, live: &mut Marks) -> bool {
     match statement {
         Statement::Note(_) => false,
         Statement::Assign { target, value } => {
-            let alive = live.contains(target);
+            let alive = live.has(*target);
             if alive {
-                live.extend(reads(value));
+                value.variables(&mut |var| live.mark(var));
             }
             alive
         }
@@ -46,25 +82,18 @@ fn mark(statement: &Statement, live: &mut BTreeSet<Var>) -> bool {
                 alive |= mark(inner, live);
             }
             if alive {
-                live.extend(reads(condition));
+                condition.variables(&mut |var| live.mark(var));
             }
             alive
         }
     }
 }
 
-/// The variables that an expression reads.
-fn reads(expr: &Expr) -> Vec<Var> {
-    let mut found = Vec::new();
-    expr.variables(&mut |var| found.push(var));
-    found
-}
-
-fn keep(statements: Vec<Statement>, live: &BTreeSet<Var>) -> Vec<Statement> {
+fn keep(statements: Vec<Statement>, live: &Marks) -> Vec<Statement> {
     statements
         .into_iter()
         .filter_map(|statement| match statement {
-            Statement::Assign { target, .. } if !live.contains(&target) => None,
+            Statement::Assign { target, .. } if !live.has(target) => None,
             Statement::If { condition, then, otherwise } => {
                 let (then, otherwise) = (keep(then, live), keep(otherwise, live));
                 let only_notes = |list: &[Statement]| list.iter().all(|inner| matches!(inner, Statement::Note(_)));
@@ -85,14 +114,14 @@ fn keep(statements: Vec<Statement>, live: &BTreeSet<Var>) -> Vec<Statement> {
 
 /// Drops the variables that nothing mentions any more and numbers the others afresh; constants in their declared order.
 fn number_afresh(mut program: Program) -> Result<Program, Defect> {
-    let mut mentioned = BTreeSet::new();
+    let mut mentioned = Marks::of(&program);
     for statement in program.init.iter().chain(&program.step) {
-        statement.targets(&mut |var| mentioned.extend([var]));
-        statement.expressions(&mut |expr| mentioned.extend(reads(expr)));
+        statement.targets(&mut |var| mentioned.mark(var));
+        statement.expressions(&mut |expr| expr.variables(&mut |var| mentioned.mark(var)));
     }
-    let state = order(program.state.len(), |index| mentioned.contains(&Var::State(index)));
-    let locals = order(program.locals.len(), |index| mentioned.contains(&Var::Local(index)));
-    let mut constants = order(program.constants.len(), |index| mentioned.contains(&Var::Constant(index)));
+    let state = order(program.state.len(), |index| mentioned.has(Var::State(index)));
+    let locals = order(program.locals.len(), |index| mentioned.has(Var::Local(index)));
+    let mut constants = order(program.constants.len(), |index| mentioned.has(Var::Constant(index)));
     constants.sort_by_key(|index| program.constants[*index].origin);
     let (new_state, new_locals, new_constants) = (inverse(&state), inverse(&locals), inverse(&constants));
     let renamed = |var: Var| match var {

@@ -3,7 +3,7 @@
 use super::node::Node;
 use super::{Frame, Specialiser};
 use crate::program::{Expr, Statement};
-use portable::{Argument, Fn, Mode};
+use portable::{Argument, Fn, Literal, Mode};
 use std::rc::Rc;
 
 impl Specialiser<'_> {
@@ -41,8 +41,12 @@ impl Specialiser<'_> {
         let value = self.block(&function.body.block);
         self.frames.pop();
         match value {
-            // A function without parameters is a named number.
-            Some(Expr::Literal(literal)) if function.params.is_empty() => Some(self.named(function, literal)),
+            // A function without parameters is a named number; a bool, an index or a variant decides, and needs no name.
+            Some(Expr::Literal(literal @ (Literal::F64(_) | Literal::F32(_) | Literal::I32(_) | Literal::U32(_))))
+                if function.params.is_empty() =>
+            {
+                Some(self.named(function, literal))
+            }
             value => value,
         }
     }

@@ -1,5 +1,7 @@
 //! Text for comments: broken into lines, and harmless in every language. No language's own marks.
 
+use std::borrow::Cow;
+
 /// Breaks a text at blanks into lines of at most `width` characters, where a word allows it.
 #[must_use]
 pub fn lines(text: &str, width: usize) -> Vec<String> {
@@ -18,8 +20,12 @@ pub fn lines(text: &str, width: usize) -> Vec<String> {
 
 /// Keeps a text from ending the comment that it stands in: `*/` and `*)` are taken apart.
 #[must_use]
-pub fn harmless(text: &str) -> String {
-    text.replace("*/", "* /").replace("*)", "* )").replace("/*", "/ *").replace("(*", "( *")
+pub fn harmless(text: &str) -> Cow<'_, str> {
+    if !text.contains('*') {
+        return Cow::Borrowed(text);
+    }
+    let apart = text.replace("*/", "* /").replace("*)", "* )").replace("/*", "/ *").replace("(*", "( *");
+    Cow::Owned(apart)
 }
 
 #[cfg(test)]

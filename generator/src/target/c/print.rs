@@ -1,10 +1,9 @@
-//! Statements and expressions as C text, one to one: no operation is added, removed or moved.
+//! Statements as C text, one to one: no operation is added, removed or moved. Expressions are printed in `expression`.
 
 use super::names::{Names, identifier, is_reserved};
 use super::{scope, types};
 use crate::program::{Expr, Program, Statement, Var, Variable};
 use crate::target::comment;
-use portable::{Binary, Intrinsic, Literal, RealKind, Unary};
 use std::fmt::Write;
 
 /// Characters in a line of code, where it can be broken.
@@ -21,19 +20,6 @@ pub struct Printer<'p> {
     state: Vec<String>,
     locals: Vec<String>,
     constants: Vec<String>,
-}
-
-/// How tightly an operator binds, loosest first.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Precedence {
-    Or,
-    And,
-    Equality,
-    Relation,
-    Sum,
-    Product,
-    Unary,
-    Primary,
 }
 
 impl<'p> Printer<'p> {
@@ -55,6 +41,11 @@ impl<'p> Printer<'p> {
         }
     }
 
+    /// What is printed.
+    pub(super) fn program(&self) -> &Program {
+        self.program
+    }
+
     /// The names of the constants, in their order.
     pub fn constants(&self) -> &[String] {
         &self.constants
@@ -73,7 +64,7 @@ impl<'p> Printer<'p> {
                 && locals.contains(local)
             {
                 let (ty, name) = (self.local_type(*local), &self.locals[*local]);
-                assignment(text, level, &format!("const {ty} {name} ="), &self.expr(value));
+                self.assignment(["const ", ty, " ", name], value, level, text);
                 continue;
             }
             for local in locals {
@@ -91,15 +82,15 @@ impl<'p> Printer<'p> {
                 line(text, level, format_args!("/* {} */", lines.join(&format!("\n{indent} * "))));
             }
             Statement::Assign { target, value } => {
-                assignment(text, level, &format!("{} =", self.var(*target)), &self.expr(value));
+                self.assignment(["", "", "", self.var(*target)], value, level, text);
             }
             Statement::If { condition, then, otherwise } => {
-                line(text, level, format_args!("if ({}) {{", self.expr(condition)));
+                self.question("if (", condition, level, text);
                 self.list(then, declared, level + 1, text);
                 let mut rest = otherwise;
                 // A chain of questions reads as one.
                 while let [Statement::If { condition, then, otherwise }] = rest.as_slice() {
-                    line(text, level, format_args!("}} else if ({}) {{", self.expr(condition)));
+                    self.question("} else if (", condition, level, text);
                     self.list(then, declared, level + 1, text);
                     rest = otherwise;
                 }
@@ -112,124 +103,42 @@ impl<'p> Printer<'p> {
         }
     }
 
+    /// An assignment, on two lines where one would be too long.
+    fn assignment(&self, target: [&str; 4], value: &Expr, level: usize, text: &mut String) {
+        let start = text.len();
+        indent(level, text);
+        text.extend(target);
+        text.push_str(" =");
+        let end_of_target = text.len();
+        text.push(' ');
+        self.expr(value, text);
+        text.push_str(";\n");
+        if text.len() - start > LINE_WIDTH {
+            let mut next_line = "\n".to_owned();
+            indent(level + 1, &mut next_line);
+            text.replace_range(end_of_target..=end_of_target, &next_line);
+        }
+    }
+
+    fn question(&self, words: &str, condition: &Expr, level: usize, text: &mut String) {
+        indent(level, text);
+        text.push_str(words);
+        self.expr(condition, text);
+        text.push_str(") {\n");
+    }
+
     fn local_type(&self, local: usize) -> &'static str {
         let ty = self.program.locals[local].ty.expect("c: the typing pass has typed every local");
         types::name(ty, self.program.real)
     }
 
-    fn var(&self, var: Var) -> &str {
+    pub(super) fn var(&self, var: Var) -> &str {
         match var {
             Var::Input(index) => &self.inputs[index],
             Var::Output(index) => &self.outputs[index],
             Var::State(index) => &self.state[index],
             Var::Constant(index) => &self.constants[index],
             Var::Local(index) => &self.locals[index],
-        }
-    }
-
-    /// An expression as text.
-    pub fn expr(&self, expr: &Expr) -> String {
-        self.bound(expr, Precedence::Or)
-    }
-
-    /// An expression as text that binds at least as tightly as asked.
-    fn bound(&self, expr: &Expr, least: Precedence) -> String {
-        let (text, precedence) = self.print(expr);
-        if precedence < least { format!("({text})") } else { text }
-    }
-
-    fn print(&self, expr: &Expr) -> (String, Precedence) {
-        match expr {
-            Expr::Literal(literal) => {
-                let text = types::literal(*literal);
-                let precedence = if text.starts_with('-') { Precedence::Unary } else { Precedence::Primary };
-                (text, precedence)
-            }
-            Expr::Var(var) => (self.var(*var).to_owned(), Precedence::Primary),
-            Expr::Unary(operator, operand) => self.unary(*operator, operand),
-            Expr::Binary(operator, left, right) => self.binary(*operator, left, right),
-            Expr::Intrinsic(intrinsic, operands) => self.intrinsic(*intrinsic, operands),
-        }
-    }
-
-    fn unary(&self, operator: Unary, operand: &Expr) -> (String, Precedence) {
-        // `Primary`: no `--x`, and the reader sees what the sign belongs to.
-        let inner = self.bound(operand, Precedence::Primary);
-        match operator {
-            Unary::Not => (format!("!{inner}"), Precedence::Unary),
-            Unary::Negate if self.is_i32(operand) => (format!("(int32_t)(0u - (uint32_t){inner})"), Precedence::Unary),
-            Unary::Negate => (format!("-{inner}"), Precedence::Unary),
-        }
-    }
-
-    fn binary(&self, operator: Binary, left: &Expr, right: &Expr) -> (String, Precedence) {
-        let (symbol, precedence, least) = match operator {
-            Binary::Add => ("+", Precedence::Sum, Precedence::Sum),
-            Binary::Subtract => ("-", Precedence::Sum, Precedence::Sum),
-            Binary::Multiply => ("*", Precedence::Product, Precedence::Product),
-            Binary::Divide => ("/", Precedence::Product, Precedence::Product),
-            // Comparisons of comparisons and `&&` beside `||` are legal and misread: they get parentheses.
-            Binary::Less => ("<", Precedence::Relation, Precedence::Sum),
-            Binary::LessEqual => ("<=", Precedence::Relation, Precedence::Sum),
-            Binary::Greater => (">", Precedence::Relation, Precedence::Sum),
-            Binary::GreaterEqual => (">=", Precedence::Relation, Precedence::Sum),
-            Binary::Equal => ("==", Precedence::Equality, Precedence::Sum),
-            Binary::NotEqual => ("!=", Precedence::Equality, Precedence::Sum),
-            Binary::And => ("&&", Precedence::And, Precedence::And),
-            Binary::Or => return (self.any_of(left, right), Precedence::Or),
-        };
-        if precedence >= Precedence::Sum && self.is_i32(left) {
-            // A signed overflow has no meaning in C: wrap around as unsigned numbers do.
-            let (left, right) = (self.bound(left, Precedence::Primary), self.bound(right, Precedence::Primary));
-            return (format!("(int32_t)((uint32_t){left} {symbol} (uint32_t){right})"), Precedence::Unary);
-        }
-        let tighter = match least {
-            Precedence::Sum if precedence == Precedence::Sum => Precedence::Product,
-            Precedence::Product => Precedence::Primary,
-            other => other,
-        };
-        let right_text = match right {
-            Expr::Literal(_) => self.bound(right, Precedence::Primary),
-            _ => self.bound(right, tighter),
-        };
-        (format!("{} {symbol} {right_text}", self.bound(left, least)), precedence)
-    }
-
-    fn any_of(&self, left: &Expr, right: &Expr) -> String {
-        let side = |expr: &Expr| {
-            let (text, precedence) = self.print(expr);
-            if precedence == Precedence::And { format!("({text})") } else { text }
-        };
-        let right_text =
-            if matches!(right, Expr::Binary(Binary::Or, ..)) { format!("({})", self.expr(right)) } else { side(right) };
-        format!("{} || {right_text}", side(left))
-    }
-
-    fn intrinsic(&self, intrinsic: Intrinsic, operands: &[Expr]) -> (String, Precedence) {
-        match (intrinsic, operands) {
-            (Intrinsic::Usable | Intrinsic::Within, [x, limit]) => {
-                let (x, limit) = (self.expr(x), self.bound(limit, Precedence::Sum));
-                (format!("magnitude({x}) <= {limit}"), Precedence::Relation)
-            }
-            (Intrinsic::FromU32, [value]) => {
-                let ty = match self.program.real {
-                    RealKind::F64 => "double",
-                    RealKind::F32 => "float",
-                };
-                (format!("({ty}){}", self.bound(value, Precedence::Primary)), Precedence::Unary)
-            }
-            _ => panic!("c: {intrinsic:?} with {} operands", operands.len()),
-        }
-    }
-
-    fn is_i32(&self, expr: &Expr) -> bool {
-        match expr {
-            Expr::Literal(literal) => matches!(literal, Literal::I32(_)),
-            Expr::Unary(_, operand) => self.is_i32(operand),
-            Expr::Binary(operator, left, _) => {
-                matches!(operator, Binary::Add | Binary::Subtract | Binary::Multiply) && self.is_i32(left)
-            }
-            other => crate::pass::typing::type_of(other, self.program) == Ok(crate::program::Type::I32),
         }
     }
 }
@@ -242,20 +151,14 @@ pub fn member(path: &str) -> String {
     }
 }
 
-/// An assignment, on two lines where one would be too long.
-fn assignment(text: &mut String, level: usize, target: &str, value: &str) {
-    if 4 * level + target.len() + value.len() < LINE_WIDTH {
-        line(text, level, format_args!("{target} {value};"));
-    } else {
-        line(text, level, format_args!("{target}"));
-        line(text, level + 1, format_args!("{value};"));
-    }
+fn line(text: &mut String, level: usize, content: std::fmt::Arguments<'_>) {
+    indent(level, text);
+    text.write_fmt(content).expect("c: a string takes all text");
+    text.push('\n');
 }
 
-fn line(text: &mut String, level: usize, content: std::fmt::Arguments<'_>) {
+fn indent(level: usize, text: &mut String) {
     for _ in 0..level {
         text.push_str("    ");
     }
-    text.write_fmt(content).expect("c: a string takes all text");
-    text.push('\n');
 }
