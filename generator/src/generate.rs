@@ -7,13 +7,16 @@ use crate::pass::Defect;
 use crate::target::{File, Target};
 use rayon::prelude::*;
 
-/// The files of all axes for some targets, in the order of the axes. Axes do not know each other: they are made side by side.
+/// Makes the files of all axes for some targets and hands each to `take`; gives its answers, in the order of the axes.
+///
+/// Axes do not know each other: they are made side by side, and no file is kept longer than `take` needs it.
 ///
 /// # Errors
 /// A defect of a block or of a pass.
-pub fn files(set: &Set, targets: &[Target]) -> Result<Vec<File>, Defect> {
-    let per_axis: Result<Vec<_>, Defect> = set.axes.par_iter().map(|axis| axis_files(axis, targets)).collect();
-    Ok(per_axis?.into_iter().flatten().collect())
+pub fn files<T: Send>(set: &Set, targets: &[Target], take: impl Fn(File) -> T + Sync) -> Result<Vec<T>, Defect> {
+    let taken: Result<Vec<Vec<T>>, Defect> =
+        set.axes.par_iter().map(|axis| Ok(axis_files(axis, targets)?.into_iter().map(&take).collect())).collect();
+    Ok(taken?.into_iter().flatten().collect())
 }
 
 /// Design, specialise and the passes once; then each target prints.

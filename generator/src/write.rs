@@ -2,7 +2,6 @@
 
 use crate::digest::digest;
 use crate::target::File;
-use rayon::prelude::*;
 use std::fmt;
 use std::fs;
 use std::io;
@@ -40,45 +39,75 @@ impl fmt::Display for Refusal {
     }
 }
 
-/// A file that has to be written.
-struct Change<'f> {
-    path: PathBuf,
-    text: &'f str,
-    /// whether an older one is there
-    replaces: bool,
-    /// whether that one was changed by hand
-    edited: bool,
+/// A file on its way into a folder.
+#[derive(Debug)]
+pub struct Staged {
+    /// where it goes
+    pub path: PathBuf,
+    /// what has to be done for that
+    kind: Kind,
 }
 
-/// Writes the files into the folder, which is made if need be. A file that is there already, to the byte, is left alone.
+/// What has to be done for a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    /// nothing: it is there, to the byte
+    Unchanged,
+    /// none is there
+    New,
+    /// an older one is there
+    Replaces,
+    /// an older one is there that was changed by hand
+    ReplacesEdited,
+}
+
+/// Writes a file beside its target in the folder, which is there; a file that is there already, to the byte, is left alone.
 ///
 /// # Errors
-/// A file that was edited by hand, unless `force` is set; or the folder does not take them. Either way the folder is as it
-/// was before.
-pub fn write(folder: &Path, files: &[File], force: bool) -> Result<Written, Refusal> {
-    let changes: Result<Vec<_>, Refusal> = files.par_iter().map(|file| change(folder, file)).collect();
-    let changes: Vec<Change<'_>> = changes?.into_iter().flatten().collect();
-    if !force && changes.iter().any(|change| change.edited) {
-        let edited = changes.into_iter().filter(|change| change.edited);
-        return Err(Refusal::Edited(edited.map(|change| change.path).collect()));
+/// The folder does not take it.
+pub fn stage(folder: &Path, file: &File) -> Result<Staged, Refusal> {
+    let path = folder.join(&file.name);
+    let kind = match fs::read(&path) {
+        Ok(old) if old == file.text.as_bytes() => Kind::Unchanged,
+        Ok(old) if edited_by_hand(&old) => Kind::ReplacesEdited,
+        Ok(_) => Kind::Replaces,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Kind::New,
+        Err(error) => return Err(Refusal::Failed(path, error)),
+    };
+    if kind != Kind::Unchanged
+        && let Err(error) = fs::write(staged(&path), &file.text)
+    {
+        remove(&staged(&path));
+        return Err(Refusal::Failed(path, error));
     }
-    fs::create_dir_all(folder).map_err(|error| Refusal::Failed(folder.to_owned(), error))?;
-    stage(&changes)?;
-    replace(&changes)?;
-    Ok(Written { changed: changes.len(), unchanged: files.len() - changes.len() })
+    Ok(Staged { path, kind })
 }
 
-/// What has to be done for a file; nothing, if it is there to the byte.
-fn change<'f>(folder: &Path, file: &'f File) -> Result<Option<Change<'f>>, Refusal> {
-    let (path, text) = (folder.join(&file.name), file.text.as_str());
-    match fs::read(&path) {
-        Ok(old) if old == text.as_bytes() => Ok(None),
-        Ok(old) => Ok(Some(Change { path, text, replaces: true, edited: edited_by_hand(&old) })),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => {
-            Ok(Some(Change { path, text, replaces: false, edited: false }))
+/// Renames all staged files to their targets, or none: not where one could not be staged, nor, unless `force` is set, where
+/// one would replace a file that was changed by hand.
+///
+/// # Errors
+/// Why nothing was written; the folder's files are as they were before.
+pub fn commit(results: Vec<Result<Staged, Refusal>>, force: bool) -> Result<Written, Refusal> {
+    let mut refusal = None;
+    let mut files = Vec::new();
+    for result in results {
+        match result {
+            Ok(file) => files.push(file),
+            Err(error) => refusal = refusal.or(Some(error)),
         }
-        Err(error) => Err(Refusal::Failed(path, error)),
     }
+    let edited = files.iter().filter(|file| file.kind == Kind::ReplacesEdited && !force);
+    let edited: Vec<PathBuf> = edited.map(|file| file.path.clone()).collect();
+    let refusal = refusal.or_else(|| (!edited.is_empty()).then_some(Refusal::Edited(edited)));
+    let all = files.len();
+    files.retain(|file| file.kind != Kind::Unchanged);
+    if let Some(refusal) = refusal {
+        files.iter().for_each(|file| remove(&staged(&file.path)));
+        return Err(refusal);
+    }
+    replace(&files)?;
+    Ok(Written { changed: files.len(), unchanged: all - files.len() })
 }
 
 /// Whether a generated file's body is no longer the one that its digest was made of.
@@ -108,49 +137,29 @@ fn beside(path: &Path, what: &str) -> PathBuf {
     path.with_file_name(name)
 }
 
-/// Writes every file beside its target; on a failure removes what it has written.
-fn stage(changes: &[Change<'_>]) -> Result<(), Refusal> {
-    let staged = changes.par_iter().try_for_each(|change| {
-        let written = fs::write(staged(&change.path), change.text);
-        written.map_err(|error| Refusal::Failed(change.path.clone(), error))
-    });
-    if staged.is_err() {
-        remove_staged(changes);
-    }
-    staged
-}
-
 /// Renames every staged file; on a failure puts back what was there.
-fn replace(changes: &[Change<'_>]) -> Result<(), Refusal> {
-    for (position, Change { path, replaces, .. }) in changes.iter().enumerate() {
-        let aside = if *replaces { fs::rename(path, kept(path)) } else { Ok(()) };
+fn replace(files: &[Staged]) -> Result<(), Refusal> {
+    for (position, Staged { path, kind }) in files.iter().enumerate() {
+        let aside = if *kind == Kind::New { Ok(()) } else { fs::rename(path, kept(path)) };
         if let Err(error) = aside.and_then(|()| fs::rename(staged(path), path)) {
-            for done in changes[..=position].iter().rev() {
-                put_back(done);
-            }
-            remove_staged(changes);
+            files[..=position].iter().rev().for_each(put_back);
+            files.iter().for_each(|file| remove(&staged(&file.path)));
             return Err(Refusal::Failed(path.clone(), error));
         }
     }
-    for change in changes.iter().filter(|change| change.replaces) {
-        remove(&kept(&change.path));
+    for file in files.iter().filter(|file| file.kind != Kind::New) {
+        remove(&kept(&file.path));
     }
     Ok(())
 }
 
 /// Undoes the renaming of one file, as far as it had come.
-fn put_back(change: &Change<'_>) {
-    let renamed = !staged(&change.path).exists();
-    if change.replaces {
-        let _ = fs::rename(kept(&change.path), &change.path); // fails where the old file never left its place
+fn put_back(file: &Staged) {
+    let renamed = !staged(&file.path).exists();
+    if file.kind != Kind::New {
+        let _ = fs::rename(kept(&file.path), &file.path); // fails where the old file never left its place
     } else if renamed {
-        remove(&change.path);
-    }
-}
-
-fn remove_staged(changes: &[Change<'_>]) {
-    for change in changes {
-        remove(&staged(&change.path));
+        remove(&file.path);
     }
 }
 

@@ -5,9 +5,11 @@ use crate::exit::Exit;
 use crate::input::{self, counted};
 use crate::summary;
 use generator::config::Set;
+use generator::generate;
 use generator::target::{self, TARGETS, Target};
-use generator::{generate, write};
-use std::path::Path;
+use generator::write::{self, Refusal, Written};
+use std::fs;
+use std::path::{Path, PathBuf};
 
 /// Axes that are described one by one; of more, only their number is said.
 const DESCRIBED_AXES: usize = 10;
@@ -26,13 +28,16 @@ pub fn run(
     }
     set.axes.retain(|axis| axes.is_empty() || axes.contains(&axis.name));
     let targets = chosen(targets, &set)?;
-    let files = generate::files(&set, &targets).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
-    let written = match write::write(out, &files, force) {
-        Ok(written) => written,
-        Err(refusal @ write::Refusal::Edited(_)) => return Err(Exit::input(refusal)),
-        Err(refusal @ write::Refusal::Failed(..)) => return Err(Exit::environment(refusal)),
-    };
-    say(&set, &files, written, out, warnings);
+    fs::create_dir_all(out)
+        .map_err(|error| Exit::environment(format!("{}: {error}; nothing was written", out.display())))?;
+    let staged = generate::files(&set, &targets, |file| write::stage(out, &file));
+    let staged = staged.unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
+    let paths: Vec<PathBuf> = staged.iter().flatten().map(|file| file.path.clone()).collect();
+    let written = write::commit(staged, force).map_err(|refusal| match refusal {
+        Refusal::Edited(_) => Exit::input(refusal),
+        Refusal::Failed(..) => Exit::environment(refusal),
+    })?;
+    say(&set, &paths, written, warnings);
     Ok(Exit::Done)
 }
 
@@ -53,13 +58,13 @@ fn chosen(named: &[String], set: &Set) -> Result<Vec<Target>, Exit> {
 }
 
 #[expect(clippy::print_stdout, reason = "what the command has done")]
-fn say(set: &Set, files: &[target::File], written: write::Written, out: &Path, warnings: usize) {
+fn say(set: &Set, paths: &[PathBuf], written: Written, warnings: usize) {
     if set.axes.len() <= DESCRIBED_AXES {
         for axis in &set.axes {
             print!("{}", summary::of(axis));
         }
-        for file in files {
-            println!("{}", out.join(&file.name).display());
+        for path in paths {
+            println!("{}", path.display());
         }
     }
     println!(
