@@ -22,6 +22,7 @@ pub mod parameters;
 pub mod pass;
 pub mod program;
 pub mod render;
+pub mod self_test;
 pub mod specialise;
 pub mod target;
 pub mod write;

@@ -112,30 +112,30 @@ pub struct ConstantText {
 pub struct CSelfTest<'a> {
     /// what all names of the block begin with
     pub prefix: &'a str,
-    /// the name of the function that shows the bits
-    pub bits_of: &'a str,
+    /// what the names of the functions beside it begin with
+    pub block: &'a str,
     /// C name of the real type
     pub real: &'a str,
     /// the unsigned integer of the same size
     pub bits_type: &'a str,
-    /// the output that is compared
-    pub output: &'a str,
-    /// its bits, sample by sample
+    /// its bits, less five
+    pub turn: u32,
+    /// the digest after each sample
     pub expected: &'a [String],
     /// the inputs that are set once
     pub switches: &'a [Switch],
     /// the inputs that get noise
     pub noisy: &'a [Noisy],
-    /// the name of the function that makes a real of bits
-    pub real_of: &'a str,
     /// the bits of a quiet NaN
     pub not_a_number: &'a str,
     /// 2^23
     pub middle: &'a str,
-    /// the factor of the noise
-    pub scale: &'a str,
-    /// the state after the last sample
-    pub state: &'a [Leaf],
+    /// the factors of the noise
+    pub scales: [String; 2],
+    /// the first sample with the second factor
+    pub loud_from: usize,
+    /// the bits of every output and every part of the state
+    pub watched: &'a [String],
 }
 
 /// An input that the self-test sets.
@@ -152,12 +152,4 @@ pub struct Noisy {
     pub name: String,
     /// the sample in which it is no number
     pub bad_sample: usize,
-}
-
-/// A part of the state after the self-test.
-pub struct Leaf {
-    /// the member
-    pub name: String,
-    /// its bits
-    pub bits: String,
 }

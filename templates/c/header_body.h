@@ -40,9 +40,9 @@ void {{ block.prefix }}_inputs_init({{ block.prefix }}_inputs *inputs);
 void {{ block.prefix }}_step({{ block.prefix }}_state *state, const {{ block.prefix }}_inputs *inputs,
     {{ block.prefix }}_outputs *outputs);
 
-/* Compares a short run with the bits of the reference: 0 if all are the same, else the number of the first sample that
- * differs ({{ block.samples }} samples, then the state). Run it once at start-up, on the machine and with the compiler options that the block
- * runs with: it finds a build that fuses or reorders floating-point operations. */
+/* Compares a run of {{ block.samples }} samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
+ * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
+ * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
 uint32_t {{ block.prefix }}_self_test(void);
 {%- endfor %}
 

@@ -1,1 +1,5 @@
 //! What the test files share.
+#![forbid(unsafe_code)]
+
+pub mod cases;
+pub mod environment;

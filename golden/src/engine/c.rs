@@ -1,6 +1,6 @@
 //! The engine `c`: the emitted files, compiled by a C compiler and run as a process.
 
-use super::Failure;
+use super::{Compiler, Failure};
 use crate::samples::{Samples, Shape};
 use generator::axis::Axis;
 use generator::block::Block;
@@ -8,82 +8,61 @@ use generator::program::Type;
 use generator::target::c::{files, names, types};
 use std::fmt::Write as _;
 use std::io::{Read, Write};
-use std::path::Path;
 use std::process::{Command, Stdio};
+use tempfile::TempDir;
 
-/// A C compiler with its options.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Compiler {
-    /// the command
-    pub command: String,
-    /// its options
-    pub options: Vec<String>,
+/// A block's emitted files in a folder of their own, with a program around them that every build shares.
+pub struct Harness {
+    folder: TempDir,
+    /// the emitted file to compile
+    source: String,
+    outputs: Shape,
 }
 
-impl Compiler {
-    /// The host's compiler, as a user would call it: `$CC` or `cc`, `-std=c99 -O2`.
-    #[must_use]
-    pub fn host() -> Self {
-        let command = std::env::var("CC").unwrap_or_else(|_| "cc".to_owned());
-        Self::new(&command, &["-O2"])
+impl Harness {
+    /// Writes the files and compiles the program around the block.
+    ///
+    /// # Errors
+    /// The compiler is not there, or there is no room.
+    pub fn of(axis: &Axis, block: &Block, compiler: &Compiler) -> Result<Self, Failure> {
+        let folder = new_folder()?;
+        let write = |name: &str, text: &str| {
+            let written = std::fs::write(folder.path().join(name), text);
+            written.map_err(|error| Failure::Environment(format!("{name}: {error}")))
+        };
+        let emitted = files(axis, std::slice::from_ref(block));
+        for file in &emitted {
+            write(&file.name, &file.text)?;
+        }
+        let stem = emitted.first().and_then(|file| file.name.strip_suffix(".h")).unwrap_or_default();
+        write("layout.h", &layout(stem, block))?;
+        write("harness.c", include_str!("harness.c"))?;
+        let harness = ["-std=c99", "-O2", "-DLAYOUT=\"layout.h\"", "-c", "harness.c", "-o", "harness.o"];
+        compiler.call(folder.path(), &harness, &[])?;
+        let outputs = Shape::of(&block.program.outputs, block.program.real);
+        Ok(Self { folder, source: format!("{stem}.c"), outputs })
     }
 
-    /// A compiler by name, with `-std=c99` and further options.
-    #[must_use]
-    pub fn new(command: &str, options: &[&str]) -> Self {
-        let options = ["-std=c99"].iter().chain(options).map(|option| (*option).to_owned()).collect();
-        Self { command: command.to_owned(), options }
+    /// Compiles the block, only it with the compiler's options, and runs it.
+    ///
+    /// # Errors
+    /// The compiler refuses, or the block does not pass its self-test.
+    pub fn run(&self, inputs: &Samples, compiler: &Compiler) -> Result<Samples, Failure> {
+        let build = new_folder()?;
+        let path = |name: &str| build.path().join(name).to_string_lossy().into_owned();
+        let (object, program) = (path("block.o"), path("block"));
+        compiler.call(self.folder.path(), &["-c", &self.source, "-o", &object], &compiler.options)?;
+        compiler.call(self.folder.path(), &["harness.o", &object, "-o", &program], &compiler.link)?;
+        let bytes = pipe(&program, &compiler.emulator, &inputs.bytes)?;
+        if bytes.len() != self.outputs.frame() * inputs.len() {
+            return Err(Failure::Broken(format!("{} bytes came out for {} samples", bytes.len(), inputs.len())));
+        }
+        Ok(Samples { shape: self.outputs.clone(), bytes })
     }
 }
 
-/// Runs a block.
-pub fn run(axis: &Axis, block: &Block, inputs: &Samples, compiler: &Compiler) -> Result<Samples, Failure> {
-    let folder = tempfile::tempdir().map_err(|error| Failure::Environment(format!("no temporary folder: {error}")))?;
-    compile(axis, block, compiler, folder.path())?;
-    let shape = Shape::of(&block.program.outputs, block.program.real);
-    let bytes = pipe(&folder.path().join("harness"), &inputs.bytes)?;
-    if bytes.len() != shape.frame() * inputs.len() {
-        return Err(Failure::Broken(format!("{} bytes came out for {} samples", bytes.len(), inputs.len())));
-    }
-    Ok(Samples { shape, bytes })
-}
-
-/// Writes the emitted files and the harness, and compiles them: the block with the options, the harness without.
-fn compile(axis: &Axis, block: &Block, compiler: &Compiler, folder: &Path) -> Result<(), Failure> {
-    let write = |name: &str, text: &str| {
-        std::fs::write(folder.join(name), text).map_err(|error| Failure::Environment(format!("{name}: {error}")))
-    };
-    let emitted = files(axis, std::slice::from_ref(block));
-    for file in &emitted {
-        write(&file.name, &file.text)?;
-    }
-    let stem = emitted.first().and_then(|file| file.name.strip_suffix(".h")).unwrap_or_default();
-    write("layout.h", &layout(stem, block))?;
-    write("harness.c", include_str!("harness.c"))?;
-    let source = format!("{stem}.c");
-    call(compiler, folder, &["-c", &source, "-o", "block.o"], true)?;
-    call(compiler, folder, &["-DLAYOUT=\"layout.h\"", "harness.c", "block.o", "-o", "harness"], false)
-}
-
-fn call(compiler: &Compiler, folder: &Path, arguments: &[&str], with_options: bool) -> Result<(), Failure> {
-    let mut command = Command::new(&compiler.command);
-    command.current_dir(folder).args(arguments);
-    if with_options {
-        command.args(&compiler.options);
-    } else {
-        command.args(["-std=c99", "-O2"]);
-    }
-    let output = command.output().map_err(|error| {
-        let name = &compiler.command;
-        Failure::Environment(format!(
-            "the C compiler `{name}` does not start ({error}); install it, or set CC to another"
-        ))
-    })?;
-    if output.status.success() {
-        return Ok(());
-    }
-    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
-    Err(if errors.contains("this block needs") { Failure::Refused(errors) } else { Failure::Broken(errors) })
+fn new_folder() -> Result<TempDir, Failure> {
+    tempfile::tempdir().map_err(|error| Failure::Environment(format!("no temporary folder: {error}")))
 }
 
 /// What the harness has to know of the block.
@@ -112,10 +91,12 @@ fn layout(stem: &str, block: &Block) -> String {
     )
 }
 
-/// Runs the harness with the samples on its standard input.
-fn pipe(harness: &Path, input: &[u8]) -> Result<Vec<u8>, Failure> {
+/// Runs the program with the samples on its standard input.
+fn pipe(program: &str, emulator: &[String], input: &[u8]) -> Result<Vec<u8>, Failure> {
     let broken = |what: &str, error: &std::io::Error| Failure::Broken(format!("{what} the compiled block: {error}"));
-    let mut child = Command::new(harness)
+    let words: Vec<&str> = emulator.iter().map(String::as_str).chain([program]).collect();
+    let mut child = Command::new(words[0])
+        .args(&words[1..])
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())

@@ -1,10 +1,12 @@
 //! Ways to run a block. All of them must give the same bits.
 
 mod c;
+mod compiler;
 mod program;
 mod reference;
 
-pub use c::Compiler;
+pub use c::Harness;
+pub use compiler::Compiler;
 
 use crate::samples::Samples;
 use generator::axis::Axis;
@@ -69,7 +71,7 @@ pub fn run(engine: Engine, axis: &Axis, block: &Block, inputs: &Samples) -> Resu
     match engine {
         Engine::Reference => Ok(reference::run(axis, block, inputs)),
         Engine::Program => Ok(program::run(block, inputs)),
-        Engine::C => c::run(axis, block, inputs, &Compiler::host()),
+        Engine::C => run_c(axis, block, inputs, &Compiler::host()),
     }
 }
 
@@ -78,5 +80,5 @@ pub fn run(engine: Engine, axis: &Axis, block: &Block, inputs: &Samples) -> Resu
 /// # Errors
 /// The compiler is not there, refuses, or the block does not pass its self-test.
 pub fn run_c(axis: &Axis, block: &Block, inputs: &Samples, compiler: &Compiler) -> Result<Samples, Failure> {
-    c::run(axis, block, inputs, compiler)
+    Harness::of(axis, block, compiler)?.run(inputs, compiler)
 }

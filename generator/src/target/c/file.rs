@@ -1,14 +1,12 @@
 //! The two files of an axis in C: what goes into the templates.
 
-use super::names::identifier;
 use super::print::{Printer, member};
 use super::types;
 use crate::axis::Axis;
 use crate::block::Block;
 use crate::digest::digest;
 use crate::program::{Expr, Origin, Program, Type, Var, Variable};
-use crate::render::{CBlock, CFile, CHeader, CSelfTest, CSource, ConstantText, Group, Leaf, Member, Noisy, Switch};
-use crate::target::number::bits;
+use crate::render::{CBlock, CFile, CHeader, CSelfTest, CSource, ConstantText, Group, Member, Noisy, Switch};
 use crate::target::{File, comment};
 use askama::Template;
 use portable::{Intrinsic, Literal, RealKind};
@@ -164,46 +162,39 @@ fn constant_type(value: Literal, real: RealKind) -> &'static str {
 
 fn self_test(prefix: &str, block: &Block) -> String {
     let (program, test) = (&block.program, &block.self_test);
-    let noisy = test
-        .bad
-        .iter()
-        .map(|(sample, input)| Noisy { name: member(&program.inputs[*input].path), bad_sample: *sample });
-    let middle = types::literal(match program.real {
-        RealKind::F64 => Literal::F64(8_388_608.0),
-        RealKind::F32 => Literal::F32(8_388_608.0),
-    });
-    let hexadecimal = |value| match program.real {
-        RealKind::F64 => format!("UINT64_C(0x{:016x})", bits(value)),
-        RealKind::F32 => format!("UINT32_C(0x{:08x})", bits(value)),
+    let word = |bits: &u64| match program.real {
+        RealKind::F64 => format!("UINT64_C(0x{bits:016x})"),
+        RealKind::F32 => format!("UINT32_C(0x{bits:08x})"),
+    };
+    let input = |index: &usize| member(&program.inputs[*index].path);
+    let switch = |(index, value): &(usize, Literal)| Switch { name: input(index), value: types::literal(*value) };
+    let noisy = |(sample, index): &(usize, usize)| Noisy { name: input(index), bad_sample: *sample };
+    let watched = |name: &str, variables: &[Variable]| {
+        let bits = |variable: &Variable| match (member(&variable.path), variable.ty) {
+            (member, Type::Real) => format!("{}_bits_of({name}.{member})", program.block),
+            (member, Type::I32) => format!("(uint32_t){name}.{member}"),
+            (member, Type::Bool | Type::U32) => format!("{name}.{member}"),
+        };
+        variables.iter().map(bits).collect::<Vec<_>>()
+    };
+    let (turn, not_a_number, middle) = match program.real {
+        RealKind::F64 => (59, "UINT64_C(0x7ff8000000000000)", "8388608.0"),
+        RealKind::F32 => (27, "UINT32_C(0x7fc00000)", "8388608.0f"),
     };
     let text = CSelfTest {
         prefix,
-        bits_of: &format!("{}_bits_of", program.block),
+        block: program.block,
         real: types::name(Type::Real, program.real),
         bits_type: types::bits_name(program.real),
-        output: &identifier(&program.outputs[0].path),
-        expected: &test.expected.iter().map(|value| hexadecimal(*value)).collect::<Vec<_>>(),
-        switches: &test
-            .switches
-            .iter()
-            .map(|(index, value)| Switch {
-                name: identifier(&program.inputs[*index].path),
-                value: types::literal(*value),
-            })
-            .collect::<Vec<_>>(),
-        noisy: &noisy.collect::<Vec<_>>(),
-        real_of: &format!("{}_real_of", program.block),
-        not_a_number: match program.real {
-            RealKind::F64 => "UINT64_C(0x7ff8000000000000)",
-            RealKind::F32 => "UINT32_C(0x7fc00000)",
-        },
-        middle: &middle,
-        scale: &types::literal(test.scale),
-        state: &test
-            .state
-            .iter()
-            .map(|(index, value)| Leaf { name: member(&program.state[*index].path), bits: hexadecimal(*value) })
-            .collect::<Vec<_>>(),
+        turn,
+        expected: &test.expected.iter().map(word).collect::<Vec<_>>(),
+        switches: &test.switches.iter().map(switch).collect::<Vec<_>>(),
+        noisy: &test.bad.iter().map(noisy).collect::<Vec<_>>(),
+        not_a_number,
+        middle,
+        scales: test.scales.map(types::literal),
+        loud_from: test.loud_from,
+        watched: &[watched("outputs", &program.outputs), watched("state", &program.state)].concat(),
     };
     text.render().expect("c: the self-test's template is filled")
 }

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  e86ef3521bc21a1c20e36a31fa066f0a
- * body        cf933a3c46c072d3cc9b061f06b35409
+ * body        6d33b3879783c93a654dc71117f36387
  */
 #include "axis_y.h"
 
@@ -342,107 +342,119 @@ static uint64_t ipc_bits_of(double value)
     return view.bits;
 }
 
+static double ipc_real_of(uint64_t bits)
+{
+    union {
+        double value;
+        uint64_t bits;
+    } view;
+    view.bits = bits;
+    return view.value;
+}
+
+static uint64_t ipc_fold(uint64_t digest, uint64_t bits)
+{
+    return ((digest << 5) | (digest >> 59)) + bits;
+}
+
 uint32_t axis_y_ipc_self_test(void)
 {
-    /* v_add of the reference, sample by sample */
-    static const uint64_t expected[32] = {
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x4002c71366d6b817),
-        UINT64_C(0x403fd04be8be407e),
-        UINT64_C(0x4059b7895d9e6d40),
-        UINT64_C(0x4060638fdc5414cf),
-        UINT64_C(0x40322ecab8210d47),
-        UINT64_C(0xc070563d67ff814f),
-        UINT64_C(0xc084b63cb773e87c),
-        UINT64_C(0xc09164c656564347),
-        UINT64_C(0xc09809fed98b0eb4),
-        UINT64_C(0xc09a170659c954dc),
-        UINT64_C(0xc09204543a308cac),
-        UINT64_C(0xc051d978bfef1b29),
-        UINT64_C(0x4091c00261e0586c),
-        UINT64_C(0x40a17f78bc615f5c),
-        UINT64_C(0x40aa7ea6919ceab9),
-        UINT64_C(0x40b1e82f9dc6ae5c),
-        UINT64_C(0x40b4760364034569),
-        UINT64_C(0x40b23ed3674a372d),
-        UINT64_C(0x40a4ca8a53ce625b),
-        UINT64_C(0xc0773e611ca931a0),
-        UINT64_C(0xc0af64f8794c298c),
-        UINT64_C(0xc0bee74ef7975cbe),
-        UINT64_C(0xc0c472586d2b0bbc),
-        UINT64_C(0xc0c33c98879a323b),
-        UINT64_C(0xc0b5f4eaf63352bc),
-        UINT64_C(0x4092110b647dd875),
-        UINT64_C(0x40c01457c1b6b89f),
-        UINT64_C(0x40c8db3ddf4a4b49),
-        UINT64_C(0x40c7d93b0c09df00),
-        UINT64_C(0x40b890154559035a),
-        UINT64_C(0xc0acb0413c152f64),
+    /* the reference's digest of all outputs and of the whole state, after each sample */
+    static const uint64_t expected[41] = {
+        UINT64_C(0xe79e3e08657dffbd),
+        UINT64_C(0xd39db9d7a2250466),
+        UINT64_C(0x83b279444cb34cd0),
+        UINT64_C(0xb749815b8fc5ec82),
+        UINT64_C(0xada18339e32c6af9),
+        UINT64_C(0x80086cf21f59b666),
+        UINT64_C(0xb0b4cc3dccbc8d26),
+        UINT64_C(0x1e7d0d9181fed29a),
+        UINT64_C(0x12bd8dc77cb57a3d),
+        UINT64_C(0x19b89944393c70b5),
+        UINT64_C(0x6472d31bee8c6ffb),
+        UINT64_C(0x1cad0c75f2b18c30),
+        UINT64_C(0x63f6ce99568c68a3),
+        UINT64_C(0x4e5bcfe3b2b12249),
+        UINT64_C(0x35a66fada8cc04a4),
+        UINT64_C(0x97bc46f4cf3a0953),
+        UINT64_C(0x707dfe6d830f2a4d),
+        UINT64_C(0xd7726225c90bbbae),
+        UINT64_C(0xc8b3fcc9faf5ce71),
+        UINT64_C(0x2e3d1a19c3d3dc4e),
+        UINT64_C(0x572610eef563f3ab),
+        UINT64_C(0x0115ea3352503028),
+        UINT64_C(0x108f13a90a369e62),
+        UINT64_C(0x7442e9e40a0d15be),
+        UINT64_C(0xf09bba90cba193bb),
+        UINT64_C(0x25337be85a4e8f00),
+        UINT64_C(0x59f9f1c0717897e4),
+        UINT64_C(0x58cb21bcb7338e05),
+        UINT64_C(0xfe3675db1ad65829),
+        UINT64_C(0x36d93ed05dff9262),
+        UINT64_C(0x2c2dd5e20683f9d4),
+        UINT64_C(0x0a654708b5e687a8),
+        UINT64_C(0x90bd87fa9aea0d96),
+        UINT64_C(0xc2867f65b217081a),
+        UINT64_C(0xe96e99d2f4a7262c),
+        UINT64_C(0x2685eee57bbb9da4),
+        UINT64_C(0x7d8e7580a6e60656),
+        UINT64_C(0x94889aa5208dbb26),
+        UINT64_C(0xfc84c1e5304c0ee5),
+        UINT64_C(0x6f2cfaae40aee732),
+        UINT64_C(0x5e77a36f27196442),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_y_ipc_state *, const axis_y_ipc_inputs *, axis_y_ipc_outputs *) = axis_y_ipc_step;
     axis_y_ipc_state state;
     axis_y_ipc_inputs inputs;
     axis_y_ipc_outputs outputs;
+    uint64_t digest = 0u;
+    uint64_t noise;
+    double scale;
     uint32_t random = 1u;
     uint32_t sample;
 
     axis_y_ipc_init(&state);
     axis_y_ipc_inputs_init(&inputs);
     inputs.mode = 1;
-    for (sample = 0u; sample < 32u; sample++) {
+    for (sample = 0u; sample < 41u; sample++) {
+        /* at first within every limit, so that nothing is cut off */
+        scale = sample < 33u ? 0.0009765625 : 0.03125;
+        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
         random = random * 1664525u + 1013904223u;
-        inputs.v_command = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_command = ipc_real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_motor = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_motor = ipc_real_of(sample == 4u ? UINT64_C(0x7ff8000000000000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_direct = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_direct = ipc_real_of(sample == 7u ? UINT64_C(0x7ff8000000000000) : noise);
         step(&state, &inputs, &outputs);
-        if (ipc_bits_of(outputs.v_add) != expected[sample]) {
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add));
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add_calculated));
+        digest = ipc_fold(digest, outputs.limited);
+        digest = ipc_fold(digest, outputs.fault);
+        digest = ipc_fold(digest, outputs.error_id);
+        digest = ipc_fold(digest, state.settled);
+        digest = ipc_fold(digest, state.gate);
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section1_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section1_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter1_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter1_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_oscillation_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_oscillation_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter1_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter1_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter1_section1_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter1_section1_s2));
+        if (digest != expected[sample]) {
             return sample + 1u;
         }
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s1) != UINT64_C(0xc0f42f989d239e9c)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s2) != UINT64_C(0x40f182e1fbf3a0aa)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section1_s1) != UINT64_C(0xc0f063d773d77244)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section1_s2) != UINT64_C(0x40f127051974c26b)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter1_section0_s1) != UINT64_C(0x40f24eaef80d3d30)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter1_section0_s2) != UINT64_C(0xc0eea7c34b5cc68d)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_oscillation_s1) != UINT64_C(0x40ea916f2b5b1d9c)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_oscillation_s2) != UINT64_C(0xc0e7bb18be9a6c2c)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section0_s1) != UINT64_C(0x40b6e216077c8d5c)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section0_s2) != UINT64_C(0xc0af7a3b3a8ebdb0)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter1_section0_s1) != UINT64_C(0x40ed4b15f0adf9fa)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter1_section0_s2) != UINT64_C(0xc0f17cbf677f9416)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter1_section1_s1) != UINT64_C(0x40d84ba88ed8fb8e)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter1_section1_s2) != UINT64_C(0xc0e0e820afb6d3d3)) {
-        return 33u;
     }
     return 0u;
 }

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  dd3714341cc42b999aed7c65c021489b
- * body        6cc68ea98662b31e6e51e55c63039b84
+ * body        b53f9a8688924264a619adea9c5d8a9b
  */
 #include "axis_x.h"
 
@@ -329,94 +329,114 @@ static uint64_t ipc_bits_of(double value)
     return view.bits;
 }
 
+static double ipc_real_of(uint64_t bits)
+{
+    union {
+        double value;
+        uint64_t bits;
+    } view;
+    view.bits = bits;
+    return view.value;
+}
+
+static uint64_t ipc_fold(uint64_t digest, uint64_t bits)
+{
+    return ((digest << 5) | (digest >> 59)) + bits;
+}
+
 uint32_t axis_x_ipc_self_test(void)
 {
-    /* v_add of the reference, sample by sample */
-    static const uint64_t expected[32] = {
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x4067aaa6514e0d50),
-        UINT64_C(0x4098f5eaf55f2e60),
-        UINT64_C(0x40a219b9ff5bbf8f),
-        UINT64_C(0xc073e4915256905a),
-        UINT64_C(0xc0b9d0c84a5878bc),
-        UINT64_C(0xc0d013edafe780d7),
-        UINT64_C(0xc0d7085ce958d45f),
-        UINT64_C(0xc0d8f252ba71c75f),
-        UINT64_C(0xc0d6dc0cd6fac8dc),
-        UINT64_C(0xc0c34e1cf8963979),
-        UINT64_C(0x40c69b7bec2890d1),
-        UINT64_C(0x40d5337ea82e25d3),
-        UINT64_C(0x40ce5963c71f2ea5),
-        UINT64_C(0x40be5999c150425b),
-        UINT64_C(0x40d3bdd0d3e0699d),
-        UINT64_C(0x40e3c5b1f34fdc38),
-        UINT64_C(0x40e71cbedc17fd54),
-        UINT64_C(0x40e401ac9a1228aa),
-        UINT64_C(0x40e08bf9e45cbdd7),
-        UINT64_C(0x40dd4bb0ae14ce8b),
-        UINT64_C(0xc0b8747f6cd566ee),
-        UINT64_C(0xc0ee0e04bc1f2b38),
-        UINT64_C(0xc0f33b94f6132c24),
-        UINT64_C(0xc0f1d350c2dfd208),
-        UINT64_C(0xc0ea84122d8f2ef8),
-        UINT64_C(0xc0dabfaff222b648),
-        UINT64_C(0x408b696342a1da00),
-        UINT64_C(0x40cf01dde7fea518),
-        UINT64_C(0x40d3531859074f8c),
-        UINT64_C(0x40d9d59ece0b7738),
-        UINT64_C(0x40db4dd7b6b66271),
+    /* the reference's digest of all outputs and of the whole state, after each sample */
+    static const uint64_t expected[41] = {
+        UINT64_C(0xa7835009349ea788),
+        UINT64_C(0x5829c2e625c397f5),
+        UINT64_C(0x07327025b7413752),
+        UINT64_C(0xa4b44384bedb9592),
+        UINT64_C(0x9b68c33f09361793),
+        UINT64_C(0x3776925be2ba5053),
+        UINT64_C(0xdb2892d4065857a1),
+        UINT64_C(0x734bdfde0da6f3ce),
+        UINT64_C(0x7e51d44feb288d64),
+        UINT64_C(0x8591c3c11b2b0301),
+        UINT64_C(0x08ff25c2aa7ab4c2),
+        UINT64_C(0x3f2f2435babe2bc7),
+        UINT64_C(0x97ff228f3bbe6797),
+        UINT64_C(0xbe84d4dfaab220d8),
+        UINT64_C(0x3a028d9d45860de3),
+        UINT64_C(0x16101e66443663dd),
+        UINT64_C(0x3d7b4ef2eb9d484e),
+        UINT64_C(0x29520ab94c0df384),
+        UINT64_C(0xfd5f41d4918af2ea),
+        UINT64_C(0xda483210a9d8aafa),
+        UINT64_C(0xbb3d2bb9b53da4ae),
+        UINT64_C(0xcbac62555199f0af),
+        UINT64_C(0x7eee1465ab6f9ce1),
+        UINT64_C(0xa8a372a280baea07),
+        UINT64_C(0x4b43d1f6fa7ea42c),
+        UINT64_C(0xe2f756ba5f6c186c),
+        UINT64_C(0xf0ee2f1b568683da),
+        UINT64_C(0x66ca794dd878361b),
+        UINT64_C(0x3709e068adea7fca),
+        UINT64_C(0x4fa2d11e7a0dd0c7),
+        UINT64_C(0xbe4ea5c9013a3635),
+        UINT64_C(0x2e019a207b18aafc),
+        UINT64_C(0x09122d32273027bf),
+        UINT64_C(0x9bfeda9cb54bee97),
+        UINT64_C(0x47a4bfc3e520a999),
+        UINT64_C(0x1975276844966bc0),
+        UINT64_C(0x2bd6fefcdd2b6baf),
+        UINT64_C(0x9de516e3321f2dbd),
+        UINT64_C(0xc982f7ddf05972da),
+        UINT64_C(0x14b9901526abacff),
+        UINT64_C(0xfb5a430ce54c7761),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) = axis_x_ipc_step;
     axis_x_ipc_state state;
     axis_x_ipc_inputs inputs;
     axis_x_ipc_outputs outputs;
+    uint64_t digest = 0u;
+    uint64_t noise;
+    double scale;
     uint32_t random = 1u;
     uint32_t sample;
 
     axis_x_ipc_init(&state);
     axis_x_ipc_inputs_init(&inputs);
-    for (sample = 0u; sample < 32u; sample++) {
+    for (sample = 0u; sample < 41u; sample++) {
+        /* at first within every limit, so that nothing is cut off */
+        scale = sample < 33u ? 0.001953125 : 0.03125;
+        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
         random = random * 1664525u + 1013904223u;
-        inputs.v_command = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_command = ipc_real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_motor = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_motor = ipc_real_of(sample == 4u ? UINT64_C(0x7ff8000000000000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_direct = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_direct = ipc_real_of(sample == 7u ? UINT64_C(0x7ff8000000000000) : noise);
         step(&state, &inputs, &outputs);
-        if (ipc_bits_of(outputs.v_add) != expected[sample]) {
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add));
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add_calculated));
+        digest = ipc_fold(digest, outputs.limited);
+        digest = ipc_fold(digest, outputs.fault);
+        digest = ipc_fold(digest, outputs.error_id);
+        digest = ipc_fold(digest, state.settled);
+        digest = ipc_fold(digest, state.gate);
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_oscillation_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_oscillation_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_oscillation_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_oscillation_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage2_filter0_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage2_filter0_section0_s2));
+        if (digest != expected[sample]) {
             return sample + 1u;
         }
-    }
-    if (ipc_bits_of(state.stage0_oscillation_s1) != UINT64_C(0x40d776fbd4969c34)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_oscillation_s2) != UINT64_C(0xc0d93628fe198771)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s1) != UINT64_C(0xc0daeadc9b5129e1)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s2) != UINT64_C(0x40ce453e723156e4)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_oscillation_s1) != UINT64_C(0x40e378262eea7a74)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_oscillation_s2) != UINT64_C(0xc0e6275efcb6f0a5)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section0_s1) != UINT64_C(0x40d733804fdc045e)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section0_s2) != UINT64_C(0xc0e4ebff79a02f54)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage2_filter0_section0_s1) != UINT64_C(0xc0dedfdb504e6e80)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage2_filter0_section0_s2) != UINT64_C(0x40ee3dc1e13a16a6)) {
-        return 33u;
     }
     return 0u;
 }

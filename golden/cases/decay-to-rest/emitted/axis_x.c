@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e8e1f0a47ea514001e7042c1835ee7b3
- * body        c7179d19ff0254ab914725d54d89df41
+ * body        e3973a07bd206dab94d915b04fe71307
  */
 #include "axis_x.h"
 
@@ -300,94 +300,114 @@ static uint64_t ipc_bits_of(double value)
     return view.bits;
 }
 
+static double ipc_real_of(uint64_t bits)
+{
+    union {
+        double value;
+        uint64_t bits;
+    } view;
+    view.bits = bits;
+    return view.value;
+}
+
+static uint64_t ipc_fold(uint64_t digest, uint64_t bits)
+{
+    return ((digest << 5) | (digest >> 59)) + bits;
+}
+
 uint32_t axis_x_ipc_self_test(void)
 {
-    /* v_add of the reference, sample by sample */
-    static const uint64_t expected[32] = {
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x40549efedfbe8b07),
-        UINT64_C(0x407d9800cbec5ded),
-        UINT64_C(0x408c997202b62fe2),
-        UINT64_C(0x4085b2468e3fa3aa),
-        UINT64_C(0xc0974f1d00cb4ffd),
-        UINT64_C(0xc0b6e79759b3d3f3),
-        UINT64_C(0xc0c290f8b2341172),
-        UINT64_C(0xc0c3f90582536f4f),
-        UINT64_C(0xc0c12c1e8fed2a4a),
-        UINT64_C(0xc0b304f1614fa3ca),
-        UINT64_C(0x4096373daa8296cf),
-        UINT64_C(0x40b444bb4c74c7b8),
-        UINT64_C(0x4087c6d77267ba3f),
-        UINT64_C(0xc0c4036dc48ac747),
-        UINT64_C(0xc0d489354638b6c9),
-        UINT64_C(0xc0dd7766a9158de7),
-        UINT64_C(0xc0e3dda3635a073c),
-        UINT64_C(0xc0e7a31fdf219fde),
-        UINT64_C(0xc0e5f65a6bd19327),
-        UINT64_C(0xc0df0f44fa20fa3d),
-        UINT64_C(0xc0d12bf6f11e8225),
-        UINT64_C(0xc0b4ac2845db09c7),
-        UINT64_C(0x40bdfd6c35d49b94),
-        UINT64_C(0x40cd9058e10403ca),
-        UINT64_C(0x40c643b09e0e3626),
-        UINT64_C(0x40a0761d81074ac0),
-        UINT64_C(0xc0bf7121afa025b7),
-        UINT64_C(0xc0cd7322b7f7d633),
-        UINT64_C(0xc0d096f9cd6be18d),
-        UINT64_C(0xc0d0fe04a0292fe4),
-        UINT64_C(0xc0cb9c7ce793dc2b),
+    /* the reference's digest of all outputs and of the whole state, after each sample */
+    static const uint64_t expected[41] = {
+        UINT64_C(0x8c43e7381f3567d3),
+        UINT64_C(0xb16f9f36f5297ecd),
+        UINT64_C(0x0cf2fa723964a71f),
+        UINT64_C(0xc393d3cc94d0cbba),
+        UINT64_C(0xa68d34370a3c3187),
+        UINT64_C(0xf07009406dfc4e0e),
+        UINT64_C(0xa276ba33cef84881),
+        UINT64_C(0x5889342dc5ce4ead),
+        UINT64_C(0x56c964db66a5a047),
+        UINT64_C(0x74af470484cd2c1f),
+        UINT64_C(0x10e790d7a5db9e4e),
+        UINT64_C(0x74edc0cc334e77e3),
+        UINT64_C(0xc761e570edc3e00f),
+        UINT64_C(0xdea19786ab18ce31),
+        UINT64_C(0xe75b2ab853231117),
+        UINT64_C(0x0f21552746fde986),
+        UINT64_C(0x59f1304a53430efa),
+        UINT64_C(0xa6ccc69c3d847f77),
+        UINT64_C(0x195f7481db8c9fee),
+        UINT64_C(0x6419b70b8dec00e3),
+        UINT64_C(0x98bd7654e1f075db),
+        UINT64_C(0x8d04ee6ec9eee94d),
+        UINT64_C(0x28f4ac004ed4b128),
+        UINT64_C(0x3f3576b13fb9f6f2),
+        UINT64_C(0xeb7f7f6323b0d894),
+        UINT64_C(0x2f18e93514e9870e),
+        UINT64_C(0x44405207ba8c3f33),
+        UINT64_C(0x3da3f0685ec89698),
+        UINT64_C(0xb44ea59a12c76a9a),
+        UINT64_C(0xc8e35cbf4efd2ddd),
+        UINT64_C(0xdf3f02253aab9482),
+        UINT64_C(0x4cfa30e415cdf12a),
+        UINT64_C(0xb826aa6673ed13da),
+        UINT64_C(0x316ef24795a770f8),
+        UINT64_C(0x85fcfdd2050046b6),
+        UINT64_C(0xd0b07489b77b4168),
+        UINT64_C(0x07b93c7e62df1f66),
+        UINT64_C(0x6ecf35e6de7a71a9),
+        UINT64_C(0xd3bb7622d7bd4931),
+        UINT64_C(0x9d65b24b0ba1c73c),
+        UINT64_C(0xa609e55b9f027fb8),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) = axis_x_ipc_step;
     axis_x_ipc_state state;
     axis_x_ipc_inputs inputs;
     axis_x_ipc_outputs outputs;
+    uint64_t digest = 0u;
+    uint64_t noise;
+    double scale;
     uint32_t random = 1u;
     uint32_t sample;
 
     axis_x_ipc_init(&state);
     axis_x_ipc_inputs_init(&inputs);
-    for (sample = 0u; sample < 32u; sample++) {
+    for (sample = 0u; sample < 41u; sample++) {
+        /* at first within every limit, so that nothing is cut off */
+        scale = sample < 33u ? 0.001953125 : 0.03125;
+        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
         random = random * 1664525u + 1013904223u;
-        inputs.v_command = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_command = ipc_real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_motor = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_motor = ipc_real_of(sample == 4u ? UINT64_C(0x7ff8000000000000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_direct = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_direct = ipc_real_of(sample == 7u ? UINT64_C(0x7ff8000000000000) : noise);
         step(&state, &inputs, &outputs);
-        if (ipc_bits_of(outputs.v_add) != expected[sample]) {
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add));
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add_calculated));
+        digest = ipc_fold(digest, outputs.limited);
+        digest = ipc_fold(digest, outputs.fault);
+        digest = ipc_fold(digest, outputs.error_id);
+        digest = ipc_fold(digest, state.settled);
+        digest = ipc_fold(digest, state.gate);
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section1_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section1_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter1_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter1_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_oscillation_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_oscillation_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section0_s2));
+        if (digest != expected[sample]) {
             return sample + 1u;
         }
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s1) != UINT64_C(0x40e3b365c5c23b8e)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s2) != UINT64_C(0xc0e6efeec4ff0230)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section1_s1) != UINT64_C(0x40e0482ada7ffb05)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section1_s2) != UINT64_C(0xc0e3e1b301ab5dfa)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter1_section0_s1) != UINT64_C(0xc0dddb131460d180)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter1_section0_s2) != UINT64_C(0x40def19f371a7ab1)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_oscillation_s1) != UINT64_C(0x40f0452cd6bfd23c)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_oscillation_s2) != UINT64_C(0xc0eedec09caf170e)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section0_s1) != UINT64_C(0xc0b695de65cb3c6c)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section0_s2) != UINT64_C(0x40736ba7a2825988)) {
-        return 33u;
     }
     return 0u;
 }

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  748aa3626b02d1aa0e59eb14a7e1d7ca
- * body        c384ec2ada0c5037cd919d460bea17f8
+ * body        81ba28b2ead380837450e771fac5fa05
  */
 #include "axis_x.h"
 
@@ -268,88 +268,112 @@ static uint64_t ipc_bits_of(double value)
     return view.bits;
 }
 
+static double ipc_real_of(uint64_t bits)
+{
+    union {
+        double value;
+        uint64_t bits;
+    } view;
+    view.bits = bits;
+    return view.value;
+}
+
+static uint64_t ipc_fold(uint64_t digest, uint64_t bits)
+{
+    return ((digest << 5) | (digest >> 59)) + bits;
+}
+
 uint32_t axis_x_ipc_self_test(void)
 {
-    /* v_add of the reference, sample by sample */
-    static const uint64_t expected[32] = {
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0xc02929cef7a4d129),
-        UINT64_C(0xc068283f37c276ba),
-        UINT64_C(0xc090881515567cac),
-        UINT64_C(0xc0a9c13426d10f9b),
-        UINT64_C(0xc0bb7602c4f124ac),
-        UINT64_C(0xc0c61575ffdb97b2),
-        UINT64_C(0xc0cbad8ea67cb843),
-        UINT64_C(0xc0c8e6a1693819e2),
-        UINT64_C(0xc0ae1a764eed3bb2),
-        UINT64_C(0x40caf5ac0dc6ef77),
-        UINT64_C(0x40e1fee5c42b050f),
-        UINT64_C(0x40ebe2383f30ccc9),
-        UINT64_C(0x40efed13e5d53c30),
-        UINT64_C(0x40ebbaeeb5927ad8),
-        UINT64_C(0x40e066d83707a20b),
-        UINT64_C(0x40b0798dd14d1367),
-        UINT64_C(0xc0d49fefb93bac04),
-        UINT64_C(0xc0e0577b452141fb),
-        UINT64_C(0xc0e06fa25d35f20e),
-        UINT64_C(0xc0da94eab82c9356),
-        UINT64_C(0xc0d48388ea78f132),
-        UINT64_C(0xc0d3cb800c0ed071),
-        UINT64_C(0xc0d996c732b6d541),
-        UINT64_C(0xc0e18e637a7de8b5),
-        UINT64_C(0xc0e623309c7f2b9a),
-        UINT64_C(0xc0e8cd283499292a),
-        UINT64_C(0xc0e8665417a23fa5),
-        UINT64_C(0xc0e479329f3bd395),
-        UINT64_C(0xc0d9fff4618138ea),
-        UINT64_C(0xc0b2f4a59e6fc4f4),
-        UINT64_C(0x40d4102867ce55df),
+    /* the reference's digest of all outputs and of the whole state, after each sample */
+    static const uint64_t expected[41] = {
+        UINT64_C(0x0856d84e860ce757),
+        UINT64_C(0xbfc52c7eef471f9a),
+        UINT64_C(0xad31836e6d8a13a4),
+        UINT64_C(0x8411af6c350c46c7),
+        UINT64_C(0xab78866321a78fce),
+        UINT64_C(0x9754cf0776711a5c),
+        UINT64_C(0x79e22c12868da217),
+        UINT64_C(0xa47ba4c6cecae65c),
+        UINT64_C(0xf8d2717c8ae48b1e),
+        UINT64_C(0x37ab87a3e8b18564),
+        UINT64_C(0xac4460e4f7f84104),
+        UINT64_C(0x9293920c5a7e76bf),
+        UINT64_C(0x19655f0ba0a796c8),
+        UINT64_C(0x82ab3b50eb2f50b7),
+        UINT64_C(0x52535b64a0133035),
+        UINT64_C(0x366763a429c4549c),
+        UINT64_C(0x5e0308c15f4ca179),
+        UINT64_C(0xc4b948180eeec3f9),
+        UINT64_C(0x23d4f256628ebffc),
+        UINT64_C(0x971b2cdfd0bbf21b),
+        UINT64_C(0x1c601c70b8e39752),
+        UINT64_C(0xe91a727b2b30725a),
+        UINT64_C(0xaf37fb87cb2569b0),
+        UINT64_C(0x063bba1b151fddf0),
+        UINT64_C(0xdc6176e3414c3483),
+        UINT64_C(0x1f9301bffac5b3fb),
+        UINT64_C(0x1362e884ea513a6b),
+        UINT64_C(0x4e0e412bd7d81fec),
+        UINT64_C(0xacf01cd54b44556a),
+        UINT64_C(0x6cddb95c68569ac4),
+        UINT64_C(0x0c58c4f84f364259),
+        UINT64_C(0xb3bc4685f6f86efc),
+        UINT64_C(0xa113c239831605f0),
+        UINT64_C(0xc9fc88c362c46757),
+        UINT64_C(0xa39c7b181d2e014d),
+        UINT64_C(0xc1a68affa73820ce),
+        UINT64_C(0xf40e2469791e5201),
+        UINT64_C(0x14fc18c4ec77dd89),
+        UINT64_C(0x9438e537bf40ea6e),
+        UINT64_C(0x5a96cfd894a2a926),
+        UINT64_C(0x0ff520550ed2f8ac),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) = axis_x_ipc_step;
     axis_x_ipc_state state;
     axis_x_ipc_inputs inputs;
     axis_x_ipc_outputs outputs;
+    uint64_t digest = 0u;
+    uint64_t noise;
+    double scale;
     uint32_t random = 1u;
     uint32_t sample;
 
     axis_x_ipc_init(&state);
     axis_x_ipc_inputs_init(&inputs);
-    for (sample = 0u; sample < 32u; sample++) {
+    for (sample = 0u; sample < 41u; sample++) {
+        /* at first within every limit, so that nothing is cut off */
+        scale = sample < 33u ? 0.001953125 : 0.03125;
+        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
         random = random * 1664525u + 1013904223u;
-        inputs.v_command = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_command = ipc_real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_motor = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_motor = ipc_real_of(sample == 4u ? UINT64_C(0x7ff8000000000000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_direct = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_direct = ipc_real_of(sample == 7u ? UINT64_C(0x7ff8000000000000) : noise);
         step(&state, &inputs, &outputs);
-        if (ipc_bits_of(outputs.v_add) != expected[sample]) {
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add));
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add_calculated));
+        digest = ipc_fold(digest, outputs.limited);
+        digest = ipc_fold(digest, outputs.fault);
+        digest = ipc_fold(digest, outputs.error_id);
+        digest = ipc_fold(digest, state.settled);
+        digest = ipc_fold(digest, state.gate);
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_oscillation_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_oscillation_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section1_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section1_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section2_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section2_s2));
+        if (digest != expected[sample]) {
             return sample + 1u;
         }
-    }
-    if (ipc_bits_of(state.stage0_oscillation_s1) != UINT64_C(0x40d776fbd4969c34)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_oscillation_s2) != UINT64_C(0xc0d93628fe198771)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s1) != UINT64_C(0xc0d0beea917dfc2a)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s2) != UINT64_C(0xc0c2b7777372a3df)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section1_s1) != UINT64_C(0x40f14058b5e5b45f)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section1_s2) != UINT64_C(0xc0f60ff3dbf23a8f)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section2_s1) != UINT64_C(0xc0f362b9de1d0dec)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section2_s2) != UINT64_C(0xc0aaca1842e940e0)) {
-        return 33u;
     }
     return 0u;
 }

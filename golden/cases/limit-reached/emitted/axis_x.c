@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  325f959a8a6307105ae6363b76420ebf
- * body        5e8fdcdcf54cd426c4e004e74e15ba15
+ * body        0338ce423e936f3505cb2f593d6b0a04
  */
 #include "axis_x.h"
 
@@ -233,76 +233,108 @@ static uint64_t ipc_bits_of(double value)
     return view.bits;
 }
 
+static double ipc_real_of(uint64_t bits)
+{
+    union {
+        double value;
+        uint64_t bits;
+    } view;
+    view.bits = bits;
+    return view.value;
+}
+
+static uint64_t ipc_fold(uint64_t digest, uint64_t bits)
+{
+    return ((digest << 5) | (digest >> 59)) + bits;
+}
+
 uint32_t axis_x_ipc_self_test(void)
 {
-    /* v_add of the reference, sample by sample */
-    static const uint64_t expected[32] = {
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x40253adfb9dd1bea),
-        UINT64_C(0x40507a9d24641489),
-        UINT64_C(0x4061fda942426406),
-        UINT64_C(0x40621a4a9f729dfb),
-        UINT64_C(0xc061dc7021bea3ca),
-        UINT64_C(0xc072c00000000000),
-        UINT64_C(0xc075e00000000001),
-        UINT64_C(0xc079000000000000),
-        UINT64_C(0xc07c200000000000),
-        UINT64_C(0xc07f400000000000),
-        UINT64_C(0xc05a6da901efb13b),
-        UINT64_C(0x4082c00000000000),
-        UINT64_C(0x4084500000000000),
-        UINT64_C(0x4085e00000000001),
-        UINT64_C(0x4087700000000000),
-        UINT64_C(0x4089000000000000),
-        UINT64_C(0x408a900000000001),
-        UINT64_C(0x408c200000000000),
-        UINT64_C(0x4061ea8a9fc15b39),
-        UINT64_C(0x4058ad7a5e2cc874),
-        UINT64_C(0x4079166d5e43202d),
-        UINT64_C(0x4089e52e99a29cf6),
-        UINT64_C(0x4091f80000000000),
-        UINT64_C(0x4092c00000000000),
-        UINT64_C(0x4093880000000000),
-        UINT64_C(0xc087fbee0e3df318),
-        UINT64_C(0xc095180000000000),
-        UINT64_C(0xc095e00000000001),
-        UINT64_C(0xc096a80000000000),
-        UINT64_C(0xc097700000000000),
-        UINT64_C(0xc098380000000000),
+    /* the reference's digest of all outputs and of the whole state, after each sample */
+    static const uint64_t expected[41] = {
+        UINT64_C(0x679170e1143e0ce7),
+        UINT64_C(0x8232bc93e63bba6e),
+        UINT64_C(0xaeda92e7d6986fa4),
+        UINT64_C(0x8322ee929495d274),
+        UINT64_C(0x609c8c05196dc246),
+        UINT64_C(0xfcf61f22bfc02df4),
+        UINT64_C(0x1cb3b829a98f17ca),
+        UINT64_C(0xe72864a0c807465c),
+        UINT64_C(0xec6631d577b53723),
+        UINT64_C(0x33e2ac57714559d3),
+        UINT64_C(0x044d0fc026a038cc),
+        UINT64_C(0x75b8f8c8e0077f8d),
+        UINT64_C(0x56579ef1c9e83f8b),
+        UINT64_C(0x6f87fceba550730e),
+        UINT64_C(0xd3d7c8d9d969f071),
+        UINT64_C(0xc6f5bbaff8d6a010),
+        UINT64_C(0x71c58478280c67c4),
+        UINT64_C(0x695dd0a53cc97cfd),
+        UINT64_C(0xe0560cee843c78d1),
+        UINT64_C(0x9e3ac60ebbb24265),
+        UINT64_C(0x051bf3b656765076),
+        UINT64_C(0x96c6db96f858100c),
+        UINT64_C(0x33dd02631b27402d),
+        UINT64_C(0x376625b7a2e77c5e),
+        UINT64_C(0x1c264169f89f5a0b),
+        UINT64_C(0xa42b091a152a6298),
+        UINT64_C(0x916c5ffc16232ae2),
+        UINT64_C(0xe1be055c0b8af93d),
+        UINT64_C(0xf595389ed08ad566),
+        UINT64_C(0xeb042db1d8309d94),
+        UINT64_C(0x174012d047b2f986),
+        UINT64_C(0x4e15b9718e13f7b3),
+        UINT64_C(0x3d9bf437705b70c7),
+        UINT64_C(0x5ddb06c44b8d58b8),
+        UINT64_C(0x4bd9eaff7c2bead9),
+        UINT64_C(0x5c2a017a6971d37c),
+        UINT64_C(0x0945a5268a91f6c8),
+        UINT64_C(0x305e167cf17d437b),
+        UINT64_C(0xf1e6c4cab7c244d6),
+        UINT64_C(0x1375fa09374969c9),
+        UINT64_C(0xb73edf9aca16ba59),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) = axis_x_ipc_step;
     axis_x_ipc_state state;
     axis_x_ipc_inputs inputs;
     axis_x_ipc_outputs outputs;
+    uint64_t digest = 0u;
+    uint64_t noise;
+    double scale;
     uint32_t random = 1u;
     uint32_t sample;
 
     axis_x_ipc_init(&state);
     axis_x_ipc_inputs_init(&inputs);
-    for (sample = 0u; sample < 32u; sample++) {
+    for (sample = 0u; sample < 41u; sample++) {
+        /* at first within every limit, so that nothing is cut off */
+        scale = sample < 33u ? 1.52587890625e-5 : 0.03125;
+        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
         random = random * 1664525u + 1013904223u;
-        inputs.v_command = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_command = ipc_real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_motor = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_motor = ipc_real_of(sample == 4u ? UINT64_C(0x7ff8000000000000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_direct = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_direct = ipc_real_of(sample == 7u ? UINT64_C(0x7ff8000000000000) : noise);
         step(&state, &inputs, &outputs);
-        if (ipc_bits_of(outputs.v_add) != expected[sample]) {
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add));
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add_calculated));
+        digest = ipc_fold(digest, outputs.limited);
+        digest = ipc_fold(digest, outputs.fault);
+        digest = ipc_fold(digest, outputs.error_id);
+        digest = ipc_fold(digest, state.settled);
+        digest = ipc_fold(digest, state.gate);
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section1_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section1_s2));
+        if (digest != expected[sample]) {
             return sample + 1u;
         }
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s1) != UINT64_C(0x40d770f012af1a0c)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s2) != UINT64_C(0xc0dd56f9ef2759ad)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section1_s1) != UINT64_C(0x40bc2c1ab59a887a)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section1_s2) != UINT64_C(0xc0c230b9e275c5ae)) {
-        return 33u;
     }
     return 0u;
 }

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  193f65cf41125eb0de2a3a631dc99cd0
- * body        2677e55df1477abd5ef160deef77a30c
+ * body        896f92e5b5c166499f4eca7553d17dc0
  */
 #include "axis_x.h"
 
@@ -230,76 +230,108 @@ static uint64_t ipc_bits_of(double value)
     return view.bits;
 }
 
+static double ipc_real_of(uint64_t bits)
+{
+    union {
+        double value;
+        uint64_t bits;
+    } view;
+    view.bits = bits;
+    return view.value;
+}
+
+static uint64_t ipc_fold(uint64_t digest, uint64_t bits)
+{
+    return ((digest << 5) | (digest >> 59)) + bits;
+}
+
 uint32_t axis_x_ipc_self_test(void)
 {
-    /* v_add of the reference, sample by sample */
-    static const uint64_t expected[32] = {
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x0000000000000000),
+    /* the reference's digest of all outputs and of the whole state, after each sample */
+    static const uint64_t expected[41] = {
+        UINT64_C(0x5684470c7ef17947),
+        UINT64_C(0xf599219d3e66acb7),
+        UINT64_C(0xce912d460652e27a),
+        UINT64_C(0xc6cf64dbe043219f),
+        UINT64_C(0x594b8302a90019bf),
+        UINT64_C(0x8057ce085d064361),
+        UINT64_C(0xad5f9810aea07889),
+        UINT64_C(0x930b1e5cb25037d4),
+        UINT64_C(0x2b8e85cef5db7f2f),
+        UINT64_C(0x330873408b686147),
+        UINT64_C(0xde10d391b559e94a),
+        UINT64_C(0xb9e1e0c877e350ec),
+        UINT64_C(0xbc39a4a8ad7f183b),
+        UINT64_C(0x01c3cbafbcdf0c9f),
+        UINT64_C(0xcef14d60510c8737),
+        UINT64_C(0x6f843ea607057626),
+        UINT64_C(0xdd70e5fe9fd4da40),
+        UINT64_C(0x29e4879157633744),
+        UINT64_C(0xfad0e3463751627d),
+        UINT64_C(0x861fb6e1f2486dc2),
+        UINT64_C(0x4c21f3df09d61a89),
+        UINT64_C(0x903851dfb265671a),
+        UINT64_C(0x7d2332e112a89698),
+        UINT64_C(0x6d69a7af18afa7a2),
+        UINT64_C(0x33618fbe36b94ad7),
+        UINT64_C(0x26ca53a8bb8590b0),
+        UINT64_C(0xf4cc2bf633954dc5),
+        UINT64_C(0xfe46e923c8c13125),
+        UINT64_C(0x5647aeed36ea39ec),
+        UINT64_C(0xbe0a357687e9af03),
+        UINT64_C(0xd13b2cbbc3481d17),
+        UINT64_C(0x40215a6785642a79),
+        UINT64_C(0x2daaf335a6053562),
+        UINT64_C(0x43227703d4845d08),
+        UINT64_C(0x5351cd61dc8a84dc),
+        UINT64_C(0xdd941128041f5648),
+        UINT64_C(0x8bd957c80dfe68e7),
+        UINT64_C(0xc2ef851b3fe010c9),
+        UINT64_C(0x0113f23554c9637e),
+        UINT64_C(0x967ded84b24cbe46),
+        UINT64_C(0xe6d9841b5042a6f7),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) = axis_x_ipc_step;
     axis_x_ipc_state state;
     axis_x_ipc_inputs inputs;
     axis_x_ipc_outputs outputs;
+    uint64_t digest = 0u;
+    uint64_t noise;
+    double scale;
     uint32_t random = 1u;
     uint32_t sample;
 
     axis_x_ipc_init(&state);
     axis_x_ipc_inputs_init(&inputs);
-    for (sample = 0u; sample < 32u; sample++) {
+    for (sample = 0u; sample < 41u; sample++) {
+        /* at first within every limit, so that nothing is cut off */
+        scale = sample < 33u ? 0.03125 : 0.03125;
+        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
         random = random * 1664525u + 1013904223u;
-        inputs.v_command = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_command = ipc_real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_motor = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_motor = ipc_real_of(sample == 4u ? UINT64_C(0x7ff8000000000000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_direct = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_direct = ipc_real_of(sample == 7u ? UINT64_C(0x7ff8000000000000) : noise);
         step(&state, &inputs, &outputs);
-        if (ipc_bits_of(outputs.v_add) != expected[sample]) {
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add));
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add_calculated));
+        digest = ipc_fold(digest, outputs.limited);
+        digest = ipc_fold(digest, outputs.fault);
+        digest = ipc_fold(digest, outputs.error_id);
+        digest = ipc_fold(digest, state.settled);
+        digest = ipc_fold(digest, state.gate);
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section1_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section1_s2));
+        if (digest != expected[sample]) {
             return sample + 1u;
         }
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s1) != UINT64_C(0x40cb3d2a9474ccd9)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s2) != UINT64_C(0xc0a9a4048da9c8da)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section1_s1) != UINT64_C(0x40debe28db9ca25e)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section1_s2) != UINT64_C(0xc0c31a733c26b01b)) {
-        return 33u;
     }
     return 0u;
 }

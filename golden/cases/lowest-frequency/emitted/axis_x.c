@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  62500 ns
  * parameters  d779f62a242bb193795c91e01e9ed760
- * body        e01ac4446ad03f5d0105d7eb32f356ff
+ * body        7b971438add26a65a53524b2888dab7f
  */
 #include "axis_x.h"
 
@@ -282,88 +282,112 @@ static uint64_t ipc_bits_of(double value)
     return view.bits;
 }
 
+static double ipc_real_of(uint64_t bits)
+{
+    union {
+        double value;
+        uint64_t bits;
+    } view;
+    view.bits = bits;
+    return view.value;
+}
+
+static uint64_t ipc_fold(uint64_t digest, uint64_t bits)
+{
+    return ((digest << 5) | (digest >> 59)) + bits;
+}
+
 uint32_t axis_x_ipc_self_test(void)
 {
-    /* v_add of the reference, sample by sample */
-    static const uint64_t expected[32] = {
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x3eba6c3b17747d58),
-        UINT64_C(0x3ed2acc3679416f5),
-        UINT64_C(0x3ed7c72de16cc592),
-        UINT64_C(0x3ea64673ea9f146d),
-        UINT64_C(0xbef7fb43ace5aa6d),
-        UINT64_C(0xbf088d2fa7798e1c),
-        UINT64_C(0xbf0a2acdd4342fbf),
-        UINT64_C(0xbf0eb7f9e67f85a7),
-        UINT64_C(0xbf13facff4ecbb35),
-        UINT64_C(0xbf1255d9e0045427),
-        UINT64_C(0xbf11b5520d6ae74f),
-        UINT64_C(0xbf1d559163fde456),
-        UINT64_C(0xbf2a1b53780a66a6),
-        UINT64_C(0xbf30bd2712a72333),
-        UINT64_C(0xbf328bceb0ba52fd),
-        UINT64_C(0xbf3705f4d3bc4df2),
-        UINT64_C(0xbf3e6e7d6e0e4cfc),
-        UINT64_C(0xbf40ce3e02aa47d4),
-        UINT64_C(0xbf409c19ce8d4245),
-        UINT64_C(0xbf41882f8f8e1f28),
-        UINT64_C(0xbf43fc1f5763b6b8),
-        UINT64_C(0xbf453e8ce7088635),
-        UINT64_C(0xbf454502ad3c5863),
-        UINT64_C(0xbf48d8391e8294ae),
-        UINT64_C(0xbf4c7adabf5d90ed),
-        UINT64_C(0xbf4f677d5c797c96),
-        UINT64_C(0xbf5180a68346684a),
-        UINT64_C(0xbf52f9af04a1dc62),
-        UINT64_C(0xbf5510f0d8242dc7),
-        UINT64_C(0xbf582c1e725f6cb3),
-        UINT64_C(0xbf5a5fa9b2780c3a),
+    /* the reference's digest of all outputs and of the whole state, after each sample */
+    static const uint64_t expected[41] = {
+        UINT64_C(0x16ef4e5a829b3ee4),
+        UINT64_C(0x206315f5d80b8ac0),
+        UINT64_C(0x87b9b737b3ae16c2),
+        UINT64_C(0xacfc9e99a43c407b),
+        UINT64_C(0x9f79472e6c1fa283),
+        UINT64_C(0x24f62272f257a745),
+        UINT64_C(0x02294e58b5269268),
+        UINT64_C(0xf7bde338f5f5c89a),
+        UINT64_C(0x294f78334e388ca0),
+        UINT64_C(0xd63eb5b014eae297),
+        UINT64_C(0xda792c634ca4be42),
+        UINT64_C(0x7753d223d68ee6b7),
+        UINT64_C(0x1bb36aa2d1ff324f),
+        UINT64_C(0xdc20680d0f9fbfe8),
+        UINT64_C(0xffd67d980a93c045),
+        UINT64_C(0x399c6b67dea2549a),
+        UINT64_C(0x7c633ca203070f4f),
+        UINT64_C(0x8d9838115f8cf927),
+        UINT64_C(0xe483176d173a91c4),
+        UINT64_C(0xe0c6b46f8988e76e),
+        UINT64_C(0x3f570946b1d986d6),
+        UINT64_C(0x1f9064ea813bb9b5),
+        UINT64_C(0x606e583b1b92b00a),
+        UINT64_C(0xaa4cbbe69cde5aab),
+        UINT64_C(0xbc923bd37aadcb0a),
+        UINT64_C(0x46368cc34db99bb7),
+        UINT64_C(0x0a0cf136c4049aa6),
+        UINT64_C(0xae5bd736542137fc),
+        UINT64_C(0x20591cb89ba8cb49),
+        UINT64_C(0x5f7a167dd377d1be),
+        UINT64_C(0x4ed58fdddc2e9bf7),
+        UINT64_C(0x1e0ce1961b371c34),
+        UINT64_C(0x1975daefad6a61d9),
+        UINT64_C(0x45c2a147f940ac50),
+        UINT64_C(0x954ffab9797054d6),
+        UINT64_C(0xb70544197c950ca1),
+        UINT64_C(0xe0b85df194586c1a),
+        UINT64_C(0x45b30c41f4cf59e5),
+        UINT64_C(0x64ad9c2f1eca2d28),
+        UINT64_C(0x458fda209fed46ad),
+        UINT64_C(0xdd8643715518a862),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) = axis_x_ipc_step;
     axis_x_ipc_state state;
     axis_x_ipc_inputs inputs;
     axis_x_ipc_outputs outputs;
+    uint64_t digest = 0u;
+    uint64_t noise;
+    double scale;
     uint32_t random = 1u;
     uint32_t sample;
 
     axis_x_ipc_init(&state);
     axis_x_ipc_inputs_init(&inputs);
-    for (sample = 0u; sample < 32u; sample++) {
+    for (sample = 0u; sample < 41u; sample++) {
+        /* at first within every limit, so that nothing is cut off */
+        scale = sample < 33u ? 0.001953125 : 0.03125;
+        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
         random = random * 1664525u + 1013904223u;
-        inputs.v_command = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_command = ipc_real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_motor = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_motor = ipc_real_of(sample == 4u ? UINT64_C(0x7ff8000000000000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_direct = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_direct = ipc_real_of(sample == 7u ? UINT64_C(0x7ff8000000000000) : noise);
         step(&state, &inputs, &outputs);
-        if (ipc_bits_of(outputs.v_add) != expected[sample]) {
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add));
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add_calculated));
+        digest = ipc_fold(digest, outputs.limited);
+        digest = ipc_fold(digest, outputs.fault);
+        digest = ipc_fold(digest, outputs.error_id);
+        digest = ipc_fold(digest, state.settled);
+        digest = ipc_fold(digest, state.gate);
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_oscillation_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_oscillation_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section1_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section1_s2));
+        if (digest != expected[sample]) {
             return sample + 1u;
         }
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s1) != UINT64_C(0x40317f7983fae5ac)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s2) != UINT64_C(0xc031113a9f4282a5)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_oscillation_s1) != UINT64_C(0xc0f0b9fd8d372773)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_oscillation_s2) != UINT64_C(0x40f0b9fd8da90367)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section0_s1) != UINT64_C(0x3fb749c9626a50c1)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section0_s2) != UINT64_C(0x3fb6d20b156dadbb)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section1_s1) != UINT64_C(0x3e608362aecebd8a)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section1_s2) != UINT64_C(0xbe608362aee9dd1f)) {
-        return 33u;
     }
     return 0u;
 }

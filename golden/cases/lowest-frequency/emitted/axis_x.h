@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  62500 ns
  * parameters  d779f62a242bb193795c91e01e9ed760
- * body        1cc67666acaa2092eec0a02d3103753d
+ * body        d1e7088dfff1e12f3c892b87974d22bf
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -60,9 +60,9 @@ void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs);
 void axis_x_ipc_step(axis_x_ipc_state *state, const axis_x_ipc_inputs *inputs,
     axis_x_ipc_outputs *outputs);
 
-/* Compares a short run with the bits of the reference: 0 if all are the same, else the number of the first sample that
- * differs (32 samples, then the state). Run it once at start-up, on the machine and with the compiler options that the block
- * runs with: it finds a build that fuses or reorders floating-point operations. */
+/* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
+ * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
+ * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
 uint32_t axis_x_ipc_self_test(void);
 
 #ifdef __cplusplus

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  433be3a8b78f4c5a206df87cde7d8541
- * body        77cba3dc99e4cea7627890b0ff732a3c
+ * body        b5953314a5fd689079b8bc832555494e
  */
 #include "axis_x.h"
 
@@ -296,95 +296,115 @@ static uint64_t ipc_bits_of(double value)
     return view.bits;
 }
 
+static double ipc_real_of(uint64_t bits)
+{
+    union {
+        double value;
+        uint64_t bits;
+    } view;
+    view.bits = bits;
+    return view.value;
+}
+
+static uint64_t ipc_fold(uint64_t digest, uint64_t bits)
+{
+    return ((digest << 5) | (digest >> 59)) + bits;
+}
+
 uint32_t axis_x_ipc_self_test(void)
 {
-    /* v_add of the reference, sample by sample */
-    static const uint64_t expected[32] = {
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x4065372bd2714aaa),
-        UINT64_C(0x407b68f652496299),
-        UINT64_C(0x407b65b2987226b5),
-        UINT64_C(0xc07433f0f205cf7c),
-        UINT64_C(0xc0a7fac2854c7e10),
-        UINT64_C(0xc0b56e37a7383fd4),
-        UINT64_C(0xc0b3b187a12710f5),
-        UINT64_C(0xc0b260e1f9581930),
-        UINT64_C(0xc0b2aeaace782458),
-        UINT64_C(0xc099b58e7a0efafd),
-        UINT64_C(0x4094f6b29d5d627f),
-        UINT64_C(0xc083c6eea2f1d5ef),
-        UINT64_C(0xc0ba4ee48809eb0e),
-        UINT64_C(0xc0c03da1adce88ea),
-        UINT64_C(0xc0b674353116dc50),
-        UINT64_C(0xc0bae740ff9543bf),
-        UINT64_C(0xc0c71a41688b2311),
-        UINT64_C(0xc0c002d9a7b680a9),
-        UINT64_C(0x40a155e652e6634e),
-        UINT64_C(0x40c12ca4f84d3fa0),
-        UINT64_C(0x40c36718c4585c1a),
-        UINT64_C(0x40cce3dd62ade025),
-        UINT64_C(0x40d6598d5f5e32f6),
-        UINT64_C(0x40d140c115c3211e),
-        UINT64_C(0x40c6bf7fffd78286),
-        UINT64_C(0x40be291eeeb6d4b3),
-        UINT64_C(0x4095f5d0670a061f),
-        UINT64_C(0xc0a2aa37974a5bdb),
-        UINT64_C(0xc0c31b4faa5b2933),
-        UINT64_C(0xc0d6212431acddde),
-        UINT64_C(0xc0da86aa25878a02),
+    /* the reference's digest of all outputs and of the whole state, after each sample */
+    static const uint64_t expected[41] = {
+        UINT64_C(0xe16fbb25219aaa59),
+        UINT64_C(0xa1a07536afc7b8c7),
+        UINT64_C(0xf1eb065c6443ed8e),
+        UINT64_C(0x8063f5b21a848ed3),
+        UINT64_C(0xbbdfa959df9f8fb4),
+        UINT64_C(0x86b5c7aba4421daf),
+        UINT64_C(0x644a96d75ab9e9d5),
+        UINT64_C(0xe51e7d31eced5df8),
+        UINT64_C(0x24929879daf66086),
+        UINT64_C(0xab8c1c958759c4dd),
+        UINT64_C(0x1eedaa705bc09389),
+        UINT64_C(0xbbeb75cb3cdd9604),
+        UINT64_C(0x396d8ad7113956ba),
+        UINT64_C(0xc06057c4ea8d9ded),
+        UINT64_C(0x4c44ce4d324b2062),
+        UINT64_C(0x2caa056ed8422ab2),
+        UINT64_C(0x1f78f4b563167e30),
+        UINT64_C(0x05b32501af8b954e),
+        UINT64_C(0xaa70d2c58819601b),
+        UINT64_C(0xe97edd5adf0a2706),
+        UINT64_C(0xb36f6e7cb950472d),
+        UINT64_C(0x5557dc2ba19eda7d),
+        UINT64_C(0x93f1ec395a22a460),
+        UINT64_C(0xed438ff5aaf00eda),
+        UINT64_C(0x0978b3547b61be50),
+        UINT64_C(0x355bb76bed6f0179),
+        UINT64_C(0xbd8d94e801d4a03c),
+        UINT64_C(0x53620fa4d62840d9),
+        UINT64_C(0xcef161cf690ba4fd),
+        UINT64_C(0x5bb35bdfc2f002f9),
+        UINT64_C(0x9fa3b3ffaf71fb95),
+        UINT64_C(0xe4ecdce81d3d3328),
+        UINT64_C(0x9457554ed40b458e),
+        UINT64_C(0xc56057c212343a2d),
+        UINT64_C(0x76594ba899175980),
+        UINT64_C(0x81ec5603fc08ffe1),
+        UINT64_C(0x96ee7eff225be98d),
+        UINT64_C(0xf5bab6704b2529f3),
+        UINT64_C(0x222f5b323f572bfe),
+        UINT64_C(0xd0146a5b38b4303a),
+        UINT64_C(0x25fce52f21c65d2d),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) = axis_x_ipc_step;
     axis_x_ipc_state state;
     axis_x_ipc_inputs inputs;
     axis_x_ipc_outputs outputs;
+    uint64_t digest = 0u;
+    uint64_t noise;
+    double scale;
     uint32_t random = 1u;
     uint32_t sample;
 
     axis_x_ipc_init(&state);
     axis_x_ipc_inputs_init(&inputs);
     inputs.mode = 1;
-    for (sample = 0u; sample < 32u; sample++) {
+    for (sample = 0u; sample < 41u; sample++) {
+        /* at first within every limit, so that nothing is cut off */
+        scale = sample < 33u ? 0.001953125 : 0.03125;
+        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
         random = random * 1664525u + 1013904223u;
-        inputs.v_command = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_command = ipc_real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_motor = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_motor = ipc_real_of(sample == 4u ? UINT64_C(0x7ff8000000000000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_direct = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_direct = ipc_real_of(sample == 7u ? UINT64_C(0x7ff8000000000000) : noise);
         step(&state, &inputs, &outputs);
-        if (ipc_bits_of(outputs.v_add) != expected[sample]) {
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add));
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add_calculated));
+        digest = ipc_fold(digest, outputs.limited);
+        digest = ipc_fold(digest, outputs.fault);
+        digest = ipc_fold(digest, outputs.error_id);
+        digest = ipc_fold(digest, state.settled);
+        digest = ipc_fold(digest, state.gate);
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_oscillation_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_oscillation_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section1_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section1_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section2_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section2_s2));
+        if (digest != expected[sample]) {
             return sample + 1u;
         }
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s1) != UINT64_C(0x40d3c806d57d5aec)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s2) != UINT64_C(0xc0d4a1efc28c1a3a)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_oscillation_s1) != UINT64_C(0x40f07468d6f6ab9c)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_oscillation_s2) != UINT64_C(0xc0ef4668337b1b78)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section0_s1) != UINT64_C(0x40c3fccf6bb6eeb1)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section0_s2) != UINT64_C(0xc0ccde95f6a4b7da)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section1_s1) != UINT64_C(0x40af205122add66c)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section1_s2) != UINT64_C(0xc0b6986af385572f)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section2_s1) != UINT64_C(0x408b060b6a53b664)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section2_s2) != UINT64_C(0xc09cb4cfaeeefcd6)) {
-        return 33u;
     }
     return 0u;
 }

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  433be3a8b78f4c5a206df87cde7d8541
- * body        2dbf3d38753d6194bface35b59907f84
+ * body        ca1935a4828d6f3bd2d131d4791aaf4a
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -62,9 +62,9 @@ void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs);
 void axis_x_ipc_step(axis_x_ipc_state *state, const axis_x_ipc_inputs *inputs,
     axis_x_ipc_outputs *outputs);
 
-/* Compares a short run with the bits of the reference: 0 if all are the same, else the number of the first sample that
- * differs (32 samples, then the state). Run it once at start-up, on the machine and with the compiler options that the block
- * runs with: it finds a build that fuses or reorders floating-point operations. */
+/* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
+ * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
+ * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
 uint32_t axis_x_ipc_self_test(void);
 
 #ifdef __cplusplus

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9760420855774556c7bc167f08fc35fd
- * body        aaafe8969b8779ddaf96799b4c9688d9
+ * body        ab8b2db7bfcc9f9ec1504689a4a1ac4c
  */
 #ifndef AXIS_RACK_AND_PINION_H
 #define AXIS_RACK_AND_PINION_H
@@ -58,9 +58,9 @@ void axis_rack_and_pinion_ipc_inputs_init(axis_rack_and_pinion_ipc_inputs *input
 void axis_rack_and_pinion_ipc_step(axis_rack_and_pinion_ipc_state *state, const axis_rack_and_pinion_ipc_inputs *inputs,
     axis_rack_and_pinion_ipc_outputs *outputs);
 
-/* Compares a short run with the bits of the reference: 0 if all are the same, else the number of the first sample that
- * differs (32 samples, then the state). Run it once at start-up, on the machine and with the compiler options that the block
- * runs with: it finds a build that fuses or reorders floating-point operations. */
+/* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
+ * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
+ * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
 uint32_t axis_rack_and_pinion_ipc_self_test(void);
 
 #ifdef __cplusplus

@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  87f91c78676cb102a3330a2e3848dcd6
- * body        87db98baa9de9105e4692e79c6241fec
+ * body        fa7f89394f7d8eede97d35ea49567d82
  */
 #include "axis_x.h"
 
@@ -244,82 +244,110 @@ static uint32_t ipc_bits_of(float value)
     return view.bits;
 }
 
+static float ipc_real_of(uint32_t bits)
+{
+    union {
+        float value;
+        uint32_t bits;
+    } view;
+    view.bits = bits;
+    return view.value;
+}
+
+static uint32_t ipc_fold(uint32_t digest, uint32_t bits)
+{
+    return ((digest << 5) | (digest >> 27)) + bits;
+}
+
 uint32_t axis_x_ipc_self_test(void)
 {
-    /* v_add of the reference, sample by sample */
-    static const uint32_t expected[32] = {
-        UINT32_C(0x00000000),
-        UINT32_C(0x40444167),
-        UINT32_C(0xc1181580),
-        UINT32_C(0xc2541aef),
-        UINT32_C(0x4398daf1),
-        UINT32_C(0xc43bca1a),
-        UINT32_C(0x449896ca),
-        UINT32_C(0xc4b72809),
-        UINT32_C(0x4495544c),
-        UINT32_C(0xc342ecdc),
-        UINT32_C(0xc4a74084),
-        UINT32_C(0x453270c4),
-        UINT32_C(0xc57bbcfc),
-        UINT32_C(0x4597b9e1),
-        UINT32_C(0xc5a11c95),
-        UINT32_C(0x45963abc),
-        UINT32_C(0xc5823b68),
-        UINT32_C(0x4558cb4c),
-        UINT32_C(0xc521bce7),
-        UINT32_C(0x44b0ef6f),
-        UINT32_C(0x431dea38),
-        UINT32_C(0xc52ba920),
-        UINT32_C(0x45d9d8dc),
-        UINT32_C(0xc638e457),
-        UINT32_C(0x466d382f),
-        UINT32_C(0xc6712852),
-        UINT32_C(0x463bf212),
-        UINT32_C(0xc5ab22ab),
-        UINT32_C(0xc53becd5),
-        UINT32_C(0x463908bc),
-        UINT32_C(0xc6918320),
-        UINT32_C(0x46a1eeb2),
+    /* the reference's digest of all outputs and of the whole state, after each sample */
+    static const uint32_t expected[41] = {
+        UINT32_C(0x713f6fd7),
+        UINT32_C(0x47e1bc8f),
+        UINT32_C(0x8d9f2bbe),
+        UINT32_C(0x4b3ec1ee),
+        UINT32_C(0x6baa3c56),
+        UINT32_C(0x6713e561),
+        UINT32_C(0x2e4c3c23),
+        UINT32_C(0x748201b8),
+        UINT32_C(0x6577d27f),
+        UINT32_C(0xaf4793d9),
+        UINT32_C(0x491a20a0),
+        UINT32_C(0x2cf70723),
+        UINT32_C(0xf7945202),
+        UINT32_C(0x171f0747),
+        UINT32_C(0x314e7b41),
+        UINT32_C(0xbe49dc12),
+        UINT32_C(0x291cd617),
+        UINT32_C(0x1ecba37d),
+        UINT32_C(0xf04119b4),
+        UINT32_C(0x430cac6a),
+        UINT32_C(0xe0049487),
+        UINT32_C(0xa975e13c),
+        UINT32_C(0xd6cae100),
+        UINT32_C(0xea66d992),
+        UINT32_C(0x1788f669),
+        UINT32_C(0xfb8472f9),
+        UINT32_C(0xd1f941a7),
+        UINT32_C(0x68310304),
+        UINT32_C(0x547d64bd),
+        UINT32_C(0x883076d6),
+        UINT32_C(0xbc716e3a),
+        UINT32_C(0x50bc64a1),
+        UINT32_C(0x3e6c5eed),
+        UINT32_C(0x17f094b7),
+        UINT32_C(0xe90d2de9),
+        UINT32_C(0xc0e7c770),
+        UINT32_C(0x5078510b),
+        UINT32_C(0x1b106749),
+        UINT32_C(0x900325a4),
+        UINT32_C(0x49b6bdc1),
+        UINT32_C(0x4119e942),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) = axis_x_ipc_step;
     axis_x_ipc_state state;
     axis_x_ipc_inputs inputs;
     axis_x_ipc_outputs outputs;
+    uint32_t digest = 0u;
+    uint32_t noise;
+    float scale;
     uint32_t random = 1u;
     uint32_t sample;
 
     axis_x_ipc_init(&state);
     axis_x_ipc_inputs_init(&inputs);
-    for (sample = 0u; sample < 32u; sample++) {
+    for (sample = 0u; sample < 41u; sample++) {
+        /* at first within every limit, so that nothing is cut off */
+        scale = sample < 33u ? 0.001953125f : 0.03125f;
+        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
         random = random * 1664525u + 1013904223u;
-        inputs.v_command = ((float)(random >> 8) - 8388608.0f) * 0.03125f;
+        noise = ipc_bits_of(((float)(random >> 8) - 8388608.0f) * scale);
+        inputs.v_command = ipc_real_of(sample == 1u ? UINT32_C(0x7fc00000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_motor = ((float)(random >> 8) - 8388608.0f) * 0.03125f;
+        noise = ipc_bits_of(((float)(random >> 8) - 8388608.0f) * scale);
+        inputs.v_motor = ipc_real_of(sample == 4u ? UINT32_C(0x7fc00000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_direct = ((float)(random >> 8) - 8388608.0f) * 0.03125f;
+        noise = ipc_bits_of(((float)(random >> 8) - 8388608.0f) * scale);
+        inputs.v_direct = ipc_real_of(sample == 7u ? UINT32_C(0x7fc00000) : noise);
         step(&state, &inputs, &outputs);
-        if (ipc_bits_of(outputs.v_add) != expected[sample]) {
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add));
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add_calculated));
+        digest = ipc_fold(digest, outputs.limited);
+        digest = ipc_fold(digest, outputs.fault);
+        digest = ipc_fold(digest, outputs.error_id);
+        digest = ipc_fold(digest, state.settled);
+        digest = ipc_fold(digest, state.gate);
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section1_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section1_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section2_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section2_s2));
+        if (digest != expected[sample]) {
             return sample + 1u;
         }
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s1) != UINT32_C(0x4534e070)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s2) != UINT32_C(0x4726a969)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section1_s1) != UINT32_C(0xc70c2c2d)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section1_s2) != UINT32_C(0x45ebf63c)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section2_s1) != UINT32_C(0x46e94693)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section2_s2) != UINT32_C(0x46f2e0ea)) {
-        return 33u;
     }
     return 0u;
 }

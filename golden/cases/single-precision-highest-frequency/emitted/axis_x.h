@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  87f91c78676cb102a3330a2e3848dcd6
- * body        d016ac4ee3894ff9a84d9434e9247645
+ * body        abaebbb686b55fe6367699475e9d66b7
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -58,9 +58,9 @@ void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs);
 void axis_x_ipc_step(axis_x_ipc_state *state, const axis_x_ipc_inputs *inputs,
     axis_x_ipc_outputs *outputs);
 
-/* Compares a short run with the bits of the reference: 0 if all are the same, else the number of the first sample that
- * differs (32 samples, then the state). Run it once at start-up, on the machine and with the compiler options that the block
- * runs with: it finds a build that fuses or reorders floating-point operations. */
+/* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
+ * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
+ * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
 uint32_t axis_x_ipc_self_test(void);
 
 #ifdef __cplusplus

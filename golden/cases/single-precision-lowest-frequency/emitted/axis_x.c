@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  62500 ns
  * parameters  bad0c99249e15f6dcaf94ab9de408464
- * body        6e181699062aa27dbcfa55e3430d6c41
+ * body        9f7e05658caf85dcdfdbe8cc97c11922
  */
 #include "axis_x.h"
 
@@ -265,88 +265,112 @@ static uint32_t ipc_bits_of(float value)
     return view.bits;
 }
 
+static float ipc_real_of(uint32_t bits)
+{
+    union {
+        float value;
+        uint32_t bits;
+    } view;
+    view.bits = bits;
+    return view.value;
+}
+
+static uint32_t ipc_fold(uint32_t digest, uint32_t bits)
+{
+    return ((digest << 5) | (digest >> 27)) + bits;
+}
+
 uint32_t axis_x_ipc_self_test(void)
 {
-    /* v_add of the reference, sample by sample */
-    static const uint32_t expected[32] = {
-        UINT32_C(0x00000000),
-        UINT32_C(0x3661de4b),
-        UINT32_C(0x3851e100),
-        UINT32_C(0x399354fc),
-        UINT32_C(0x3a7b9b00),
-        UINT32_C(0x3b1abec6),
-        UINT32_C(0x3b932d3a),
-        UINT32_C(0x3bdec5dc),
-        UINT32_C(0x3c04c0af),
-        UINT32_C(0x3bd9cb40),
-        UINT32_C(0x38d85480),
-        UINT32_C(0xbc6acd04),
-        UINT32_C(0xbd2334d5),
-        UINT32_C(0xbda47dd8),
-        UINT32_C(0xbe104ce1),
-        UINT32_C(0xbe69dd7a),
-        UINT32_C(0xbeb3a79b),
-        UINT32_C(0xbf04a2c1),
-        UINT32_C(0xbf3dd772),
-        UINT32_C(0xbf8469ee),
-        UINT32_C(0xbfb49b7e),
-        UINT32_C(0xbff15e1e),
-        UINT32_C(0xc01e4ec9),
-        UINT32_C(0xc04c2617),
-        UINT32_C(0xc08194a3),
-        UINT32_C(0xc0a223d1),
-        UINT32_C(0xc0c83810),
-        UINT32_C(0xc0f447b5),
-        UINT32_C(0xc1136292),
-        UINT32_C(0xc1300e2c),
-        UINT32_C(0xc1505928),
-        UINT32_C(0xc1747339),
+    /* the reference's digest of all outputs and of the whole state, after each sample */
+    static const uint32_t expected[41] = {
+        UINT32_C(0xb4f2c512),
+        UINT32_C(0xdf39da90),
+        UINT32_C(0xbb62f156),
+        UINT32_C(0xf4eec44c),
+        UINT32_C(0xfa65f8da),
+        UINT32_C(0xd41e83e2),
+        UINT32_C(0xc3c5d17a),
+        UINT32_C(0xf4df2f68),
+        UINT32_C(0x3d539876),
+        UINT32_C(0xe2553b32),
+        UINT32_C(0x4654cfa8),
+        UINT32_C(0xbd74f39e),
+        UINT32_C(0x2d15f833),
+        UINT32_C(0xfda30aaf),
+        UINT32_C(0xd5943a4d),
+        UINT32_C(0x95183f8d),
+        UINT32_C(0x81ff7f87),
+        UINT32_C(0xa59bd4b7),
+        UINT32_C(0x81b2ea11),
+        UINT32_C(0x88e9a53d),
+        UINT32_C(0xe610bef6),
+        UINT32_C(0xcdd344be),
+        UINT32_C(0xa1db7dbe),
+        UINT32_C(0x58e2a21d),
+        UINT32_C(0x9ecbfc25),
+        UINT32_C(0x64b36362),
+        UINT32_C(0x129e6768),
+        UINT32_C(0x87fe44cc),
+        UINT32_C(0xb148b80a),
+        UINT32_C(0xf88c538c),
+        UINT32_C(0xb26191ef),
+        UINT32_C(0x8ea335d4),
+        UINT32_C(0xbac82a73),
+        UINT32_C(0xbc8301c3),
+        UINT32_C(0xf06b47fc),
+        UINT32_C(0xfea8223d),
+        UINT32_C(0x88ccf58b),
+        UINT32_C(0x7092f5f1),
+        UINT32_C(0x089b0674),
+        UINT32_C(0x79c37886),
+        UINT32_C(0x75430cda),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) = axis_x_ipc_step;
     axis_x_ipc_state state;
     axis_x_ipc_inputs inputs;
     axis_x_ipc_outputs outputs;
+    uint32_t digest = 0u;
+    uint32_t noise;
+    float scale;
     uint32_t random = 1u;
     uint32_t sample;
 
     axis_x_ipc_init(&state);
     axis_x_ipc_inputs_init(&inputs);
-    for (sample = 0u; sample < 32u; sample++) {
+    for (sample = 0u; sample < 41u; sample++) {
+        /* at first within every limit, so that nothing is cut off */
+        scale = sample < 33u ? 0.001953125f : 0.03125f;
+        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
         random = random * 1664525u + 1013904223u;
-        inputs.v_command = ((float)(random >> 8) - 8388608.0f) * 0.03125f;
+        noise = ipc_bits_of(((float)(random >> 8) - 8388608.0f) * scale);
+        inputs.v_command = ipc_real_of(sample == 1u ? UINT32_C(0x7fc00000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_motor = ((float)(random >> 8) - 8388608.0f) * 0.03125f;
+        noise = ipc_bits_of(((float)(random >> 8) - 8388608.0f) * scale);
+        inputs.v_motor = ipc_real_of(sample == 4u ? UINT32_C(0x7fc00000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_direct = ((float)(random >> 8) - 8388608.0f) * 0.03125f;
+        noise = ipc_bits_of(((float)(random >> 8) - 8388608.0f) * scale);
+        inputs.v_direct = ipc_real_of(sample == 7u ? UINT32_C(0x7fc00000) : noise);
         step(&state, &inputs, &outputs);
-        if (ipc_bits_of(outputs.v_add) != expected[sample]) {
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add));
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add_calculated));
+        digest = ipc_fold(digest, outputs.limited);
+        digest = ipc_fold(digest, outputs.fault);
+        digest = ipc_fold(digest, outputs.error_id);
+        digest = ipc_fold(digest, state.settled);
+        digest = ipc_fold(digest, state.gate);
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_oscillation_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_oscillation_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section1_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section1_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section2_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section2_s2));
+        if (digest != expected[sample]) {
             return sample + 1u;
         }
-    }
-    if (ipc_bits_of(state.stage0_oscillation_s1) != UINT32_C(0x47591f14)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_oscillation_s2) != UINT32_C(0xc747d4e0)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s1) != UINT32_C(0x463cd67b)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s2) != UINT32_C(0xc6393af4)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section1_s1) != UINT32_C(0x44841248)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section1_s2) != UINT32_C(0xc4879a13)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section2_s1) != UINT32_C(0x42a44eaf)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section2_s2) != UINT32_C(0xc2a8c143)) {
-        return 33u;
     }
     return 0u;
 }

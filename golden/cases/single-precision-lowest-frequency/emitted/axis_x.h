@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  62500 ns
  * parameters  bad0c99249e15f6dcaf94ab9de408464
- * body        3d5844627c454064a9594466c8db5c60
+ * body        df0d649f71de7d5ae7ad93d6fd3de1ae
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -60,9 +60,9 @@ void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs);
 void axis_x_ipc_step(axis_x_ipc_state *state, const axis_x_ipc_inputs *inputs,
     axis_x_ipc_outputs *outputs);
 
-/* Compares a short run with the bits of the reference: 0 if all are the same, else the number of the first sample that
- * differs (32 samples, then the state). Run it once at start-up, on the machine and with the compiler options that the block
- * runs with: it finds a build that fuses or reorders floating-point operations. */
+/* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
+ * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
+ * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
 uint32_t axis_x_ipc_self_test(void);
 
 #ifdef __cplusplus

@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  0b73ef9889eaa78feb24d16a4842c593
- * body        6b68ba40d732649e681a036401da311d
+ * body        dae4f1b77cb74ead4fd8ce622a5b101d
  */
 #include "axis_c.h"
 
@@ -400,124 +400,124 @@ static uint32_t ipc_bits_of(float value)
     return view.bits;
 }
 
+static float ipc_real_of(uint32_t bits)
+{
+    union {
+        float value;
+        uint32_t bits;
+    } view;
+    view.bits = bits;
+    return view.value;
+}
+
+static uint32_t ipc_fold(uint32_t digest, uint32_t bits)
+{
+    return ((digest << 5) | (digest >> 27)) + bits;
+}
+
 uint32_t axis_c_ipc_self_test(void)
 {
-    /* v_add of the reference, sample by sample */
-    static const uint32_t expected[32] = {
-        UINT32_C(0x00000000),
-        UINT32_C(0xbe64f7fd),
-        UINT32_C(0xc0785452),
-        UINT32_C(0xc1aa7ebe),
-        UINT32_C(0xc2811dfd),
-        UINT32_C(0xc30c6e0b),
-        UINT32_C(0xc3799cb2),
-        UINT32_C(0xc3b4dc9f),
-        UINT32_C(0xc3c3c77b),
-        UINT32_C(0xc37359bd),
-        UINT32_C(0x42e61072),
-        UINT32_C(0x441a0b40),
-        UINT32_C(0x448a05b3),
-        UINT32_C(0x44ad2516),
-        UINT32_C(0x44a319ef),
-        UINT32_C(0x444f7a80),
-        UINT32_C(0x4228190b),
-        UINT32_C(0xc46cc43c),
-        UINT32_C(0xc4faed81),
-        UINT32_C(0xc538c084),
-        UINT32_C(0xc560a5dc),
-        UINT32_C(0xc56c4000),
-        UINT32_C(0xc560ffb9),
-        UINT32_C(0xc539fa80),
-        UINT32_C(0xc4fed787),
-        UINT32_C(0xc480510a),
-        UINT32_C(0xc33b3c12),
-        UINT32_C(0x43987ad8),
-        UINT32_C(0x43bf7827),
-        UINT32_C(0x42eea96a),
-        UINT32_C(0xc3b61716),
-        UINT32_C(0xc4740fb5),
+    /* the reference's digest of all outputs and of the whole state, after each sample */
+    static const uint32_t expected[41] = {
+        UINT32_C(0xa2df0b24),
+        UINT32_C(0x908a3bd5),
+        UINT32_C(0xfb44d9f0),
+        UINT32_C(0x5f9a1e8d),
+        UINT32_C(0xc6938341),
+        UINT32_C(0x3cf634ab),
+        UINT32_C(0xf6a6d3e7),
+        UINT32_C(0xac84d371),
+        UINT32_C(0x13797423),
+        UINT32_C(0xe7884a43),
+        UINT32_C(0xbf625c8c),
+        UINT32_C(0x0550e7b3),
+        UINT32_C(0xd5b052f9),
+        UINT32_C(0x80214a10),
+        UINT32_C(0x99869556),
+        UINT32_C(0x55eec652),
+        UINT32_C(0xe8f2f3d9),
+        UINT32_C(0xfe1fa514),
+        UINT32_C(0x6066e2da),
+        UINT32_C(0x9ccec490),
+        UINT32_C(0xde463702),
+        UINT32_C(0x05706a25),
+        UINT32_C(0xda800d0f),
+        UINT32_C(0xbf84f548),
+        UINT32_C(0x7a6f1d2d),
+        UINT32_C(0x1e38756b),
+        UINT32_C(0x521c4648),
+        UINT32_C(0xa4100b8b),
+        UINT32_C(0xa7cbbced),
+        UINT32_C(0x2bbfe658),
+        UINT32_C(0xb95a1e03),
+        UINT32_C(0xe799bf16),
+        UINT32_C(0x2fffae8c),
+        UINT32_C(0xd64f7b2b),
+        UINT32_C(0xac0700d1),
+        UINT32_C(0x212e235a),
+        UINT32_C(0x87f0e293),
+        UINT32_C(0x0e282483),
+        UINT32_C(0xca827741),
+        UINT32_C(0x9196ee03),
+        UINT32_C(0x69aed141),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_c_ipc_state *, const axis_c_ipc_inputs *, axis_c_ipc_outputs *) = axis_c_ipc_step;
     axis_c_ipc_state state;
     axis_c_ipc_inputs inputs;
     axis_c_ipc_outputs outputs;
+    uint32_t digest = 0u;
+    uint32_t noise;
+    float scale;
     uint32_t random = 1u;
     uint32_t sample;
 
     axis_c_ipc_init(&state);
     axis_c_ipc_inputs_init(&inputs);
-    for (sample = 0u; sample < 32u; sample++) {
+    for (sample = 0u; sample < 41u; sample++) {
+        /* at first within every limit, so that nothing is cut off */
+        scale = sample < 33u ? 0.00012207031f : 0.015625f;
+        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
         random = random * 1664525u + 1013904223u;
-        inputs.v_command = ((float)(random >> 8) - 8388608.0f) * 0.015625f;
+        noise = ipc_bits_of(((float)(random >> 8) - 8388608.0f) * scale);
+        inputs.v_command = ipc_real_of(sample == 1u ? UINT32_C(0x7fc00000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_motor = ((float)(random >> 8) - 8388608.0f) * 0.015625f;
+        noise = ipc_bits_of(((float)(random >> 8) - 8388608.0f) * scale);
+        inputs.v_motor = ipc_real_of(sample == 4u ? UINT32_C(0x7fc00000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_direct = ((float)(random >> 8) - 8388608.0f) * 0.015625f;
+        noise = ipc_bits_of(((float)(random >> 8) - 8388608.0f) * scale);
+        inputs.v_direct = ipc_real_of(sample == 7u ? UINT32_C(0x7fc00000) : noise);
         step(&state, &inputs, &outputs);
-        if (ipc_bits_of(outputs.v_add) != expected[sample]) {
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add));
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add_calculated));
+        digest = ipc_fold(digest, outputs.limited);
+        digest = ipc_fold(digest, outputs.fault);
+        digest = ipc_fold(digest, outputs.error_id);
+        digest = ipc_fold(digest, state.settled);
+        digest = ipc_fold(digest, state.gate);
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section1_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section1_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section2_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section2_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter1_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter1_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_oscillation_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_oscillation_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section1_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section1_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage2_oscillation_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage2_oscillation_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage2_filter0_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage2_filter0_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage2_filter0_section1_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage2_filter0_section1_s2));
+        if (digest != expected[sample]) {
             return sample + 1u;
         }
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s1) != UINT32_C(0x46301aa6)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s2) != UINT32_C(0xc6867114)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section1_s1) != UINT32_C(0x462b7e7c)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section1_s2) != UINT32_C(0xc637243e)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section2_s1) != UINT32_C(0x44ce651a)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section2_s2) != UINT32_C(0xc52c9e2b)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter1_section0_s1) != UINT32_C(0xc1ffc640)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter1_section0_s2) != UINT32_C(0x4447e2ee)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_oscillation_s1) != UINT32_C(0x4704b03d)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_oscillation_s2) != UINT32_C(0xc6fc30aa)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section0_s1) != UINT32_C(0x46331d04)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section0_s2) != UINT32_C(0xc64f1ccd)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section1_s1) != UINT32_C(0x45416a10)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section1_s2) != UINT32_C(0xc580e6a9)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage2_oscillation_s1) != UINT32_C(0x4627668e)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage2_oscillation_s2) != UINT32_C(0xc63a78df)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage2_filter0_section0_s1) != UINT32_C(0xc685d20b)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage2_filter0_section0_s2) != UINT32_C(0x4617fa18)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage2_filter0_section1_s1) != UINT32_C(0xc5a633ec)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage2_filter0_section1_s2) != UINT32_C(0x45ed942d)) {
-        return 33u;
     }
     return 0u;
 }

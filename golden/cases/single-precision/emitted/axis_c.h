@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  0b73ef9889eaa78feb24d16a4842c593
- * body        86e8493c36be8f4f6965e8f8abd7ef9b
+ * body        9135e5863f063716a0587b25c006d7f3
  */
 #ifndef AXIS_C_H
 #define AXIS_C_H
@@ -72,9 +72,9 @@ void axis_c_ipc_inputs_init(axis_c_ipc_inputs *inputs);
 void axis_c_ipc_step(axis_c_ipc_state *state, const axis_c_ipc_inputs *inputs,
     axis_c_ipc_outputs *outputs);
 
-/* Compares a short run with the bits of the reference: 0 if all are the same, else the number of the first sample that
- * differs (32 samples, then the state). Run it once at start-up, on the machine and with the compiler options that the block
- * runs with: it finds a build that fuses or reorders floating-point operations. */
+/* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
+ * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
+ * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
 uint32_t axis_c_ipc_self_test(void);
 
 #ifdef __cplusplus

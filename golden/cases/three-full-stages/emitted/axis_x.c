@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  fe27a53621d21cb7269ec91c9ce5f9db
- * body        0588d532d618057b4e533b9a49bb029b
+ * body        6bfb074632e6f9bd3eebecc5aef159c1
  */
 #include "axis_x.h"
 
@@ -465,148 +465,132 @@ static uint64_t ipc_bits_of(double value)
     return view.bits;
 }
 
+static double ipc_real_of(uint64_t bits)
+{
+    union {
+        double value;
+        uint64_t bits;
+    } view;
+    view.bits = bits;
+    return view.value;
+}
+
+static uint64_t ipc_fold(uint64_t digest, uint64_t bits)
+{
+    return ((digest << 5) | (digest >> 59)) + bits;
+}
+
 uint32_t axis_x_ipc_self_test(void)
 {
-    /* v_add of the reference, sample by sample */
-    static const uint64_t expected[32] = {
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x3fa07acdcd6e9637),
-        UINT64_C(0x3fc7b1ae7909141c),
-        UINT64_C(0xbf9f1b09932a8bbe),
-        UINT64_C(0xc000503f5cde648c),
-        UINT64_C(0xc01c3cc371f1f820),
-        UINT64_C(0xc02c8841c2afad4b),
-        UINT64_C(0xc032c3a60d077c85),
-        UINT64_C(0xc0296070a4f099f7),
-        UINT64_C(0x40202b54eb3d7698),
-        UINT64_C(0x4042d45a80d7ac67),
-        UINT64_C(0x404d6edecef42d05),
-        UINT64_C(0x4047c7d7221687b5),
-        UINT64_C(0xc028ad1ed827f6af),
-        UINT64_C(0xc05a5203b69a661b),
-        UINT64_C(0xc065caa54ab73a21),
-        UINT64_C(0xc0629db5fe454c2c),
-        UINT64_C(0xbfb5bf0b958497e8),
-        UINT64_C(0x406b92403b5b1fde),
-        UINT64_C(0x407843c759b0e5ad),
-        UINT64_C(0x407623777dc5aa3a),
-        UINT64_C(0x40356c981e387fb0),
-        UINT64_C(0xc08212afcdc0b4fc),
-        UINT64_C(0xc093905380172358),
-        UINT64_C(0xc09aa2f593563872),
-        UINT64_C(0xc09a256c4bc1619f),
-        UINT64_C(0xc0909a1900f26974),
-        UINT64_C(0xc0371a5ebaf7c6d7),
-        UINT64_C(0x4090ad1af79f4e20),
-        UINT64_C(0x409b1a00fe0e0fc6),
-        UINT64_C(0x4098f78dad038815),
-        UINT64_C(0x40810677654a7e46),
+    /* the reference's digest of all outputs and of the whole state, after each sample */
+    static const uint64_t expected[41] = {
+        UINT64_C(0xd993638c1eef9abf),
+        UINT64_C(0xa773305ddd64a5b5),
+        UINT64_C(0x236b49b6f87855ab),
+        UINT64_C(0x6f1589f05825d402),
+        UINT64_C(0xf004d9e7d92ca9f4),
+        UINT64_C(0x289dbb5069b53adb),
+        UINT64_C(0xd5da9858bf92132f),
+        UINT64_C(0x861f054555c50487),
+        UINT64_C(0x7a99cfc25bcf1e4c),
+        UINT64_C(0xd81511a4e3cd285d),
+        UINT64_C(0x11a7eb40c787c09e),
+        UINT64_C(0x471f4face46639b6),
+        UINT64_C(0x5e948c97e1c3e466),
+        UINT64_C(0x79bf3af91c90d46d),
+        UINT64_C(0x7b8f134539b01096),
+        UINT64_C(0xce3bb11bba9c8314),
+        UINT64_C(0x1d9e486a6e561150),
+        UINT64_C(0x0933e811baf4c596),
+        UINT64_C(0xf681bb8aa6b86f67),
+        UINT64_C(0xbe28f926319a5a6b),
+        UINT64_C(0xd475330c1d490cee),
+        UINT64_C(0x52f81808a09ef9fb),
+        UINT64_C(0xa63bf1edf4565736),
+        UINT64_C(0x2385b67e0895cc82),
+        UINT64_C(0xb1691994aea323fe),
+        UINT64_C(0xc02d000320dbba1f),
+        UINT64_C(0xb45c777d0029c4ac),
+        UINT64_C(0x8a4c7bc04e810daf),
+        UINT64_C(0xf2105c41595bfd84),
+        UINT64_C(0xa80088b8e04cdce8),
+        UINT64_C(0xefb4a12c186076cb),
+        UINT64_C(0x0a70b84614c5e0d2),
+        UINT64_C(0x5107ebfec242235e),
+        UINT64_C(0xdbea659500ca0e76),
+        UINT64_C(0xfc1a90c0779adb17),
+        UINT64_C(0x97d215e4303c8fb3),
+        UINT64_C(0x975def5283450f5e),
+        UINT64_C(0xf0ddada1986ed7cf),
+        UINT64_C(0xbd25a7e83b561823),
+        UINT64_C(0x0463f5392d969dbb),
+        UINT64_C(0xd9374208712646f4),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) = axis_x_ipc_step;
     axis_x_ipc_state state;
     axis_x_ipc_inputs inputs;
     axis_x_ipc_outputs outputs;
+    uint64_t digest = 0u;
+    uint64_t noise;
+    double scale;
     uint32_t random = 1u;
     uint32_t sample;
 
     axis_x_ipc_init(&state);
     axis_x_ipc_inputs_init(&inputs);
-    for (sample = 0u; sample < 32u; sample++) {
+    for (sample = 0u; sample < 41u; sample++) {
+        /* at first within every limit, so that nothing is cut off */
+        scale = sample < 33u ? 0.001953125 : 0.03125;
+        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
         random = random * 1664525u + 1013904223u;
-        inputs.v_command = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_command = ipc_real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_motor = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_motor = ipc_real_of(sample == 4u ? UINT64_C(0x7ff8000000000000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_direct = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_direct = ipc_real_of(sample == 7u ? UINT64_C(0x7ff8000000000000) : noise);
         step(&state, &inputs, &outputs);
-        if (ipc_bits_of(outputs.v_add) != expected[sample]) {
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add));
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add_calculated));
+        digest = ipc_fold(digest, outputs.limited);
+        digest = ipc_fold(digest, outputs.fault);
+        digest = ipc_fold(digest, outputs.error_id);
+        digest = ipc_fold(digest, state.settled);
+        digest = ipc_fold(digest, state.gate);
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section1_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section1_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section2_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section2_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter1_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter1_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_oscillation_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_oscillation_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter1_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter1_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter1_section1_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter1_section1_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter1_section2_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter1_section2_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage2_oscillation_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage2_oscillation_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage2_filter0_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage2_filter0_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage2_filter0_section1_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage2_filter0_section1_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage2_filter0_section2_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage2_filter0_section2_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage2_filter1_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage2_filter1_section0_s2));
+        if (digest != expected[sample]) {
             return sample + 1u;
         }
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s1) != UINT64_C(0x40d178d2b2454e0a)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s2) != UINT64_C(0xc0d94de81a862cc6)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section1_s1) != UINT64_C(0x40ba03cc737f1c59)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section1_s2) != UINT64_C(0xc0c0055ee6eb61b2)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section2_s1) != UINT64_C(0x4081d7faf540cbf8)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section2_s2) != UINT64_C(0xc090d55ff4670678)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter1_section0_s1) != UINT64_C(0xc0815e2f6da38af2)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter1_section0_s2) != UINT64_C(0x408c2fdf237fd673)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_oscillation_s1) != UINT64_C(0x40ede77b212101e0)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_oscillation_s2) != UINT64_C(0xc0ec7c724e3778a9)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section0_s1) != UINT64_C(0xc0efdd184ee8c4f5)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section0_s2) != UINT64_C(0x40ef21fdd6a28d0c)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter1_section0_s1) != UINT64_C(0x40d2ffe2ab286be8)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter1_section0_s2) != UINT64_C(0xc0d244a671aa6df2)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter1_section1_s1) != UINT64_C(0x40ba09ad3b44a867)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter1_section1_s2) != UINT64_C(0xc0bae9af3266b78f)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter1_section2_s1) != UINT64_C(0x409f6452774b0772)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter1_section2_s2) != UINT64_C(0xc0a0a3f26c16ae10)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage2_oscillation_s1) != UINT64_C(0xc0e5a9ab5f3291a5)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage2_oscillation_s2) != UINT64_C(0x40de63e4bc0cd57e)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage2_filter0_section0_s1) != UINT64_C(0xc0f9cc2ea08a2b61)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage2_filter0_section0_s2) != UINT64_C(0x40f997a670915560)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage2_filter0_section1_s1) != UINT64_C(0xc0f8f2738cb544fe)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage2_filter0_section1_s2) != UINT64_C(0x40f2a9f680d0b6df)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage2_filter0_section2_s1) != UINT64_C(0xc0f859398c22ebca)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage2_filter0_section2_s2) != UINT64_C(0x40f6f74b737bf941)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage2_filter1_section0_s1) != UINT64_C(0x40f6efbabcf0d3f1)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage2_filter1_section0_s2) != UINT64_C(0xc0ef901a9aa15153)) {
-        return 33u;
     }
     return 0u;
 }

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  fe27a53621d21cb7269ec91c9ce5f9db
- * body        c377c4148263006abda92362770bb6ef
+ * body        dec4f26b14814c9e782f7a4311268f0c
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -80,9 +80,9 @@ void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs);
 void axis_x_ipc_step(axis_x_ipc_state *state, const axis_x_ipc_inputs *inputs,
     axis_x_ipc_outputs *outputs);
 
-/* Compares a short run with the bits of the reference: 0 if all are the same, else the number of the first sample that
- * differs (32 samples, then the state). Run it once at start-up, on the machine and with the compiler options that the block
- * runs with: it finds a build that fuses or reorders floating-point operations. */
+/* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
+ * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
+ * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
 uint32_t axis_x_ipc_self_test(void);
 
 #ifdef __cplusplus

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  6a0aecbe02b54a57c0c2078dc887a241
- * body        c13ef2548c6c80ab9f460b20893f87db
+ * body        b9f9dda2b7f5b0204fd500f3eba70cb8
  */
 #include "axis_z.h"
 
@@ -324,100 +324,116 @@ static uint64_t ipc_bits_of(double value)
     return view.bits;
 }
 
+static double ipc_real_of(uint64_t bits)
+{
+    union {
+        double value;
+        uint64_t bits;
+    } view;
+    view.bits = bits;
+    return view.value;
+}
+
+static uint64_t ipc_fold(uint64_t digest, uint64_t bits)
+{
+    return ((digest << 5) | (digest >> 59)) + bits;
+}
+
 uint32_t axis_z_ipc_self_test(void)
 {
-    /* v_add of the reference, sample by sample */
-    static const uint64_t expected[32] = {
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x3ff1d82df86ae8c5),
-        UINT64_C(0x401dced8c0542c1b),
-        UINT64_C(0x40331a2e4773e35b),
-        UINT64_C(0x403d6b842dff98b0),
-        UINT64_C(0x403285f734d3c37c),
-        UINT64_C(0xc03f9aeaa0cc1339),
-        UINT64_C(0xc05aabe6818c2243),
-        UINT64_C(0xc067da98e0e39498),
-        UINT64_C(0xc072354578d41960),
-        UINT64_C(0xc078b517c0702f37),
-        UINT64_C(0xc07e3bae46302ece),
-        UINT64_C(0xc082722e95349165),
-        UINT64_C(0xc0885f858cfd4cb0),
-        UINT64_C(0xc09095f092a49974),
-        UINT64_C(0xc095ab483c733996),
-        UINT64_C(0xc09b7669ae21cefd),
-        UINT64_C(0xc0a16a72bf7b62f5),
-        UINT64_C(0xc0a5b64c5e6b073d),
-        UINT64_C(0xc0a9d6377a87477d),
-        UINT64_C(0xc0ad8e5d438c836f),
-        UINT64_C(0xc0b09c4ec8ca0fd6),
-        UINT64_C(0xc0b263e52355df11),
-        UINT64_C(0xc0b3d83e9daabe56),
-        UINT64_C(0xc0b51c71b7c0bf04),
-        UINT64_C(0xc0b6735c81c3c727),
-        UINT64_C(0xc0b7bd962d360a34),
-        UINT64_C(0xc0b8e846a2848722),
-        UINT64_C(0xc0b9e2f882773fb5),
-        UINT64_C(0xc0baa8becbd252e5),
-        UINT64_C(0xc0bb70cbed7f3bd3),
-        UINT64_C(0xc0bc2f058d45c898),
+    /* the reference's digest of all outputs and of the whole state, after each sample */
+    static const uint64_t expected[41] = {
+        UINT64_C(0xe59e6694532c2891),
+        UINT64_C(0xf8801b5087831b36),
+        UINT64_C(0x0a99ab242d970b2d),
+        UINT64_C(0x22cd26bf0af2efc4),
+        UINT64_C(0x6cbdeba9aae4a20a),
+        UINT64_C(0x619f7b5b57274ca3),
+        UINT64_C(0x98f8d7fc38c06d10),
+        UINT64_C(0x490e9879efc617eb),
+        UINT64_C(0x05d8981e4c24c1d2),
+        UINT64_C(0xdd3a4dd0aa023d56),
+        UINT64_C(0x340aa69f78b02ecd),
+        UINT64_C(0x18721850e430ac62),
+        UINT64_C(0xb8a2dab32101bf81),
+        UINT64_C(0x90cd897579095ec1),
+        UINT64_C(0x3f12ec634cfc99fa),
+        UINT64_C(0x6061dd8b551d999c),
+        UINT64_C(0xcb8858a7696c1453),
+        UINT64_C(0x14b07bde9541e856),
+        UINT64_C(0xe344c4273243a305),
+        UINT64_C(0xa25fec066b73671a),
+        UINT64_C(0x383bd8bb6e734701),
+        UINT64_C(0xdeb74b88595f6aeb),
+        UINT64_C(0x0e6b001518666c06),
+        UINT64_C(0xae689159357aaf02),
+        UINT64_C(0x7c960fcbe5158ac1),
+        UINT64_C(0xcbefab2eb4ffa5d6),
+        UINT64_C(0xfbfd77abb6820c4f),
+        UINT64_C(0x1fe929d70de02ec3),
+        UINT64_C(0x2d75ec684c8e6d63),
+        UINT64_C(0xff8001df76e711f0),
+        UINT64_C(0x78520801aef25d04),
+        UINT64_C(0x0e9dced8ff260dea),
+        UINT64_C(0x7fbf7dfadbd38727),
+        UINT64_C(0x8091607956415993),
+        UINT64_C(0x270bb287785d9fd9),
+        UINT64_C(0x30395db1cb2096f5),
+        UINT64_C(0x30e6729427b48257),
+        UINT64_C(0xed55eb88cdbb1180),
+        UINT64_C(0x96996e8de049db25),
+        UINT64_C(0x521d9e229a893575),
+        UINT64_C(0x8d015b6dc3867243),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_z_ipc_state *, const axis_z_ipc_inputs *, axis_z_ipc_outputs *) = axis_z_ipc_step;
     axis_z_ipc_state state;
     axis_z_ipc_inputs inputs;
     axis_z_ipc_outputs outputs;
+    uint64_t digest = 0u;
+    uint64_t noise;
+    double scale;
     uint32_t random = 1u;
     uint32_t sample;
 
     axis_z_ipc_init(&state);
     axis_z_ipc_inputs_init(&inputs);
-    for (sample = 0u; sample < 32u; sample++) {
+    for (sample = 0u; sample < 41u; sample++) {
+        /* at first within every limit, so that nothing is cut off */
+        scale = sample < 33u ? 0.00390625 : 0.03125;
+        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
         random = random * 1664525u + 1013904223u;
-        inputs.v_command = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_command = ipc_real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_motor = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_motor = ipc_real_of(sample == 4u ? UINT64_C(0x7ff8000000000000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_direct = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_direct = ipc_real_of(sample == 7u ? UINT64_C(0x7ff8000000000000) : noise);
         step(&state, &inputs, &outputs);
-        if (ipc_bits_of(outputs.v_add) != expected[sample]) {
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add));
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add_calculated));
+        digest = ipc_fold(digest, outputs.limited);
+        digest = ipc_fold(digest, outputs.fault);
+        digest = ipc_fold(digest, outputs.error_id);
+        digest = ipc_fold(digest, state.settled);
+        digest = ipc_fold(digest, state.gate);
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section1_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section1_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter1_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter1_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter1_section1_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter1_section1_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter1_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter1_section0_s2));
+        if (digest != expected[sample]) {
             return sample + 1u;
         }
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s1) != UINT64_C(0xc0b93a2495559cd6)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s2) != UINT64_C(0x40b4837e01254528)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section1_s1) != UINT64_C(0xc091599f35ae5e98)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section1_s2) != UINT64_C(0xc0939a83e2c85469)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter1_section0_s1) != UINT64_C(0x40a6123d4c905f38)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter1_section0_s2) != UINT64_C(0xc0ac429827002356)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter1_section1_s1) != UINT64_C(0x4096d5ffda6e56da)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter1_section1_s2) != UINT64_C(0xc0a18b02c06dc411)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section0_s1) != UINT64_C(0x40d029d488e6c7ea)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section0_s2) != UINT64_C(0xc0d0ea2db99d8357)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter1_section0_s1) != UINT64_C(0x40b68369f8009fa5)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter1_section0_s2) != UINT64_C(0xc0b8de10394d9acb)) {
-        return 33u;
     }
     return 0u;
 }

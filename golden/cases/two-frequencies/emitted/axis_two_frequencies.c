@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  0571d45177aed7bb40e29b85e8e41486
- * body        4a9ecc7187f28859534c8a8783fd7960
+ * body        504d153ebe99583ab971544e55e880a1
  */
 #include "axis_two_frequencies.h"
 
@@ -296,94 +296,114 @@ static uint64_t ipc_bits_of(double value)
     return view.bits;
 }
 
+static double ipc_real_of(uint64_t bits)
+{
+    union {
+        double value;
+        uint64_t bits;
+    } view;
+    view.bits = bits;
+    return view.value;
+}
+
+static uint64_t ipc_fold(uint64_t digest, uint64_t bits)
+{
+    return ((digest << 5) | (digest >> 59)) + bits;
+}
+
 uint32_t axis_two_frequencies_ipc_self_test(void)
 {
-    /* v_add of the reference, sample by sample */
-    static const uint64_t expected[32] = {
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x3fedecfc908044f6),
-        UINT64_C(0x401b7bdf37959ed0),
-        UINT64_C(0x40316a63f380af6c),
-        UINT64_C(0x403300d6468dc6a2),
-        UINT64_C(0xc032cc3f001d63ef),
-        UINT64_C(0xc05dc4fe295211df),
-        UINT64_C(0xc06e7adfb5ce46f7),
-        UINT64_C(0xc072a96eef750896),
-        UINT64_C(0xc0692d491d077ebd),
-        UINT64_C(0x40532aa43375e3fb),
-        UINT64_C(0x407e0642a50870e9),
-        UINT64_C(0x4089ed84fa9d9c30),
-        UINT64_C(0x408b1e884d61f460),
-        UINT64_C(0x407bd7f947df91dc),
-        UINT64_C(0xc0743a33ea0d0b32),
-        UINT64_C(0xc0918c39e8bf3d88),
-        UINT64_C(0xc099197fb58cec9d),
-        UINT64_C(0xc0973218bda4c3ac),
-        UINT64_C(0xc082e892b42937b8),
-        UINT64_C(0x408b428de622a76d),
-        UINT64_C(0x40a2df5f24aad398),
-        UINT64_C(0x40aa25674635225f),
-        UINT64_C(0x40a8cc35b415bbe9),
-        UINT64_C(0x409b15363db4a552),
-        UINT64_C(0xc0865d8033a1d362),
-        UINT64_C(0xc0aaca5d826a28ee),
-        UINT64_C(0xc0b52c879688c298),
-        UINT64_C(0xc0b6bfd3f7cdae4c),
-        UINT64_C(0xc0b0a98ff739b898),
-        UINT64_C(0xc0917d8de4f988bc),
-        UINT64_C(0x40a490ef996aea3c),
+    /* the reference's digest of all outputs and of the whole state, after each sample */
+    static const uint64_t expected[41] = {
+        UINT64_C(0x04a4cf0bf0bfc976),
+        UINT64_C(0xc2ae427c4dd4659f),
+        UINT64_C(0xee16dbc21641479c),
+        UINT64_C(0xf5ac657cead201b7),
+        UINT64_C(0x70f5c3265077ae78),
+        UINT64_C(0xef4ddeeddc714b54),
+        UINT64_C(0x4e015d4cec7fe657),
+        UINT64_C(0xc2dd4589f2d95cf1),
+        UINT64_C(0xcfa14d3cf90c0e09),
+        UINT64_C(0xd0b0215489b44825),
+        UINT64_C(0x92d7d8f7ac930270),
+        UINT64_C(0x3276afd3c1b269f1),
+        UINT64_C(0x944d5aaa4503c364),
+        UINT64_C(0x394199efac5e718d),
+        UINT64_C(0xf858fbac2880ca35),
+        UINT64_C(0x511a2691c5cfd86e),
+        UINT64_C(0xaa96db30c3bd5c7b),
+        UINT64_C(0x23e39525bfc13906),
+        UINT64_C(0x6b29538ca1690a4c),
+        UINT64_C(0x4e11aaade41b2548),
+        UINT64_C(0x6a3309c7ebacee10),
+        UINT64_C(0xadd8ddaf66fd6eaf),
+        UINT64_C(0x215886782d6db415),
+        UINT64_C(0x77ae80c38d13d7fd),
+        UINT64_C(0xbc21e04678385643),
+        UINT64_C(0xc3a8742c416a97c8),
+        UINT64_C(0x094a3c0a4bc91536),
+        UINT64_C(0x219f912c1866aa3a),
+        UINT64_C(0x6e8b2c2341d094b6),
+        UINT64_C(0xc16a1aebd0ebb317),
+        UINT64_C(0x00101670126f06ee),
+        UINT64_C(0xf90fe45e13075af3),
+        UINT64_C(0x6c7056008d57015f),
+        UINT64_C(0xafba2dc27e8df6bb),
+        UINT64_C(0x09acdd06ebbe7a40),
+        UINT64_C(0x500436fc0a06fb7e),
+        UINT64_C(0x1e949921ec99f6d5),
+        UINT64_C(0x54d8ac90523e244b),
+        UINT64_C(0x57396a4a09f9524e),
+        UINT64_C(0x7e1e8b9dc3e6849d),
+        UINT64_C(0x2ea8c378d7ff4b56),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_two_frequencies_ipc_state *, const axis_two_frequencies_ipc_inputs *, axis_two_frequencies_ipc_outputs *) = axis_two_frequencies_ipc_step;
     axis_two_frequencies_ipc_state state;
     axis_two_frequencies_ipc_inputs inputs;
     axis_two_frequencies_ipc_outputs outputs;
+    uint64_t digest = 0u;
+    uint64_t noise;
+    double scale;
     uint32_t random = 1u;
     uint32_t sample;
 
     axis_two_frequencies_ipc_init(&state);
     axis_two_frequencies_ipc_inputs_init(&inputs);
-    for (sample = 0u; sample < 32u; sample++) {
+    for (sample = 0u; sample < 41u; sample++) {
+        /* at first within every limit, so that nothing is cut off */
+        scale = sample < 33u ? 0.001953125 : 0.03125;
+        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
         random = random * 1664525u + 1013904223u;
-        inputs.v_command = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_command = ipc_real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_motor = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_motor = ipc_real_of(sample == 4u ? UINT64_C(0x7ff8000000000000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_direct = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_direct = ipc_real_of(sample == 7u ? UINT64_C(0x7ff8000000000000) : noise);
         step(&state, &inputs, &outputs);
-        if (ipc_bits_of(outputs.v_add) != expected[sample]) {
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add));
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add_calculated));
+        digest = ipc_fold(digest, outputs.limited);
+        digest = ipc_fold(digest, outputs.fault);
+        digest = ipc_fold(digest, outputs.error_id);
+        digest = ipc_fold(digest, state.settled);
+        digest = ipc_fold(digest, state.gate);
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section1_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section1_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_oscillation_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_oscillation_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section0_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section1_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage1_filter0_section1_s2));
+        if (digest != expected[sample]) {
             return sample + 1u;
         }
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s1) != UINT64_C(0x40ce0e5628c0c9ac)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s2) != UINT64_C(0xc0d58aa6f1b325c9)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section1_s1) != UINT64_C(0x40b0f6dc8df29af8)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section1_s2) != UINT64_C(0xc0b55ad50c0d0895)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_oscillation_s1) != UINT64_C(0x40e4b46e91036ba8)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_oscillation_s2) != UINT64_C(0xc0eed065621e3945)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section0_s1) != UINT64_C(0xc0eeb18daeeae1ce)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section0_s2) != UINT64_C(0x40d99284566baa14)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section1_s1) != UINT64_C(0xc0e2bc0b118429ef)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage1_filter0_section1_s2) != UINT64_C(0x40d528563f2ef473)) {
-        return 33u;
     }
     return 0u;
 }

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  1d3eeef73fc12835f3581e0fc768bd02
- * body        31b2873dc45d70fccb37b6782d116889
+ * body        5e645d60a3f8c3dabc9ccb998fad0f9b
  */
 #include "axis_x.h"
 
@@ -242,76 +242,108 @@ static uint64_t ipc_bits_of(double value)
     return view.bits;
 }
 
+static double ipc_real_of(uint64_t bits)
+{
+    union {
+        double value;
+        uint64_t bits;
+    } view;
+    view.bits = bits;
+    return view.value;
+}
+
+static uint64_t ipc_fold(uint64_t digest, uint64_t bits)
+{
+    return ((digest << 5) | (digest >> 59)) + bits;
+}
+
 uint32_t axis_x_ipc_self_test(void)
 {
-    /* v_add of the reference, sample by sample */
-    static const uint64_t expected[32] = {
-        UINT64_C(0x0000000000000000),
-        UINT64_C(0x403590fe6c3f10db),
-        UINT64_C(0x40612a7c228915b7),
-        UINT64_C(0x4074558df184a90e),
-        UINT64_C(0x407b0f603d5d6cf0),
-        UINT64_C(0x4052f811b3e81755),
-        UINT64_C(0xc08ff67db801aa9e),
-        UINT64_C(0xc0a3276faa16badd),
-        UINT64_C(0xc0add18107a331fa),
-        UINT64_C(0xc0b46aef061421c6),
-        UINT64_C(0xc0b8e907261283f0),
-        UINT64_C(0xc0bae104ff1a5fa9),
-        UINT64_C(0xc0bd0a46d190f4b8),
-        UINT64_C(0xc0c20622658615c4),
-        UINT64_C(0xc0c7bf295a62cc9a),
-        UINT64_C(0xc0cd4bb8e92207d8),
-        UINT64_C(0xc0d13fb27d9f4328),
-        UINT64_C(0xc0d4a2209fdbe7a5),
-        UINT64_C(0xc0d8286192efcb48),
-        UINT64_C(0xc0d9d2e9c9e0aa12),
-        UINT64_C(0xc0d94fa81bbf9bc0),
-        UINT64_C(0xc0d7d6034ef4d799),
-        UINT64_C(0xc0d5852bf2f97f6d),
-        UINT64_C(0xc0d14feb06b956f9),
-        UINT64_C(0xc0c8acf2d6b2565b),
-        UINT64_C(0xc0c0654b2b38923d),
-        UINT64_C(0xc0b1ab3be72a25f2),
-        UINT64_C(0xc08ac75e0443c937),
-        UINT64_C(0x40a5001abbadf99a),
-        UINT64_C(0x40b7463444b1fab7),
-        UINT64_C(0x40bdf4e4cf7f284c),
-        UINT64_C(0x40bf772f8b419dcf),
+    /* the reference's digest of all outputs and of the whole state, after each sample */
+    static const uint64_t expected[41] = {
+        UINT64_C(0xe9bd715c1e1f20cc),
+        UINT64_C(0x29ebdf0b692b6357),
+        UINT64_C(0x7b1f92e00864c8b3),
+        UINT64_C(0xd8b58078c3476b0c),
+        UINT64_C(0xc5d2c256916e9ad8),
+        UINT64_C(0xaa0474bb98bef93b),
+        UINT64_C(0x235f6bb9b7130f73),
+        UINT64_C(0xaddd73b3ed0f88c4),
+        UINT64_C(0x48474b64aba39561),
+        UINT64_C(0xb2e64acf82b48fe7),
+        UINT64_C(0xe258a3d30332ac1f),
+        UINT64_C(0x1af50a9df3050d0e),
+        UINT64_C(0xbc437f8935497d13),
+        UINT64_C(0xe7306b02f6c97454),
+        UINT64_C(0x598b204b674a78b8),
+        UINT64_C(0xe065f0115d6ec7d8),
+        UINT64_C(0x6be0f98dea600636),
+        UINT64_C(0x36d0de46012ac36b),
+        UINT64_C(0x799a8a306c65c38f),
+        UINT64_C(0x2ae0a830a6665e9c),
+        UINT64_C(0x81a5f04720dd7f4e),
+        UINT64_C(0x93d798bed4df08cd),
+        UINT64_C(0xed421da13eece51b),
+        UINT64_C(0xfc34bd7644bf8cad),
+        UINT64_C(0xd27b421641618d76),
+        UINT64_C(0xdd91ddc6e05f8c29),
+        UINT64_C(0xcf3d2d10a9cf0699),
+        UINT64_C(0x2f2d4e044a25bafa),
+        UINT64_C(0xdadb80fb96c9f2b2),
+        UINT64_C(0xde45130cf2eaa59c),
+        UINT64_C(0xf85a8187905d3fb8),
+        UINT64_C(0xc411357310317244),
+        UINT64_C(0x1e3abf41cc621e16),
+        UINT64_C(0x3ae0f901c76487f1),
+        UINT64_C(0xdc4b79088cb90b1f),
+        UINT64_C(0x35ebec3c10df46fc),
+        UINT64_C(0x9322a7182be99c1b),
+        UINT64_C(0x562108d133a0594c),
+        UINT64_C(0x319564f5e5310959),
+        UINT64_C(0x88c9b35c17853fcd),
+        UINT64_C(0x127958c56d3b91a9),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) = axis_x_ipc_step;
     axis_x_ipc_state state;
     axis_x_ipc_inputs inputs;
     axis_x_ipc_outputs outputs;
+    uint64_t digest = 0u;
+    uint64_t noise;
+    double scale;
     uint32_t random = 1u;
     uint32_t sample;
 
     axis_x_ipc_init(&state);
     axis_x_ipc_inputs_init(&inputs);
-    for (sample = 0u; sample < 32u; sample++) {
+    for (sample = 0u; sample < 41u; sample++) {
+        /* at first within every limit, so that nothing is cut off */
+        scale = sample < 33u ? 0.00390625 : 0.03125;
+        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
         random = random * 1664525u + 1013904223u;
-        inputs.v_command = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_command = ipc_real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_motor = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_motor = ipc_real_of(sample == 4u ? UINT64_C(0x7ff8000000000000) : noise);
         random = random * 1664525u + 1013904223u;
-        inputs.v_direct = ((double)(random >> 8) - 8388608.0) * 0.03125;
+        noise = ipc_bits_of(((double)(random >> 8) - 8388608.0) * scale);
+        inputs.v_direct = ipc_real_of(sample == 7u ? UINT64_C(0x7ff8000000000000) : noise);
         step(&state, &inputs, &outputs);
-        if (ipc_bits_of(outputs.v_add) != expected[sample]) {
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add));
+        digest = ipc_fold(digest, ipc_bits_of(outputs.v_add_calculated));
+        digest = ipc_fold(digest, outputs.limited);
+        digest = ipc_fold(digest, outputs.fault);
+        digest = ipc_fold(digest, outputs.error_id);
+        digest = ipc_fold(digest, state.settled);
+        digest = ipc_fold(digest, state.gate);
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_oscillation_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_oscillation_s2));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s1));
+        digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s2));
+        if (digest != expected[sample]) {
             return sample + 1u;
         }
-    }
-    if (ipc_bits_of(state.stage0_oscillation_s1) != UINT64_C(0x40f022dc678861a7)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_oscillation_s2) != UINT64_C(0xc0eeaacb50e02e0a)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s1) != UINT64_C(0xc0b3c44ace6b3e7d)) {
-        return 33u;
-    }
-    if (ipc_bits_of(state.stage0_filter0_section0_s2) != UINT64_C(0x40a13bcda03cb48d)) {
-        return 33u;
     }
     return 0u;
 }

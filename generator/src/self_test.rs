@@ -1,0 +1,106 @@
+//! What the self-test of a block does, and the answers that the reference gives. Every target prints it its own way.
+
+use crate::block::leaves;
+use crate::program::{Program, Type};
+use portable::{Literal, Portable, Real, RealKind};
+use reference::Block as Reference;
+
+/// A short run on noise: it finds a build that fuses, reorders or shortens operations, or that takes a NaN for a number.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SelfTest {
+    /// inputs that differ from their start, by position
+    pub switches: Vec<(usize, Literal)>,
+    /// the factors of the noise on the real inputs, powers of two: first one at which no limit acts, then the full one
+    pub scales: [Literal; 2],
+    /// the first sample with the full noise
+    pub loud_from: usize,
+    /// the samples in which a real input is no number, with the position of the input
+    pub bad: Vec<(usize, usize)>,
+    /// after each sample the digest of all outputs and of the whole state up to there
+    pub expected: Vec<u64>,
+}
+
+/// Samples with little noise, behind the bad ones. In each of them every state and every output can show an operation that
+/// was not done as written.
+const QUIET_SAMPLES: usize = 24;
+/// Samples with the full noise.
+const LOUD_SAMPLES: usize = 8;
+/// From a bad sample to the next: a block that has noticed it starts anew in the second sample and acts in the third.
+const BAD_SAMPLE_DISTANCE: usize = 3;
+
+/// Runs the reference on noise from the generator that every target has too. At the beginning each real input is no
+/// number for a sample: a build that takes it for one goes on with other bits. The state is defined after the first sample.
+///
+/// `state_paths` are the paths of all leaves of the reference's state; `ranges` are the noise's, each above 0.
+pub fn record<R: Real, B: Reference<R>>(
+    coeffs: &B::Coeffs,
+    program: &Program,
+    state_paths: &[String],
+    ranges: [f64; 2],
+) -> SelfTest {
+    let mut inputs = B::inputs(coeffs);
+    B::exercise(&mut inputs);
+    let switched = leaves(&inputs);
+    let switches = (0..program.inputs.len()).filter(|index| switched[*index] != program.inputs[*index].start);
+    let reals = (0..program.inputs.len()).filter(|index| program.inputs[*index].ty == Type::Real);
+    let bad: Vec<(usize, usize)> = (1..).step_by(BAD_SAMPLE_DISTANCE).zip(reals).collect();
+    let kept: Vec<usize> = program
+        .state
+        .iter()
+        .map(|variable| state_paths.iter().position(|path| *path == variable.path))
+        .map(|leaf| leaf.expect("self-test: the program's state is part of the reference's"))
+        .collect();
+    let scales = ranges.map(scale::<R>);
+    let loud_from = BAD_SAMPLE_DISTANCE * bad.len() + QUIET_SAMPLES;
+    let (mut state, mut outputs) = (B::state(), B::outputs());
+    let (mut random, mut digest, mut expected) = (1u32, 0, Vec::new());
+    for sample in 0..loud_from + LOUD_SAMPLES {
+        let scale = scales[usize::from(sample >= loud_from)];
+        let mut values = switched.iter().enumerate().map(|(index, value)| match program.inputs[index].ty {
+            Type::Real => {
+                random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                let noise = (R::from_u32(random >> 8) - R::lit(8_388_608.0)) * scale;
+                literal(if bad.contains(&(sample, index)) { R::lit(f64::NAN) } else { noise })
+            }
+            _ => *value,
+        });
+        let inputs = B::Inputs::build(&mut || values.next().expect("self-test: as many values as inputs"));
+        B::step(&mut state, coeffs, &inputs, &mut outputs);
+        outputs.visit(&mut |leaf| digest = fold(digest, leaf, R::KIND));
+        let leaves = leaves(&state);
+        digest = kept.iter().fold(digest, |digest, leaf| fold(digest, leaves[*leaf], R::KIND));
+        expected.push(digest);
+    }
+    SelfTest {
+        switches: switches.map(|index| (index, switched[index])).collect(),
+        scales: scales.map(literal),
+        loud_from,
+        bad,
+        expected,
+    }
+}
+
+/// A power of two, so that the noise is exact in both real types: scale * (integer of 24 bits - 2^23), within the range.
+fn scale<R: Real>(range: f64) -> R {
+    R::lit(libm::exp2(libm::floor(libm::log2(range)) - 23.0))
+}
+
+/// The digest with one more value: turned by five bits, and the bits added, in as many bits as a real has.
+fn fold(digest: u64, value: Literal, real: RealKind) -> u64 {
+    let bits = match value {
+        Literal::Bool(value) => u64::from(value),
+        Literal::I32(value) => u64::from(value.cast_unsigned()),
+        Literal::U32(value) => u64::from(value),
+        Literal::F64(value) => value.to_bits(),
+        Literal::F32(value) => u64::from(value.to_bits()),
+        Literal::Usize(_) | Literal::Variant(_) => panic!("self-test: {value:?} does not exist at run time"),
+    };
+    match real {
+        RealKind::F64 => digest.rotate_left(5).wrapping_add(bits),
+        RealKind::F32 => ((digest << 5 | digest >> 27) + bits) & u64::from(u32::MAX),
+    }
+}
+
+fn literal<R: Real>(value: R) -> Literal {
+    leaves(&value)[0]
+}

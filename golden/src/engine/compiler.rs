@@ -1,0 +1,66 @@
+//! A C compiler: how it is called, and what its failures mean.
+
+use super::Failure;
+use std::path::Path;
+use std::process::Command;
+
+/// A C compiler with its options.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Compiler {
+    /// the command
+    pub command: String,
+    /// its options for the emitted file
+    pub options: Vec<String>,
+    /// its options for linking
+    pub link: Vec<String>,
+    /// what runs a compiled program of another machine; empty: the host itself
+    pub emulator: Vec<String>,
+}
+
+impl Compiler {
+    /// The host's compiler, as a user would call it: `$CC` or `cc`, `-std=c99 -O2`.
+    #[must_use]
+    pub fn host() -> Self {
+        let command = std::env::var("CC").unwrap_or_else(|_| "cc".to_owned());
+        Self::new(&command, &["-O2"])
+    }
+
+    /// A compiler by name, with `-std=c99` and further options.
+    #[must_use]
+    pub fn new(command: &str, options: &[&str]) -> Self {
+        let options = [&["-std=c99"], options].concat();
+        Self { command: command.to_owned(), options: owned(&options), link: Vec::new(), emulator: Vec::new() }
+    }
+
+    /// The same compiler with options for linking.
+    #[must_use]
+    pub fn linking(self, options: &[&str]) -> Self {
+        Self { link: owned(options), ..self }
+    }
+
+    /// The same compiler, whose programs need another one to run them.
+    #[must_use]
+    pub fn emulated(self, emulator: &[&str]) -> Self {
+        Self { emulator: owned(emulator), ..self }
+    }
+
+    /// Calls the compiler in a folder.
+    pub(super) fn call(&self, folder: &Path, arguments: &[&str], options: &[String]) -> Result<(), Failure> {
+        let output = Command::new(&self.command).current_dir(folder).args(arguments).args(options).output();
+        let output = output.map_err(|error| {
+            let name = &self.command;
+            Failure::Environment(format!(
+                "the C compiler `{name}` does not start ({error}); install it, or set CC to another"
+            ))
+        })?;
+        if output.status.success() {
+            return Ok(());
+        }
+        let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+        Err(if errors.contains("this block needs") { Failure::Refused(errors) } else { Failure::Broken(errors) })
+    }
+}
+
+fn owned(options: &[&str]) -> Vec<String> {
+    options.iter().map(|option| (*option).to_owned()).collect()
+}

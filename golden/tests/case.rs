@@ -1,0 +1,137 @@
+//! Cases as their author meets them: recording, checking, and what is said of a mistake.
+#![forbid(unsafe_code)]
+
+use golden::case::{self, Case};
+use golden::csv::{self, Reals};
+use golden::samples::Shape;
+use std::path::Path;
+use tempfile::TempDir;
+
+const SET: &str = r#"
+cycle_time = "1ms"
+
+[axis.X]
+getriebe = [{ dynamik.vb_max = 500000 }]
+
+[axis.X.lr_param.improved_position_control]
+enable = "ON"
+v_add_max_fact = 1000
+stage = [{ mode = "DIRECT", filter = [{ order = 1, fg_f0 = 53.0, q_factor = 10.0 }] }]
+"#;
+
+const CASE: &str = r#"
+purpose = "Shows how a case is tested."
+axis = "X"
+block = "ipc"
+shows = ["DIRECT from v_motor", "gate is open"]
+
+[stimulus.signal]
+v_motor = [{ form = { noise = { seed = 1 } }, amplitude = 1000 }]
+"#;
+
+/// A folder with a case.
+fn folder(text: &str) -> TempDir {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for (name, text) in [("set.toml", SET), ("case.toml", text)] {
+        std::fs::write(folder.path().join(name), text).expect("room in it");
+    }
+    folder
+}
+
+fn read(folder: &TempDir) -> Case {
+    case::read(folder.path()).unwrap_or_else(|mistake| panic!("{mistake}"))
+}
+
+/// What is said of a case whose text is changed.
+fn said(replaced: &str, by: &str) -> String {
+    assert!(CASE.contains(replaced));
+    let folder = folder(&CASE.replace(replaced, by));
+    let said = case::read(folder.path()).and_then(|case| case::record(&case)).expect_err("a mistake");
+    assert_eq!(std::fs::read_dir(folder.path()).expect("a folder").count(), 2, "nothing was written");
+    said
+}
+
+#[test]
+fn what_was_recorded_is_verified() {
+    let folder = folder(CASE);
+    let case = read(&folder);
+    assert_eq!(
+        case::verify(&case).unwrap(),
+        ["inputs.csv", "outputs.csv", "digest", "emitted/axis_x.h", "emitted/axis_x.c"],
+        "nothing is recorded yet"
+    );
+    case::record(&case).unwrap();
+    assert_eq!(case::verify(&case).unwrap(), [""; 0]);
+    assert_eq!(
+        case::folders(folder.path().parent().unwrap()).unwrap().iter().filter(|f| *f == folder.path()).count(),
+        1
+    );
+}
+
+#[test]
+fn a_changed_byte_and_a_file_of_another_time_are_named() {
+    let folder = folder(CASE);
+    let case = read(&folder);
+    case::record(&case).unwrap();
+    let outputs = folder.path().join("outputs.csv");
+    let text = std::fs::read_to_string(&outputs).unwrap();
+    let (head, tail) = text.split_at(text.len() - 2);
+    std::fs::write(&outputs, format!("{head}1{}", &tail[1..])).unwrap();
+    let left_over = folder.path().join("emitted/axis_y.c");
+    std::fs::write(&left_over, "").unwrap();
+    let expected = ["outputs.csv".to_owned(), format!("{} (no such file is emitted)", left_over.display())];
+    assert_eq!(case::verify(&case).unwrap(), expected);
+    case::record(&case).unwrap();
+    assert!(!left_over.exists());
+    assert_eq!(std::fs::read_to_string(&outputs).unwrap(), text);
+}
+
+#[test]
+fn a_case_that_does_not_show_what_it_says_is_not_recorded() {
+    assert!(said("\"gate is open\"", "\"fault 11\"").ends_with("the case does not show fault 11"));
+    let folder = folder(CASE);
+    case::record(&read(&folder)).unwrap();
+    let path = folder.path().join("case.toml");
+    std::fs::write(&path, CASE.replace("gate is open", "limited above")).unwrap();
+    assert_eq!(case::verify(&read(&folder)).unwrap(), ["shows: limited above"]);
+}
+
+/// The recorded inputs hold only what changes, and reading them back gives all of it.
+#[test]
+fn recorded_inputs_leave_out_what_keeps_its_start() {
+    let folder = folder(CASE);
+    let case = read(&folder);
+    case::record(&case).unwrap();
+    let text = std::fs::read_to_string(folder.path().join("inputs.csv")).unwrap();
+    assert!(text.starts_with("v_command,v_motor\n0x0000000000000000,"), "the first signal stays, and what changes");
+    let shape = Shape::of(&case.block.program.inputs, case.axis.real);
+    let inputs = case::inputs(&case, case::VECTOR_SAMPLES).unwrap();
+    assert_eq!(csv::read(&text, &shape).unwrap(), inputs);
+    assert_eq!(csv::write(&[&inputs.without_constant()], Reals::Hexadecimal), text);
+}
+
+#[test]
+fn mistakes_are_told_with_what_is_there() {
+    let mistakes = [
+        (said("axis = \"X\"", "axis = \"Y\""), "no axis `Y`"),
+        (said("block = \"ipc\"", "block = \"spindle\""), "no block `spindle`; this axis has: ipc"),
+        (said("purpose", "porpoise"), "unknown field `porpoise`"),
+        (said("v_motor = [", "v_ist1 = ["), "the block has no input `v_ist1`"),
+        (said("v_motor = [", "mode = ["), "`mode` is no real: only an event can set it"),
+        (said("noise = { seed = 1 }", "sine = { period = 0 }"), "`v_motor`: `period` is 0; allowed: a number above 0"),
+        (said("noise = { seed = 1 }", "move = { phase = 0, ramp = 1 }"), "`phase` is 0; allowed: a number above 0"),
+        (said("noise = { seed = 1 }", "noise = { sead = 1 }"), "unexpected keys in table: sead, available keys: seed"),
+        (said("[stimulus.signal]", &event("mode", "\"ON\"")), "`ON` is no value of `mode`"),
+        (said("[stimulus.signal]", &event("reset", "2")), "`2` is no value of `reset`"),
+        (said("[stimulus.signal]", &event("v_ist2", "nan")), "the block has no input `v_ist2`"),
+    ];
+    for (said, expected) in mistakes {
+        assert!(said.contains(expected), "{expected}: {said}");
+    }
+    let nowhere = case::read(Path::new("nowhere")).unwrap_err();
+    assert!(nowhere.contains("nowhere") && nowhere.contains("case.toml"), "{nowhere}");
+}
+
+fn event(signal: &str, value: &str) -> String {
+    format!("[[stimulus.event]]\nsignal = \"{signal}\"\nvalue = {value}\nwindow = {{}}\n\n[stimulus.signal]")
+}

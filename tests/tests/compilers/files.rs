@@ -1,0 +1,105 @@
+//! The emitted files as a user's build sees them: no warning under strict options, fit for C++, no undefined symbol.
+
+use crate::{cases, tools};
+use axgen_tests::cases::title;
+use axgen_tests::environment::has;
+use generator::target::{File, c};
+use golden::case::Case;
+use rayon::prelude::*;
+use std::path::Path;
+use std::process::Command;
+use tempfile::TempDir;
+
+const STRICT: [&str; 8] =
+    ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Wfloat-equal", "-Werror"];
+const CPP: [&str; 6] = ["-std=c++98", "-pedantic", "-Wall", "-Wextra", "-Werror", "-fsyntax-only"];
+const LEVELS: [&[&str]; 8] = [
+    &["-O0"],
+    &["-O1"],
+    &["-O2"],
+    &["-O3"],
+    &["-Os"],
+    &["-O0", "-ffreestanding"],
+    &["-O2", "-ffreestanding"],
+    &["-O3", "-march=native", "-ffp-contract=off"],
+];
+
+#[test]
+fn strict_compilers_have_nothing_to_say() {
+    for tool in tools() {
+        cases().par_iter().for_each(|case| {
+            let (folder, stem) = written(case);
+            for level in ["-O0", "-O2"] {
+                let source = format!("{stem}.c");
+                compile(tool.command, folder.path(), &[&STRICT[..], &[level, "-c", &source, "-o", "block.o"]].concat());
+            }
+        });
+    }
+}
+
+/// Twice in one file, and called from there.
+#[test]
+fn the_header_is_fit_for_cpp() {
+    for tool in tools().into_iter().filter(|tool| has(tool.cpp, tool.version_contains, tool.package)) {
+        cases().par_iter().for_each(|case| {
+            let (folder, stem) = written(case);
+            let prefix = format!("{stem}_{}", case.block.program.block);
+            let text = format!(
+                "#include \"{stem}.h\"\n#include \"{stem}.h\"\n\
+                 uint32_t run({prefix}_state &state, {prefix}_inputs &inputs, {prefix}_outputs &outputs)\n{{\n    \
+                 {prefix}_init(&state);\n    {prefix}_inputs_init(&inputs);\n    \
+                 {prefix}_step(&state, &inputs, &outputs);\n    return {prefix}_self_test();\n}}\n"
+            );
+            std::fs::write(folder.path().join("caller.cpp"), text).unwrap();
+            compile(tool.cpp, folder.path(), &[&CPP[..], &["caller.cpp"]].concat());
+        });
+    }
+}
+
+/// No library, no memset or memcpy that the compiler makes of a loop or a copy, and nothing writable but the caller's.
+#[test]
+fn objects_need_no_symbol_and_hold_no_writable_data() {
+    if !has("nm", "nm", "binutils") {
+        return;
+    }
+    for tool in tools() {
+        cases().par_iter().for_each(|case| {
+            let (folder, stem) = written(case);
+            for level in LEVELS {
+                // Some distributions switch the stack protector on, which is a symbol of theirs.
+                let options = ["-std=c99", "-fno-stack-protector", "-c", &format!("{stem}.c"), "-o", "block.o"];
+                compile(tool.command, folder.path(), &[&options, level].concat());
+                let what = format!("{}: {} {level:?}", title(case), tool.command);
+                assert_eq!(symbols(folder.path(), &["-u"]), "", "{what}: undefined");
+                let all = symbols(folder.path(), &["--format=posix"]);
+                let kinds = all.lines().filter_map(|line| line.split_whitespace().nth(1));
+                let writable: Vec<&str> = kinds.filter(|kind| "BbCDdGgSs".contains(kind)).collect();
+                assert!(all.contains("_step T") && writable.is_empty(), "{what}: {all}");
+            }
+        });
+    }
+}
+
+fn symbols(folder: &Path, options: &[&str]) -> String {
+    let output = Command::new("nm").args(options).arg("block.o").current_dir(folder).output();
+    let output = output.unwrap_or_else(|error| panic!("nm: {error}"));
+    assert!(output.status.success(), "{output:?}");
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
+/// The emitted files in a folder, and what their names begin with.
+fn written(case: &Case) -> (TempDir, String) {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let files = c::files(&case.axis, std::slice::from_ref(&case.block));
+    for File { name, text } in &files {
+        std::fs::write(folder.path().join(name), text).expect("room in it");
+    }
+    (folder, files[0].name.trim_end_matches(".h").to_owned())
+}
+
+fn compile(command: &str, folder: &Path, arguments: &[&str]) {
+    let output = Command::new(command).args(arguments).current_dir(folder).output();
+    let output = output.unwrap_or_else(|error| panic!("{command}: {error}"));
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success() && said.is_empty(), "{command} {}:\n{said}", arguments.join(" "));
+}

@@ -1,0 +1,204 @@
+//! Options that change the bits, or might: each is refused, is caught by the self-test, or changes nothing. Which of them,
+//! for every block, stands in the table.
+
+use crate::{CLANG, GCC, Tool, cases, is_measured, reference, tools};
+use axgen_tests::cases::title;
+use axgen_tests::environment::{has_fma, is_exhaustive};
+use golden::case::Case;
+use golden::compare::compare;
+use golden::engine::{Compiler, Failure, Harness};
+use golden::samples::Samples;
+use portable::RealKind;
+use rayon::prelude::*;
+
+/// What becomes of a block that is compiled with some options.
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Outcome {
+    /// it does not compile, and says why
+    Refused,
+    /// its self-test finds other bits
+    Caught,
+    /// it computes the reference's bits
+    SameBits,
+    /// it computes others, and nobody notices: a defect of the emitted guards
+    Unnoticed(String),
+    /// the compiler does not take the options
+    NotTaken(String),
+}
+
+/// What has to become of every block.
+#[derive(Clone, Copy, Debug)]
+enum Expected {
+    Refused,
+    Caught,
+    SameBits,
+    /// caught in double precision; nothing changes in single precision
+    CaughtInDouble,
+    /// some blocks have an operation that the compiler moves, others have none
+    CaughtOrSameBits,
+}
+use Expected::{Caught, CaughtInDouble, CaughtOrSameBits, Refused, SameBits};
+
+/// Options for the emitted file, behind `-std=c99 -O2`, and for linking.
+struct Row {
+    tool: Tool,
+    options: &'static [&'static str],
+    link: &'static [&'static str],
+    expected: Expected,
+}
+
+const fn row(tool: Tool, options: &'static [&'static str], expected: Expected) -> Row {
+    Row { tool, options, link: &[], expected }
+}
+
+const FUSED_AT_LINKING: &[&str] = &["-O3", "-flto", "-ffp-contract=fast", "-march=native"];
+
+const TABLE: [Row; 54] = [
+    // fused multiply-add
+    row(GCC, &["-ffp-contract=fast", "-march=native"], SameBits),
+    row(GCC, &["-ffp-contract=fast", "-mfma"], SameBits),
+    row(GCC, &["-std=gnu17", "-march=native"], SameBits),
+    Row { tool: GCC, options: FUSED_AT_LINKING, link: FUSED_AT_LINKING, expected: SameBits },
+    row(CLANG, &["-ffp-contract=fast", "-march=native"], Caught),
+    row(CLANG, &["-ffp-contract=fast", "-mfma"], Caught),
+    row(CLANG, &["-O1", "-ffp-contract=fast", "-march=native"], Caught),
+    row(CLANG, &["-O3", "-ffp-contract=fast", "-march=native"], Caught),
+    row(CLANG, &["-ffp-contract=on", "-march=native"], SameBits),
+    row(CLANG, &["-std=gnu17", "-march=native"], SameBits),
+    // fast-math and its parts
+    row(GCC, &["-ffast-math"], Refused),
+    row(GCC, &["-Ofast"], Refused),
+    row(GCC, &["-funsafe-math-optimizations"], Refused),
+    row(GCC, &["-fassociative-math", "-fno-signed-zeros", "-fno-trapping-math"], Refused),
+    row(GCC, &["-freciprocal-math"], Refused),
+    row(GCC, &["-ffinite-math-only"], Refused),
+    row(GCC, &["-fno-signed-zeros"], Refused),
+    row(GCC, &["-fno-trapping-math"], SameBits),
+    row(GCC, &["-fno-math-errno"], SameBits),
+    row(GCC, &["-fcx-limited-range"], SameBits),
+    row(GCC, &["-fexcess-precision=fast"], SameBits),
+    row(CLANG, &["-ffast-math"], Refused),
+    row(CLANG, &["-Ofast"], Refused),
+    row(CLANG, &["-ffp-model=fast"], Refused),
+    row(CLANG, &["-ffinite-math-only"], Refused),
+    row(CLANG, &["-fno-honor-nans"], Caught),
+    row(CLANG, &["-fno-honor-infinities"], SameBits),
+    row(CLANG, &["-funsafe-math-optimizations"], CaughtOrSameBits),
+    row(CLANG, &["-O3", "-funsafe-math-optimizations", "-march=native"], CaughtOrSameBits),
+    row(CLANG, &["-fassociative-math", "-fno-signed-zeros", "-fno-trapping-math"], CaughtOrSameBits),
+    row(CLANG, &["-freciprocal-math"], SameBits),
+    row(CLANG, &["-fno-signed-zeros"], SameBits),
+    row(CLANG, &["-fapprox-func"], SameBits),
+    row(CLANG, &["-fno-trapping-math"], SameBits),
+    row(CLANG, &["-fno-math-errno"], SameBits),
+    // another precision than the declared one
+    row(GCC, &["-fsingle-precision-constant"], CaughtInDouble),
+    row(GCC, &["-mfpmath=387"], Refused),
+    row(GCC, &["-mfpmath=both"], Refused),
+    row(GCC, &["-m32", "-ffreestanding"], Refused),
+    row(CLANG, &["-mno-sse"], Refused),
+    row(CLANG, &["-m32", "-ffreestanding"], Refused),
+    // subnormal numbers taken for 0: there are none
+    Row { tool: GCC, options: &[], link: &["-ffast-math"], expected: SameBits },
+    Row { tool: CLANG, options: &[], link: &["-ffast-math"], expected: SameBits },
+    row(CLANG, &["-fdenormal-fp-math=positive-zero"], SameBits),
+    // harmless
+    row(GCC, &["-frounding-math"], SameBits),
+    row(GCC, &["-fsignaling-nans"], SameBits),
+    row(GCC, &["-ffloat-store"], SameBits),
+    row(GCC, &["-fcx-fortran-rules"], SameBits),
+    row(GCC, &["-mrecip"], SameBits),
+    row(CLANG, &["-frounding-math"], SameBits),
+    row(CLANG, &["-ffp-model=precise", "-march=native"], SameBits),
+    row(CLANG, &["-ffp-model=strict", "-march=native"], SameBits),
+    row(CLANG, &["-ftrapping-math"], SameBits),
+    row(CLANG, &["-mrecip"], SameBits),
+];
+
+/// A case that is ready for every row of one compiler.
+struct Ready {
+    case: Case,
+    inputs: Samples,
+    expected: Samples,
+    harness: Harness,
+}
+
+#[test]
+#[expect(clippy::print_stdout, reason = "the table is a figure of the acceptance")]
+fn options_that_change_bits_are_refused_or_caught() {
+    let mut mistakes = Vec::new();
+    for tool in tools() {
+        let ready = ready(&tool);
+        let is_measured = is_measured(&tool);
+        println!("\n{} behind `-std=c99 -O2`, {} blocks", tool.command, ready.len());
+        for row in TABLE.iter().filter(|row| row.tool.command == tool.command) {
+            let options = [row.options, row.link.first().map_or(&[][..], |_| &["(linked with)"]), row.link].concat();
+            let options = options.join(" ");
+            if options.contains("-mfma") && !has_fma() {
+                println!("  {options:<70} not run: this processor has no fused multiply-add");
+                continue;
+            }
+            let outcomes: Vec<Outcome> = ready.par_iter().map(|ready| outcome(ready, row)).collect();
+            println!("  {options:<70} {}", summary(&outcomes));
+            let judged =
+                outcomes.iter().zip(&ready).filter(|(outcome, ready)| !is_right(outcome, row, ready, is_measured));
+            mistakes.extend(judged.map(|(outcome, ready)| {
+                format!("{} {options}: {}: {outcome:?} instead of {:?}", tool.command, title(&ready.case), row.expected)
+            }));
+        }
+    }
+    assert!(mistakes.is_empty(), "{mistakes:#?}");
+}
+
+fn ready(tool: &Tool) -> Vec<Ready> {
+    let count = if is_exhaustive() { 100_000 } else { 20_000 };
+    let ready = |case: Case| {
+        let (inputs, expected) = reference(&case, count);
+        let harness = Harness::of(&case.axis, &case.block, &Compiler::new(tool.command, &[]));
+        let harness = harness.unwrap_or_else(|failure| panic!("{}: {failure}", tool.command));
+        Ready { case, inputs, expected, harness }
+    };
+    cases().into_par_iter().map(ready).collect()
+}
+
+fn outcome(ready: &Ready, row: &Row) -> Outcome {
+    let compiler = Compiler::new(row.tool.command, &[&["-O2"], row.options].concat()).linking(row.link);
+    match ready.harness.run(&ready.inputs, &compiler) {
+        Err(Failure::Refused(_)) => Outcome::Refused,
+        Err(Failure::SelfTest(_)) => Outcome::Caught,
+        Err(failure) => Outcome::NotTaken(failure.to_string()),
+        Ok(found) => match compare(&ready.expected, &found).first {
+            None => Outcome::SameBits,
+            Some(place) => Outcome::Unnoticed(format!("{place:?}")),
+        },
+    }
+}
+
+/// Whether an outcome is the row's. Of a compiler that the table was not made with, only that nothing goes unnoticed.
+fn is_right(outcome: &Outcome, row: &Row, ready: &Ready, is_measured: bool) -> bool {
+    match (outcome, row.expected) {
+        (Outcome::Unnoticed(_), _) => false,
+        _ if !is_measured => true,
+        (Outcome::Refused, Refused) | (Outcome::Caught, Caught) | (Outcome::SameBits, SameBits) => true,
+        (Outcome::Caught, CaughtInDouble) => ready.case.axis.real == RealKind::F64,
+        (Outcome::SameBits, CaughtInDouble) => ready.case.axis.real == RealKind::F32,
+        (Outcome::Caught | Outcome::SameBits, CaughtOrSameBits) => true,
+        _ => false,
+    }
+}
+
+fn summary(outcomes: &[Outcome]) -> String {
+    let kinds = [
+        ("refused", outcomes.iter().filter(|outcome| matches!(outcome, Outcome::Refused)).count()),
+        ("caught by the self-test", outcomes.iter().filter(|outcome| matches!(outcome, Outcome::Caught)).count()),
+        ("same bits", outcomes.iter().filter(|outcome| matches!(outcome, Outcome::SameBits)).count()),
+        ("UNNOTICED", outcomes.iter().filter(|outcome| matches!(outcome, Outcome::Unnoticed(_))).count()),
+        ("not taken", outcomes.iter().filter(|outcome| matches!(outcome, Outcome::NotTaken(_))).count()),
+    ];
+    let text = |(kind, count): &(&str, usize)| match *count {
+        0 => None,
+        count if count == outcomes.len() => Some((*kind).to_owned()),
+        count => Some(format!("{kind}: {count}")),
+    };
+    kinds.iter().filter_map(text).collect::<Vec<_>>().join(", ")
+}
