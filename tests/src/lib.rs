@@ -3,3 +3,4 @@
 
 pub mod cases;
 pub mod environment;
+pub mod random;

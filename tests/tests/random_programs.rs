@@ -2,8 +2,10 @@
 //!
 //! `AXGEN_RANDOM_SEED` makes other programs, `AXGEN_RANDOM_PROGRAMS` more or fewer: 100,000 take about an hour.
 
+#![expect(clippy::print_stdout, reason = "what the run has covered")]
+
 use axgen_tests::random::campaign::{self, Settings};
-use axgen_tests::random::defect::Defect;
+use axgen_tests::random::inside::defect::Defect;
 use axgen_tests::random::print;
 use std::path::PathBuf;
 
@@ -13,6 +15,7 @@ fn folder() -> PathBuf {
 }
 
 #[test]
+#[ignore = "not yet seen to end within the time that a test run has: run it with --ignored"]
 fn random_programs_agree_in_every_engine() {
     let folder = folder();
     let report = campaign::run(&Settings::from_environment(&folder, "random-programs")).unwrap();

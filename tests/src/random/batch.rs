@@ -1,0 +1,229 @@
+//! Runs programs: writes crates that contain them, has them built, and gathers what they and their C say.
+
+use super::compile;
+use super::inside::defect::{self, Defect};
+use super::kernel;
+use super::print;
+use super::syntax::Program;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Programs of a crate: few enough for the memory of one compiler, enough to keep the others at work.
+const SHARD: usize = 125;
+
+/// What is to be run, and how.
+#[derive(Clone, Debug)]
+pub struct Batch<'b> {
+    /// a folder that is kept from run to run, so that what has not changed is not built again
+    pub folder: &'b Path,
+    /// what the crates are called
+    pub name: &'b str,
+    /// the programs, each with the name that its inputs are made from
+    pub programs: Vec<(String, &'b Program)>,
+    /// the real types: `f64`, `f32`
+    pub reals: &'b [&'static str],
+    /// what is planted
+    pub defect: Option<Defect>,
+    /// whether the C is compiled and run
+    pub with_c: bool,
+}
+
+/// What came of a program.
+#[derive(Clone, Debug, Default)]
+pub struct Answer {
+    /// the engines that differ
+    pub differences: Vec<Difference>,
+    /// what the run had in it
+    pub facts: BTreeSet<String>,
+    /// why rustc does not take it
+    pub rejected: Option<String>,
+}
+
+/// An engine that differs from the Rust itself.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Difference {
+    /// the real type
+    pub real: String,
+    /// the pass after which the interpreted program differs, or `c` with its level
+    pub engine: String,
+    /// what was found
+    pub message: String,
+}
+
+/// Runs the programs.
+///
+/// # Errors
+/// The crates cannot be built for a reason that is not one of the programs, or something breaks off.
+pub fn run(batch: &Batch<'_>) -> Result<Vec<Answer>, String> {
+    let mut answers = vec![Answer::default(); batch.programs.len()];
+    let crates = batch.folder.join(batch.name);
+    // What rustc rejects is left out; each round of errors may hide further ones.
+    loop {
+        let kept: Vec<usize> = (0..answers.len()).filter(|number| answers[*number].rejected.is_none()).collect();
+        let shards: Vec<&[usize]> = kept.chunks(SHARD).collect();
+        write_crates(batch, &crates, &shards).map_err(|error| format!("{}: {error}", crates.display()))?;
+        match build(batch, &crates) {
+            Ok(binary) => {
+                gather(&binary, batch, &shards, &crates.join("c"), &mut answers)?;
+                return Ok(answers);
+            }
+            Err(errors) => {
+                let rejected = rejected(&errors);
+                if rejected.is_empty() {
+                    return Err(errors);
+                }
+                for (number, error) in rejected {
+                    answers[number].rejected = Some(error);
+                }
+            }
+        }
+    }
+}
+
+/// Writes the workspace: a crate for each shard, and one that runs them all.
+fn write_crates(batch: &Batch<'_>, crates: &Path, shards: &[&[usize]]) -> std::io::Result<()> {
+    let tests = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = tests.parent().unwrap_or(tests);
+    let dependency = |name: &str, package: &str, path: PathBuf| {
+        format!("{name} = {{ package = \"{package}\", path = {:?} }}\n", path.display().to_string())
+    };
+    let portable = dependency("portable", "axgen-portable", root.join("reference/portable"))
+        + &dependency("reference", "axgen-reference", root.join("reference"));
+    let dependencies = "axgen_tests = { package = \"kernel\", path = \"../../kernel\" }\n".to_owned() + &portable;
+    let package = |name: &str, dependencies: &str| {
+        format!(
+            "[package]\nname = \"{name}\"\nversion = \"0.0.0\"\nedition = \"2024\"\npublish = false\n\n\
+             [dependencies]\n{dependencies}"
+        )
+    };
+    let kernel = batch.folder.join("kernel");
+    let names: Vec<String> = (0..shards.len()).map(|shard| format!("shard{shard}")).collect();
+    let (mut members, mut needs, mut calls) = (String::new(), dependencies.clone(), String::new());
+    for (name, shard) in names.iter().zip(shards) {
+        let _ = write!(members, "\"{name}\", ");
+        let _ = writeln!(needs, "{name} = {{ path = \"../{name}\" }}");
+        let _ = write!(calls, "{name}::instances, ");
+        write(&crates.join(name).join("Cargo.toml"), &package(name, &dependencies))?;
+        write(&crates.join(name).join("src/lib.rs"), &shard_source(batch, shard))?;
+        for number in *shard {
+            let (inputs, program) = &batch.programs[*number];
+            write(&crates.join(name).join(format!("src/p{number}.rs")), &print::module(program, inputs))?;
+        }
+    }
+    let manifest = format!("[workspace]\nresolver = \"3\"\nmembers = [{members}\"run\"]\n\n{PROFILE}");
+    write(&crates.join("Cargo.toml"), &manifest)?;
+    // The binary's name is the batch's: all batches share one folder for what cargo makes.
+    write(&crates.join("run/Cargo.toml"), &package(batch.name, &needs))?;
+    write(&kernel.join("Cargo.toml"), &(package("kernel", &portable) + "\n[lib]\nname = \"axgen_tests\"\n"))?;
+    write(&kernel.join("src/lib.rs"), &kernel::source(root)?)?;
+    write(
+        &crates.join("run/src/main.rs"),
+        &format!("fn main() {{\n    axgen_tests::random::inside::worker::main(&[{calls}]);\n}}\n"),
+    )?;
+    fs::create_dir_all(crates.join("c"))?;
+    let lock = crates.join("Cargo.lock");
+    if lock.exists() { Ok(()) } else { fs::copy(root.join("Cargo.lock"), lock).map(|_| ()) }
+}
+
+/// The programs are built fast and run once; what builds and runs them is worth optimising. Integers wrap in them.
+const PROFILE: &str = "[profile.dev]\nopt-level = 0\ndebug = false\noverflow-checks = false\ndebug-assertions = false\n\
+                       incremental = false\n\n[profile.dev.package.\"*\"]\nopt-level = 1\n";
+
+fn shard_source(batch: &Batch<'_>, shard: &[usize]) -> String {
+    let mut modules = String::from("#![allow(warnings, arithmetic_overflow, unconditional_panic)]\n");
+    let mut instances = String::new();
+    for number in shard {
+        let _ = writeln!(modules, "mod p{number};");
+        for real in batch.reals {
+            let _ = writeln!(instances, "        ({number}, instance::<{real}, p{number}::Subject>()),");
+        }
+    }
+    format!(
+        "{modules}\nuse axgen_tests::random::inside::subject::{{Instance, instance}};\n\n\
+         pub fn instances() -> Vec<(usize, Instance)> {{\n    vec![\n{instances}    ]\n}}\n"
+    )
+}
+
+/// Writes a file, unless it is there already: what has not changed is not built again.
+fn write(path: &Path, text: &str) -> std::io::Result<()> {
+    if fs::read(path).is_ok_and(|old| old == text.as_bytes()) {
+        return Ok(());
+    }
+    fs::create_dir_all(path.parent().unwrap_or(path))?;
+    fs::write(path, text)
+}
+
+/// Builds the crates; gives the binary, or the errors.
+fn build(batch: &Batch<'_>, crates: &Path) -> Result<PathBuf, String> {
+    let target = batch.folder.join("target");
+    let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
+    let output = Command::new(cargo)
+        .args(["build", "--offline", "--quiet", "--keep-going", "--message-format", "short", "--manifest-path"])
+        .arg(crates.join("Cargo.toml"))
+        .arg("--target-dir")
+        .arg(&target)
+        .output()
+        .map_err(|error| format!("cargo does not start: {error}"))?;
+    if output.status.success() {
+        return Ok(target.join("debug").join(format!("{}{}", batch.name, std::env::consts::EXE_SUFFIX)));
+    }
+    Err(String::from_utf8_lossy(&output.stderr).into_owned())
+}
+
+/// The programs that rustc's errors are about, each with the first error.
+fn rejected(errors: &str) -> BTreeMap<usize, String> {
+    let mut rejected = BTreeMap::new();
+    for line in errors.lines().filter(|line| line.contains(": error")) {
+        let file = line.split_once("/src/p").and_then(|(_, rest)| rest.split_once(".rs:"));
+        if let Some(number) = file.and_then(|(number, _)| number.parse().ok()) {
+            rejected.entry(number).or_insert_with(|| line.to_owned());
+        }
+    }
+    rejected
+}
+
+/// Runs the binary, then the C, and gathers the answers.
+fn gather(
+    binary: &Path,
+    batch: &Batch<'_>,
+    shards: &[&[usize]],
+    folder: &Path,
+    answers: &mut [Answer],
+) -> Result<(), String> {
+    let mut command = Command::new(binary);
+    command.arg(folder).args(batch.defect.map(defect::name));
+    let output = command.output().map_err(|error| format!("{}: {error}", binary.display()))?;
+    let text = String::from_utf8_lossy(&output.stdout);
+    if !output.status.success() {
+        return Err(format!("{} broke off: {}", binary.display(), String::from_utf8_lossy(&output.stderr)));
+    }
+    for line in text.lines() {
+        let fields: Vec<&str> = line.split('\t').collect();
+        let Some(answer) = fields.get(1).and_then(|number| answers.get_mut(number.parse::<usize>().ok()?)) else {
+            return Err(format!("{} says `{line}`", binary.display()));
+        };
+        match fields[..] {
+            ["differs", _, real, engine, message] => answer.differences.push(difference(real, engine, message)),
+            ["facts", _, ..] => {
+                answer.facts.extend(fields[2..].iter().filter(|fact| !fact.is_empty()).map(|fact| (*fact).to_owned()));
+            }
+            _ => return Err(format!("{} says `{line}`", binary.display())),
+        }
+    }
+    if batch.with_c {
+        let firsts: Vec<usize> = shards.iter().filter_map(|shard| shard.first().copied()).collect();
+        for line in compile::run(folder, &firsts)? {
+            let answer =
+                answers.get_mut(line.program).ok_or_else(|| format!("the C names program {}", line.program))?;
+            answer.differences.push(difference(line.real, &line.engine, &line.message));
+        }
+    }
+    Ok(())
+}
+
+fn difference(real: &str, engine: &str, message: &str) -> Difference {
+    Difference { real: real.to_owned(), engine: engine.to_owned(), message: message.to_owned() }
+}

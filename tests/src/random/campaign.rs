@@ -1,0 +1,154 @@
+//! Many random programs at once: made, run, counted; the first that differs is shrunk and shown.
+
+use super::batch::{self, Answer, Batch, Difference};
+use super::coverage;
+use super::inside::defect::Defect;
+use super::inside::judge::INVALID;
+use super::rng::Rng;
+use super::shrink;
+use super::syntax::Program;
+use super::{generate, print};
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::path::Path;
+
+/// The seed of a plain test run.
+const SEED: u64 = 2026;
+/// The programs of a plain test run.
+const PROGRAMS: usize = 1_000;
+/// Programs that are built together.
+const TOGETHER: usize = 1_000;
+
+/// What a campaign does.
+#[derive(Clone, Copy, Debug)]
+pub struct Settings<'s> {
+    /// where crates and C are built; kept from run to run
+    pub folder: &'s Path,
+    /// what the crates are called
+    pub name: &'s str,
+    /// what the programs are made from
+    pub seed: u64,
+    /// how many
+    pub programs: usize,
+    /// what is planted
+    pub defect: Option<Defect>,
+}
+
+impl<'s> Settings<'s> {
+    /// Those of a test run: `AXGEN_RANDOM_SEED` and `AXGEN_RANDOM_PROGRAMS` change them.
+    ///
+    /// # Panics
+    /// If one of the two is no number.
+    #[must_use]
+    pub fn from_environment(folder: &'s Path, name: &'s str) -> Self {
+        let seed = number("AXGEN_RANDOM_SEED").unwrap_or(SEED);
+        let programs = number("AXGEN_RANDOM_PROGRAMS").unwrap_or(PROGRAMS as u64);
+        Self { folder, name, seed, programs: usize::try_from(programs).unwrap_or(PROGRAMS), defect: None }
+    }
+}
+
+fn number(variable: &str) -> Option<u64> {
+    let text = std::env::var(variable).ok()?;
+    Some(text.parse().unwrap_or_else(|_| panic!("{variable} is a number, and not `{text}`")))
+}
+
+/// What came of a campaign.
+#[derive(Clone, Debug, Default)]
+pub struct Report {
+    /// in how many programs each construct and each fact of a run occurs
+    pub shares: BTreeMap<String, usize>,
+    /// how many programs were run
+    pub programs: usize,
+    /// the programs that differ, by their number
+    pub different: Vec<usize>,
+    /// the smallest one, shrunk
+    pub shrunk: Option<Shrunk>,
+}
+
+/// A small program that differs.
+#[derive(Clone, Debug)]
+pub struct Shrunk {
+    /// the program
+    pub program: Program,
+    /// its text, with what its engines say
+    pub text: String,
+}
+
+/// Runs a campaign.
+///
+/// # Errors
+/// A program does not compile, breaks off as Rust, or something is not about one program at all.
+pub fn run(settings: &Settings<'_>) -> Result<Report, String> {
+    let mut report = Report::default();
+    let numbers: Vec<usize> = (0..settings.programs).collect();
+    for numbers in numbers.chunks(TOGETHER) {
+        let programs: Vec<Program> =
+            numbers.iter().map(|number| generate::program(Rng::of(settings.seed, *number))).collect();
+        let answers = batch::run(&together(settings, numbers, &programs))?;
+        report.programs += programs.len();
+        let mut different = Vec::new();
+        for ((number, program), answer) in numbers.iter().zip(&programs).zip(answers) {
+            refuse(*number, program, &answer)?;
+            for occurs in coverage::of(program).into_iter().chain(answer.facts.iter().cloned()) {
+                *report.shares.entry(occurs).or_default() += 1;
+            }
+            if let Some(difference) = answer.differences.first() {
+                different.push((print::lines(program), *number, program, difference.clone()));
+            }
+        }
+        report.different.extend(different.iter().map(|(_, number, ..)| *number));
+        if let Some((_, number, program, difference)) = different.into_iter().min_by_key(|(lines, ..)| *lines) {
+            report.shrunk = Some(small(settings, number, program, &difference)?);
+            return Ok(report);
+        }
+    }
+    Ok(report)
+}
+
+fn together<'p>(settings: &Settings<'p>, numbers: &[usize], programs: &'p [Program]) -> Batch<'p> {
+    let named = |(number, program): (&usize, &'p Program)| (name(*number), program);
+    Batch {
+        folder: settings.folder,
+        name: settings.name,
+        programs: numbers.iter().zip(programs).map(named).collect(),
+        reals: &["f64", "f32"],
+        defect: settings.defect,
+        with_c: true,
+    }
+}
+
+fn name(number: usize) -> String {
+    format!("program{number}")
+}
+
+/// A program that rustc does not take, or that breaks off as Rust, is a mistake of the harness.
+fn refuse(number: usize, program: &Program, answer: &Answer) -> Result<(), String> {
+    let broken = answer.differences.iter().find(|difference| difference.engine == INVALID);
+    match answer.rejected.as_ref().or(broken.map(|difference| &difference.message)) {
+        Some(message) => Err(format!("program {number}: {message}\n{}", print::module(program, &name(number)))),
+        None => Ok(()),
+    }
+}
+
+/// Shrinks a program that differs, in the one engine and the one real type that differ.
+fn small(settings: &Settings<'_>, number: usize, program: &Program, difference: &Difference) -> Result<Shrunk, String> {
+    let reals: &[&str] = if difference.real == "f64" { &["f64"] } else { &["f32"] };
+    let crates = format!("{}-shrink", settings.name);
+    let is_c = |difference: &Difference| difference.engine.starts_with("c ");
+    let batch = |programs: Vec<(String, &Program)>| -> Result<Vec<Answer>, String> {
+        let (folder, defect) = (settings.folder, settings.defect);
+        batch::run(&Batch { folder, name: &crates, programs, reals, defect, with_c: is_c(difference) })
+    };
+    let same = |found: &Difference| found.engine == difference.engine || is_c(found) && is_c(difference);
+    let shrunk = shrink::shrink(program, |candidates| {
+        let candidates = candidates.iter().map(|candidate| (name(number), candidate)).collect();
+        Ok(batch(candidates)?.iter().map(|answer| answer.differences.iter().any(same)).collect())
+    })?;
+    let answers = batch(vec![(name(number), &shrunk)])?;
+    let mut text = format!("{}\n", print::module(&shrunk, &name(number)));
+    let _ = writeln!(text, "Program {number} of seed {}, shrunk to {} lines:", settings.seed, print::lines(&shrunk));
+    for difference in answers.iter().flat_map(|answer| &answer.differences) {
+        let _ = writeln!(text, "  {}, {}: {}", difference.real, difference.engine, difference.message);
+    }
+    Ok(Shrunk { program: shrunk, text })
+}

@@ -1,0 +1,72 @@
+//! Random statements that belong together: where an order of effects, or the value of a local, is most easily lost.
+
+use super::expression::operation;
+use super::scope::{Access, Writer};
+use super::shape;
+use crate::random::syntax::{Block, Choice, Expr, Place, Scalar, Statement, Type};
+use portable::Binary;
+
+impl Writer<'_> {
+    /// A value is kept, what it was read from changes, perhaps only on one way, and then both are used.
+    pub fn copied_before_change(&mut self, depth: usize, statements: &mut Vec<Statement>) {
+        let Some((place, scalar)) = self.writable(None) else { return };
+        if !self.has_value(&place) {
+            return;
+        }
+        let kept = self.fresh();
+        let read = Expr::Read(place.clone(), scalar);
+        self.enter(&kept, Type::Scalar(scalar), Access::Read);
+        statements.push(Statement::Let { name: kept.clone(), mutable: false, value: read.clone() });
+        let call = if self.rng.chance(50) { self.mutating_call() } else { None };
+        let change = match call {
+            Some(call) => Statement::Call(call),
+            None => Statement::Assign { place: place.clone(), value: self.expr(scalar, 2) },
+        };
+        statements.push(if depth > 0 && self.rng.chance(40) {
+            let condition = self.condition();
+            let then = Block { statements: vec![change], value: None };
+            Statement::If(Choice { condition, then, otherwise: None })
+        } else {
+            change
+        });
+        let both = match scalar {
+            Scalar::Real | Scalar::I32 | Scalar::U32 => {
+                let kept = Expr::Read(Place::root(&kept), scalar);
+                let (operator, swapped) = (*self.rng.pick(&[Binary::Subtract, Binary::Multiply]), self.rng.chance(50));
+                if swapped { operation(operator, kept, read) } else { operation(operator, read, kept) }
+            }
+            other => Expr::Read(Place::root(&kept), other),
+        };
+        if let Some((target, _)) = self.writable(Some(scalar)) {
+            statements.push(Statement::Assign { place: target, value: both });
+        }
+    }
+
+    /// A local that is assigned in some branches, perhaps within a loop, and in others not.
+    pub fn assigned_on_some_ways(&mut self, depth: usize, statements: &mut Vec<Statement>) {
+        let scalar = if self.rng.chance(60) { Scalar::Real } else { shape::scalar(false, self.program, self.rng) };
+        let (name, value) = (self.fresh(), self.leaf(scalar));
+        statements.push(Statement::Let { name: name.clone(), mutable: true, value });
+        self.enter(&name, Type::Scalar(scalar), Access::Local);
+        let mut change = self.assignment_to(&name, scalar);
+        for _ in 0..self.rng.between(1, 2) {
+            let otherwise = if self.rng.chance(40) { Some(self.assignment_to(&name, scalar)) } else { None };
+            let condition = self.condition();
+            let alone = |statement| Block { statements: vec![statement], value: None };
+            change = Statement::If(Choice { condition, then: alone(change), otherwise: otherwise.map(alone) });
+        }
+        let repeated = if self.rng.chance(30) { self.repetition(depth - 1) } else { None };
+        statements.push(match repeated {
+            Some(Statement::For { variable, from, to, mut body }) => {
+                body.statements.push(change);
+                Statement::For { variable, from, to, body }
+            }
+            _ => change,
+        });
+    }
+
+    fn assignment_to(&mut self, name: &str, scalar: Scalar) -> Statement {
+        self.spend(1);
+        Statement::Assign { place: Place::root(name), value: self.expr(scalar, 2) }
+    }
+}
