@@ -15,7 +15,6 @@ fn folder() -> PathBuf {
 }
 
 #[test]
-#[ignore = "not yet seen to end within the time that a test run has: run it with --ignored"]
 fn random_programs_agree_in_every_engine() {
     let folder = folder();
     let report = campaign::run(&Settings::from_environment(&folder, "random-programs")).unwrap();
