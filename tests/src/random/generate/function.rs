@@ -5,8 +5,7 @@ use super::scope::{Access, Writer};
 use super::{block, constant, shape};
 use crate::random::rng::Rng;
 use crate::random::syntax::{
-    Block, COEFFS, Call, Callee, Expr, Function, INPUTS, Mode, OUTPUTS, Param, Place, Program, STATE, Scalar,
-    Statement, Step, Type, Value,
+    Block, COEFFS, Call, Callee, Expr, Function, INPUTS, Mode, OUTPUTS, Param, Program, STATE, Scalar, Type,
 };
 use portable::Binary;
 
