@@ -4,6 +4,7 @@ use crate::axis::Axis;
 use crate::pass::{self, Defect};
 use crate::program::Program;
 use crate::self_test::{self, SelfTest};
+use crate::vector::{self, Vector};
 use crate::{design, specialise};
 use portable::{Literal, Portable, Real, RealKind};
 use reference::{Block as Reference, ipc::Ipc};
@@ -18,6 +19,14 @@ pub struct Block {
     pub notes: BTreeMap<String, String>,
     /// what a self-test does and expects
     pub self_test: SelfTest,
+    /// a recorded run
+    pub vector: Vector,
+}
+
+/// The names of an axis's blocks, in the order of [`blocks`].
+#[must_use]
+pub fn names(_: &Axis) -> Vec<&'static str> {
+    vec![<Ipc as Reference<f64>>::NAME]
 }
 
 /// The blocks of an axis.
@@ -48,7 +57,8 @@ fn block<R: Real, B: Reference<R>>(
     let paths: Vec<String> = specialised.state.iter().map(|variable| variable.path.clone()).collect();
     let program = pass::run(specialised, None)?;
     let self_test = self_test::record::<R, B>(coeffs, &program, &paths, ranges);
-    Ok(Block { program, notes, self_test })
+    let vector = vector::record::<R, B>(coeffs, &program, ranges);
+    Ok(Block { program, notes, self_test, vector })
 }
 
 /// The scalars of a value, in the order of its type.

@@ -4,19 +4,34 @@ use crate::axis::Axis;
 use crate::block;
 use crate::config::Set;
 use crate::pass::Defect;
-use crate::target::{File, Target};
+use crate::target::{File, Target, Unit};
 use rayon::prelude::*;
 
-/// Makes the files of all axes for some targets and hands each to `take`; gives its answers, in the order of the axes.
+/// Makes the files of some axes (all, if none is named) for some targets, and what all axes of the set share there. Hands
+/// each file to `take`; gives its answers, in the order of the axes, the shared files last.
 ///
 /// Axes do not know each other: they are made side by side, and no file is kept longer than `take` needs it.
 ///
 /// # Errors
 /// A defect of a block or of a pass.
-pub fn files<T: Send>(set: &Set, targets: &[Target], take: impl Fn(File) -> T + Sync) -> Result<Vec<T>, Defect> {
+pub fn files<T: Send>(
+    set: &Set,
+    axes: &[String],
+    targets: &[Target],
+    take: impl Fn(File) -> T + Sync,
+) -> Result<Vec<T>, Defect> {
+    let chosen = set.axes.par_iter().filter(|axis| axes.is_empty() || axes.contains(&axis.name));
     let taken: Result<Vec<Vec<T>>, Defect> =
-        set.axes.par_iter().map(|axis| Ok(axis_files(axis, targets)?.into_iter().map(&take).collect())).collect();
-    Ok(taken?.into_iter().flatten().collect())
+        chosen.map(|axis| Ok(axis_files(axis, targets)?.into_iter().map(&take).collect())).collect();
+    let units: Vec<Unit<'_>> = set.axes.iter().map(unit).collect();
+    let shared = targets.iter().flat_map(|target| (target.shared)(&units)).map(&take).collect();
+    Ok(taken?.into_iter().chain([shared]).flatten().collect())
+}
+
+/// What a shared file may know of an axis.
+#[must_use]
+pub fn unit(axis: &Axis) -> Unit<'_> {
+    Unit { axis: &axis.name, real: axis.real, blocks: block::names(axis) }
 }
 
 /// Design, specialise and the passes once; then each target prints.

@@ -1,6 +1,7 @@
 //! What the self-test of a block does, and the answers that the reference gives. Every target prints it its own way.
 
 use crate::block::leaves;
+use crate::noise::Noise;
 use crate::program::{Program, Type};
 use portable::{Literal, Portable, Real, RealKind};
 use reference::Block as Reference;
@@ -50,17 +51,15 @@ pub fn record<R: Real, B: Reference<R>>(
         .map(|variable| state_paths.iter().position(|path| *path == variable.path))
         .map(|leaf| leaf.expect("self-test: the program's state is part of the reference's"))
         .collect();
-    let scales = ranges.map(scale::<R>);
+    let mut noise = Noise::<R>::within(ranges);
     let loud_from = BAD_SAMPLE_DISTANCE * bad.len() + QUIET_SAMPLES;
     let (mut state, mut outputs) = (B::state(), B::outputs());
-    let (mut random, mut digest, mut expected) = (1u32, 0, Vec::new());
+    let (mut digest, mut expected) = (0, Vec::new());
     for sample in 0..loud_from + LOUD_SAMPLES {
-        let scale = scales[usize::from(sample >= loud_from)];
         let mut values = switched.iter().enumerate().map(|(index, value)| match program.inputs[index].ty {
             Type::Real => {
-                random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-                let noise = (R::from_u32(random >> 8) - R::lit(8_388_608.0)) * scale;
-                literal(if bad.contains(&(sample, index)) { R::lit(f64::NAN) } else { noise })
+                let noise = noise.next(sample >= loud_from);
+                if bad.contains(&(sample, index)) { literal(R::lit(f64::NAN)) } else { noise }
             }
             _ => *value,
         });
@@ -73,16 +72,11 @@ pub fn record<R: Real, B: Reference<R>>(
     }
     SelfTest {
         switches: switches.map(|index| (index, switched[index])).collect(),
-        scales: scales.map(literal),
+        scales: noise.scales(),
         loud_from,
         bad,
         expected,
     }
-}
-
-/// A power of two, so that the noise is exact in both real types: scale * (integer of 24 bits - 2^23), within the range.
-fn scale<R: Real>(range: f64) -> R {
-    R::lit(libm::exp2(libm::floor(libm::log2(range)) - 23.0))
 }
 
 /// The digest with one more value: turned by five bits, and the bits added, in as many bits as a real has.

@@ -1,6 +1,6 @@
 //! Puts files into a folder: staged beside their targets, then renamed; all of them or none.
 
-use crate::digest::digest;
+use crate::digest::is_sealed;
 use crate::target::File;
 use std::fmt;
 use std::fs;
@@ -67,6 +67,12 @@ enum Kind {
 /// The folder does not take it.
 pub fn stage(folder: &Path, file: &File) -> Result<Staged, Refusal> {
     let path = folder.join(&file.name);
+    if let Some(parent) = path.parent()
+        && file.name.contains('/')
+        && let Err(error) = fs::create_dir_all(parent)
+    {
+        return Err(Refusal::Failed(parent.to_owned(), error));
+    }
     let kind = match fs::read(&path) {
         Ok(old) if old == file.text.as_bytes() => Kind::Unchanged,
         Ok(old) if edited_by_hand(&old) => Kind::ReplacesEdited,
@@ -110,16 +116,10 @@ pub fn commit(results: Vec<Result<Staged, Refusal>>, force: bool) -> Result<Writ
     Ok(Written { changed: files.len(), unchanged: all - files.len() })
 }
 
-/// Whether a generated file's body is no longer the one that its digest was made of.
+/// Whether a file that was generated has another content than it was sealed with.
 #[must_use]
 pub fn edited_by_hand(content: &[u8]) -> bool {
-    let Ok(text) = std::str::from_utf8(content) else { return false };
-    let digest_of_body = text.lines().find_map(|line| line.trim_start_matches([' ', '*']).strip_prefix("body"));
-    let body = text.split_once(" */\n").map(|(_, body)| body);
-    match (digest_of_body, body) {
-        (Some(stated), Some(body)) => stated.trim() != digest(body.strip_suffix('\n').unwrap_or(body).as_bytes()),
-        _ => false,
-    }
+    std::str::from_utf8(content).is_ok_and(|text| is_sealed(text) == Some(false))
 }
 
 fn staged(path: &Path) -> PathBuf {

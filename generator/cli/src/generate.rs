@@ -6,7 +6,7 @@ use crate::input::{self, counted};
 use crate::summary;
 use generator::config::Set;
 use generator::generate;
-use generator::target::{self, TARGETS, Target};
+use generator::target::{self, DEFAULT_TARGETS, TARGETS, Target};
 use generator::write::{self, Refusal, Written};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -26,27 +26,25 @@ pub fn run(
     for name in axes {
         input::axis(&set, Some(name))?;
     }
-    set.axes.retain(|axis| axes.is_empty() || axes.contains(&axis.name));
     let targets = chosen(targets, &set)?;
     fs::create_dir_all(out)
         .map_err(|error| Exit::environment(format!("{}: {error}; nothing was written", out.display())))?;
-    let staged = generate::files(&set, &targets, |file| write::stage(out, &file));
+    let staged = generate::files(&set, axes, &targets, |file| write::stage(out, &file));
     let staged = staged.unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
     let paths: Vec<PathBuf> = staged.iter().flatten().map(|file| file.path.clone()).collect();
     let written = write::commit(staged, force).map_err(|refusal| match refusal {
         Refusal::Edited(_) => Exit::input(refusal),
         Refusal::Failed(..) => Exit::environment(refusal),
     })?;
+    set.axes.retain(|axis| axes.is_empty() || axes.contains(&axis.name));
     say(&set, &paths, written, warnings);
     Ok(Exit::Done)
 }
 
-/// The targets of the command line, else of the set, else all.
+/// The targets of the command line, else of the set, else the usual ones.
 fn chosen(named: &[String], set: &Set) -> Result<Vec<Target>, Exit> {
-    let names = if named.is_empty() { &set.targets } else { named };
-    if names.is_empty() {
-        return Ok(TARGETS.to_vec());
-    }
+    let usual = DEFAULT_TARGETS.map(str::to_owned);
+    let names = [named, &set.targets, &usual].into_iter().find(|names| !names.is_empty()).unwrap_or_default();
     let known = || TARGETS.iter().map(|target| target.name).collect::<Vec<_>>().join(", ");
     names
         .iter()

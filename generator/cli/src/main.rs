@@ -29,7 +29,7 @@ enum Command {
     Generate {
         #[command(flatten)]
         set: SetArguments,
-        /// Target language, may be given several times [default: the set's targets, else c]
+        /// Target language, may be given several times [default: the set's targets, else c and st]
         #[arg(long = "target", value_name = "T")]
         targets: Vec<String>,
         /// Only this axis, may be given several times

@@ -4,15 +4,13 @@ use super::print::{Printer, member};
 use super::types;
 use crate::axis::Axis;
 use crate::block::Block;
-use crate::digest::digest;
-use crate::program::{Expr, Origin, Program, Type, Var, Variable};
-use crate::render::{CBlock, CFile, CHeader, CSelfTest, CSource, ConstantText, Group, Member, Noisy, Switch};
-use crate::target::{File, comment};
+use crate::digest::{UNSEALED, digest, seal};
+use crate::program::{Expr, Program, Type, Variable};
+use crate::render::{CBlock, CFile, CHeader, CSelfTest, CSource, Noisy, Switch};
+use crate::target::outline::Language;
+use crate::target::{File, stem};
 use askama::Template;
 use portable::{Intrinsic, Literal, RealKind};
-
-/// Characters in a line of a comment, without the marks around it.
-const COMMENT_WIDTH: usize = 110;
 
 /// The header and the source of an axis.
 ///
@@ -20,7 +18,7 @@ const COMMENT_WIDTH: usize = 110;
 /// If a template cannot be filled, which no input can bring about.
 #[must_use]
 pub fn files(axis: &Axis, blocks: &[Block]) -> Vec<File> {
-    let stem = format!("axis_{}", axis.name.to_ascii_lowercase());
+    let stem = stem(&axis.name);
     let (header, source) = (format!("{stem}.h"), format!("{stem}.c"));
     let texts: Vec<CBlock> = blocks.iter().map(|block| block_text(&stem, block)).collect();
     let guard = format!("{}_H", stem.to_ascii_uppercase());
@@ -58,22 +56,23 @@ fn with_origin(axis: &Axis, file: String, body: &str) -> File {
         real: types::name(Type::Real, axis.real),
         cycle_time_ns: axis.cycle_time_ns,
         parameters_digest: &digest(axis.canonical.as_bytes()),
-        body_digest: &digest(body.as_bytes()),
+        body_digest: UNSEALED,
         body,
     };
     let text = text.render().expect("c: the file's template is filled") + "\n";
-    File { name: file, text }
+    File { name: file, text: seal(text) }
 }
 
 fn block_text(stem: &str, block: &Block) -> CBlock {
     let program = &block.program;
     let prefix = format!("{stem}_{}", program.block);
     let printer = Printer::new(program);
+    let language = Language { ty: &|ty| types::name(ty, program.real), literal: &types::literal, next_line: "\n * " };
     CBlock {
-        inputs: inputs(program),
-        outputs: members(&program.outputs, program.real),
-        state: members(&program.state, program.real),
-        constants: groups(block, &printer),
+        inputs: language.inputs(program, &members(&program.inputs)),
+        outputs: language.members(&program.outputs, &members(&program.outputs)),
+        state: language.members(&program.state, &members(&program.state)),
+        constants: language.groups(block, program, printer.constants()),
         init: printer.body(&program.init),
         step: printer.body(&program.step),
         samples: block.self_test.expected.len(),
@@ -82,82 +81,9 @@ fn block_text(stem: &str, block: &Block) -> CBlock {
     }
 }
 
-/// The inputs; those that this axis does not need say so.
-fn inputs(program: &Program) -> Vec<Member> {
-    let mut members = members(&program.inputs, program.real);
-    let mut read = vec![false; members.len()];
-    for statement in &program.step {
-        statement.expressions(&mut |expr| {
-            expr.variables(&mut |var| {
-                if let Var::Input(index) = var {
-                    read[index] = true;
-                }
-            });
-        });
-    }
-    for (member, _) in members.iter_mut().zip(read).filter(|(_, read)| !read) {
-        member.doc.push_str("; not read for this axis");
-    }
-    members
-}
-
-fn members(variables: &[Variable], real: RealKind) -> Vec<Member> {
-    let text = |variable: &Variable| Member {
-        ty: types::name(variable.ty, real),
-        name: member(&variable.path),
-        doc: variable.doc.to_owned(),
-        start: types::literal(variable.start),
-    };
-    variables.iter().map(text).collect()
-}
-
-/// The constants in their order, a new group where another note begins.
-fn groups(block: &Block, printer: &Printer<'_>) -> Vec<Group> {
-    let program = &block.program;
-    let mut groups: Vec<Group> = Vec::new();
-    let mut said = Vec::new();
-    for (constant, name) in program.constants.iter().zip(printer.constants()) {
-        let notes: Vec<&str> = match constant.origin {
-            Origin::Coefficient(_) => {
-                notes_of(&constant.path).filter_map(|path| block.notes.get(path)).map(String::as_str).collect()
-            }
-            Origin::Function => vec!["the same for every axis"],
-        };
-        let fresh: Vec<&str> = notes.iter().copied().filter(|note| !said.contains(note)).collect();
-        let text = ConstantText {
-            ty: constant_type(constant.value, program.real),
-            name: name.clone(),
-            value: types::literal(constant.value),
-            doc: constant.doc.to_owned(),
-        };
-        match groups.last_mut() {
-            Some(last) if fresh.is_empty() => last.constants.push(text),
-            _ => groups.push(Group { note: block_comment(&fresh), constants: vec![text] }),
-        }
-        said.extend(notes);
-    }
-    groups
-}
-
-/// Notes as the inside of one comment.
-fn block_comment(notes: &[&str]) -> String {
-    let lines = notes.iter().flat_map(|note| comment::lines(&comment::harmless(note), COMMENT_WIDTH));
-    lines.collect::<Vec<_>>().join("\n * ")
-}
-
-/// A path and those that contain it, outermost first.
-fn notes_of(path: &str) -> impl Iterator<Item = &str> {
-    let ends = path.char_indices().filter(|(_, character)| *character == '.').map(|(end, _)| end);
-    ends.chain([path.len()]).map(|end| &path[..end])
-}
-
-fn constant_type(value: Literal, real: RealKind) -> &'static str {
-    match value {
-        Literal::Bool(_) => types::name(Type::Bool, real),
-        Literal::U32(_) => types::name(Type::U32, real),
-        Literal::F64(_) | Literal::F32(_) => types::name(Type::Real, real),
-        _ => types::name(Type::I32, real),
-    }
+/// The names of variables as members of a struct.
+fn members(variables: &[Variable]) -> Vec<String> {
+    variables.iter().map(|variable| member(&variable.path)).collect()
 }
 
 fn self_test(prefix: &str, block: &Block) -> String {

@@ -1,9 +1,10 @@
 //! Statements as C text, one to one: no operation is added, removed or moved. Expressions are printed in `expression`.
 
-use super::names::{Names, identifier, is_reserved};
+use super::names::is_reserved;
 use super::{scope, types};
 use crate::program::{Expr, Program, Statement, Var, Variable};
 use crate::target::comment;
+use crate::target::names::{Names, identifier};
 use std::fmt::Write;
 
 /// Characters in a line of code, where it can be broken.
@@ -25,7 +26,7 @@ pub struct Printer<'p> {
 impl<'p> Printer<'p> {
     /// Names the constants, then the locals.
     pub fn new(program: &'p Program) -> Self {
-        let mut names = Names::default();
+        let mut names = Names::without(is_reserved);
         let constants = program.constants.iter().map(|constant| names.take(&constant.path)).collect();
         let locals = program.locals.iter().map(|local| names.take(&local.path)).collect();
         let members = |of: &str, variables: &[Variable]| -> Vec<String> {

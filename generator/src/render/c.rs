@@ -1,5 +1,6 @@
-//! What the templates are filled with. No logic: every field is text that a target has made.
+//! The templates of C.
 
+use super::{Group, Member};
 use askama::Template;
 
 /// The comment at a file's top, then its body.
@@ -72,38 +73,6 @@ pub struct CBlock {
     pub samples: usize,
     /// the self-test
     pub self_test: String,
-}
-
-/// A member of a struct.
-pub struct Member {
-    /// its type
-    pub ty: &'static str,
-    /// its name
-    pub name: String,
-    /// its meaning
-    pub doc: String,
-    /// its first value
-    pub start: String,
-}
-
-/// Constants that belong together.
-pub struct Group {
-    /// what they belong to; empty: said already
-    pub note: String,
-    /// the constants
-    pub constants: Vec<ConstantText>,
-}
-
-/// A named number.
-pub struct ConstantText {
-    /// its type
-    pub ty: &'static str,
-    /// its name
-    pub name: String,
-    /// its value
-    pub value: String,
-    /// its meaning
-    pub doc: String,
 }
 
 /// The self-test of a block.

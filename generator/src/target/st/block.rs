@@ -1,0 +1,72 @@
+//! A block as a dialect lists it: declarations, numbers, statements. What every file form has in common.
+
+use super::dialect::{Dialect, Form, type_name};
+use super::print::Printer;
+use super::{operands, start, types};
+use crate::axis::Axis;
+use crate::block::Block;
+use crate::digest::{UNSEALED, digest};
+use crate::program::{Program, Type};
+use crate::render::{Group, Member, Origin, StBlock};
+use crate::target::outline::Language;
+use askama::Template;
+
+/// A block with the name that a file gives it.
+#[must_use]
+pub fn listing(name: String, block: &Block, program: Program, dialect: Dialect) -> StBlock {
+    let program = start::run(program);
+    let program = if dialect.has_digits_in_expressions(program.real) { program } else { operands::run(program) };
+    let printer = Printer::new(&program, dialect);
+    let language = Language { ty: &|ty| type_name(ty, program.real), literal: &types::literal, next_line: "\n       " };
+    let names = &printer.names;
+    let groups = language.groups(block, &program, &names.constants);
+    let forms: Vec<Form> = program.constants.iter().map(|constant| dialect.form(constant.value)).collect();
+    let of = |form| with_form(form, &forms, &groups);
+    StBlock {
+        name,
+        inputs: language.inputs(&program, &names.inputs),
+        outputs: language.members(&program.outputs, &names.outputs),
+        state: language.members(&program.state, &names.state),
+        locals: locals(&program, &names.locals),
+        inline: of(Form::Inline),
+        declared: of(Form::Declared),
+        assigned: of(Form::Assigned),
+        body: printer.body(0),
+    }
+}
+
+/// The intermediate values; what they mean is said where they are computed.
+fn locals(program: &Program, names: &[String]) -> Vec<Member> {
+    let member = |(local, name): (&crate::program::Local, &String)| Member {
+        ty: type_name(local.ty.expect("st: the typing pass has typed every local"), program.real),
+        name: name.clone(),
+        doc: String::new(),
+        start: String::new(),
+    };
+    program.locals.iter().zip(names).map(member).collect()
+}
+
+/// The constants of one form; `forms` has one for each, in the order of the groups.
+fn with_form(wanted: Form, forms: &[Form], groups: &[Group]) -> Vec<Group> {
+    let mut forms = forms.iter();
+    let chosen = groups.iter().map(|group| Group {
+        note: group.note.clone(),
+        constants: group.constants.iter().filter(|_| forms.next() == Some(&wanted)).cloned().collect(),
+    });
+    chosen.filter(|group| !group.constants.is_empty()).collect()
+}
+
+/// The comment at the top of an axis's file.
+#[must_use]
+pub fn origin(axis: &Axis, file: &str) -> String {
+    let origin = Origin {
+        file,
+        version: env!("CARGO_PKG_VERSION"),
+        axis: &axis.name,
+        real: type_name(Type::Real, axis.real),
+        cycle_time_ns: axis.cycle_time_ns,
+        parameters_digest: &digest(axis.canonical.as_bytes()),
+        body_digest: UNSEALED,
+    };
+    origin.render().expect("st: the comment at the top is filled")
+}

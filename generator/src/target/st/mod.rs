@@ -1,0 +1,27 @@
+//! IEC 61131-3 Structured Text: one printer, and what its dialects do differently. The skeletons of the files are templates.
+//!
+//! Whatever implementations disagree on is not printed: see `docs/structured-text.md`.
+
+mod block;
+pub mod codesys;
+pub mod dialect;
+mod expression;
+pub mod names;
+mod operands;
+pub mod plain;
+mod print;
+pub mod scl;
+mod start;
+pub mod twincat;
+pub mod types;
+
+pub use dialect::Dialect;
+pub use dialect::usable as usable_function;
+
+use super::Unit;
+use portable::RealKind;
+
+/// The real types that a set uses.
+fn real_types(units: &[Unit<'_>]) -> impl Iterator<Item = RealKind> {
+    [RealKind::F64, RealKind::F32].into_iter().filter(|real| units.iter().any(|unit| unit.real == *real))
+}

@@ -1,0 +1,169 @@
+//! Statements as Structured Text, one to one: no operation is added, removed or moved. Expressions are printed in
+//! `expression`.
+
+use super::dialect::{Dialect, Form};
+use super::names::is_reserved;
+use super::types;
+use crate::program::{Expr, Program, Statement, Var};
+use crate::target::comment;
+use crate::target::names::Names;
+
+/// Characters in a line of code, where it can be broken.
+const LINE_WIDTH: usize = 120;
+
+/// Characters in a line of a comment among the statements.
+const NOTE_WIDTH: usize = 100;
+
+/// A program with the names that its variables have in a dialect.
+pub struct Printer<'p> {
+    program: &'p Program,
+    dialect: Dialect,
+    /// as declared
+    pub(super) names: Scope,
+    /// as in a statement
+    in_statements: Scope,
+}
+
+/// A text for each variable of a program.
+pub(super) struct Scope {
+    pub(super) inputs: Vec<String>,
+    pub(super) outputs: Vec<String>,
+    pub(super) state: Vec<String>,
+    pub(super) locals: Vec<String>,
+    pub(super) constants: Vec<String>,
+}
+
+impl<'p> Printer<'p> {
+    /// Names everything, the interface first: all of it is one scope.
+    pub(super) fn new(program: &'p Program, dialect: Dialect) -> Self {
+        let mut names = Names::without(is_reserved);
+        let names = Scope {
+            inputs: program.inputs.iter().map(|variable| interface(&variable.path, &mut names)).collect(),
+            outputs: program.outputs.iter().map(|variable| interface(&variable.path, &mut names)).collect(),
+            state: program.state.iter().map(|variable| names.take(&variable.path)).collect(),
+            constants: program.constants.iter().map(|constant| names.take(&constant.path)).collect(),
+            locals: program.locals.iter().map(|local| names.take(&local.path)).collect(),
+        };
+        let with_sigil = |names: &[String]| names.iter().map(|name| format!("{}{name}", dialect.sigil)).collect();
+        let constants =
+            program.constants.iter().zip(&names.constants).map(|(constant, name)| match dialect.form(constant.value) {
+                Form::Inline => inline(&types::literal(constant.value), name),
+                Form::Declared | Form::Assigned => format!("{}{name}", dialect.sigil),
+            });
+        let in_statements = Scope {
+            inputs: with_sigil(&names.inputs),
+            outputs: with_sigil(&names.outputs),
+            state: with_sigil(&names.state),
+            locals: with_sigil(&names.locals),
+            constants: constants.collect(),
+        };
+        Self { program, dialect, names, in_statements }
+    }
+
+    pub(super) fn program(&self) -> &Program {
+        self.program
+    }
+
+    pub(super) fn dialect(&self) -> &Dialect {
+        &self.dialect
+    }
+
+    /// The statements of a cycle, indented by some levels.
+    pub(super) fn body(&self, level: usize) -> String {
+        let mut text = String::new();
+        self.list(&self.program.step, level, &mut text);
+        text
+    }
+
+    fn list(&self, list: &[Statement], level: usize, text: &mut String) {
+        for statement in list {
+            self.statement(statement, level, text);
+        }
+    }
+
+    fn statement(&self, statement: &Statement, level: usize, text: &mut String) {
+        match statement {
+            Statement::Note(note) => {
+                let lines = comment::lines(&comment::harmless(note), NOTE_WIDTH);
+                let mut next_line = "\n".to_owned();
+                indent(level, &mut next_line);
+                indent(level, text);
+                text.push_str("(* ");
+                text.push_str(&lines.join(&(next_line + "   ")));
+                text.push_str(" *)\n");
+            }
+            Statement::Assign { target, value } => self.assignment(*target, value, level, text),
+            Statement::If { condition, then, otherwise } => {
+                self.question("IF ", condition, level, text);
+                self.list(then, level + 1, text);
+                let mut rest = otherwise;
+                // A chain of questions reads as one.
+                while let [Statement::If { condition, then, otherwise }] = rest.as_slice() {
+                    self.question("ELSIF ", condition, level, text);
+                    self.list(then, level + 1, text);
+                    rest = otherwise;
+                }
+                if !rest.is_empty() {
+                    indent(level, text);
+                    text.push_str("ELSE\n");
+                    self.list(rest, level + 1, text);
+                }
+                indent(level, text);
+                text.push_str("END_IF;\n");
+            }
+        }
+    }
+
+    /// An assignment, on two lines where one would be too long.
+    fn assignment(&self, target: Var, value: &Expr, level: usize, text: &mut String) {
+        let start = text.len();
+        indent(level, text);
+        text.push_str(self.var(target));
+        text.push_str(" :=");
+        let end_of_target = text.len();
+        text.push(' ');
+        self.expr(value, text);
+        text.push_str(";\n");
+        if text.len() - start > LINE_WIDTH {
+            let mut next_line = "\n".to_owned();
+            indent(level + 1, &mut next_line);
+            text.replace_range(end_of_target..=end_of_target, &next_line);
+        }
+    }
+
+    fn question(&self, word: &str, condition: &Expr, level: usize, text: &mut String) {
+        indent(level, text);
+        text.push_str(word);
+        self.expr(condition, text);
+        text.push_str(" THEN\n");
+    }
+
+    pub(super) fn var(&self, var: Var) -> &str {
+        let Scope { inputs, outputs, state, locals, constants } = &self.in_statements;
+        match var {
+            Var::Input(index) => &inputs[index],
+            Var::Output(index) => &outputs[index],
+            Var::State(index) => &state[index],
+            Var::Constant(index) => &constants[index],
+            Var::Local(index) => &locals[index],
+        }
+    }
+}
+
+/// The name of a signal. Those of the function block itself are reserved words for everything else.
+fn interface(path: &str, names: &mut Names) -> String {
+    const SIGNALS: [&str; 5] = ["Enable", "Valid", "Busy", "Error", "ErrorID"];
+    if SIGNALS.contains(&path) { path.to_owned() } else { names.take(path) }
+}
+
+/// A number in a statement, with its name behind it.
+fn inline(value: &str, name: &str) -> String {
+    let is_bare = !value.starts_with(['-', '(']) && !value.contains(" * ");
+    if is_bare { format!("{value} (* {name} *)") } else { format!("({value} (* {name} *))") }
+}
+
+fn indent(level: usize, text: &mut String) {
+    for _ in 0..level {
+        text.push_str("    ");
+    }
+}

@@ -1,0 +1,41 @@
+//! Moves what `init` does into the first cycle: the memory of an instance is 0 and FALSE everywhere, but nothing else about it
+//! is sure. Where that is all that `init` asks for, nothing is left to do.
+
+use crate::program::{Expr, Program, Statement, Type, Var, Variable};
+use portable::{Literal, Unary};
+
+/// The program without `init`.
+#[must_use]
+pub fn run(mut program: Program) -> Program {
+    let mut init = std::mem::take(&mut program.init);
+    if init.iter().all(is_clear) {
+        return program;
+    }
+    let started = Var::State(program.state.len());
+    program.state.push(Variable {
+        path: "started".to_owned(),
+        doc: "whether the first cycle has begun",
+        ty: Type::Bool,
+        start: Literal::Bool(false),
+    });
+    init.push(Statement::Assign { target: started, value: Expr::Literal(Literal::Bool(true)) });
+    let condition = Expr::Unary(Unary::Not, Box::new(Expr::Var(started)));
+    program.step.insert(0, Statement::If { condition, then: init, otherwise: Vec::new() });
+    program
+}
+
+/// Whether a statement gives a variable what it has anyway.
+fn is_clear(statement: &Statement) -> bool {
+    match statement {
+        Statement::Note(_) => true,
+        Statement::Assign { value: Expr::Literal(value), .. } => match value {
+            Literal::Bool(value) => !value,
+            Literal::I32(value) => *value == 0,
+            Literal::U32(value) => *value == 0,
+            Literal::F64(value) => value.to_bits() == 0,
+            Literal::F32(value) => value.to_bits() == 0,
+            Literal::Usize(_) | Literal::Variant(_) => false,
+        },
+        _ => false,
+    }
+}

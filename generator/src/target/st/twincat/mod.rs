@@ -1,0 +1,74 @@
+//! The target `twincat`: function blocks, what they share, and TcUnit suites, in the folders of a TwinCAT 3 PLC project.
+
+pub mod enable;
+mod guid;
+mod project;
+mod suite;
+
+pub use project::shared;
+
+use super::block::{listing, origin};
+use super::dialect::TWINCAT;
+use crate::axis::Axis;
+use crate::block::Block;
+use crate::digest::{UNSEALED, seal};
+use crate::render::{TcPou, TcUsable};
+use crate::target::{File, stem};
+use askama::Template;
+use portable::RealKind;
+
+/// Where the files lie, below the output folder.
+const FOLDER: &str = "twincat";
+/// The folder of what the machine runs.
+const POUS: &str = "POUs";
+/// The folder of its types.
+const DUTS: &str = "DUTs";
+/// The folder of what only tests need.
+const TESTS: &str = "Tests";
+
+/// TwinCAT's files begin with a byte order mark.
+const BYTE_ORDER_MARK: char = '\u{feff}';
+
+/// The files of an axis: for each block the function block, and a suite with its vector.
+#[must_use]
+pub fn files(axis: &Axis, blocks: &[Block]) -> Vec<File> {
+    blocks
+        .iter()
+        .flat_map(|block| {
+            let name = block_name(&axis.name, block.program.block);
+            [function_block(axis, block, &name)].into_iter().chain(suite::files(axis, block, &name))
+        })
+        .collect()
+}
+
+/// The function block of a block.
+fn function_block(axis: &Axis, block: &Block, name: &str) -> File {
+    let file = format!("{name}.TcPOU");
+    let program = enable::run(block.program.clone());
+    let listing = listing(name.to_owned(), block, program, TWINCAT);
+    let pou = TcPou { origin: &origin(axis, &file), id: &guid::of("POU", name), block: &listing };
+    sealed(POUS, file, &pou)
+}
+
+/// The name of the function block of a block of an axis.
+#[must_use]
+pub fn block_name(axis: &str, block: &str) -> String {
+    format!("FB_{}_{block}", stem(axis))
+}
+
+/// The function that looks at a sample's exponent bits before it compares it.
+#[must_use]
+pub fn usable(real: RealKind, name: &'static str) -> TcUsable<'static> {
+    let (real, word, exponent) = match real {
+        RealKind::F64 => ("LREAL", "LWORD", "16#7FF0000000000000"),
+        RealKind::F32 => ("REAL", "DWORD", "16#7F800000"),
+    };
+    let version = env!("CARGO_PKG_VERSION");
+    TcUsable { version, body_digest: UNSEALED, id: guid::of("POU", name), name, real, word, exponent }
+}
+
+/// A file from its template.
+fn sealed(folder: &str, file: String, template: &impl Template) -> File {
+    let text = template.render().expect("twincat: the file's template is filled");
+    File { name: format!("{FOLDER}/{folder}/{file}"), text: seal(format!("{BYTE_ORDER_MARK}{text}\n")) }
+}

@@ -1,0 +1,83 @@
+//! What all axes of a set share in TwinCAT: the function, the types, the test program, the project's entries, the guide.
+
+use super::{DUTS, FOLDER, POUS, TESTS, block_name, guid, sealed, suite, usable};
+use crate::digest::{UNSEALED, seal};
+use crate::render::{Compile, Item, TcEnum, TcGuide, TcProgram, TcProject, TcUnion};
+use crate::target::st::{dialect, real_types};
+use crate::target::{File, Unit};
+use askama::Template;
+use portable::RealKind;
+use reference::ipc::{mode_dryrun, mode_off, mode_on};
+
+const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// The shared files.
+#[must_use]
+pub fn shared(units: &[Unit<'_>]) -> Vec<File> {
+    let mut blocks: Vec<String> =
+        units.iter().flat_map(|unit| unit.blocks.iter().map(|block| block_name(unit.axis, block))).collect();
+    // By name, so that an axis can move in the set.
+    blocks.sort();
+    let suites: Vec<String> = blocks.iter().map(|block| suite::suite_name(block)).collect();
+    let mut files = vec![modes()];
+    for real in real_types(units) {
+        let function = usable(real, dialect::usable(real));
+        files.push(sealed(POUS, format!("{}.TcPOU", function.name), &function));
+        files.push(bits(real));
+    }
+    let program =
+        TcProgram { version: VERSION, body_digest: UNSEALED, id: guid::of("POU", "PRG_axgen_tests"), suites: &suites };
+    files.push(sealed(TESTS, "PRG_axgen_tests.TcPOU".to_owned(), &program));
+    let project = project(&files, &blocks);
+    files.push(project);
+    files.push(guide(blocks.first().map_or("", String::as_str)));
+    files
+}
+
+/// The enumeration of the modes, with the reference's numbers.
+fn modes() -> File {
+    let item = |name, value| Item { name, value };
+    let items = [item("MODE_OFF", mode_off()), item("MODE_ON", mode_on()), item("MODE_DRYRUN", mode_dryrun())];
+    let name = "E_axgen_mode";
+    let file = TcEnum { version: VERSION, body_digest: UNSEALED, id: guid::of("DUT", name), items: &items };
+    sealed(DUTS, format!("{name}.TcDUT"), &file)
+}
+
+/// The union of a real and its bits.
+fn bits(real: RealKind) -> File {
+    let (real, word) = match real {
+        RealKind::F64 => ("LREAL", "LWORD"),
+        RealKind::F32 => ("REAL", "DWORD"),
+    };
+    let name = format!("U_axgen_{real}");
+    let file = TcUnion { version: VERSION, body_digest: UNSEALED, id: guid::of("DUT", &name), real, word };
+    sealed(TESTS, format!("{name}.TcDUT"), &file)
+}
+
+/// What the project file has to name: the shared files, and those of every block.
+fn project(shared: &[File], blocks: &[String]) -> File {
+    let mut entries: Vec<Compile> = shared.iter().filter_map(|file| entry(&file.name)).collect();
+    for block in blocks {
+        entries.push(Compile { folder: POUS, file: format!("{block}.TcPOU") });
+        entries.push(Compile { folder: TESTS, file: format!("{}.TcPOU", suite::suite_name(block)) });
+        entries.push(Compile { folder: TESTS, file: format!("GVL_{}_vector.TcGVL", &block["FB_".len()..]) });
+    }
+    entries.sort_by(|a, b| (a.folder, &a.file).cmp(&(b.folder, &b.file)));
+    let (tests, objects): (Vec<_>, Vec<_>) = entries.into_iter().partition(|entry| entry.folder == TESTS);
+    let file = TcProject { version: VERSION, body_digest: UNSEALED, objects: &objects, tests: &tests };
+    let text = file.render().expect("twincat: the project's template is filled") + "\n";
+    File { name: format!("{FOLDER}/axgen.plcproj"), text: seal(text) }
+}
+
+/// The entry of a file that has been made.
+fn entry(name: &str) -> Option<Compile> {
+    let (folder, file) = name.strip_prefix(FOLDER)?.strip_prefix('/')?.split_once('/')?;
+    let folder = [POUS, DUTS, TESTS].into_iter().find(|known| *known == folder)?;
+    Some(Compile { folder, file: file.to_owned() })
+}
+
+fn guide(block: &str) -> File {
+    let guide = TcGuide { version: VERSION, body_digest: UNSEALED, block };
+    let text = guide.render().expect("twincat: the guide's template is filled") + "\n";
+    File { name: format!("{FOLDER}/IMPORT.md"), text: seal(text) }
+}

@@ -1,0 +1,67 @@
+//! Values as text that every implementation of Structured Text reads back to the same bits.
+
+use crate::target::number::decimal;
+use portable::Literal;
+
+/// What one compiler takes as a real literal, although its LREAL has the range of a double.
+const SMALLEST: f64 = 1.18e-38;
+/// The same at the other end.
+const LARGEST: f64 = 3.4e38;
+/// A power of two within these limits, and its reciprocal.
+const STEP: i32 = 120;
+
+/// The text of a literal. A real has digits on both sides of the point and a signed exponent; a magnitude that some compiler
+/// refuses is a product of powers of two and a number, exact in every step.
+///
+/// # Panics
+/// If the literal does not exist at run time: the passes have excluded that.
+#[must_use]
+pub fn literal(value: Literal) -> String {
+    match value {
+        Literal::Bool(true) => "TRUE".to_owned(),
+        Literal::Bool(false) => "FALSE".to_owned(),
+        Literal::I32(i32::MIN) => "(-2147483647 - 1)".to_owned(),
+        Literal::I32(value) => value.to_string(),
+        Literal::U32(value) => value.to_string(),
+        Literal::F64(wide) => real(wide, digits(value)),
+        Literal::F32(narrow) => real(f64::from(narrow), single(narrow)),
+        Literal::Usize(_) | Literal::Variant(_) => panic!("st: {value:?} has no counterpart"),
+    }
+}
+
+/// The digits of a number within the limits; a product for one beyond them.
+fn real(value: f64, text: String) -> String {
+    let magnitude = value.abs();
+    if magnitude == 0.0 || (SMALLEST..=LARGEST).contains(&magnitude) {
+        return text;
+    }
+    let (mut rest, mut factors) = (value, String::new());
+    let step = if magnitude < SMALLEST { -STEP } else { STEP };
+    let factor = digits(Literal::F64(libm::exp2(f64::from(step))));
+    // The first factor has the digits: each product after it is exact, a subnormal one included.
+    while !(SMALLEST..=LARGEST).contains(&rest.abs()) {
+        rest *= libm::exp2(f64::from(-step));
+        factors.push_str(" * ");
+        factors.push_str(&factor);
+    }
+    digits(Literal::F64(rest)) + &factors
+}
+
+/// The shortest digits of a REAL that give it whether they are read as a REAL or as an LREAL that is rounded then.
+fn single(value: f32) -> String {
+    let shortest = digits(Literal::F32(value));
+    let wide: f64 = shortest.parse().expect("st: a number's digits are a number");
+    #[expect(clippy::cast_possible_truncation, reason = "what a compiler does that reads an LREAL first")]
+    let rounded = wide as f32;
+    if rounded.to_bits() == value.to_bits() { shortest } else { digits(Literal::F64(f64::from(value))) }
+}
+
+/// The shortest digits that read back to the same bits, as the standard writes them: `0.1`, `1.0E-30`.
+fn digits(value: Literal) -> String {
+    let text = decimal(value);
+    match text.split_once('e') {
+        Some((mantissa, exponent)) if exponent.starts_with('-') => format!("{mantissa}E{exponent}"),
+        Some((mantissa, exponent)) => format!("{mantissa}E+{exponent}"),
+        None => text,
+    }
+}

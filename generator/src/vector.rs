@@ -1,0 +1,70 @@
+//! A short run of a block that a user can repeat on the controller itself, with the answers of the reference. No NaN, no
+//! infinity: some runtimes stop on them.
+
+use crate::block::leaves;
+use crate::noise::Noise;
+use crate::program::{Program, Type};
+use portable::{Literal, Portable, Real};
+use reference::Block as Reference;
+
+/// What went in and what came out, sample by sample, in the order of the program's inputs and outputs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Vector {
+    /// the inputs of each sample
+    pub inputs: Vec<Vec<Literal>>,
+    /// the outputs of each sample
+    pub outputs: Vec<Vec<Literal>>,
+}
+
+/// Samples of a run.
+const SAMPLES: usize = 128;
+/// The first sample with the full noise: before it no limit acts.
+const LOUD_FROM: usize = 96;
+/// The sample in which the first switch is turned.
+const FIRST_SWITCH: usize = 40;
+/// From one switch to the next.
+const SWITCH_DISTANCE: usize = 12;
+/// For how long a switch stays turned.
+const SWITCH_LENGTH: usize = 4;
+
+/// Runs the reference on noise; one switch after the other is turned for a few samples.
+///
+/// `ranges` are the noise's: first one at which no limit acts, then the full one.
+#[must_use]
+pub fn record<R: Real, B: Reference<R>>(coeffs: &B::Coeffs, program: &Program, ranges: [f64; 2]) -> Vector {
+    let mut usual = B::inputs(coeffs);
+    B::exercise(&mut usual);
+    let usual = leaves(&usual);
+    let switches: Vec<usize> =
+        (0..program.inputs.len()).filter(|index| program.inputs[*index].ty != Type::Real).collect();
+    let (mut state, mut outputs, mut noise) = (B::state(), B::outputs(), Noise::<R>::within(ranges));
+    let mut vector = Vector { inputs: Vec::with_capacity(SAMPLES), outputs: Vec::with_capacity(SAMPLES) };
+    for sample in 0..SAMPLES {
+        let turned = sample
+            .checked_sub(FIRST_SWITCH)
+            .filter(|since| since % SWITCH_DISTANCE < SWITCH_LENGTH)
+            .and_then(|since| switches.get(since / SWITCH_DISTANCE));
+        let value = |(index, value): (usize, &Literal)| match program.inputs[index].ty {
+            Type::Real => noise.next(sample >= LOUD_FROM),
+            _ if turned == Some(&index) => turn(*value),
+            _ => *value,
+        };
+        let inputs: Vec<Literal> = usual.iter().enumerate().map(value).collect();
+        let mut values = inputs.iter().copied();
+        let input = B::Inputs::build(&mut || values.next().expect("vector: as many values as inputs"));
+        B::step(&mut state, coeffs, &input, &mut outputs);
+        vector.inputs.push(inputs);
+        vector.outputs.push(leaves(&outputs));
+    }
+    vector
+}
+
+/// Another value of a switch.
+fn turn(value: Literal) -> Literal {
+    match value {
+        Literal::Bool(value) => Literal::Bool(!value),
+        Literal::I32(value) => Literal::I32(value.wrapping_add(1)),
+        Literal::U32(value) => Literal::U32(value.wrapping_add(1)),
+        other => other,
+    }
+}
