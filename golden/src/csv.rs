@@ -111,6 +111,42 @@ pub fn read(text: &str, shape: &Shape) -> Result<Samples, Vec<Mistake>> {
     if mistakes.is_empty() { Ok(samples) } else { Err(mistakes) }
 }
 
+/// A run that was recorded elsewhere: what went into the block, and what came out as far as it was recorded.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Recording {
+    /// all inputs
+    pub inputs: Samples,
+    /// the outputs that have a column
+    pub outputs: Samples,
+    /// their positions among the outputs of the block
+    pub recorded: Vec<usize>,
+}
+
+/// Reads a recording: columns of inputs and outputs in any order. An input without a column keeps its start.
+///
+/// # Errors
+/// All mistakes; that there is no column of an output is one.
+pub fn read_recording(text: &str, inputs: &Shape, outputs: &Shape) -> Result<Recording, Vec<Mistake>> {
+    let both = Shape { real: inputs.real, signals: [inputs.signals.as_slice(), &outputs.signals].concat() };
+    let header = text.lines().next().unwrap_or_default();
+    let found = columns(header, &both)?;
+    let first_output = inputs.signals.len();
+    let mut recorded: Vec<usize> = found.into_iter().filter_map(|signal| signal.checked_sub(first_output)).collect();
+    recorded.sort_unstable();
+    if recorded.is_empty() {
+        let allowed = outputs.signals.iter().map(|signal| signal.name.as_str()).collect::<Vec<_>>().join(", ");
+        let found = "no column of an output, so that there is nothing to compare".to_owned();
+        return Err(vec![Mistake { line: 1, column: 1, found, allowed }]);
+    }
+    let samples = read(text, &both)?;
+    let of_outputs: Vec<usize> = recorded.iter().map(|signal| first_output + signal).collect();
+    Ok(Recording {
+        inputs: samples.only(&(0..first_output).collect::<Vec<_>>()),
+        outputs: samples.only(&of_outputs),
+        recorded,
+    })
+}
+
 /// The signal of each column.
 fn columns(header: &str, shape: &Shape) -> Result<Vec<usize>, Vec<Mistake>> {
     let (mut columns, mut mistakes, mut column) = (Vec::new(), Vec::new(), 1);

@@ -2,6 +2,7 @@
 
 use generator::program::{Type, Variable};
 use portable::{Literal, RealKind};
+use std::ops::Range;
 
 /// Names and types of the signals of one side of a block.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,6 +41,18 @@ impl Shape {
             (Type::I32 | Type::U32, _) | (Type::Real, RealKind::F32) => 4,
             (Type::Real, RealKind::F64) => 8,
         }
+    }
+
+    /// Where the bytes of each signal stand in a sample.
+    #[must_use]
+    pub fn ranges(&self) -> Vec<Range<usize>> {
+        let mut at = 0;
+        let range = |signal: &Signal| {
+            let start = at;
+            at += self.size(signal.ty);
+            start..at
+        };
+        self.signals.iter().map(range).collect()
     }
 
     /// Bytes of a sample.
@@ -113,19 +126,28 @@ impl Samples {
         let start: Vec<Literal> = self.shape.signals.iter().map(|signal| signal.start).collect();
         let mut first = Self::with_capacity(self.shape.clone(), 1);
         first.push(&start);
-        let (mut signals, mut ranges, mut at) = (Vec::new(), Vec::new(), 0);
-        for signal in &self.shape.signals {
-            let range = at..at + self.shape.size(signal.ty);
-            at = range.end;
-            let changes = |frame: &[u8]| frame[range.clone()] != first.bytes[range.clone()];
-            if signals.is_empty() || self.bytes.chunks(self.shape.frame()).any(changes) {
-                signals.push(signal.clone());
-                ranges.push(range);
-            }
-        }
-        let frames = self.bytes.chunks(self.shape.frame());
-        let bytes = frames.flat_map(|frame| ranges.iter().flat_map(|range| &frame[range.clone()])).copied().collect();
+        let ranges = self.shape.ranges();
+        let changes =
+            |range: &Range<usize>| self.frames().any(|frame| frame[range.clone()] != first.bytes[range.clone()]);
+        let kept: Vec<usize> = (0..ranges.len()).filter(|signal| *signal == 0 || changes(&ranges[*signal])).collect();
+        self.only(&kept)
+    }
+
+    /// The run with some of its signals, by their positions.
+    #[must_use]
+    pub fn only(&self, signals: &[usize]) -> Self {
+        let ranges = self.shape.ranges();
+        let chosen = |frame: &[u8]| -> Vec<u8> {
+            signals.iter().flat_map(|signal| &frame[ranges[*signal].clone()]).copied().collect()
+        };
+        let bytes = self.frames().flat_map(chosen).collect();
+        let signals = signals.iter().map(|signal| self.shape.signals[*signal].clone()).collect();
         Self { shape: Shape { real: self.shape.real, signals }, bytes }
+    }
+
+    /// The samples' bytes.
+    fn frames(&self) -> std::slice::Chunks<'_, u8> {
+        self.bytes.chunks(self.shape.frame().max(1))
     }
 
     /// The first samples of the run.

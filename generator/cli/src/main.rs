@@ -57,15 +57,18 @@ enum Command {
         /// The block
         #[arg(long, value_name = "B", default_value = "ipc")]
         block: String,
-        /// reference, program or c
+        /// reference, program, c, st, twincat or codesys
         #[arg(long, value_name = "E", default_value = "reference")]
         engine: String,
         /// CSV file with the inputs, `-`: standard input
+        #[arg(long, value_name = "FILE", required_unless_present = "compare")]
+        stimulus: Option<PathBuf>,
+        /// CSV file with recorded outputs (and inputs, unless --stimulus has them): counts the bits that differ
         #[arg(long, value_name = "FILE")]
-        stimulus: PathBuf,
-        /// CSV file for the outputs, `-`: standard output
-        #[arg(long, value_name = "FILE", default_value = "-")]
-        out: PathBuf,
+        compare: Option<PathBuf>,
+        /// CSV file for the outputs, `-`: standard output [default: -, with --compare none]
+        #[arg(long, value_name = "FILE")]
+        out: Option<PathBuf>,
         /// Writes reals as the hexadecimal digits of their bits
         #[arg(long)]
         hex: bool,
@@ -118,8 +121,8 @@ fn main() -> ExitCode {
     let result = match Cli::parse().command {
         Command::Generate { set, targets, axes, out, force } => generate::run(&set, &targets, &axes, &out, force),
         Command::Check { set } => check::run(&set),
-        Command::Run { set, axis, block, engine, stimulus, out, hex } => {
-            run::run(&set, axis.as_deref(), &block, &engine, &stimulus, &out, hex)
+        Command::Run { set, axis, block, engine, stimulus, compare, out, hex } => {
+            run::run(&set, &run::Request { axis, block, engine, stimulus, compare, out, hex })
         }
         Command::Verify { set, samples } => verify::run(&set, samples),
         Command::Golden { command: Golden::Record { cases } } => golden_cases::record(&cases),

@@ -6,11 +6,11 @@ use portable::{Real, portable};
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Inputs<R> {
-    /// output of the position controller with feedforward, before v_add is added [um/s or 0.001 deg/s]
+    /// output of the position controller with feedforward, before v_add is added [um/s or 0.001 deg/s]; input of SET_POINT (P-AXIS-00753)
     pub v_command: R,
-    /// velocity of the motor encoder, v_ist1 [um/s or 0.001 deg/s]
+    /// velocity of the motor encoder, v_ist1 [um/s or 0.001 deg/s]; input of DIRECT and INDIRECT (P-AXIS-00753)
     pub v_motor: R,
-    /// velocity of the direct measuring system, v_ist2 [um/s or 0.001 deg/s]
+    /// velocity of the direct measuring system, v_ist2 [um/s or 0.001 deg/s]; input of DIRECT (P-AXIS-00753) by the key direct_source
     pub v_direct: R,
     /// 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758)
     pub mode: i32,
@@ -28,9 +28,9 @@ pub struct Inputs<R> {
 pub struct Outputs<R> {
     /// velocity to add to the manipulated variable [um/s or 0.001 deg/s]
     pub v_add: R,
-    /// the same after the limit and before the gate; 0 in OFF [um/s or 0.001 deg/s]
+    /// the same after the limit (P-AXIS-00757) and before the gate; 0 in OFF [um/s or 0.001 deg/s]
     pub v_add_calculated: R,
-    /// the limit acts in this cycle
+    /// the limit (P-AXIS-00757 of P-AXIS-00212) acts in this cycle
     pub limited: bool,
     /// the block cannot act in this cycle, error_id says why
     pub fault: bool,

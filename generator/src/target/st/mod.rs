@@ -7,11 +7,11 @@ pub mod codesys;
 pub mod dialect;
 mod expression;
 pub mod names;
-mod operands;
+pub mod operands;
 pub mod plain;
 mod print;
 pub mod scl;
-mod start;
+pub mod start;
 pub mod twincat;
 pub mod types;
 

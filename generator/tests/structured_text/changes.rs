@@ -1,0 +1,87 @@
+//! What changes in the files when something changes in the set: only what it means.
+
+use super::{MACHINE, files};
+use std::collections::BTreeMap;
+
+/// The set with one text replaced, which it must hold once.
+fn with(from: &str, to: &str) -> String {
+    assert_eq!(MACHINE.matches(from).count(), 1, "{from}");
+    MACHINE.replace(from, to)
+}
+
+/// The names of the files that differ.
+fn differing(a: &BTreeMap<String, String>, b: &BTreeMap<String, String>) -> Vec<String> {
+    let names: std::collections::BTreeSet<&String> = a.keys().chain(b.keys()).collect();
+    names.into_iter().filter(|name| a.get(*name) != b.get(*name)).cloned().collect()
+}
+
+#[test]
+fn the_same_set_gives_the_same_bytes() {
+    assert_eq!(differing(&files(MACHINE), &files(MACHINE)), [""; 0]);
+}
+
+#[test]
+fn a_comment_changes_nothing() {
+    let edited = with("# A small machine", "# Another word about the machine");
+    assert_eq!(differing(&files(MACHINE), &files(&edited)), [""; 0]);
+    let edited = with(": for the first look", "");
+    assert_eq!(differing(&files(MACHINE), &files(&edited)), [""; 0]);
+}
+
+#[test]
+fn an_axis_can_move_within_the_set() {
+    let (head, axes) = MACHINE.split_once("[axis.X]").unwrap();
+    let (x, rest) = axes.split_once("# Y has no list").unwrap();
+    let moved = format!("{head}# Y has no list{rest}\n[axis.X]{x}");
+    assert_eq!(differing(&files(MACHINE), &files(&moved)), [""; 0]);
+}
+
+#[test]
+fn another_axis_changes_only_what_lists_all_axes() {
+    let more = MACHINE.to_owned() + "\n[axis.Z]\nlist = \"rack-and-pinion.lis\"\n";
+    let (before, after) = (files(MACHINE), files(&more));
+    let changed: Vec<String> =
+        differing(&before, &after).into_iter().filter(|name| before.contains_key(name)).collect();
+    assert_eq!(changed, ["twincat/Tests/PRG_axgen_tests.TcPOU", "twincat/axgen.plcproj"]);
+}
+
+/// One weight: the lines that say it, the two digests, and what a self-test or a vector expects, in that axis's files.
+#[test]
+fn a_weight_changes_its_own_lines_only() {
+    let (before, after) = (files(MACHINE), files(&with("weight_fact_num = 80", "weight_fact_num = 81")));
+    let changed = differing(&before, &after);
+    assert_eq!(
+        changed,
+        [
+            "axis_y.c",
+            "axis_y.h",
+            "axis_y.scl",
+            "axis_y.st",
+            "axis_y.xml",
+            "twincat/POUs/FB_axis_y_ipc.TcPOU",
+            "twincat/Tests/FB_axis_y_ipc_Test.TcPOU",
+            "twincat/Tests/GVL_axis_y_ipc_vector.TcGVL",
+        ]
+    );
+    for name in changed {
+        let lines = changed_lines(&before[&name], &after[&name]);
+        let digests = lines.iter().filter(|line| is_digest(line)).count();
+        assert_eq!(digests, 2, "{name}: parameters and body");
+        for line in lines {
+            let says_the_weight = ["weight", "-0.81", "the stage adds"].iter().any(|word| line.contains(word));
+            let is_expected = line.contains("UINT64_C(0x") || line.contains("16#");
+            assert!(is_digest(line) || says_the_weight || is_expected, "{name}: {line}");
+        }
+    }
+}
+
+fn is_digest(line: &str) -> bool {
+    let mut words = line.trim_start_matches([' ', '*']).split_ascii_whitespace();
+    matches!(words.next(), Some("parameters" | "body")) && words.next().is_some_and(|digest| digest.len() == 32)
+}
+
+/// The lines of the second text that differ from those of the first; no line is added and none goes.
+fn changed_lines<'t>(before: &str, after: &'t str) -> Vec<&'t str> {
+    assert_eq!(before.lines().count(), after.lines().count());
+    before.lines().zip(after.lines()).filter(|(a, b)| a != b).map(|(_, b)| b).collect()
+}

@@ -1,0 +1,38 @@
+//! Structured Text: literals, what a dialect changes in a program, and which lines of a file change with what. What the
+//! text computes is compared by the engines; what the file forms demand, in `file_forms`.
+
+#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
+mod changes;
+mod literals;
+mod programs;
+mod targets;
+
+use generator::config::{ListOptions, Set, Unreadable, read_with};
+use generator::target::{File, TARGETS};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// Three axes, one of them in single precision.
+const MACHINE: &str = include_str!("../../../examples/machine.toml");
+const LIST: &[u8] = include_bytes!("../../../examples/rack-and-pinion.lis");
+
+/// A set beside `rack-and-pinion.lis`.
+fn set(text: &str) -> Set {
+    let load = |path: &Path| match path.to_str() {
+        Some("set.toml") => Ok(text.as_bytes().to_vec()),
+        Some("rack-and-pinion.lis") => Ok(LIST.to_vec()),
+        _ => Err(Unreadable::System("there is no such file".to_owned())),
+    };
+    let (set, report) = read_with(Path::new("set.toml"), &ListOptions::default(), &load);
+    set.unwrap_or_else(|| panic!("{report}"))
+}
+
+/// The files of a set in all targets, by name.
+fn files(text: &str) -> BTreeMap<String, String> {
+    let files = generator::generate::files(&set(text), &[], &TARGETS, |file: File| (file.name, file.text)).unwrap();
+    let count = files.len();
+    let files: BTreeMap<String, String> = files.into_iter().collect();
+    assert_eq!(files.len(), count, "no two files have one name");
+    files
+}

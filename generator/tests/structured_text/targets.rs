@@ -1,0 +1,80 @@
+//! Which files a set gets, and what a reader finds in them.
+
+use super::{MACHINE, files};
+
+#[test]
+fn every_target_has_its_files() {
+    let names: Vec<String> = files(MACHINE).into_keys().collect();
+    let of_axis = |axis: &str| {
+        [
+            format!("axis_{axis}.c"),
+            format!("axis_{axis}.h"),
+            format!("axis_{axis}.scl"),
+            format!("axis_{axis}.st"),
+            format!("axis_{axis}.xml"),
+            format!("twincat/POUs/FB_axis_{axis}_ipc.TcPOU"),
+            format!("twincat/Tests/FB_axis_{axis}_ipc_Test.TcPOU"),
+            format!("twincat/Tests/GVL_axis_{axis}_ipc_vector.TcGVL"),
+        ]
+    };
+    let shared = [
+        "axgen_shared.xml",
+        "twincat/DUTs/E_axgen_mode.TcDUT",
+        "twincat/IMPORT.md",
+        "twincat/POUs/F_axgen_usable_LREAL.TcPOU",
+        "twincat/POUs/F_axgen_usable_REAL.TcPOU",
+        "twincat/Tests/PRG_axgen_tests.TcPOU",
+        "twincat/Tests/U_axgen_LREAL.TcDUT",
+        "twincat/Tests/U_axgen_REAL.TcDUT",
+        "twincat/axgen.plcproj",
+    ];
+    let mut expected: Vec<String> = ["x", "y", "c"].into_iter().flat_map(of_axis).collect();
+    expected.extend(shared.map(str::to_owned));
+    expected.sort();
+    assert_eq!(names, expected);
+}
+
+#[test]
+fn a_target_for_one_real_type_has_no_parts_for_the_other() {
+    let single = "cycle_time = \"1ms\"\n[axis.X]\nlist = \"rack-and-pinion.lis\"\n";
+    let names: Vec<String> = files(single).into_keys().collect();
+    assert!(names.iter().any(|name| name.ends_with("usable_LREAL.TcPOU")));
+    assert!(!names.iter().any(|name| name.contains("_REAL")), "{names:?}");
+}
+
+/// In TwinCAT every signal, every state and every number has a comment; a velocity has its unit.
+#[test]
+fn every_declaration_says_what_it_is() {
+    for (name, text) in files(MACHINE).iter().filter(|(name, _)| name.contains("POUs/FB_")) {
+        let declaration = text.split_once("]]>").unwrap().0;
+        let signals = declaration.split("VAR (* of this cycle only *)").next().unwrap();
+        let constants = declaration.split("VAR CONSTANT").nth(1).unwrap();
+        let lines = signals.lines().chain(constants.lines()).filter(|line| line.contains(" : "));
+        let lines: Vec<&str> = lines.filter(|line| line.ends_with(';') || line.contains("; (*")).collect();
+        assert!(lines.len() > 30, "{name}: {}", lines.len());
+        for line in lines {
+            assert!(line.contains("; (* ") && line.ends_with(" *)"), "{name}: {line}");
+            let is_velocity = line.trim_start().starts_with("v_");
+            assert!(!is_velocity || line.contains("[um/s or 0.001 deg/s]"), "{name}: {line}");
+        }
+    }
+}
+
+/// Outside the declarations a TwinCAT block has no number but the 0 and 1 of counting and of a cleared output.
+#[test]
+fn no_number_stands_among_the_statements_of_twincat() {
+    for (name, text) in files(MACHINE).iter().filter(|(name, _)| name.contains("POUs/FB_")) {
+        let statements = text.split_once("<ST><![CDATA[").unwrap().1.split_once("]]>").unwrap().0;
+        let mut code = String::new();
+        let mut rest = statements;
+        while let Some((before, comment)) = rest.split_once("(*") {
+            code.push_str(before);
+            rest = comment.split_once("*)").unwrap().1;
+        }
+        code.push_str(rest);
+        let words = code.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_' || c == '.'));
+        let numbers: Vec<&str> = words.filter(|word| word.starts_with(|c: char| c.is_ascii_digit())).collect();
+        let strange: Vec<&&str> = numbers.iter().filter(|number| !["0", "1", "0.0"].contains(number)).collect();
+        assert!(!numbers.is_empty() && strange.is_empty(), "{name}: {strange:?}");
+    }
+}
