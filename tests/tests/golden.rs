@@ -1,12 +1,12 @@
-//! The golden cases: recorded bits against the reference, the interpreted program and the compiled C. A C compiler is
-//! all that this needs.
+//! The golden cases: recorded bits against the reference, the interpreted program, the compiled C and the Structured
+//! Text. A C compiler is all that this needs.
 
 use axgen_tests::cases::{all, in_both_real_types, title};
 use axgen_tests::environment::is_exhaustive;
 use golden::case::{self, Case, VECTOR_SAMPLES};
 use golden::compare::{Difference, compare};
 use golden::csv;
-use golden::engine::{self, Engine, Failure};
+use golden::engine::{self, ENGINES, Engine, Failure};
 use golden::samples::{Samples, Shape};
 use golden::shows::shown;
 use portable::Literal;
@@ -116,7 +116,7 @@ fn all_engines_give_the_same_bits() {
         let inputs = inputs(case, count);
         let expected = run(case, Engine::Reference, &inputs);
         assert_eq!(expected.len(), count);
-        for engine in [Engine::Program, Engine::C] {
+        for engine in ENGINES.into_iter().filter(|engine| *engine != Engine::Reference) {
             let difference = compare(&expected, &run(case, engine, &inputs));
             assert_eq!(difference, Difference { bits: 0, first: None }, "{}: {engine}", title(case));
         }
@@ -131,7 +131,7 @@ fn the_recorded_inputs_alone_give_the_recorded_outputs() {
         let inputs = csv::read(&file("inputs.csv"), &shape(&case.block.program.inputs)).unwrap();
         let expected = csv::read(&file("outputs.csv"), &shape(&case.block.program.outputs)).unwrap();
         assert_eq!(expected.len(), VECTOR_SAMPLES);
-        for engine in [Engine::Reference, Engine::Program] {
+        for engine in ENGINES.into_iter().filter(|engine| *engine != Engine::C) {
             let difference = compare(&expected, &run(case, engine, &inputs));
             assert_eq!(difference, Difference { bits: 0, first: None }, "{}: {engine}", title(case));
         }

@@ -9,6 +9,7 @@ use golden::compare::{Place, compare};
 use golden::engine::{self, ENGINES, Engine, Failure};
 use golden::samples::{Samples, Shape};
 use golden::{exercise, stimulus};
+use indicatif::{ProgressBar, ProgressStyle};
 
 /// Runs the command.
 #[expect(clippy::print_stdout, reason = "what the command has found")]
@@ -19,25 +20,36 @@ pub fn run(arguments: &SetArguments, samples: usize) -> Result<Exit, Exit> {
         "{:<20} {:<8} {:<10} {:>10} {:>15}  first difference",
         "axis", "block", "engine", "samples", "differing bits"
     );
+    let bar = progress(set.axes.iter().map(|axis| block::names(axis).len()).sum());
     for axis in &set.axes {
         let blocks = block::blocks(axis).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
         for block in &blocks {
             let shape = Shape::of(&block.program.inputs, axis.real);
             let inputs = stimulus::samples(&exercise::stimulus(axis), &shape, samples).map_err(Exit::environment)?;
-            if !every_engine(axis, block, &inputs)? {
+            if !every_engine(axis, block, &inputs, &bar)? {
                 exit = Exit::Different;
             }
         }
     }
+    bar.finish_and_clear();
     Ok(exit)
+}
+
+/// How far it is, on a terminal; elsewhere nothing.
+fn progress(blocks: usize) -> ProgressBar {
+    let bar = ProgressBar::new((blocks * ENGINES.len()) as u64);
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg}");
+    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    bar
 }
 
 /// Prints a line for each engine; tells whether all of them agree.
 #[expect(clippy::print_stdout, reason = "what the command has found")]
-fn every_engine(axis: &Axis, block: &Block, inputs: &Samples) -> Result<bool, Exit> {
+fn every_engine(axis: &Axis, block: &Block, inputs: &Samples, bar: &ProgressBar) -> Result<bool, Exit> {
     let mut expected: Option<Samples> = None;
     let mut agree = true;
     for engine in ENGINES {
+        bar.set_message(format!("{} {} {engine}", axis.name, block.program.block));
         let (bits, first) = match engine::run(engine, axis, block, inputs) {
             Ok(found) => {
                 let difference = compare(expected.as_ref().unwrap_or(&found), &found);
@@ -45,17 +57,15 @@ fn every_engine(axis: &Axis, block: &Block, inputs: &Samples) -> Result<bool, Ex
                 (difference.bits.to_string(), difference.first.map(place).unwrap_or_default())
             }
             Err(Failure::SelfTest(sample)) => ("-".to_owned(), format!("self-test, sample {sample}")),
+            Err(Failure::Broken(text)) => ("-".to_owned(), text),
             Err(Failure::Environment(text)) => return Err(Exit::environment(text)),
             Err(failure) => return Err(Exit::environment(format!("engine {engine}: {failure}"))),
         };
         agree &= first.is_empty() && bits == "0";
         let is_reference = if engine == Engine::Reference { "(reference)" } else { &bits };
-        println!(
-            "{:<20} {:<8} {engine:<10} {:>10} {is_reference:>15}  {first}",
-            axis.name,
-            block.program.block,
-            inputs.len()
-        );
+        let (name, block, samples) = (&axis.name, block.program.block, inputs.len());
+        bar.suspend(|| println!("{name:<20} {block:<8} {engine:<10} {samples:>10} {is_reference:>15}  {first}"));
+        bar.inc(1);
     }
     Ok(agree)
 }

@@ -65,10 +65,11 @@ fn generate_says_what_it_made() {
          stage[2] NOT_ACTIVE\n\
          generated/axis_rack_and_pinion.h\n\
          generated/axis_rack_and_pinion.c\n\
-         1 axis: 2 files written, 0 unchanged, 0 warnings\n"
+         generated/axis_rack_and_pinion.st\n\
+         1 axis: 3 files written, 0 unchanged, 0 warnings\n"
     );
     assert_eq!((run.code, run.err.as_str()), (0, ""));
-    assert_eq!(files(&folder.path().join("generated")).len(), 2, "and nothing else is left in the folder");
+    assert_eq!(files(&folder.path().join("generated")).len(), 3, "and nothing else is left in the folder");
 }
 
 #[test]
@@ -223,11 +224,88 @@ fn verify_counts_no_differing_bit() {
     let run = axgen(folder.path(), &["verify", "machine.toml", "--samples", "5000"]);
     assert_eq!(run.code, 0, "{}", run.err);
     let rows: Vec<Vec<&str>> = run.out.lines().skip(1).map(|line| line.split_whitespace().collect()).collect();
-    assert_eq!(rows.len(), 9);
+    assert_eq!(rows.len(), 3 * 6, "three axes, six engines");
     for row in rows {
         assert_eq!(row[3], "5000");
         assert_eq!(row[4], if row[2] == "reference" { "(reference)" } else { "0" });
     }
+}
+
+const RACK: [&str; 4] = ["run", "rack-and-pinion.lis", "--cycle-time", "1ms"];
+
+/// Inputs, and with them what the block answers, as a controller would have recorded it.
+fn recording(folder: &Path) -> Vec<String> {
+    let inputs: Vec<String> = (0..400).map(|i| format!("{}.5,1", (i * 37) % 1000)).collect();
+    fs::write(folder.join("in.csv"), format!("v_motor,mode\n{}\n", inputs.join("\n"))).unwrap();
+    let run = axgen(folder, &[&RACK[..], &["--stimulus", "in.csv", "--hex"]].concat());
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    let header = "v_motor,mode".to_owned();
+    [header].iter().chain(&inputs).zip(run.out.lines()).map(|(inputs, outputs)| format!("{inputs},{outputs}")).collect()
+}
+
+#[test]
+fn a_recording_is_compared_through_any_engine() {
+    let folder = folder();
+    let rows = recording(folder.path());
+    fs::write(folder.path().join("recorded.csv"), rows.join("\n")).unwrap();
+    for engine in ["reference", "program", "c", "st", "twincat", "codesys"] {
+        let run = axgen(folder.path(), &[&RACK[..], &["--engine", engine, "--compare", "recorded.csv"]].concat());
+        let expected = format!(
+            "v_add, v_add_calculated, limited, fault, error_id against engine {engine}, 400 samples: 0 differing bits\n"
+        );
+        assert_eq!((run.code, run.err.as_str(), run.out), (0, "", expected));
+    }
+}
+
+#[test]
+fn a_recording_that_differs_is_said_and_ends_with_1() {
+    let folder = folder();
+    let mut rows = recording(folder.path());
+    // v_add of sample 200, off by its last bit.
+    let mut cells: Vec<String> = rows[201].split(',').map(str::to_owned).collect();
+    let bits = u64::from_str_radix(&cells[2][2..], 16).unwrap();
+    cells[2] = format!("0x{:016x}", bits ^ 1);
+    let (recorded, computed) = (f64::from_bits(bits ^ 1), f64::from_bits(bits));
+    rows[201] = cells.join(",");
+    fs::write(folder.path().join("recorded.csv"), rows.join("\n")).unwrap();
+    let run = axgen(folder.path(), &[&RACK[..], &["--engine", "st", "--compare", "recorded.csv"]].concat());
+    let lines: Vec<&str> = run.out.lines().collect();
+    assert_eq!((run.code, lines.len()), (1, 2), "{}", run.out);
+    assert!(lines[0].ends_with("against engine st, 400 samples: 1 differing bit"), "{}", run.out);
+    assert_eq!(
+        lines[1],
+        format!(
+            "first: sample 200 (line 202), v_add: {recorded:?} = 0x{:016x} recorded, {computed:?} = 0x{bits:016x} computed",
+            bits ^ 1
+        )
+    );
+}
+
+/// Outputs alone, beside a stimulus; one output alone; none; and no inputs at all.
+#[test]
+fn what_a_recording_may_lack() {
+    let folder = folder();
+    let rows = recording(folder.path());
+    let only = |columns: &[usize]| -> String {
+        let row = |row: &String| {
+            let cells: Vec<&str> = row.split(',').collect();
+            columns.iter().map(|column| cells[*column]).collect::<Vec<_>>().join(",") + "\n"
+        };
+        rows.iter().map(row).collect()
+    };
+    fs::write(folder.path().join("outputs.csv"), only(&[2, 5])).unwrap();
+    let run = axgen(folder.path(), &[&RACK[..], &["--stimulus", "in.csv", "--compare", "outputs.csv"]].concat());
+    assert_eq!(run.out, "v_add, fault against engine reference, 400 samples: 0 differing bits\n");
+    let run = axgen(folder.path(), &[&RACK[..], &["--compare", "in.csv"]].concat());
+    assert_eq!(run.code, 2);
+    assert!(run.err.starts_with("in.csv:1:1: no column of an output"), "{}", run.err);
+    let run = axgen(folder.path(), &RACK);
+    assert_eq!(run.code, 2);
+    assert!(run.err.contains("--stimulus <FILE>"), "{}", run.err);
+    // A recording that goes on where the stimulus has ended.
+    fs::write(folder.path().join("short.csv"), "v_motor,mode\n1.0,1\n").unwrap();
+    let run = axgen(folder.path(), &[&RACK[..], &["--stimulus", "short.csv", "--compare", "outputs.csv"]].concat());
+    assert_eq!(run.code, 1, "{}", run.out);
 }
 
 #[test]

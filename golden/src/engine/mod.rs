@@ -2,8 +2,10 @@
 
 mod c;
 mod compiler;
+mod emitted;
 mod program;
 mod reference;
+pub mod st;
 
 pub use c::Harness;
 pub use compiler::Compiler;
@@ -11,6 +13,7 @@ pub use compiler::Compiler;
 use crate::samples::Samples;
 use generator::axis::Axis;
 use generator::block::Block;
+use st::Dialect;
 use std::fmt;
 
 /// A way to run a block.
@@ -22,10 +25,17 @@ pub enum Engine {
     Program,
     /// the emitted C, compiled
     C,
+    /// the emitted Structured Text of the target `st`
+    St,
+    /// the Structured Text in the files of the target `twincat`
+    TwinCat,
+    /// the Structured Text in the files of the target `codesys`
+    Codesys,
 }
 
 /// All engines; the first one is right.
-pub const ENGINES: [Engine; 3] = [Engine::Reference, Engine::Program, Engine::C];
+pub const ENGINES: [Engine; 6] =
+    [Engine::Reference, Engine::Program, Engine::C, Engine::St, Engine::TwinCat, Engine::Codesys];
 
 impl fmt::Display for Engine {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -33,6 +43,9 @@ impl fmt::Display for Engine {
             Self::Reference => "reference",
             Self::Program => "program",
             Self::C => "c",
+            Self::St => "st",
+            Self::TwinCat => "twincat",
+            Self::Codesys => "codesys",
         })
     }
 }
@@ -66,12 +79,15 @@ impl std::error::Error for Failure {}
 /// Runs a block of an axis from its start.
 ///
 /// # Errors
-/// Only the engine `c` can fail.
+/// The engine `c` needs a compiler; the engines of Structured Text refuse a text that implementations could disagree on.
 pub fn run(engine: Engine, axis: &Axis, block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
     match engine {
         Engine::Reference => Ok(reference::run(axis, block, inputs)),
         Engine::Program => Ok(program::run(block, inputs)),
         Engine::C => run_c(axis, block, inputs, &Compiler::host()),
+        Engine::St => emitted::run(Dialect::Plain, axis, block, inputs),
+        Engine::TwinCat => emitted::run(Dialect::TwinCat, axis, block, inputs),
+        Engine::Codesys => emitted::run(Dialect::Codesys, axis, block, inputs),
     }
 }
 

@@ -9,7 +9,7 @@ mod expression;
 pub mod names;
 pub mod operands;
 pub mod plain;
-mod print;
+pub mod print;
 pub mod scl;
 pub mod start;
 pub mod twincat;

@@ -1,5 +1,8 @@
-//! Words that some implementation of Structured Text keeps for itself: no variable of a block has such a name.
+//! Words that some implementation of Structured Text keeps for itself, which no variable of a block has for a name; and the
+//! names of a block's signals.
 
+use crate::program::{Program, Variable};
+use crate::target::names::Names;
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
@@ -26,4 +29,19 @@ const RESERVED: &str = "
 pub fn is_reserved(name: &str) -> bool {
     static WORDS: LazyLock<BTreeSet<&str>> = LazyLock::new(|| RESERVED.split_ascii_whitespace().collect());
     WORDS.contains(name.to_ascii_lowercase().as_str())
+}
+
+/// Signals that TwinCAT's blocks have beside the block's own; their names are reserved words for everything else.
+const PLCOPEN: [&str; 5] = ["Enable", "Valid", "Busy", "Error", "ErrorID"];
+
+/// The names of the inputs and of the outputs, taken before all others.
+#[must_use]
+pub fn signals(program: &Program, names: &mut Names) -> [Vec<String>; 2] {
+    [&program.inputs, &program.outputs].map(|variables| {
+        let name = |variable: &Variable| match variable.path.as_str() {
+            path if PLCOPEN.contains(&path) => path.to_owned(),
+            path => names.take(path),
+        };
+        variables.iter().map(name).collect()
+    })
 }

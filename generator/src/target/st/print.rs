@@ -2,7 +2,7 @@
 //! `expression`.
 
 use super::dialect::{Dialect, Form};
-use super::names::is_reserved;
+use super::names::{is_reserved, signals};
 use super::types;
 use crate::program::{Expr, Program, Statement, Var};
 use crate::target::comment;
@@ -19,27 +19,34 @@ pub struct Printer<'p> {
     program: &'p Program,
     dialect: Dialect,
     /// as declared
-    pub(super) names: Scope,
+    pub names: Scope,
     /// as in a statement
     in_statements: Scope,
 }
 
 /// A text for each variable of a program.
-pub(super) struct Scope {
-    pub(super) inputs: Vec<String>,
-    pub(super) outputs: Vec<String>,
-    pub(super) state: Vec<String>,
-    pub(super) locals: Vec<String>,
-    pub(super) constants: Vec<String>,
+pub struct Scope {
+    /// of the inputs
+    pub inputs: Vec<String>,
+    /// of the outputs
+    pub outputs: Vec<String>,
+    /// of the state
+    pub state: Vec<String>,
+    /// of the locals
+    pub locals: Vec<String>,
+    /// of the constants
+    pub constants: Vec<String>,
 }
 
 impl<'p> Printer<'p> {
     /// Names everything, the interface first: all of it is one scope.
-    pub(super) fn new(program: &'p Program, dialect: Dialect) -> Self {
+    #[must_use]
+    pub fn new(program: &'p Program, dialect: Dialect) -> Self {
         let mut names = Names::without(is_reserved);
+        let [inputs, outputs] = signals(program, &mut names);
         let names = Scope {
-            inputs: program.inputs.iter().map(|variable| interface(&variable.path, &mut names)).collect(),
-            outputs: program.outputs.iter().map(|variable| interface(&variable.path, &mut names)).collect(),
+            inputs,
+            outputs,
             state: program.state.iter().map(|variable| names.take(&variable.path)).collect(),
             constants: program.constants.iter().map(|constant| names.take(&constant.path)).collect(),
             locals: program.locals.iter().map(|local| names.take(&local.path)).collect(),
@@ -69,7 +76,8 @@ impl<'p> Printer<'p> {
     }
 
     /// The statements of a cycle, indented by some levels.
-    pub(super) fn body(&self, level: usize) -> String {
+    #[must_use]
+    pub fn body(&self, level: usize) -> String {
         let mut text = String::new();
         self.list(&self.program.step, level, &mut text);
         text
@@ -148,12 +156,6 @@ impl<'p> Printer<'p> {
             Var::Local(index) => &locals[index],
         }
     }
-}
-
-/// The name of a signal. Those of the function block itself are reserved words for everything else.
-fn interface(path: &str, names: &mut Names) -> String {
-    const SIGNALS: [&str; 5] = ["Enable", "Valid", "Busy", "Error", "ErrorID"];
-    if SIGNALS.contains(&path) { path.to_owned() } else { names.take(path) }
 }
 
 /// A number in a statement, with its name behind it.

@@ -20,7 +20,6 @@ pub fn literal(value: Literal) -> String {
     match value {
         Literal::Bool(true) => "TRUE".to_owned(),
         Literal::Bool(false) => "FALSE".to_owned(),
-        Literal::I32(i32::MIN) => "(-2147483647 - 1)".to_owned(),
         Literal::I32(value) => value.to_string(),
         Literal::U32(value) => value.to_string(),
         Literal::F64(wide) => real(wide, digits(value)),

@@ -11,7 +11,7 @@ use crate::target::number::bits;
 use crate::target::outline::is_read;
 use crate::target::st::block::origin;
 use crate::target::st::dialect::type_name;
-use crate::target::st::names::is_reserved;
+use crate::target::st::names::{is_reserved, signals};
 use crate::target::st::types;
 use portable::{Literal, RealKind};
 
@@ -20,18 +20,18 @@ pub fn files(axis: &Axis, block: &Block, name: &str) -> [File; 2] {
     let list = format!("GVL_{}_vector", &name["FB_".len()..]);
     let vector = &block.vector;
     let program = &block.program;
-    let mut names = Names::without(is_reserved);
-    let mut tracks = |variables: &[Variable], samples: &[Vec<Literal>]| -> Vec<Track> {
+    let [input_names, output_names] = signals(program, &mut Names::without(is_reserved));
+    let tracks = |variables: &[Variable], names: &[String], samples: &[Vec<Literal>]| -> Vec<Track> {
         let track = |(index, variable): (usize, &Variable)| Track {
-            name: names.take(&variable.path),
+            name: names[index].clone(),
             ty: stored_as(variable.ty, axis.real),
             is_bits: variable.ty == Type::Real,
             values: values(samples.iter().map(|sample| sample[index]), axis.real),
         };
         variables.iter().enumerate().map(track).collect()
     };
-    let all = tracks(&program.inputs, &vector.inputs);
-    let outputs = tracks(&program.outputs, &vector.outputs);
+    let all = tracks(&program.inputs, &input_names, &vector.inputs);
+    let outputs = tracks(&program.outputs, &output_names, &vector.outputs);
     let inputs: Vec<Track> =
         all.into_iter().zip(is_read(program)).filter(|(_, read)| *read).map(|(track, _)| track).collect();
     let (vector_file, suite_file) = (format!("{list}.TcGVL"), format!("{}.TcPOU", suite_name(name)));

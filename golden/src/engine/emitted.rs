@@ -1,0 +1,36 @@
+//! The engines `st`, `twincat` and `codesys`: the emitted Structured Text, read by a grammar that is not ours, and run.
+
+use super::Failure;
+use super::st::{self, Dialect, Mistake};
+use crate::samples::{Samples, Shape};
+use generator::axis::Axis;
+use generator::block::Block;
+use generator::target::names::Names;
+use generator::target::st::names::{is_reserved, signals};
+use generator::target::st::{codesys, plain, twincat};
+use generator::target::{File, stem};
+
+/// Runs a block from the file that the target of a dialect emits.
+pub fn run(dialect: Dialect, axis: &Axis, block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
+    let (files, name, enable): (Vec<File>, _, &[(&str, bool)]) = match dialect {
+        Dialect::Plain => (plain::files(axis, std::slice::from_ref(block)), plain_name(axis, block), &[]),
+        Dialect::TwinCat => {
+            let name = twincat::block_name(&axis.name, block.program.block);
+            (twincat::files(axis, std::slice::from_ref(block)), name, &[("Enable", true)])
+        }
+        Dialect::Codesys => (codesys::files(axis, std::slice::from_ref(block)), plain_name(axis, block), &[]),
+    };
+    let file = files.first().expect("engine: every target emits the block first");
+    let broken = |mistakes: Vec<Mistake>| {
+        let lines: Vec<String> = mistakes.iter().map(|mistake| format!("{}:{mistake}", file.name)).collect();
+        Failure::Broken(lines.join("\n"))
+    };
+    let [input_names, output_names] = signals(&block.program, &mut Names::without(is_reserved));
+    let outputs = Shape::of(&block.program.outputs, block.program.real);
+    let read = st::Block::read(dialect, &file.text, &name, block.program.real).map_err(broken)?;
+    read.run(inputs, &input_names, &outputs, &output_names, enable).map_err(broken)
+}
+
+fn plain_name(axis: &Axis, block: &Block) -> String {
+    format!("{}_{}", stem(&axis.name), block.program.block)
+}

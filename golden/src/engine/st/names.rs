@@ -1,0 +1,56 @@
+//! Names that some compiler takes for something of its own.
+
+/// Keywords, operators and the names of types.
+const KEYWORDS: &str = "
+    abstract access action and any any_bit any_char any_chars any_date any_derived any_elementary any_int any_magnitude any_num
+    any_real any_string array at bool by byte case char class configuration constant continue date date_and_time dint do dt
+    dword else elsif en end_action end_case end_class end_configuration end_for end_function end_function_block end_get end_if
+    end_interface end_method end_namespace end_program end_property end_repeat end_resource end_set end_step end_struct
+    end_transition end_type end_union end_var end_while eno exit extends f_edge false final for from function function_block get
+    goto if implements initial_step int interface internal interval jmp ldate ldate_and_time ldt lint lreal ltime ltime_of_day
+    ltod lword method mod namespace nan non_retain not null of on or overlap override pointer priority private program property
+    protected public r_edge read_only read_write real ref ref_to repeat resource retain return set single sint step string
+    struct super task then this time time_of_day to tod transition true type udint uint ulint union until using usint var
+    var_access var_config var_external var_global var_in_out var_input var_output var_temp wchar while with word wstring xor";
+
+/// Functions and blocks, of the standard and of common libraries.
+const FUNCTIONS: &str = "
+    abs acos add adr asin atan atan2 ceil concat cos ctd ctu ctud delete derivative div eq exp expt f_trig find floor ge gt
+    hysteresis insert integral is_valid is_valid_bcd le left len limit ln log lower_bound lt max mid min move mul mux ne pid
+    r_trig ramp replace right rol ror round rs rtc sel sema shl shr sin sizeof split_date split_dt split_tod sqrt sr sub tan
+    tof ton tp trunc upper_bound";
+
+/// Whether a name is one of them, in whatever case.
+pub fn taken(name: &str) -> bool {
+    let lower = name.to_ascii_lowercase();
+    let is = |list: &str| list.split_ascii_whitespace().any(|word| word == lower);
+    is(KEYWORDS) || is(FUNCTIONS) || conversion(&lower)
+}
+
+/// Whether it is a standard function.
+pub fn function(name: &str) -> bool {
+    let lower = name.to_ascii_lowercase();
+    FUNCTIONS.split_ascii_whitespace().any(|word| word == lower) || conversion(&lower)
+}
+
+/// `dint_to_lreal` and its like
+fn conversion(lower: &str) -> bool {
+    let ty = |name: &str| {
+        let types = "bool byte char date dint dt dword int ldate ldt lint lreal ltime ltod lword real sint string time tod udint uint
+            ulint usint wchar word wstring bcd";
+        types.split_ascii_whitespace().any(|word| word == name)
+    };
+    lower.split_once("_to_").is_some_and(|(from, to)| ty(from) && ty(to))
+}
+
+/// What is wrong with a name, and what to write instead.
+pub fn mistake(name: &str) -> Option<(String, String)> {
+    let found = format!("the name `{name}`");
+    if taken(name) {
+        Some((format!("{found}, which some compiler takes for its own"), "another name".to_owned()))
+    } else if name.ends_with('_') || name.contains("__") {
+        Some((found, "a name without `__` and without `_` at its end".to_owned()))
+    } else {
+        None
+    }
+}

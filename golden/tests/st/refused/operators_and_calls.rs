@@ -1,0 +1,180 @@
+//! Refused: operators and calls.
+
+use crate::refused::{Place, Row, refuses};
+use portable::RealKind;
+
+#[test]
+fn operators_and_calls() {
+    refuses(&[
+        Row {
+            rule: "MOD",
+            place: Place::Body,
+            real: RealKind::F64,
+            text: "j := i MOD 2;",
+            said: &["14:8: found `MOD`; write a counter that begins again at its bound"],
+        },
+        Row {
+            rule: "a power",
+            place: Place::Body,
+            real: RealKind::F64,
+            text: "y := x ** x;",
+            said: &["14:8: found `**`; write products"],
+        },
+        Row {
+            rule: "XOR",
+            place: Place::Body,
+            real: RealKind::F64,
+            text: "q := p XOR q;",
+            said: &["14:8: found `XOR`; write `<>`"],
+        },
+        Row {
+            rule: "a sign for AND",
+            place: Place::Body,
+            real: RealKind::F64,
+            text: "q := p & q;",
+            said: &["14:8: found `&`; write `AND`"],
+        },
+        Row {
+            rule: "MIN",
+            place: Place::Body,
+            real: RealKind::F64,
+            text: "y := MIN(x, y);",
+            said: &["14:6: found the standard function `MIN`; write `IF`"],
+        },
+        Row {
+            rule: "LIMIT",
+            place: Place::Body,
+            real: RealKind::F64,
+            text: "y := LIMIT(0.0, x, 1.0);",
+            said: &["14:6: found the standard function `LIMIT`; write `IF`"],
+        },
+        Row {
+            rule: "ABS",
+            place: Place::Body,
+            real: RealKind::F64,
+            text: "y := abs(x);",
+            said: &["14:6: found the standard function `abs`; write `IF`"],
+        },
+        Row {
+            rule: "SEL",
+            place: Place::Body,
+            real: RealKind::F64,
+            text: "y := SEL(p, x, y);",
+            said: &["14:6: found the standard function `SEL`; write `IF`"],
+        },
+        Row {
+            rule: "SQRT",
+            place: Place::Body,
+            real: RealKind::F64,
+            text: "y := SQRT(x);",
+            said: &["14:6: found the standard function `SQRT`; write what it computes, in operators"],
+        },
+        Row {
+            rule: "TRUNC",
+            place: Place::Body,
+            real: RealKind::F64,
+            text: "j := TRUNC(x);",
+            said: &["14:6: found the standard function `TRUNC`; write what it computes, in operators"],
+        },
+        Row {
+            rule: "a conversion that rounds",
+            place: Place::Body,
+            real: RealKind::F64,
+            text: "j := LREAL_TO_DINT(x);",
+            said: &["14:6: found the standard function `LREAL_TO_DINT`; write what it computes, in operators"],
+        },
+        Row {
+            rule: "a function of the file",
+            place: Place::Body,
+            real: RealKind::F64,
+            text: "y := gain(x);",
+            said: &["14:6: found a call of `gain`; write what it computes, in operators"],
+        },
+        Row {
+            rule: "the usable function in a plain file",
+            place: Place::Body,
+            real: RealKind::F64,
+            text: "q := F_axgen_usable_LREAL(value := x, largest := 1.0);",
+            said: &["14:6: found a call of `F_axgen_usable_LREAL`; write what it computes, in operators"],
+        },
+        Row {
+            rule: "a conversion of two values",
+            place: Place::Body,
+            real: RealKind::F64,
+            text: "y := DINT_TO_LREAL(i, i);",
+            said: &["14:6: found a conversion of 2 values; write one value in the parentheses"],
+        },
+        Row {
+            rule: "a conversion by name",
+            place: Place::Body,
+            real: RealKind::F64,
+            text: "y := DINT_TO_LREAL(IN := i);",
+            said: &["14:20: found a named argument of a conversion; write its value alone"],
+        },
+        Row {
+            rule: "a conversion of another type",
+            place: Place::Body,
+            real: RealKind::F64,
+            text: "y := DINT_TO_LREAL(u);",
+            said: &["14:20: found a UDINT where a DINT belongs; write the conversion from its type"],
+        },
+        Row {
+            rule: "a conversion of a literal",
+            place: Place::Body,
+            real: RealKind::F64,
+            text: "y := DINT_TO_LREAL(5);",
+            said: &["14:20: found a conversion of `5`; write `5.0`"],
+        },
+        Row {
+            rule: "a conversion to REAL",
+            place: Place::Body,
+            real: RealKind::F64,
+            text: "y := DINT_TO_REAL(i);",
+            said: &[
+                "14:6: found the standard function `DINT_TO_REAL`; write a conversion to LREAL, the type of this block",
+            ],
+        },
+        Row {
+            rule: "an element",
+            place: Place::Body,
+            real: RealKind::F64,
+            text: "y := x[1];",
+            said: &["14:6: found `x[1]`; write a variable, a number or an operation on them"],
+        },
+        Row {
+            rule: "a member",
+            place: Place::Body,
+            real: RealKind::F64,
+            text: "y := x.y;",
+            said: &["14:6: found `x.y`; write a variable, a number or an operation on them"],
+        },
+        Row {
+            rule: "an address",
+            place: Place::Body,
+            real: RealKind::F64,
+            text: "y := ADR(x);",
+            said: &["14:6: found `ADR(x)`; write a variable, a number or an operation on them"],
+        },
+        Row {
+            rule: "a pointer",
+            place: Place::Body,
+            real: RealKind::F64,
+            text: "y := x^;",
+            said: &["14:6: found `x^`; write a variable, a number or an operation on them"],
+        },
+        Row {
+            rule: "a block without its name",
+            place: Place::Body,
+            real: RealKind::F64,
+            text: "y := THIS;",
+            said: &["14:6: found `THIS`; write a variable, a number or an operation on them"],
+        },
+        Row {
+            rule: "a name that is not declared",
+            place: Place::Body,
+            real: RealKind::F64,
+            text: "y := z;",
+            said: &["14:6: found `z`, which is not declared; write a declared variable"],
+        },
+    ]);
+}
