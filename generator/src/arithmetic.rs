@@ -3,7 +3,7 @@
 //! Integers wrap around, reals round to nearest, comparisons with a NaN are false. An operator that does not fit its
 //! operands is a defect that the typing pass has excluded.
 
-use portable::{Binary, Literal, Unary};
+use portable::{Binary, Intrinsic, Literal, RealKind, Unary};
 
 /// The value of an operator with one operand.
 ///
@@ -48,6 +48,27 @@ pub fn binary(operator: Binary, left: Literal, right: Literal) -> Literal {
         (And, Literal::Bool(a), Literal::Bool(b)) => Literal::Bool(a && b),
         (Or, Literal::Bool(a), Literal::Bool(b)) => Literal::Bool(a || b),
         _ => Literal::Bool(compare(operator, left, right)),
+    }
+}
+
+/// The value of an operation that each target prints in its own way.
+///
+/// # Panics
+/// If it does not fit the operands.
+#[must_use]
+pub fn intrinsic(intrinsic: Intrinsic, operands: &[Literal], real: RealKind) -> Literal {
+    match (intrinsic, operands) {
+        (Intrinsic::Usable | Intrinsic::Within, [Literal::F64(x), Literal::F64(limit)]) => {
+            Literal::Bool(portable::within(*x, *limit))
+        }
+        (Intrinsic::Usable | Intrinsic::Within, [Literal::F32(x), Literal::F32(limit)]) => {
+            Literal::Bool(portable::within(*x, *limit))
+        }
+        (Intrinsic::FromU32, [Literal::U32(value)]) => match real {
+            RealKind::F64 => Literal::F64(portable::from_u32(*value)),
+            RealKind::F32 => Literal::F32(portable::from_u32(*value)),
+        },
+        _ => panic!("arithmetic: {intrinsic:?} of {operands:?}"),
     }
 }
 

@@ -1,8 +1,8 @@
 //! Runs a [`Program`] sample by sample, so that it can be compared with the reference without any compiler.
 
-use crate::arithmetic::{binary, unary};
+use crate::arithmetic::{binary, intrinsic, unary};
 use crate::program::{Expr, Program, Statement, Var};
-use portable::{Intrinsic, Literal};
+use portable::Literal;
 
 /// A block in operation: what its variables hold.
 pub struct Machine<'p> {
@@ -73,27 +73,10 @@ impl<'p> Machine<'p> {
             Expr::Unary(operator, operand) => unary(*operator, self.value(operand)),
             // Without effects, evaluating both sides always gives what short-circuiting gives.
             Expr::Binary(operator, left, right) => binary(*operator, self.value(left), self.value(right)),
-            Expr::Intrinsic(intrinsic, operands) => match (intrinsic, operands.as_slice()) {
-                (Intrinsic::Usable | Intrinsic::Within, [x, limit]) => within(self.value(x), self.value(limit)),
-                (Intrinsic::FromU32, [value]) => self.real_of(self.value(value)),
-                _ => panic!("interp: {intrinsic:?} with {} operands", operands.len()),
-            },
+            Expr::Intrinsic(called, operands) => {
+                let operands: Vec<Literal> = operands.iter().map(|operand| self.value(operand)).collect();
+                intrinsic(*called, &operands, self.program.real)
+            }
         }
     }
-
-    fn real_of(&self, value: Literal) -> Literal {
-        let Literal::U32(value) = value else { panic!("interp: {value:?} is no UDINT") };
-        match self.program.real {
-            portable::RealKind::F64 => Literal::F64(portable::from_u32(value)),
-            portable::RealKind::F32 => Literal::F32(portable::from_u32(value)),
-        }
-    }
-}
-
-fn within(x: Literal, limit: Literal) -> Literal {
-    Literal::Bool(match (x, limit) {
-        (Literal::F64(x), Literal::F64(limit)) => portable::within(x, limit),
-        (Literal::F32(x), Literal::F32(limit)) => portable::within(x, limit),
-        other => panic!("interp: within {other:?}"),
-    })
 }

@@ -153,14 +153,14 @@ pub fn record(case: &Case) -> Result<(), String> {
     if !missing.is_empty() {
         return Err(format!("{}: the case does not show {}", case.folder.display(), missing.join(", ")));
     }
-    let emitted = case.folder.join(EMITTED);
-    std::fs::create_dir_all(&emitted).map_err(|error| format!("{}: {error}", emitted.display()))?;
     for path in left_over(case, &files) {
         std::fs::remove_file(&path).map_err(|error| format!("{}: {error}", path.display()))?;
     }
     for file in files {
         let path = case.folder.join(&file.name);
-        std::fs::write(&path, file.text).map_err(|error| format!("{}: {error}", path.display()))?;
+        let folder = path.parent().unwrap_or(&case.folder);
+        let written = std::fs::create_dir_all(folder).and_then(|()| std::fs::write(&path, file.text));
+        written.map_err(|error| format!("{}: {error}", path.display()))?;
     }
     Ok(())
 }
@@ -185,11 +185,16 @@ pub fn verify(case: &Case) -> Result<Vec<String>, String> {
 
 /// Emitted files of another time, in the order of their names.
 fn left_over(case: &Case, files: &[File]) -> Vec<PathBuf> {
-    let found = std::fs::read_dir(case.folder.join(EMITTED)).into_iter().flatten().flatten();
-    let mut paths: Vec<PathBuf> = found.map(|entry| entry.path()).collect();
+    let mut paths = files_below(&case.folder.join(EMITTED));
     paths.retain(|path| !files.iter().any(|file| case.folder.join(&file.name) == *path));
     paths.sort();
     paths
+}
+
+/// All files of a folder and of those in it.
+fn files_below(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
+    entries.flat_map(|path| if path.is_dir() { files_below(&path) } else { vec![path] }).collect()
 }
 
 /// The folders of all cases below a folder, in the order of their names.

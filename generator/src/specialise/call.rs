@@ -2,8 +2,9 @@
 
 use super::node::Node;
 use super::{Frame, Specialiser};
+use crate::arithmetic;
 use crate::program::{Expr, Statement};
-use portable::{Argument, Fn, Literal, Mode};
+use portable::{Argument, Fn, Intrinsic, Literal, Mode};
 use std::rc::Rc;
 
 impl Specialiser<'_> {
@@ -11,7 +12,7 @@ impl Specialiser<'_> {
     pub(super) fn call(&mut self, function: &'static Fn, arguments: &'static [Argument]) -> Option<Expr> {
         if let Some(intrinsic) = function.body.intrinsic {
             let operands = arguments.iter().map(|argument| self.value_argument(argument, function)).collect();
-            return Some(Expr::Intrinsic(intrinsic, operands));
+            return Some(self.intrinsic(intrinsic, operands));
         }
         let mut names = Vec::new();
         let mut context = None;
@@ -48,6 +49,18 @@ impl Specialiser<'_> {
                 Some(self.named(function, literal))
             }
             value => value,
+        }
+    }
+
+    /// An intrinsic: a question about known values is decided, a conversion of an anonymous literal done.
+    fn intrinsic(&self, intrinsic: Intrinsic, operands: Vec<Expr>) -> Expr {
+        let known: Option<Vec<Literal>> = operands.iter().map(|operand| self.known(operand)).collect();
+        let is_anonymous = operands.iter().all(|operand| matches!(operand, Expr::Literal(_)));
+        match known {
+            Some(known) if is_anonymous || intrinsic != Intrinsic::FromU32 => {
+                Expr::Literal(arithmetic::intrinsic(intrinsic, &known, self.real))
+            }
+            _ => Expr::Intrinsic(intrinsic, operands),
         }
     }
 

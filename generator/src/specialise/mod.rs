@@ -11,7 +11,7 @@ mod statement;
 
 use crate::program::{Constant, Expr, Local, Origin, Program, Statement, Type, Var, Variable};
 use node::{Cell, Node};
-use portable::{Fn, Literal, Portable, Real, Ty};
+use portable::{Fn, Literal, Portable, Real, RealKind, Ty};
 use reference::Block;
 use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
@@ -23,14 +23,14 @@ use std::rc::Rc;
 /// struct passed by value. That is a defect of the block, not of anybody's input.
 #[must_use]
 pub fn block<R: Real, B: Block<R>>(coeffs: &B::Coeffs, notes: &BTreeMap<String, String>) -> Program {
-    let mut specialiser = Specialiser::new(notes);
+    let mut specialiser = Specialiser::new(notes, R::KIND);
     let coefficients = specialiser.enter_coefficients(<B::Coeffs as Portable>::TY, &leaves(coeffs));
     let state = specialiser.enter_variables(<B::State as Portable>::TY, &leaves(&B::state()), Space::State);
     let inputs = specialiser.enter_variables(<B::Inputs as Portable>::TY, &leaves(&B::inputs(coeffs)), Space::Input);
     let outputs = specialiser.enter_variables(<B::Outputs as Portable>::TY, &leaves(&B::outputs()), Space::Output);
     let init = specialiser.function(&B::INIT, vec![state.clone()]);
     let step = specialiser.function(&B::STEP, vec![state, coefficients, inputs, outputs]);
-    specialiser.into_program(B::NAME, R::KIND, init, step)
+    specialiser.into_program(B::NAME, init, step)
 }
 
 /// The scalars of a value, in the order of its type.
@@ -51,6 +51,7 @@ enum Space {
 /// What is known at the present point of the function that is being specialised.
 struct Specialiser<'n> {
     notes: &'n BTreeMap<String, String>,
+    real: RealKind,
     inputs: Vec<Variable>,
     outputs: Vec<Variable>,
     state: Vec<Variable>,
@@ -73,9 +74,10 @@ struct Frame {
 }
 
 impl<'n> Specialiser<'n> {
-    fn new(notes: &'n BTreeMap<String, String>) -> Self {
+    fn new(notes: &'n BTreeMap<String, String>, real: RealKind) -> Self {
         Self {
             notes,
+            real,
             inputs: Vec::new(),
             outputs: Vec::new(),
             state: Vec::new(),
@@ -133,14 +135,8 @@ impl<'n> Specialiser<'n> {
         std::mem::take(&mut self.statements)
     }
 
-    fn into_program(
-        self,
-        block: &'static str,
-        real: portable::RealKind,
-        init: Vec<Statement>,
-        step: Vec<Statement>,
-    ) -> Program {
-        let Self { inputs, outputs, state, constants, locals, .. } = self;
+    fn into_program(self, block: &'static str, init: Vec<Statement>, step: Vec<Statement>) -> Program {
+        let Self { real, inputs, outputs, state, constants, locals, .. } = self;
         Program { block, real, inputs, outputs, state, constants, locals, init, step }
     }
 

@@ -4,6 +4,7 @@ use super::compile;
 use super::inside::defect::{self, Defect};
 use super::kernel;
 use super::print;
+use super::structured_text;
 use super::syntax::Program;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -27,8 +28,8 @@ pub struct Batch<'b> {
     pub reals: &'b [&'static str],
     /// what is planted
     pub defect: Option<Defect>,
-    /// whether the C is compiled and run
-    pub with_c: bool,
+    /// whether the C is compiled and run, and the Structured Text too
+    pub with_text: bool,
 }
 
 /// What came of a program.
@@ -213,11 +214,11 @@ fn gather(
             _ => return Err(format!("{} says `{line}`", binary.display())),
         }
     }
-    if batch.with_c {
+    if batch.with_text {
         let firsts: Vec<usize> = shards.iter().filter_map(|shard| shard.first().copied()).collect();
-        for line in compile::run(folder, &firsts)? {
+        for line in compile::run(folder, &firsts)?.into_iter().chain(structured_text::run(folder, &firsts)?) {
             let answer =
-                answers.get_mut(line.program).ok_or_else(|| format!("the C names program {}", line.program))?;
+                answers.get_mut(line.program).ok_or_else(|| format!("an engine names program {}", line.program))?;
             answer.differences.push(difference(line.real, &line.engine, &line.message));
         }
     }

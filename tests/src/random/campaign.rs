@@ -113,7 +113,7 @@ fn together<'p>(settings: &Settings<'p>, numbers: &[usize], programs: &'p [Progr
         programs: numbers.iter().zip(programs).map(named).collect(),
         reals: &["f64", "f32"],
         defect: settings.defect,
-        with_c: true,
+        with_text: true,
     }
 }
 
@@ -135,9 +135,10 @@ fn small(settings: &Settings<'_>, number: usize, program: &Program, difference: 
     let reals: &[&str] = if difference.real == "f64" { &["f64"] } else { &["f32"] };
     let crates = format!("{}-shrink", settings.name);
     let is_c = |difference: &Difference| difference.engine.starts_with("c ");
+    let is_text = |difference: &Difference| is_c(difference) || difference.engine == "st";
     let batch = |programs: Vec<(String, &Program)>| -> Result<Vec<Answer>, String> {
         let (folder, defect) = (settings.folder, settings.defect);
-        batch::run(&Batch { folder, name: &crates, programs, reals, defect, with_c: is_c(difference) })
+        batch::run(&Batch { folder, name: &crates, programs, reals, defect, with_text: is_text(difference) })
     };
     let same = |found: &Difference| found.engine == difference.engine || is_c(found) && is_c(difference);
     let shrunk = shrink::shrink(program, |candidates| {

@@ -1,13 +1,14 @@
 //! Random programs of the portable subset, run by every engine: the Rust itself, the program after specialising and after
-//! each pass, the emitted C.
+//! each pass, the emitted C, the emitted Structured Text.
 //!
 //! ```text
 //! rng, syntax, types, visit   the source of chance; the syntax tree and what can be asked of it
 //! generate                    a random program from a seed
 //! print                       its Rust text
 //! coverage                    which constructs it has
-//! batch, kernel, compile      many programs as crates of their own, and their C
-//! inside                      what those crates do: engines compared, C printed, answers listed
+//! batch, kernel               many programs as crates of their own
+//! compile, structured_text    their C, their Structured Text
+//! inside                      what those crates do: engines compared, C and Structured Text printed, answers listed
 //! shrink                      from a program that differs to a small one that still does
 //! campaign                    all of that, from a seed to a report
 //! ```
@@ -22,6 +23,7 @@ mod kernel;
 pub mod print;
 pub mod rng;
 pub mod shrink;
+mod structured_text;
 pub mod syntax;
 pub mod types;
 pub mod visit;

@@ -20,8 +20,7 @@ pub fn listing(name: String, block: &Block, program: Program, dialect: Dialect) 
     let language = Language { ty: &|ty| type_name(ty, program.real), literal: &types::literal, next_line: "\n       " };
     let names = &printer.names;
     let groups = language.groups(block, &program, &names.constants);
-    let forms: Vec<Form> = program.constants.iter().map(|constant| dialect.form(constant.value)).collect();
-    let of = |form| with_form(form, &forms, &groups);
+    let of = |form| with_form(form, &printer.forms, &groups);
     StBlock {
         name,
         inputs: language.inputs(&program, &names.inputs),

@@ -6,6 +6,7 @@ mod block;
 pub mod codesys;
 pub mod dialect;
 mod expression;
+mod forms;
 pub mod names;
 pub mod operands;
 pub mod plain;

@@ -3,8 +3,8 @@
 
 use super::dialect::{Dialect, Form};
 use super::names::{is_reserved, signals};
-use super::types;
-use crate::program::{Expr, Program, Statement, Var};
+use super::{forms, types};
+use crate::program::{Constant, Expr, Program, Statement, Var};
 use crate::target::comment;
 use crate::target::names::Names;
 
@@ -20,6 +20,8 @@ pub struct Printer<'p> {
     dialect: Dialect,
     /// as declared
     pub names: Scope,
+    /// how each constant appears
+    pub forms: Vec<Form>,
     /// as in a statement
     in_statements: Scope,
 }
@@ -52,19 +54,20 @@ impl<'p> Printer<'p> {
             locals: program.locals.iter().map(|local| names.take(&local.path)).collect(),
         };
         let with_sigil = |names: &[String]| names.iter().map(|name| format!("{}{name}", dialect.sigil)).collect();
-        let constants =
-            program.constants.iter().zip(&names.constants).map(|(constant, name)| match dialect.form(constant.value) {
-                Form::Inline => inline(&types::literal(constant.value), name),
-                Form::Declared | Form::Assigned => format!("{}{name}", dialect.sigil),
-            });
+        let forms = forms::of(program, &dialect);
+        let constant = |((constant, name), form): ((&Constant, &String), &Form)| match form {
+            Form::Inline => inline(&types::literal(constant.value), name),
+            Form::Declared | Form::Assigned => format!("{}{name}", dialect.sigil),
+        };
+        let constants = program.constants.iter().zip(&names.constants).zip(&forms).map(constant).collect();
         let in_statements = Scope {
             inputs: with_sigil(&names.inputs),
             outputs: with_sigil(&names.outputs),
             state: with_sigil(&names.state),
             locals: with_sigil(&names.locals),
-            constants: constants.collect(),
+            constants,
         };
-        Self { program, dialect, names, in_statements }
+        Self { program, dialect, names, forms, in_statements }
     }
 
     pub(super) fn program(&self) -> &Program {

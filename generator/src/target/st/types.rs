@@ -7,8 +7,10 @@ use portable::Literal;
 const SMALLEST: f64 = 1.18e-38;
 /// The same at the other end.
 const LARGEST: f64 = 3.4e38;
-/// A power of two within these limits, and its reciprocal.
-const STEP: i32 = 120;
+/// 2^120, within these limits.
+const UP: f64 = f64::from_bits((1023 + 120) << 52);
+/// 2^-120, the same.
+const DOWN: f64 = f64::from_bits((1023 - 120) << 52);
 
 /// The text of a literal. A real has digits on both sides of the point and a signed exponent; a magnitude that some compiler
 /// refuses is a product of powers of two and a number, exact in every step.
@@ -34,14 +36,13 @@ fn real(value: f64, text: String) -> String {
     if magnitude == 0.0 || (SMALLEST..=LARGEST).contains(&magnitude) {
         return text;
     }
-    let (mut rest, mut factors) = (value, String::new());
-    let step = if magnitude < SMALLEST { -STEP } else { STEP };
-    let factor = digits(Literal::F64(libm::exp2(f64::from(step))));
     // The first factor has the digits: each product after it is exact, a subnormal one included.
+    let (factor, reciprocal) = if magnitude < SMALLEST { (DOWN, UP) } else { (UP, DOWN) };
+    let (mut rest, mut factors) = (value, String::new());
     while !(SMALLEST..=LARGEST).contains(&rest.abs()) {
-        rest *= libm::exp2(f64::from(-step));
+        rest *= reciprocal;
         factors.push_str(" * ");
-        factors.push_str(&factor);
+        factors.push_str(&digits(Literal::F64(factor)));
     }
     digits(Literal::F64(rest)) + &factors
 }

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  e86ef3521bc21a1c20e36a31fa066f0a
- * body        6d33b3879783c93a654dc71117f36387
+ * body        e72d91071c3107ae2a82200084e5211a
  */
 #include "axis_y.h"
 

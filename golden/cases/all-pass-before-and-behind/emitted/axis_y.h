@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  e86ef3521bc21a1c20e36a31fa066f0a
- * body        22cce2f5a1b223c66e21243c923dbf52
+ * body        8562c75887623e15f6cef34eed7dcc3b
  */
 #ifndef AXIS_Y_H
 #define AXIS_Y_H
@@ -18,9 +18,9 @@ extern "C" {
 
 /* Written by the caller. axis_y_ipc_inputs_init fills in what is said to be the start. */
 typedef struct {
-    double v_command; /* output of the position controller with feedforward, before v_add is added [um/s or 0.001 deg/s]; start 0.0 */
-    double v_motor; /* velocity of the motor encoder, v_ist1 [um/s or 0.001 deg/s]; not read for this axis; start 0.0 */
-    double v_direct; /* velocity of the direct measuring system, v_ist2 [um/s or 0.001 deg/s]; start 0.0 */
+    double v_command; /* output of the position controller with feedforward, before v_add is added [um/s or 0.001 deg/s]; input of SET_POINT (P-AXIS-00753); start 0.0 */
+    double v_motor; /* velocity of the motor encoder, v_ist1 [um/s or 0.001 deg/s]; input of DIRECT and INDIRECT (P-AXIS-00753); not read for this axis; start 0.0 */
+    double v_direct; /* velocity of the direct measuring system, v_ist2 [um/s or 0.001 deg/s]; input of DIRECT (P-AXIS-00753) by the key direct_source; start 0.0 */
     int32_t mode; /* 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758); start 2 */
     bool position_controlled; /* FALSE: the axis is not in position control, the output is 0 at once; start true */
     bool reset; /* while TRUE the output is 0 and the states follow the input; start false */
@@ -30,8 +30,8 @@ typedef struct {
 /* Written by axis_y_ipc_step. */
 typedef struct {
     double v_add; /* velocity to add to the manipulated variable [um/s or 0.001 deg/s] */
-    double v_add_calculated; /* the same after the limit and before the gate; 0 in OFF [um/s or 0.001 deg/s] */
-    bool limited; /* the limit acts in this cycle */
+    double v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the gate; 0 in OFF [um/s or 0.001 deg/s] */
+    bool limited; /* the limit (P-AXIS-00757 of P-AXIS-00212) acts in this cycle */
     bool fault; /* the block cannot act in this cycle, error_id says why */
     uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct is no usable number */
 } axis_y_ipc_outputs;

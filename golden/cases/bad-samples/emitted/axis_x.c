@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  dd3714341cc42b999aed7c65c021489b
- * body        b53f9a8688924264a619adea9c5d8a9b
+ * body        872c043064343306251d37152bc01527
  */
 #include "axis_x.h"
 

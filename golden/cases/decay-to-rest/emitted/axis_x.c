@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e8e1f0a47ea514001e7042c1835ee7b3
- * body        e3973a07bd206dab94d915b04fe71307
+ * body        521971e8ee35e33e086fb5da5dca9a98
  */
 #include "axis_x.h"
 

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  748aa3626b02d1aa0e59eb14a7e1d7ca
- * body        81ba28b2ead380837450e771fac5fa05
+ * body        cda0a32c7c38d1aeb9c02520cb556b12
  */
 #include "axis_x.h"
 

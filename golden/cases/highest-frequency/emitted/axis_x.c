@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  54ec9fd356e63495804223a32d086383
- * body        6f74d9c2a01e8b7eb9efa719e6328600
+ * body        64200a4f71913a477f28c5afcb9bc199
  */
 #include "axis_x.h"
 

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  325f959a8a6307105ae6363b76420ebf
- * body        0338ce423e936f3505cb2f593d6b0a04
+ * body        b291c7583673db3429334d9ac2844489
  */
 #include "axis_x.h"
 

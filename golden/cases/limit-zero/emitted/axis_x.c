@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  193f65cf41125eb0de2a3a631dc99cd0
- * body        896f92e5b5c166499f4eca7553d17dc0
+ * body        3af9dc920a386b1ae6edbedf85a0807e
  */
 #include "axis_x.h"
 

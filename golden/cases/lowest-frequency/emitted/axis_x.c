@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  62500 ns
  * parameters  d779f62a242bb193795c91e01e9ed760
- * body        7b971438add26a65a53524b2888dab7f
+ * body        4124bd95a0798673a67ae8d9b4d9d4a0
  */
 #include "axis_x.h"
 

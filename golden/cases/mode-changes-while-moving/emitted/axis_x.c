@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  433be3a8b78f4c5a206df87cde7d8541
- * body        b5953314a5fd689079b8bc832555494e
+ * body        6d0018e9e036fd6cadd10b986cfa10cc
  */
 #include "axis_x.h"
 

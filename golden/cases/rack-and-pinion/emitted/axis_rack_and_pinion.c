@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9760420855774556c7bc167f08fc35fd
- * body        7dd850696b720ac47558d0b941856c18
+ * body        0f95ce1fac59fadd00092065244664b7
  */
 #include "axis_rack_and_pinion.h"
 

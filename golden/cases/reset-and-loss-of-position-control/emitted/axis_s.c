@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  882eaa05ff123070aefdad1bed2341f1
- * body        91b0b0e6224610082efb098e87e7babc
+ * body        9e8da024d99c2d75b42d73e92e85c2a7
  */
 #include "axis_s.h"
 

@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  87f91c78676cb102a3330a2e3848dcd6
- * body        fa7f89394f7d8eede97d35ea49567d82
+ * body        384311ad2f7d25e23772fcfb8b7296e4
  */
 #include "axis_x.h"
 

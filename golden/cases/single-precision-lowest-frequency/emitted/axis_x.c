@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  62500 ns
  * parameters  bad0c99249e15f6dcaf94ab9de408464
- * body        9f7e05658caf85dcdfdbe8cc97c11922
+ * body        fe1a64fea77afc328e7cdd0a5d8546a5
  */
 #include "axis_x.h"
 

@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  0b73ef9889eaa78feb24d16a4842c593
- * body        dae4f1b77cb74ead4fd8ce622a5b101d
+ * body        07a90f15166f659febc53cd1ce053dce
  */
 #include "axis_c.h"
 

@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  0b73ef9889eaa78feb24d16a4842c593
- * body        9135e5863f063716a0587b25c006d7f3
+ * body        8fa60be7f0c769c182312a0cf47826da
  */
 #ifndef AXIS_C_H
 #define AXIS_C_H
@@ -18,9 +18,9 @@ extern "C" {
 
 /* Written by the caller. axis_c_ipc_inputs_init fills in what is said to be the start. */
 typedef struct {
-    float v_command; /* output of the position controller with feedforward, before v_add is added [um/s or 0.001 deg/s]; start 0.0f */
-    float v_motor; /* velocity of the motor encoder, v_ist1 [um/s or 0.001 deg/s]; start 0.0f */
-    float v_direct; /* velocity of the direct measuring system, v_ist2 [um/s or 0.001 deg/s]; not read for this axis; start 0.0f */
+    float v_command; /* output of the position controller with feedforward, before v_add is added [um/s or 0.001 deg/s]; input of SET_POINT (P-AXIS-00753); start 0.0f */
+    float v_motor; /* velocity of the motor encoder, v_ist1 [um/s or 0.001 deg/s]; input of DIRECT and INDIRECT (P-AXIS-00753); start 0.0f */
+    float v_direct; /* velocity of the direct measuring system, v_ist2 [um/s or 0.001 deg/s]; input of DIRECT (P-AXIS-00753) by the key direct_source; not read for this axis; start 0.0f */
     int32_t mode; /* 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758); start 1 */
     bool position_controlled; /* FALSE: the axis is not in position control, the output is 0 at once; start true */
     bool reset; /* while TRUE the output is 0 and the states follow the input; start false */
@@ -30,8 +30,8 @@ typedef struct {
 /* Written by axis_c_ipc_step. */
 typedef struct {
     float v_add; /* velocity to add to the manipulated variable [um/s or 0.001 deg/s] */
-    float v_add_calculated; /* the same after the limit and before the gate; 0 in OFF [um/s or 0.001 deg/s] */
-    bool limited; /* the limit acts in this cycle */
+    float v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the gate; 0 in OFF [um/s or 0.001 deg/s] */
+    bool limited; /* the limit (P-AXIS-00757 of P-AXIS-00212) acts in this cycle */
     bool fault; /* the block cannot act in this cycle, error_id says why */
     uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct is no usable number */
 } axis_c_ipc_outputs;

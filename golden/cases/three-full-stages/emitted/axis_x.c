@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  fe27a53621d21cb7269ec91c9ce5f9db
- * body        6bfb074632e6f9bd3eebecc5aef159c1
+ * body        a894b0821978481c5933ce4752edae5e
  */
 #include "axis_x.h"
 

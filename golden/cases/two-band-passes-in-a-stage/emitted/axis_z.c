@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  6a0aecbe02b54a57c0c2078dc887a241
- * body        b9f9dda2b7f5b0204fd500f3eba70cb8
+ * body        4a35224831ceb46e8237dbb66a81f8ca
  */
 #include "axis_z.h"
 

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  0571d45177aed7bb40e29b85e8e41486
- * body        504d153ebe99583ab971544e55e880a1
+ * body        05c5d5348f2667f25651467fe8197f6e
  */
 #include "axis_two_frequencies.h"
 

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  1d3eeef73fc12835f3581e0fc768bd02
- * body        5e645d60a3f8c3dabc9ccb998fad0f9b
+ * body        b2857bc2ad840b88b1ede65923ac5699
  */
 #include "axis_x.h"
 

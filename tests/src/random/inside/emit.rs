@@ -22,21 +22,31 @@ impl Unit {
         let source = source(number, program);
         self.source.push_str(&source);
         let _ = writeln!(self.table, "    {},", entry(number, program));
-        self.words.push(compiled.inputs.len() as u64);
-        self.words.push(compiled.inputs.first().map_or(0, Vec::len) as u64);
         let starts = program.outputs.iter().map(|variable| variable.start);
+        counts(compiled, &mut self.words);
         self.words.extend(compiled.unset.iter().copied().chain(starts).map(word));
-        for (inputs, answers) in compiled.inputs.iter().zip(&compiled.answers) {
-            for (input, answer) in inputs.iter().zip(answers) {
-                self.words.extend(input.iter().chain(answer).copied().map(word));
-            }
-        }
+        samples(compiled, &mut self.words);
     }
 
     /// The whole unit.
     #[must_use]
     pub fn text(&self) -> String {
         format!("{}\nstatic const struct block blocks[] = {{\n{}    {{0}}\n}};\n", self.source, self.table)
+    }
+}
+
+/// How many runs there are, and how many samples each has.
+pub fn counts(compiled: &Compiled, words: &mut Vec<u64>) {
+    words.push(compiled.inputs.len() as u64);
+    words.push(compiled.inputs.first().map_or(0, Vec::len) as u64);
+}
+
+/// The inputs and the answer of each sample, run after run.
+pub fn samples(compiled: &Compiled, words: &mut Vec<u64>) {
+    for (inputs, answers) in compiled.inputs.iter().zip(&compiled.answers) {
+        for (input, answer) in inputs.iter().zip(answers) {
+            words.extend(input.iter().chain(answer).copied().map(word));
+        }
     }
 }
 

@@ -1,5 +1,6 @@
-//! What a generated crate does: judges its programs, writes their C, and says what came of each, line by line.
+//! What a generated crate does: judges its programs, writes their C and their Structured Text, and says what came of each, line by line.
 
+use super::blocks::Blocks;
 use super::defect::{self, DEFECTS, Defect};
 use super::emit::Unit;
 use super::gcc;
@@ -46,19 +47,21 @@ fn run(shard: &Shard, planted: Option<Defect>, folder: &Path) {
     let first = instances.first().map_or(0, |(number, _)| *number);
     let mut lines = String::new();
     for (real, name) in [(RealKind::F64, "f64"), (RealKind::F32, "f32")] {
-        let mut unit = Unit::default();
+        let (mut unit, mut blocks) = (Unit::default(), Blocks::default());
         for (number, instance) in instances.iter().filter(|(_, instance)| instance.real == real) {
             let judgement = judge(instance, planted);
             let (mut facts, mut differences) = (judgement.facts, judgement.differences);
-            match &judgement.compiled {
-                Some(compiled) if gcc::subtracts_integer_from_zero(&compiled.program) => facts.push(NOT_IN_C),
-                Some(compiled) => {
-                    let program = defect::printed(compiled.program.clone(), planted);
-                    if let Err(message) = attempt(|| unit.add(*number, &program, compiled)) {
-                        differences.push(("printed".to_owned(), message));
-                    }
+            if let Some(compiled) = &judgement.compiled {
+                let program = defect::printed(compiled.program.clone(), planted);
+                let mut print = |attempted: Result<(), String>| {
+                    differences.extend(attempted.err().map(|message| ("printed".to_owned(), message)));
+                };
+                print(attempt(|| blocks.add(*number, &program, compiled)));
+                if gcc::subtracts_integer_from_zero(&compiled.program) {
+                    facts.push(NOT_IN_C);
+                } else {
+                    print(attempt(|| unit.add(*number, &program, compiled)));
                 }
-                None => {}
             }
             for (engine, message) in &differences {
                 let message = message.replace(['\n', '\t'], " ");
@@ -67,9 +70,17 @@ fn run(shard: &Shard, planted: Option<Defect>, folder: &Path) {
             lines += &format!("facts\t{number}\t{}\n", facts.join("\t"));
         }
         let stem = folder.join(format!("{name}_{first}"));
-        fs::write(stem.with_extension("c"), unit.text()).expect("worker: the C is written");
-        let bytes: Vec<u8> = unit.words.iter().flat_map(|word| word.to_ne_bytes()).collect();
-        fs::write(stem.with_extension("words"), bytes).expect("worker: the words are written");
+        let bytes = |words: &[u64]| -> Vec<u8> { words.iter().flat_map(|word| word.to_ne_bytes()).collect() };
+        let files = [
+            ("c", unit.text().into_bytes()),
+            ("words", bytes(&unit.words)),
+            ("st", blocks.source.into_bytes()),
+            ("signals", blocks.signals.into_bytes()),
+            ("answers", bytes(&blocks.words)),
+        ];
+        for (extension, content) in files {
+            fs::write(stem.with_extension(extension), content).expect("worker: the files are written");
+        }
     }
     std::io::stdout().lock().write_all(lines.as_bytes()).expect("worker: standard output takes the answers");
 }

@@ -1,0 +1,94 @@
+//! The Structured Text of a batch of programs, as the target `st` prints them, and the types of their signals.
+
+use super::emit::{counts, samples};
+use super::judge::Compiled;
+use generator::program::{Expr, Program, Statement, Type, Var, Variable};
+use generator::target::st::dialect::{Form, PLAIN, type_name};
+use generator::target::st::print::Printer;
+use generator::target::st::{operands, start, types};
+use portable::Literal;
+use std::fmt::Write;
+
+/// A file of function blocks, and a line for each of them: its number, the names and types of its inputs, then of its
+/// outputs, which are followed by the state.
+#[derive(Default)]
+pub struct Blocks {
+    /// the Structured Text
+    pub source: String,
+    /// the lines
+    pub signals: String,
+    /// for each block how many runs and samples there are, then inputs and answers
+    pub words: Vec<u64>,
+}
+
+impl Blocks {
+    /// Adds a program under a number, unless it gives nothing: no target has such a block.
+    pub fn add(&mut self, number: usize, program: &Program, compiled: &Compiled) {
+        let program = start::run(whole(program.clone(), compiled));
+        if program.outputs.is_empty() {
+            return;
+        }
+        let program = if PLAIN.has_digits_in_expressions(program.real) { program } else { operands::run(program) };
+        let printer = Printer::new(&program, PLAIN);
+        let names = &printer.names;
+        let constants = program.constants.iter().zip(&names.constants).zip(&printer.forms);
+        let assigned: Vec<_> =
+            constants.filter(|(_, form)| **form == Form::Assigned).map(|(constant, _)| constant).collect();
+        let mut text = format!("FUNCTION_BLOCK p{number}\n");
+        let declared = |variables: &[Variable], names: &[String]| -> Vec<(String, Type)> {
+            names.iter().cloned().zip(variables.iter().map(|variable| variable.ty)).collect()
+        };
+        let locals =
+            program.locals.iter().map(|local| local.ty.expect("blocks: the typing pass has typed every local"));
+        let mut inner = declared(&program.state, &names.state);
+        inner.extend(names.locals.iter().cloned().zip(locals));
+        inner.extend(assigned.iter().map(|(constant, name)| ((*name).clone(), of_value(constant.value))));
+        let (inputs, outputs) = (declared(&program.inputs, &names.inputs), declared(&program.outputs, &names.outputs));
+        for (keyword, variables) in [("VAR_INPUT", &inputs), ("VAR_OUTPUT", &outputs), ("VAR", &inner)] {
+            if !variables.is_empty() {
+                let _ = writeln!(text, "{keyword}");
+                for (name, ty) in variables {
+                    let _ = writeln!(text, "    {name} : {};", type_name(*ty, program.real));
+                }
+                text.push_str("END_VAR\n");
+            }
+        }
+        for (constant, name) in assigned {
+            let _ = writeln!(text, "{name} := {};", types::literal(constant.value));
+        }
+        let _ = writeln!(text, "{}END_FUNCTION_BLOCK\n", printer.body(0));
+        let list = |signals: &[(String, Type)]| -> String {
+            signals.iter().map(|(name, ty)| format!(" {name}:{ty:?}")).collect()
+        };
+        let _ = writeln!(self.signals, "{number};{};{}", list(&inputs), list(&outputs));
+        self.source.push_str(&text);
+        counts(compiled, &mut self.words);
+        samples(compiled, &mut self.words);
+    }
+}
+
+fn of_value(value: Literal) -> Type {
+    match value {
+        Literal::Bool(_) => Type::Bool,
+        Literal::U32(_) => Type::U32,
+        Literal::F64(_) | Literal::F32(_) => Type::Real,
+        _ => Type::I32,
+    }
+}
+
+/// The program with its state as further outputs, and with an `init` that sets all of them: memory holds zeros in
+/// Structured Text, and other values in the other engines.
+fn whole(mut program: Program, compiled: &Compiled) -> Program {
+    let outputs = program.outputs.len();
+    let set = |(target, value)| Statement::Assign { target, value: Expr::Literal(value) };
+    let state = compiled.unset.iter().enumerate().map(|(index, value)| (Var::State(index), *value));
+    let starts = program.outputs.iter().enumerate().map(|(index, output)| (Var::Output(index), output.start));
+    let mut init: Vec<Statement> = state.chain(starts).map(set).collect();
+    init.append(&mut program.init);
+    program.init = init;
+    let show = |part| Statement::Assign { target: Var::Output(outputs + part), value: Expr::Var(Var::State(part)) };
+    program.step.extend((0..program.state.len()).map(show));
+    let shown = program.state.iter().cloned().map(|state| Variable { path: format!("shown.{}", state.path), ..state });
+    program.outputs.extend(shown);
+    program
+}
