@@ -1,0 +1,109 @@
+//! What each file form demands of its files: XML, TwinCAT objects, TcUnit suites, PLCopen, SCL, seals, plain text. What the
+//! files compute is compared by the engines.
+
+#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
+mod cdata;
+mod encoding;
+mod plcopen;
+mod project;
+mod scl;
+mod seal;
+mod structure;
+mod suite;
+mod text;
+mod twincat;
+mod vector;
+mod xml;
+
+use generator::config::{ListOptions, Set, Unreadable, read, read_with};
+use generator::target::{File, TARGETS};
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::LazyLock;
+
+/// A set with all its files.
+struct Case {
+    name: String,
+    set: Set,
+    files: BTreeMap<String, String>,
+}
+
+impl Case {
+    /// The files with one of these endings, with their names.
+    fn with(&self, endings: &[&str]) -> Vec<(&String, &String)> {
+        self.files.iter().filter(|(name, _)| endings.iter().any(|ending| name.ends_with(ending))).collect()
+    }
+}
+
+/// The endings of TwinCAT's objects.
+const OBJECTS: [&str; 3] = [".TcPOU", ".TcDUT", ".TcGVL"];
+
+/// The examples, every golden case, and a set with all stages full in both real types.
+static CASES: LazyLock<Vec<Case>> = LazyLock::new(|| {
+    let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+    let mut cases = vec![
+        case("examples/machine.toml", from_disk(&root.join("examples/machine.toml"))),
+        case("examples/rack-and-pinion.lis", from_disk(&root.join("examples/rack-and-pinion.lis"))),
+        case("full.toml", full()),
+    ];
+    let folders = std::fs::read_dir(root.join("golden/cases")).unwrap().map(|entry| entry.unwrap().path());
+    let mut sets: Vec<_> = folders.map(|folder| folder.join("set.toml")).filter(|set| set.exists()).collect();
+    sets.sort();
+    assert!(sets.len() >= 16, "{} golden sets", sets.len());
+    cases.extend(
+        sets.iter().map(|set| case(set.parent().unwrap().file_name().unwrap().to_str().unwrap(), from_disk(set))),
+    );
+    cases
+});
+
+fn case(name: &str, set: Set) -> Case {
+    let files = files(&set);
+    Case { name: name.to_owned(), set, files }
+}
+
+/// The files of a set in all targets, by name.
+fn files(set: &Set) -> BTreeMap<String, String> {
+    let files = generator::generate::files(set, &[], &TARGETS, |file: File| (file.name, file.text)).unwrap();
+    let count = files.len();
+    let files: BTreeMap<String, String> = files.into_iter().collect();
+    assert_eq!(files.len(), count, "no two files have one name");
+    files
+}
+
+fn from_disk(path: &Path) -> Set {
+    let is_list = path.extension().is_some_and(|extension| extension == "lis");
+    let options = ListOptions { cycle_time: is_list.then(|| "1ms".to_owned()), name: None };
+    let (set, report) = read(path, &options);
+    set.unwrap_or_else(|| panic!("{}: {report}", path.display()))
+}
+
+/// Three full stages with an all-pass each, an axis in each real type; a name that a language could take for a word.
+fn full() -> Set {
+    const STAGES: &str = r#"
+stage = [
+    { mode = "DIRECT", weight_fact_num = 300, weight_fact_denom = 100, filter = [
+        { type = "BANDPASS", prototype = "BUTTERWORTH", order = 3, fg_f0 = 53.0, q_factor = 6.0 },
+        { type = "ALLPASS", fg_f0 = 41.4, q_factor = 2.0 } ] },
+    { mode = "INDIRECT", osc_damping = 0.8, weight_fact_num = 190, weight_fact_denom = 100, filter = [
+        { type = "ALLPASS", fg_f0 = 17.2, q_factor = 2.0 },
+        { type = "BANDPASS", prototype = "CRIT_DAMPING", order = 3, fg_f0 = 21.0, q_factor = 2.0 } ] },
+    { mode = "SET_POINT", osc_damping = 0.2, weight_fact_num = 14, weight_fact_denom = 100, filter = [
+        { type = "BANDPASS", prototype = "BESSEL", order = 3, fg_f0 = 90.0, q_factor = 4.5 },
+        { type = "ALLPASS", fg_f0 = 70.3, q_factor = 2.0 } ] },
+]
+"#;
+    let axis = |name: &str, real: &str| {
+        format!(
+            "[axis.{name}]\nreal = \"{real}\"\ngetriebe = [{{ dynamik.vb_max = 500000 }}]\n\
+             [axis.{name}.lr_param.improved_position_control]\nenable = \"ON\"\nv_add_max_fact = 1000{STAGES}"
+        )
+    };
+    let text = format!("cycle_time = \"1ms\"\n{}{}", axis("WIDE_1", "f64"), axis("end_if", "f32"));
+    let load = |path: &Path| match path.to_str() {
+        Some("set.toml") => Ok(text.as_bytes().to_vec()),
+        _ => Err(Unreadable::System("there is no such file".to_owned())),
+    };
+    let (set, report) = read_with(Path::new("set.toml"), &ListOptions::default(), &load);
+    set.unwrap_or_else(|| panic!("{report}"))
+}

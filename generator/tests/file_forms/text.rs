@@ -1,0 +1,123 @@
+//! Text of every file: comments that are closed and hold no other, and nothing of the machine on which it was made.
+
+use crate::{CASES, OBJECTS, xml};
+
+/// All pieces of Structured Text of a file.
+fn pieces(name: &str, text: &str) -> Vec<String> {
+    fn of(element: &xml::Element, names: &[&str], found: &mut Vec<String>) {
+        if names.contains(&element.name.as_str()) {
+            found.push(element.text.clone());
+        }
+        element.children.iter().for_each(|child| of(child, names, found));
+    }
+    let mut found = Vec::new();
+    if name.ends_with(".st") || name.ends_with(".scl") {
+        found.push(text.to_owned());
+    } else if OBJECTS.iter().any(|ending| name.ends_with(ending)) {
+        of(&xml::read(text).unwrap(), &["Declaration", "ST"], &mut found);
+    } else if name.ends_with(".xml") {
+        let root = xml::read(text).unwrap();
+        for pou in root.at("types/pous").all("pou") {
+            found.push(pou.at("body/ST/xhtml").text.clone());
+        }
+    }
+    found
+}
+
+/// What is wrong with the comments of a piece.
+fn fault(piece: &str) -> Option<&str> {
+    let mut rest = piece;
+    loop {
+        let (code, inside) = match rest.split_once("(*") {
+            None => return ["*)", "//"].into_iter().find(|mark| rest.contains(mark)),
+            Some(parts) => parts,
+        };
+        if let Some(mark) = ["*)", "//"].into_iter().find(|mark| code.contains(mark)) {
+            return Some(mark);
+        }
+        let Some((comment, behind)) = inside.split_once("*)") else { return Some("not closed") };
+        if comment.contains("(*") {
+            return Some("(* in a comment");
+        }
+        rest = behind;
+    }
+}
+
+#[test]
+fn every_comment_of_structured_text_is_closed_and_holds_no_other() {
+    let mut count = 0;
+    for case in CASES.iter() {
+        for (name, text) in &case.files {
+            for piece in pieces(name, text) {
+                assert_eq!(fault(&piece), None, "{}: {name}", case.name);
+                count += piece.matches("(*").count();
+            }
+        }
+    }
+    assert!(count > 1000, "{count} comments");
+}
+
+#[test]
+fn a_broken_comment_is_found() {
+    assert_eq!(fault("a (* b *) c (* d\n e *)"), None);
+    for broken in ["a (* b", "a *) b", "(* a (* b *) c", "(* a (* b *) c *)", "a // b", "(* a *) b *)"] {
+        assert!(fault(broken).is_some(), "{broken}");
+    }
+}
+
+/// What gives away a machine, a person or a day: a path, an address, a clock, a date. Two are fixed: the date that
+/// PLCopen asks for, and names of XML's vocabularies.
+fn traces(text: &str) -> Vec<&str> {
+    const FIXED: [&str; 4] = [
+        "creationDateTime=\"2000-01-01T00:00:00\"",
+        "http://www.plcopen.org/xml/tc6_0200",
+        "http://www.w3.org/1999/xhtml",
+        "http://schemas.microsoft.com/developer/msbuild/2003",
+    ];
+    let is_clock = |word: &str| {
+        let digits: Vec<&str> = word.trim_matches(|c: char| !c.is_ascii_digit()).split(':').collect();
+        digits.len() > 1 && digits.iter().all(|part| part.len() == 2 && part.bytes().all(|c| c.is_ascii_digit()))
+    };
+    let is_date = |word: &str| {
+        let parts: Vec<&str> = word.trim_matches(|c: char| !c.is_ascii_digit()).split(['-', '.']).collect();
+        parts.len() == 3 && parts.iter().all(|part| part.parse::<u32>().is_ok()) && parts.iter().any(|p| p.len() == 4)
+    };
+    let is_path = |word: &str| {
+        let word = word.trim_start_matches(['"', '\'', '(', '`', '<', '[']);
+        let is_root = word.starts_with('/') && word[1..].starts_with(|c: char| c.is_ascii_alphabetic());
+        let is_drive = word.get(1..3) == Some(":\\") || word.starts_with("\\\\") || word.starts_with("~/");
+        is_root || is_drive || word.contains("://") || word.contains("../")
+    };
+    let is_address = |word: &str| word.contains('@');
+    let is_trace = |word: &&str| {
+        !FIXED.iter().any(|fixed| word.contains(fixed))
+            && (is_clock(word) || is_date(word) || is_path(word) || is_address(word))
+    };
+    text.split_ascii_whitespace().filter(is_trace).collect()
+}
+
+#[test]
+fn no_file_gives_away_where_or_when_it_was_made() {
+    let here = env!("CARGO_MANIFEST_DIR").trim_end_matches("/generator");
+    let host = std::fs::read_to_string("/etc/hostname").unwrap_or_default();
+    let user = std::env::var("USER").unwrap_or_default();
+    // A short or common name would be found in ordinary words.
+    let own: Vec<&str> = [here, host.trim(), user.trim()].into_iter().filter(|name| name.len() > 5).collect();
+    for case in CASES.iter() {
+        // The end tags of XML are no paths.
+        for (name, text) in &case.files {
+            let text = text.replace("</", "<");
+            let text = if name.ends_with(".c") || name.ends_with(".h") { text.replace("/*", "") } else { text };
+            assert_eq!(traces(&text), [""; 0], "{}: {name}", case.name);
+            assert_eq!(own.iter().find(|own| text.contains(**own)), None, "{}: {name}", case.name);
+        }
+    }
+}
+
+#[test]
+fn a_trace_is_found() {
+    for text in ["/home/x/a.toml", "at 12:30", "2026-11-21", "21.11.2026", "C:\\x", "me@host", "\"/tmp\"", "../a"] {
+        assert_eq!(traces(text).len(), 1, "{text}");
+    }
+    assert_eq!(traces("1 / x, a/b, stage 1: 2, -3 dB at 50.4, 16#7FF0, P-AXIS-00753, */"), [""; 0]);
+}

@@ -1,0 +1,74 @@
+"""Parses the files of a TwinCAT folder with blark, and a broken copy of each, which it must refuse. Called by check-twincat.
+
+blark needs minutes for a list of 128 values: of each list it gets the first eight. The others are compared with the
+shapes that values have; how many there are and what they say is tested elsewhere.
+"""
+
+import pathlib
+import re
+import sys
+import tempfile
+
+from blark import parse
+
+FORMS = (".TcPOU", ".TcDUT", ".TcGVL")
+VALUES = 8
+VALUE = re.compile(r"(\d+\()?(16#[0-9A-F]{8}|16#[0-9A-F]{16}|TRUE|FALSE|-?\d+)(?(1)\))")
+# What breaks each form: a statement, a type, a list of variables.
+BREAK = {
+    ".TcPOU": (r"(<ST><!\[CDATA\[)", r"\1IF IF THEN;\n"),
+    ".TcDUT": (r"(\nEND_TYPE)", r";) DINT\1"),
+    ".TcGVL": (r"(\nVAR_GLOBAL CONSTANT\n)", r"\1    x : := ;\n"),
+}
+
+
+def shortened(text):
+    """The text with at most a few values in each list."""
+
+    def cut(match):
+        values = [value.strip() for value in match.group(1).split(",")]
+        strange = [value for value in values if not VALUE.fullmatch(value)]
+        if strange:
+            sys.exit(f"no value: {strange[0]}")
+        return ":= [" + ", ".join(values[:VALUES]) + "]"
+
+    return re.sub(r":= \[([^\]]*)\]", cut, text)
+
+
+def items(name, text):
+    """How many items a file of this name and text has; the first failure, if there is one."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / name
+        path.write_bytes(text.encode("utf-8"))
+        try:
+            results = list(parse.parse(path))
+        except Exception as failure:  # whatever the parser stumbles over is a failure of the file
+            return 0, failure
+        failures = [result.exception for result in results if result.exception is not None]
+        trees = [result for result in results if result.tree is not None]
+        return len(trees), failures[0] if failures else None
+
+
+def main():
+    counts = {form: [0, 0] for form in FORMS}
+    for path in sorted(path for path in pathlib.Path(sys.argv[1]).rglob("*") if path.suffix in FORMS):
+        text = shortened(path.read_bytes().decode("utf-8"))
+        count, failure = items(path.name, text)
+        if failure is not None or count == 0:
+            sys.exit(f"{path}: {failure or 'nothing in it'}")
+        counts[path.suffix][0] += 1
+        counts[path.suffix][1] += count
+        # Once for each form and kind of object is enough to show that the check can fail.
+        if counts[path.suffix][0] <= 3:
+            broken = re.sub(*BREAK[path.suffix], text, count=1)
+            if broken == text:
+                sys.exit(f"{path}: there was nothing to break")
+            if items(path.name, broken)[1] is None:
+                sys.exit(f"{path}: blark takes it although it is broken")
+    for form, (files, parsed) in counts.items():
+        if files == 0:
+            sys.exit(f"there is no file {form}")
+        print(f"{form}: {files} files, {parsed} items, all parsed; broken ones are refused")
+
+
+main()
