@@ -2,7 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
-use generator::digest::digest;
+use generator::digest::{UNSEALED, seal};
 use generator::target::File;
 use generator::write::{Refusal, Written, commit, edited_by_hand, stage};
 use std::fs;
@@ -67,9 +67,10 @@ fn a_failing_rename_puts_everything_back() {
 #[test]
 fn what_was_edited_by_hand_needs_force() {
     let folder = tempfile::tempdir().unwrap();
-    let generated = |body: &str| format!("/* x.c\n *\n * body        {}\n */\n{body}\n", digest(body.as_bytes()));
+    let generated = |body: &str| seal(format!("/* x.c\n *\n * body        {UNSEALED}\n */\n{body}\n"));
     assert!(!edited_by_hand(generated("int a;").as_bytes()));
     assert!(edited_by_hand(generated("int a;").replace("int", "long").as_bytes()));
+    assert!(!edited_by_hand(generated("int a;").replace('\n', "\r\n").as_bytes()), "other line ends are no edit");
     assert!(!edited_by_hand(b"a file of another tool"));
 
     fs::write(folder.path().join("x.c"), generated("int a;").replace("int", "long")).unwrap();

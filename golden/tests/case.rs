@@ -57,7 +57,19 @@ fn what_was_recorded_is_verified() {
     let case = read(&folder);
     assert_eq!(
         case::verify(&case).unwrap(),
-        ["inputs.csv", "outputs.csv", "digest", "emitted/axis_x.h", "emitted/axis_x.c"],
+        [
+            "inputs.csv",
+            "outputs.csv",
+            "digest",
+            "emitted/axis_x.h",
+            "emitted/axis_x.c",
+            "emitted/axis_x.st",
+            "emitted/twincat/POUs/FB_axis_x_ipc.TcPOU",
+            "emitted/twincat/Tests/GVL_axis_x_ipc_vector.TcGVL",
+            "emitted/twincat/Tests/FB_axis_x_ipc_Test.TcPOU",
+            "emitted/axis_x.xml",
+            "emitted/axis_x.scl",
+        ],
         "nothing is recorded yet"
     );
     case::record(&case).unwrap();

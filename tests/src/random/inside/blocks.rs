@@ -88,7 +88,7 @@ fn whole(mut program: Program, compiled: &Compiled) -> Program {
     program.init = init;
     let show = |part| Statement::Assign { target: Var::Output(outputs + part), value: Expr::Var(Var::State(part)) };
     program.step.extend((0..program.state.len()).map(show));
-    let shown = program.state.iter().cloned().map(|state| Variable { path: format!("shown.{}", state.path), ..state });
+    let shown = program.state.iter().map(|state| Variable { path: format!("shown.{}", state.path), ..state.clone() });
     program.outputs.extend(shown);
     program
 }
