@@ -5,7 +5,7 @@ use crate::pass::{self, Defect};
 use crate::program::Program;
 use crate::self_test::{self, SelfTest};
 use crate::vector::{self, Vector};
-use crate::{design, specialise};
+use crate::{certificate, design, specialise};
 use portable::{Literal, Portable, Real, RealKind};
 use reference::{Block as Reference, ipc::Ipc};
 use std::collections::BTreeMap;
@@ -21,6 +21,8 @@ pub struct Block {
     pub self_test: SelfTest,
     /// a recorded run
     pub vector: Vector,
+    /// what is certain of its range, and its measured response, in words
+    pub certificate: Vec<String>,
 }
 
 /// The names of an axis's blocks, in the order of [`blocks`].
@@ -40,11 +42,29 @@ pub fn blocks(axis: &Axis) -> Result<Vec<Block>, Defect> {
     }
 }
 
+/// The programs of an axis after the pass of that name; none: as the specialiser gives them.
+///
+/// # Errors
+/// A defect of a block or of a pass.
+pub fn programs(axis: &Axis, last: Option<&str>) -> Result<Vec<Program>, Defect> {
+    let notes = design::notes(axis).into_iter().collect();
+    let specialised = match axis.real {
+        RealKind::F64 => specialise::block::<f64, Ipc>(&design::ipc(axis), &notes),
+        RealKind::F32 => specialise::block::<f32, Ipc>(&design::ipc(axis), &notes),
+    };
+    Ok(vec![match last {
+        Some(last) => pass::run(specialised, Some(last))?,
+        None => specialised,
+    }])
+}
+
 fn blocks_as<R: Real>(axis: &Axis) -> Result<Vec<Block>, Defect> {
     let notes = design::notes(axis).into_iter().collect();
     let (limit, v_max) = (design::ipc::limit(&axis.ipc), axis.ipc.v_max);
     let unlimited = if limit > 0.0 { limit / 16.0 } else { v_max };
-    Ok(vec![block::<R, Ipc>(&design::ipc(axis), notes, [unlimited, v_max])?])
+    let mut ipc = block::<R, Ipc>(&design::ipc(axis), notes, [unlimited, v_max])?;
+    ipc.certificate = certificate::lines(&certificate::certify(axis, &ipc));
+    Ok(vec![ipc])
 }
 
 /// Specialises one block. `ranges` are those of its real inputs: where no limit acts, and the largest in operation.
@@ -58,7 +78,7 @@ fn block<R: Real, B: Reference<R>>(
     let program = pass::run(specialised, None)?;
     let self_test = self_test::record::<R, B>(coeffs, &program, &paths, ranges);
     let vector = vector::record::<R, B>(coeffs, &program, ranges);
-    Ok(Block { program, notes, self_test, vector })
+    Ok(Block { program, notes, self_test, vector, certificate: Vec::new() })
 }
 
 /// The scalars of a value, in the order of its type.

@@ -50,6 +50,8 @@ codes! {
     CYCLE_TIME = "AX009", "no cycle time",
         "The coefficients hold for one cycle time of the position controller only, and no axis list holds it: give it as \
          cycle_time in a set, or with --cycle-time. The generated block can check it against its task.";
+    NOT_LISTED = "AX010", "more messages than anybody reads",
+        "A thousand messages were listed. Mend the first ones: the others often follow from them.";
 
     LINE = "AX101", "no line of an axis list",
         "A line is `path value`, with blanks or tabs between and no `=`; `#`, or `(` at the start of a line or behind a \

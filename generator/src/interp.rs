@@ -39,6 +39,21 @@ impl<'p> Machine<'p> {
         outputs.extend_from_slice(&self.outputs);
     }
 
+    /// What the block remembers, in the order of [`Program::state`].
+    #[must_use]
+    pub fn state(&self) -> &[Literal] {
+        &self.state
+    }
+
+    /// Puts the block into a state, which need not be one that it can reach: so a single step shows what one part of the
+    /// state does. In the order of [`Program::state`], each value of its variable's type.
+    ///
+    /// # Panics
+    /// If there are not as many values as variables.
+    pub fn set_state(&mut self, state: &[Literal]) {
+        self.state.copy_from_slice(state);
+    }
+
     fn run(&mut self, statements: &'p [Statement]) {
         for statement in statements {
             match statement {

@@ -9,6 +9,8 @@ extern "C" {
 #endif
 {%- for block in blocks %}
 
+/* {{ block.certificate }} */
+
 /* Written by the caller. {{ block.prefix }}_inputs_init fills in what is said to be the start. */
 typedef struct {
 {%- for member in block.inputs %}

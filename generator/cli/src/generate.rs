@@ -1,44 +1,71 @@
 //! `axgen generate`: reads the set, makes the files, writes them.
 
-use crate::SetArguments;
+use crate::arguments::SetArguments;
+use crate::compare_files::{self, Show};
+use crate::emit;
 use crate::exit::Exit;
 use crate::input::{self, counted};
 use crate::summary;
 use generator::config::Set;
 use generator::generate;
+use generator::pass::Defect;
 use generator::target::{self, DEFAULT_TARGETS, TARGETS, Target};
 use generator::write::{self, Refusal, Written};
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Axes that are described one by one; of more, only their number is said.
 const DESCRIBED_AXES: usize = 10;
 
+/// What the command takes, beside the set.
+pub struct Request {
+    /// target languages; empty: the set's
+    pub targets: Vec<String>,
+    /// axes; empty: all
+    pub axes: Vec<String>,
+    /// the folder for the files
+    pub out: PathBuf,
+    /// whether files that were changed by hand are overwritten
+    pub force: bool,
+    /// compares with what is on disk instead
+    pub compare: Option<Show>,
+    /// prints a stage of the pipeline instead
+    pub emit: Option<String>,
+}
+
 /// Runs the command.
-pub fn run(
-    arguments: &SetArguments,
-    targets: &[String],
-    axes: &[String],
-    out: &Path,
-    force: bool,
-) -> Result<Exit, Exit> {
+pub fn run(arguments: &SetArguments, request: &Request) -> Result<Exit, Exit> {
+    let Request { axes, out, .. } = request;
     let (mut set, warnings) = input::read(arguments)?;
     for name in axes {
         input::axis(&set, Some(name))?;
     }
-    let targets = chosen(targets, &set)?;
-    fs::create_dir_all(out)
-        .map_err(|error| Exit::environment(format!("{}: {error}; nothing was written", out.display())))?;
-    let staged = generate::files(&set, axes, &targets, |file| write::stage(out, &file));
-    let staged = staged.unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
+    let targets = chosen(&request.targets, &set)?;
+    if let Some(stage) = &request.emit {
+        return emit::run(set.axes.iter().filter(|axis| axes.is_empty() || axes.contains(&axis.name)), stage);
+    }
+    if let Some(show) = request.compare {
+        return compare_files::run(&made(generate::files(&set, axes, &targets, |file| file)), out, show);
+    }
+    let folder = write::open(out).map_err(refused)?;
+    let staged = made(generate::files(&set, axes, &targets, |file| write::stage(&folder, &file)));
     let paths: Vec<PathBuf> = staged.iter().flatten().map(|file| file.path.clone()).collect();
-    let written = write::commit(staged, force).map_err(|refusal| match refusal {
-        Refusal::Edited(_) => Exit::input(refusal),
-        Refusal::Failed(..) => Exit::environment(refusal),
-    })?;
+    let written = write::commit(folder, staged, request.force).map_err(refused)?;
     set.axes.retain(|axis| axes.is_empty() || axes.contains(&axis.name));
     say(&set, &paths, written, warnings);
     Ok(Exit::Done)
+}
+
+/// Why nothing was written: a file that was edited is the user's to judge, the rest is the environment.
+fn refused(refusal: Refusal) -> Exit {
+    match refusal {
+        Refusal::Edited(_) => Exit::input(refusal),
+        Refusal::Failed(..) | Refusal::Torn(..) => Exit::environment(refusal),
+    }
+}
+
+/// What was made; a defect is ours, and never anybody's input.
+fn made<T>(result: Result<T, Defect>) -> T {
+    result.unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"))
 }
 
 /// The targets of the command line, else of the set, else the usual ones.

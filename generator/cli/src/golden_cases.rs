@@ -1,6 +1,7 @@
 //! `axgen golden`: vectors to keep in a repository, and their check.
 
 use crate::exit::Exit;
+use crate::results::{Files, Outcome};
 use golden::case::{self, Case};
 use std::path::{Path, PathBuf};
 
@@ -16,17 +17,22 @@ pub fn record(folders: &[PathBuf]) -> Result<Exit, Exit> {
 
 /// Compares the vectors of every case.
 #[expect(clippy::print_stdout, reason = "what the command has found")]
-pub fn verify(folders: &[PathBuf]) -> Result<Exit, Exit> {
-    let mut exit = Exit::Done;
+pub fn verify(folders: &[PathBuf], files: &Files) -> Result<Exit, Exit> {
+    let (mut exit, mut outcomes) = (Exit::Done, Vec::new());
     for case in read_all(folders)? {
         let differing = case::verify(&case).map_err(Exit::input)?;
-        if differing.is_empty() {
-            println!("{}: as recorded", case.folder.display());
-        } else {
-            println!("{}: differs in {}", case.folder.display(), differing.join(", "));
+        let failure = (!differing.is_empty()).then(|| format!("differs in {}", differing.join(", ")));
+        println!("{}: {}", case.folder.display(), failure.as_deref().unwrap_or("as recorded"));
+        if failure.is_some() {
             exit = Exit::Different;
         }
+        outcomes.push(Outcome {
+            group: case.folder.display().to_string(),
+            name: case.block.program.block.to_owned(),
+            failure,
+        });
     }
+    files.write("axgen golden verify", &outcomes)?;
     Ok(exit)
 }
 

@@ -1,7 +1,8 @@
 //! Reading the set that a command names, with its messages on standard error.
 
-use crate::SetArguments;
+use crate::arguments::SetArguments;
 use crate::exit::Exit;
+use crate::messages::{self, Format};
 use generator::axis::Axis;
 use generator::config::{self, ListOptions, Set};
 
@@ -9,10 +10,12 @@ use generator::config::{self, ListOptions, Set};
 pub fn read(arguments: &SetArguments) -> Result<(Set, usize), Exit> {
     let options = ListOptions { cycle_time: arguments.cycle_time.clone(), name: arguments.name.clone() };
     let (set, report) = config::read(&arguments.set, &options);
-    eprint!("{report}");
+    eprint!("{}", messages::text(&report, arguments.message_format));
     let warnings = report.warnings();
     match set {
         Some(set) => Ok((set, warnings)),
+        // A machine has its objects.
+        None if arguments.message_format == Format::Json => Err(Exit::input("")),
         None => {
             let errors = report.diagnostics.len() - warnings;
             Err(Exit::input(format!("{}; nothing was written", counted(errors, "error"))))

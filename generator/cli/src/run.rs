@@ -1,6 +1,6 @@
 //! `axgen run`: one block, one engine, samples from a CSV file to a CSV file, or compared with a recording.
 
-use crate::SetArguments;
+use crate::arguments::SetArguments;
 use crate::exit::Exit;
 use crate::input::{self, counted};
 use golden::case::named_block;

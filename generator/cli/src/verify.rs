@@ -1,8 +1,9 @@
 //! `axgen verify`: every block of every axis, every engine, against the reference, bit by bit.
 
-use crate::SetArguments;
+use crate::arguments::SetArguments;
 use crate::exit::Exit;
 use crate::input;
+use crate::results::{Files, Outcome};
 use generator::axis::Axis;
 use generator::block::{self, Block};
 use golden::compare::{Place, compare};
@@ -13,9 +14,9 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 /// Runs the command.
 #[expect(clippy::print_stdout, reason = "what the command has found")]
-pub fn run(arguments: &SetArguments, samples: usize) -> Result<Exit, Exit> {
+pub fn run(arguments: &SetArguments, samples: usize, files: &Files) -> Result<Exit, Exit> {
     let (set, _) = input::read(arguments)?;
-    let mut exit = Exit::Done;
+    let mut outcomes = Vec::new();
     println!(
         "{:<20} {:<8} {:<10} {:>10} {:>15}  first difference",
         "axis", "block", "engine", "samples", "differing bits"
@@ -26,13 +27,12 @@ pub fn run(arguments: &SetArguments, samples: usize) -> Result<Exit, Exit> {
         for block in &blocks {
             let shape = Shape::of(&block.program.inputs, axis.real);
             let inputs = stimulus::samples(&exercise::stimulus(axis), &shape, samples).map_err(Exit::environment)?;
-            if !every_engine(axis, block, &inputs, &bar)? {
-                exit = Exit::Different;
-            }
+            every_engine(axis, block, &inputs, &bar, &mut outcomes)?;
         }
     }
     bar.finish_and_clear();
-    Ok(exit)
+    files.write("axgen verify", &outcomes)?;
+    Ok(if outcomes.iter().all(|outcome| outcome.failure.is_none()) { Exit::Done } else { Exit::Different })
 }
 
 /// How far it is, on a terminal; elsewhere nothing.
@@ -43,11 +43,16 @@ fn progress(blocks: usize) -> ProgressBar {
     bar
 }
 
-/// Prints a line for each engine; tells whether all of them agree.
+/// Prints a line for each engine, and notes what came of it.
 #[expect(clippy::print_stdout, reason = "what the command has found")]
-fn every_engine(axis: &Axis, block: &Block, inputs: &Samples, bar: &ProgressBar) -> Result<bool, Exit> {
+fn every_engine(
+    axis: &Axis,
+    block: &Block,
+    inputs: &Samples,
+    bar: &ProgressBar,
+    outcomes: &mut Vec<Outcome>,
+) -> Result<(), Exit> {
     let mut expected: Option<Samples> = None;
-    let mut agree = true;
     for engine in ENGINES {
         bar.set_message(format!("{} {} {engine}", axis.name, block.program.block));
         let (bits, first) = match engine::run(engine, axis, block, inputs) {
@@ -61,13 +66,15 @@ fn every_engine(axis: &Axis, block: &Block, inputs: &Samples, bar: &ProgressBar)
             Err(Failure::Environment(text)) => return Err(Exit::environment(text)),
             Err(failure) => return Err(Exit::environment(format!("engine {engine}: {failure}"))),
         };
-        agree &= first.is_empty() && bits == "0";
+        let failure = (!first.is_empty() || bits != "0").then(|| format!("{bits} differing bits; {first}"));
+        let name = format!("{} {engine}", block.program.block);
+        outcomes.push(Outcome { group: axis.name.clone(), name, failure });
         let is_reference = if engine == Engine::Reference { "(reference)" } else { &bits };
         let (name, block, samples) = (&axis.name, block.program.block, inputs.len());
         bar.suspend(|| println!("{name:<20} {block:<8} {engine:<10} {samples:>10} {is_reference:>15}  {first}"));
         bar.inc(1);
     }
-    Ok(agree)
+    Ok(())
 }
 
 fn place(place: Place) -> String {

@@ -3,8 +3,8 @@
 use super::value::shown;
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place};
-use std::fs::File;
-use std::io::{self, Read};
+use std::fs::{self, File};
+use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 
 /// How files are read.
@@ -27,14 +27,20 @@ pub const LARGEST: u64 = 64 << 20;
 /// # Errors
 /// If the system does not let us, or the file is too large.
 pub fn load(path: &Path) -> Result<Vec<u8>, Unreadable> {
-    let mut bytes = Vec::new();
-    let file = File::open(path).map_err(of_system)?;
-    let expected = file.metadata().map_or(0, |metadata| metadata.len());
-    if expected > LARGEST {
+    // Opening a pipe waits for somebody to write into it, a device never ends: both are told before.
+    let metadata = fs::metadata(path).map_err(of_system)?;
+    if metadata.is_dir() {
+        return Err(of_system(ErrorKind::IsADirectory.into()));
+    }
+    if !metadata.is_file() {
+        return Err(Unreadable::System("it is no regular file, but a device, a pipe or a socket".to_owned()));
+    }
+    if metadata.len() > LARGEST {
         return Err(Unreadable::TooLarge);
     }
-    bytes.reserve_exact(usize::try_from(expected).unwrap_or(0) + 1);
-    // A device says that it is empty and never ends.
+    let file = File::open(path).map_err(of_system)?;
+    let mut bytes = Vec::with_capacity(usize::try_from(metadata.len()).unwrap_or(0) + 1);
+    // Some regular files of the system say that they are empty, and others grow.
     file.take(LARGEST + 1).read_to_end(&mut bytes).map_err(of_system)?;
     if bytes.len() as u64 > LARGEST { Err(Unreadable::TooLarge) } else { Ok(bytes) }
 }
@@ -42,16 +48,18 @@ pub fn load(path: &Path) -> Result<Vec<u8>, Unreadable> {
 /// The same words on every host, without the system's number.
 fn of_system(error: io::Error) -> Unreadable {
     Unreadable::System(match error.kind() {
-        io::ErrorKind::NotFound => "there is no such file".to_owned(),
-        io::ErrorKind::PermissionDenied => "no permission to read it".to_owned(),
-        io::ErrorKind::IsADirectory => "it is a folder".to_owned(),
+        ErrorKind::NotFound => "there is no such file".to_owned(),
+        ErrorKind::PermissionDenied => "no permission to read it".to_owned(),
+        ErrorKind::IsADirectory => "it is a folder".to_owned(),
+        ErrorKind::NotADirectory => "a part of its path is no folder".to_owned(),
+        ErrorKind::InvalidInput => "no file can have this name".to_owned(),
         _ => error.to_string(),
     })
 }
 
 impl Unreadable {
     /// The message about a file, at the place where it is named.
-    pub(super) fn diagnostic(self, file: &str, place: Place) -> Diagnostic {
+    pub(crate) fn diagnostic(self, file: &str, place: Place) -> Diagnostic {
         let file = shown(file);
         match self {
             Self::TooLarge => {

@@ -1,8 +1,7 @@
-//! Reading an axis list: `path value` lines, comments, bytes. No default, no range, no rule, no file access.
-//!
-//! A `#`, or a `(` at the start of a line or behind a blank, begins a comment, in which every byte is legal.
+//! Reading an axis list: what its lines say. No default, no range, no rule, no file access; `lines.rs` splits the lines.
 
 use super::closest;
+use super::lines::{self, Content, Statement};
 use super::path::{self, Path};
 use super::source::Source;
 use super::value::{self, Refused};
@@ -10,7 +9,6 @@ use super::values::{Setting, Values};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Name, Scope, Value, path_with};
-use std::io::BufRead;
 
 /// What an axis list holds.
 #[derive(Debug)]
@@ -31,29 +29,42 @@ const UNREADABLE_LINES: usize = 20;
 /// Reads an axis list.
 #[must_use]
 pub fn read<'a>(source: &'a Source<'a>) -> List<'a> {
+    read_where(source, |_, _| false)
+}
+
+/// The same for a list whose lines are kept as they are: in the line of a parameter of another function a byte that only a
+/// comment may have is a warning.
+#[must_use]
+pub fn read_to_keep<'a>(source: &'a Source<'a>) -> List<'a> {
+    read_where(source, |text, bad| {
+        let text = text[..bad].trim_ascii_start();
+        let path = text.iter().position(|byte| matches!(byte, b' ' | b'\t')).map(|end| &text[..end]);
+        let path = path.and_then(|path| str::from_utf8(path).ok());
+        path.is_some_and(|path| path::find(path) == Path::Foreign && !closest::is_ours(path))
+    })
+}
+
+/// Reads a list; `tolerated` tells whether a line may have its bad byte, which is at that place.
+fn read_where<'a>(source: &'a Source<'a>, tolerated: impl Fn(&[u8], usize) -> bool) -> List<'a> {
     let mut list = List { values: Values::default(), foreign: 0, report: Report::default(), complete: true };
     let mut unreadable = 0;
-    // Some editors put a byte order mark before the text.
-    let mut next = if source.bytes.starts_with(b"\xEF\xBB\xBF") { 3 } else { 0 };
-    while next < source.bytes.len() {
-        let start = next;
-        // Reading from memory cannot fail; of the standard library's ways to the next line this is the fastest.
-        next += (&source.bytes[start..]).skip_until(b'\n').unwrap_or(source.bytes.len() - start);
-        let line = &source.bytes[start..next];
-        match statement(line.strip_suffix(b"\n").unwrap_or(line)) {
-            Ok(None) => {}
-            Ok(Some(statement)) => {
-                if list.take(source, start, &statement) {
-                    continue;
-                }
-                unreadable += 1;
+    for line in lines::split(source.bytes).1 {
+        let readable = match line.content {
+            Content::Remark { .. } => true,
+            Content::Statement(statement) => list.take(source, line.at, &statement),
+            Content::Unreadable { text, at } if tolerated(text, at) => {
+                let Diagnostic { place, found, .. } = bad_byte(source, line.at + at);
+                list.report.push(Diagnostic::warning(codes::BYTE, place, found));
+                list.foreign += 1;
+                true
             }
-            Err(at) => {
-                list.report.push(bad_byte(source, start + at));
-                unreadable += 1;
+            Content::Unreadable { at, .. } => {
+                list.report.push(bad_byte(source, line.at + at));
+                false
             }
-        }
-        if unreadable == UNREADABLE_LINES {
+        };
+        unreadable += usize::from(!readable);
+        if !readable && unreadable == UNREADABLE_LINES {
             let found = format!("{UNREADABLE_LINES} lines that no axis list has; the rest is not read");
             list.report
                 .push(Diagnostic::error(codes::NO_LIST, source.whole(), found).instead("the name of an axis list"));
@@ -64,58 +75,11 @@ pub fn read<'a>(source: &'a Source<'a>) -> List<'a> {
     list
 }
 
-/// A line without its comment.
-#[derive(Debug, PartialEq, Eq)]
-struct Statement<'l> {
-    path: &'l str,
-    path_at: usize,
-    /// empty if there is none
-    value: &'l str,
-    value_at: usize,
-}
-
-/// The bytes that neither begin a comment nor are illegal outside of one. A list is mostly these.
-static PLAIN: [bool; 256] = {
-    let mut plain = [false; 256];
-    let mut byte = b' ';
-    while byte <= b'~' {
-        plain[byte as usize] = byte != b'#' && byte != b'(';
-        byte += 1;
-    }
-    plain[b'\t' as usize] = true;
-    plain
-};
-
-/// What a line says; or where it has a byte that is legal in a comment only.
-fn statement(line: &[u8]) -> Result<Option<Statement<'_>>, usize> {
-    let is_blank = |byte: &u8| matches!(byte, b' ' | b'\t');
-    let line = line.strip_suffix(b"\r").unwrap_or(line);
-    let mut end = 0;
-    loop {
-        end += line[end..].iter().position(|byte| !PLAIN[usize::from(*byte)]).unwrap_or(line.len() - end);
-        match line.get(end) {
-            None | Some(b'#') => break,
-            Some(b'(') if end == 0 || is_blank(&line[end - 1]) => break,
-            Some(b'(') => end += 1,
-            Some(_) => return Err(end),
-        }
-    }
-    let Ok(text) = str::from_utf8(&line[..end]) else { return Err(0) };
-    let text = text.trim_ascii_end();
-    let path_at = text.len() - text.trim_ascii_start().len();
-    if path_at == text.len() {
-        return Ok(None);
-    }
-    let path_end =
-        text.bytes().skip(path_at).position(|byte| is_blank(&byte)).map_or(text.len(), |length| path_at + length);
-    let value = text[path_end..].trim_ascii_start();
-    Ok(Some(Statement { path: &text[path_at..path_end], path_at, value, value_at: text.len() - value.len() }))
-}
-
 impl<'a> List<'a> {
     /// Takes what a line says; false if it is no line of a list.
     fn take(&mut self, source: &'a Source<'a>, start: usize, statement: &Statement<'_>) -> bool {
-        let &Statement { path: written, path_at, value, value_at } = statement;
+        let &Statement { path: written, value, .. } = statement;
+        let (path_at, value_at) = (statement.path_at(), statement.value_at());
         let place = || source.place(start + path_at);
         match path::find(written) {
             Path::Known { name, .. } if name.parameter().scope != Scope::List => {
@@ -209,36 +173,5 @@ fn instead_of_key(name: Name) -> String {
     match name {
         Name::CycleTime => "the option --cycle-time".to_owned(),
         _ => format!("`{}` in a TOML set whose axis names this list", name.parameter().short()),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn parts(line: &str) -> Option<(&str, &str)> {
-        statement(line.as_bytes()).unwrap().map(|statement| (statement.path, statement.value))
-    }
-
-    #[test]
-    fn statements_and_comments() {
-        assert_eq!(parts("a.b 1"), Some(("a.b", "1")));
-        assert_eq!(parts(" \ta.b\t 1 \t\r"), Some(("a.b", "1")));
-        assert_eq!(parts("a.b 1#c"), Some(("a.b", "1")));
-        assert_eq!(parts("a.b\t1\t( P-AXIS-00001 : x"), Some(("a.b", "1")));
-        assert_eq!(parts("a.b"), Some(("a.b", "")));
-        assert_eq!(parts("a.b VEL ACC"), Some(("a.b", "VEL ACC")));
-        for comment in ["", "  ", "\r", "# a 1", "(a 1", "  ( a", "#\u{e4}"] {
-            assert_eq!(parts(comment), None, "{comment:?}");
-        }
-    }
-
-    #[test]
-    fn bytes_that_only_a_comment_may_have() {
-        assert_eq!(statement(b"a \xE4"), Err(2));
-        assert_eq!(statement(b"a\0 1"), Err(1));
-        assert_eq!(statement(b"a 1\r#"), Err(3));
-        assert_eq!(statement(b"a 1 # \xE4\0").unwrap().unwrap().value, "1");
-        assert_eq!(statement(b"a 1 (\xB0").unwrap().unwrap().value, "1");
     }
 }

@@ -1,6 +1,7 @@
 //! From a file to its checked axes: a TOML set or one axis list. The only place that reads files; no rule is here.
 //!
 //! ```text
+//! lines        a list's bytes <-> the parts of its lines
 //! list, set    lines or tables -> (path, text)
 //! path         path -> parameter and indices        closest  the name that was meant
 //! value        text -> value of the parameter's kind
@@ -8,14 +9,15 @@
 //! ```
 //! Then [`crate::check`] turns the values of an axis into an [`Axis`].
 
-mod axis_name;
+pub(crate) mod axis_name;
 mod closest;
-mod file;
-mod list;
-mod path;
-mod set;
-mod source;
-mod value;
+pub(crate) mod file;
+pub(crate) mod lines;
+pub(crate) mod list;
+pub(crate) mod path;
+pub(crate) mod set;
+pub(crate) mod source;
+pub(crate) mod value;
 mod values;
 
 pub use file::{Load, Unreadable};
@@ -62,7 +64,7 @@ pub fn read(path: &Path, options: &ListOptions) -> (Option<Set>, Report) {
 #[must_use]
 pub fn read_with(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<Set>, Report) {
     let mut report = Report::default();
-    let name = path.display().to_string();
+    let name = named(path);
     let set = match load(path) {
         Err(unreadable) => {
             report.push(unreadable.diagnostic(&name, Place { file: name.clone(), line: 0, column: 0 }));
@@ -74,7 +76,30 @@ pub fn read_with(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<
         }
         Ok(bytes) => read_list(path, &Source::of(&name, &bytes), options, &mut report),
     };
-    (if report.has_errors() { None } else { Some(set) }, report)
+    (if report.has_errors() { None } else { Some(set) }, shortened(report))
+}
+
+/// More messages than these are not listed, but counted: nobody reads them, and a file of 64 MiB can ask for millions.
+const MOST_MESSAGES: usize = 1000;
+
+fn shortened(mut report: Report) -> Report {
+    if report.diagnostics.len() > MOST_MESSAGES {
+        let rest = Report { diagnostics: report.diagnostics.split_off(MOST_MESSAGES) };
+        let place = report.diagnostics[MOST_MESSAGES - 1].place.clone();
+        let place = Place { line: 0, column: 0, ..place };
+        let found = format!("{} more messages are not listed", rest.diagnostics.len());
+        report.push(match rest.has_errors() {
+            true => Diagnostic::error(codes::NOT_LISTED, place, found),
+            false => Diagnostic::warning(codes::NOT_LISTED, place, found),
+        });
+    }
+    report
+}
+
+/// How messages name a file: a line each, whatever its name is.
+fn named(path: &Path) -> String {
+    let name = path.display().to_string();
+    if name.contains(char::is_control) { name.chars().flat_map(char::escape_debug).collect() } else { name }
 }
 
 fn read_set(path: &Path, source: &Source<'_>, load: Load<'_>, report: &mut Report) -> Set {
@@ -118,7 +143,7 @@ fn read_axis(
         return (checked(axis.name, cycle_time, &keys, home, &mut report), 0, report);
     };
     let path = folder.join(list);
-    let name = path.display().to_string();
+    let name = named(&path);
     let bytes = match load(&path) {
         Ok(bytes) => bytes,
         Err(unreadable) => {

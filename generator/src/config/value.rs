@@ -22,7 +22,7 @@ pub struct Refused {
 
 impl Refused {
     /// The message about a parameter, whose path is as it was written.
-    pub(super) fn diagnostic(self, name: Name, written: &str, place: Place) -> Diagnostic {
+    pub(crate) fn diagnostic(self, name: Name, written: &str, place: Place) -> Diagnostic {
         let id = name.parameter().id.map_or(String::new(), |id| format!(" ({id})"));
         let found = format!("`{written}`{id} {}", self.found);
         Diagnostic { instead: self.instead, ..Diagnostic::error(self.code, place, found).allowed(self.allowed) }

@@ -89,6 +89,20 @@ table! {
     }
     /// file of the axis list, relative to the set; keys beside it override the list
     List: AXIS_KEY { path: "list" }
+    /// axis list that the axis was imported from, line by line, for `axgen export`; `=` stands where the axis has the value
+    ImportedLines: AXIS_KEY { path: "imported_list.lines" }
+    /// what a character of these lines stands for: its bytes in UTF-8, or the one byte of its number
+    ImportedEncoding: AXIS_KEY {
+        path: "imported_list.encoding",
+        kind: Kind::Word(&[word("utf-8"), word("latin-1")]),
+        default: &["utf-8"],
+    }
+    /// how every one of these lines ends
+    ImportedLineEnd: AXIS_KEY {
+        path: "imported_list.line_end",
+        kind: Kind::Word(&[word("LF"), word("CRLF")]),
+        default: &["LF"],
+    }
     /// real type of the generated blocks: double or single precision
     RealType: AXIS_KEY {
         path: "real",

@@ -69,6 +69,8 @@ pub struct CBlock {
     pub init: String,
     /// body of `step`
     pub step: String,
+    /// what is certain of its range, and its measured response
+    pub certificate: String,
     /// samples of the self-test
     pub samples: usize,
     /// the self-test

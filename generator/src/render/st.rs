@@ -21,6 +21,8 @@ pub struct Origin<'a> {
     pub parameters_digest: &'a str,
     /// digest of the file
     pub body_digest: &'a str,
+    /// what is certain of the blocks in the file, and their measured response; empty where there is no block
+    pub certificate: &'a str,
 }
 
 /// One block.

@@ -8,7 +8,7 @@ use crate::render::{ConstantText, Group, Member};
 use portable::Literal;
 
 /// Characters in a line of a comment, without the marks around it.
-const COMMENT_WIDTH: usize = 110;
+pub const COMMENT_WIDTH: usize = 110;
 
 /// How a language writes what is listed.
 pub struct Language<'l> {
@@ -73,8 +73,7 @@ impl Language<'_> {
 
     /// Notes as the inside of one comment.
     fn note(&self, notes: &[&str]) -> String {
-        let lines = notes.iter().flat_map(|note| comment::lines(&comment::harmless(note), COMMENT_WIDTH));
-        lines.collect::<Vec<_>>().join(self.next_line)
+        comment::wrapped(notes, COMMENT_WIDTH, self.next_line)
     }
 }
 

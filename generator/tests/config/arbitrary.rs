@@ -2,6 +2,7 @@
 
 use super::{IPC, read_list, read_set};
 use generator::codes::CODES;
+use generator::diagnostics::Report;
 use proptest::prelude::*;
 
 /// Pieces from which lists and sets are made, so that random files come past the first line.
@@ -57,6 +58,82 @@ fn pieces() -> impl Strategy<Value = Vec<u8>> {
     prop::collection::vec(piece, 0..60).prop_map(|pieces| pieces.concat().into_bytes())
 }
 
+/// A valid list and a valid set, which nothing is said about.
+fn valid() -> [String; 2] {
+    let list = super::direct("").replace("ipc.", IPC);
+    let examples = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples");
+    let set = std::fs::read_to_string(format!("{examples}/machine.toml")).unwrap();
+    [list, set]
+}
+
+/// One change of a file.
+#[derive(Clone, Debug)]
+enum Change {
+    Flip { at: usize, bit: u8 },
+    Put { at: usize, byte: u8 },
+    Cut { at: usize, length: usize },
+    Copy { from: usize, length: usize, to: usize },
+    End { at: usize },
+}
+
+fn changes() -> impl Strategy<Value = Vec<Change>> {
+    let at = || any::<usize>();
+    let change = prop_oneof![
+        4 => (at(), 0..8_u8).prop_map(|(at, bit)| Change::Flip { at, bit }),
+        2 => (at(), any::<u8>()).prop_map(|(at, byte)| Change::Put { at, byte }),
+        2 => (at(), 1..40_usize).prop_map(|(at, length)| Change::Cut { at, length }),
+        2 => (at(), 1..200_usize, at()).prop_map(|(from, length, to)| Change::Copy { from, length, to }),
+        1 => at().prop_map(|at| Change::End { at }),
+    ];
+    prop::collection::vec(change, 1..6)
+}
+
+fn changed(text: &str, changes: &[Change]) -> Vec<u8> {
+    let mut bytes = text.as_bytes().to_vec();
+    for change in changes {
+        let length = bytes.len();
+        let place = |at: usize| at % (length + 1);
+        match *change {
+            Change::Flip { at, bit } => {
+                if let Some(byte) = bytes.get_mut(place(at)) {
+                    *byte ^= 1 << bit;
+                }
+            }
+            Change::Put { at, byte } => bytes.insert(place(at), byte),
+            Change::Cut { at, length: cut } => drop(bytes.drain(place(at)..length.min(place(at) + cut))),
+            Change::Copy { from, length: copied, to } => {
+                let piece = bytes[place(from)..length.min(place(from) + copied)].to_vec();
+                bytes.splice(place(to)..place(to), piece);
+            }
+            Change::End { at } => bytes.truncate(place(at)),
+        }
+    }
+    bytes
+}
+
+/// What is said has a place in the file, a code of the list, and a line for each of its parts.
+fn assert_well_said(bytes: &[u8], report: &Report) {
+    let lines = bytes.split(|byte| *byte == b'\n').count();
+    for diagnostic in &report.diagnostics {
+        assert!(diagnostic.place.line <= lines, "{diagnostic}");
+        assert!(CODES.iter().any(|code| code.code == diagnostic.code), "{diagnostic}");
+        assert!(!diagnostic.to_string().contains(|c: char| c.is_control() && c != '\n'), "{diagnostic}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1000))]
+    #[test]
+    fn changes_of_valid_files(changes in changes()) {
+        let [list, set] = valid();
+        let bytes = changed(&list, &changes);
+        assert_well_said(&bytes, &read_list(&bytes).1);
+        let bytes = changed(&set, &changes);
+        // The lists that it names are not there: whatever else is wrong is said beside that.
+        assert_well_said(&bytes, &read_set(&bytes).1);
+    }
+}
+
 proptest! {
     #[test]
     fn any_bytes(bytes in prop::collection::vec(any::<u8>(), 0..2000)) {
@@ -88,7 +165,9 @@ proptest! {
 fn one_long_line() {
     let many = "{ '\u{e4}\u{e4}' = 1, b = 2 }, ".repeat(50_000);
     let (_, report) = read_set(format!("cycle_time = \"1ms\"\n[axis.X]\ngetriebe = [{many}]"));
-    assert!(report.diagnostics.len() >= 50_000);
+    let last = report.diagnostics.last().unwrap().to_string();
+    assert_eq!(report.diagnostics.len(), 1001);
+    assert_eq!(last, "set.toml: error[AX010]: 99000 more messages are not listed");
 }
 
 #[test]
@@ -107,6 +186,7 @@ fn deep_nesting() {
 fn every_code_has_a_test() {
     let tests = [
         include_str!("advice.rs"),
+        include_str!("arbitrary.rs"),
         include_str!("files.rs"),
         include_str!("list.rs"),
         include_str!("rules.rs"),

@@ -7,8 +7,8 @@ use crate::block::Block;
 use crate::digest::{UNSEALED, digest, seal};
 use crate::program::{Expr, Program, Type, Variable};
 use crate::render::{CBlock, CFile, CHeader, CSelfTest, CSource, Noisy, Switch};
-use crate::target::outline::Language;
-use crate::target::{File, stem};
+use crate::target::outline::{COMMENT_WIDTH, Language};
+use crate::target::{File, comment, stem};
 use askama::Template;
 use portable::{Intrinsic, Literal, RealKind};
 
@@ -75,6 +75,7 @@ fn block_text(stem: &str, block: &Block) -> CBlock {
         constants: language.groups(block, program, printer.constants()),
         init: printer.body(&program.init),
         step: printer.body(&program.step),
+        certificate: comment::wrapped(&block.certificate, COMMENT_WIDTH, "\n * "),
         samples: block.self_test.expected.len(),
         self_test: self_test(&prefix, block),
         prefix,

@@ -8,7 +8,8 @@ use crate::block::Block;
 use crate::digest::{UNSEALED, digest};
 use crate::program::{Program, Type};
 use crate::render::{Group, Member, Origin, StBlock};
-use crate::target::outline::Language;
+use crate::target::comment;
+use crate::target::outline::{COMMENT_WIDTH, Language};
 use askama::Template;
 
 /// A block with the name that a file gives it.
@@ -55,9 +56,10 @@ fn with_form(wanted: Form, forms: &[Form], groups: &[Group]) -> Vec<Group> {
     chosen.filter(|group| !group.constants.is_empty()).collect()
 }
 
-/// The comment at the top of an axis's file.
+/// The comment at the top of an axis's file, which holds these blocks.
 #[must_use]
-pub fn origin(axis: &Axis, file: &str) -> String {
+pub fn origin(axis: &Axis, file: &str, blocks: &[Block]) -> String {
+    let certificates: Vec<&String> = blocks.iter().flat_map(|block| &block.certificate).collect();
     let origin = Origin {
         file,
         version: env!("CARGO_PKG_VERSION"),
@@ -66,6 +68,7 @@ pub fn origin(axis: &Axis, file: &str) -> String {
         cycle_time_ns: axis.cycle_time_ns,
         parameters_digest: &digest(axis.canonical.as_bytes()),
         body_digest: UNSEALED,
+        certificate: &comment::wrapped(&certificates, COMMENT_WIDTH, "\n   "),
     };
     origin.render().expect("st: the comment at the top is filled")
 }

@@ -17,11 +17,11 @@ use askama::Template;
 pub fn files(axis: &Axis, blocks: &[Block]) -> Vec<File> {
     let stem = stem(&axis.name);
     let name = format!("{stem}.xml");
+    let origin = origin(axis, &name, blocks);
     let blocks: Vec<_> = blocks
         .iter()
         .map(|block| listing(format!("{stem}_{}", block.program.block), block, block.program.clone(), CODESYS))
         .collect();
-    let origin = origin(axis, &name);
     let file = CodesysFile { origin: &origin, version: env!("CARGO_PKG_VERSION"), name: &stem, blocks: &blocks };
     let text = file.render().expect("codesys: the file's template is filled") + "\n";
     vec![File { name, text: seal(text) }]

@@ -17,11 +17,12 @@ use askama::Template;
 pub fn files(axis: &Axis, blocks: &[Block]) -> Vec<File> {
     let stem = stem(&axis.name);
     let name = format!("{stem}.st");
+    let origin = origin(axis, &name, blocks);
     let blocks: Vec<_> = blocks
         .iter()
         .map(|block| listing(format!("{stem}_{}", block.program.block), block, block.program.clone(), PLAIN))
         .collect();
-    let file = PlainFile { origin: &origin(axis, &name), blocks: &blocks };
+    let file = PlainFile { origin: &origin, blocks: &blocks };
     let text = file.render().expect("st: the file's template is filled") + "\n";
     vec![File { name, text: seal(text) }]
 }

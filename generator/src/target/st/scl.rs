@@ -17,11 +17,12 @@ use askama::Template;
 pub fn files(axis: &Axis, blocks: &[Block]) -> Vec<File> {
     let stem = stem(&axis.name);
     let name = format!("{stem}.scl");
+    let origin = origin(axis, &name, blocks);
     let blocks: Vec<_> = blocks
         .iter()
         .map(|block| listing(format!("FB_{stem}_{}", block.program.block), block, block.program.clone(), SCL))
         .collect();
-    let file = SclFile { origin: &origin(axis, &name), blocks: &blocks };
+    let file = SclFile { origin: &origin, blocks: &blocks };
     let text = file.render().expect("scl: the file's template is filled") + "\n";
     vec![File { name, text: seal(text) }]
 }

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  e86ef3521bc21a1c20e36a31fa066f0a
- * body        8562c75887623e15f6cef34eed7dcc3b
+ * body        5b3e0804824b407342340b42c47acc54
  */
 #ifndef AXIS_Y_H
 #define AXIS_Y_H
@@ -15,6 +15,16 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* range: |v| <= 400000 gives |v_add| <= 840601.9 before the limit and no |state| above 1348809; for |v| <= 1e15:
+ * 3.372021e15, within double precision
+ * stage[0] at 36 Hz: designed 0.8 at -90.30454 deg, measured 0.8 at -90.30454 deg; at 31.76085 Hz: designed
+ * 0.5656854 at 37.67601 deg, measured 0.5656854 at 37.67601 deg; at 40.76085 Hz: designed 0.5656854 at 156.1244
+ * deg, measured 0.5656854 at 156.1244 deg
+ * stage[1] at 18 Hz: designed 0.6363961 at -124.6381 deg, measured 0.6363961 at -124.6381 deg; at 15.24407 Hz:
+ * designed 0.4669993 at -8.394353 deg, measured 0.4669993 at -8.394353 deg; at 21.24407 Hz: designed 0.3950192
+ * at 126.0853 deg, measured 0.3950192 at 126.0853 deg
+ * largest deviation of measured from designed: 1.5e-14 */
 
 /* Written by the caller. axis_y_ipc_inputs_init fills in what is said to be the start. */
 typedef struct {

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  dd3714341cc42b999aed7c65c021489b
- * body        25ec50c536bcb1cbad0e3071b300237c
+ * body        3f44a7e67cf3425ee4faf5c6bbef1657
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,6 +15,19 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* range: |v| <= 500000 gives |v_add| <= 1925406 before the limit and no |state| above 726487; for |v| <= 1e15:
+ * 3.850812e15, within double precision
+ * stage[0] at 60 Hz: designed 0.8490583 at 147.9946 deg, measured 0.8490583 at 147.9946 deg; at 54.28497 Hz:
+ * designed 0.6142021 at -162.3969 deg, measured 0.6142021 at -162.3969 deg; at 66.28497 Hz: designed 0.5798319
+ * at 98.26851 deg, measured 0.5798319 at 98.26851 deg
+ * stage[1] at 70 Hz: designed 1.179248 at 147.9946 deg, measured 1.179248 at 147.9946 deg; at 63.32637 Hz:
+ * designed 0.8531858 at -162.3572 deg, measured 0.8531858 at -162.3572 deg; at 77.32637 Hz: designed 0.805031 at
+ * 98.22669 deg, measured 0.805031 at 98.22669 deg
+ * stage[2] at 80 Hz: designed 1 at 180 deg, measured 1 at 180 deg; at 72.36489 Hz: designed 0.7071068 at -135
+ * deg, measured 0.7071068 at -135 deg; at 88.36489 Hz: designed 0.7071068 at 135 deg, measured 0.7071068 at 135
+ * deg
+ * largest deviation of measured from designed: 3.0e-15 */
 
 /* Written by the caller. axis_x_ipc_inputs_init fills in what is said to be the start. */
 typedef struct {

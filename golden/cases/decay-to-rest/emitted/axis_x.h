@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e8e1f0a47ea514001e7042c1835ee7b3
- * body        ae6c63e11412a9eee10e9ef3d2a7b1d4
+ * body        8f436ca3e8175e087aa5f168cdacea79
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,6 +15,16 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* range: |v| <= 500000 gives |v_add| <= 2972567 before the limit and no |state| above 1152334; for |v| <= 1e15:
+ * 5.945134e15, within double precision
+ * stage[0] at 53 Hz: designed 3 at -90.01934 deg, measured 3 at -90.01934 deg; at 41.32125 Hz: designed 2.12132
+ * at 90.87145 deg, measured 2.12132 at 90.87145 deg; at 67.82125 Hz: designed 2.12132 at 141.5168 deg, measured
+ * 2.12132 at 141.5168 deg
+ * stage[1] at 25 Hz: designed 2.240571 at 147.9946 deg, measured 2.240571 at 147.9946 deg; at 19.51316 Hz:
+ * designed 1.642637 at -156.2785 deg, measured 1.642637 at -156.2785 deg; at 32.01316 Hz: designed 1.425985 at
+ * 91.58402 deg, measured 1.425985 at 91.58402 deg
+ * largest deviation of measured from designed: 1.2e-14 */
 
 /* Written by the caller. axis_x_ipc_inputs_init fills in what is said to be the start. */
 typedef struct {

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  748aa3626b02d1aa0e59eb14a7e1d7ca
- * body        0fbac2e25fbc876e8d8fc08ebdd58608
+ * body        b793b1cddb539138c15bee36539b0565
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,6 +15,13 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* range: |v| <= 500000 gives |v_add| <= 754047.5 before the limit and no |state| above 1354499; for |v| <= 1e15:
+ * 2.708999e15, within double precision
+ * stage[0] at 15 Hz: designed 0.8490583 at 147.9946 deg, measured 0.8490583 at 147.9946 deg; at 9.189921 Hz:
+ * designed 0.6127597 at -57.85262 deg, measured 0.6127597 at -57.85262 deg; at 24.18992 Hz: designed 0.4571263
+ * at -8.742607 deg, measured 0.4571263 at -8.742607 deg
+ * largest deviation of measured from designed: 1.1e-15 */
 
 /* Written by the caller. axis_x_ipc_inputs_init fills in what is said to be the start. */
 typedef struct {

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  54ec9fd356e63495804223a32d086383
- * body        59f8ea07822b96f7dda26226f69fcf34
+ * body        3cbf3192bdb79fb4862a07f8ec7f851d
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,6 +15,16 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* range: |v| <= 500000 gives |v_add| <= 32057880 before the limit and no |state| above 26151460; for |v| <=
+ * 1e15: 6.411576e16, within double precision
+ * stage[0] at 112.5 Hz: designed 1 at 0 deg, measured 1 at 0 deg; at 12.19175 Hz: designed 0.7071068 at
+ * -47.58262 deg, measured 0.7071068 at -47.58262 deg; at 124.6917 Hz: designed 0.7071068 at 47.58262 deg,
+ * measured 0.7071068 at 47.58262 deg
+ * stage[1] at 112.5 Hz: designed 0.8236504 at 150.9454 deg, measured 0.8236504 at 150.9454 deg; at 105.706 Hz:
+ * designed 0.5999962 at -94.3605 deg, measured 0.5999962 at -94.3605 deg; at 116.956 Hz: designed 0.4810504 at
+ * 33.834 deg, measured 0.4810504 at 33.834 deg
+ * largest deviation of measured from designed: 7.0e-12 */
 
 /* Written by the caller. axis_x_ipc_inputs_init fills in what is said to be the start. */
 typedef struct {

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  325f959a8a6307105ae6363b76420ebf
- * body        23e0c134f980d283ecdb0e632ad96de8
+ * body        381849306e910f256426867ac3e469fa
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,6 +15,12 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* range: |v| <= 500000 gives |v_add| <= 2110465 before the limit and no |state| above 886710.8; for |v| <= 1e15:
+ * 4.22093e15, within double precision
+ * stage[0] at 53 Hz: designed 3 at 180 deg, measured 3 at 180 deg; at 47.95452 Hz: designed 2.12132 at -90 deg,
+ * measured 2.12132 at -90 deg; at 58.55452 Hz: designed 2.12132 at 90 deg, measured 2.12132 at 90 deg
+ * largest deviation of measured from designed: 4.2e-15 */
 
 /* Written by the caller. axis_x_ipc_inputs_init fills in what is said to be the start. */
 typedef struct {

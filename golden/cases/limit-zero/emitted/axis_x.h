@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  193f65cf41125eb0de2a3a631dc99cd0
- * body        12ce0018ab8fb808a940ebf40ccc1b77
+ * body        3f6777c152689abce3b8e9aa4b4595b9
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,6 +15,10 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* range: the limit is 0, v_add is always 0; |v| <= 500000 gives no |state| above 610703; for |v| <= 1e15:
+ * 1.221406e15, within double precision
+ * response: not measured, a limit of 0 mutes the block (P-AXIS-00757) */
 
 /* Written by the caller. axis_x_ipc_inputs_init fills in what is said to be the start. */
 typedef struct {

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  62500 ns
  * parameters  d779f62a242bb193795c91e01e9ed760
- * body        90b22ef8bdf2878af6a41a5d3912db2b
+ * body        026fcd6d8a97d7220d764cc9ee435f0f
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,6 +15,16 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* range: |v| <= 500000 gives |v_add| <= 20369180 before the limit and no |state| above 8892802; for |v| <= 1e15:
+ * 4.073835e16, within double precision
+ * stage[0] at 0.016 Hz: designed 3 at 180 deg, measured 3 at 179.9999 deg; at 0.009888544 Hz: designed 2.12132
+ * at -135 deg, measured 2.121324 at -135.0001 deg; at 0.02588854 Hz: designed 2.12132 at 135 deg, measured
+ * 2.121319 at 135 deg
+ * stage[1] at 0.016 Hz: designed 2.240571 at 147.9946 deg, measured 2.240578 at 147.9945 deg; at 0.01249242 Hz:
+ * designed 1.642594 at -111.3227 deg, measured 1.642596 at -111.3227 deg; at 0.02049242 Hz: designed 1.426883 at
+ * 46.63428 deg, measured 1.426882 at 46.6341 deg
+ * largest deviation of measured from designed: 3.8e-6 */
 
 /* Written by the caller. axis_x_ipc_inputs_init fills in what is said to be the start. */
 typedef struct {

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  433be3a8b78f4c5a206df87cde7d8541
- * body        4ac270d6d571ba64f7d81c78d33e56ef
+ * body        440ac7b803f90c271c9ae2b01fd4c2f9
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,6 +15,15 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* range: |v| <= 500000 gives |v_add| <= 2126135 before the limit and no |state| above 963217.5; for |v| <= 1e15:
+ * 4.25227e15, within double precision
+ * stage[0] at 40 Hz: designed 2 at 180 deg, measured 2 at 180 deg; at 35.30473 Hz: designed 1.414214 at -135
+ * deg, measured 1.414214 at -135 deg; at 45.30473 Hz: designed 1.414214 at 135 deg, measured 1.414214 at 135 deg
+ * stage[1] at 20 Hz: designed 1.843355 at 144.4623 deg, measured 1.843355 at 144.4623 deg; at 16.9411 Hz:
+ * designed 1.34971 at -107.2404 deg, measured 1.34971 at -107.2404 deg; at 23.60776 Hz: designed 1.205678 at
+ * 35.92427 deg, measured 1.205678 at 35.92427 deg
+ * largest deviation of measured from designed: 4.8e-15 */
 
 /* Written by the caller. axis_x_ipc_inputs_init fills in what is said to be the start. */
 typedef struct {

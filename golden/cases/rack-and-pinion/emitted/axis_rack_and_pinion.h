@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9760420855774556c7bc167f08fc35fd
- * body        0ce0813675866d4438e9235d7991cb75
+ * body        f62f59ec326e590054b930d6ed7e0c63
  */
 #ifndef AXIS_RACK_AND_PINION_H
 #define AXIS_RACK_AND_PINION_H
@@ -15,6 +15,15 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* range: |v| <= 530000 gives |v_add| <= 2308249 before the limit and no |state| above 783998.6; for |v| <= 1e15:
+ * 4.355187e15, within double precision
+ * stage[0] at 53 Hz: designed 3 at 180 deg, measured 3 at 180 deg; at 50.41374 Hz: designed 2.12132 at -135 deg,
+ * measured 2.12132 at -135 deg; at 55.71374 Hz: designed 2.12132 at 135 deg, measured 2.12132 at 135 deg
+ * stage[1] at 11 Hz: designed 2.240571 at 147.9946 deg, measured 2.240571 at 147.9946 deg; at 8.588009 Hz:
+ * designed 1.642602 at -156.3142 deg, measured 1.642602 at -156.3142 deg; at 14.08801 Hz: designed 1.42671 at
+ * 91.62457 deg, measured 1.42671 at 91.62457 deg
+ * largest deviation of measured from designed: 7.8e-15 */
 
 /* Written by the caller. axis_rack_and_pinion_ipc_inputs_init fills in what is said to be the start. */
 typedef struct {

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  882eaa05ff123070aefdad1bed2341f1
- * body        90e803a99a956bf5600bdbca5f0bbb85
+ * body        6d343fd8d0e1611c7bb821f263b1db47
  */
 #ifndef AXIS_S_H
 #define AXIS_S_H
@@ -15,6 +15,12 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* range: |v| <= 36000000 gives |v_add| <= 50955800 before the limit and no |state| above 64333590; for |v| <=
+ * 1e15: 1.787044e15, within double precision
+ * stage[0] at 250 Hz: designed 1 at 180 deg, measured 1 at 180 deg; at 220.6706 Hz: designed 0.7071068 at -90
+ * deg, measured 0.7071068 at -90 deg; at 283.1706 Hz: designed 0.7071068 at 90 deg, measured 0.7071068 at 90 deg
+ * largest deviation of measured from designed: 1.9e-14 */
 
 /* Written by the caller. axis_s_ipc_inputs_init fills in what is said to be the start. */
 typedef struct {

@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  62500 ns
  * parameters  bad0c99249e15f6dcaf94ab9de408464
- * body        9edd0048dd2b42ac2adb54145efb935c
+ * body        e0a3ea04bf090cec3ee05292b45882ae
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,6 +15,13 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* range: |v| <= 500000 gives |v_add| <= 1333728 before the limit and no |state| above 1569157; for |v| <=
+ * 1000000000: 3138315000, within single precision
+ * stage[0] at 160 Hz: designed 1.943651 at 120.9638 deg, measured 1.943544 at 120.9564 deg; at 150.3118 Hz:
+ * designed 1.409768 at -129.3353 deg, measured 1.409818 at -129.3446 deg; at 170.3118 Hz: designed 1.286007 at
+ * 11.30921 deg, measured 1.285909 at 11.30555 deg
+ * largest deviation of measured from designed: 1.7e-4 */
 
 /* Written by the caller. axis_x_ipc_inputs_init fills in what is said to be the start. */
 typedef struct {

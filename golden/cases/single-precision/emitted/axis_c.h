@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  0b73ef9889eaa78feb24d16a4842c593
- * body        8fa60be7f0c769c182312a0cf47826da
+ * body        1dca04c25208079e1ea40091036d6d9b
  */
 #ifndef AXIS_C_H
 #define AXIS_C_H
@@ -15,6 +15,19 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* range: |v| <= 180000 gives |v_add| <= 1093843 before the limit and no |state| above 496919; for |v| <=
+ * 1000000000: 6076905000, within single precision
+ * stage[0] at 53 Hz: designed 2.5 at -61.59105 deg, measured 2.500001 at -61.59107 deg; at 44.87068 Hz: designed
+ * 1.767767 at 179.0048 deg, measured 1.767765 at 179.0049 deg; at 62.53735 Hz: designed 1.767767 at 108.5885
+ * deg, measured 1.767769 at 108.5886 deg
+ * stage[1] at 17.5 Hz: designed 1.474684 at 144.4623 deg, measured 1.474683 at 144.4615 deg; at 14.82376 Hz:
+ * designed 1.079758 at -141.1968 deg, measured 1.079767 at -141.1975 deg; at 20.65709 Hz: designed 0.9646037 at
+ * 69.88095 deg, measured 0.964597 at 69.88049 deg
+ * stage[2] at 64 Hz: designed 0.8490583 at 147.9946 deg, measured 0.8490583 at 147.9946 deg; at 57.90185 Hz:
+ * designed 0.614237 at -133.0515 deg, measured 0.6142374 at -133.0515 deg; at 70.70185 Hz: designed 0.5797523 at
+ * 68.92228 deg, measured 0.5797522 at 68.92225 deg
+ * largest deviation of measured from designed: 1.5e-5 */
 
 /* Written by the caller. axis_c_ipc_inputs_init fills in what is said to be the start. */
 typedef struct {

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  fe27a53621d21cb7269ec91c9ce5f9db
- * body        3f778a053447b584cdfce5abc1ce475d
+ * body        ef25326725cd3d5ab16f4f623a046480
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,6 +15,19 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* range: |v| <= 500000 gives |v_add| <= 3836786 before the limit and no |state| above 2361588; for |v| <= 1e15:
+ * 7.673571e15, within double precision
+ * stage[0] at 53 Hz: designed 1.5 at -90.01934 deg, measured 1.5 at -90.01934 deg; at 50.41374 Hz: designed
+ * 1.06066 at 4.135181 deg, measured 1.06066 at 4.135181 deg; at 55.71374 Hz: designed 1.06066 at 178.1413 deg,
+ * measured 1.06066 at 178.1413 deg
+ * stage[1] at 11 Hz: designed 2.240571 at -152.4249 deg, measured 2.240571 at -152.4249 deg; at 8.588009 Hz:
+ * designed 1.642602 at 43.02606 deg, measured 1.642602 at 43.02606 deg; at 14.08801 Hz: designed 1.42671 at
+ * 39.76779 deg, measured 1.42671 at 39.76779 deg
+ * stage[2] at 90 Hz: designed 0.3769615 at -158.4714 deg, measured 0.3769615 at -158.4714 deg; at 80.49367 Hz:
+ * designed 0.2546854 at 2.401863 deg, measured 0.2546854 at 2.401863 deg; at 100.4937 Hz: designed 0.2081449 at
+ * 52.42694 deg, measured 0.2081449 at 52.42694 deg
+ * largest deviation of measured from designed: 9.3e-14 */
 
 /* Written by the caller. axis_x_ipc_inputs_init fills in what is said to be the start. */
 typedef struct {

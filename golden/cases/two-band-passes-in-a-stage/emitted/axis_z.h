@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  6a0aecbe02b54a57c0c2078dc887a241
- * body        5824d4df88fbcac822158bb4d07d9f40
+ * body        7ce91391e263b10b4a427094d8e45728
  */
 #ifndef AXIS_Z_H
 #define AXIS_Z_H
@@ -15,6 +15,22 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* range: |v| <= 300000 gives |v_add| <= 1365423 before the limit and no |state| above 537931.5; for |v| <= 1e15:
+ * 4.551409e15, within double precision
+ * stage[0] at 200 Hz: designed 0.4984921 at -172.2985 deg, measured 0.4984921 at -172.2985 deg; at 169.4028 Hz:
+ * designed 0.2891435 at -31.38419 deg, measured 0.2891435 at -31.38419 deg; at 236.0695 Hz: designed 0.317806 at
+ * 46.1078 deg, measured 0.317806 at 46.1078 deg
+ * stage[0] at 205 Hz: designed 0.4998796 at 167.9088 deg, measured 0.4998796 at 167.9088 deg; at 160.0054 Hz:
+ * designed 0.1703672 at 7.557069 deg, measured 0.1703672 at 7.557069 deg; at 262.5054 Hz: designed 0.1213814 at
+ * -20.90721 deg, measured 0.1213814 at -20.90721 deg
+ * stage[1] at 95 Hz: designed 2.965089 at -171.2506 deg, measured 2.965089 at -171.2506 deg; at 85.97294 Hz:
+ * designed 1.930866 at -110.5356 deg, measured 1.930866 at -110.5356 deg; at 104.9729 Hz: designed 2.099178 at
+ * 126.7143 deg, measured 2.099178 at 126.7143 deg
+ * stage[1] at 100 Hz: designed 2.669069 at 152.8343 deg, measured 2.669069 at 152.8343 deg; at 72.06508 Hz:
+ * designed 0.7139832 at -64.66834 deg, measured 0.7139832 at -64.66834 deg; at 138.7317 Hz: designed 0.5294609
+ * at 59.45327 deg, measured 0.5294609 at 59.45327 deg
+ * largest deviation of measured from designed: 1.0e-13 */
 
 /* Written by the caller. axis_z_ipc_inputs_init fills in what is said to be the start. */
 typedef struct {

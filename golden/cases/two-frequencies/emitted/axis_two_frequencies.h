@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  0571d45177aed7bb40e29b85e8e41486
- * body        5c04e4086d8a8ef7e6bdec56a473534e
+ * body        c60d1b68f8cd8557cc35acfc0abea45d
  */
 #ifndef AXIS_TWO_FREQUENCIES_H
 #define AXIS_TWO_FREQUENCIES_H
@@ -15,6 +15,16 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* range: |v| <= 500000 gives |v_add| <= 544377.9 before the limit and no |state| above 864282.3; for |v| <=
+ * 1e15: 1.728565e15, within double precision
+ * stage[0] at 53 Hz: designed 0.5 at 180 deg, measured 0.5 at 180 deg; at 50.41374 Hz: designed 0.3535534 at
+ * -114.4698 deg, measured 0.3535534 at -114.4698 deg; at 55.71374 Hz: designed 0.3535534 at 114.4698 deg,
+ * measured 0.3535534 at 114.4698 deg
+ * stage[1] at 90 Hz: designed 0.7071068 at 135 deg, measured 0.7071068 at 135 deg; at 85.60019 Hz: designed
+ * 0.5108833 at -154.9545 deg, measured 0.5108833 at -154.9545 deg; at 94.60019 Hz: designed 0.4846292 at
+ * 64.95446 deg, measured 0.4846292 at 64.95446 deg
+ * largest deviation of measured from designed: 5.2e-15 */
 
 /* Written by the caller. axis_two_frequencies_ipc_inputs_init fills in what is said to be the start. */
 typedef struct {

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  1d3eeef73fc12835f3581e0fc768bd02
- * body        eae110103416cf5abb951a45a653006d
+ * body        dfc837b4a591827f4ec355b1399bc6cf
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,6 +15,13 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* range: |v| <= 500000 gives |v_add| <= 5088836 before the limit and no |state| above 717535.1; for |v| <= 1e15:
+ * 1.017767e16, within double precision
+ * stage[0] at 24 Hz: designed 8.007712 at 150.9454 deg, measured 8.007712 at 150.9454 deg; at 21.7188 Hz:
+ * designed 5.772812 at -160.1903 deg, measured 5.772812 at -160.1903 deg; at 26.5188 Hz: designed 5.505559 at
+ * 101.9524 deg, measured 5.505559 at 101.9524 deg
+ * largest deviation of measured from designed: 7.3e-15 */
 
 /* Written by the caller. axis_x_ipc_inputs_init fills in what is said to be the start. */
 typedef struct {

@@ -46,7 +46,11 @@ fn function_block(axis: &Axis, block: &Block, name: &str) -> File {
     let file = format!("{name}.TcPOU");
     let program = enable::run(block.program.clone());
     let listing = listing(name.to_owned(), block, program, TWINCAT);
-    let pou = TcPou { origin: &origin(axis, &file), id: &guid::of("POU", name), block: &listing };
+    let pou = TcPou {
+        origin: &origin(axis, &file, std::slice::from_ref(block)),
+        id: &guid::of("POU", name),
+        block: &listing,
+    };
     sealed(POUS, file, &pou)
 }
 

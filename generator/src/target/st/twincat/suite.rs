@@ -37,7 +37,7 @@ pub fn files(axis: &Axis, block: &Block, name: &str) -> [File; 2] {
     let (vector_file, suite_file) = (format!("{list}.TcGVL"), format!("{}.TcPOU", suite_name(name)));
     let real = type_name(Type::Real, axis.real);
     let suite = TcSuite {
-        origin: &origin(axis, &suite_file),
+        origin: &origin(axis, &suite_file, &[]),
         id: &guid::of("POU", &suite_name(name)),
         method_id: &guid::of("Method", &suite_name(name)),
         name: &suite_name(name),
@@ -51,7 +51,7 @@ pub fn files(axis: &Axis, block: &Block, name: &str) -> [File; 2] {
     let suite = sealed(TESTS, suite_file, &suite);
     let tracks: Vec<Track> = inputs.into_iter().chain(outputs).collect();
     let vector = TcVector {
-        origin: &origin(axis, &vector_file),
+        origin: &origin(axis, &vector_file, &[]),
         id: &guid::of("GVL", &list),
         name: &list,
         last: vector.inputs.len() - 1,

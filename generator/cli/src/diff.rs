@@ -1,0 +1,46 @@
+//! `axgen diff`: what a change between two sets means for the machine.
+
+use crate::exit::Exit;
+use crate::messages::{self, Format};
+use generator::config::{self, ListOptions, Set};
+use generator::meaning;
+use std::path::Path;
+
+/// Runs the command. `options` are for the axis lists among the two; two lists are versions of one axis, whatever the files'
+/// names.
+#[expect(clippy::print_stdout, reason = "what the command has found")]
+pub fn run(old: &Path, new: &Path, options: &ListOptions) -> Result<Exit, Exit> {
+    let some_list = !is_set(old) || !is_set(new);
+    let load = |path: &Path| {
+        let none = ListOptions::default();
+        read(path, if is_set(path) && some_list { &none } else { options })
+    };
+    // Both are read, so that the mistakes of both are said.
+    let (mut before, after) = match (load(old), load(new)) {
+        (Ok(before), Ok(after)) => (before, after),
+        (Err(exit), _) | (_, Err(exit)) => return Err(exit),
+    };
+    if let ([before], [after], false, false) =
+        (before.axes.as_mut_slice(), after.axes.as_slice(), is_set(old), is_set(new))
+    {
+        before.name.clone_from(&after.name);
+    }
+    let changes = meaning::changes(&before.axes, &after.axes);
+    for line in meaning::lines(&changes) {
+        println!("{line}");
+    }
+    Ok(if meaning::differ(&changes) { Exit::Different } else { Exit::Done })
+}
+
+fn read(path: &Path, options: &ListOptions) -> Result<Set, Exit> {
+    let (set, report) = config::read(path, options);
+    let text = messages::text(&report, Format::Human);
+    if set.is_none() {
+        eprint!("{text}");
+    }
+    set.ok_or_else(|| Exit::input(format!("{}: nothing can be compared", path.display())))
+}
+
+fn is_set(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
+}

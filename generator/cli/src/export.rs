@@ -1,0 +1,23 @@
+//! `axgen export`: an axis of a set as an axis list.
+
+use crate::exit::Exit;
+use crate::import::said;
+use crate::messages::Format;
+use crate::one_file;
+use generator::exchange;
+use std::path::Path;
+
+/// Runs the command: the axis may be left out where the set has one; without a file, or to `-`, it writes to standard
+/// output; a file that is there is replaced only by force.
+pub fn run(
+    set: &Path,
+    axis: Option<&str>,
+    out: Option<&Path>,
+    force: bool,
+    message_format: Format,
+) -> Result<Exit, Exit> {
+    let (list, report) = exchange::export(set, axis);
+    let list = said(list, &report, message_format)?;
+    one_file::write(out, &list, force)?;
+    Ok(Exit::Done)
+}

@@ -1,0 +1,46 @@
+//! `axgen import`: an axis list as a TOML set.
+
+use crate::exit::Exit;
+use crate::input::counted;
+use crate::messages::{self, Format};
+use crate::one_file;
+use generator::config::ListOptions;
+use generator::diagnostics::Report;
+use generator::exchange;
+use std::path::Path;
+
+/// What the command takes, beside the list.
+pub struct Request<'r> {
+    /// the cycle time of the set; none: the set has a line to fill in
+    pub cycle_time: Option<String>,
+    /// the name of the axis; none: from the file's name
+    pub name: Option<String>,
+    /// the file to write; none, or `-`: standard output
+    pub out: Option<&'r Path>,
+    /// whether a file that is there may be replaced
+    pub force: bool,
+    /// what messages look like
+    pub message_format: Format,
+}
+
+/// Runs the command.
+pub fn run(list: &Path, request: Request<'_>) -> Result<Exit, Exit> {
+    let Request { cycle_time, name, out, force, message_format } = request;
+    let (set, report) = exchange::import(list, &ListOptions { cycle_time, name });
+    let set = said(set, &report, message_format)?;
+    one_file::write(out, set.as_bytes(), force)?;
+    Ok(Exit::Done)
+}
+
+/// What came of an exchange, with its messages on standard error.
+pub fn said<T>(result: Option<T>, report: &Report, format: Format) -> Result<T, Exit> {
+    eprint!("{}", messages::text(report, format));
+    result.ok_or_else(|| match format {
+        // A machine has its objects.
+        Format::Json => Exit::input(""),
+        Format::Human => {
+            let errors = report.diagnostics.len() - report.warnings();
+            Exit::input(format!("{}; nothing was written", counted(errors, "error")))
+        }
+    })
+}

@@ -1,0 +1,78 @@
+//! `axgen params`: what a parameter is, from the one table.
+
+use crate::exit::Exit;
+use generator::parameters::{Name, Parameter, Scope};
+use generator::reference_page;
+
+/// Runs the command: one parameter, or all.
+#[expect(clippy::print_stdout, reason = "what was asked for")]
+pub fn run(wanted: Option<&str>, markdown: bool) -> Result<Exit, Exit> {
+    if markdown {
+        print!("{}", reference_page::text());
+        return Ok(Exit::Done);
+    }
+    let Some(wanted) = wanted else {
+        for parameter in Name::ALL.map(Name::parameter) {
+            println!("{:<13} {}", parameter.id.unwrap_or("-"), parameter.path);
+        }
+        return Ok(Exit::Done);
+    };
+    let found: Vec<&Parameter> =
+        Name::ALL.map(Name::parameter).into_iter().filter(|parameter| is(parameter, wanted)).collect();
+    if found.is_empty() {
+        let wanted = wanted.escape_default();
+        return Err(Exit::input(format!("no parameter `{wanted}`; `axgen params` lists all, by id and path")));
+    }
+    let texts: Vec<String> = found.into_iter().map(describe).collect();
+    print!("{}", texts.join("\n"));
+    Ok(Exit::Done)
+}
+
+/// Whether a text names a parameter: by its id (or the id's digits), its path with letters or numbers as indices, one of
+/// its older paths, or the end of a path.
+fn is(parameter: &Parameter, wanted: &str) -> bool {
+    let plain = |path: &str| -> String {
+        let mut text = String::new();
+        let mut inside = false;
+        for character in path.chars().filter(|character| !character.is_whitespace()) {
+            inside = (inside || character == '[') && character != ']';
+            if !inside && character != ']' {
+                text.push(character.to_ascii_lowercase());
+            }
+        }
+        text
+    };
+    let wanted_path = plain(wanted);
+    let by_id = parameter.id.is_some_and(|id| {
+        id.eq_ignore_ascii_case(wanted) || id.rsplit('-').next().is_some_and(|digits| digits == wanted)
+    });
+    let paths = [parameter.path].into_iter().chain(parameter.aliases.iter().copied());
+    by_id || paths.map(plain).any(|path| path == wanted_path || path.ends_with(&format!(".{wanted_path}")))
+}
+
+/// Everything that the table says.
+fn describe(parameter: &Parameter) -> String {
+    let mut lines = vec![format!("{} {}", parameter.path, parameter.id.map_or(String::new(), |id| format!("({id})")))];
+    lines[0] = lines[0].trim_end().to_owned();
+    let mut line = |name: &str, text: String| {
+        if !text.is_empty() {
+            lines.push(format!("  {name:<9} {text}"));
+        }
+    };
+    line("meaning", parameter.meaning.to_owned());
+    line("allowed", parameter.allowed());
+    line("unit", parameter.unit.to_owned());
+    line("default", parameter.default.join(", "));
+    line("since", parameter.since.to_owned());
+    line("also", parameter.aliases.join(", "));
+    line(
+        "stands in",
+        match parameter.scope {
+            Scope::List => "an axis list, and below an axis of a set",
+            Scope::Axis => "a set, below an axis",
+            Scope::Set => "a set, before the first table",
+        }
+        .to_owned(),
+    );
+    lines.join("\n") + "\n"
+}

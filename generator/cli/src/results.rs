@@ -1,0 +1,95 @@
+//! Results of checks as files for other programs: JUnit for a release pipeline, JSON for everything else.
+
+use crate::exit::Exit;
+use clap::Args;
+use serde_json::json;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+/// Where results go, beside what is printed.
+#[derive(Args, Clone, Debug, Default)]
+pub struct Files {
+    /// Writes the results as JUnit XML too
+    #[arg(long, value_name = "FILE")]
+    junit: Option<PathBuf>,
+    /// Writes the results as JSON too
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+/// What came of one check.
+pub struct Outcome {
+    /// what was checked: an axis, a case
+    pub group: String,
+    /// what of it: a block and an engine
+    pub name: String,
+    /// why it failed; none: it did not
+    pub failure: Option<String>,
+}
+
+impl Files {
+    /// Writes the files that were asked for.
+    pub fn write(&self, suite: &str, outcomes: &[Outcome]) -> Result<(), Exit> {
+        let save = |path: &Option<PathBuf>, text: &dyn Fn() -> String| match path {
+            Some(path) => write(path, &text()),
+            None => Ok(()),
+        };
+        save(&self.junit, &|| junit(suite, outcomes))?;
+        save(&self.json, &|| as_json(suite, outcomes))
+    }
+}
+
+fn write(path: &Path, text: &str) -> Result<(), Exit> {
+    std::fs::write(path, text).map_err(|error| Exit::environment(format!("{}: {error}", path.display())))
+}
+
+fn failures(outcomes: &[Outcome]) -> usize {
+    outcomes.iter().filter(|outcome| outcome.failure.is_some()).count()
+}
+
+fn junit(suite: &str, outcomes: &[Outcome]) -> String {
+    let (tests, failures) = (outcomes.len(), failures(outcomes));
+    let mut text = format!(
+        "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<testsuites>\n  \
+         <testsuite name=\"{}\" tests=\"{tests}\" failures=\"{failures}\" errors=\"0\" skipped=\"0\">\n",
+        escaped(suite)
+    );
+    for Outcome { group, name, failure } in outcomes {
+        let head = format!("    <testcase classname=\"{}\" name=\"{}\"", escaped(group), escaped(name));
+        let _ = match failure {
+            None => writeln!(text, "{head} />"),
+            Some(why) => {
+                let why = escaped(why);
+                writeln!(text, "{head}>\n      <failure message=\"{why}\" />\n    </testcase>")
+            }
+        };
+    }
+    text + "  </testsuite>\n</testsuites>\n"
+}
+
+/// Text in an attribute; what XML 1.0 cannot hold at all becomes a blank.
+fn escaped(text: &str) -> String {
+    text.chars().fold(String::new(), |mut to, character| {
+        match character {
+            '&' => to.push_str("&amp;"),
+            '<' => to.push_str("&lt;"),
+            '>' => to.push_str("&gt;"),
+            '"' => to.push_str("&quot;"),
+            '\n' => to.push_str("&#10;"),
+            control if control.is_control() => to.push(' '),
+            other => to.push(other),
+        }
+        to
+    })
+}
+
+fn as_json(suite: &str, outcomes: &[Outcome]) -> String {
+    let results: Vec<_> = outcomes
+        .iter()
+        .map(|Outcome { group, name, failure }| {
+            json!({ "group": group, "name": name, "passed": failure.is_none(), "failure": failure })
+        })
+        .collect();
+    let object = json!({ "suite": suite, "failures": failures(outcomes), "results": results });
+    format!("{object:#}\n")
+}

@@ -1,0 +1,350 @@
+//! What a new user meets: a set to start from, what a parameter or a code means, the schema, completions, pages; and what a
+//! release pipeline meets: checks of files, results for machines.
+
+#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
+mod schema;
+
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+use tempfile::TempDir;
+
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+
+fn axgen(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
+    let Output { status, stdout, stderr } =
+        Command::new(env!("CARGO_BIN_EXE_axgen")).current_dir(folder).args(arguments).output().unwrap();
+    (status.code().unwrap(), String::from_utf8(stdout).unwrap(), String::from_utf8(stderr).unwrap())
+}
+
+/// A folder with the set that `init` writes.
+fn started() -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let (code, out, err) = axgen(folder.path(), &["init"]);
+    assert_eq!((code, out.as_str(), err.as_str()), (0, "axes.toml: edit it, then: axgen check axes.toml\n", ""));
+    folder
+}
+
+fn edit(folder: &Path, from: &str, to: &str) {
+    let text = fs::read_to_string(folder.join("axes.toml")).unwrap();
+    assert_eq!(text.matches(from).count(), 1, "{from}");
+    fs::write(folder.join("axes.toml"), text.replace(from, to)).unwrap();
+}
+
+#[test]
+fn what_init_writes_is_checked_generated_and_verified_without_a_warning() {
+    let folder = started();
+    let (code, out, err) = axgen(folder.path(), &["check", "axes.toml"]);
+    assert_eq!((code, err.as_str()), (0, ""));
+    assert!(out.ends_with("0 warnings, 0 parameters of other functions passed over\n"), "{out}");
+    assert_eq!(axgen(folder.path(), &["generate", "axes.toml"]).0, 0);
+    assert_eq!(axgen(folder.path(), &["verify", "axes.toml", "--samples", "1000"]).0, 0);
+}
+
+#[test]
+fn init_touches_nothing_that_is_there() {
+    let folder = started();
+    edit(folder.path(), "weight_fact_num = 50", "weight_fact_num = 51");
+    let before = fs::read(folder.path().join("axes.toml")).unwrap();
+    let (code, _, err) = axgen(folder.path(), &["init"]);
+    assert_eq!((code, err.as_str()), (2, "axes.toml: is there already; give another name\n"));
+    assert_eq!(fs::read(folder.path().join("axes.toml")).unwrap(), before);
+}
+
+#[test]
+fn a_check_is_silent_right_after_generate_and_names_every_change() {
+    let folder = started();
+    let all = ["c", "st", "twincat", "codesys", "scl"].map(|target| ["--target", target]).concat();
+    let generate = |more: &[&str]| axgen(folder.path(), &[&["generate", "axes.toml"], all.as_slice(), more].concat());
+    assert_eq!(generate(&[]).0, 0);
+    assert_eq!(generate(&["--check"]), (0, String::new(), String::new()));
+    assert_eq!(generate(&["--diff"]), (0, String::new(), String::new()));
+    // A file was edited, another is gone.
+    let (st, scl) = (folder.path().join("generated/axis_x.st"), folder.path().join("generated/axis_x.scl"));
+    fs::write(&st, fs::read_to_string(&st).unwrap().replacen("LREAL", "REAL", 1)).unwrap();
+    fs::remove_file(&scl).unwrap();
+    let (code, out, _) = generate(&["--check"]);
+    assert_eq!((code, out.as_str()), (1, "generated/axis_x.st: differs\ngenerated/axis_x.scl: is not there\n"));
+    assert!(!scl.exists(), "nothing was written");
+    generate(&["--force"]);
+    // A parameter was changed.
+    edit(folder.path(), "fg_f0 = 53.0", "fg_f0 = 54.0");
+    let (code, out, _) = generate(&["--check"]);
+    assert_eq!((code, out.lines().count()), (1, 8), "{out}");
+    let (code, out, _) = generate(&["--diff"]);
+    assert_eq!(code, 1);
+    assert!(out.contains("--- generated/axis_x.c\n+++ generated/axis_x.c (as it would be written)\n"), "{out}");
+    assert!(out.contains("\n-") && out.contains("centre frequency 53 Hz") && out.contains("centre frequency 54 Hz"));
+    generate(&[]);
+    assert_eq!(generate(&["--check"]).0, 0);
+    edit(folder.path(), "Paths and units are those of an axis list.", "Another comment.");
+    assert_eq!(generate(&["--check"]), (0, String::new(), String::new()), "a comment changes no file");
+}
+
+#[test]
+fn every_stage_can_be_printed() {
+    let folder = started();
+    for stage in ["parameters", "program", "typed", "identity", "coalesced", "pruned", "verified"] {
+        let (code, out, err) = axgen(folder.path(), &["generate", "axes.toml", "--emit", stage]);
+        assert_eq!((code, err.as_str()), (0, ""));
+        let shown = if stage == "parameters" { "weight_fact_num 50" } else { "outputs.v_add = " };
+        assert!(out.starts_with("# axis X") && out.contains(shown), "{stage}: {out}");
+    }
+    let (code, _, err) = axgen(folder.path(), &["generate", "axes.toml", "--emit", "printed"]);
+    assert_eq!(code, 2);
+    assert!(err.starts_with("no stage `printed`; there is: parameters, program, typed"), "{err}");
+    assert!(!folder.path().join("generated").exists(), "no file is written");
+}
+
+#[test]
+fn a_message_shows_the_line_and_marks_the_place() {
+    let folder = started();
+    edit(folder.path(), "v_add_max_fact = 100 ", "v_add_max_fact = 9999 ");
+    let (code, out, err) = axgen(folder.path(), &["check", "axes.toml"]);
+    assert_eq!((code, out.as_str()), (2, ""));
+    assert_eq!(
+        err,
+        "axes.toml:21:18: error[AX203]: `lr_param.improved_position_control.v_add_max_fact` (P-AXIS-00757) is 9999\n  \
+         21 | v_add_max_fact = 9999  # largest |v_add|, in 0.1 % of vb_max; the default 0 would mute the block\n     \
+         |                  ^\n    \
+         allowed: 0 <= v_add_max_fact <= 2000 [0.1 %]\n\
+         1 error; nothing was written\n"
+    );
+}
+
+#[test]
+fn messages_for_machines_are_an_object_a_line() {
+    let folder = started();
+    edit(folder.path(), "v_add_max_fact = 100 ", "v_add_max_fact = 9999 ");
+    edit(folder.path(), "order = 1,", "ordr = 1,");
+    let (code, _, err) = axgen(folder.path(), &["check", "axes.toml", "--message-format", "json"]);
+    assert_eq!(code, 2);
+    let objects: Vec<Value> = err.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let codes: Vec<&str> = objects.iter().map(|object| object["code"].as_str().unwrap()).collect();
+    assert_eq!(codes, ["AX104", "AX203", "AX206"]);
+    assert_eq!(objects[1]["line"], 21);
+    assert_eq!(objects[1]["column"], 18);
+    assert_eq!(objects[1]["severity"], "error");
+    assert_eq!(objects[1]["file"], "axes.toml");
+    assert_eq!(objects[1]["allowed"], "0 <= v_add_max_fact <= 2000 [0.1 %]");
+    assert!(objects[1]["text"].as_str().unwrap().starts_with("v_add_max_fact = 9999"));
+    assert!(objects[0]["instead"].as_str().unwrap().ends_with("filter[0].order"));
+}
+
+#[test]
+fn a_parameter_is_found_by_id_path_and_end_of_path() {
+    let folder = tempfile::tempdir().unwrap();
+    let told = |wanted: &str| {
+        let (code, out, _) = axgen(folder.path(), &["params", wanted]);
+        assert_eq!(code, 0, "{wanted}");
+        out
+    };
+    let by_id = told("P-AXIS-00752");
+    for wanted in [
+        "p-axis-00752",
+        "00752",
+        "q_factor",
+        "filter.q_factor",
+        "lr_param.improved_position_control.stage[2].filter[1].q_factor",
+        "lr_param.improved_position_control.stage[i].filter.q_factor",
+    ] {
+        assert_eq!(told(wanted), by_id, "{wanted}");
+    }
+    assert_eq!(
+        by_id,
+        "lr_param.improved_position_control.stage[i].filter[k].q_factor (P-AXIS-00752)\n  \
+         meaning   quality factor: centre frequency / bandwidth at -3 dB\n  \
+         allowed   1 <= q_factor <= 10\n  \
+         default   -1\n  \
+         since     V3.1.3077.08\n  \
+         also      lr_param.improved_position_control.stage[i].filter.q_factor\n  \
+         stands in an axis list, and below an axis of a set\n"
+    );
+    let (code, _, err) = axgen(folder.path(), &["params", "bandwidth"]);
+    assert_eq!((code, err.as_str()), (2, "no parameter `bandwidth`; `axgen params` lists all, by id and path\n"));
+    assert!(axgen(folder.path(), &["params"]).1.lines().count() >= 20);
+}
+
+#[test]
+fn the_reference_page_is_what_the_table_says() {
+    let folder = tempfile::tempdir().unwrap();
+    let (_, page, _) = axgen(folder.path(), &["params", "--markdown"]);
+    let kept = fs::read_to_string(Path::new(ROOT).join("docs/parameters.md")).unwrap();
+    assert!(kept == page, "docs/parameters.md: axgen params --markdown >docs/parameters.md");
+}
+
+#[test]
+fn every_code_is_explained() {
+    let folder = tempfile::tempdir().unwrap();
+    let (_, list, _) = axgen(folder.path(), &["explain"]);
+    assert!(list.lines().count() > 40);
+    for line in list.lines() {
+        let (code, title) = line.split_once(' ').unwrap();
+        let (exit, out, _) = axgen(folder.path(), &["explain", &code.to_lowercase()]);
+        assert_eq!(exit, 0);
+        assert!(out.starts_with(&format!("{code}: {title}\n\n")) && out.ends_with(".\n"), "{out}");
+    }
+    let (code, _, err) = axgen(folder.path(), &["explain", "AX999"]);
+    assert_eq!((code, err.as_str()), (2, "no code `AX999`; `axgen explain` lists all, from AX001 on\n"));
+}
+
+#[test]
+fn the_schema_takes_the_examples_and_refuses_mistakes() {
+    let folder = started();
+    let (_, schema, _) = axgen(folder.path(), &["schema"]);
+    let schema: Value = serde_json::from_str(&schema).unwrap();
+    let json = |text: &str| serde_json::to_value(toml::from_str::<toml::Table>(text).unwrap()).unwrap();
+    let mut sets: Vec<String> = vec![fs::read_to_string(folder.path().join("axes.toml")).unwrap()];
+    sets.push(fs::read_to_string(Path::new(ROOT).join("examples/machine.toml")).unwrap());
+    for case in fs::read_dir(Path::new(ROOT).join("golden/cases")).unwrap() {
+        sets.extend(fs::read_to_string(case.unwrap().path().join("set.toml")).ok());
+    }
+    assert!(sets.len() > 15);
+    for set in &sets {
+        assert_eq!(schema::mistake(&schema, &json(set), "set"), None, "{set}");
+    }
+    for (from, to) in [
+        ("fg_f0 = 53.0", "fg_f0 = 501.0"),
+        ("fg_f0 = 53.0", "fg_f0 = \"53\""),
+        ("order = 1", "ordr = 1"),
+        ("order = 1", "order = 4"),
+        ("mode = \"DIRECT\"", "mode = \"DIRECTLY\""),
+        ("[axis.X]\n", "[axis.X-1]\n"),
+        ("cycle_time = \"1ms\"", "cycle_time = 1"),
+        ("targets = [\"c\", \"st\"]", "targets = [\"c\", \"ada\"]"),
+    ] {
+        assert!(sets[0].contains(from), "{from}");
+        let wrong = sets[0].replace(from, to);
+        assert!(schema::mistake(&schema, &json(&wrong), "set").is_some(), "{to}");
+    }
+}
+
+#[test]
+fn the_shells_and_the_manual_know_every_command() {
+    let folder = tempfile::tempdir().unwrap();
+    let commands = ["generate", "check", "run", "verify", "golden", "params", "explain", "init", "schema"];
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let (code, out, _) = axgen(folder.path(), &["completions", shell]);
+        assert_eq!(code, 0);
+        assert!(commands.iter().all(|command| out.contains(command)), "{shell}");
+    }
+    assert_eq!(axgen(folder.path(), &["man", "pages"]).0, 0);
+    for command in commands {
+        let page = fs::read_to_string(folder.path().join(format!("pages/axgen-{command}.1"))).unwrap();
+        assert!(page.contains(".SH SYNOPSIS"), "{command}");
+    }
+}
+
+#[test]
+fn results_for_a_pipeline() {
+    let folder = started();
+    let run = ["verify", "axes.toml", "--samples", "100", "--junit", "junit.xml", "--json", "results.json"];
+    assert_eq!(axgen(folder.path(), &run).0, 0);
+    let results = fs::read_to_string(folder.path().join("results.json")).unwrap();
+    let results: Value = serde_json::from_str(&results).unwrap();
+    assert_eq!((&results["suite"], &results["failures"]), (&"axgen verify".into(), &0.into()));
+    assert_eq!(results["results"].as_array().unwrap().len(), 6);
+    assert_eq!(results["results"][3]["name"], "ipc st");
+    assert_eq!(
+        elements(&folder.path().join("junit.xml")),
+        ["testsuites", "testsuite"].iter().chain(&["testcase"; 6]).copied().collect::<Vec<_>>()
+    );
+}
+
+/// A case of a user's own: recorded, verified, and found to differ after a change.
+#[test]
+fn a_users_own_golden_case() {
+    let folder = started();
+    let case = "purpose = \"<mine> & \\\"yours\\\"\"\nset = \"axes.toml\"\naxis = \"X\"\nblock = \"ipc\"\n\
+                [stimulus.signal]\nv_motor = [{ form = { noise = { seed = 1 } }, amplitude = 1000 }]\n";
+    fs::write(folder.path().join("case.toml"), case).unwrap();
+    let verify = ["golden", "verify", ".", "--junit", "junit.xml", "--json", "results.json"];
+    assert_eq!(axgen(folder.path(), &["golden", "record", "."]), (0, ".: recorded\n".to_owned(), String::new()));
+    assert_eq!(axgen(folder.path(), &verify), (0, ".: as recorded\n".to_owned(), String::new()));
+    edit(folder.path(), "weight_fact_num = 50", "weight_fact_num = 51");
+    let (code, out, _) = axgen(folder.path(), &verify);
+    assert_eq!(code, 1);
+    assert!(out.starts_with(".: differs in outputs.csv, digest, emitted/axis_x.h"), "{out}");
+    assert_eq!(elements(&folder.path().join("junit.xml")), ["testsuites", "testsuite", "testcase", "failure"]);
+    let results = fs::read_to_string(folder.path().join("results.json")).unwrap();
+    assert!(results.contains("\"passed\": false") && results.contains("differs in outputs.csv"), "{results}");
+}
+
+/// The names of an XML file's elements, in their order.
+fn elements(path: &Path) -> Vec<String> {
+    let text = fs::read_to_string(path).unwrap();
+    let mut reader = quick_xml::Reader::from_str(&text);
+    let mut names = Vec::new();
+    loop {
+        match reader.read_event().unwrap() {
+            quick_xml::events::Event::Start(element) | quick_xml::events::Event::Empty(element) => {
+                names.push(element.name().as_ref().to_owned());
+            }
+            quick_xml::events::Event::Eof => return names,
+            _ => {}
+        }
+    }
+}
+
+#[test]
+fn a_reader_that_goes_away_is_no_defect() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_axgen"))
+        .current_dir(folder.path())
+        .args(["params", "--markdown"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(command.stdout.take());
+    let output = command.wait_with_output().unwrap();
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+}
+
+#[test]
+fn a_list_goes_into_a_set_and_back_without_a_loss() {
+    let folder = tempfile::tempdir().unwrap();
+    let list = Path::new(ROOT).join("examples/rack-and-pinion.lis");
+    let list_name = list.to_str().unwrap();
+    let (code, set, err) = axgen(folder.path(), &["import", list_name, "--cycle-time", "1ms"]);
+    assert_eq!((code, err.as_str()), (0, ""));
+    fs::write(folder.path().join("set.toml"), &set).unwrap();
+    let (code, back, err) = axgen(folder.path(), &["export", "set.toml"]);
+    assert_eq!((code, err.as_str()), (0, ""));
+    assert!(back.as_bytes() == fs::read(&list).unwrap());
+    // A file is written where it is asked for, and none is replaced unasked.
+    assert_eq!(axgen(folder.path(), &["export", "set.toml", "--out", "x.lis"]).0, 0);
+    assert_eq!(axgen(folder.path(), &["export", "set.toml", "--out", "x.lis"]).0, 2);
+    assert_eq!(axgen(folder.path(), &["export", "set.toml", "--out", "x.lis", "--force"]).0, 0);
+    let (code, _, err) = axgen(folder.path(), &["import", "no-such.lis"]);
+    assert_eq!(code, 2);
+    assert!(err.contains("AX001"), "{err}");
+}
+
+#[test]
+fn a_difference_is_said_in_what_it_means() {
+    let folder = started();
+    fs::copy(folder.path().join("axes.toml"), folder.path().join("old.toml")).unwrap();
+    let diff = ["diff", "old.toml", "axes.toml"];
+    edit(folder.path(), "# An axis set.", "# The axis set.");
+    let (code, out, err) = axgen(folder.path(), &diff);
+    assert_eq!((code, out.as_str(), err.as_str()), (0, "no difference in what the blocks do\n", ""));
+    edit(folder.path(), "weight_fact_num = 50", "weight_fact_num = 100");
+    let (code, out, _) = axgen(folder.path(), &diff);
+    assert_eq!(code, 1);
+    assert!(out.starts_with("axis X: stage[0]: weight 0.5 -> 1 (-6.02 -> 0 dB)"), "{out}");
+    edit(folder.path(), "order = 1", "order = 4");
+    let (code, out, err) = axgen(folder.path(), &diff);
+    assert_eq!((code, out.as_str()), (2, ""));
+    assert!(err.contains("AX203"), "{err}");
+}
+
+#[test]
+fn check_certifies_range_and_response() {
+    let folder = started();
+    let (_, out, _) = axgen(folder.path(), &["check", "axes.toml"]);
+    assert!(out.contains("\n  range: |v| <= 500000 gives |v_add| <= "), "{out}");
+    assert!(out.contains("\n  stage[0] at 53 Hz: designed 0.5 at 180 deg, measured 0.5 at 180 deg; at "), "{out}");
+}

@@ -1,0 +1,154 @@
+//! The lines of a list with the values that hold now, and lines for those that have none yet. No file is read here.
+
+use super::slot::{self, HOLE, OWN, Slot};
+use super::spelling;
+use crate::codes;
+use crate::config::lines::{self, Content, Line, Statement};
+use crate::config::source::Source;
+use crate::config::{Key, Setting, Values, list, of_text};
+use crate::diagnostics::{Diagnostic, Report, Severity};
+use crate::parameters::{Name, Scope, path_with};
+use std::collections::BTreeSet;
+
+/// What lines are filled with.
+#[derive(Debug)]
+pub struct Filling<'r, 'a> {
+    /// what the axis was given, its list included
+    pub values: Values<'a>,
+    /// what stands at the top of the set
+    pub top: Values<'a>,
+    /// what is to be said
+    pub report: &'r mut Report,
+}
+
+impl Filling<'_, '_> {
+    /// The lines of a list with the values that hold now, then lines for the others; without a list all of them. None: a
+    /// reader of lists finds errors in that, and they have been said.
+    pub fn list(mut self, base: Option<&[u8]>) -> Option<Vec<u8>> {
+        let (mark, lines) = lines::split(base.unwrap_or_default());
+        let mut list = mark.to_vec();
+        let mut written = BTreeSet::new();
+        let mut line_end = None;
+        for line in lines {
+            line_end = line_end.or(Some(line.end).filter(|end| end.ends_with(b"\n")));
+            let start = list.len();
+            line.append_to(&mut list);
+            if let Some(slot) = slot::of(&line) {
+                self.fill(&line, &slot, &mut written, start, &mut list);
+            }
+        }
+        let line_end = line_end.unwrap_or(b"\n");
+        let mut rest = self.rest(&written, base.is_none());
+        if !rest.is_empty() && base.is_some() {
+            rest.insert(0, "# Not in the list so far:".to_owned());
+            if !list.is_empty() && !list.ends_with(b"\n") {
+                // A lone return at the file's end is half of a line end.
+                list.extend(if list.ends_with(b"\r") { b"\n" } else { line_end });
+            }
+        }
+        for line in rest {
+            list.extend(line.as_bytes());
+            list.extend(line_end);
+        }
+        self.prove(&list);
+        (!self.report.has_errors()).then_some(list)
+    }
+
+    /// Puts the value that holds into the line that begins there.
+    fn fill(
+        &mut self,
+        line: &Line<'_>,
+        slot: &Slot<'_>,
+        written: &mut BTreeSet<Key>,
+        start: usize,
+        list: &mut Vec<u8>,
+    ) {
+        let parameter = slot.key.0.parameter();
+        let range = start + slot.range.start..start + slot.range.end;
+        let hole = slot.text.strip_prefix(HOLE);
+        let spelled = hole.unwrap_or(slot.text);
+        if slot.own && spelled.starts_with(HOLE) {
+            // A comment that only looks like a hole.
+            list.splice(range, spelled.bytes());
+            return;
+        }
+        if slot.own
+            && (written.contains(&slot.key) || !spelled.is_empty() && slot::own_value(slot.key, spelled).is_none())
+        {
+            return;
+        }
+        let values = if slot.key.0 == Name::CycleTime { &self.top } else { &self.values };
+        let setting = values.get(slot.key);
+        let Some((setting, value)) = setting.and_then(|setting| Some((setting, setting.value.as_ref()?))) else {
+            match line.content {
+                Content::Statement(statement) if hole.is_none() => self.warn_of(&statement),
+                // The value was taken out of the set: so is its line, but not the comment behind it.
+                Content::Statement(statement) if !statement.comment.is_empty() => {
+                    let path_at = start + statement.path_at();
+                    list.drain(path_at..range.end + statement.space.len());
+                }
+                _ if hole.is_some() => list.truncate(start),
+                _ => {}
+            }
+            return;
+        };
+        if of_text(parameter, spelled).as_ref() != Ok(value) {
+            list.splice(range, text_of(slot.key.0, setting).bytes());
+        } else if hole.is_some() {
+            list.splice(range, spelled.bytes());
+        }
+        written.insert(slot.key);
+    }
+
+    /// A parameter that this axgen knows, and the one that imported the list did not; or one that was added by hand.
+    fn warn_of(&mut self, statement: &Statement<'_>) {
+        let Some(lines) = self.values.get((Name::ImportedLines, [0, 0])) else { return };
+        let found = format!("`{}` stands in the imported lines only: the axis does not have it", statement.path);
+        let diagnostic = Diagnostic::warning(codes::PASSED_OVER, lines.value_place(), found);
+        self.report.push(diagnostic.instead("the value below the axis, or import the list again"));
+    }
+
+    /// Lines for what has none, in the order of the set; keys that no controller knows in comments, with a warning.
+    fn rest(&mut self, written: &BTreeSet<Key>, is_new: bool) -> Vec<String> {
+        // The list that an axis came from had no cycle time either.
+        let top = self.top.iter().filter(|((name, _), _)| *name == Name::CycleTime && is_new);
+        let mut lines = Vec::new();
+        for (key, setting) in top.chain(self.values.iter()) {
+            let (name, index) = key;
+            let path = path_with(setting.spelling, index);
+            let own = slot::is_own(name);
+            if own {
+                let found =
+                    format!("`{path}` is a key of an axis set: no controller knows it, and it stands in a comment");
+                self.report.push(Diagnostic::warning(codes::KEY_OF_A_SET, setting.path_place(), found));
+            }
+            if !written.contains(&key) && (own || name.parameter().scope == Scope::List) {
+                let sign = if own { OWN } else { "" };
+                lines.push((setting.path_at, format!("{sign}{path} {}", text_of(name, setting))));
+            }
+        }
+        lines.sort();
+        lines.into_iter().map(|(_, line)| line).collect()
+    }
+
+    /// Reads the list as a controller would: errors in its lines are said, and each value must be the one that was given.
+    fn prove(&mut self, list: &[u8]) {
+        let source = Source::of("the exported list", list);
+        let read = list::read_to_keep(&source);
+        let errors = read.report.diagnostics.into_iter().filter(|said| said.severity == Severity::Error);
+        self.report.diagnostics.extend(errors);
+        let of_a_list = self.values.iter().filter(|((name, _), _)| name.parameter().scope == Scope::List);
+        for (key, setting) in of_a_list {
+            let found = read.values.get(key).map(|setting| &setting.value);
+            assert!(self.report.has_errors() || found == Some(&setting.value), "export: {key:?} is {found:?}");
+        }
+    }
+}
+
+/// The value of a set as a list has it.
+fn text_of(name: Name, setting: &Setting<'_>) -> String {
+    let value = setting.value.as_ref();
+    value.map_or_else(String::new, |value| {
+        spelling::in_list(name.parameter(), &setting.source.bytes[setting.value_at..], value)
+    })
+}

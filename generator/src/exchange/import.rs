@@ -1,0 +1,174 @@
+//! An axis list as a TOML set: each known value once, as TOML, with its comments; the lines themselves for the way back.
+
+use super::encoding::{Encoded, encoded, latin_1, toml_string};
+use super::print;
+use super::slot::{self, HOLE, Slot};
+use super::spelling;
+use super::tree::{Leaf, Table};
+use crate::codes;
+use crate::config::axis_name;
+use crate::config::file::{self, Load};
+use crate::config::lines::{self, Content, Line};
+use crate::config::list;
+use crate::config::source::Source;
+use crate::config::value::shown;
+use crate::config::{Key, ListOptions, Values, of_text};
+use crate::diagnostics::{Diagnostic, Place, Report};
+use crate::parameters::{Name, Value};
+use std::collections::BTreeSet;
+use std::path::Path;
+
+/// The axis list of a file as a TOML set. The set is there if, and only if, no message is an error. It has no cycle time
+/// unless the options, or a list that [`super::export`] wrote, give one.
+#[must_use]
+pub fn import(path: &Path, options: &ListOptions) -> (Option<String>, Report) {
+    import_with(path, options, &file::load)
+}
+
+/// The same with another source of files.
+#[must_use]
+pub fn import_with(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<String>, Report) {
+    let mut report = Report::default();
+    let file = path.display().to_string();
+    let place = |file: &str| Place { file: file.to_owned(), line: 0, column: 0 };
+    let bytes = match load(path) {
+        Ok(bytes) => bytes,
+        Err(unreadable) => {
+            report.push(unreadable.diagnostic(&file, place(&file)));
+            return (None, report);
+        }
+    };
+    let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    let name = options.name.clone().unwrap_or_else(|| axis_name::of_stem(&stem));
+    if !axis_name::is_allowed(&name) {
+        let found = format!("{} is no name for an axis", shown(&name));
+        let at = if options.name.is_some() { "--name" } else { &file };
+        report.push(Diagnostic::error(codes::AXIS_NAME, place(at), found).allowed(axis_name::ALLOWED));
+    }
+    let cycle_time = options.cycle_time.as_deref().filter(|text| {
+        let value = of_text(Name::CycleTime.parameter(), text);
+        value
+            .map_err(|refused| report.push(refused.diagnostic(Name::CycleTime, "--cycle-time", place("--cycle-time"))))
+            .is_ok()
+    });
+    let source = Source::of(&file, &bytes);
+    let list = list::read_to_keep(&source);
+    report.extend(list.report);
+    if report.has_errors() {
+        return (None, report);
+    }
+    let taken = Taken::of(&bytes, &list.values);
+    let file_name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    (
+        Some(set(&name, &file_name, cycle_time.map(str::to_owned).or(taken.cycle_time.clone()).as_deref(), &taken)),
+        report,
+    )
+}
+
+/// A list, taken apart.
+struct Taken {
+    /// the known values and their comments
+    tree: Table,
+    /// the lines, with a hole for each known value
+    lines: Encoded,
+    /// what a comment of ours says
+    cycle_time: Option<String>,
+}
+
+impl Taken {
+    fn of(bytes: &[u8], values: &Values<'_>) -> Self {
+        let (mark, lines) = lines::split(bytes);
+        let mut left = mark.to_vec();
+        let mut tree = Table::default();
+        let mut cycle_time = None;
+        let mut above = Vec::new();
+        let mut own = BTreeSet::new();
+        for line in lines {
+            let slot = slot::of(&line);
+            let value = slot.as_ref().and_then(|slot| value_of(slot, values, &mut own));
+            let start = left.len();
+            line.append_to(&mut left);
+            match (slot, value) {
+                (Some(slot), Some(value)) => {
+                    let parameter = slot.key.0.parameter();
+                    let toml = spelling::in_toml(parameter, slot.text, &value);
+                    let same = spelling::in_list(parameter, toml.as_bytes(), &value) == slot.text;
+                    let hole = format!("{HOLE}{}", if same { "" } else { slot.text });
+                    left.splice(start + slot.range.start..start + slot.range.end, hole.bytes());
+                    if slot.key.0 == Name::CycleTime {
+                        cycle_time = Some(slot.text.to_owned());
+                        continue;
+                    }
+                    let template = if slot.misprint { parameter.path } else { slot.spelling };
+                    tree.insert(template, slot.key.1, leaf(toml, std::mem::take(&mut above), &line));
+                }
+                (Some(slot), None) if slot.own && slot.text.starts_with(HOLE) => {
+                    // A comment that only looks like a hole: a second sign tells.
+                    left.insert(start + slot.range.start, HOLE as u8);
+                }
+                _ => match line.content {
+                    Content::Remark { comment, .. } => above.push(comment_text(comment)),
+                    _ => above.clear(),
+                },
+            }
+        }
+        Self { tree, lines: encoded(&left), cycle_time }
+    }
+}
+
+/// The value that the set takes from a line: that of a parameter, or of the first comment of ours with this key.
+fn value_of(slot: &Slot<'_>, values: &Values<'_>, own: &mut BTreeSet<Key>) -> Option<Value> {
+    if !slot.own {
+        return values.get(slot.key)?.value.clone();
+    }
+    let value = slot::own_value(slot.key, slot.text)?;
+    own.insert(slot.key).then_some(value)
+}
+
+/// A value with the comments above it and behind it.
+fn leaf(value: String, mut above: Vec<String>, line: &Line<'_>) -> Leaf {
+    let before = above.len();
+    let text = above.iter().position(|comment| !comment.is_empty()).unwrap_or(before);
+    above.drain(..text);
+    let apart = before > above.len() && before > 0;
+    // A blank line between the comments and the value, or two between comments, are one.
+    above.dedup_by(|next, last| next.is_empty() && last.is_empty());
+    let beside = match line.content {
+        Content::Statement(statement) if !statement.comment.is_empty() => Some(comment_text(statement.comment)),
+        _ => None,
+    };
+    Leaf { value, above, apart, beside }
+}
+
+/// A comment as one of TOML: `(` gets a `#`, bytes that are no UTF-8 are latin-1, control characters cannot stand there.
+fn comment_text(comment: &[u8]) -> String {
+    let text = str::from_utf8(comment).map_or_else(|_| latin_1(comment), str::to_owned);
+    let text: String =
+        text.chars().map(|c| if c.is_control() && c != '\t' { char::REPLACEMENT_CHARACTER } else { c }).collect();
+    let sign = if text.starts_with('(') { "# " } else { "" };
+    format!("{sign}{}", text.trim_end())
+}
+
+fn set(name: &str, file: &str, cycle_time: Option<&str>, taken: &Taken) -> String {
+    let cycle_time = match cycle_time {
+        Some(text) => {
+            let quoted = text.replace('\\', "\\\\").replace('"', "\\\"");
+            format!("# Cycle of the position controller; no axis list holds it.\ncycle_time = \"{quoted}\"\n")
+        }
+        None => "# Cycle of the position controller: no axis list holds it. Write yours, without the first `#`.\n\
+                 # cycle_time = \"1ms\"\n"
+            .to_owned(),
+    };
+    let axis = print::axis(name, &taken.tree);
+    let Encoded { text, latin_1, crlf } = &taken.lines;
+    let encoding = if *latin_1 { "encoding = \"latin-1\" # a character is the byte of its number\n" } else { "" };
+    let line_end = if *crlf { "line_end = \"CRLF\"\n" } else { "" };
+    let lines = toml_string(text);
+    let file = comment_text(format!("# {file}").as_bytes());
+    format!(
+        "{file}, imported by axgen\n{cycle_time}\n{axis}\n\
+         # The list, line by line; `axgen export` writes it back. `=` stands for a value that stands above, `=0X1` for one that was\n\
+         # spelled so. Change values above. Parameters of other functions stand here, and all comments: those above are copies.\n\
+         [axis.{name}.imported_list]\n{encoding}{line_end}lines = {lines}\n"
+    )
+}

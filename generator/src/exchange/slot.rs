@@ -1,0 +1,72 @@
+//! Which part of a line is the value of a parameter that the set holds; the value is not read.
+
+use crate::config::Key;
+use crate::config::lines::{Content, Line};
+use crate::config::of_text;
+use crate::config::path::{self, Path};
+use crate::parameters::{Name, Scope, Value};
+use std::ops::Range;
+
+/// A comment that begins so holds a key of our own, which no controller knows: `# axgen: fade 200ms`.
+pub const OWN: &str = "# axgen: ";
+
+/// What stands for a value that the set has: `=`, or `=` and the spelling that the list had.
+pub const HOLE: char = '=';
+
+/// The place of a value in a line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Slot<'a> {
+    /// the parameter
+    pub key: Key,
+    /// the path template by which it was found, a misprint included
+    pub spelling: &'static str,
+    /// whether a manual misprints the path so
+    pub misprint: bool,
+    /// the text of the value
+    pub text: &'a str,
+    /// where it stands in the line's bytes
+    pub range: Range<usize>,
+    /// whether it is a key of our own, in a comment
+    pub own: bool,
+}
+
+/// The place of a value in a line that has one.
+#[must_use]
+pub fn of<'a>(line: &Line<'a>) -> Option<Slot<'a>> {
+    match line.content {
+        Content::Statement(statement) => {
+            let Path::Known { name, index, spelling, misprint } = path::find(statement.path) else { return None };
+            let (text, at) = (statement.value, statement.value_at());
+            let known = name.parameter().scope == Scope::List;
+            let range = at..at + text.len();
+            known.then_some(Slot { key: (name, index), spelling, misprint, text, range, own: false })
+        }
+        Content::Remark { indent, comment } => {
+            let (path, text) = str::from_utf8(comment).ok()?.strip_prefix(OWN)?.split_once(' ')?;
+            let Path::Known { name, index, spelling, misprint: false } = path::find(path) else { return None };
+            let plain = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_graphic());
+            let at = indent.len() + OWN.len() + path.len() + 1;
+            let slot =
+                Slot { key: (name, index), spelling, misprint: false, text, range: at..at + text.len(), own: true };
+            (plain && is_own(name)).then_some(slot)
+        }
+        Content::Unreadable { .. } => None,
+    }
+}
+
+/// Whether a list can hold the key in a comment only: the keys of our own, but for those that say where an axis comes from.
+#[must_use]
+pub fn is_own(name: Name) -> bool {
+    match name {
+        Name::List | Name::ImportedLines | Name::ImportedEncoding | Name::ImportedLineEnd => false,
+        Name::CycleTime => true,
+        _ => name.parameter().scope == Scope::Axis,
+    }
+}
+
+/// The value that a comment of ours holds; none: it holds none, and is a comment like any other.
+#[must_use]
+pub fn own_value(key: Key, text: &str) -> Option<Value> {
+    let parameter = key.0.parameter();
+    of_text(parameter, text).ok().filter(|value| parameter.contains(value))
+}

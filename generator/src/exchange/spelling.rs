@@ -1,0 +1,110 @@
+//! The text of a value in a list, and the same value in TOML, spelled alike wherever both allow it.
+
+use crate::config::source::Source;
+use crate::config::{of_text, set, value};
+use crate::parameters::{Parameter, Value};
+use toml::de::DeValue;
+
+/// The value of a list as TOML: as it is spelled there if TOML reads that as the same value, else as the canonical form.
+#[must_use]
+pub fn in_toml(parameter: &Parameter, text: &str, value: &Value) -> String {
+    let canonical = value.text();
+    let of = |text: &str| [text.to_owned(), quoted(text), array(text)];
+    let number =
+        |text: &String| !text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) || is_number(text);
+    let candidates = of(text).into_iter().chain(of(&canonical)).filter(number);
+    let mut same = candidates.filter(|candidate| {
+        let line = format!("value = {candidate}\n");
+        let table = set::parse(&Source::of("", line.as_bytes()));
+        table.is_ok_and(|table| {
+            let found = table.get_ref().get("value").map(|value| value.get_ref());
+            found.is_some_and(|found: &DeValue<'_>| value::of_toml(parameter, found).as_ref() == Ok(value))
+        })
+    });
+    same.next().unwrap_or_else(|| quoted(&canonical))
+}
+
+/// The value that begins these bytes of a set, as a list has it: as it is spelled there if a list reads that as the same
+/// value, else as the canonical form.
+#[must_use]
+pub fn in_list(parameter: &Parameter, toml: &[u8], value: &Value) -> String {
+    let spelled = match toml.first() {
+        Some(quote @ (b'"' | b'\'')) => toml[1..].split(|byte| byte == quote).next().unwrap_or_default(),
+        _ => toml.split(|byte| !byte.is_ascii_alphanumeric() && !b"+-._".contains(byte)).next().unwrap_or_default(),
+    };
+    let plain = spelled.iter().all(|byte| byte.is_ascii_graphic() && !b"#(\\".contains(byte));
+    let spelled = match str::from_utf8(spelled).unwrap_or_default() {
+        "true" => "TRUE",
+        "false" => "FALSE",
+        other => other,
+    };
+    let same = plain && !spelled.is_empty() && of_text(parameter, spelled).as_ref() == Ok(value);
+    if same { spelled.to_owned() } else { value.text() }
+}
+
+/// Whether every reader of TOML takes the text for a number.
+fn is_number(text: &str) -> bool {
+    let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
+    let whole = unsigned.split(['.', 'e', 'E']).next().unwrap_or_default();
+    let is_decimal = !whole.is_empty() && whole.bytes().all(|byte| byte.is_ascii_digit());
+    whole.len() < unsigned.len() || !is_decimal || text.parse::<i64>().is_ok()
+}
+
+fn quoted(text: &str) -> String {
+    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
+}
+
+fn array(text: &str) -> String {
+    format!("[{}]", text.split_ascii_whitespace().map(quoted).collect::<Vec<_>>().join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parameters::Name;
+
+    #[test]
+    fn lists_to_toml_and_back() {
+        for (name, text, toml) in [
+            (Name::FilterF0, "53", "53"),
+            (Name::FilterF0, "53.50", "53.50"),
+            (Name::FilterF0, "5.3e1", "5.3e1"),
+            (Name::FilterF0, ".5", "0.5"),
+            (Name::FilterF0, "5.", "5"),
+            (Name::FilterF0, "0x10", "0x10"),
+            (Name::FilterF0, "99999999999999999999", "1e20"),
+            (Name::FilterOrder, "007", "7"),
+            (Name::FilterOrder, "0X2", "2"),
+            (Name::FilterOrder, "0x2", "0x2"),
+            (Name::FilterOrder, "+2", "+2"),
+            (Name::Enable, "TRUE", "\"TRUE\""),
+            (Name::Enable, "1", "1"),
+            (Name::Enable, "01", "\"01\""),
+            (Name::Mode, "direct", "\"direct\""),
+            (Name::Targets, "c st", "[\"c\", \"st\"]"),
+        ] {
+            let parameter = name.parameter();
+            let value = of_text(parameter, text).unwrap();
+            assert_eq!(in_toml(parameter, text, &value), toml, "{text}");
+        }
+    }
+
+    #[test]
+    fn toml_to_lists() {
+        for (name, toml, value, text) in [
+            (Name::FilterF0, "53.50, x", Value::Real(53.5), "53.50"),
+            (Name::FilterF0, "5_3 }", Value::Real(53.0), "53"),
+            (Name::FilterOrder, "0b11\n", Value::Integer(3), "3"),
+            (Name::FilterOrder, "0x3 # c", Value::Integer(3), "0x3"),
+            (Name::Enable, "true", Value::Word("ON"), "TRUE"),
+            (Name::Enable, "\"On\" # c", Value::Word("ON"), "On"),
+            (Name::Enable, "\"\\u004FN\"", Value::Word("ON"), "ON"),
+            (Name::Enable, "'''ON'''", Value::Word("ON"), "ON"),
+            (Name::Fade, "\"0.1 s\"", Value::Duration(100_000_000), "100ms"),
+            (Name::Fade, "\"0.1s\"", Value::Duration(100_000_000), "0.1s"),
+            (Name::Targets, "[\"c\", \"st\"]", Value::Words(vec!["c", "st"]), "c st"),
+        ] {
+            assert_eq!(in_list(name.parameter(), toml.as_bytes(), &value), text, "{toml}");
+        }
+    }
+}

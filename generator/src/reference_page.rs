@@ -1,0 +1,51 @@
+//! The reference page of all parameters as Markdown, from the table. Nothing is said here that the table does not say.
+
+use crate::parameters::{Name, Parameter, Scope};
+use std::fmt::Write;
+
+/// The page.
+#[must_use]
+pub fn text() -> String {
+    let mut page = String::from(
+        "# Parameters\n\nMade by `axgen params --markdown` from the one table of parameters. Parameters with an id are the vendor's; the \
+         others are keys of axgen's own, for what no axis list holds. A default outside of the range means that the parameter \
+         must be given where it is used.\n",
+    );
+    for (scope, title) in [
+        (Scope::Set, "At the top of a set"),
+        (Scope::Axis, "Below an axis of a set"),
+        (Scope::List, "In an axis list, and below an axis of a set"),
+    ] {
+        let _ = write!(
+            page,
+            "\n## {title}\n\n| id | path | allowed | default | since | meaning |\n| --- | --- | --- | --- | --- | --- |\n"
+        );
+        for parameter in Name::ALL.map(Name::parameter).into_iter().filter(|parameter| parameter.scope == scope) {
+            row(parameter, &mut page);
+        }
+    }
+    page
+}
+
+fn row(parameter: &Parameter, page: &mut String) {
+    let mut meaning = parameter.meaning.to_owned();
+    if !parameter.aliases.is_empty() {
+        let also: Vec<String> = parameter.aliases.iter().map(|alias| format!("`{alias}`")).collect();
+        let _ = write!(meaning, "; also {}", also.join(", "));
+    }
+    let _ = writeln!(
+        page,
+        "| {} | `{}` | {} | {} | {} | {} |",
+        parameter.id.unwrap_or(""),
+        parameter.path,
+        cell(&parameter.allowed()),
+        cell(&parameter.default.join(", ")),
+        parameter.since,
+        cell(&meaning),
+    );
+}
+
+/// A text that does not end its cell.
+fn cell(text: &str) -> String {
+    text.replace('|', "\\|")
+}

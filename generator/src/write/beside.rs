@@ -1,0 +1,68 @@
+//! The names of files beside a target while it is being replaced, on the same file system. They hold the process's number.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Between the target's name and the rest.
+const MARK: &str = ".axgen-";
+
+/// The new content, on its way.
+pub fn staged(path: &Path) -> PathBuf {
+    beside(path, "staged")
+}
+
+/// The old content, until all files have their new one.
+pub fn kept(path: &Path) -> PathBuf {
+    beside(path, "kept")
+}
+
+fn beside(path: &Path, what: &str) -> PathBuf {
+    let mut name = path.file_name().unwrap_or_default().to_owned();
+    name.push(format!("{MARK}{what}-{}", std::process::id()));
+    path.with_file_name(name)
+}
+
+/// What a process that was killed left behind.
+#[derive(Debug, PartialEq, Eq)]
+pub enum LeftOver<'n> {
+    /// new content
+    Staged,
+    /// old content of the target of that name
+    Kept(&'n str),
+}
+
+/// What a file's name says.
+pub fn left_over(name: &str) -> Option<LeftOver<'_>> {
+    let (target, rest) = name.rsplit_once(MARK)?;
+    let (what, process) = rest.split_once('-')?;
+    let is_number = !process.is_empty() && process.bytes().all(|byte| byte.is_ascii_digit());
+    match what {
+        "staged" if is_number => Some(LeftOver::Staged),
+        "kept" if is_number && !target.is_empty() => Some(LeftOver::Kept(target)),
+        _ => None,
+    }
+}
+
+/// Removes a file of ours. That it may not be there, or cannot be removed, changes nothing for the caller.
+pub fn remove(path: &Path) {
+    let _ = fs::remove_file(path);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_told_from_others() {
+        let path = Path::new("out/axis_x.c");
+        let name = |path: PathBuf| path.file_name().unwrap().to_string_lossy().into_owned();
+        assert_eq!(left_over(&name(staged(path))), Some(LeftOver::Staged));
+        assert_eq!(left_over(&name(kept(path))), Some(LeftOver::Kept("axis_x.c")));
+        assert_eq!(kept(path).parent(), path.parent());
+        for other in
+            ["axis_x.c", "x.axgen-staged-", "x.axgen-staged-1a", "x.axgen-other-1", ".axgen-kept-1", "axgen-kept-1"]
+        {
+            assert_eq!(left_over(other), None, "{other}");
+        }
+    }
+}

@@ -1,0 +1,192 @@
+//! Puts files into a folder: staged beside their targets, then renamed; all of them or none.
+//!
+//! ```text
+//! folder   made if need be, locked, cleared of what a killed run left behind
+//! stage    file -> a file beside its target, unless the target is somebody else's
+//! replace  renames them all, and puts back what was there if one fails
+//! ```
+//! What is promised, and why it is done this way: `docs/decisions/0014-files.md`.
+
+mod beside;
+mod folder;
+mod replace;
+
+pub use folder::{Folder, open};
+
+use crate::digest::is_sealed;
+use crate::target::File;
+use beside::{remove, staged};
+use std::fmt;
+use std::fs;
+use std::io::{self, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+/// What was done.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Written {
+    /// files that are new or have changed
+    pub changed: usize,
+    /// files that were there already, to the byte
+    pub unchanged: usize,
+}
+
+/// Why nothing was written.
+#[derive(Debug)]
+pub enum Refusal {
+    /// these files are not as axgen made them
+    Edited(Vec<(PathBuf, Owner)>),
+    /// the folder does not take them
+    Failed(PathBuf, io::Error),
+    /// the folder does not take them, and these files, which had their new content already, could not be put back
+    Torn(PathBuf, io::Error, Vec<PathBuf>),
+}
+
+/// Whose a file is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Owner {
+    /// ours, as it was generated, or empty: nothing is lost with it
+    Generated,
+    /// it was generated, and changed by hand
+    Edited,
+    /// another tool's or a person's; or its seal was taken out
+    Other,
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Edited(files) => {
+                for (path, owner) in files {
+                    let why = match owner {
+                        Owner::Other => "was not generated, or its line `body` was taken out",
+                        Owner::Edited | Owner::Generated => "was changed by hand after it had been generated",
+                    };
+                    writeln!(f, "{}: {why}", path.display())?;
+                }
+                write!(f, "nothing was written; move the changes to the set, or overwrite them with --force")
+            }
+            Self::Failed(path, error) => write!(f, "{}: {error}; nothing was written", path.display()),
+            Self::Torn(path, error, torn) => {
+                writeln!(f, "{}: {error}", path.display())?;
+                for path in torn {
+                    let (path, kept) = (path.display(), beside::kept(path));
+                    writeln!(f, "{path}: could not be put back; as it was before it is {}", kept.display())?;
+                }
+                write!(f, "the other files are as they were before")
+            }
+        }
+    }
+}
+
+/// A file on its way into a folder. What was staged is gone when this is, whatever happens in between.
+#[derive(Debug)]
+pub struct Staged {
+    /// where it goes
+    pub path: PathBuf,
+    /// what has to be done for that
+    kind: Kind,
+}
+
+/// What has to be done for a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    /// nothing: it is there, to the byte
+    Unchanged,
+    /// none is there
+    New,
+    /// an older one is there
+    Replaces(Owner),
+}
+
+impl Drop for Staged {
+    fn drop(&mut self) {
+        if self.kind != Kind::Unchanged {
+            remove(&staged(&self.path)); // not there any more, if it was renamed
+        }
+    }
+}
+
+/// Writes a file beside its target in the folder; a file that is there already, to the byte, is left alone.
+///
+/// # Errors
+/// The folder does not take it.
+pub fn stage(folder: &Folder, file: &File) -> Result<Staged, Refusal> {
+    let path = folder::path_in(folder, &file.name)?;
+    let text = file.text.as_bytes();
+    let on_its_way = match kind(&path, text) {
+        Ok(kind) => Staged { path, kind },
+        Err(error) => return Err(Refusal::Failed(path, error)),
+    };
+    if on_its_way.kind != Kind::Unchanged
+        && let Err(error) = write_new(&staged(&on_its_way.path), text)
+    {
+        return Err(Refusal::Failed(on_its_way.path.clone(), error));
+    }
+    Ok(on_its_way)
+}
+
+/// Renames all staged files to their targets, or none: not where one could not be staged, nor, unless `force` is set, where
+/// one would replace a file that is not as it was generated.
+///
+/// # Errors
+/// Why nothing was written; the folder's files are as they were before.
+pub fn commit(folder: Folder, results: Vec<Result<Staged, Refusal>>, force: bool) -> Result<Written, Refusal> {
+    let mut files = results.into_iter().collect::<Result<Vec<Staged>, Refusal>>()?;
+    let edited = files.iter().filter_map(|file| match file.kind {
+        Kind::Replaces(owner) if owner != Owner::Generated && !force => Some((file.path.clone(), owner)),
+        _ => None,
+    });
+    let edited: Vec<_> = edited.collect();
+    if !edited.is_empty() {
+        return Err(Refusal::Edited(edited));
+    }
+    let all = files.len();
+    files.retain(|file| file.kind != Kind::Unchanged);
+    replace::all(&files)?;
+    let written = Written { changed: files.len(), unchanged: all - files.len() };
+    drop(files);
+    drop(folder);
+    Ok(written)
+}
+
+/// Whose a file of this content is.
+#[must_use]
+pub fn owner(content: &[u8]) -> Owner {
+    // What is no UTF-8 is not what we wrote: its replacement characters break the seal.
+    match is_sealed(&String::from_utf8_lossy(content)) {
+        Some(true) => Owner::Generated,
+        Some(false) => Owner::Edited,
+        // A crash of the host may leave it so.
+        None if content.is_empty() => Owner::Generated,
+        None => Owner::Other,
+    }
+}
+
+/// What has to be done where a file goes. Through a link nothing is written, and nothing but a file is read.
+fn kind(path: &Path, text: &[u8]) -> io::Result<Kind> {
+    let found = match fs::symlink_metadata(path) {
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Kind::New),
+        found => found?.file_type(),
+    };
+    if found.is_symlink() {
+        let is_file = fs::metadata(path).is_ok_and(|metadata| metadata.is_file());
+        return if is_file && fs::read(path)? == text {
+            Ok(Kind::Unchanged)
+        } else {
+            Err(io::Error::other("is a symbolic link, through which nothing is written"))
+        };
+    }
+    if found.is_dir() {
+        return Err(ErrorKind::IsADirectory.into());
+    }
+    if !found.is_file() {
+        return Err(io::Error::other("is no regular file"));
+    }
+    let old = fs::read(path)?;
+    Ok(if old == text { Kind::Unchanged } else { Kind::Replaces(owner(&old)) })
+}
+
+/// Writes a file that is not there yet: nobody can have put a link in its place.
+fn write_new(path: &Path, text: &[u8]) -> io::Result<()> {
+    fs::OpenOptions::new().write(true).create_new(true).open(path)?.write_all(text)
+}

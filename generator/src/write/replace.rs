@@ -1,0 +1,62 @@
+//! Renames staged files to their targets, all or none. At any moment a target has its old content or its new one, whole.
+
+use super::beside::{kept, remove, staged};
+use super::{Refusal, Staged};
+use std::fs;
+use std::io::{self, ErrorKind};
+use std::path::{Path, PathBuf};
+
+/// Renames every staged file; on a failure puts back what was there.
+pub fn all(files: &[Staged]) -> Result<(), Refusal> {
+    let mut replaced: Vec<Replaced<'_>> = Vec::with_capacity(files.len());
+    for Staged { path, .. } in files {
+        if let Err(error) = one(path, &mut replaced) {
+            let torn: Vec<PathBuf> = replaced.iter().rev().filter_map(put_back).collect();
+            let path = path.clone();
+            return Err(if torn.is_empty() { Refusal::Failed(path, error) } else { Refusal::Torn(path, error, torn) });
+        }
+    }
+    replaced.iter().filter(|file| file.old).for_each(|file| remove(&kept(file.path)));
+    Ok(())
+}
+
+/// A target, and how far its replacing has come.
+struct Replaced<'p> {
+    path: &'p Path,
+    /// whether its old content is kept beside it
+    old: bool,
+    /// whether it has its new content
+    new: bool,
+}
+
+fn one<'p>(path: &'p Path, replaced: &mut Vec<Replaced<'p>>) -> io::Result<()> {
+    let old = keep(path)?;
+    let done = fs::rename(staged(path), path);
+    replaced.push(Replaced { path, old, new: done.is_ok() });
+    done
+}
+
+/// Keeps the old content beside the target, if there is any.
+fn keep(path: &Path) -> io::Result<bool> {
+    match fs::symlink_metadata(path) {
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(false),
+        Err(error) => return Err(error),
+        Ok(found) if !found.is_file() => return Err(io::Error::other("is no regular file any more")),
+        Ok(_) => {}
+    }
+    // Where the file system has no second names, the target is missing for a moment.
+    fs::hard_link(path, kept(path)).or_else(|_| fs::rename(path, kept(path)))?;
+    Ok(true)
+}
+
+/// Undoes the replacing of one file; gives its path if that fails.
+fn put_back(file: &Replaced<'_>) -> Option<PathBuf> {
+    if !file.old {
+        return (file.new && fs::remove_file(file.path).is_err()).then(|| file.path.to_owned());
+    }
+    if fs::rename(kept(file.path), file.path).is_err() {
+        return Some(file.path.to_owned());
+    }
+    remove(&kept(file.path)); // still there, if it and the target are one file
+    None
+}

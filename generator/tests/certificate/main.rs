@@ -1,0 +1,60 @@
+//! The certificate of a block against brute force, closed forms and blocks that are made wrong. No golden files.
+
+#[path = "../design/sets.rs"]
+#[allow(dead_code, reason = "the tests of the design use all of it")]
+mod sets;
+
+mod cost;
+mod lines;
+mod range;
+mod response;
+
+use generator::axis::{Axis, DirectSource, Enable, Filter, Ipc, Mode, Prototype, Stage};
+use generator::block::{Block, blocks};
+use portable::RealKind;
+
+/// The one block of an axis.
+fn block(axis: &Axis) -> Block {
+    blocks(axis).expect("no defect").remove(0)
+}
+
+/// The rack-and-pinion example: 53 Hz DIRECT with weight 3, 11 Hz INDIRECT with weight 1.9, cycle 1 ms.
+fn rack_and_pinion(real: RealKind) -> Axis {
+    let filter = |f0, q_factor| {
+        [Filter::Bandpass { prototype: Prototype::CritDamping, order: 1, f0, q_factor }, Filter::NoFilter]
+    };
+    let direct = Mode::Direct { source: DirectSource::Motor };
+    let indirect = Mode::Indirect { osc_damping: 0.8 };
+    let stage = [
+        Some(Stage { mode: direct, weight_fact_num: 300, weight_fact_denom: 100, filter: filter(53.0, 10.0) }),
+        Some(Stage { mode: indirect, weight_fact_num: 190, weight_fact_denom: 100, filter: filter(11.0, 2.0) }),
+        None,
+    ];
+    axis(real, 1_000_000, stage)
+}
+
+/// An axis with a limit of 530000.
+fn axis(real: RealKind, cycle_time_ns: u32, stage: [Option<Stage>; 3]) -> Axis {
+    Axis {
+        name: "X".to_owned(),
+        real,
+        cycle_time_ns,
+        ipc: Ipc { enable: Enable::On, v_add_max_fact: 1000, v_max: 530_000.0, fade: 0.1, stage },
+        canonical: String::new(),
+    }
+}
+
+/// A DIRECT stage of weight 1 with one band-pass.
+fn one_band_pass(
+    real: RealKind,
+    cycle_time_ns: u32,
+    prototype: Prototype,
+    order: usize,
+    f0: f64,
+    q_factor: f64,
+) -> Axis {
+    let filter = [Filter::Bandpass { prototype, order, f0, q_factor }, Filter::NoFilter];
+    let mode = Mode::Direct { source: DirectSource::Motor };
+    let stage = Some(Stage { mode, weight_fact_num: 1, weight_fact_denom: 1, filter });
+    axis(real, cycle_time_ns, [stage, None, None])
+}

@@ -1,0 +1,110 @@
+//! The measured response against the designed one, and what it sees of a wrong block.
+
+use super::{block, one_band_pass, rack_and_pinion, sets};
+use generator::axis::{Axis, Prototype};
+use generator::certificate::{Certificate, certify, certify_program};
+use generator::design::response::Complex;
+use portable::{Literal, RealKind};
+use proptest::prelude::*;
+
+fn measured(certificate: &Certificate, stage: usize, point: usize) -> Complex {
+    certificate.stage[stage].band[0].point[point].measured
+}
+
+/// The numbers of the definition: DIRECT -3 at 53 Hz, INDIRECT -1.9 + 1.1875 j at 11 Hz; 3 dB less at the edges.
+#[test]
+fn the_stages_of_the_rack_and_pinion_example_do_what_they_should() {
+    let axis = rack_and_pinion(RealKind::F64);
+    let certificate = certify(&axis, &block(&axis));
+    let [direct, indirect] = [measured(&certificate, 0, 0), measured(&certificate, 1, 0)];
+    assert!((direct.re + 3.0).abs() < 1e-12 && direct.im.abs() < 1e-12, "{direct:?}");
+    assert!((indirect.re + 1.9).abs() < 1e-12 && (indirect.im - 1.1875).abs() < 1e-12, "{indirect:?}");
+    for edge in [1, 2] {
+        let Complex { re, im } = measured(&certificate, 0, edge);
+        assert!((libm::hypot(re, im) - 3.0 / core::f64::consts::SQRT_2).abs() < 1e-12);
+    }
+    assert!(certificate.chain_error < 1e-15, "{:e}", certificate.chain_error);
+}
+
+/// Relative tolerances that the definition gives against an independent implementation.
+#[test]
+fn in_double_precision_measured_is_designed() {
+    for set in sets::sets(400) {
+        let axis = one_band_pass(RealKind::F64, set.cycle_time_ns, set.prototype, set.order, set.f0, set.q_factor);
+        let found = certify(&axis, &block(&axis)).deviation().expect("measured");
+        let allowed = match set.product {
+            product if product >= 6e-4 => 1e-9,
+            product if product >= 6e-5 => 1e-7,
+            _ => 1e-5,
+        };
+        assert!(found <= allowed, "{found:e}: {set:?}");
+    }
+}
+
+/// Up to three stages, all modes and filters, f0 Ts at least 0.01. A coefficient is rounded to 1e-16 or 6e-8; a quality factor of
+/// 20 and a centre of 2 pi f0 Ts = 0.06 magnify that by up to 20 / 0.06 in each of up to seven sections.
+#[test]
+fn of_whole_blocks_too() {
+    for (real, allowed) in [(RealKind::F64, 1e-11), (RealKind::F32, 1e-3)] {
+        for axis in sets::axes(150, real).filter(|axis| axis.ipc.v_add_max_fact > 0) {
+            let certificate = certify(&axis, &block(&axis));
+            let found = certificate.deviation().expect("measured");
+            assert!(found <= allowed, "{found:e}: {axis:?}");
+            let rounding = if real == RealKind::F64 { 1e-12 } else { 1e-4 };
+            assert!(certificate.chain_error < rounding, "{:e}: {axis:?}", certificate.chain_error);
+        }
+    }
+}
+
+/// Each coefficient, one after the other, one per cent larger in the compiled block.
+#[test]
+fn a_coefficient_that_is_off_by_one_per_cent_is_seen() {
+    let axis = rack_and_pinion(RealKind::F64);
+    let program = block(&axis).program;
+    let mut changed = 0;
+    for index in 0..program.constants.len() {
+        let constant = &program.constants[index];
+        let Literal::F64(value) = constant.value else { continue };
+        if !constant.path.starts_with("stage") || constant.path.contains("settled") {
+            continue;
+        }
+        let mut wrong = program.clone();
+        wrong.constants[index].value = Literal::F64(value * 1.01);
+        let deviation = certify_program(&axis, &wrong).deviation().expect("measured");
+        assert!(deviation > 1e-3, "{}: {deviation:e}", program.constants[index].path);
+        changed += 1;
+    }
+    assert!(changed >= 11, "{changed}");
+}
+
+#[test]
+fn a_limit_of_0_is_said_and_nothing_is_measured() {
+    let mut axis = rack_and_pinion(RealKind::F64);
+    axis.ipc.v_add_max_fact = 0;
+    let certificate = certify(&axis, &block(&axis));
+    assert_eq!(certificate.deviation(), None);
+    assert!(certificate.bound.state > 1.0);
+    let lines = generator::certificate::lines(&certificate);
+    assert!(lines[0].starts_with("range: the limit is 0, v_add is always 0; |v| <= 530000 gives no |state| above "));
+    assert_eq!(lines[1], "response: not measured, a limit of 0 mutes the block (P-AXIS-00757)");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// The smallest limits and the largest: the clamp never acts, nor what makes a small sum 0.
+    #[test]
+    fn it_does_not_depend_on_the_limit(v_add_max_fact in 1_u32..=2000, v_max in 1.0..2e9, single: bool) {
+        let real = if single { RealKind::F32 } else { RealKind::F64 };
+        let axis = |v_add_max_fact, v_max| -> Axis {
+            let mut axis = one_band_pass(real, 1_000_000, Prototype::Bessel, 3, 53.0, 10.0);
+            axis.ipc.v_add_max_fact = v_add_max_fact;
+            axis.ipc.v_max = v_max;
+            axis
+        };
+        let of = |axis: Axis| certify(&axis, &block(&axis)).deviation().expect("measured");
+        let [found, usual] = [of(axis(v_add_max_fact, v_max)), of(axis(1000, 530_000.0))];
+        let allowed = if single { 1e-6 } else { 1e-14 };
+        prop_assert!((found - usual).abs() <= allowed, "{found:e} {usual:e}");
+    }
+}

@@ -1,0 +1,171 @@
+//! The lists of the examples, and the set that comes of one.
+
+use super::{IPC, export_beside, exported_text, import_at, imported, meaning, round_trip};
+use std::fs;
+use std::path::PathBuf;
+
+fn example(name: &str) -> Vec<u8> {
+    let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../examples"));
+    fs::read(folder.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+#[test]
+fn both_lists_come_back_to_the_byte_and_mean_the_same() {
+    for name in ["rack-and-pinion.lis", "two-frequencies.lis"] {
+        let list = example(name);
+        let set = round_trip(&list);
+        assert_eq!(meaning("set.toml", set.as_bytes()), meaning("x.lis", &list), "{name}");
+        assert!(meaning("x.lis", &list).is_ok());
+    }
+}
+
+#[test]
+fn the_set_of_a_list() {
+    let list = "\
+# The axis.
+
+kopf.achs_nr   1
+kenngr.achs_typ  ACHSTYP_TRANSLATOR
+kenngr.swe_pos   15000000 ( P-AXIS-00178
+getriebe[0].dynamik.vb_max  530000    # [um/s]
+
+ipc.enable  TRUE
+ipc.v_add_max_fact 0x3E8
+
+# 53 Hz is visible.
+ipc.stage[0].mode DIRECT # measured
+ipc.stage[0].filter[0].order 1
+ipc.stage[0].filter[0].fg_f0 53.0
+ipc.stage[0].filter[0].q_factor 10
+# 11 Hz is not.
+ipc.stage[2].mode INDIRECT
+ipc.stage[2].filter.order 1
+ipc.stage[2].filter.fg_f0 11  # [Hz]
+ipc.stage[2].filter.q_factor 2.
+ipc.stage[2].filter.damping .8
+"
+    .replace("ipc.", IPC);
+    let set = round_trip(list.as_bytes());
+    let expected = "\
+# x.lis, imported by axgen
+# Cycle of the position controller; no axis list holds it.
+cycle_time = \"1ms\"
+
+# The axis.
+
+[axis.X]
+kopf.achs_nr = 1
+kenngr.achs_typ = \"ACHSTYP_TRANSLATOR\"
+getriebe = [{ dynamik.vb_max = 530000 }] # [um/s]
+
+[axis.X.lr_param.improved_position_control]
+enable = \"TRUE\"
+v_add_max_fact = 0x3E8
+
+# 53 Hz is visible.
+[[axis.X.lr_param.improved_position_control.stage]]
+mode = \"DIRECT\" # measured
+filter = [{ order = 1, fg_f0 = 53.0, q_factor = 10 }]
+
+[[axis.X.lr_param.improved_position_control.stage]]
+
+# 11 Hz is not.
+[[axis.X.lr_param.improved_position_control.stage]]
+mode = \"INDIRECT\"
+filter.order = 1
+filter.fg_f0 = 11 # [Hz]
+filter.q_factor = 2
+filter.damping = 0.8
+
+# The list, line by line; `axgen export` writes it back. `=` stands for a value that stands above, `=0X1` for one that was
+# spelled so. Change values above. Parameters of other functions stand here, and all comments: those above are copies.
+[axis.X.imported_list]
+lines = \"\"\"
+# The axis.
+
+kopf.achs_nr   =
+kenngr.achs_typ  =
+kenngr.swe_pos   15000000 ( P-AXIS-00178
+getriebe[0].dynamik.vb_max  =    # [um/s]
+
+ipc.enable  =
+ipc.v_add_max_fact =
+
+# 53 Hz is visible.
+ipc.stage[0].mode = # measured
+ipc.stage[0].filter[0].order =
+ipc.stage[0].filter[0].fg_f0 =
+ipc.stage[0].filter[0].q_factor =
+# 11 Hz is not.
+ipc.stage[2].mode =
+ipc.stage[2].filter.order =
+ipc.stage[2].filter.fg_f0 =  # [Hz]
+ipc.stage[2].filter.q_factor =2.
+ipc.stage[2].filter.damping =.8
+\"\"\"
+"
+    .replace("ipc.", IPC);
+    assert_eq!(set, expected);
+}
+
+#[test]
+fn an_axis_with_a_list_gives_the_list_with_what_overrides_it() {
+    let list = example("rack-and-pinion.lis");
+    let files = [("x.lis", &list[..])];
+    let (same, report) = export_beside("cycle_time = \"1ms\"\n[axis.X]\nlist = \"x.lis\"\n", &files);
+    assert_eq!((same.as_ref(), report.to_string().as_str()), (Some(&list), ""));
+    let set = "[axis.X]\nlist = \"x.lis\"\nkopf.achs_nr = 7\nkenngr.gantry_ax_nr = 3\nfade = \"200ms\"\n";
+    let (other, report) = export_beside(set, &files);
+    let text = String::from_utf8(list).unwrap();
+    let expected = text.replace("1\nkenngr", "7\nkenngr")
+        + "# Not in the list so far:\nkenngr.gantry_ax_nr 3\n# axgen: fade 200ms\n";
+    assert_eq!(String::from_utf8(other.unwrap()).unwrap(), expected);
+    assert_eq!(
+        report.to_string(),
+        "set.toml:5:1: warning[AX109]: `fade` is a key of an axis set: no controller knows it, and it stands in a comment\n"
+    );
+}
+
+#[test]
+fn a_set_that_was_never_imported() {
+    let set = "\
+cycle_time = '62.5 us'
+[axis.Y]
+fade = '0.2s'
+kopf.achs_nr = 2 # the number
+getriebe = [{ dynamik.vb_max = 400_000 }]
+[axis.Y.lr_param.improved_position_control]
+enable = true
+[[axis.Y.lr_param.improved_position_control.stage]]
+mode = 1
+direct_source = 'v_direct'
+filter.fg_f0 = 36.0
+filter.q_factor = 4
+filter.order = 0b10
+[[axis.Y.lr_param.improved_position_control.stage]]
+filter = [{}, { fg_f0 = 1e1 }]
+";
+    let (list, report) = export_beside(set, &[]);
+    let list = String::from_utf8(list.unwrap()).unwrap();
+    let expected = "\
+# axgen: cycle_time 62.5us
+# axgen: fade 0.2s
+kopf.achs_nr 2
+getriebe[0].dynamik.vb_max 400000
+ipc.enable TRUE
+ipc.stage[0].mode 1
+# axgen: ipc.stage[0].direct_source v_direct
+ipc.stage[0].filter.fg_f0 36.0
+ipc.stage[0].filter.q_factor 4
+ipc.stage[0].filter.order 2
+ipc.stage[1].filter[1].fg_f0 1e1
+";
+    assert_eq!(list.replace(IPC, "ipc."), expected);
+    assert_eq!(report.warnings(), 3);
+    // What the comments hold comes back with the list.
+    let again = import_at(None, &list).0.unwrap();
+    assert!(again.contains("\ncycle_time = \"62.5us\"\n"), "{again}");
+    assert!(again.contains("\nfade = \"0.2s\"\n") && again.contains("\ndirect_source = \"v_direct\"\n"), "{again}");
+    assert_eq!(exported_text(&again), list);
+    assert_eq!(exported_text(&imported(&list)), list.replace("62.5us", "1ms"));
+}
