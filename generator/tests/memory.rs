@@ -60,6 +60,7 @@ fn inputs() -> Vec<(&'static str, Vec<u8>)> {
 const INPUT: &str = "AXGEN_MEMORY_INPUT";
 
 #[test]
+#[expect(clippy::print_stdout, reason = "the figures")]
 fn memory_is_bounded_by_the_size_of_the_file() {
     let wanted = std::env::var(INPUT).ok();
     for (name, bytes) in inputs() {

@@ -69,18 +69,37 @@ fn json(diagnostic: &Diagnostic, line: Option<&str>, text: &mut String) {
     let _ = writeln!(text, "{object}");
 }
 
+/// A file that is read again, with the line that was shown last: messages come in the order of the lines, mostly.
+#[derive(Default)]
+struct Shown {
+    bytes: Vec<u8>,
+    line: usize,
+    start: usize,
+}
+
+impl Shown {
+    /// The bytes of a line, counted from 0.
+    fn line(&mut self, number: usize) -> Option<&[u8]> {
+        if number < self.line {
+            (self.line, self.start) = (0, 0);
+        }
+        while self.line < number {
+            self.start += self.bytes[self.start..].iter().position(|byte| *byte == b'\n')? + 1;
+            self.line += 1;
+        }
+        self.bytes[self.start..].split(|byte| *byte == b'\n').next()
+    }
+}
+
 /// The line that a message is about, as far as it can be read again; each file is read once.
-fn line_of(diagnostic: &Diagnostic, files: &mut BTreeMap<String, Vec<String>>) -> Option<String> {
+fn line_of(diagnostic: &Diagnostic, files: &mut BTreeMap<String, Shown>) -> Option<String> {
     let place = &diagnostic.place;
     let number = place.line.checked_sub(1)?;
-    let lines = files.entry(place.file.clone()).or_insert_with(|| {
-        let bytes = std::fs::read(&place.file).unwrap_or_default();
-        bytes.split(|byte| *byte == b'\n').map(|line| String::from_utf8_lossy(line).into_owned()).collect()
-    });
-    lines
-        .get(number)
-        .filter(|line| line.len() <= LONGEST)
-        .map(|line| line.chars().map(|c| if c.is_control() { ' ' } else { c }).collect())
+    let file = files
+        .entry(place.file.clone())
+        .or_insert_with(|| Shown { bytes: std::fs::read(&place.file).unwrap_or_default(), ..Shown::default() });
+    let line = file.line(number).filter(|line| line.len() <= LONGEST)?;
+    Some(String::from_utf8_lossy(line).chars().map(|c| if c.is_control() { ' ' } else { c }).collect())
 }
 
 /// The part of a line around a column, and where the column is in it.
@@ -103,6 +122,16 @@ mod tests {
     fn a_short_line_is_shown_whole() {
         assert_eq!(around("a b", 3), ("a b".to_owned(), 2));
         assert_eq!(around("a", 0), ("a".to_owned(), 0));
+    }
+
+    #[test]
+    fn lines_are_found_in_any_order() {
+        let mut file = Shown { bytes: b"one\ntwo\n\nfour".to_vec(), ..Shown::default() };
+        for (number, line) in [(1, "two"), (3, "four"), (0, "one"), (2, ""), (3, "four")] {
+            assert_eq!(file.line(number), Some(line.as_bytes()));
+        }
+        assert_eq!(file.line(4), None);
+        assert_eq!(file.line(0), Some("one".as_bytes()));
     }
 
     #[test]

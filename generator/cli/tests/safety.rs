@@ -111,6 +111,7 @@ fn a_file_that_cannot_be_written_to_its_end_is_the_environment() {
 
 /// A real one, where the system lets us mount it.
 #[test]
+#[expect(clippy::print_stdout, reason = "why it was not run")]
 #[cfg(target_os = "linux")]
 fn a_full_disk_is_the_environment() {
     let folder = folder(40);

@@ -149,7 +149,7 @@ impl Sums {
 /// What the roundings of the block may add, as a factor.
 ///
 /// A step of a section rounds some eight times, each a unit roundoff u of a value that is at most a few times the
-/// largest of its states, which puts an error of at most e = 32 u max(|s1|, |s2|) into both states. Each such error goes
+/// largest of its states: an error of at most e = 32 u max(|s1|, |s2|) in both states. Each such error goes
 /// on like a state of its own: with N = [`Free::sum_of_any`] all of them together add at most e N to the states, those
 /// that they cause in turn included 1 / (1 - 32 u N). Where that is not small, nothing is certain.
 fn rounding(sections: &[Sums], real: RealKind) -> f64 {
