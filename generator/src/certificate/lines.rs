@@ -1,6 +1,7 @@
 //! A certificate in words: short lines of ASCII for the head of a file and for the terminal. Nothing is computed.
 
 use super::{Certificate, Point, StageCertificate};
+use crate::design::digits;
 use crate::design::response::{Complex, magnitude, phase};
 use portable::RealKind;
 
@@ -62,10 +63,4 @@ fn polar(h: Complex) -> String {
     let angle = if angle < -179.999_999_9 { angle + 360.0 } else { angle };
     let angle = if angle.abs() < 5e-8 { 0.0 } else { angle }; // nothing but rounding
     format!("{} at {} deg", digits(magnitude(h)), digits(angle))
-}
-
-/// Seven significant digits, no trailing zeros, the same on every host.
-fn digits(value: f64) -> String {
-    let rounded: f64 = format!("{value:.6e}").parse().expect("certificate: a formatted number is a number");
-    if rounded != 0.0 && !(1e-4..1e12).contains(&rounded.abs()) { format!("{rounded:e}") } else { format!("{rounded}") }
 }

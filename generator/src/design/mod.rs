@@ -28,5 +28,5 @@ pub mod stage;
 pub mod unusable;
 
 pub use ipc::coefficients as ipc;
-pub use notes::notes;
+pub use notes::{digits, notes};
 pub use unusable::{Refusal, unusable};

@@ -156,7 +156,7 @@ fn note(path: &str, text: String) -> (String, String) {
 }
 
 /// Seven significant digits, no trailing zeros, the same on every host.
-fn digits(value: f64) -> String {
+pub fn digits(value: f64) -> String {
     let rounded: f64 = format!("{value:.6e}").parse().expect("design: a formatted number is a number");
     if rounded != 0.0 && !(1e-4..1e12).contains(&rounded.abs()) { format!("{rounded:e}") } else { format!("{rounded}") }
 }

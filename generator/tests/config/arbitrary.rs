@@ -62,7 +62,7 @@ fn pieces() -> impl Strategy<Value = Vec<u8>> {
 fn valid() -> [String; 2] {
     let list = super::direct("").replace("ipc.", IPC);
     let examples = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples");
-    let set = std::fs::read_to_string(format!("{examples}/machine.toml")).unwrap();
+    let set = std::fs::read_to_string(format!("{examples}/machine.toml")).expect("the example is there");
     [list, set]
 }
 
