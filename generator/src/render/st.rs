@@ -95,6 +95,8 @@ pub struct CodesysFile<'a> {
 pub struct CodesysUsable<'a> {
     /// the tool's version
     pub version: &'a str,
+    /// the project's name
+    pub name: &'a str,
     /// digest of the file
     pub body_digest: &'a str,
     /// one function for each real type

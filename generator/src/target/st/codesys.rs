@@ -34,7 +34,8 @@ pub fn files(axis: &Axis, blocks: &[Block]) -> Vec<File> {
 #[must_use]
 pub fn shared(units: &[Unit<'_>]) -> Vec<File> {
     let functions: Vec<_> = super::real_types(units).map(|real| super::twincat::usable(real, usable(real))).collect();
-    let file = CodesysUsable { version: env!("CARGO_PKG_VERSION"), body_digest: UNSEALED, functions: &functions };
+    let version = env!("CARGO_PKG_VERSION");
+    let file = CodesysUsable { version, name: "axgen_shared", body_digest: UNSEALED, functions: &functions };
     let text = file.render().expect("codesys: the shared file's template is filled") + "\n";
     vec![File { name: "axgen_shared.xml".to_owned(), text: seal(text) }]
 }
