@@ -46,7 +46,14 @@ pub fn open(path: &Path) -> Result<Folder, Refusal> {
     let mut last = ErrorKind::NotFound.into();
     for _ in 0..TRIES {
         let below = folder.below.get_mut().unwrap_or_else(PoisonError::into_inner);
-        make(path, &mut below.made).map_err(|error| Refusal::Failed(path.to_owned(), error))?;
+        // Another run may take the folder, or one above it, away while it is being made.
+        match make(path, &mut below.made) {
+            Err(error) if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::AlreadyExists) && !path.is_file() => {
+                last = error;
+                continue;
+            }
+            made => made.map_err(|error| Refusal::Failed(path.to_owned(), error))?,
+        }
         match lock(path) {
             Ok(lock) => folder.lock = lock,
             Err(error) => {
