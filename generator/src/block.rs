@@ -81,6 +81,11 @@ fn block<R: Real, B: Reference<R>>(
     Ok(Block { program, notes, self_test, vector, certificate: Vec::new() })
 }
 
+/// The scalar that a real is.
+pub fn leaf<R: Real>(value: R) -> Literal {
+    leaves(&value)[0]
+}
+
 /// The scalars of a value, in the order of its type.
 pub fn leaves<T: Portable>(value: &T) -> Vec<Literal> {
     let mut leaves = Vec::new();

@@ -29,8 +29,7 @@ pub fn files<T: Send>(
 }
 
 /// What a shared file may know of an axis.
-#[must_use]
-pub fn unit(axis: &Axis) -> Unit<'_> {
+fn unit(axis: &Axis) -> Unit<'_> {
     Unit { axis: &axis.name, real: axis.real, blocks: block::names(axis) }
 }
 

@@ -88,10 +88,11 @@ impl<'p> Machine<'p> {
             Expr::Unary(operator, operand) => unary(*operator, self.value(operand)),
             // Without effects, evaluating both sides always gives what short-circuiting gives.
             Expr::Binary(operator, left, right) => binary(*operator, self.value(left), self.value(right)),
-            Expr::Intrinsic(called, operands) => {
-                let operands: Vec<Literal> = operands.iter().map(|operand| self.value(operand)).collect();
-                intrinsic(*called, &operands, self.program.real)
-            }
+            Expr::Intrinsic(called, operands) => match operands.as_slice() {
+                [a] => intrinsic(*called, &[self.value(a)], self.program.real),
+                [a, b] => intrinsic(*called, &[self.value(a), self.value(b)], self.program.real),
+                _ => panic!("interp: {called:?} with {} operands", operands.len()),
+            },
         }
     }
 }

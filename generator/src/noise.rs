@@ -1,5 +1,6 @@
 //! Noise that every target can make itself, exact in both real types. Nothing is recorded here.
 
+use crate::block::leaf;
 use portable::{Literal, Real};
 use std::marker::PhantomData;
 
@@ -14,7 +15,7 @@ impl<R: Real> Noise<R> {
     /// Noise of two ranges, each above 0.
     #[must_use]
     pub fn within(ranges: [f64; 2]) -> Self {
-        Self { random: 1, scales: ranges.map(|range| literal(Self::scale(range))), real: PhantomData }
+        Self { random: 1, scales: ranges.map(|range| leaf(Self::scale(range))), real: PhantomData }
     }
 
     /// The two factors.
@@ -27,15 +28,11 @@ impl<R: Real> Noise<R> {
     pub fn next(&mut self, is_loud: bool) -> Literal {
         self.random = self.random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
         let scale: R = portable::Portable::build(&mut || self.scales[usize::from(is_loud)]);
-        literal((R::from_u32(self.random >> 8) - R::lit(8_388_608.0)) * scale)
+        leaf((R::from_u32(self.random >> 8) - R::lit(8_388_608.0)) * scale)
     }
 
     /// A power of two within the range.
     fn scale(range: f64) -> R {
         R::lit(libm::exp2(libm::floor(libm::log2(range)) - 23.0))
     }
-}
-
-fn literal<R: Real>(value: R) -> Literal {
-    crate::block::leaves(&value)[0]
 }

@@ -85,6 +85,20 @@ pub enum Type {
     Real,
 }
 
+impl Type {
+    /// The type of a value that exists at run time.
+    #[must_use]
+    pub fn of(value: Literal) -> Option<Self> {
+        match value {
+            Literal::Bool(_) => Some(Self::Bool),
+            Literal::I32(_) => Some(Self::I32),
+            Literal::U32(_) => Some(Self::U32),
+            Literal::F64(_) | Literal::F32(_) => Some(Self::Real),
+            Literal::Usize(_) | Literal::Variant(_) => None,
+        }
+    }
+}
+
 /// A variable or a constant, by its position in the program's list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Var {

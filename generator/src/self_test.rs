@@ -1,6 +1,6 @@
 //! What the self-test of a block does, and the answers that the reference gives. Every target prints it its own way.
 
-use crate::block::leaves;
+use crate::block::{leaf, leaves};
 use crate::noise::Noise;
 use crate::program::{Program, Type};
 use portable::{Literal, Portable, Real, RealKind};
@@ -59,7 +59,7 @@ pub fn record<R: Real, B: Reference<R>>(
         let mut values = switched.iter().enumerate().map(|(index, value)| match program.inputs[index].ty {
             Type::Real => {
                 let noise = noise.next(sample >= loud_from);
-                if bad.contains(&(sample, index)) { literal(R::lit(f64::NAN)) } else { noise }
+                if bad.contains(&(sample, index)) { leaf(R::lit(f64::NAN)) } else { noise }
             }
             _ => *value,
         });
@@ -93,8 +93,4 @@ fn fold(digest: u64, value: Literal, real: RealKind) -> u64 {
         RealKind::F64 => digest.rotate_left(5).wrapping_add(bits),
         RealKind::F32 => ((digest << 5 | digest >> 27) + bits) & u64::from(u32::MAX),
     }
-}
-
-fn literal<R: Real>(value: R) -> Literal {
-    leaves(&value)[0]
 }

@@ -16,32 +16,39 @@ pub enum Show {
     Lines,
 }
 
-/// Compares the files with those of a folder; says every difference. Silent where there is none.
+/// What is said of a file that differs from the one in a folder; none: it does not.
+pub fn difference(file: &File, folder: &Path, show: Show) -> Result<Option<String>, Exit> {
+    let path = folder.join(&file.name);
+    let found = match fs::read(&path) {
+        Ok(bytes) => Some(bytes),
+        Err(error) if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) => None,
+        Err(error) => return Err(Exit::environment(format!("{}: {error}", path.display()))),
+    };
+    if found.as_deref() == Some(file.text.as_bytes()) {
+        return Ok(None);
+    }
+    Ok(Some(match show {
+        Show::Names if found.is_none() => format!("{}: is not there\n", path.display()),
+        Show::Names => format!("{}: differs\n", path.display()),
+        Show::Lines => lines(&path, found.as_deref().unwrap_or_default(), &file.text),
+    }))
+}
+
+/// Says every difference. Silent where there is none.
 #[expect(clippy::print_stdout, reason = "what the command has found")]
-pub fn run(files: &[File], folder: &Path, show: Show) -> Result<Exit, Exit> {
+pub fn say(differences: Vec<Result<Option<String>, Exit>>) -> Result<Exit, Exit> {
     let mut exit = Exit::Done;
-    for file in files {
-        let path = folder.join(&file.name);
-        let found = match fs::read(&path) {
-            Ok(bytes) => Some(bytes),
-            Err(error) if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) => None,
-            Err(error) => return Err(Exit::environment(format!("{}: {error}", path.display()))),
-        };
-        if found.as_deref() == Some(file.text.as_bytes()) {
-            continue;
-        }
-        exit = Exit::Different;
-        match show {
-            Show::Names if found.is_none() => println!("{}: is not there", path.display()),
-            Show::Names => println!("{}: differs", path.display()),
-            Show::Lines => print!("{}", difference(&path, found.as_deref().unwrap_or_default(), &file.text)),
+    for difference in differences {
+        if let Some(text) = difference? {
+            print!("{text}");
+            exit = Exit::Different;
         }
     }
     Ok(exit)
 }
 
 /// The lines that differ, as a unified diff: from what is on disk to what would be written.
-fn difference(path: &Path, found: &[u8], wanted: &str) -> String {
+fn lines(path: &Path, found: &[u8], wanted: &str) -> String {
     let found = String::from_utf8_lossy(found);
     let diff = TextDiff::from_lines(found.as_ref(), wanted);
     let name = path.display().to_string();

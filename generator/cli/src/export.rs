@@ -1,7 +1,7 @@
 //! `axgen export`: an axis of a set as an axis list.
 
 use crate::exit::Exit;
-use crate::import::said;
+use crate::input::said;
 use crate::messages::Format;
 use crate::one_file;
 use generator::exchange;

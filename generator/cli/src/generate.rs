@@ -44,7 +44,8 @@ pub fn run(arguments: &SetArguments, request: &Request) -> Result<Exit, Exit> {
         return emit::run(set.axes.iter().filter(|axis| axes.is_empty() || axes.contains(&axis.name)), stage);
     }
     if let Some(show) = request.compare {
-        return compare_files::run(&made(generate::files(&set, axes, &targets, |file| file)), out, show);
+        let compare = |file| compare_files::difference(&file, out, show);
+        return compare_files::say(made(generate::files(&set, axes, &targets, compare)));
     }
     let folder = write::open(out).map_err(refused)?;
     let staged = made(generate::files(&set, axes, &targets, |file| write::stage(&folder, &file)));

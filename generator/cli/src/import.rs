@@ -1,11 +1,10 @@
 //! `axgen import`: an axis list as a TOML set.
 
 use crate::exit::Exit;
-use crate::input::counted;
-use crate::messages::{self, Format};
+use crate::input::said;
+use crate::messages::Format;
 use crate::one_file;
 use generator::config::ListOptions;
-use generator::diagnostics::Report;
 use generator::exchange;
 use std::path::Path;
 
@@ -30,17 +29,4 @@ pub fn run(list: &Path, request: Request<'_>) -> Result<Exit, Exit> {
     let set = said(set, &report, message_format)?;
     one_file::write(out, set.as_bytes(), force)?;
     Ok(Exit::Done)
-}
-
-/// What came of an exchange, with its messages on standard error.
-pub fn said<T>(result: Option<T>, report: &Report, format: Format) -> Result<T, Exit> {
-    eprint!("{}", messages::text(report, format));
-    result.ok_or_else(|| match format {
-        // A machine has its objects.
-        Format::Json => Exit::input(""),
-        Format::Human => {
-            let errors = report.diagnostics.len() - report.warnings();
-            Exit::input(format!("{}; nothing was written", counted(errors, "error")))
-        }
-    })
 }

@@ -5,22 +5,26 @@ use crate::exit::Exit;
 use crate::messages::{self, Format};
 use generator::axis::Axis;
 use generator::config::{self, ListOptions, Set};
+use generator::diagnostics::Report;
 
 /// Reads and checks the set; says all messages. With an error the command ends here.
 pub fn read(arguments: &SetArguments) -> Result<(Set, usize), Exit> {
     let options = ListOptions { cycle_time: arguments.cycle_time.clone(), name: arguments.name.clone() };
     let (set, report) = config::read(&arguments.set, &options);
-    eprint!("{}", messages::text(&report, arguments.message_format));
-    let warnings = report.warnings();
-    match set {
-        Some(set) => Ok((set, warnings)),
+    Ok((said(set, &report, arguments.message_format)?, report.warnings()))
+}
+
+/// What came of reading, with all messages on standard error.
+pub fn said<T>(result: Option<T>, report: &Report, format: Format) -> Result<T, Exit> {
+    eprint!("{}", messages::text(report, format));
+    result.ok_or_else(|| match format {
         // A machine has its objects.
-        None if arguments.message_format == Format::Json => Err(Exit::input("")),
-        None => {
-            let errors = report.diagnostics.len() - warnings;
-            Err(Exit::input(format!("{}; nothing was written", counted(errors, "error"))))
+        Format::Json => Exit::input(""),
+        Format::Human => {
+            let errors = report.diagnostics.len() - report.warnings();
+            Exit::input(format!("{}; nothing was written", counted(errors, "error")))
         }
-    }
+    })
 }
 
 /// The axis of that name, or the only one.

@@ -72,13 +72,7 @@ pub fn type_of(expr: &Expr, program: &Program) -> Result<Type, Defect> {
 
 /// The type of a literal.
 fn literal_type(literal: Literal) -> Result<Type, Defect> {
-    match literal {
-        Literal::Bool(_) => Ok(Type::Bool),
-        Literal::I32(_) => Ok(Type::I32),
-        Literal::U32(_) => Ok(Type::U32),
-        Literal::F64(_) | Literal::F32(_) => Ok(Type::Real),
-        Literal::Usize(_) | Literal::Variant(_) => Err(defect(format!("{literal:?} is left at run time"))),
-    }
+    Type::of(literal).ok_or_else(|| defect(format!("{literal:?} is left at run time")))
 }
 
 fn binary_type(operator: Binary, operand: Type) -> Option<Type> {

@@ -9,7 +9,12 @@ pub mod st;
 
 use crate::axis::Axis;
 use crate::block::Block;
+use crate::digest::seal;
+use askama::Template;
 use portable::RealKind;
+
+/// The tool's version, which every generated file names.
+const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// A target language.
 #[derive(Clone, Copy, Debug)]
@@ -64,6 +69,18 @@ pub struct File {
 #[must_use]
 pub fn stem(axis: &str) -> String {
     format!("axis_{}", axis.to_ascii_lowercase())
+}
+
+/// What the name of a block of an axis is in every target, but for a prefix.
+#[must_use]
+pub fn block_name(axis: &str, block: &str) -> String {
+    format!("{}_{block}", stem(axis))
+}
+
+/// A file from its template, behind a mark that some readers want at the very beginning.
+fn sealed(name: String, mark: &str, template: &impl Template) -> File {
+    let text = template.render().expect("target: no input can keep a template from being filled");
+    File { name, text: seal(format!("{mark}{text}\n")) }
 }
 
 fn nothing(_: &[Unit<'_>]) -> Vec<File> {

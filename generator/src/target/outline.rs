@@ -57,7 +57,7 @@ impl Language<'_> {
             };
             let fresh: Vec<&str> = notes.iter().copied().filter(|note| !said.contains(note)).collect();
             let text = ConstantText {
-                ty: (self.ty)(type_of(constant.value)),
+                ty: (self.ty)(Type::of(constant.value).expect("outline: the passes leave what exists at run time")),
                 name: name.clone(),
                 value: (self.literal)(constant.value),
                 doc: comment::harmless(constant.doc).into_owned(),
@@ -97,15 +97,4 @@ pub fn is_read(program: &Program) -> Vec<bool> {
 fn notes_of(path: &str) -> impl Iterator<Item = &str> {
     let ends = path.char_indices().filter(|(_, character)| *character == '.').map(|(end, _)| end);
     ends.chain([path.len()]).map(|end| &path[..end])
-}
-
-/// The type of a number that is left at run time.
-#[must_use]
-pub fn type_of(value: Literal) -> Type {
-    match value {
-        Literal::Bool(_) => Type::Bool,
-        Literal::U32(_) => Type::U32,
-        Literal::F64(_) | Literal::F32(_) => Type::Real,
-        _ => Type::I32,
-    }
 }

@@ -8,17 +8,18 @@ use generator::block::Block;
 use generator::target::names::Names;
 use generator::target::st::names::{is_reserved, signals};
 use generator::target::st::{codesys, plain, twincat};
-use generator::target::{File, stem};
+use generator::target::{File, block_name};
 
 /// Runs a block from the file that the target of a dialect emits.
 pub fn run(dialect: Dialect, axis: &Axis, block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
+    let blocks = std::slice::from_ref(block);
     let (files, name, enable): (Vec<File>, _, &[(&str, bool)]) = match dialect {
-        Dialect::Plain => (plain::files(axis, std::slice::from_ref(block)), plain_name(axis, block), &[]),
+        Dialect::Plain => (plain::files(axis, blocks), block_name(&axis.name, block.program.block), &[]),
         Dialect::TwinCat => {
             let name = twincat::block_name(&axis.name, block.program.block);
-            (twincat::files(axis, std::slice::from_ref(block)), name, &[("Enable", true)])
+            (twincat::files(axis, blocks), name, &[("Enable", true)])
         }
-        Dialect::Codesys => (codesys::files(axis, std::slice::from_ref(block)), plain_name(axis, block), &[]),
+        Dialect::Codesys => (codesys::files(axis, blocks), block_name(&axis.name, block.program.block), &[]),
     };
     let file = files.first().expect("engine: every target emits the block first");
     let broken = |mistakes: Vec<Mistake>| {
@@ -29,8 +30,4 @@ pub fn run(dialect: Dialect, axis: &Axis, block: &Block, inputs: &Samples) -> Re
     let outputs = Shape::of(&block.program.outputs, block.program.real);
     let read = st::Block::read(dialect, &file.text, &name, block.program.real).map_err(broken)?;
     read.run(inputs, &input_names, &outputs, &output_names, enable).map_err(broken)
-}
-
-fn plain_name(axis: &Axis, block: &Block) -> String {
-    format!("{}_{}", stem(&axis.name), block.program.block)
 }

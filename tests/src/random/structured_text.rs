@@ -1,6 +1,7 @@
 //! The Structured Text of a batch: each block read and run by the engine `st`, several files at a time.
 
 use super::compile::Line;
+use super::inside::judge::same;
 use generator::program::Type;
 use golden::engine::st::{Block, Dialect};
 use golden::samples::{Samples, Shape, Signal};
@@ -121,14 +122,5 @@ fn value(word: u64, signal: &Signal) -> Literal {
         Literal::F64(_) => Literal::F64(f64::from_bits(word)),
         Literal::F32(_) => Literal::F32(f32::from_bits(half)),
         _ => Literal::U32(half),
-    }
-}
-
-/// Whether two values have the same bits; any NaN is as good as any other.
-fn same(a: Literal, b: Literal) -> bool {
-    match (a, b) {
-        (Literal::F64(a), Literal::F64(b)) => a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan(),
-        (Literal::F32(a), Literal::F32(b)) => a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan(),
-        _ => a == b,
     }
 }

@@ -4,11 +4,11 @@ use super::print::{Printer, member};
 use super::types;
 use crate::axis::Axis;
 use crate::block::Block;
-use crate::digest::{UNSEALED, digest, seal};
+use crate::digest::{UNSEALED, digest};
 use crate::program::{Expr, Program, Type, Variable};
 use crate::render::{CBlock, CFile, CHeader, CSelfTest, CSource, Noisy, Switch};
 use crate::target::outline::{COMMENT_WIDTH, Language};
-use crate::target::{File, comment, stem};
+use crate::target::{File, VERSION, block_name, comment, sealed, stem};
 use askama::Template;
 use portable::{Intrinsic, Literal, RealKind};
 
@@ -20,7 +20,7 @@ use portable::{Intrinsic, Literal, RealKind};
 pub fn files(axis: &Axis, blocks: &[Block]) -> Vec<File> {
     let stem = stem(&axis.name);
     let (header, source) = (format!("{stem}.h"), format!("{stem}.c"));
-    let texts: Vec<CBlock> = blocks.iter().map(|block| block_text(&stem, block)).collect();
+    let texts: Vec<CBlock> = blocks.iter().map(|block| block_text(&axis.name, block)).collect();
     let guard = format!("{}_H", stem.to_ascii_uppercase());
     let header_body = CHeader { guard: &guard, blocks: &texts }.render().expect("c: the header's template is filled");
     let (zero, builtin_magnitude) = match axis.real {
@@ -51,7 +51,7 @@ fn compares_magnitudes(program: &Program) -> bool {
 fn with_origin(axis: &Axis, file: String, body: &str) -> File {
     let text = CFile {
         file: &file,
-        version: env!("CARGO_PKG_VERSION"),
+        version: VERSION,
         axis: &axis.name,
         real: types::name(Type::Real, axis.real),
         cycle_time_ns: axis.cycle_time_ns,
@@ -59,13 +59,12 @@ fn with_origin(axis: &Axis, file: String, body: &str) -> File {
         body_digest: UNSEALED,
         body,
     };
-    let text = text.render().expect("c: the file's template is filled") + "\n";
-    File { name: file, text: seal(text) }
+    sealed(file.clone(), "", &text)
 }
 
-fn block_text(stem: &str, block: &Block) -> CBlock {
+fn block_text(axis: &str, block: &Block) -> CBlock {
     let program = &block.program;
-    let prefix = format!("{stem}_{}", program.block);
+    let prefix = block_name(axis, program.block);
     let printer = Printer::new(program);
     let language = Language { ty: &|ty| types::name(ty, program.real), literal: &types::literal, next_line: "\n * " };
     CBlock {

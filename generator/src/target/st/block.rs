@@ -8,9 +8,20 @@ use crate::block::Block;
 use crate::digest::{UNSEALED, digest};
 use crate::program::{Program, Type};
 use crate::render::{Group, Member, Origin, StBlock};
-use crate::target::comment;
 use crate::target::outline::{COMMENT_WIDTH, Language};
+use crate::target::{VERSION, block_name, comment};
 use askama::Template;
+
+/// The origin and the blocks of a file that has all blocks of an axis, as its template takes them; a dialect puts a prefix
+/// before the blocks' names.
+#[must_use]
+pub fn listings(axis: &Axis, file: &str, blocks: &[Block], prefix: &str, dialect: Dialect) -> (String, Vec<StBlock>) {
+    let listing = |block: &Block| {
+        let name = format!("{prefix}{}", block_name(&axis.name, block.program.block));
+        listing(name, block, block.program.clone(), dialect)
+    };
+    (origin(axis, file, blocks), blocks.iter().map(listing).collect())
+}
 
 /// A block with the name that a file gives it.
 #[must_use]
@@ -62,7 +73,7 @@ pub fn origin(axis: &Axis, file: &str, blocks: &[Block]) -> String {
     let certificates: Vec<&String> = blocks.iter().flat_map(|block| &block.certificate).collect();
     let origin = Origin {
         file,
-        version: env!("CARGO_PKG_VERSION"),
+        version: VERSION,
         axis: &axis.name,
         real: type_name(Type::Real, axis.real),
         cycle_time_ns: axis.cycle_time_ns,

@@ -9,27 +9,27 @@ pub struct Dialect {
     /// whether a block can have constants with names of their own. Where it cannot rely on that, its numbers stand in the
     /// statements, with their names behind them.
     pub declares_constants: bool,
-    /// the function that looks at the exponent bits of a sample before it compares it; none: a comparison with a NaN is
-    /// FALSE there, and does no harm
-    pub usable: Option<fn(RealKind) -> &'static str>,
+    /// whether a function looks at the exponent bits of a sample before it compares it ([`usable`]); elsewhere a comparison
+    /// with a NaN is FALSE, and does no harm
+    pub looks_at_bits: bool,
     /// what a statement writes before the name of a variable of the block
     pub sigil: &'static str,
 }
 
 /// Any compiler of the standard's second edition. Some drop every initial value inside an instance, silently: nothing
 /// may depend on one.
-pub const PLAIN: Dialect = Dialect { declares_constants: false, usable: None, sigil: "" };
+pub const PLAIN: Dialect = Dialect { declares_constants: false, looks_at_bits: false, sigil: "" };
 
 /// TwinCAT 3. A comparison with a NaN can stop its runtime.
-pub const TWINCAT: Dialect = Dialect { declares_constants: true, usable: Some(usable), sigil: "" };
+pub const TWINCAT: Dialect = Dialect { declares_constants: true, looks_at_bits: true, sigil: "" };
 
 /// CODESYS 3.5; the same runtime family, the same care.
-pub const CODESYS: Dialect = Dialect { declares_constants: true, usable: Some(usable), sigil: "" };
+pub const CODESYS: Dialect = Dialect { declares_constants: true, looks_at_bits: true, sigil: "" };
 
 /// Siemens SCL for S7-1200 and S7-1500.
-pub const SCL: Dialect = Dialect { declares_constants: true, usable: None, sigil: "#" };
+pub const SCL: Dialect = Dialect { declares_constants: true, looks_at_bits: false, sigil: "#" };
 
-/// The function that TwinCAT and CODESYS get for [`Dialect::usable`].
+/// The function that looks at a sample's exponent bits, where [`Dialect::looks_at_bits`].
 #[must_use]
 pub fn usable(real: RealKind) -> &'static str {
     match real {
@@ -77,5 +77,14 @@ pub fn type_name(ty: Type, real: RealKind) -> &'static str {
         (Type::U32, _) => "UDINT",
         (Type::Real, RealKind::F64) => "LREAL",
         (Type::Real, RealKind::F32) => "REAL",
+    }
+}
+
+/// The bit string of a real's size.
+#[must_use]
+pub fn word_name(real: RealKind) -> &'static str {
+    match real {
+        RealKind::F64 => "LWORD",
+        RealKind::F32 => "DWORD",
     }
 }

@@ -1,7 +1,7 @@
 //! Expressions as Structured Text, one to one, with more parentheses than the standard asks for: implementations read
 //! `NOT`, signs and mixed operators in more than one way.
 
-use super::dialect::type_name;
+use super::dialect::{type_name, usable};
 use super::print::Printer;
 use super::types;
 use crate::program::{Expr, Type};
@@ -66,9 +66,8 @@ impl Printer<'_> {
     fn intrinsic(&self, intrinsic: Intrinsic, operands: &[Expr], text: &mut String) {
         let real = self.program().real;
         match (intrinsic, operands) {
-            (Intrinsic::Usable, [x, limit]) if self.dialect().usable.is_some() => {
-                let function = self.dialect().usable.map_or("", |usable| usable(real));
-                text.push_str(function);
+            (Intrinsic::Usable, [x, limit]) if self.dialect().looks_at_bits => {
+                text.push_str(usable(real));
                 text.push_str("(value := ");
                 self.expr(x, text);
                 text.push_str(", largest := ");

@@ -16,9 +16,6 @@ pub mod start;
 pub mod twincat;
 pub mod types;
 
-pub use dialect::Dialect;
-pub use dialect::usable as usable_function;
-
 use super::Unit;
 use portable::RealKind;
 

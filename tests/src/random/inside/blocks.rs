@@ -6,7 +6,6 @@ use generator::program::{Expr, Program, Statement, Type, Var, Variable};
 use generator::target::st::dialect::{Form, PLAIN, type_name};
 use generator::target::st::print::Printer;
 use generator::target::st::{operands, start, types};
-use portable::Literal;
 use std::fmt::Write;
 
 /// A file of function blocks, and a line for each of them: its number, the names and types of its inputs, then of its
@@ -42,7 +41,9 @@ impl Blocks {
             program.locals.iter().map(|local| local.ty.expect("blocks: the typing pass has typed every local"));
         let mut inner = declared(&program.state, &names.state);
         inner.extend(names.locals.iter().cloned().zip(locals));
-        inner.extend(assigned.iter().map(|(constant, name)| ((*name).clone(), of_value(constant.value))));
+        inner.extend(assigned.iter().map(|(constant, name)| {
+            ((*name).clone(), Type::of(constant.value).expect("blocks: a constant exists at run time"))
+        }));
         let (inputs, outputs) = (declared(&program.inputs, &names.inputs), declared(&program.outputs, &names.outputs));
         for (keyword, variables) in [("VAR_INPUT", &inputs), ("VAR_OUTPUT", &outputs), ("VAR", &inner)] {
             if !variables.is_empty() {
@@ -64,15 +65,6 @@ impl Blocks {
         self.source.push_str(&text);
         counts(compiled, &mut self.words);
         samples(compiled, &mut self.words);
-    }
-}
-
-fn of_value(value: Literal) -> Type {
-    match value {
-        Literal::Bool(_) => Type::Bool,
-        Literal::U32(_) => Type::U32,
-        Literal::F64(_) | Literal::F32(_) => Type::Real,
-        _ => Type::I32,
     }
 }
 

@@ -92,12 +92,7 @@ fn mentions(statements: &[Statement], var: Var) -> bool {
 }
 
 fn named(constant: &Constant, name: &str, program: &Program) -> String {
-    let ty = match constant.value {
-        Literal::Bool(_) => Type::Bool,
-        Literal::I32(_) => Type::I32,
-        Literal::U32(_) => Type::U32,
-        _ => Type::Real,
-    };
+    let ty = Type::of(constant.value).expect("emit: a constant exists at run time");
     format!("    static const {} {name} = {};\n", types::name(ty, program.real), types::literal(constant.value))
 }
 

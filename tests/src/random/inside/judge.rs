@@ -172,7 +172,8 @@ fn numbers(values: &[Literal]) -> Vec<Literal> {
 }
 
 /// Whether two values have the same bits; any NaN is as good as any other.
-fn same(a: Literal, b: Literal) -> bool {
+#[must_use]
+pub fn same(a: Literal, b: Literal) -> bool {
     match (a, b) {
         (Literal::F64(a), Literal::F64(b)) => a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan(),
         (Literal::F32(a), Literal::F32(b)) => a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan(),

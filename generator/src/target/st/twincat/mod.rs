@@ -8,12 +8,13 @@ mod suite;
 pub use project::shared;
 
 use super::block::{listing, origin};
-use super::dialect::TWINCAT;
+use super::dialect::{self, TWINCAT, type_name, word_name};
 use crate::axis::Axis;
 use crate::block::Block;
-use crate::digest::{UNSEALED, seal};
+use crate::digest::UNSEALED;
+use crate::program::Type;
 use crate::render::{TcPou, TcUsable};
-use crate::target::{File, stem};
+use crate::target::{self, File, VERSION};
 use askama::Template;
 use portable::RealKind;
 
@@ -27,7 +28,7 @@ const DUTS: &str = "DUTs";
 const TESTS: &str = "Tests";
 
 /// TwinCAT's files begin with a byte order mark.
-const BYTE_ORDER_MARK: char = '\u{feff}';
+const BYTE_ORDER_MARK: &str = "\u{feff}";
 
 /// The files of an axis: for each block the function block, and a suite with its vector.
 #[must_use]
@@ -57,22 +58,22 @@ fn function_block(axis: &Axis, block: &Block, name: &str) -> File {
 /// The name of the function block of a block of an axis.
 #[must_use]
 pub fn block_name(axis: &str, block: &str) -> String {
-    format!("FB_{}_{block}", stem(axis))
+    format!("FB_{}", target::block_name(axis, block))
 }
 
 /// The function that looks at a sample's exponent bits before it compares it.
 #[must_use]
-pub fn usable(real: RealKind, name: &'static str) -> TcUsable<'static> {
-    let (real, word, exponent) = match real {
-        RealKind::F64 => ("LREAL", "LWORD", "16#7FF0000000000000"),
-        RealKind::F32 => ("REAL", "DWORD", "16#7F800000"),
+pub fn usable(real: RealKind) -> TcUsable<'static> {
+    let name = dialect::usable(real);
+    let exponent = match real {
+        RealKind::F64 => "16#7FF0000000000000",
+        RealKind::F32 => "16#7F800000",
     };
-    let version = env!("CARGO_PKG_VERSION");
-    TcUsable { version, body_digest: UNSEALED, id: guid::of("POU", name), name, real, word, exponent }
+    let (real, word) = (type_name(Type::Real, real), word_name(real));
+    TcUsable { version: VERSION, body_digest: UNSEALED, id: guid::of("POU", name), name, real, word, exponent }
 }
 
 /// A file from its template.
 fn sealed(folder: &str, file: String, template: &impl Template) -> File {
-    let text = template.render().expect("twincat: the file's template is filled");
-    File { name: format!("{FOLDER}/{folder}/{file}"), text: seal(format!("{BYTE_ORDER_MARK}{text}\n")) }
+    target::sealed(format!("{FOLDER}/{folder}/{file}"), BYTE_ORDER_MARK, template)
 }

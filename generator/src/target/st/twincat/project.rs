@@ -1,15 +1,14 @@
 //! What all axes of a set share in TwinCAT: the function, the types, the test program, the project's entries, the guide.
 
 use super::{DUTS, FOLDER, POUS, TESTS, block_name, guid, sealed, suite, usable};
-use crate::digest::{UNSEALED, seal};
+use crate::digest::UNSEALED;
+use crate::program::Type;
 use crate::render::{Compile, Item, TcEnum, TcGuide, TcProgram, TcProject, TcUnion};
-use crate::target::st::{dialect, real_types};
-use crate::target::{File, Unit};
-use askama::Template;
+use crate::target::st::dialect::{type_name, word_name};
+use crate::target::st::real_types;
+use crate::target::{self, File, Unit, VERSION};
 use portable::RealKind;
 use reference::ipc::{mode_dryrun, mode_off, mode_on};
-
-const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// The shared files.
 #[must_use]
@@ -21,7 +20,7 @@ pub fn shared(units: &[Unit<'_>]) -> Vec<File> {
     let suites: Vec<String> = blocks.iter().map(|block| suite::suite_name(block)).collect();
     let mut files = vec![modes()];
     for real in real_types(units) {
-        let function = usable(real, dialect::usable(real));
+        let function = usable(real);
         files.push(sealed(POUS, format!("{}.TcPOU", function.name), &function));
         files.push(bits(real));
     }
@@ -45,10 +44,7 @@ fn modes() -> File {
 
 /// The union of a real and its bits.
 fn bits(real: RealKind) -> File {
-    let (real, word) = match real {
-        RealKind::F64 => ("LREAL", "LWORD"),
-        RealKind::F32 => ("REAL", "DWORD"),
-    };
+    let (real, word) = (type_name(Type::Real, real), word_name(real));
     let name = format!("U_axgen_{real}");
     let file = TcUnion { version: VERSION, body_digest: UNSEALED, id: guid::of("DUT", &name), real, word };
     sealed(TESTS, format!("{name}.TcDUT"), &file)
@@ -60,13 +56,12 @@ fn project(shared: &[File], blocks: &[String]) -> File {
     for block in blocks {
         entries.push(Compile { folder: POUS, file: format!("{block}.TcPOU") });
         entries.push(Compile { folder: TESTS, file: format!("{}.TcPOU", suite::suite_name(block)) });
-        entries.push(Compile { folder: TESTS, file: format!("GVL_{}_vector.TcGVL", &block["FB_".len()..]) });
+        entries.push(Compile { folder: TESTS, file: format!("{}.TcGVL", suite::vector_name(block)) });
     }
     entries.sort_by(|a, b| (a.folder, &a.file).cmp(&(b.folder, &b.file)));
     let (tests, objects): (Vec<_>, Vec<_>) = entries.into_iter().partition(|entry| entry.folder == TESTS);
     let file = TcProject { version: VERSION, body_digest: UNSEALED, objects: &objects, tests: &tests };
-    let text = file.render().expect("twincat: the project's template is filled") + "\n";
-    File { name: format!("{FOLDER}/axgen.plcproj"), text: seal(text) }
+    target::sealed(format!("{FOLDER}/axgen.plcproj"), "", &file)
 }
 
 /// The entry of a file that has been made.
@@ -77,7 +72,5 @@ fn entry(name: &str) -> Option<Compile> {
 }
 
 fn guide(block: &str) -> File {
-    let guide = TcGuide { version: VERSION, body_digest: UNSEALED, block };
-    let text = guide.render().expect("twincat: the guide's template is filled") + "\n";
-    File { name: format!("{FOLDER}/IMPORT.md"), text: seal(text) }
+    target::sealed(format!("{FOLDER}/IMPORT.md"), "", &TcGuide { version: VERSION, body_digest: UNSEALED, block })
 }

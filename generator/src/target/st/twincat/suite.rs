@@ -10,14 +10,14 @@ use crate::target::names::Names;
 use crate::target::number::bits;
 use crate::target::outline::is_read;
 use crate::target::st::block::origin;
-use crate::target::st::dialect::type_name;
+use crate::target::st::dialect::{type_name, word_name};
 use crate::target::st::names::{is_reserved, signals};
 use crate::target::st::types;
 use portable::{Literal, RealKind};
 
 /// The vector and the suite of a block.
 pub fn files(axis: &Axis, block: &Block, name: &str) -> [File; 2] {
-    let list = format!("GVL_{}_vector", &name["FB_".len()..]);
+    let list = vector_name(name);
     let vector = &block.vector;
     let program = &block.program;
     let [input_names, output_names] = signals(program, &mut Names::without(is_reserved));
@@ -65,13 +65,14 @@ pub fn suite_name(block: &str) -> String {
     format!("{block}_Test")
 }
 
+/// The name of the list with the vector of a function block.
+pub fn vector_name(block: &str) -> String {
+    format!("GVL_{}_vector", &block["FB_".len()..])
+}
+
 /// The type that the values of a signal have in a vector: reals as their bits.
 fn stored_as(ty: Type, real: RealKind) -> &'static str {
-    match (ty, real) {
-        (Type::Real, RealKind::F64) => "LWORD",
-        (Type::Real, RealKind::F32) => "DWORD",
-        (ty, real) => type_name(ty, real),
-    }
+    if ty == Type::Real { word_name(real) } else { type_name(ty, real) }
 }
 
 /// The values of a track, a run of equal ones as `count(value)`, in lines.
