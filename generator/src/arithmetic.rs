@@ -68,6 +68,12 @@ pub fn intrinsic(intrinsic: Intrinsic, operands: &[Literal], real: RealKind) -> 
             RealKind::F64 => Literal::F64(portable::from_u32(*value)),
             RealKind::F32 => Literal::F32(portable::from_u32(*value)),
         },
+        (Intrinsic::FromI32, [Literal::I32(value)]) => match real {
+            RealKind::F64 => Literal::F64(portable::from_i32(*value)),
+            RealKind::F32 => Literal::F32(portable::from_i32(*value)),
+        },
+        (Intrinsic::Truncate, [Literal::F64(x)]) => Literal::I32(portable::truncate(*x)),
+        (Intrinsic::Truncate, [Literal::F32(x)]) => Literal::I32(portable::truncate(*x)),
         _ => panic!("arithmetic: {intrinsic:?} of {operands:?}"),
     }
 }

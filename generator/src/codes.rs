@@ -118,6 +118,26 @@ codes! {
     TOO_FAST = "AX309", "a velocity that the block takes for a bad sample",
         "A block takes a velocity beyond its sample limit, 1e9 in single precision, for a bad sample: it would stop at speed. \
          Use double precision.";
+    NO_WAY_OUT = "AX310", "improved position control without an additive velocity",
+        "The drive controls the position, so that the additive velocity of improved position control is process data of the \
+         drive: SERCOS S-0-0037, CANopen 60B1h, PROFIdrive NSOLL_B. No axis list holds the process data; the key \
+         process_data.additive_velocity says that it is there, and how wide.";
+    ADD_JERK = "AX311", "additive torque from the jerk",
+        "No document gives the formula of ADD_JERK. Ours is inferred from the units: a torque from a jerk needs a time, for \
+         which the jerk factor is read in seconds. The key add_jerk = \"experimental\" generates it.";
+    WITHOUT_DELAY = "AX312", "feedforward without delay of more than the velocity (110624)",
+        "feedforward_without_delay (P-AXIS-00566) holds for VEL alone. The controller reports its error 110624.";
+    RESOLUTION = "AX313", "no increments per revolution",
+        "The angle that the motor turns by follows from the path resolution and the increments per revolution \
+         (P-AXIS-00092), which is 0.";
+    SCALE = "AX314", "a scaling beyond the numbers",
+        "The parameters of a scaling are so large that their product with a velocity or an acceleration is no number any \
+         more.";
+    MASTER = "AX315", "no master of a gantry",
+        "A gantry slave puts out the additive velocity of its master: the master is another axis of the set, which is itself \
+         no slave. Logical axis numbers (P-AXIS-00016) name one axis each.";
+    LINEAR_MOTOR = "AX316", "a linear motor that turns",
+        "A linear motor moves a translatory axis. The torque of a rotary axis or a spindle comes from a rotary motor.";
 
     NO_STAGE = "AX401", "no stage is active",
         "The block is generated, and puts out 0.";
@@ -153,6 +173,56 @@ codes! {
         "The slave's stages are not enabled, but the mode is an input of the block: it must stay OFF.";
     INERT = "AX413", "a key without effect",
         "The key acts in another mode of its stage only.";
+    NO_VELOCITY_DATA = "AX414", "ADD_VEL without an additive velocity in the process data (70350)",
+        "The controller reports its error 70350. The output is switched off, as if ADD_VEL were not there. If the drive has the \
+         process datum, the key process_data.additive_velocity says so: no axis list holds it.";
+    NO_TORQUE_DATA = "AX415", "ADD_ACC or ADD_JERK without an additive torque in the process data (70351)",
+        "The controller reports its error 70351. The output is switched off. If the drive has the process datum, the key \
+         process_data.additive_torque says so: no axis list holds it.";
+    VELOCITY_DELAY = "AX416", "delay of the additive velocity out of range (70349)",
+        "The delay is below six cycles. The controller reports its error 70349 and corrects the delay to 0, and so does the \
+         block. Where a manual speaks of one cycle in an example, its parameter reference says six.";
+    TORQUE_DELAY = "AX417", "delay of the additive torque out of range (70348)",
+        "The delay is below six cycles. The controller reports its error 70348 and corrects the delay to 0, and so does the \
+         block. Where a manual speaks of one cycle in an example, its parameter reference says six.";
+    TORQUE_SCALE = "AX418", "torque scaling with the denominator 0 (110465)",
+        "The controller reports its error 110465, sets the factor to 0 and puts out no additive torque; the block does the same.";
+    JERK_FACT = "AX419", "jerk factor with the denominator 0 (110473)",
+        "The controller reports its error 110473 and corrects the denominator to 100; the block does the same.";
+    DENOMINATOR = "AX420", "a denominator of 0",
+        "The manual's range has the 0, which divides nothing. The term that it belongs to is left out.";
+    NO_REFERENCE = "AX421", "no nominal torque",
+        "The additive torque is scaled to the nominal torque of the motor (P-AXIS-00392), which is 0. It is switched off.";
+    INERT_DEFAULT = "AX422", "a default that leaves feedforward without effect",
+        "The parameter has its default, with which the quantity contributes next to nothing: a time constant of 1 us, a jerk \
+         factor of 1/100, a load of 1e-6.";
+    TWICE = "AX423", "feedforward in the CNC and in the drive",
+        "A drive that controls the position mostly feeds forward itself (SERCOS S-0-0296 and S-0-0348, CANopen 3062h). With \
+         both, the axis leads.";
+    LEADS = "AX424", "feedforward weighted above 1",
+        "Above 1 the axis leads its command and the contour suffers. 0.7 to 1 is usual.";
+    TWO_MEANINGS = "AX425", "one parameter with two meanings",
+        "With ADD_ACC the quotient P-AXIS-00225/00226 is a plain weight, without it a time constant in us. JERK takes it for \
+         the time constant.";
+    NO_EFFECT = "AX426", "parameters without effect",
+        "The parameters are given, and nothing of what this axis does uses them.";
+    SCALINGS = "AX427", "unequal scalings in a gantry",
+        "A slave puts out its master's additive velocity in its own scaling. Where the scalings differ, so do the increments: \
+         that is right for unequal drives only.";
+    MASTER_UNKNOWN = "AX428", "the master of a gantry is not there",
+        "A list that stands alone has no master beside it. In a set with both, the slave's block `axis` puts out the master's \
+         additive velocity.";
+    DISABLED = "AX429", "feedforward is disabled",
+        "global_disable (P-AXIS-00256) wins over G135: the block puts out 0.";
+    SINGLE_POSITION = "AX430", "positions in single precision",
+        "Single precision has 24 bits: a position beyond 16.7 m, or 16777 deg, loses micrometres or thousandths of a degree, \
+         and a quarter of that already below.";
+    KV_DEFAULT = "AX431", "the gain of the position controller is its default",
+        "The list has no getriebe[i].kv (P-AXIS-00099). Where the drive controls the position, Kv must be that of the drive \
+         (SERCOS S-0-0104, CANopen 30C0h:01).";
+    NO_WAY_OUT_YET = "AX432", "improved position control that may not be enabled",
+        "The drive controls the position, and its process data have no additive velocity: nothing would go out. The mode is \
+         OFF at start; it must stay so until the drive has the process datum and process_data.additive_velocity says so.";
 }
 
 #[cfg(test)]

@@ -68,7 +68,8 @@ fn expr(program: &Program, value: &Expr) -> String {
             let name = match intrinsic {
                 Intrinsic::Usable => "usable",
                 Intrinsic::Within => "within",
-                Intrinsic::FromU32 => "real",
+                Intrinsic::FromU32 | Intrinsic::FromI32 => "real",
+                Intrinsic::Truncate => "truncate",
             };
             format!("{name}({})", operands.iter().map(|part| expr(program, part)).collect::<Vec<_>>().join(", "))
         }

@@ -10,6 +10,8 @@ use portable::{Literal, RealKind};
 pub struct Program {
     /// the block's name: `ipc`
     pub block: &'static str,
+    /// the input that turns the block off: a mode at 0, a switch at FALSE
+    pub enable: &'static str,
     /// what [`Type::Real`] is
     pub real: RealKind,
     /// written by the caller

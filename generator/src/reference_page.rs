@@ -18,7 +18,7 @@ pub fn text() -> String {
     ] {
         let _ = write!(
             page,
-            "\n## {title}\n\n| id | path | allowed | default | since | meaning |\n| --- | --- | --- | --- | --- | --- |\n"
+            "\n## {title}\n\n| id | path | allowed | default | unit | since | drives | meaning |\n| --- | --- | --- | --- | --- | --- | --- | --- |\n"
         );
         for parameter in Name::ALL.map(Name::parameter).into_iter().filter(|parameter| parameter.scope == scope) {
             row(parameter, &mut page);
@@ -33,14 +33,19 @@ fn row(parameter: &Parameter, page: &mut String) {
         let also: Vec<String> = parameter.aliases.iter().map(|alias| format!("`{alias}`")).collect();
         let _ = write!(meaning, "; also {}", also.join(", "));
     }
+    if !parameter.printed.is_empty() {
+        let _ = write!(meaning, "; printed: {}", parameter.printed);
+    }
     let _ = writeln!(
         page,
-        "| {} | `{}` | {} | {} | {} | {} |",
+        "| {} | `{}` | {} | {} | {} | {} | {} | {} |",
         parameter.id.unwrap_or(""),
         parameter.path,
         cell(&parameter.allowed()),
         cell(&parameter.default.join(", ")),
+        parameter.unit,
         parameter.since,
+        parameter.drives,
         cell(&meaning),
     );
 }

@@ -116,6 +116,7 @@ fn leaf(parameter: &Parameter) -> Value {
         Kind::Words(words) => {
             json!({ "type": "array", "items": { "type": "string", "enum": spellings(words) }, "uniqueItems": true })
         }
+        Kind::Flags(_) => json!({ "anyOf": [{ "type": "string" }, { "type": "integer", "minimum": 0 }] }),
         Kind::Integer { from, to } => json!({ "type": "integer", "minimum": from, "maximum": to }),
         Kind::Real { from, to } => {
             let (low, from) = match from {

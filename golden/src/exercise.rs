@@ -3,15 +3,37 @@
 use crate::stimulus::{Component, Event, Stimulus, Window};
 use crate::waveform::Form;
 use generator::axis::{Axis, Filter};
+use generator::program::Program;
 
 /// Everything that can happen to a block: moves, vibrations at its own frequencies, noise, steps to the limit, mode
-/// changes, resets, loss of position control, bad samples, wrong cycle times, and rest.
+/// changes, resets, loss of position control, bad samples, wrong cycle times, and rest. Of all this a block gets what it
+/// has a signal for.
 #[must_use]
-pub fn stimulus(axis: &Axis) -> Stimulus {
+pub fn stimulus(axis: &Axis, block: &Program) -> Stimulus {
+    let has = |name: &str| block.inputs.iter().any(|input| input.path == name);
+    let signal = reals(axis).into_iter().zip(1..).filter(|((name, _), _)| has(name));
+    let signal = signal.map(|((name, largest), seed)| (name.to_owned(), components(axis, seed, largest))).collect();
+    let event = events().into_iter().filter(|event| has(&event.signal)).collect();
+    Stimulus { signal, event }
+}
+
+/// The real inputs of all blocks, each with the size that it has at the largest velocity of the axis.
+fn reals(axis: &Axis) -> [(&'static str, f64); 12] {
     let v_max = axis.ipc.v_max;
-    let signal = ["v_command", "v_motor", "v_direct"].into_iter().zip(1..);
-    let signal = signal.map(|(name, seed)| (name.to_owned(), components(axis, seed, v_max))).collect();
-    Stimulus { signal, event: events() }
+    [
+        ("v_command", v_max),
+        ("v_motor", v_max),
+        ("v_direct", v_max),
+        ("v_interpolator", v_max),
+        ("a_interpolator", 10.0 * v_max),
+        ("j_interpolator", 300.0 * v_max),
+        ("x_command", 2.0 * v_max),
+        ("x_actual", 1.98 * v_max),
+        ("v_feedforward", v_max),
+        ("v_additive", v_max),
+        ("v_add", 0.1 * v_max),
+        ("v_add_master", 0.1 * v_max),
+    ]
 }
 
 fn components(axis: &Axis, seed: u32, v_max: f64) -> Vec<Component> {
@@ -49,5 +71,24 @@ fn events() -> Vec<Event> {
         event("v_motor", "inf", 16_000, 2, 47_000),
         event("v_motor", "-1.5e15", 24_500, 1, 53_000),
         event("v_direct", "nan", 26_000, 1, 59_000),
+        event("feedforward_active", "1", 100, 0, 0),
+        event("feedforward_active", "0", 13_500, 2_000, 33_000),
+        event("feedforward_percentage", "80", 5_000, 4_000, 27_000),
+        event("feedforward_percentage", "0", 11_000, 500, 39_000),
+        event("feedforward_percentage", "-3", 20_000, 50, 51_000),
+        event("feedforward_percentage", "250", 22_000, 50, 51_000),
+        event("additive_torque", "-1234", 2_000, 9_000, 21_000),
+        event("v_interpolator", "nan", 15_000, 1, 44_000),
+        event("a_interpolator", "-inf", 17_000, 2, 48_000),
+        event("a_interpolator", "1e9", 36_000, 60, 61_000),
+        event("j_interpolator", "2e15", 19_000, 1, 52_000),
+        event("x_command", "nan", 23_000, 2, 54_000),
+        event("x_command", "1e9", 38_000, 40, 63_000),
+        event("x_actual", "inf", 25_000, 1, 56_000),
+        event("v_feedforward", "nan", 28_000, 1, 58_000),
+        event("v_additive", "nan", 29_000, 1, 62_000),
+        event("v_add", "nan", 31_500, 1, 64_000),
+        event("v_add_master", "nan", 32_500, 1, 66_000),
+        event("v_add_master", "-1e9", 39_000, 20, 67_000),
     ]
 }

@@ -15,6 +15,8 @@ pub trait Block<R: Real> {
 
     /// The name in files and on the command line.
     const NAME: &'static str;
+    /// The input that turns the block off: a mode at 0, a switch at FALSE.
+    const ENABLE: &'static str;
     /// `init(state)`: before the first cycle.
     const INIT: Fn;
     /// `step(state, coeffs, inputs, outputs)`: one cycle.

@@ -6,12 +6,18 @@
 #![forbid(unsafe_code)]
 
 pub mod allpass;
+pub mod axis;
 pub mod bandpass;
 pub mod biquad;
 mod block;
+pub mod delay;
+pub mod feedforward;
 pub mod filter;
 pub mod ipc;
+pub mod position_control;
+pub mod process_data;
 pub mod section;
+pub mod signal;
 pub mod stage;
 
 pub use block::Block;

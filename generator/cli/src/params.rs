@@ -61,9 +61,11 @@ fn describe(parameter: &Parameter) -> String {
     };
     line("meaning", parameter.meaning.to_owned());
     line("allowed", parameter.allowed());
+    line("printed", parameter.printed.to_owned());
     line("unit", parameter.unit.to_owned());
     line("default", parameter.default.join(", "));
     line("since", parameter.since.to_owned());
+    line("drives", parameter.drives.to_owned());
     line("also", parameter.aliases.join(", "));
     line(
         "stands in",

@@ -26,7 +26,8 @@ pub fn run(arguments: &SetArguments, samples: usize, files: &Files) -> Result<Ex
         let blocks = block::blocks(axis).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
         for block in &blocks {
             let shape = Shape::of(&block.program.inputs, axis.real);
-            let inputs = stimulus::samples(&exercise::stimulus(axis), &shape, samples).map_err(Exit::environment)?;
+            let inputs = stimulus::samples(&exercise::stimulus(axis, &block.program), &shape, samples)
+                .map_err(Exit::environment)?;
             every_engine(axis, block, &inputs, &bar, &mut outcomes)?;
         }
     }

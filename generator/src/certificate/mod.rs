@@ -117,7 +117,7 @@ impl Certificate {
 
 fn sample_limit(real: RealKind) -> f64 {
     match real {
-        RealKind::F64 => reference::ipc::sample_limit::<f64>(),
-        RealKind::F32 => f64::from(reference::ipc::sample_limit::<f32>()),
+        RealKind::F64 => reference::signal::sample_limit::<f64>(),
+        RealKind::F32 => f64::from(reference::signal::sample_limit::<f32>()),
     }
 }

@@ -52,7 +52,10 @@ impl<'a> Effective<'a> {
         let (name, index) = key;
         let parameter = name.parameter();
         if let Some(setting) = self.given(key) {
-            let value = setting.value.clone()?;
+            let Some(value) = setting.value.clone() else {
+                self.say_once(setting.refused.as_ref());
+                return None;
+            };
             if parameter.contains(&value) {
                 return Some(value);
             }
@@ -72,6 +75,13 @@ impl<'a> Effective<'a> {
                 self.report.push(diagnostic.allowed(parameter.allowed()).instead(instead));
                 None
             }
+        }
+    }
+
+    /// Says why a value is none, where that was left to its use.
+    fn say_once(&mut self, refused: Option<&Diagnostic>) {
+        if let Some(refused) = refused.filter(|refused| !self.report.diagnostics.contains(refused)) {
+            self.report.push((*refused).clone());
         }
     }
 
@@ -111,6 +121,11 @@ impl<'a> Effective<'a> {
         let value = self.judged(key)?;
         self.note(key, &value);
         Some(value)
+    }
+
+    /// Whether a block uses a parameter.
+    pub fn is_used(&self, key: Key) -> bool {
+        self.used.contains_key(&key)
     }
 
     /// Notes a value that the block uses.

@@ -8,7 +8,7 @@ use crate::design::unusable::lowest;
 use crate::diagnostics::Diagnostic;
 use crate::parameters::{FILTERS, Name, STAGES, Value, path_with, real_text, time_text};
 use portable::{Real, RealKind};
-use reference::ipc::sample_limit;
+use reference::signal::sample_limit;
 
 /// The highest f0 * Ts: above, the tangent that the design is made of runs into its pole.
 const MAX_F0_TS: f64 = 0.45;
@@ -55,10 +55,17 @@ fn gantry(e: &mut Effective<'_>, enable: Option<Enable>) {
 
 /// Whether the axis follows another one.
 pub fn is_gantry_slave(e: &mut Effective<'_>) -> bool {
+    master(e).is_some()
+}
+
+/// The logical number of the axis that this one follows.
+pub fn master(e: &mut Effective<'_>) -> Option<u32> {
     let own = e.judged((Name::AxisNumber, [0, 0]));
     match e.judged((Name::GantryMaster, [0, 0])) {
-        Some(Value::Integer(master)) => master > 0 && own != Some(Value::Integer(master)),
-        _ => false,
+        Some(Value::Integer(master)) if own != Some(Value::Integer(master)) => {
+            u32::try_from(master).ok().filter(|master| *master > 0)
+        }
+        _ => None,
     }
 }
 

@@ -3,15 +3,24 @@
 //! ```text
 //! effective  given or default, within its range; what the block uses goes into the canonical form
 //! ipc        the rules of improved position control: errors
-//! advice     what is legal, but inert or dangerous: warnings
+//! drive      where the position is controlled, what the process data hold
+//! feedforward, position_control  their rules; corrected: what the controller reports and corrects
+//! gantry     slaves find their masters
+//! advice, control_advice  what is legal, but inert or dangerous: warnings
 //! ```
 //! Only what a stage's mode uses is judged: vendors' examples carry values in unused parameters that lie outside.
 
 mod advice;
+mod control_advice;
+mod corrected;
+mod drive;
 mod effective;
+mod feedforward;
+pub mod gantry;
 mod ipc;
+mod position_control;
 
-use crate::axis::Axis;
+use crate::axis::{Axis, Control, Ipc};
 use crate::codes;
 use crate::config::Values;
 use crate::design;
@@ -55,18 +64,57 @@ pub fn axis(name: &str, cycle_time: Option<u32>, values: &Values<'_>, home: Plac
         _ => RealKind::F64,
     });
     let ipc = ipc::check(&mut effective, cycle_time, real);
-    let axis = match (real, cycle_time, ipc) {
-        (Some(real), Some(cycle_time_ns), Some(ipc)) if !effective.report.has_errors() => {
+    let control = control(&mut effective, cycle_time, ipc.as_ref());
+    let axis = match (real, cycle_time, ipc, control) {
+        (Some(real), Some(cycle_time_ns), Some(ipc), Some((control, gear))) if !effective.report.has_errors() => {
             let canonical = effective.canonical();
-            Some(Axis { name: name.to_owned(), real, cycle_time_ns, ipc, canonical })
+            Some((Axis { name: name.to_owned(), real, cycle_time_ns, ipc, control, canonical }, gear))
         }
         _ => None,
     };
-    let axis = axis.filter(|axis| is_usable(axis, &mut effective));
-    if let Some(axis) = &axis {
+    let axis = axis.filter(|(axis, gear)| is_usable(axis, &mut effective) && is_finite(axis, *gear, &mut effective));
+    if let Some((axis, gear)) = &axis {
         advice::advise(axis, &mut effective);
+        control_advice::advise(axis, *gear, &mut effective);
     }
-    (axis, effective.report)
+    (axis.map(|(axis, _)| axis), effective.report)
+}
+
+/// Feedforward, position control and gantry, with the gear step; none: an error, which has been said.
+fn control(e: &mut Effective<'_>, cycle_time: Option<u32>, ipc: Option<&Ipc>) -> Option<(Control, u32)> {
+    let number = match e.judged((Name::AxisNumber, [0, 0]))? {
+        Value::Integer(number) => u32::try_from(number).ok()?,
+        _ => return None,
+    };
+    let master = ipc::master(e);
+    if ipc.is_some_and(|ipc| ipc.stage.iter().all(Option::is_none)) && master.is_none() && !is_asked_for(e) {
+        // Nothing of the drive matters: a real machine's list may hold whatever it likes.
+        return Some((Control { number, ..Control::default() }, 0));
+    }
+    let drive = drive::check(e)?;
+    let feedforward = feedforward::check(e, cycle_time, &drive)?;
+    let position_control = position_control::check(e, &drive, ipc, feedforward.as_ref(), master.is_some())?;
+    let control = Control { feedforward, position_control, number, master, master_limit: None };
+    Some((control, drive.gear))
+}
+
+/// Whether a list asks for more than improved position control.
+fn is_asked_for(e: &Effective<'_>) -> bool {
+    let none = Value::Words(vec!["NONE"]);
+    e.all_given().any(|((name, _), setting)| match name {
+        Name::FeedforwardMode => setting.value.as_ref() != Some(&none),
+        _ => name == Name::Kv,
+    })
+}
+
+/// Whether no scaling leads beyond the numbers of the real type.
+fn is_finite(axis: &Axis, gear: u32, e: &mut Effective<'_>) -> bool {
+    let Some(found) = design::overflow(axis) else { return true };
+    let place = e.place_of((found.parameter, if found.parameter == Name::Load { [gear, 0] } else { [0, 0] }));
+    let said =
+        format!("{} is {:e}: a usable sample times it is beyond the numbers of this axis", found.what, found.factor);
+    e.report.push(Diagnostic::error(codes::SCALE, place, said).instead("the scaling of the drive's manual"));
+    false
 }
 
 /// Whether all coefficients survive their rounding.

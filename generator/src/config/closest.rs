@@ -26,12 +26,18 @@ pub fn structure(path: &str) -> Option<String> {
     among(path, path::structures())
 }
 
-/// Whether the second part of a path is nearly `improved_position_control`: the structure that is ours.
+/// The structures that are ours: which part of a path names each, and how many letters may differ.
+const OURS: [(usize, &str, usize); 3] =
+    [(0, "vorsteuer", 2), (1, "improved_position_control", 3), (1, "sai_op_mode_change", 3)];
+
+/// Whether a path lies in a structure that is ours, or nearly.
 #[must_use]
 pub fn is_ours(path: &str) -> bool {
-    const OURS: &str = "improved_position_control";
-    let second = path.split('.').nth(1).unwrap_or("");
-    distance(second, OURS, 3).is_some()
+    let is = |(part, name, most): (usize, &str, usize)| {
+        let written = path.split('.').nth(part).unwrap_or("");
+        path.contains('.') && distance(written, name, most).is_some()
+    };
+    OURS.into_iter().any(is)
 }
 
 fn among(written: &str, candidates: impl Iterator<Item = &'static str>) -> Option<String> {

@@ -5,10 +5,10 @@ use super::lines::{self, Content, Statement};
 use super::path::{self, Path};
 use super::source::Source;
 use super::value::{self, Refused};
-use super::values::{Setting, Values};
+use super::values::{self, Setting, Values};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
-use crate::parameters::{Name, Scope, Value, path_with};
+use crate::parameters::{Kind, Name, Scope, Value, path_with};
 
 /// What an axis list holds.
 #[derive(Debug)]
@@ -92,14 +92,11 @@ impl<'a> List<'a> {
                     let instead = path_with(name.parameter().path, index);
                     self.report.push(Diagnostic::warning(codes::MISPRINT, place(), found).instead(instead));
                 }
-                let value = match value_of(name, statement) {
-                    Ok(value) => Some(value),
-                    Err(refused) => {
-                        self.report.push(refused.diagnostic(name, written, source.place(start + value_at)));
-                        None
-                    }
-                };
-                let setting = Setting { value, spelling, source, path_at: start + path_at, value_at: start + value_at };
+                let value = value_of(name, statement)
+                    .map_err(|refused| refused.diagnostic(name, written, source.place(start + value_at)));
+                let (value, refused) = values::read(name, value, &mut self.report);
+                let (path_at, value_at) = (start + path_at, start + value_at);
+                let setting = Setting { value, refused, spelling, source, path_at, value_at };
                 if let Some(first) = self.values.insert((name, index), setting) {
                     let found = format!("`{written}` is given twice, first in line {}", first.path_place().line);
                     let instead = "one of the two lines";
@@ -141,7 +138,7 @@ fn value_of(name: Name, statement: &Statement<'_>) -> Result<Value, Refused> {
     } else if let Some(rest) = text.strip_prefix('=') {
         let instead = Some(format!("{path} {}", rest.trim_ascii_start()));
         refused(codes::LINE, format!("is {}: a list has no `=`", value::shown(text)), instead)
-    } else if text.contains([' ', '\t']) {
+    } else if text.contains([' ', '\t']) && !matches!(parameter.kind, Kind::Flags(_)) {
         refused(codes::LINE, format!("is {}: more than one value", value::shown(text)), None)
     } else {
         value::of_text(parameter, text)

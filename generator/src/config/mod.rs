@@ -121,10 +121,17 @@ fn read_set(path: &Path, source: &Source<'_>, load: Load<'_>, report: &mut Repor
     let read_axis = |axis: &set::AxisTable<'_>| read_axis(source, *axis, cycle_time, folder, load);
     let axes: Vec<_> = top.axes.par_iter().map(read_axis).collect();
     let mut set = Set { targets: check::targets(&top.values), ..Set::default() };
+    let mut places = Vec::with_capacity(axes.len());
     for (axis, foreign, said) in axes {
         report.extend(said);
-        set.axes.extend(axis);
+        set.axes.extend(axis.map(|(axis, place)| {
+            places.push(place);
+            axis
+        }));
         set.foreign += foreign;
+    }
+    if !report.has_errors() {
+        check::gantry::couple(&mut set.axes, &places, report);
     }
     set
 }
@@ -135,7 +142,7 @@ fn read_axis(
     cycle_time: Option<u32>,
     folder: &Path,
     load: Load<'_>,
-) -> (Option<Axis>, usize, Report) {
+) -> (Option<(Axis, Place)>, usize, Report) {
     let mut report = Report::default();
     let keys = set::values_of(source, axis, &mut report);
     let home = source.place(axis.name_at);
@@ -163,14 +170,22 @@ fn read_axis(
     (checked(axis.name, cycle_time, &values, home, &mut report), list.foreign, report)
 }
 
-fn checked(name: &str, cycle_time: Option<u32>, values: &Values<'_>, home: Place, report: &mut Report) -> Option<Axis> {
+/// The axis, and where it names the master of its gantry.
+fn checked(
+    name: &str,
+    cycle_time: Option<u32>,
+    values: &Values<'_>,
+    home: Place,
+    report: &mut Report,
+) -> Option<(Axis, Place)> {
+    let place = values.get((Name::GantryMaster, [0, 0])).map_or_else(|| home.clone(), Setting::value_place);
     let (axis, mut said) = check::axis(name, cycle_time, values, home);
     if report.has_errors() {
         // What could not be read is missing: advice about what is there would mislead.
         said.diagnostics.retain(|diagnostic| diagnostic.severity == Severity::Error);
     }
     report.extend(said);
-    axis
+    axis.map(|axis| (axis, place))
 }
 
 fn read_list(path: &Path, source: &Source<'_>, options: &ListOptions, report: &mut Report) -> Set {
@@ -191,7 +206,10 @@ fn read_list(path: &Path, source: &Source<'_>, options: &ListOptions, report: &m
         return Set::default();
     }
     let axis = checked(&name, cycle_time, &list.values, source.whole(), report);
-    Set { targets: Vec::new(), axes: axis.into_iter().collect(), foreign: list.foreign }
+    if let Some((axis, place)) = &axis {
+        check::gantry::alone(axis, place.clone(), report);
+    }
+    Set { targets: Vec::new(), axes: axis.into_iter().map(|(axis, _)| axis).collect(), foreign: list.foreign }
 }
 
 fn cycle_time_of(options: &ListOptions, list: &Source<'_>) -> (Option<u32>, Report) {
@@ -209,7 +227,10 @@ fn cycle_time_of(options: &ListOptions, list: &Source<'_>) -> (Option<u32>, Repo
             }
         };
         let spelling = Name::CycleTime.parameter().path;
-        values.insert((Name::CycleTime, [0, 0]), Setting { value, spelling, source: &source, path_at: 0, value_at: 0 });
+        values.insert(
+            (Name::CycleTime, [0, 0]),
+            Setting { value, refused: None, spelling, source: &source, path_at: 0, value_at: 0 },
+        );
     }
     let (cycle_time, said) = check::cycle_time(&values, || {
         let found = "no axis list holds the cycle time of the position controller";

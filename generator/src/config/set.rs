@@ -2,7 +2,7 @@
 
 use super::path::{self, Path};
 use super::source::Source;
-use super::values::{Setting, Values};
+use super::values::{self, Setting, Values};
 use super::{axis_name, closest, list, value};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
@@ -177,14 +177,10 @@ fn setting<'a>(
     report: &mut Report,
 ) -> Setting<'a> {
     let Range { start: value_at, .. } = value.span();
-    let value = match value::of_toml(name.parameter(), value.get_ref()) {
-        Ok(value) => Some(value),
-        Err(refused) => {
-            report.push(refused.diagnostic(name, written, source.place(value_at)));
-            None
-        }
-    };
-    Setting { value, spelling, source, path_at: key.span().start, value_at }
+    let value = value::of_toml(name.parameter(), value.get_ref())
+        .map_err(|refused| refused.diagnostic(name, written, source.place(value_at)));
+    let (value, refused) = values::read(name, value, report);
+    Setting { value, refused, spelling, source, path_at: key.span().start, value_at }
 }
 
 /// A key that is not in the table, or a table or an array where the other is needed.

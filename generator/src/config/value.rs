@@ -41,6 +41,7 @@ pub fn of_text(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
             .map(|text| of_word(parameter, words, text))
             .collect::<Result<_, _>>()
             .map(Value::Words),
+        Kind::Flags(words) => of_flags(parameter, words, text),
         Kind::Integer { .. } => of_integer(parameter, text),
         Kind::Real { .. } => of_real(parameter, text),
         Kind::Duration { .. } => of_duration(parameter, text),
@@ -59,6 +60,8 @@ pub fn of_toml(parameter: &Parameter, value: &DeValue<'_>) -> Result<Value, Refu
             of_word(parameter, words, &scalar(value)).map(Value::Word)
         }
         (Kind::Words(words), DeValue::Array(array)) => of_array(parameter, words, array),
+        (Kind::Flags(_), DeValue::String(text)) => of_text(parameter, text),
+        (Kind::Flags(_), DeValue::Integer(_)) => of_text(parameter, &scalar(value)),
         (Kind::Integer { .. } | Kind::Real { .. }, DeValue::Integer(_) | DeValue::Float(_)) => {
             of_text(parameter, &scalar(value))
         }
@@ -87,6 +90,48 @@ fn of_word(parameter: &Parameter, words: &'static [Word], text: &str) -> Result<
         allowed: parameter.allowed(),
         instead: closest::of(text, words.iter().map(|word| word.name)).map(str::to_owned),
     })
+}
+
+/// Words with blanks or `|` between, or the number that their bits make.
+fn of_flags(parameter: &Parameter, words: &'static [Word], text: &str) -> Result<Value, Refused> {
+    if let Some(number) = integer(text) {
+        return of_bits(parameter, words, number, text);
+    }
+    let mut found = Vec::new();
+    for part in text.split(|c: char| c.is_ascii_whitespace() || c == '|').filter(|part| !part.is_empty()) {
+        let word = of_word(parameter, words, part)?;
+        if found.contains(&word) {
+            let found = format!("names {} twice", shown(word));
+            return Err(Refused { code: codes::GIVEN_TWICE, found, allowed: parameter.allowed(), instead: None });
+        }
+        found.push(word);
+    }
+    found.sort_by_key(|found| words.iter().position(|word| word.name == *found));
+    if found.len() > 1 {
+        found.retain(|found| words.iter().any(|word| word.name == *found && word.number != Some(0)));
+    }
+    Ok(Value::Words(found))
+}
+
+/// The words whose bits make a number, those with more bits first. What is left over means nothing.
+fn of_bits(parameter: &Parameter, words: &'static [Word], number: i64, text: &str) -> Result<Value, Refused> {
+    let mut rest = number;
+    let mut found: Vec<&'static str> = Vec::new();
+    for word in words.iter().rev() {
+        let bits = i64::from(word.number.unwrap_or(0));
+        if bits > 0 && rest & bits == bits && rest >= 0 {
+            rest &= !bits;
+            found.insert(0, word.name);
+        }
+    }
+    if rest != 0 {
+        let found = format!("is {}: the bits 0x{rest:x} stand for nothing alone", shown(text));
+        return Err(Refused { code: codes::WORD, found, allowed: parameter.allowed(), instead: None });
+    }
+    if found.is_empty() {
+        found.extend(words.iter().find(|word| word.number == Some(0)).map(|word| word.name));
+    }
+    Ok(Value::Words(found))
 }
 
 fn of_array(
@@ -205,6 +250,7 @@ fn wrong_type(parameter: &Parameter, value: &DeValue<'_>) -> Refused {
         Kind::Word(_) | Kind::Text => "a string",
         Kind::Duration { .. } => "a string: a number with a unit (s, ms, us or ns)",
         Kind::Words(_) => "an array of strings",
+        Kind::Flags(_) => "a string or a whole number",
         Kind::Integer { .. } => "a whole number",
         Kind::Real { .. } => "a number",
     };

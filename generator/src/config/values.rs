@@ -1,7 +1,7 @@
 //! The values that were given for one axis, each with its place; no default, no range and no rule.
 
 use super::source::Source;
-use crate::diagnostics::Place;
+use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Name, Value};
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -12,8 +12,10 @@ pub type Key = (Name, [u32; 2]);
 /// What was given for one parameter.
 #[derive(Clone, Debug)]
 pub struct Setting<'a> {
-    /// the value; none: it could not be read, and that has been said
+    /// the value; none: it could not be read, and that has been said, or is said where the value is used
     pub value: Option<Value>,
+    /// what is to be said where the value is used
+    pub refused: Option<Diagnostic>,
     /// the path template that was used: the parameter's path, or an alias
     pub spelling: &'static str,
     /// the file
@@ -35,6 +37,22 @@ impl Setting<'_> {
     #[must_use]
     pub fn value_place(&self) -> Place {
         self.source.place(self.value_at)
+    }
+}
+
+/// A value, or why it is none: said at once, unless the parameter is judged only where it is used.
+pub(super) fn read(
+    name: Name,
+    read: Result<Value, Diagnostic>,
+    report: &mut Report,
+) -> (Option<Value>, Option<Diagnostic>) {
+    match read {
+        Ok(value) => (Some(value), None),
+        Err(refused) if name.parameter().is_shared => (None, Some(refused)),
+        Err(refused) => {
+            report.push(refused);
+            (None, None)
+        }
     }
 }
 
@@ -60,6 +78,11 @@ impl<'a> Values<'a> {
             }
             Entry::Occupied(occupied) => Some(occupied.into_mut()),
         }
+    }
+
+    /// What is to be said of the values that nothing may use.
+    pub fn refusals(&self) -> impl Iterator<Item = &Diagnostic> {
+        self.settings.values().filter_map(|setting| setting.refused.as_ref())
     }
 
     /// Lets the values of a set take the place of those of its list.

@@ -21,6 +21,7 @@ pub fn coefficients<R: Real>(axis: &Axis) -> Coeffs<R> {
     Coeffs {
         cycle_time_ns: axis.cycle_time_ns,
         enable: ipc.enable as i32,
+        slave: axis.control.master.is_some(),
         stage: core::array::from_fn(|i| stage::coefficients(ipc.stage[i].as_ref(), cycle_time)),
         limit: R::lit(limit),
         lower_limit: R::lit(0.0 - limit), // not `-limit`: 0 stays +0

@@ -8,6 +8,8 @@
 //! allpass    band -> coefficients
 //! oscillation  warped centre, damping ratio -> coefficients
 //! filter, stage, ipc  the parameter tree -> the tree of coefficients
+//! scale      what the drive gets for a velocity, an acceleration
+//! feedforward, position_control  the same for the blocks of their names, and for the whole axis
 //! ```
 //!
 //! Beside it: `response` (what coefficients do), `unusable` (what rounding has spoilt), `notes` (what each one means).
@@ -17,16 +19,21 @@
 pub mod allpass;
 pub mod band;
 pub mod bandpass;
+pub mod control_notes;
 pub mod denominator;
+pub mod feedforward;
 pub mod filter;
 pub mod ipc;
 pub mod notes;
 pub mod oscillation;
+pub mod position_control;
 pub mod prototype;
 pub mod response;
+pub mod scale;
 pub mod stage;
 pub mod unusable;
 
 pub use ipc::coefficients as ipc;
 pub use notes::{digits, notes};
+pub use scale::overflow;
 pub use unusable::{Refusal, unusable};

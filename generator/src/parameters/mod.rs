@@ -30,6 +30,12 @@ pub struct Parameter {
     pub default: &'static [&'static str],
     /// the controller build that has it first
     pub since: &'static str,
+    /// the range as the manual prints it, where that is not the range used here
+    pub printed: &'static str,
+    /// the drive types for which the manual prints it
+    pub drives: &'static str,
+    /// whether it is judged where it is used only: a real machine's list has it for functions that are not generated
+    pub is_shared: bool,
     /// what it means
     pub meaning: &'static str,
 }
@@ -52,6 +58,8 @@ pub enum Kind {
     Word(&'static [Word]),
     /// several different words of a few
     Words(&'static [Word]),
+    /// bits of a number, each with a word
+    Flags(&'static [Word]),
     /// a whole number
     Integer {
         /// the smallest

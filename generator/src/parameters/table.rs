@@ -14,6 +14,25 @@ const GEARS: u32 = 16;
 
 /// Weights are unsigned numbers of 32 bits without 0 and the largest.
 const WEIGHT: Kind = Kind::Integer { from: 1, to: u32::MAX - 1 };
+/// A factor of the vendor's type UNS32.
+const UNSIGNED: Kind = Kind::Integer { from: 1, to: u32::MAX };
+/// A factor of the vendor's type SGN32; a denominator of 0 takes its term away.
+const SIGNED: Kind = Kind::Integer { from: 0, to: i32::MAX as u32 };
+/// A BOOLEAN.
+const BOOLEAN: Kind = Kind::Word(&[
+    Word { name: "FALSE", number: Some(0), also: &[] },
+    Word { name: "TRUE", number: Some(1), also: &[] },
+]);
+/// Whether there is a process datum, and how wide it is.
+const PROCESS_DATUM: Kind = Kind::Word(&[
+    word("NONE"),
+    Word { name: "INT16", number: None, also: &["INT"] },
+    Word { name: "INT32", number: None, also: &["DINT"] },
+]);
+/// A delay; six cycles end it, which the cycle time says.
+const DELAY: Kind = Kind::Integer { from: 0, to: u16::MAX as u32 };
+/// A finite real number that is not negative.
+const POSITIVE: Kind = Kind::Real { from: Bound::Closed(0.0), to: Bound::Closed(f64::MAX) };
 /// Damping ratio of a vibration.
 const DAMPING: Kind = Kind::Real { from: Bound::Open(0.0), to: Bound::Open(1.0) };
 /// The first build with improved position control.
@@ -33,8 +52,13 @@ const VENDOR: Parameter = Parameter {
     unit: "",
     default: &[],
     since: "",
+    printed: "",
+    drives: "",
+    is_shared: false,
     meaning: "",
 };
+/// A parameter of the vendor that lists have for other functions too.
+const SHARED: Parameter = Parameter { is_shared: true, ..VENDOR };
 /// A key of our own below an axis.
 const AXIS_KEY: Parameter = Parameter { scope: Scope::Axis, ..VENDOR };
 /// A key of our own at the top of a set.
@@ -116,6 +140,31 @@ table! {
     Gear: AXIS_KEY { path: "gear", kind: Kind::Integer { from: 0, to: GEARS - 1 }, default: &["0"] }
     /// time in which the additive velocity is faded in and out, at least one period of the lowest f0
     Fade: AXIS_KEY { path: "fade", kind: Kind::Duration { from: 0, to: 1_000_000_000_000 }, unit: "ns", default: &["0.1s"] }
+    /// velocity command of the drive: its type in the process data; for position control in the CNC
+    VelocityCommandData: AXIS_KEY {
+        path: "process_data.velocity_command",
+        kind: Kind::Word(&[
+            Word { name: "INT16", number: None, also: &["INT"] },
+            Word { name: "INT32", number: None, also: &["DINT"] },
+        ]),
+        default: &["INT32"],
+    }
+    /// additive velocity command of the drive: its type in the process data, SERCOS S-0-0037, CANopen 60B1h, PROFIdrive NSOLL_B
+    AdditiveVelocityData: AXIS_KEY {
+        path: "process_data.additive_velocity",
+        kind: PROCESS_DATUM,
+        default: &["NONE"],
+    }
+    /// additive torque or current command of the drive: its type in the process data, SERCOS S-0-0081, CANopen 60B2h
+    AdditiveTorqueData: AXIS_KEY { path: "process_data.additive_torque", kind: PROCESS_DATUM, default: &["NONE"] }
+    /// motor: a rotary one has a torque and an inertia, a linear one a force and a mass
+    Motor: AXIS_KEY { path: "motor", kind: Kind::Word(&[word("rotary"), word("linear")]), default: &["rotary"] }
+    /// whether ADD_JERK of P-AXIS-00223 is generated: its formula is inferred from units, not documented
+    AddJerk: AXIS_KEY {
+        path: "add_jerk",
+        kind: Kind::Word(&[word("refused"), word("experimental")]),
+        default: &["refused"],
+    }
     /// logical axis number
     AxisNumber: VENDOR {
         id: Some("P-AXIS-00016"),
@@ -134,6 +183,24 @@ table! {
         ]),
         default: &["ACHSTYP_TRANSLATOR"],
     }
+    /// drive type; it decides where the position is controlled, unless P-AXIS-00320 does
+    DriveType: SHARED {
+        id: Some("P-AXIS-00020"),
+        path: "kenngr.antr_typ",
+        kind: Kind::Word(&[
+            Word { name: "CONVENTIONAL", number: Some(1), also: &["ANTR_TYP_KONV"] },
+            Word { name: "SERCOS", number: Some(2), also: &["ANTR_TYP_SERCOS"] },
+            Word { name: "PROFIDRIVE", number: Some(3), also: &["ANTR_TYP_PROFIDRIVE"] },
+            Word { name: "SIMULATION", number: Some(4), also: &["ANTR_TYP_SIMU"] },
+            Word { name: "LIGHTBUS", number: Some(5), also: &["ANTR_TYP_LIGHTBUS"] },
+            Word { name: "TERMINAL", number: Some(6), also: &["ANTR_TYP_TERM"] },
+            Word { name: "RT_ETHERNET", number: Some(7), also: &["ANTR_TYP_ETHERNET"] },
+            Word { name: "CANOPEN", number: Some(8), also: &["ANTR_TYP_CANOPEN"] },
+            Word { name: "VIRTUAL", number: Some(16), also: &["ANTR_TYP_VIRTUELL"] },
+            Word { name: "CAN_BUS", number: Some(32), also: &["ANTR_TYP_CAN"] },
+        ]),
+        default: &["SIMULATION"],
+    }
     /// on a gantry slave: logical axis number of its master
     GantryMaster: VENDOR {
         id: Some("P-AXIS-00070"),
@@ -149,6 +216,311 @@ table! {
         kind: Kind::Integer { from: 1, to: 2_000_000_000 },
         unit: "um/s or 0.001 deg/s",
         default: &["200000"],
+    }
+    /// gain of the position controller Kv; a drive that controls the position has the same (SERCOS S-0-0104, CANopen 30C0h:01)
+    Kv: SHARED {
+        id: Some("P-AXIS-00099"),
+        path: "getriebe[i].kv",
+        indices: &[GEARS],
+        kind: UNSIGNED,
+        unit: "0.01/s",
+        default: &["1000"],
+    }
+    /// velocity command of the drive: denominator of its value at 1 m/min or 1000 deg/min
+    MultiGainN: SHARED {
+        id: Some("P-AXIS-00128"),
+        path: "getriebe[i].multi_gain_n",
+        indices: &[GEARS],
+        kind: UNSIGNED,
+        default: &["1"],
+        drives: "Simulation, Conventional, Terminal, Lightbus, PROFIdrive",
+    }
+    /// velocity command of the drive: numerator of its value at 1 m/min or 1000 deg/min
+    MultiGainZ: SHARED {
+        id: Some("P-AXIS-00129"),
+        path: "getriebe[i].multi_gain_z",
+        indices: &[GEARS],
+        kind: UNSIGNED,
+        unit: "increments",
+        default: &["2000"],
+        drives: "Simulation, Conventional, Terminal, Lightbus, PROFIdrive",
+    }
+    /// position increments of the controller per revolution of the motor
+    IncrPerRev: SHARED {
+        id: Some("P-AXIS-00092"),
+        path: "getriebe[i].incr_per_rev",
+        indices: &[GEARS],
+        kind: Kind::Integer { from: 0, to: u32::MAX },
+        unit: "increments/revolution",
+        default: &["1024"],
+        drives: "all",
+    }
+    /// path resolution: denominator, path; with a feed constant revolutions of the gear's output
+    WegaufN: SHARED {
+        id: Some("P-AXIS-00233"),
+        path: "getriebe[i].wegaufn",
+        indices: &[GEARS],
+        kind: UNSIGNED,
+        default: &["1"],
+    }
+    /// path resolution: numerator, increments; with a feed constant revolutions of the gear's input
+    WegaufZ: SHARED {
+        id: Some("P-AXIS-00234"),
+        path: "getriebe[i].wegaufz",
+        indices: &[GEARS],
+        kind: UNSIGNED,
+        default: &["1"],
+    }
+    /// total load at the motor: inertia of motor and load, or the moved mass of a linear motor
+    Load: SHARED {
+        id: Some("P-AXIS-00391"),
+        path: "getriebe[i].load",
+        indices: &[GEARS],
+        kind: POSITIVE,
+        unit: "kg m^2, linear motor: kg",
+        default: &["1e-6"],
+        drives: "SERCOS",
+    }
+    /// feed constant: numerator
+    FeedConstNum: SHARED {
+        id: Some("P-AXIS-00362"),
+        path: "antr.feed_const_num",
+        kind: UNSIGNED,
+        unit: "0.1 um/revolution or 0.0001 deg/revolution",
+        default: &["1"],
+    }
+    /// feed constant: denominator
+    FeedConstDenom: SHARED { id: Some("P-AXIS-00363"), path: "antr.feed_const_denom", kind: UNSIGNED, default: &["1"] }
+    /// where the position is controlled; DRIVE_DEFAULT: in the drive for SERCOS, PROFIdrive and CANopen, else in the CNC
+    OperationMode: SHARED {
+        id: Some("P-AXIS-00320"),
+        path: "antr.operation_mode",
+        kind: Kind::Word(&[word("DRIVE_DEFAULT"), word("DRIVE_POSITION_CONTROL"), word("CNC_POSITION_CONTROL")]),
+        default: &["DRIVE_DEFAULT"],
+    }
+    /// cycles between sending a command and receiving the actual value that it caused
+    NbrDelayCycles: SHARED {
+        id: Some("P-AXIS-00191"),
+        path: "antr.nbr_delay_cycles",
+        kind: Kind::Integer { from: 0, to: 10 },
+        unit: "cycles",
+        default: &["-1"],
+    }
+    /// scaling of the additive velocity: path in the time of P-AXIS-00207 at which the drive gets P-AXIS-00206
+    VResoDenom: SHARED {
+        id: Some("P-AXIS-00205"),
+        path: "antr.v_reso_denom",
+        kind: UNSIGNED,
+        unit: "um or 0.001 deg",
+        default: &["36"],
+        drives: "all",
+    }
+    /// scaling of the additive velocity: value that the drive gets
+    VResoNum: SHARED {
+        id: Some("P-AXIS-00206"),
+        path: "antr.v_reso_num",
+        kind: Kind::Integer { from: 0, to: u32::MAX },
+        unit: "increments",
+        default: &["1"],
+        drives: "all",
+    }
+    /// scaling of the additive velocity: 0 per minute, 1 per second, 2 per cycle
+    VTimeBase: SHARED {
+        id: Some("P-AXIS-00207"),
+        path: "antr.v_time_base",
+        kind: Kind::Integer { from: 0, to: 2 },
+        default: &["0"],
+        drives: "SERCOS",
+    }
+    /// feedforward: the quantities, and whether they go to the drive as additive commands
+    FeedforwardMode: SHARED {
+        id: Some("P-AXIS-00223"),
+        path: "vorsteuer.vorsteuerung",
+        kind: Kind::Flags(&[
+            numbered("NONE", 0x000),
+            numbered("VEL", 0x001),
+            numbered("ACC", 0x002),
+            numbered("JERK", 0x004),
+            numbered("ADD_VEL", 0x101),
+            numbered("ADD_ACC", 0x202),
+            numbered("ADD_JERK", 0x804),
+        ]),
+        default: &["NONE"],
+        since: "words: V2.11.2034.6, V2.11.2808.03, V3.1.3065.04, V3.1.3102.00",
+        drives: "all",
+    }
+    /// feedforward of the acceleration: numerator of its time constant; with ADD_ACC of a plain weight
+    VsAFaktor: SHARED {
+        id: Some("P-AXIS-00225"),
+        path: "vorsteuer.vs_a_faktor",
+        kind: SIGNED,
+        unit: "us, with ADD_ACC: 1",
+        default: &["1"],
+        drives: "all",
+    }
+    /// feedforward of the acceleration: denominator; 0 takes the term away
+    VsANenner: SHARED {
+        id: Some("P-AXIS-00226"),
+        path: "vorsteuer.vs_a_nenner",
+        kind: SIGNED,
+        default: &["1"],
+        drives: "all",
+    }
+    /// weight of the whole feedforward: numerator; 0.7 to 1 is usual, above 1 the axis leads
+    VsVFaktor: SHARED {
+        id: Some("P-AXIS-00228"),
+        path: "vorsteuer.vs_v_faktor",
+        kind: SIGNED,
+        default: &["1"],
+        drives: "all",
+    }
+    /// weight of the whole feedforward: denominator; 0 takes all of it away
+    VsVNenner: SHARED {
+        id: Some("P-AXIS-00229"),
+        path: "vorsteuer.vs_v_nenner",
+        kind: SIGNED,
+        default: &["1"],
+        drives: "all",
+    }
+    /// feedforward is active despite G137
+    DefaultActive: SHARED {
+        id: Some("P-AXIS-00255"),
+        path: "vorsteuer.default_active",
+        kind: BOOLEAN,
+        default: &["FALSE"],
+    }
+    /// feedforward is inactive despite G135, and despite P-AXIS-00255
+    GlobalDisable: SHARED {
+        id: Some("P-AXIS-00256"),
+        path: "vorsteuer.global_disable",
+        kind: BOOLEAN,
+        default: &["FALSE"],
+    }
+    /// feedforward of the jerk: numerator of its factor
+    JerkFactNum: SHARED {
+        id: Some("P-AXIS-00337"),
+        path: "vorsteuer.jerk_fact_num",
+        kind: Kind::Integer { from: 0, to: u32::MAX },
+        default: &["1"],
+        drives: "all",
+    }
+    /// feedforward of the jerk: denominator of its factor; 0 is corrected to 100 (110473)
+    JerkFactDenom: SHARED {
+        id: Some("P-AXIS-00338"),
+        path: "vorsteuer.jerk_fact_denom",
+        kind: UNSIGNED,
+        default: &["100"],
+        drives: "all",
+    }
+    /// delay of the additive velocity against the position, below six cycles; outside it is corrected to 0 (70349)
+    VelocityDelayTime: SHARED {
+        id: Some("P-AXIS-00389"),
+        path: "vorsteuer.velocity_delay_time",
+        kind: DELAY,
+        unit: "us",
+        default: &["0"],
+        printed: "0 <= velocity_delay_time < 6 interpolator cycles; in an example: at most one cycle",
+        drives: "SERCOS, PROFIdrive, CANopen",
+    }
+    /// delay of the additive torque of ADD_ACC against the position, below six cycles; outside it is corrected to 0 (70348)
+    AccelerationDelayTime: SHARED {
+        id: Some("P-AXIS-00390"),
+        path: "vorsteuer.acceleration_delay_time",
+        kind: DELAY,
+        unit: "us",
+        default: &["0"],
+        printed: "0 < acceleration_delay_time < 6 interpolator cycles, which excludes the default; in an example: at most one cycle",
+        drives: "SERCOS, Lightbus, PROFIdrive, CANopen",
+    }
+    /// delay of the additive torque of ADD_JERK against the position, below six cycles; outside it is corrected to 0 (70348)
+    JerkDelayTime: SHARED {
+        id: Some("P-AXIS-00547"),
+        path: "vorsteuer.jerk_delay_time",
+        kind: DELAY,
+        unit: "us",
+        default: &["0"],
+    }
+    /// feedforward without the delay of a cycle; with VEL alone, else it is the error 110624
+    FeedforwardWithoutDelay: SHARED {
+        id: Some("P-AXIS-00566"),
+        path: "vorsteuer.feedforward_without_delay",
+        kind: BOOLEAN,
+        default: &["FALSE"],
+    }
+    /// PROFIdrive: cycles by which the feedforward leads the position
+    ShiftTime: SHARED {
+        id: Some("P-AXIS-00165"),
+        path: "vorsteuer.shift_time",
+        kind: Kind::Integer { from: 0, to: 4 },
+        unit: "cycles",
+        default: &["3"],
+        drives: "PROFIdrive",
+    }
+    /// additive torque: numerator of the value at which the motor has its nominal torque
+    TorqueScaleNum: SHARED {
+        id: Some("P-AXIS-00325"),
+        path: "antr.torque_scale_num",
+        kind: WEIGHT,
+        unit: "increments",
+        default: &["1"],
+        drives: "SERCOS, Lightbus, CANopen",
+    }
+    /// additive torque: denominator; 0 takes the additive torque away (110465)
+    TorqueScaleDenom: SHARED {
+        id: Some("P-AXIS-00326"),
+        path: "antr.torque_scale_denom",
+        kind: WEIGHT,
+        default: &["1"],
+        printed: "1 < torque_scale_denom < MAX(UNS32), which excludes the default",
+        drives: "SERCOS, Lightbus, CANopen",
+    }
+    /// additive torque: nominal torque or force of the motor, from its data sheet; 0 takes the additive torque away
+    AccReferenceValue: SHARED {
+        id: Some("P-AXIS-00392"),
+        path: "antr.acc_reference_value",
+        kind: POSITIVE,
+        unit: "Nm, linear motor: N",
+        default: &["1"],
+        drives: "SERCOS, CANopen",
+    }
+    /// weight of the feedforward that the drive itself has (SERCOS S-0-0296, CANopen 3062h)
+    FeedForwardVWeighting: SHARED {
+        id: Some("P-AXIS-00833"),
+        path: "antr.feed_forward_v_weighting",
+        kind: Kind::Integer { from: 0, to: 1200 },
+        unit: "0.1 %",
+        default: &["0"],
+        since: "V3.1.3125.0",
+        drives: "SERCOS, CANopen",
+    }
+    /// predecessor of P-AXIS-00833, which adopts it
+    ChangeFeedForwardVWeighting: SHARED {
+        id: Some("P-AXIS-00766"),
+        path: "antr.sai_op_mode_change.feed_forward_v_weighting",
+        kind: Kind::Integer { from: 0, to: 1200 },
+        unit: "0.1 %",
+        default: &["0"],
+        drives: "SERCOS, CANopen",
+    }
+    /// spindle: velocity from which it is in velocity control; nothing is generated from it yet
+    VVelocityControlOn: SHARED {
+        id: Some("P-AXIS-00767"),
+        path: "antr.sai_op_mode_change.v_velocity_control_on",
+        kind: SIGNED,
+        unit: "0.001 deg/s",
+        default: &["200000000"],
+        since: "V3.1.3079.13",
+        drives: "SERCOS, CANopen",
+    }
+    /// spindle: velocity below which it is in position control again; nothing is generated from it yet
+    VPositionControlOn: SHARED {
+        id: Some("P-AXIS-00768"),
+        path: "antr.sai_op_mode_change.v_position_control_on",
+        kind: SIGNED,
+        unit: "0.001 deg/s",
+        default: &["0"],
+        since: "V3.1.3079.13",
+        drives: "SERCOS, CANopen",
     }
     /// mode of improved position control at start; DRYRUN calculates and puts out nothing
     Enable: VENDOR {

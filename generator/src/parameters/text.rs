@@ -64,6 +64,7 @@ impl Parameter {
         match self.kind {
             Kind::Word(words) => words.iter().map(spellings).collect::<Vec<_>>().join(", "),
             Kind::Words(words) => format!("any of {}", words.iter().map(spellings).collect::<Vec<_>>().join(", ")),
+            Kind::Flags(words) => words.iter().map(flag).collect::<Vec<_>>().join(", ") + ", and sums of these",
             Kind::Integer { from, to } => format!("{from} <= {short} <= {to}{unit}"),
             Kind::Real { from, to } => {
                 let from = match from {
@@ -97,4 +98,9 @@ fn spellings(word: &Word) -> String {
     let number = word.number.map(|number| number.to_string());
     let others: Vec<&str> = word.also.iter().copied().chain(number.as_deref()).collect();
     if others.is_empty() { word.name.to_owned() } else { format!("{} ({})", word.name, others.join(", ")) }
+}
+
+/// A flag with its bits: `VEL (0x001)`.
+fn flag(word: &Word) -> String {
+    format!("{} (0x{:03x})", word.name, word.number.unwrap_or(0))
 }

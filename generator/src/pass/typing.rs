@@ -61,6 +61,8 @@ pub fn type_of(expr: &Expr, program: &Program) -> Result<Type, Defect> {
             let (takes, gives) = match intrinsic {
                 Intrinsic::Usable | Intrinsic::Within => (Type::Real, Type::Bool),
                 Intrinsic::FromU32 => (Type::U32, Type::Real),
+                Intrinsic::FromI32 => (Type::I32, Type::Real),
+                Intrinsic::Truncate => (Type::Real, Type::I32),
             };
             for operand in operands {
                 expect(takes, type_of(operand, program)?, operand)?;

@@ -57,7 +57,7 @@ impl Specialiser<'_> {
         let known: Option<Vec<Literal>> = operands.iter().map(|operand| self.known(operand)).collect();
         let is_anonymous = operands.iter().all(|operand| matches!(operand, Expr::Literal(_)));
         match known {
-            Some(known) if is_anonymous || intrinsic != Intrinsic::FromU32 => {
+            Some(known) if is_anonymous || matches!(intrinsic, Intrinsic::Usable | Intrinsic::Within) => {
                 Expr::Literal(arithmetic::intrinsic(intrinsic, &known, self.real))
             }
             _ => Expr::Intrinsic(intrinsic, operands),

@@ -30,7 +30,7 @@ pub fn block<R: Real, B: Block<R>>(coeffs: &B::Coeffs, notes: &BTreeMap<String, 
     let outputs = specialiser.enter_variables(<B::Outputs as Portable>::TY, &leaves(&B::outputs()), Space::Output);
     let init = specialiser.function(&B::INIT, vec![state.clone()]);
     let step = specialiser.function(&B::STEP, vec![state, coefficients, inputs, outputs]);
-    specialiser.into_program(B::NAME, init, step)
+    specialiser.into_program([B::NAME, B::ENABLE], init, step)
 }
 
 /// The scalars of a value, in the order of its type.
@@ -135,9 +135,9 @@ impl<'n> Specialiser<'n> {
         std::mem::take(&mut self.statements)
     }
 
-    fn into_program(self, block: &'static str, init: Vec<Statement>, step: Vec<Statement>) -> Program {
+    fn into_program(self, [block, enable]: [&'static str; 2], init: Vec<Statement>, step: Vec<Statement>) -> Program {
         let Self { real, inputs, outputs, state, constants, locals, .. } = self;
-        Program { block, real, inputs, outputs, state, constants, locals, init, step }
+        Program { block, enable, real, inputs, outputs, state, constants, locals, init, step }
     }
 
     /// The coefficient as a named number, entered where it is first met.

@@ -1,6 +1,6 @@
 //! Statements, branches and loops: the order of effects, and what is known after a branch.
 
-use super::node::{Cell, Node};
+use super::node::{self, Cell, Node};
 use super::{Specialiser, number};
 use crate::program::{Expr, Statement, Var};
 use portable::{Arm, Binary, Block, Literal};
@@ -38,6 +38,18 @@ impl Specialiser<'_> {
                         self.bind(name, value)
                     }
                 };
+                self.frame_mut().names.push((name, node));
+            }
+            portable::Statement::Default { name, ty, leaves } => {
+                let mut values = Vec::new();
+                leaves(&mut |literal| values.push(literal));
+                let mut values = values.into_iter();
+                // Nothing of it is a variable of the block: its parts are locals, where they are not known.
+                let node = node::build(*ty, "", "", &mut |_, _, _| {
+                    let value = values.next().expect("specialise: as many values as the type has scalars");
+                    self.cells.push(Cell::Known(value));
+                    self.cells.len() - 1
+                });
                 self.frame_mut().names.push((name, node));
             }
             portable::Statement::Assign { place, value } => {
@@ -205,20 +217,19 @@ impl Specialiser<'_> {
         Expr::Var(target)
     }
 
-    /// The Rust name that stands for a cell, innermost function first.
+    /// The Rust name that stands for a cell, innermost function first: of a struct, the field's.
     fn name_of(&self, cell: usize) -> String {
-        let names = self.frames.iter().rev().flat_map(|frame| frame.names.iter().rev());
-        let found = names.into_iter().find(|(_, node)| contains(node, cell));
-        found.map_or_else(|| "value".to_owned(), |(name, _)| (*name).to_owned())
+        let mut names = self.frames.iter().rev().flat_map(|frame| frame.names.iter().rev());
+        names.find_map(|(name, node)| name_within(name, node, cell)).unwrap_or("value").to_owned()
     }
 }
 
-/// Whether a cell is a part of what a name stands for.
-fn contains(node: &Node, cell: usize) -> bool {
+/// The name of the part that a cell is of what a name stands for.
+fn name_within(name: &'static str, node: &Node, cell: usize) -> Option<&'static str> {
     match node {
-        Node::Leaf(leaf) => *leaf == cell,
-        Node::Struct { fields, .. } => fields.iter().any(|(_, field)| contains(field, cell)),
-        Node::Array { elements, .. } => elements.iter().any(|element| contains(element, cell)),
+        Node::Leaf(leaf) => (*leaf == cell).then_some(name),
+        Node::Struct { fields, .. } => fields.iter().find_map(|(field, node)| name_within(field, node, cell)),
+        Node::Array { elements, .. } => elements.iter().find_map(|element| name_within(name, element, cell)),
     }
 }
 

@@ -2,10 +2,8 @@
 
 use crate::samples::{Samples, Shape};
 use generator::axis::Axis;
-use generator::block::{Block, leaves};
-use generator::design;
+use generator::block::{Block, Part, Visitor, leaves, with_part};
 use portable::{Portable, Real, RealKind};
-use reference::{Block as Reference, ipc::Ipc};
 
 /// Runs a block.
 pub fn run(axis: &Axis, block: &Block, inputs: &Samples) -> Samples {
@@ -16,13 +14,25 @@ pub fn run(axis: &Axis, block: &Block, inputs: &Samples) -> Samples {
 }
 
 fn run_as<R: Real>(axis: &Axis, block: &Block, inputs: &Samples) -> Samples {
-    match block.program.block {
-        name if name == <Ipc as Reference<R>>::NAME => run_block::<R, Ipc>(&design::ipc(axis), block, inputs),
-        other => panic!("engine: no block `{other}`"),
+    with_part::<R, _>(block.program.block, Run { axis, block, inputs })
+}
+
+/// What is to be run.
+struct Run<'a> {
+    axis: &'a Axis,
+    block: &'a Block,
+    inputs: &'a Samples,
+}
+
+impl<R: Real> Visitor<R> for Run<'_> {
+    type Value = Samples;
+
+    fn visit<P: Part<R>>(self) -> Samples {
+        run_block::<R, P>(&P::coefficients(self.axis), self.block, self.inputs)
     }
 }
 
-fn run_block<R: Real, B: Reference<R>>(coeffs: &B::Coeffs, block: &Block, inputs: &Samples) -> Samples {
+fn run_block<R: Real, B: Part<R>>(coeffs: &B::Coeffs, block: &Block, inputs: &Samples) -> Samples {
     let shape = Shape::of(&block.program.outputs, block.program.real);
     let mut samples = Samples::with_capacity(shape, inputs.len());
     let (mut state, mut outputs, mut values) = (B::state(), B::outputs(), Vec::new());

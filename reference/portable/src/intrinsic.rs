@@ -23,6 +23,19 @@ pub fn from_u32<R: Real>(value: u32) -> R {
     R::from_u32(value)
 }
 
+/// The integer as a real, rounded to nearest. Exact below 2^24 in every real type.
+#[must_use]
+pub fn from_i32<R: Real>(value: i32) -> R {
+    R::from_i32(value)
+}
+
+/// The whole part of `x`: towards 0. It is asked only for -2^31 < x < 2^31, beyond which languages disagree, and stands
+/// alone right of `let`: Structured Text takes the type of the result from the variable that gets it.
+#[must_use]
+pub fn truncate<R: Real>(x: R) -> i32 {
+    x.truncated()
+}
+
 macro_rules! intrinsic {
     ($name:ident, $intrinsic:ident, ($($param:ident: $type:ty),*) -> $returns:ty) => {
         #[doc(hidden)]
@@ -49,3 +62,5 @@ macro_rules! intrinsic {
 intrinsic!(usable, Usable, (x: R, limit: R) -> bool);
 intrinsic!(within, Within, (x: R, limit: R) -> bool);
 intrinsic!(from_u32, FromU32, (value: u32) -> R);
+intrinsic!(from_i32, FromI32, (value: i32) -> R);
+intrinsic!(truncate, Truncate, (x: R) -> i32);

@@ -40,6 +40,10 @@ pub enum Intrinsic {
     Within,
     /// [`crate::from_u32`]
     FromU32,
+    /// [`crate::from_i32`]
+    FromI32,
+    /// [`crate::truncate`]
+    Truncate,
 }
 
 /// A parameter.
@@ -82,6 +86,15 @@ pub enum Statement {
         name: &'static str,
         /// the value
         value: &'static Expr,
+    },
+    /// `let name = Type::default();`: a struct of this function
+    Default {
+        /// the name; no other local of the function has it
+        name: &'static str,
+        /// its type
+        ty: Ty,
+        /// hands out its scalars in the order of the type
+        leaves: fn(&mut dyn FnMut(Literal)),
     },
     /// `place = value;`
     Assign {

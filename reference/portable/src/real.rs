@@ -47,6 +47,12 @@ pub trait Real:
     /// The integer as a real, rounded to nearest.
     fn from_u32(value: u32) -> Self;
 
+    /// The integer as a real, rounded to nearest.
+    fn from_i32(value: i32) -> Self;
+
+    /// The whole part, towards 0, of a number within the range of the integer.
+    fn truncated(self) -> i32;
+
     /// The value as f64, exactly.
     fn to_f64(self) -> f64;
 
@@ -76,6 +82,15 @@ impl Real for f64 {
         Self::from(value)
     }
 
+    fn from_i32(value: i32) -> Self {
+        Self::from(value)
+    }
+
+    #[expect(clippy::cast_possible_truncation, reason = "that is what it does")]
+    fn truncated(self) -> i32 {
+        self as i32
+    }
+
     fn to_f64(self) -> f64 {
         self
     }
@@ -97,6 +112,15 @@ impl Real for f32 {
 
     fn from_u32(value: u32) -> Self {
         value as Self
+    }
+
+    fn from_i32(value: i32) -> Self {
+        value as Self
+    }
+
+    #[expect(clippy::cast_possible_truncation, reason = "that is what it does")]
+    fn truncated(self) -> i32 {
+        self as i32
     }
 
     fn to_f64(self) -> f64 {

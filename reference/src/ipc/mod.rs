@@ -14,11 +14,11 @@
 mod signals;
 
 pub use signals::{Inputs, Outputs};
-pub use signals::{error_cycle_time, error_mode, error_none, error_v_command, error_v_direct, error_v_motor};
-pub use signals::{mode_dryrun, mode_off, mode_on, sample_limit};
+pub use signals::{mode_dryrun, mode_off, mode_on};
 
-use crate::Block;
-use crate::stage;
+use crate::signal::{error_cycle_time, error_gantry_slave, error_mode, error_none};
+use crate::signal::{error_v_command, error_v_direct, error_v_motor, sample_limit};
+use crate::{Block, stage};
 use portable::{Fn, Real, from_u32, portable, usable, within};
 
 /// Stages of a block.
@@ -32,6 +32,8 @@ pub struct Coeffs<R> {
     pub cycle_time_ns: u32,
     /// mode before the caller writes one: 0 OFF, 1 ON, 2 DRYRUN
     pub enable: i32,
+    /// the axis is a gantry slave, which gets its master's additive velocity (P-AXIS-00070)
+    pub slave: bool,
     /// the stages
     pub stage: [stage::Coeffs<R>; STAGES],
     /// largest |v_add|
@@ -208,6 +210,8 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
         stop(state, outputs, error_cycle_time());
     } else if inputs.mode != mode_off() && inputs.mode != mode_on() && inputs.mode != mode_dryrun() {
         stop(state, outputs, error_mode());
+    } else if coeffs.slave && inputs.mode != mode_off() {
+        stop(state, outputs, error_gantry_slave());
     } else if reads_command(coeffs) && !usable(inputs.v_command, sample_limit()) {
         stop(state, outputs, error_v_command());
     } else if reads_motor(coeffs) && !usable(inputs.v_motor, sample_limit()) {
@@ -236,6 +240,7 @@ impl<R: Real> Block<R> for Ipc {
     type Outputs = Outputs<R>;
 
     const NAME: &'static str = "ipc";
+    const ENABLE: &'static str = "mode";
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
 

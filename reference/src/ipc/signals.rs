@@ -1,6 +1,6 @@
 //! What goes into the block `ipc` and what comes out: signals, modes, error ids. Nothing is computed here.
 
-use portable::{Real, portable};
+use portable::portable;
 
 /// Inputs. Velocities are in um/s for a translatory axis, in 0.001 deg/s for a rotary axis or a spindle.
 #[portable]
@@ -34,44 +34,8 @@ pub struct Outputs<R> {
     pub limited: bool,
     /// the block cannot act in this cycle, error_id says why
     pub fault: bool,
-    /// 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct is no usable number
+    /// 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct is no usable number, 70600 enabled on a gantry slave
     pub error_id: u32,
-}
-
-/// error_id: no fault
-#[portable]
-pub fn error_none() -> u32 {
-    0u32
-}
-
-/// error_id: task_cycle_ns is not the cycle time that the coefficients were designed for
-#[portable]
-pub fn error_cycle_time() -> u32 {
-    1u32
-}
-
-/// error_id: mode is none of OFF, ON, DRYRUN
-#[portable]
-pub fn error_mode() -> u32 {
-    2u32
-}
-
-/// error_id: v_command is not within the sample limit
-#[portable]
-pub fn error_v_command() -> u32 {
-    11u32
-}
-
-/// error_id: v_motor is not within the sample limit
-#[portable]
-pub fn error_v_motor() -> u32 {
-    12u32
-}
-
-/// error_id: v_direct is not within the sample limit
-#[portable]
-pub fn error_v_direct() -> u32 {
-    13u32
 }
 
 /// mode: the block is off
@@ -90,10 +54,4 @@ pub fn mode_on() -> i32 {
 #[portable]
 pub fn mode_dryrun() -> i32 {
     2i32
-}
-
-/// largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named
-#[portable]
-pub fn sample_limit<R: Real>() -> R {
-    R::per_kind(1.0e15, 1.0e9)
 }

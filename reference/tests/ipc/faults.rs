@@ -3,7 +3,7 @@
 use crate::bench::{Bench, Noise, all_bits, direct, example, simulated};
 use crate::in_both_real_types;
 use portable::Real;
-use reference::ipc::sample_limit;
+use reference::signal::sample_limit;
 use reference::stage::{DirectSource, Mode};
 
 /// Something that stops the block: how to bring it about, and its number.

@@ -90,7 +90,11 @@ impl Printer<'_> {
                 text.push_str(") <= ");
                 self.bound(limit, Precedence::Sum, text);
             }
-            (Intrinsic::FromU32, [value]) => {
+            (Intrinsic::Truncate, [x]) => {
+                text.push_str("(int32_t)");
+                self.bound(x, Precedence::Primary, text);
+            }
+            (Intrinsic::FromU32 | Intrinsic::FromI32, [value]) => {
                 text.push_str(match self.program().real {
                     RealKind::F64 => "(double)",
                     RealKind::F32 => "(float)",
@@ -116,7 +120,7 @@ impl Printer<'_> {
                 Binary::Or => Precedence::Or,
             },
             Expr::Intrinsic(Intrinsic::Usable | Intrinsic::Within, _) => Precedence::Relation,
-            Expr::Intrinsic(Intrinsic::FromU32, _) => Precedence::Unary,
+            Expr::Intrinsic(Intrinsic::FromU32 | Intrinsic::FromI32 | Intrinsic::Truncate, _) => Precedence::Unary,
         }
     }
 

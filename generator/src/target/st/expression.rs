@@ -85,11 +85,17 @@ impl Printer<'_> {
                 self.operand(limit, Precedence::Sum, text);
                 text.push(')');
             }
-            (Intrinsic::FromU32, [value]) => {
-                text.push_str("UDINT_TO_");
+            (Intrinsic::FromU32 | Intrinsic::FromI32, [value]) => {
+                text.push_str(if intrinsic == Intrinsic::FromU32 { "UDINT_TO_" } else { "DINT_TO_" });
                 text.push_str(type_name(Type::Real, real));
                 text.push('(');
                 self.expr(value, text);
+                text.push(')');
+            }
+            // The only conversion to an integer on which implementations agree.
+            (Intrinsic::Truncate, [x]) => {
+                text.push_str("TRUNC(");
+                self.expr(x, text);
                 text.push(')');
             }
             _ => panic!("st: {intrinsic:?} with {} operands", operands.len()),
@@ -100,7 +106,9 @@ impl Printer<'_> {
 fn precedence(expr: &Expr) -> Precedence {
     match expr {
         Expr::Literal(literal) => of_literal(*literal),
-        Expr::Var(_) | Expr::Intrinsic(Intrinsic::FromU32, _) => Precedence::Primary,
+        Expr::Var(_) | Expr::Intrinsic(Intrinsic::FromU32 | Intrinsic::FromI32 | Intrinsic::Truncate, _) => {
+            Precedence::Primary
+        }
         Expr::Unary(..) => Precedence::Sign,
         Expr::Binary(operator, ..) => match operator {
             Binary::Add | Binary::Subtract => Precedence::Sum,

@@ -24,6 +24,9 @@ pub fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand>
     if name == format!("UDINT_TO_{real}") {
         return conversion(lowering, node, &arguments, (Kind::Udint, Code::RealOfUdint));
     }
+    if name == "TRUNC" {
+        return truncation(lowering, node, &arguments);
+    }
     if lowering.dialect != Dialect::Plain && name == format!("F_AXGEN_USABLE_{real}") {
         return usable(lowering, node, &arguments);
     }
@@ -68,6 +71,20 @@ fn conversion(
             None
         }
     }
+}
+
+/// `TRUNC` of a real, alone right of `:=`: some compilers take its type from the variable that gets it.
+fn truncation(lowering: &mut Lowering<'_, '_>, node: Node<'_>, arguments: &[Node<'_>]) -> Option<Operand> {
+    let [argument] = arguments else {
+        lowering.say(node, format!("TRUNC of {} values", arguments.len()), "one value in the parentheses");
+        return None;
+    };
+    if node.parent().is_none_or(|parent| parent.kind() != "assignment_statement") {
+        lowering.say(node, "TRUNC inside an expression", "a DINT of its own that it is assigned to");
+        return None;
+    }
+    let x = real(lowering, *argument)?;
+    Some(lowering.emit(Code::Truncate, Kind::Dint, &[x]))
 }
 
 fn usable(lowering: &mut Lowering<'_, '_>, node: Node<'_>, arguments: &[Node<'_>]) -> Option<Operand> {

@@ -63,6 +63,8 @@ pub enum Code {
     RealOfDint,
     /// real := UDINT
     RealOfUdint,
+    /// DINT := whole part of real
+    Truncate,
     /// bool := real is finite, and between -real and real
     Usable,
     /// on to operation `to`
@@ -140,6 +142,7 @@ impl<R: Real> Slots<R> {
                 // Every DINT is a double: the only rounding is the one to the real type.
                 Code::RealOfDint => reals[to] = R::lit(f64::from(words[a].cast_signed())),
                 Code::RealOfUdint => reals[to] = R::from_u32(words[a]),
+                Code::Truncate => words[to] = truncated(reals[a]).cast_unsigned(),
                 Code::Usable => bools[to] = usable(reals[a], reals[b]),
                 Code::Jump => next = to,
                 Code::JumpUnless => {
@@ -155,4 +158,10 @@ impl<R: Real> Slots<R> {
 /// What the function `F_axgen_usable` of the emitted files says.
 fn usable<R: Real>(x: R, limit: R) -> bool {
     x.to_f64().is_finite() && -limit <= x && x <= limit
+}
+
+/// `TRUNC`. Beyond the range of a DINT implementations disagree: then it is what a reference never has by chance.
+fn truncated<R: Real>(x: R) -> i32 {
+    let is_within = -2_147_483_649.0 < x.to_f64() && x.to_f64() < 2_147_483_648.0;
+    if is_within { x.truncated() } else { 0x5555_5555 }
 }

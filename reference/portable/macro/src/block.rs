@@ -3,7 +3,7 @@
 use crate::kind::{self, Kind};
 use crate::reject::Rejections;
 use crate::scope::Scope;
-use crate::{branch, call, expr, outside, place, ty};
+use crate::{branch, call, expr, outside, place, real, ty};
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{BinOp, Expr, Pat, Stmt};
@@ -50,6 +50,18 @@ fn describe_let(local: &syn::Local, scope: &mut Scope, rejections: &mut Rejectio
     let (mut value, mut kind) = (TokenStream::new(), Kind::Unknown);
     match &local.init {
         Some(init) => {
+            if let (None, Some(ty), Pat::Ident(name)) = (&init.diverge, default_of(&init.expr, scope), pattern) {
+                scope.enter(&name.ident, Kind::Unknown, rejections);
+                ty::held(&ty, rejections);
+                let name = &name.ident;
+                return quote! {
+                    ::portable::Statement::Default {
+                        name: stringify!(#name),
+                        ty: <#ty as ::portable::Portable>::TY,
+                        leaves: |take| ::portable::Portable::visit(&<#ty as ::core::default::Default>::default(), take),
+                    }
+                };
+            }
             if let Some((token, _)) = &init.diverge {
                 rejections.push(token, "`let ... else` has no counterpart; write `if`");
             }
@@ -69,6 +81,19 @@ fn describe_let(local: &syn::Local, scope: &mut Scope, rejections: &mut Rejectio
     }
     scope.enter_rejected(pattern);
     TokenStream::new()
+}
+
+/// The type in `Type::default()`: what a struct of a function starts as.
+fn default_of(value: &Expr, scope: &Scope) -> Option<syn::Type> {
+    let Expr::Call(call) = expr::bare(value) else { return None };
+    let Expr::Path(function) = &*call.func else { return None };
+    let mut path = function.path.clone();
+    let last = path.segments.pop()?;
+    path.segments.pop_punct();
+    let named = path.segments.last()?.ident.to_string();
+    let is_default = last.ident == "default" && last.arguments.is_none() && call.args.is_empty();
+    let is_struct = function.qself.is_none() && named.starts_with(char::is_uppercase) && !real::is_path(&path, scope);
+    (is_default && is_struct).then(|| syn::Type::Path(syn::TypePath { attrs: Vec::new(), qself: None, path }))
 }
 
 /// Describes an expression whose value is not used.

@@ -25,6 +25,7 @@ macro_rules! subject {
             type Outputs = $outputs;
 
             const NAME: &'static str = $name;
+            const ENABLE: &'static str = "mode";
             const INIT: portable::Fn = init::Ir::<R>::IR;
             const STEP: portable::Fn = step::Ir::<R>::IR;
 

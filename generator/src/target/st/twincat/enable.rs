@@ -5,34 +5,37 @@ use portable::{Binary, Literal, Unary};
 
 /// The program with five more signals.
 ///
-/// - `Enable` FALSE acts as mode OFF, TRUE as the input `mode` says.
+/// - `Enable` FALSE acts as mode OFF, or as `position_controlled` FALSE where the block cannot be faded; TRUE as that input
+///   says.
 /// - `Valid`: enabled, and no fault in this cycle.
 /// - `Busy`: enabled, or not yet at rest: the block must go on being called.
 /// - `Error`, `ErrorID`: `fault` and `error_id`.
 ///
 /// # Panics
-/// If the block has no `mode`, `fault` or `error_id`.
+/// If the block has no input to turn it off, no `fault` or no `error_id`.
 #[must_use]
 pub fn run(program: Program) -> Program {
     let (inputs, outputs) = (program.inputs.len(), program.outputs.len());
     // The new signals come first.
     let mut program = shifted(program);
     let find = |list: &[Variable], path: &str| list.iter().position(|variable| variable.path == path);
-    let mode = find(&program.inputs, "mode").expect("enable: the block has a mode");
+    let switch = find(&program.inputs, program.enable).expect("enable: the block has an input to turn it off");
+    let ty = program.inputs[switch].ty;
     let fault = find(&program.outputs, "fault").expect("enable: the block has a fault");
     let error_id = find(&program.outputs, "error_id").expect("enable: the block has an error_id");
-    let settled = find(&program.state, "settled");
-    let mode_enabled = Var::Local(program.locals.len());
-    program.locals.push(Local { path: "mode_enabled".to_owned(), ty: Some(Type::I32) });
-    program.step = rename(program.step, &|var| if var == Var::Input(mode) { mode_enabled } else { var });
+    // A mode fades; a switch acts at once, and leaves nothing to wait for.
+    let settled = find(&program.state, "settled").filter(|_| ty == Type::I32);
+    let enabled = Var::Local(program.locals.len());
+    program.locals.push(Local { path: format!("{}_enabled", program.enable), ty: Some(ty) });
+    program.step = rename(program.step, &|var| if var == Var::Input(switch) { enabled } else { var });
     let (enable, of) = (Expr::Var(Var::Input(0)), Expr::Var);
-    let off = of(mode_off(&mut program));
+    let off = if ty == Type::I32 { of(mode_off(&mut program)) } else { Expr::Literal(Literal::Bool(false)) };
     program.step.insert(
         0,
         Statement::If {
             condition: enable.clone(),
-            then: vec![assign(mode_enabled, of(Var::Input(mode)))],
-            otherwise: vec![assign(mode_enabled, off)],
+            then: vec![assign(enabled, of(Var::Input(switch)))],
+            otherwise: vec![assign(enabled, off)],
         },
     );
     let not_fault = Expr::Unary(Unary::Not, Box::new(of(Var::Output(fault))));
@@ -54,10 +57,11 @@ pub fn run(program: Program) -> Program {
 fn shifted(mut program: Program) -> Program {
     let signal = |path: &str, doc, ty, start| Variable { path: path.to_owned(), doc, ty, start };
     let no = Literal::Bool(false);
-    program.inputs.insert(0, signal("Enable", "FALSE acts as mode OFF, TRUE as mode says", Type::Bool, no));
+    let [of_enable, of_valid, of_busy] = docs(program.enable);
+    program.inputs.insert(0, signal("Enable", of_enable, Type::Bool, no));
     let new = [
-        signal("Valid", "enabled, and no fault in this cycle: v_add may be added", Type::Bool, no),
-        signal("Busy", "enabled, or still fading out: go on calling the block", Type::Bool, no),
+        signal("Valid", of_valid, Type::Bool, no),
+        signal("Busy", of_busy, Type::Bool, no),
         signal("Error", "as fault", Type::Bool, no),
         signal("ErrorID", "as error_id", Type::U32, Literal::U32(0)),
     ];
@@ -71,6 +75,22 @@ fn shifted(mut program: Program) -> Program {
     program.init = rename(program.init, &renamed);
     program.step = rename(program.step, &renamed);
     program
+}
+
+/// What the signals mean, by the input that turns the block off.
+fn docs(switch: &str) -> [&'static str; 3] {
+    match switch {
+        "mode" => [
+            "FALSE acts as mode OFF, TRUE as mode says",
+            "enabled, and no fault in this cycle: v_add may be added",
+            "enabled, or still fading out: go on calling the block",
+        ],
+        _ => [
+            "FALSE acts as position_controlled FALSE, TRUE as position_controlled says",
+            "enabled, and no fault in this cycle: the outputs may go to the drive",
+            "enabled: go on calling the block",
+        ],
+    }
 }
 
 /// The constant of the mode OFF; a block that never asks for it gets it here.

@@ -1,5 +1,12 @@
 //! One axis after reading and checking: physical, valid parameters. Plain data; no spans, no coefficients.
 
+mod control;
+
+pub use control::{
+    Control, Feedforward, Motor, Place, PositionControl, Quantities, Ratio, Resolution, TimeBase, Torque, Velocity,
+    Width,
+};
+
 use portable::RealKind;
 
 /// An axis, ready to be designed.
@@ -13,6 +20,8 @@ pub struct Axis {
     pub cycle_time_ns: u32,
     /// improved position control
     pub ipc: Ipc,
+    /// feedforward, position control, gantry
+    pub control: Control,
     /// every effective parameter, one `path value` a line, in the order of the parameter table: what the digest covers
     pub canonical: String,
 }

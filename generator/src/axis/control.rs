@@ -1,0 +1,195 @@
+//! What surrounds improved position control: feedforward, position control, gantry. Plain data, as the parameters say it.
+
+/// Everything of an axis but improved position control.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Control {
+    /// feedforward, if the axis has it
+    pub feedforward: Option<Feedforward>,
+    /// position control, if the parameters say how
+    pub position_control: Option<PositionControl>,
+    /// logical axis number (P-AXIS-00016)
+    pub number: u32,
+    /// on a gantry slave: logical axis number of its master (P-AXIS-00070)
+    pub master: Option<u32>,
+    /// on a gantry slave whose master is known: largest |v_add| of the master [um/s or 0.001 deg/s]
+    pub master_limit: Option<f64>,
+}
+
+/// A quotient of two parameters, as written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Ratio {
+    /// numerator
+    pub num: u32,
+    /// denominator, above 0
+    pub denom: u32,
+}
+
+impl Ratio {
+    /// 0: what a correction leaves.
+    pub const ZERO: Self = Self { num: 0, denom: 1 };
+
+    /// num / denom, rounded once.
+    #[must_use]
+    pub fn value(self) -> f64 {
+        f64::from(self.num) / f64::from(self.denom)
+    }
+}
+
+/// Which of the planned quantities go one way.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Quantities {
+    /// velocity
+    pub velocity: bool,
+    /// acceleration
+    pub acceleration: bool,
+    /// jerk
+    pub jerk: bool,
+}
+
+impl Quantities {
+    /// Whether there is one.
+    #[must_use]
+    pub fn any(self) -> bool {
+        self.velocity || self.acceleration || self.jerk
+    }
+}
+
+/// Feedforward (P-AXIS-00223).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Feedforward {
+    /// what is added to the position controller's output
+    pub conventional: Quantities,
+    /// what goes to the drive as an additive velocity
+    pub additive: Quantities,
+    /// what goes to the drive as an additive torque
+    pub torque: Quantities,
+    /// active despite G137 (P-AXIS-00255)
+    pub default_active: bool,
+    /// inactive despite G135 (P-AXIS-00256)
+    pub global_disable: bool,
+    /// weight of the whole (P-AXIS-00228/00229)
+    pub weight: Ratio,
+    /// of the acceleration: time constant [us], with an additive torque a plain weight (P-AXIS-00225/00226)
+    pub acceleration: Ratio,
+    /// factor of the jerk (P-AXIS-00337/00338)
+    pub jerk: Ratio,
+    /// delay of the additive velocity [us] (P-AXIS-00389)
+    pub velocity_delay: u32,
+    /// delay of the additive torque of the acceleration [us] (P-AXIS-00390)
+    pub acceleration_delay: u32,
+    /// delay of the additive torque of the jerk [us] (P-AXIS-00547)
+    pub jerk_delay: u32,
+    /// scaling of the additive velocity, where it is put out
+    pub velocity: Option<Velocity>,
+    /// scaling of the additive torque, where it is put out
+    pub torque_scale: Option<Torque>,
+}
+
+/// Scaling of an additive velocity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Velocity {
+    /// increments per path (P-AXIS-00206/00205)
+    pub reso: Ratio,
+    /// in which time (P-AXIS-00207)
+    pub time_base: TimeBase,
+    /// its process data
+    pub width: Width,
+}
+
+/// Time base of a velocity (P-AXIS-00207).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TimeBase {
+    /// 0: per minute
+    Minute,
+    /// 1: per second
+    Second,
+    /// 2: per cycle
+    Cycle,
+}
+
+/// Integer type of process data.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Width {
+    /// 16 bits
+    Int16,
+    /// 32 bits
+    Int32,
+}
+
+impl Width {
+    /// The smallest and the largest value.
+    #[must_use]
+    pub fn range(self) -> [i32; 2] {
+        match self {
+            Self::Int16 => [i32::from(i16::MIN), i32::from(i16::MAX)],
+            Self::Int32 => [i32::MIN, i32::MAX],
+        }
+    }
+}
+
+/// Path resolution.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Resolution {
+    /// increments per revolution of the motor (P-AXIS-00092)
+    pub incr_per_rev: u32,
+    /// wegaufz / wegaufn (P-AXIS-00234/00233)
+    pub wegauf: Ratio,
+    /// feed constant [0.1 um or 0.0001 deg per revolution] (P-AXIS-00362/00363)
+    pub feed_const: Ratio,
+}
+
+/// Scaling of an additive torque.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Torque {
+    /// path resolution, of a rotary motor
+    pub resolution: Resolution,
+    /// kind of motor (key `motor`)
+    pub motor: Motor,
+    /// total load [kg m^2], of a linear motor [kg] (P-AXIS-00391)
+    pub load: f64,
+    /// nominal torque [Nm], of a linear motor force [N]; above 0 (P-AXIS-00392)
+    pub reference: f64,
+    /// increments at the nominal torque (P-AXIS-00325/00326)
+    pub scale: Ratio,
+    /// its process data
+    pub width: Width,
+}
+
+/// Kind of motor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Motor {
+    /// torque and inertia
+    Rotary,
+    /// force and mass
+    Linear,
+}
+
+/// Position control.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PositionControl {
+    /// where the position is controlled (P-AXIS-00320, P-AXIS-00020)
+    pub place: Place,
+    /// gain of the position controller [0.01/s] (P-AXIS-00099)
+    pub kv: u32,
+    /// position control in the CNC: value of the drive's velocity command at 1 m/min or 1000 deg/min (P-AXIS-00129/00128)
+    pub multi_gain: Ratio,
+    /// its process data
+    pub command: Width,
+    /// additive velocity command, where it is put out
+    pub velocity: Option<Velocity>,
+    /// PROFIdrive: path resolution
+    pub resolution: Option<Resolution>,
+    /// PROFIdrive: cycles by which the feedforward leads the position (P-AXIS-00165)
+    pub shift_time: u32,
+}
+
+/// Where the position is controlled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// in the CNC
+    Cnc,
+    /// in the drive
+    Drive,
+    /// in a PROFIdrive drive, which gets the control deviation
+    Profidrive,
+}

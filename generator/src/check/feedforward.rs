@@ -1,0 +1,172 @@
+//! The rules of feedforward: which quantities there are, which way they go, and what is corrected.
+
+use super::corrected::{self, title};
+use super::drive::{self, Drive, key};
+use super::effective::Effective;
+use crate::axis::{Feedforward, Motor, Place, Quantities, Torque};
+use crate::codes;
+use crate::diagnostics::Diagnostic;
+use crate::parameters::{Name, Value};
+
+/// Feedforward of one axis; outer none: an error, which has been said; inner none: there is none.
+pub fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Drive) -> Option<Option<Feedforward>> {
+    let words = match e.judged(key(Name::FeedforwardMode))? {
+        Value::Words(words) => words,
+        _ => return None,
+    };
+    let has = |word: &str| words.contains(&word);
+    if has("NONE") || words.is_empty() {
+        return Some(None);
+    }
+    e.note(key(Name::FeedforwardMode), &Value::Words(words.clone()));
+    refuse_jerk(e, has("ADD_JERK"))?;
+    let (mut conventional, mut additive, mut torque) = ways(&has);
+    if drive.place == Place::Profidrive && has("ADD_VEL") {
+        // NSOLL_B takes the whole feedforward, not its velocity alone.
+        additive = Quantities { velocity: true, ..conventional };
+        conventional = Quantities::default();
+    }
+    if additive.any() && drive.velocity.is_none() {
+        corrected::no_datum(e, "ADD_VEL", Name::AdditiveVelocityData, (codes::NO_VELOCITY_DATA, 70350));
+        additive = Quantities::default();
+    }
+    if torque.any() && drive.torque.is_none() {
+        let found = if torque.acceleration { "ADD_ACC" } else { "ADD_JERK" };
+        corrected::no_datum(e, found, Name::AdditiveTorqueData, (codes::NO_TORQUE_DATA, 70351));
+        torque = Quantities::default();
+    }
+    without_delay(e, &words)?;
+    let default_active = e.word(key(Name::DefaultActive)).map(|word| word == "TRUE");
+    let global_disable = e.word(key(Name::GlobalDisable)).map(|word| word == "TRUE");
+    let weight =
+        corrected::ratio(e, [Name::VsVFaktor, Name::VsVNenner], codes::DENOMINATOR, ("feedforward is left out", None));
+    let sums = [conventional, additive];
+    let uses_time = sums.iter().any(|sum| sum.acceleration || sum.jerk);
+    let acceleration = if uses_time || torque.acceleration {
+        let consequence = ("the acceleration, and the jerk that shares its time constant, are left out", None);
+        corrected::ratio(e, [Name::VsAFaktor, Name::VsANenner], codes::DENOMINATOR, consequence)
+    } else {
+        Some(crate::axis::Ratio::ZERO)
+    };
+    let jerk = if sums.iter().any(|sum| sum.jerk) || torque.jerk {
+        let consequence = ("error 110473 of the controller; it is corrected to 100", Some(100));
+        corrected::ratio(e, [Name::JerkFactNum, Name::JerkFactDenom], codes::JERK_FACT, consequence)
+    } else {
+        Some(crate::axis::Ratio::ZERO)
+    };
+    let mut delay = |is_used: bool, name, code| match is_used {
+        true => corrected::delay(e, name, cycle_time, code),
+        false => Some(0),
+    };
+    let velocity_delay = delay(additive.any(), Name::VelocityDelayTime, (codes::VELOCITY_DELAY, 70349));
+    let acceleration_delay = delay(torque.acceleration, Name::AccelerationDelayTime, (codes::TORQUE_DELAY, 70348));
+    let jerk_delay = delay(torque.jerk, Name::JerkDelayTime, (codes::TORQUE_DELAY, 70348));
+    let velocity = match drive.velocity.filter(|_| additive.any()) {
+        Some(width) => Some(drive::velocity(e, width)?),
+        None => None,
+    };
+    let torque_scale = if torque.any() { torque_of(e, drive)? } else { None };
+    if torque_scale.is_none() {
+        torque = Quantities::default();
+    }
+    Some(Some(Feedforward {
+        conventional,
+        additive,
+        torque,
+        default_active: default_active?,
+        global_disable: global_disable?,
+        weight: weight?,
+        acceleration: acceleration?,
+        jerk: jerk?,
+        velocity_delay: velocity_delay?,
+        acceleration_delay: acceleration_delay?,
+        jerk_delay: jerk_delay?,
+        velocity,
+        torque_scale,
+    }))
+}
+
+/// Conventional, additive velocity, additive torque: each quantity goes one way.
+fn ways(has: &dyn Fn(&str) -> bool) -> (Quantities, Quantities, Quantities) {
+    let conventional = Quantities {
+        velocity: has("VEL") && !has("ADD_VEL"),
+        acceleration: has("ACC") && !has("ADD_ACC"),
+        jerk: has("JERK") && !has("ADD_JERK"),
+    };
+    let additive = Quantities { velocity: has("ADD_VEL"), ..Quantities::default() };
+    let torque = Quantities { velocity: false, acceleration: has("ADD_ACC"), jerk: has("ADD_JERK") };
+    (conventional, additive, torque)
+}
+
+/// ADD_JERK only where it is asked for by name.
+fn refuse_jerk(e: &mut Effective<'_>, has_jerk: bool) -> Option<()> {
+    if !has_jerk || e.word(key(Name::AddJerk))? == "experimental" {
+        return Some(());
+    }
+    let found = format!("{} has ADD_JERK, whose formula no document gives", title(e, key(Name::FeedforwardMode)));
+    let place = e.place_of(key(Name::FeedforwardMode));
+    e.report.push(
+        Diagnostic::error(codes::ADD_JERK, place, found)
+            .allowed("VEL, ACC, JERK, ADD_VEL, ADD_ACC")
+            .instead("JERK, or add_jerk = \"experimental\" in a set, to try a formula that is inferred from units"),
+    );
+    None
+}
+
+/// P-AXIS-00566 holds for VEL alone (110624).
+fn without_delay(e: &mut Effective<'_>, words: &[&'static str]) -> Option<()> {
+    let is_on = e.word(key(Name::FeedforwardWithoutDelay))? == "TRUE";
+    if !is_on || words == ["VEL"] {
+        return Some(());
+    }
+    let found = format!(
+        "{} is TRUE beside {}: error 110624 of the controller",
+        title(e, key(Name::FeedforwardWithoutDelay)),
+        words.join(" ")
+    );
+    let place = e.place_of(key(Name::FeedforwardWithoutDelay));
+    e.report.push(
+        Diagnostic::error(codes::WITHOUT_DELAY, place, found)
+            .allowed("VEL alone in vorsteuer.vorsteuerung (P-AXIS-00223)")
+            .instead("feedforward_without_delay FALSE, or VEL alone"),
+    );
+    None
+}
+
+/// Scaling of the additive torque; inner none: a correction has switched it off.
+fn torque_of(e: &mut Effective<'_>, drive: &Drive) -> Option<Option<Torque>> {
+    let is_linear = e.word(key(Name::Motor)).map(|word| word == "linear");
+    let load = e.real((Name::Load, [drive.gear, 0]));
+    let reference = e.real(key(Name::AccReferenceValue));
+    let consequence = ("error 110465 of the controller; the additive torque is switched off", None);
+    let scale = corrected::ratio(e, [Name::TorqueScaleNum, Name::TorqueScaleDenom], codes::TORQUE_SCALE, consequence);
+    let resolution = drive::resolution(e, drive.gear);
+    let axis_type = e.word(key(Name::AxisType));
+    drive::note_datum(e, Name::AdditiveTorqueData);
+    let (is_linear, load, reference, scale, resolution) = (is_linear?, load?, reference?, scale?, resolution?);
+    if is_linear && axis_type? != "ACHSTYP_TRANSLATOR" {
+        let found = "`motor` is linear, and the axis turns (P-AXIS-00018)";
+        let place = e.place_of(key(Name::Motor));
+        e.report.push(Diagnostic::error(codes::LINEAR_MOTOR, place, found).instead("motor = \"rotary\""));
+        return None;
+    }
+    let incr_key = (Name::IncrPerRev, [drive.gear, 0]);
+    if !is_linear && resolution.incr_per_rev == 0 {
+        let found = format!("{} is 0, and the additive torque needs it", title(e, incr_key));
+        let diagnostic = Diagnostic::error(codes::RESOLUTION, e.place_of(incr_key), found);
+        e.report.push(diagnostic.allowed("1 <= incr_per_rev [increments/revolution]"));
+        return None;
+    }
+    if reference <= 0.0 {
+        let found = format!("{} is 0: the additive torque is switched off", title(e, key(Name::AccReferenceValue)));
+        let diagnostic = Diagnostic::warning(codes::NO_REFERENCE, e.place_of(key(Name::AccReferenceValue)), found);
+        e.report.push(diagnostic.instead("the nominal torque of the motor, from its data sheet"));
+        return Some(None);
+    }
+    if scale.num == 0 {
+        return Some(None);
+    }
+    let motor = if is_linear { Motor::Linear } else { Motor::Rotary };
+    let width = drive.torque?;
+    Some(Some(Torque { resolution, motor, load, reference, scale, width }))
+}

@@ -1,0 +1,121 @@
+//! Gantries: a slave finds its master among the axes of the set. Only what concerns two axes is here.
+
+use crate::axis::{Axis, PositionControl};
+use crate::codes;
+use crate::design;
+use crate::diagnostics::{Diagnostic, Place, Report};
+use std::fmt::Write;
+
+/// Couples the slaves of a set to their masters. `places` are those of P-AXIS-00070, axis by axis.
+pub fn couple(axes: &mut [Axis], places: &[Place], report: &mut Report) {
+    for slave in 0..axes.len() {
+        let Some(number) = axes[slave].control.master else { continue };
+        match master_of(axes, slave, number) {
+            Err((found, instead)) => {
+                let diagnostic = Diagnostic::error(codes::MASTER, places[slave].clone(), found);
+                report.push(diagnostic.instead(instead));
+            }
+            Ok(master) => {
+                compare(&axes[slave], &axes[master], &places[slave], report);
+                take(axes, slave, master);
+            }
+        }
+    }
+}
+
+/// A slave whose list stands alone has no master beside it.
+pub fn alone(axis: &Axis, place: Place, report: &mut Report) {
+    if let Some(number) = axis.control.master {
+        let found = format!(
+            "the master of the gantry, axis {number} (P-AXIS-00070), is not there: its additive velocity is left out"
+        );
+        let instead = "a set with both axes, whose lists they name";
+        report.push(Diagnostic::warning(codes::MASTER_UNKNOWN, place, found).instead(instead));
+    }
+}
+
+/// The position of the master; else what is wrong and what to write instead.
+fn master_of(axes: &[Axis], slave: usize, number: u32) -> Result<usize, (String, String)> {
+    let named: Vec<usize> = (0..axes.len()).filter(|axis| axes[*axis].control.number == number).collect();
+    let name = &axes[slave].name;
+    match named[..] {
+        [] => {
+            let numbers: Vec<String> =
+                axes.iter().map(|axis| format!("{} of {}", axis.control.number, axis.name)).collect();
+            let found = format!("{name} follows the axis {number}, and no axis of the set has this number");
+            Err((found, format!("one of {} (P-AXIS-00016), or the master's list in the set", numbers.join(", "))))
+        }
+        [master] if axes[master].control.master.is_some() => {
+            let found = if follows(axes, master, slave) {
+                format!("{name} follows {}, which follows {name} in the end", axes[master].name)
+            } else {
+                format!("{name} follows {}, which is a slave itself", axes[master].name)
+            };
+            Err((found, "the number of an axis that follows no other".to_owned()))
+        }
+        [master] => Ok(master),
+        [first, second, ..] => {
+            let found = format!(
+                "{name} follows the axis {number}, a number that {} and {} have",
+                axes[first].name, axes[second].name
+            );
+            Err((found, "kopf.achs_nr (P-AXIS-00016) of its own for each axis".to_owned()))
+        }
+    }
+}
+
+/// Whether an axis follows another one, by way of any number of masters.
+fn follows(axes: &[Axis], mut axis: usize, wanted: usize) -> bool {
+    for _ in 0..axes.len() {
+        let master = axes[axis].control.master;
+        let Some(next) = axes.iter().position(|next| Some(next.control.number) == master) else { return false };
+        if next == wanted {
+            return true;
+        }
+        axis = next;
+    }
+    false
+}
+
+/// Unequal scalings are legal, and mostly a mistake.
+fn compare(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
+    let (Some(of_slave), Some(of_master)) = (&slave.control.position_control, &master.control.position_control) else {
+        return;
+    };
+    let scaling = |control: &PositionControl| (control.place, control.multi_gain, control.velocity);
+    if scaling(of_slave) != scaling(of_master) {
+        let found = format!(
+            "{} and its master {} scale their velocities differently: {}, and {}",
+            slave.name,
+            master.name,
+            described(of_slave),
+            described(of_master)
+        );
+        let instead = "equal scalings, unless the drives are different";
+        report.push(Diagnostic::warning(codes::SCALINGS, place.clone(), found).instead(instead));
+    }
+}
+
+fn described(control: &PositionControl) -> String {
+    match control.velocity {
+        Some(velocity) => {
+            format!(
+                "v_reso {}/{}, time base {:?}, {:?}",
+                velocity.reso.num, velocity.reso.denom, velocity.time_base, velocity.width
+            )
+        }
+        None => format!("multi_gain {}/{}", control.multi_gain.num, control.multi_gain.denom),
+    }
+}
+
+/// The slave takes over what its block must know of the master.
+fn take(axes: &mut [Axis], slave: usize, master: usize) {
+    let (number, ipc) = (axes[master].control.number, axes[master].ipc.clone());
+    if ipc.stage.iter().all(Option::is_none) {
+        return;
+    }
+    let slave = &mut axes[slave];
+    slave.control.master_limit = Some(design::ipc::limit(&ipc));
+    // What the slave's block depends on is part of its own parameters.
+    let _ = writeln!(slave.canonical, "master {number} v_add_max_fact {} vb_max {}", ipc.v_add_max_fact, ipc.v_max);
+}

@@ -1,0 +1,126 @@
+//! Scalings: from path units to what the drive gets, and the ranges of process data. No filter.
+
+use crate::axis::{Axis, Motor, Resolution, TimeBase, Torque, Velocity, Width};
+use crate::parameters::Name;
+use portable::{Real, RealKind};
+use reference::process_data;
+use reference::signal::sample_limit;
+
+/// Additive velocity: increments for 1 um/s or 0.001 deg/s,
+///
+/// ```text
+/// v_reso_num / v_reso_denom * tb,    tb = 60 per minute, 1 per second, Ts per cycle
+/// ```
+///
+/// (P-AXIS-00205 to 00207). The numerator is exact up to 2^53, so that there is one rounding.
+#[must_use]
+pub fn velocity(velocity: &Velocity, cycle_time_ns: u32) -> f64 {
+    let (num, denom) = (f64::from(velocity.reso.num), f64::from(velocity.reso.denom));
+    match velocity.time_base {
+        TimeBase::Minute => num * 60.0 / denom,
+        TimeBase::Second => num / denom,
+        TimeBase::Cycle => num * f64::from(cycle_time_ns) / (denom * 1e9),
+    }
+}
+
+/// Manipulated variable: increments for 1 um/s or 0.001 deg/s, `60e-6 multi_gain_z / multi_gain_n` (P-AXIS-00129/00128).
+#[must_use]
+pub fn manipulated(multi_gain: crate::axis::Ratio) -> f64 {
+    f64::from(multi_gain.num) * 60.0 / (f64::from(multi_gain.denom) * 1e6)
+}
+
+/// Path resolution R in increments per 0.1 um or 0.0001 deg,
+///
+/// ```text
+/// R = incr_per_rev * wegaufz / wegaufn * feed_const_denom / feed_const_num    if a feed constant is given
+/// R = wegaufz / wegaufn                                                       else
+/// ```
+///
+/// (P-AXIS-00092, 00233, 00234, 00362, 00363). A feed constant is given where one of its parameters is not 1.
+#[must_use]
+pub fn resolution(resolution: &Resolution) -> f64 {
+    let (wegauf, feed) = (resolution.wegauf, resolution.feed_const);
+    if feed.num == 1 && feed.denom == 1 {
+        return wegauf.value();
+    }
+    let num = f64::from(resolution.incr_per_rev) * f64::from(wegauf.num) * f64::from(feed.denom);
+    num / (f64::from(wegauf.denom) * f64::from(feed.num))
+}
+
+/// Angular acceleration of the motor for an acceleration of 1 um/s^2 or 0.001 deg/s^2 [rad/s^2]:
+/// `alpha = 10 a R / incr_per_rev 2 pi`, with a in um/s^2.
+#[must_use]
+pub fn angular_acceleration(of: &Resolution) -> f64 {
+    10.0 * resolution(of) / f64::from(of.incr_per_rev) * 2.0 * std::f64::consts::PI
+}
+
+/// Additive torque: increments for 1 um/s^2 or 0.001 deg/s^2,
+///
+/// ```text
+/// M = load * alpha, of a linear motor F = load * a
+/// increments = M / acc_reference_value * torque_scale_num / torque_scale_denom
+/// ```
+///
+/// (P-AXIS-00391, 00392, 00325, 00326), before it is weighted.
+#[must_use]
+pub fn torque(torque: &Torque) -> f64 {
+    let per_acceleration = match torque.motor {
+        Motor::Rotary => torque.load * angular_acceleration(&torque.resolution),
+        Motor::Linear => torque.load * 1e-6,
+    };
+    per_acceleration / torque.reference * torque.scale.value()
+}
+
+/// The range of a process datum.
+#[must_use]
+pub fn range<R: Real>(width: Width) -> process_data::Coeffs<R> {
+    let [lowest, highest] = width.range();
+    let (lower_limit, upper_limit) = (R::lit(f64::from(lowest)), R::lit(f64::from(highest)));
+    process_data::Coeffs { lowest, highest, lower_limit, upper_limit }
+}
+
+/// A factor that leads beyond the numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Overflow {
+    /// one of the parameters that it is made of
+    pub parameter: Name,
+    /// what it is
+    pub what: &'static str,
+    /// its value
+    pub factor: f64,
+}
+
+/// The first scaling of an axis whose product with the largest usable sample is no number of its real type.
+#[must_use]
+pub fn overflow(axis: &Axis) -> Option<Overflow> {
+    let (sample, largest) = match axis.real {
+        RealKind::F64 => (sample_limit::<f64>(), f64::MAX),
+        RealKind::F32 => (f64::from(sample_limit::<f32>()), f64::from(f32::MAX)),
+    };
+    let mut factors = Vec::new();
+    if let Some(feedforward) = &axis.control.feedforward {
+        let of_acceleration = feedforward.acceleration.value();
+        factors.push((Name::VsVFaktor, "the weight of feedforward", feedforward.weight.value()));
+        if let Some(scale) = &feedforward.torque_scale {
+            let per_acceleration = torque(scale);
+            factors.push((
+                Name::Load,
+                "the scaling of the additive torque",
+                per_acceleration * of_acceleration.max(1.0),
+            ));
+            factors.push((
+                Name::Load,
+                "the scaling of the additive torque",
+                per_acceleration * feedforward.jerk.value(),
+            ));
+        }
+    }
+    let weight = axis.control.feedforward.as_ref().map_or(1.0, |feedforward| feedforward.weight.value().max(1.0));
+    // 16: sums of a few products.
+    let is_beyond = |factor: f64| !(factor * weight * sample * 16.0 <= largest);
+    factors.into_iter().find(|(_, _, factor)| is_beyond(*factor)).map(|(parameter, what, factor)| Overflow {
+        parameter,
+        what,
+        factor,
+    })
+}

@@ -1,0 +1,285 @@
+//! The whole axis: feedforward, position control and improved position control, in the order in which they need each other.
+//!
+//! ```text
+//! feedforward      v_interpolator, a, j                -> v_feedforward, v_additive, additive_torque
+//! position control x_command, x_actual, v_feedforward  -> v_command
+//! ipc              v_command, v_motor, v_direct        -> v_add          (a gantry slave: v_add_master)
+//! position control v_command, v_add, v_additive        -> what the drive gets
+//! ```
+//!
+//! Each part is the block of its name. What an axis does not have is not there.
+
+mod signals;
+
+pub use signals::{Inputs, Outputs};
+
+use crate::signal::{error_cycle_time, error_none, error_v_add_master, error_x_actual, error_x_command, sample_limit};
+use crate::{Block, feedforward, ipc, position_control};
+use portable::{Fn, Real, portable, usable, within};
+use position_control::Place;
+
+/// Where the additive velocity comes from.
+#[portable]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Addition {
+    /// there is none
+    #[default]
+    None,
+    /// from improved position control
+    Ipc,
+    /// from the master of a gantry
+    Master,
+}
+
+/// Coefficients.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Coeffs<R> {
+    /// cycle time that all coefficients were designed for [ns]
+    pub cycle_time_ns: u32,
+    /// where the additive velocity comes from
+    pub addition: Addition,
+    /// whether there is feedforward
+    pub has_feedforward: bool,
+    /// gantry slave: largest |v_add| of the master
+    pub master_limit: R,
+    /// -master_limit
+    pub master_lower_limit: R,
+    /// feedforward
+    pub feedforward: feedforward::Coeffs<R>,
+    /// improved position control
+    pub ipc: ipc::Coeffs<R>,
+    /// position control
+    pub position_control: position_control::Coeffs<R>,
+}
+
+/// State.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct State<R> {
+    /// feedforward
+    pub feedforward: feedforward::State<R>,
+    /// improved position control
+    pub ipc: ipc::State<R>,
+    /// position control
+    pub position_control: position_control::State<R>,
+}
+
+/// Before the first cycle.
+#[portable]
+pub fn init<R: Real>(state: &mut State<R>) {
+    feedforward::init(&mut state.feedforward);
+    ipc::init(&mut state.ipc);
+    position_control::init(&mut state.position_control);
+}
+
+/// A cycle in which the axis must not act: every part starts anew after it.
+#[portable]
+pub fn rest<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, control_outputs: &position_control::Outputs<R>) {
+    let mut feedforward_outputs = feedforward::Outputs::<R>::default();
+    feedforward::stop(&mut state.feedforward, &mut feedforward_outputs, error_none());
+    let mut ipc_outputs = ipc::Outputs::<R>::default();
+    ipc::stop(&mut state.ipc, &mut ipc_outputs, error_none());
+    outputs.v_feedforward = R::ZERO;
+    outputs.v_add = R::ZERO;
+    outputs.v_add_calculated = R::ZERO;
+    take(outputs, control_outputs);
+    outputs.limited = false;
+    outputs.fault = control_outputs.fault;
+    outputs.error_id = control_outputs.error_id;
+}
+
+/// Takes over what the drive gets.
+#[portable]
+pub fn take<R: Real>(outputs: &mut Outputs<R>, control_outputs: &position_control::Outputs<R>) {
+    outputs.v_command = control_outputs.v_command;
+    outputs.manipulated_variable = control_outputs.manipulated_variable;
+    outputs.x_drive = control_outputs.x_drive;
+    outputs.xerr = control_outputs.xerr;
+    outputs.additive_velocity = control_outputs.additive_velocity;
+    outputs.additive_torque = control_outputs.additive_torque;
+}
+
+/// Feedforward, if the axis has it.
+#[portable]
+pub fn feed_forward<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    inputs: &Inputs<R>,
+    feedforward_outputs: &mut feedforward::Outputs<R>,
+) {
+    if coeffs.has_feedforward {
+        let mut feedforward_inputs = feedforward::Inputs::<R>::default();
+        feedforward_inputs.v_interpolator = inputs.v_interpolator;
+        feedforward_inputs.a_interpolator = inputs.a_interpolator;
+        feedforward_inputs.j_interpolator = inputs.j_interpolator;
+        feedforward_inputs.feedforward_active = inputs.feedforward_active;
+        feedforward_inputs.feedforward_percentage = inputs.feedforward_percentage;
+        feedforward_inputs.position_controlled = true;
+        feedforward::step(&mut state.feedforward, &coeffs.feedforward, &feedforward_inputs, feedforward_outputs);
+    }
+}
+
+/// The master's additive velocity, within the master's limit; 0 where it is no usable number.
+#[portable]
+pub fn follow_master<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, ipc_outputs: &mut ipc::Outputs<R>) {
+    if !usable(inputs.v_add_master, sample_limit()) {
+        ipc_outputs.fault = true;
+        ipc_outputs.error_id = error_v_add_master();
+    } else if within(inputs.v_add_master, coeffs.master_limit) {
+        ipc_outputs.v_add = inputs.v_add_master;
+    } else {
+        ipc_outputs.v_add = if inputs.v_add_master > R::ZERO { coeffs.master_limit } else { coeffs.master_lower_limit };
+        ipc_outputs.limited = true;
+    }
+    ipc_outputs.v_add_calculated = ipc_outputs.v_add;
+}
+
+/// The additive velocity: of improved position control, or of the gantry's master.
+#[portable]
+pub fn add<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    inputs: &Inputs<R>,
+    v_command: R,
+    ipc_outputs: &mut ipc::Outputs<R>,
+) {
+    match coeffs.addition {
+        Addition::None => {}
+        Addition::Master => {
+            follow_master(coeffs, inputs, ipc_outputs);
+        }
+        Addition::Ipc => {
+            let mut ipc_inputs = ipc::Inputs::<R>::default();
+            // Where the drive has the position controller, the interpolator's velocity is the command (P-AXIS-00753).
+            ipc_inputs.v_command =
+                if coeffs.position_control.place == Place::Cnc { v_command } else { inputs.v_interpolator };
+            ipc_inputs.v_motor = inputs.v_motor;
+            ipc_inputs.v_direct = inputs.v_direct;
+            ipc_inputs.mode = inputs.mode;
+            ipc_inputs.position_controlled = true;
+            ipc::step(&mut state.ipc, &coeffs.ipc, &ipc_inputs, ipc_outputs);
+        }
+    }
+}
+
+/// A cycle in which the axis acts.
+#[portable]
+pub fn act<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    inputs: &Inputs<R>,
+    control_inputs: &mut position_control::Inputs<R>,
+    outputs: &mut Outputs<R>,
+) {
+    let mut feedforward_outputs = feedforward::Outputs::<R>::default();
+    feed_forward(state, coeffs, inputs, &mut feedforward_outputs);
+    control_inputs.v_feedforward = feedforward_outputs.v_feedforward;
+    control_inputs.v_additive = feedforward_outputs.v_additive;
+    control_inputs.additive_torque = feedforward_outputs.additive_torque;
+    let mut control_outputs = position_control::Outputs::<R>::default();
+    control_outputs.v_command = position_control::command(&coeffs.position_control, control_inputs);
+    let mut ipc_outputs = ipc::Outputs::<R>::default();
+    add(state, coeffs, inputs, control_outputs.v_command, &mut ipc_outputs);
+    control_inputs.v_add = ipc_outputs.v_add;
+    position_control::put_out(
+        &mut state.position_control,
+        &coeffs.position_control,
+        control_inputs,
+        &mut control_outputs,
+    );
+    outputs.v_feedforward = feedforward_outputs.v_feedforward;
+    outputs.v_add = ipc_outputs.v_add;
+    outputs.v_add_calculated = ipc_outputs.v_add_calculated;
+    take(outputs, &control_outputs);
+    outputs.limited = ipc_outputs.limited || feedforward_outputs.torque_limited || control_outputs.limited;
+    outputs.fault = feedforward_outputs.fault || ipc_outputs.fault;
+    outputs.error_id = ipc_outputs.error_id;
+    if feedforward_outputs.fault {
+        outputs.error_id = feedforward_outputs.error_id;
+    }
+}
+
+/// One cycle. Only the inputs that the axis uses are judged.
+#[portable]
+pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    let mut control_inputs = position_control::Inputs::<R>::default();
+    control_inputs.x_command = inputs.x_command;
+    control_inputs.x_actual = inputs.x_actual;
+    let mut control_outputs = position_control::Outputs::<R>::default();
+    if !usable(inputs.x_command, sample_limit()) {
+        position_control::hold(
+            &mut state.position_control,
+            &coeffs.position_control,
+            &mut control_outputs,
+            error_x_command(),
+        );
+        rest(state, outputs, &control_outputs);
+    } else if inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns {
+        follow(state, coeffs, &control_inputs, outputs, error_cycle_time());
+    } else if position_control::reads_actual(&coeffs.position_control) && !usable(inputs.x_actual, sample_limit()) {
+        follow(state, coeffs, &control_inputs, outputs, error_x_actual());
+    } else if !inputs.position_controlled || inputs.reset {
+        follow(state, coeffs, &control_inputs, outputs, error_none());
+    } else {
+        act(state, coeffs, inputs, &mut control_inputs, outputs);
+    }
+}
+
+/// A cycle in which the axis must not act, and its command position is a usable number.
+#[portable]
+pub fn follow<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    control_inputs: &position_control::Inputs<R>,
+    outputs: &mut Outputs<R>,
+    error_id: u32,
+) {
+    let mut control_outputs = position_control::Outputs::<R>::default();
+    position_control::follow(
+        &mut state.position_control,
+        &coeffs.position_control,
+        control_inputs,
+        &mut control_outputs,
+        error_id,
+    );
+    rest(state, outputs, &control_outputs);
+}
+
+/// The block.
+#[derive(Clone, Copy, Debug)]
+pub struct Axis;
+
+impl<R: Real> Block<R> for Axis {
+    type Coeffs = Coeffs<R>;
+    type State = State<R>;
+    type Inputs = Inputs<R>;
+    type Outputs = Outputs<R>;
+
+    const NAME: &'static str = "axis";
+    const ENABLE: &'static str = "position_controlled";
+    const INIT: Fn = init::Ir::<R>::IR;
+    const STEP: Fn = step::Ir::<R>::IR;
+
+    fn state() -> State<R> {
+        State::default()
+    }
+
+    fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {
+        Inputs { mode: coeffs.ipc.enable, feedforward_percentage: 100, position_controlled: true, ..Inputs::default() }
+    }
+
+    fn exercise(inputs: &mut Inputs<R>) {
+        inputs.mode = ipc::mode_on();
+        inputs.feedforward_active = true;
+        inputs.feedforward_percentage = 87;
+    }
+
+    fn outputs() -> Outputs<R> {
+        Outputs::default()
+    }
+
+    fn step(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+        step(state, coeffs, inputs, outputs);
+    }
+}

@@ -1,0 +1,67 @@
+//! What goes into the block `axis` and what comes out. Nothing is computed here.
+
+use portable::portable;
+
+/// Inputs. Translatory axes in um, rotary axes and spindles in 0.001 deg. What the axis does not use may stay as it is.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Inputs<R> {
+    /// command position of the interpolator, on the same turn as x_actual [um or 0.001 deg]
+    pub x_command: R,
+    /// actual position, on the same turn as x_command [um or 0.001 deg]
+    pub x_actual: R,
+    /// velocity of the interpolator [um/s or 0.001 deg/s]
+    pub v_interpolator: R,
+    /// acceleration of the interpolator [um/s^2 or 0.001 deg/s^2]
+    pub a_interpolator: R,
+    /// jerk of the interpolator, 0 where the profile is not jerk-limited [um/s^3 or 0.001 deg/s^3]
+    pub j_interpolator: R,
+    /// velocity of the motor encoder, v_ist1 [um/s or 0.001 deg/s]
+    pub v_motor: R,
+    /// velocity of the direct measuring system, v_ist2 [um/s or 0.001 deg/s]
+    pub v_direct: R,
+    /// on a gantry slave: v_add of its master [um/s or 0.001 deg/s]
+    pub v_add_master: R,
+    /// improved position control: 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758)
+    pub mode: i32,
+    /// G135: TRUE, G137: FALSE
+    pub feedforward_active: bool,
+    /// weight of G136 [%], limited to 0..100
+    pub feedforward_percentage: i32,
+    /// FALSE: the axis is not in position control, all outputs are 0 at once and x_drive follows x_command
+    pub position_controlled: bool,
+    /// while TRUE all outputs are 0 and the states follow the inputs
+    pub reset: bool,
+    /// the caller's cycle [ns], 0: unchecked; another value than designed for is a fault
+    pub task_cycle_ns: u32,
+}
+
+/// Outputs. What the axis does not have is 0.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Outputs<R> {
+    /// output of the position controller with feedforward, before v_add is added [um/s or 0.001 deg/s]
+    pub v_command: R,
+    /// conventional feedforward [um/s or 0.001 deg/s]
+    pub v_feedforward: R,
+    /// additive velocity of improved position control; gantry slaves get it as v_add_master [um/s or 0.001 deg/s]
+    pub v_add: R,
+    /// the same after the limit (P-AXIS-00757) and before the gate; 0 in OFF [um/s or 0.001 deg/s]
+    pub v_add_calculated: R,
+    /// position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments]
+    pub manipulated_variable: i32,
+    /// position control in the drive: the position command of the drive [um or 0.001 deg]
+    pub x_drive: R,
+    /// PROFIdrive: control deviation XERR, signal 25 (P-AXIS-00092) [increments]
+    pub xerr: i32,
+    /// additive velocity command of the drive (P-AXIS-00205 to 00207) [increments]
+    pub additive_velocity: i32,
+    /// additive torque command of the drive (P-AXIS-00325/00326) [increments]
+    pub additive_torque: i32,
+    /// the limit of v_add or a process-data type cuts an output off in this cycle
+    pub limited: bool,
+    /// a part of the block cannot act in this cycle, error_id says why
+    pub fault: bool,
+    /// 0 none, 1 cycle time, 2 mode, 11 to 18 and 22 an input is no usable number
+    pub error_id: u32,
+}

@@ -1,0 +1,288 @@
+//! Feedforward control: what the interpolator plans goes to the velocity and the current loop at once, instead of by way
+//! of a position lag.
+//!
+//! ```text
+//! gain          = weight * percentage / 100 while active, else 0
+//! v_feedforward = gain * (v + t_a a + t_j j)                  the quantities without an additive output
+//! v_additive    = delay(gain * v)                             in um/s or 0.001 deg/s
+//! torque        = torque_acceleration * delay(gain * a) + torque_jerk * delay(gain * j)
+//! ```
+//!
+//! Positive values act in the direction of positive motion. Which quantities there are is known for each axis; the others
+//! cost nothing.
+
+mod signals;
+
+pub use signals::{Inputs, Outputs};
+
+use crate::signal::sample_limit;
+use crate::signal::{error_a_interpolator, error_cycle_time, error_j_interpolator, error_none, error_v_interpolator};
+use crate::{Block, delay, process_data};
+use portable::{Fn, Real, from_i32, portable, usable};
+
+/// The quantities of a sum.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Quantities {
+    /// velocity
+    pub velocity: bool,
+    /// acceleration, weighted with t_a
+    pub acceleration: bool,
+    /// jerk, weighted with t_j
+    pub jerk: bool,
+}
+
+/// Coefficients.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Coeffs<R> {
+    /// cycle time that all coefficients were designed for [ns]
+    pub cycle_time_ns: u32,
+    /// active despite G137 (P-AXIS-00255)
+    pub default_active: bool,
+    /// inactive despite G135 (P-AXIS-00256)
+    pub global_disable: bool,
+    /// what is added to the position controller's output
+    pub conventional: Quantities,
+    /// what goes to the drive as an additive velocity
+    pub additive: Quantities,
+    /// what goes to the drive as an additive torque
+    pub torque: Quantities,
+    /// weight of the whole feedforward at 100 %
+    pub weight: R,
+    /// weight / 100
+    pub weight_per_percent: R,
+    /// time constant of the acceleration [s]
+    pub t_a: R,
+    /// square of the time constant of the jerk [s^2]
+    pub t_j: R,
+    /// delay of the additive velocity
+    pub velocity_delay: delay::Coeffs<R>,
+    /// delay of the additive torque of the acceleration
+    pub acceleration_delay: delay::Coeffs<R>,
+    /// delay of the additive torque of the jerk
+    pub jerk_delay: delay::Coeffs<R>,
+    /// additive velocity: increments for 1 um/s or 0.001 deg/s
+    pub velocity_scale: R,
+    /// range of the additive velocity
+    pub velocity_range: process_data::Coeffs<R>,
+    /// additive torque: increments for 1 um/s^2 or 0.001 deg/s^2
+    pub torque_acceleration: R,
+    /// additive torque: increments for 1 um/s^3 or 0.001 deg/s^3
+    pub torque_jerk: R,
+    /// range of the additive torque
+    pub torque_range: process_data::Coeffs<R>,
+}
+
+/// State.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct State<R> {
+    /// whether the delays have been filled
+    pub settled: bool,
+    /// delay of the additive velocity
+    pub velocity_delay: delay::State<R>,
+    /// delay of the additive torque of the acceleration
+    pub acceleration_delay: delay::State<R>,
+    /// delay of the additive torque of the jerk
+    pub jerk_delay: delay::State<R>,
+}
+
+/// Whether there is a quantity at all.
+#[portable]
+pub fn has_any(quantities: &Quantities) -> bool {
+    quantities.velocity || quantities.acceleration || quantities.jerk
+}
+
+/// The weight that holds in this cycle: 0 where feedforward is not active.
+#[portable]
+pub fn gain<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
+    let mut gain_now = R::ZERO;
+    if !coeffs.global_disable && (coeffs.default_active || inputs.feedforward_active) {
+        if inputs.feedforward_percentage >= 100i32 {
+            gain_now = coeffs.weight;
+        } else if inputs.feedforward_percentage > 0i32 {
+            gain_now = coeffs.weight_per_percent * from_i32(inputs.feedforward_percentage);
+        }
+    }
+    gain_now
+}
+
+/// v + t_a a + t_j j, of the quantities that there are.
+#[portable]
+pub fn sum<R: Real>(quantities: &Quantities, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
+    let mut total = R::ZERO;
+    if quantities.velocity {
+        total = inputs.v_interpolator;
+    }
+    if quantities.acceleration {
+        let part = coeffs.t_a * inputs.a_interpolator;
+        // Not `0 + part`: that addition would stay in every block.
+        total = if quantities.velocity { total + part } else { part };
+    }
+    if quantities.jerk {
+        let part = coeffs.t_j * inputs.j_interpolator;
+        total = if quantities.velocity || quantities.acceleration { total + part } else { part };
+    }
+    total
+}
+
+/// Before the first cycle. The delays need nothing: the first active cycle fills them.
+#[portable]
+pub fn init<R: Real>(state: &mut State<R>) {
+    state.settled = false;
+}
+
+/// A cycle in which the block must not act.
+#[portable]
+pub fn stop<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, error_id: u32) {
+    state.settled = false;
+    outputs.v_feedforward = R::ZERO;
+    outputs.v_additive = R::ZERO;
+    outputs.additive_velocity = 0i32;
+    outputs.additive_torque = 0i32;
+    outputs.velocity_limited = false;
+    outputs.torque_limited = false;
+    outputs.fault = error_id != error_none();
+    outputs.error_id = error_id;
+}
+
+/// The additive velocity, delayed but not yet scaled.
+#[portable]
+pub fn additive<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, gain_now: R) -> R {
+    let v = gain_now * sum(&coeffs.additive, coeffs, inputs);
+    if !state.settled {
+        delay::settle(&mut state.velocity_delay, v);
+    }
+    delay::step(&mut state.velocity_delay, &coeffs.velocity_delay, v)
+}
+
+/// The additive torque in increments, not yet rounded.
+#[portable]
+pub fn torque<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, gain_now: R) -> R {
+    let mut total = R::ZERO;
+    if coeffs.torque.acceleration {
+        let a = gain_now * inputs.a_interpolator;
+        if !state.settled {
+            delay::settle(&mut state.acceleration_delay, a);
+        }
+        let a_delayed = delay::step(&mut state.acceleration_delay, &coeffs.acceleration_delay, a);
+        total = coeffs.torque_acceleration * a_delayed;
+    }
+    if coeffs.torque.jerk {
+        let j = gain_now * inputs.j_interpolator;
+        if !state.settled {
+            delay::settle(&mut state.jerk_delay, j);
+        }
+        let j_delayed = delay::step(&mut state.jerk_delay, &coeffs.jerk_delay, j);
+        let part = coeffs.torque_jerk * j_delayed;
+        total = if coeffs.torque.acceleration { total + part } else { part };
+    }
+    total
+}
+
+/// A cycle in which the block acts.
+#[portable]
+pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    outputs.fault = false;
+    outputs.error_id = error_none();
+    let gain_now = gain(coeffs, inputs);
+    if has_any(&coeffs.conventional) {
+        outputs.v_feedforward = gain_now * sum(&coeffs.conventional, coeffs, inputs);
+    } else {
+        outputs.v_feedforward = R::ZERO;
+    }
+    if has_any(&coeffs.additive) {
+        let v_additive = additive(state, coeffs, inputs, gain_now);
+        outputs.v_additive = v_additive;
+        let velocity = coeffs.velocity_scale * v_additive;
+        outputs.additive_velocity = process_data::rounded(&coeffs.velocity_range, velocity);
+        outputs.velocity_limited = process_data::is_limited(&coeffs.velocity_range, velocity);
+    } else {
+        outputs.v_additive = R::ZERO;
+        outputs.additive_velocity = 0i32;
+        outputs.velocity_limited = false;
+    }
+    if has_any(&coeffs.torque) {
+        let increments = torque(state, coeffs, inputs, gain_now);
+        outputs.additive_torque = process_data::rounded(&coeffs.torque_range, increments);
+        outputs.torque_limited = process_data::is_limited(&coeffs.torque_range, increments);
+    } else {
+        outputs.additive_torque = 0i32;
+        outputs.torque_limited = false;
+    }
+    state.settled = true;
+}
+
+/// Whether a sum looks at a quantity.
+#[portable]
+pub fn reads_velocity<R: Real>(coeffs: &Coeffs<R>) -> bool {
+    coeffs.conventional.velocity || coeffs.additive.velocity
+}
+
+/// Whether a sum or the torque looks at the acceleration.
+#[portable]
+pub fn reads_acceleration<R: Real>(coeffs: &Coeffs<R>) -> bool {
+    coeffs.conventional.acceleration || coeffs.additive.acceleration || coeffs.torque.acceleration
+}
+
+/// Whether a sum or the torque looks at the jerk.
+#[portable]
+pub fn reads_jerk<R: Real>(coeffs: &Coeffs<R>) -> bool {
+    coeffs.conventional.jerk || coeffs.additive.jerk || coeffs.torque.jerk
+}
+
+/// One cycle. Only the inputs that a quantity looks at are judged.
+#[portable]
+pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    if inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns {
+        stop(state, outputs, error_cycle_time());
+    } else if reads_velocity(coeffs) && !usable(inputs.v_interpolator, sample_limit()) {
+        stop(state, outputs, error_v_interpolator());
+    } else if reads_acceleration(coeffs) && !usable(inputs.a_interpolator, sample_limit()) {
+        stop(state, outputs, error_a_interpolator());
+    } else if reads_jerk(coeffs) && !usable(inputs.j_interpolator, sample_limit()) {
+        stop(state, outputs, error_j_interpolator());
+    } else if !inputs.position_controlled || inputs.reset {
+        stop(state, outputs, error_none());
+    } else {
+        act(state, coeffs, inputs, outputs);
+    }
+}
+
+/// The block.
+#[derive(Clone, Copy, Debug)]
+pub struct Feedforward;
+
+impl<R: Real> Block<R> for Feedforward {
+    type Coeffs = Coeffs<R>;
+    type State = State<R>;
+    type Inputs = Inputs<R>;
+    type Outputs = Outputs<R>;
+
+    const NAME: &'static str = "feedforward";
+    const ENABLE: &'static str = "position_controlled";
+    const INIT: Fn = init::Ir::<R>::IR;
+    const STEP: Fn = step::Ir::<R>::IR;
+
+    fn state() -> State<R> {
+        State::default()
+    }
+
+    fn inputs(_: &Coeffs<R>) -> Inputs<R> {
+        Inputs { feedforward_percentage: 100, position_controlled: true, ..Inputs::default() }
+    }
+
+    fn exercise(inputs: &mut Inputs<R>) {
+        inputs.feedforward_active = true;
+        inputs.feedforward_percentage = 87;
+    }
+
+    fn outputs() -> Outputs<R> {
+        Outputs::default()
+    }
+
+    fn step(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+        step(state, coeffs, inputs, outputs);
+    }
+}

@@ -1,0 +1,280 @@
+//! Position control: the P controller of the CNC, or what the CNC hands to a drive that controls the position itself.
+//!
+//! ```text
+//! in the CNC     v_command            = kv (x_command - x_actual) + v_feedforward
+//!                manipulated_variable = manipulated_scale * (v_command + v_add)
+//! in the drive   x_drive              = shift(x_command) + lag * v_feedforward
+//!                xerr                 = xerr_scale * (x_drive - x_actual)               PROFIdrive
+//!                additive_velocity    = velocity_scale * (v_additive + v_add)
+//! ```
+//!
+//! Positions grow in the direction of positive velocity. Integers are rounded half away from zero and saturated.
+
+mod signals;
+
+pub use signals::{Inputs, Outputs};
+
+use crate::signal::{error_cycle_time, error_none, error_v_add, error_v_additive, error_v_feedforward};
+use crate::signal::{error_x_actual, error_x_command, sample_limit};
+use crate::{Block, delay, process_data};
+use portable::{Fn, Real, portable, usable};
+
+/// Where the position is controlled.
+#[portable]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Place {
+    /// in the CNC: the drive gets a velocity
+    #[default]
+    Cnc,
+    /// in the drive: it gets a position
+    Drive,
+    /// in a PROFIdrive drive: it gets a control deviation
+    Profidrive,
+}
+
+/// Coefficients.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Coeffs<R> {
+    /// cycle time that all coefficients were designed for [ns]
+    pub cycle_time_ns: u32,
+    /// where the position is controlled
+    pub place: Place,
+    /// whether there is conventional feedforward
+    pub feedforward: bool,
+    /// whether there is an additive velocity of the feedforward
+    pub additive: bool,
+    /// whether there is an additive velocity of improved position control
+    pub adds: bool,
+    /// whether there is an additive torque
+    pub torque: bool,
+    /// gain of the position controller Kv [1/s]
+    pub kv: R,
+    /// 1 / Kv of the drive: position lag for a velocity [s]
+    pub lag: R,
+    /// manipulated variable: increments for 1 um/s or 0.001 deg/s
+    pub manipulated_scale: R,
+    /// range of the manipulated variable
+    pub manipulated_range: process_data::Coeffs<R>,
+    /// cycles by which the position comes after the feedforward
+    pub shift: delay::Coeffs<R>,
+    /// increments for 1 um or 0.001 deg
+    pub xerr_scale: R,
+    /// range of the control deviation
+    pub xerr_range: process_data::Coeffs<R>,
+    /// additive velocity: increments for 1 um/s or 0.001 deg/s
+    pub velocity_scale: R,
+    /// range of the additive velocity
+    pub velocity_range: process_data::Coeffs<R>,
+}
+
+/// State.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct State<R> {
+    /// whether the shift has been filled
+    pub settled: bool,
+    /// the shift of the position against the feedforward
+    pub shift: delay::State<R>,
+    /// the last position command of the drive
+    pub x_held: R,
+}
+
+/// Before the first cycle.
+#[portable]
+pub fn init<R: Real>(state: &mut State<R>) {
+    state.settled = false;
+    state.x_held = R::ZERO;
+}
+
+/// Whether the actual position matters.
+#[portable]
+pub fn reads_actual<R: Real>(coeffs: &Coeffs<R>) -> bool {
+    coeffs.place != Place::Drive
+}
+
+/// The output of the position controller, before v_add is added; 0 where the drive has the controller.
+#[portable]
+pub fn command<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
+    let mut v = R::ZERO;
+    if coeffs.place == Place::Cnc {
+        v = coeffs.kv * (inputs.x_command - inputs.x_actual);
+        if coeffs.feedforward {
+            v = v + inputs.v_feedforward;
+        }
+    }
+    v
+}
+
+/// The integers that a fault or a rest leaves at 0.
+#[portable]
+pub fn clear<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, error_id: u32) {
+    state.settled = false;
+    outputs.v_command = R::ZERO;
+    outputs.manipulated_variable = 0i32;
+    outputs.xerr = 0i32;
+    outputs.additive_velocity = 0i32;
+    outputs.additive_torque = 0i32;
+    outputs.limited = false;
+    outputs.fault = error_id != error_none();
+    outputs.error_id = error_id;
+}
+
+/// A cycle without a usable command position: the drive keeps the one that it has.
+#[portable]
+pub fn hold<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, outputs: &mut Outputs<R>, error_id: u32) {
+    clear(state, outputs, error_id);
+    outputs.x_drive = R::ZERO;
+    if coeffs.place != Place::Cnc {
+        outputs.x_drive = state.x_held;
+    }
+}
+
+/// A cycle in which the block must not act: the position command of the drive follows the interpolator.
+#[portable]
+pub fn follow<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    inputs: &Inputs<R>,
+    outputs: &mut Outputs<R>,
+    error_id: u32,
+) {
+    clear(state, outputs, error_id);
+    outputs.x_drive = R::ZERO;
+    if coeffs.place != Place::Cnc {
+        state.x_held = inputs.x_command;
+        outputs.x_drive = inputs.x_command;
+    }
+}
+
+/// The manipulated variable of position control in the CNC. `v_command` is the position controller's output.
+#[portable]
+pub fn manipulate<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    let mut v = outputs.v_command;
+    if coeffs.adds {
+        v = v + inputs.v_add;
+    }
+    let increments = coeffs.manipulated_scale * v;
+    outputs.manipulated_variable = process_data::rounded(&coeffs.manipulated_range, increments);
+    outputs.limited = process_data::is_limited(&coeffs.manipulated_range, increments);
+}
+
+/// The position command of position control in the drive.
+#[portable]
+pub fn lead<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    if !state.settled {
+        delay::settle(&mut state.shift, inputs.x_command);
+    }
+    let mut x = delay::step(&mut state.shift, &coeffs.shift, inputs.x_command);
+    if coeffs.feedforward {
+        x = x + coeffs.lag * inputs.v_feedforward;
+    }
+    outputs.x_drive = x;
+    state.x_held = x;
+    outputs.xerr = 0i32;
+    outputs.limited = false;
+    if coeffs.place == Place::Profidrive {
+        let deviation = coeffs.xerr_scale * (x - inputs.x_actual);
+        outputs.xerr = process_data::rounded(&coeffs.xerr_range, deviation);
+        outputs.limited = process_data::is_limited(&coeffs.xerr_range, deviation);
+    }
+}
+
+/// The additive velocity: of the feedforward, and where the drive controls the position, of improved position control too.
+#[portable]
+pub fn add_velocity<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    let adds = coeffs.adds && coeffs.place != Place::Cnc;
+    if coeffs.additive || adds {
+        let mut v = R::ZERO;
+        if coeffs.additive {
+            v = inputs.v_additive;
+        }
+        if adds {
+            // Not `0 + v_add`: that addition would stay in every block.
+            v = if coeffs.additive { v + inputs.v_add } else { inputs.v_add };
+        }
+        let increments = coeffs.velocity_scale * v;
+        outputs.additive_velocity = process_data::rounded(&coeffs.velocity_range, increments);
+        let limited = process_data::is_limited(&coeffs.velocity_range, increments);
+        outputs.limited = outputs.limited || limited;
+    } else {
+        outputs.additive_velocity = 0i32;
+    }
+}
+
+/// Everything behind the position controller. `outputs.v_command` is its output already.
+#[portable]
+pub fn put_out<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    outputs.fault = false;
+    outputs.error_id = error_none();
+    if coeffs.place == Place::Cnc {
+        outputs.x_drive = R::ZERO;
+        outputs.xerr = 0i32;
+        manipulate(coeffs, inputs, outputs);
+    } else {
+        outputs.manipulated_variable = 0i32;
+        lead(state, coeffs, inputs, outputs);
+    }
+    add_velocity(coeffs, inputs, outputs);
+    outputs.additive_torque = if coeffs.torque { inputs.additive_torque } else { 0i32 };
+    state.settled = true;
+}
+
+/// One cycle. Only the inputs that the axis uses are judged.
+#[portable]
+pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    if !usable(inputs.x_command, sample_limit()) {
+        hold(state, coeffs, outputs, error_x_command());
+    } else if inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns {
+        follow(state, coeffs, inputs, outputs, error_cycle_time());
+    } else if reads_actual(coeffs) && !usable(inputs.x_actual, sample_limit()) {
+        follow(state, coeffs, inputs, outputs, error_x_actual());
+    } else if coeffs.feedforward && !usable(inputs.v_feedforward, sample_limit()) {
+        follow(state, coeffs, inputs, outputs, error_v_feedforward());
+    } else if coeffs.additive && !usable(inputs.v_additive, sample_limit()) {
+        follow(state, coeffs, inputs, outputs, error_v_additive());
+    } else if coeffs.adds && !usable(inputs.v_add, sample_limit()) {
+        follow(state, coeffs, inputs, outputs, error_v_add());
+    } else if !inputs.position_controlled || inputs.reset {
+        follow(state, coeffs, inputs, outputs, error_none());
+    } else {
+        outputs.v_command = command(coeffs, inputs);
+        put_out(state, coeffs, inputs, outputs);
+    }
+}
+
+/// The block.
+#[derive(Clone, Copy, Debug)]
+pub struct PositionControl;
+
+impl<R: Real> Block<R> for PositionControl {
+    type Coeffs = Coeffs<R>;
+    type State = State<R>;
+    type Inputs = Inputs<R>;
+    type Outputs = Outputs<R>;
+
+    const NAME: &'static str = "position_control";
+    const ENABLE: &'static str = "position_controlled";
+    const INIT: Fn = init::Ir::<R>::IR;
+    const STEP: Fn = step::Ir::<R>::IR;
+
+    fn state() -> State<R> {
+        State::default()
+    }
+
+    fn inputs(_: &Coeffs<R>) -> Inputs<R> {
+        Inputs { position_controlled: true, ..Inputs::default() }
+    }
+
+    fn exercise(inputs: &mut Inputs<R>) {
+        inputs.additive_torque = 321;
+    }
+
+    fn outputs() -> Outputs<R> {
+        Outputs::default()
+    }
+
+    fn step(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+        step(state, coeffs, inputs, outputs);
+    }
+}

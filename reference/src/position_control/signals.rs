@@ -1,0 +1,51 @@
+//! What goes into the block `position_control` and what comes out. Nothing is computed here.
+
+use portable::portable;
+
+/// Inputs. Translatory axes in um, rotary axes and spindles in 0.001 deg.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Inputs<R> {
+    /// command position of the interpolator, on the same turn as x_actual [um or 0.001 deg]
+    pub x_command: R,
+    /// actual position, on the same turn as x_command [um or 0.001 deg]
+    pub x_actual: R,
+    /// conventional feedforward [um/s or 0.001 deg/s]
+    pub v_feedforward: R,
+    /// additive feedforward, before it is scaled [um/s or 0.001 deg/s]
+    pub v_additive: R,
+    /// additive torque of the feedforward [increments]
+    pub additive_torque: i32,
+    /// additive velocity of improved position control [um/s or 0.001 deg/s]
+    pub v_add: R,
+    /// FALSE: the axis is not in position control, all outputs are 0 at once and x_drive follows x_command
+    pub position_controlled: bool,
+    /// while TRUE all outputs are 0 and x_drive follows x_command
+    pub reset: bool,
+    /// the caller's cycle [ns], 0: unchecked; another value than designed for is a fault
+    pub task_cycle_ns: u32,
+}
+
+/// Outputs. What the axis does not have is 0.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Outputs<R> {
+    /// output of the position controller with feedforward, before v_add is added: v_command of improved position control [um/s or 0.001 deg/s]
+    pub v_command: R,
+    /// position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments]
+    pub manipulated_variable: i32,
+    /// position control in the drive: the position command of the drive [um or 0.001 deg]
+    pub x_drive: R,
+    /// PROFIdrive: control deviation XERR, signal 25 (P-AXIS-00092) [increments]
+    pub xerr: i32,
+    /// additive velocity command of the drive (P-AXIS-00205 to 00207) [increments]
+    pub additive_velocity: i32,
+    /// additive torque command of the drive (P-AXIS-00325/00326) [increments]
+    pub additive_torque: i32,
+    /// a process-data type cuts an output off in this cycle
+    pub limited: bool,
+    /// the block cannot act in this cycle, error_id says why
+    pub fault: bool,
+    /// 0 none, 1 cycle time, 17 x_command, 18 x_actual, 19 v_feedforward, 20 v_additive, 21 v_add is no usable number
+    pub error_id: u32,
+}

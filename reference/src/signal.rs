@@ -1,0 +1,107 @@
+//! What the signals of all blocks share: the error ids and the largest usable sample. Nothing is computed here.
+//!
+//! An id of the vendor's keeps its number; below 100 are our own.
+
+use portable::{Real, portable};
+
+/// error_id: no fault
+#[portable]
+pub fn error_none() -> u32 {
+    0u32
+}
+
+/// error_id: task_cycle_ns is not the cycle time that the coefficients were designed for
+#[portable]
+pub fn error_cycle_time() -> u32 {
+    1u32
+}
+
+/// error_id: mode is none of OFF, ON, DRYRUN
+#[portable]
+pub fn error_mode() -> u32 {
+    2u32
+}
+
+/// error_id: v_command is not within the sample limit
+#[portable]
+pub fn error_v_command() -> u32 {
+    11u32
+}
+
+/// error_id: v_motor is not within the sample limit
+#[portable]
+pub fn error_v_motor() -> u32 {
+    12u32
+}
+
+/// error_id: v_direct is not within the sample limit
+#[portable]
+pub fn error_v_direct() -> u32 {
+    13u32
+}
+
+/// error_id: v_interpolator is not within the sample limit
+#[portable]
+pub fn error_v_interpolator() -> u32 {
+    14u32
+}
+
+/// error_id: a_interpolator is not within the sample limit
+#[portable]
+pub fn error_a_interpolator() -> u32 {
+    15u32
+}
+
+/// error_id: j_interpolator is not within the sample limit
+#[portable]
+pub fn error_j_interpolator() -> u32 {
+    16u32
+}
+
+/// error_id: x_command is not within the sample limit
+#[portable]
+pub fn error_x_command() -> u32 {
+    17u32
+}
+
+/// error_id: x_actual is not within the sample limit
+#[portable]
+pub fn error_x_actual() -> u32 {
+    18u32
+}
+
+/// error_id: v_feedforward is not within the sample limit
+#[portable]
+pub fn error_v_feedforward() -> u32 {
+    19u32
+}
+
+/// error_id: v_additive is not within the sample limit
+#[portable]
+pub fn error_v_additive() -> u32 {
+    20u32
+}
+
+/// error_id: v_add is not within the sample limit
+#[portable]
+pub fn error_v_add() -> u32 {
+    21u32
+}
+
+/// error_id: v_add_master is not within the sample limit
+#[portable]
+pub fn error_v_add_master() -> u32 {
+    22u32
+}
+
+/// error_id: improved position control is enabled on a gantry slave, the error 70600 of the controller
+#[portable]
+pub fn error_gantry_slave() -> u32 {
+    70_600u32
+}
+
+/// largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named
+#[portable]
+pub fn sample_limit<R: Real>() -> R {
+    R::per_kind(1.0e15, 1.0e9)
+}
