@@ -165,27 +165,24 @@ pub fn add<R: Real>(
 
 /// A cycle in which the axis acts.
 #[portable]
-pub fn act<R: Real>(
-    state: &mut State<R>,
-    coeffs: &Coeffs<R>,
-    inputs: &Inputs<R>,
-    control_inputs: &mut position_control::Inputs<R>,
-    outputs: &mut Outputs<R>,
-) {
+pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let mut feedforward_outputs = feedforward::Outputs::<R>::default();
     feed_forward(state, coeffs, inputs, &mut feedforward_outputs);
+    let mut control_inputs = position_control::Inputs::<R>::default();
+    control_inputs.x_command = inputs.x_command;
+    control_inputs.x_actual = inputs.x_actual;
     control_inputs.v_feedforward = feedforward_outputs.v_feedforward;
     control_inputs.v_additive = feedforward_outputs.v_additive;
     control_inputs.additive_torque = feedforward_outputs.additive_torque;
     let mut control_outputs = position_control::Outputs::<R>::default();
-    control_outputs.v_command = position_control::command(&coeffs.position_control, control_inputs);
+    control_outputs.v_command = position_control::command(&coeffs.position_control, &control_inputs);
     let mut ipc_outputs = ipc::Outputs::<R>::default();
     add(state, coeffs, inputs, control_outputs.v_command, &mut ipc_outputs);
     control_inputs.v_add = ipc_outputs.v_add;
     position_control::put_out(
         &mut state.position_control,
         &coeffs.position_control,
-        control_inputs,
+        &control_inputs,
         &mut control_outputs,
     );
     outputs.v_feedforward = feedforward_outputs.v_feedforward;
@@ -194,35 +191,11 @@ pub fn act<R: Real>(
     take(outputs, &control_outputs);
     outputs.limited = ipc_outputs.limited || feedforward_outputs.torque_limited || control_outputs.limited;
     outputs.fault = feedforward_outputs.fault || ipc_outputs.fault;
-    outputs.error_id = ipc_outputs.error_id;
-    if feedforward_outputs.fault {
+    if coeffs.addition == Addition::None {
         outputs.error_id = feedforward_outputs.error_id;
-    }
-}
-
-/// One cycle. Only the inputs that the axis uses are judged.
-#[portable]
-pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    let mut control_inputs = position_control::Inputs::<R>::default();
-    control_inputs.x_command = inputs.x_command;
-    control_inputs.x_actual = inputs.x_actual;
-    let mut control_outputs = position_control::Outputs::<R>::default();
-    if !usable(inputs.x_command, sample_limit()) {
-        position_control::hold(
-            &mut state.position_control,
-            &coeffs.position_control,
-            &mut control_outputs,
-            error_x_command(),
-        );
-        rest(state, outputs, &control_outputs);
-    } else if inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns {
-        follow(state, coeffs, &control_inputs, outputs, error_cycle_time());
-    } else if position_control::reads_actual(&coeffs.position_control) && !usable(inputs.x_actual, sample_limit()) {
-        follow(state, coeffs, &control_inputs, outputs, error_x_actual());
-    } else if !inputs.position_controlled || inputs.reset {
-        follow(state, coeffs, &control_inputs, outputs, error_none());
     } else {
-        act(state, coeffs, inputs, &mut control_inputs, outputs);
+        outputs.error_id =
+            if feedforward_outputs.fault { feedforward_outputs.error_id } else { ipc_outputs.error_id };
     }
 }
 
@@ -231,19 +204,45 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
 pub fn follow<R: Real>(
     state: &mut State<R>,
     coeffs: &Coeffs<R>,
-    control_inputs: &position_control::Inputs<R>,
+    inputs: &Inputs<R>,
     outputs: &mut Outputs<R>,
     error_id: u32,
 ) {
+    let mut control_inputs = position_control::Inputs::<R>::default();
+    control_inputs.x_command = inputs.x_command;
     let mut control_outputs = position_control::Outputs::<R>::default();
     position_control::follow(
         &mut state.position_control,
         &coeffs.position_control,
-        control_inputs,
+        &control_inputs,
         &mut control_outputs,
         error_id,
     );
     rest(state, outputs, &control_outputs);
+}
+
+/// A cycle without a usable command position.
+#[portable]
+pub fn hold<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, outputs: &mut Outputs<R>, error_id: u32) {
+    let mut control_outputs = position_control::Outputs::<R>::default();
+    position_control::hold(&mut state.position_control, &coeffs.position_control, &mut control_outputs, error_id);
+    rest(state, outputs, &control_outputs);
+}
+
+/// One cycle. Only the inputs that the axis uses are judged.
+#[portable]
+pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    if !usable(inputs.x_command, sample_limit()) {
+        hold(state, coeffs, outputs, error_x_command());
+    } else if inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns {
+        follow(state, coeffs, inputs, outputs, error_cycle_time());
+    } else if position_control::reads_actual(&coeffs.position_control) && !usable(inputs.x_actual, sample_limit()) {
+        follow(state, coeffs, inputs, outputs, error_x_actual());
+    } else if !inputs.position_controlled || inputs.reset {
+        follow(state, coeffs, inputs, outputs, error_none());
+    } else {
+        act(state, coeffs, inputs, outputs);
+    }
 }
 
 /// The block.

@@ -116,13 +116,13 @@ pub fn sum<R: Real>(quantities: &Quantities, coeffs: &Coeffs<R>, inputs: &Inputs
         total = inputs.v_interpolator;
     }
     if quantities.acceleration {
-        let part = coeffs.t_a * inputs.a_interpolator;
-        // Not `0 + part`: that addition would stay in every block.
-        total = if quantities.velocity { total + part } else { part };
+        let by_acceleration = coeffs.t_a * inputs.a_interpolator;
+        // Not `0 + by_acceleration`: that addition would stay in every block.
+        total = if quantities.velocity { total + by_acceleration } else { by_acceleration };
     }
     if quantities.jerk {
-        let part = coeffs.t_j * inputs.j_interpolator;
-        total = if quantities.velocity || quantities.acceleration { total + part } else { part };
+        let by_jerk = coeffs.t_j * inputs.j_interpolator;
+        total = if quantities.velocity || quantities.acceleration { total + by_jerk } else { by_jerk };
     }
     total
 }

@@ -96,14 +96,14 @@ pub fn reads_actual<R: Real>(coeffs: &Coeffs<R>) -> bool {
 /// The output of the position controller, before v_add is added; 0 where the drive has the controller.
 #[portable]
 pub fn command<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
-    let mut v = R::ZERO;
+    let mut v_controller = R::ZERO;
     if coeffs.place == Place::Cnc {
-        v = coeffs.kv * (inputs.x_command - inputs.x_actual);
+        v_controller = coeffs.kv * (inputs.x_command - inputs.x_actual);
         if coeffs.feedforward {
-            v = v + inputs.v_feedforward;
+            v_controller = v_controller + inputs.v_feedforward;
         }
     }
-    v
+    v_controller
 }
 
 /// The integers that a fault or a rest leaves at 0.
@@ -150,11 +150,11 @@ pub fn follow<R: Real>(
 /// The manipulated variable of position control in the CNC. `v_command` is the position controller's output.
 #[portable]
 pub fn manipulate<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    let mut v = outputs.v_command;
+    let mut v_drive = outputs.v_command;
     if coeffs.adds {
-        v = v + inputs.v_add;
+        v_drive = v_drive + inputs.v_add;
     }
-    let increments = coeffs.manipulated_scale * v;
+    let increments = coeffs.manipulated_scale * v_drive;
     outputs.manipulated_variable = process_data::rounded(&coeffs.manipulated_range, increments);
     outputs.limited = process_data::is_limited(&coeffs.manipulated_range, increments);
 }
@@ -185,15 +185,15 @@ pub fn lead<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
 pub fn add_velocity<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let adds = coeffs.adds && coeffs.place != Place::Cnc;
     if coeffs.additive || adds {
-        let mut v = R::ZERO;
+        let mut v_drive = R::ZERO;
         if coeffs.additive {
-            v = inputs.v_additive;
+            v_drive = inputs.v_additive;
         }
         if adds {
             // Not `0 + v_add`: that addition would stay in every block.
-            v = if coeffs.additive { v + inputs.v_add } else { inputs.v_add };
+            v_drive = if coeffs.additive { v_drive + inputs.v_add } else { inputs.v_add };
         }
-        let increments = coeffs.velocity_scale * v;
+        let increments = coeffs.velocity_scale * v_drive;
         outputs.additive_velocity = process_data::rounded(&coeffs.velocity_range, increments);
         let limited = process_data::is_limited(&coeffs.velocity_range, increments);
         outputs.limited = outputs.limited || limited;
