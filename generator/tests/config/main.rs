@@ -3,6 +3,7 @@
 mod advice;
 mod arbitrary;
 mod canonical;
+mod every_rule;
 mod examples;
 mod files;
 mod list;
