@@ -101,8 +101,14 @@ fn largest(mode: Mode, filter: [Filter; 2]) -> f64 {
         fade: 0.0,
         stage: [Some(stage), None, None],
     };
-    let axis =
-        Axis { name: "X".to_owned(), real: RealKind::F64, cycle_time_ns: 1_000_000, ipc, canonical: String::new() };
+    let axis = Axis {
+        name: "X".to_owned(),
+        real: RealKind::F64,
+        cycle_time_ns: 1_000_000,
+        ipc,
+        control: generator::axis::Control::default(),
+        canonical: String::new(),
+    };
     let coeffs = design::ipc::<f64>(&axis);
     let (mut state, mut outputs) = (<Ipc as Block<f64>>::state(), <Ipc as Block<f64>>::outputs());
     let mut inputs = <Ipc as Block<f64>>::inputs(&coeffs);

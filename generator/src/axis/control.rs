@@ -99,12 +99,12 @@ pub struct Velocity {
 /// Time base of a velocity (P-AXIS-00207).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TimeBase {
-    /// 0: per minute
-    Minute,
-    /// 1: per second
-    Second,
-    /// 2: per cycle
-    Cycle,
+    /// per minute
+    Minute = 0,
+    /// per second
+    Second = 1,
+    /// per cycle
+    Cycle = 2,
 }
 
 /// Integer type of process data.

@@ -52,9 +52,10 @@ fn gear_steps(e: &mut Effective<'_>) {
     let Some(other) = steps.iter().copied().find(|step| i64::from(*step) != gear) else { return };
     let listed = steps.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
     if !given {
+        let are = if steps.len() == 1 { "is" } else { "are" };
         let default = Name::VbMax.parameter().default_at([0, 0]).unwrap_or_default();
         let found = format!(
-            "gear step {gear} is used, and only {listed} is given: vb_max of step {gear} is its default {default} (P-AXIS-00212)"
+            "gear step {gear} is used, and only {listed} {are} given: vb_max of step {gear} is its default {default} (P-AXIS-00212)"
         );
         warn(
             e,
@@ -84,7 +85,8 @@ fn whole(axis: &Axis, e: &mut Effective<'_>) {
         let instead = Some("the stages in the list of the master".to_owned());
         warn(e, codes::SLAVE_STAGES, (Name::GantryMaster, [0, 0]), found, instead);
     }
-    if active == 0 && !slave {
+    let control = &axis.control;
+    if active == 0 && !slave && control.feedforward.is_none() && control.position_control.is_none() {
         let found = "no stage is active: the block puts out 0".to_owned();
         let instead = format!("{} with DIRECT, INDIRECT or SET_POINT", path_with(Name::Mode.parameter().path, [0, 0]));
         warn(e, codes::NO_STAGE, (Name::Enable, [0, 0]), found, Some(instead));
@@ -167,7 +169,11 @@ fn direct_source(e: &mut Effective<'_>, i: u32, stage: &Stage) {
             "stage[{i}] feeds back v_direct, which lags by the drive, the mechanics and the delay: beyond 90 degrees at \
              f0 an all-pass is mandatory, or the loop is unstable"
         );
-        let instead = Some("an ALLPASS in filter[1], and a weight of at most 1".to_owned());
+        let instead = match has_allpass(stage) {
+            true => "a weight of at most 1".to_owned(),
+            false => format!("an ALLPASS in filter[{}], and a weight of at most 1", 1 - first_bandpass(stage)),
+        };
+        let instead = Some(instead);
         warn(e, codes::LAG, (Name::DirectSource, [i, 0]), found, instead);
     }
 }
@@ -187,8 +193,9 @@ fn near_nyquist(e: &mut Effective<'_>, i: u32, stage: &Stage, axis: &Axis) {
         let Some(f0) = filter::f0(filter) else { continue };
         let f0_ts = f0 * f64::from(axis.cycle_time_ns) / 1e9;
         if f0_ts > NEAR_NYQUIST {
+            let what = if matches!(filter, Filter::Allpass { .. }) { "phase above it" } else { "upper skirt" };
             let found = format!(
-                "stage[{i}].filter[{k}] lies at {} of the sampling frequency: its upper skirt is squeezed against one half",
+                "stage[{i}].filter[{k}] lies at {} of the sampling frequency: its {what} is squeezed against one half",
                 rounded(f0_ts)
             );
             let instead =

@@ -18,6 +18,11 @@ pub struct Drive {
     pub torque: Option<Width>,
 }
 
+impl Drive {
+    /// What is judged where the drive could not be.
+    pub const UNKNOWN: Self = Self { place: Place::Cnc, gear: 0, velocity: None, torque: None };
+}
+
 /// Where the position is controlled (P-AXIS-00320), by default as the drive type says (P-AXIS-00020); none: an error, which has
 /// been said.
 pub fn check(e: &mut Effective<'_>) -> Option<Drive> {

@@ -61,7 +61,7 @@ impl<'a> Effective<'a> {
             }
             let found = format!("{} is {}", parameter.title(setting.spelling, index), value.text());
             let diagnostic = Diagnostic::error(codes::RANGE, setting.value_place(), found);
-            self.report.push(diagnostic.allowed(parameter.allowed()));
+            self.say_once(Some(&diagnostic.allowed(parameter.allowed())));
             return None;
         }
         let text = parameter.default_at(index).unwrap_or_default();
@@ -72,13 +72,13 @@ impl<'a> Effective<'a> {
                 let found = format!("{title} is missing; its default {text} is outside of its range");
                 let diagnostic = Diagnostic::error(codes::MISSING, self.place_of(key), found);
                 let instead = format!("{} with a value", path_with(parameter.path, index));
-                self.report.push(diagnostic.allowed(parameter.allowed()).instead(instead));
+                self.say_once(Some(&diagnostic.allowed(parameter.allowed()).instead(instead)));
                 None
             }
         }
     }
 
-    /// Says why a value is none, where that was left to its use.
+    /// Says why a value cannot be used, however often it is asked for.
     fn say_once(&mut self, refused: Option<&Diagnostic>) {
         if let Some(refused) = refused.filter(|refused| !self.report.diagnostics.contains(refused)) {
             self.report.push((*refused).clone());

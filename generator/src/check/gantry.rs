@@ -1,6 +1,6 @@
 //! Gantries: a slave finds its master among the axes of the set. Only what concerns two axes is here.
 
-use crate::axis::{Axis, PositionControl};
+use crate::axis::{Axis, PositionControl, Velocity, Width};
 use crate::codes;
 use crate::design;
 use crate::diagnostics::{Diagnostic, Place, Report};
@@ -25,7 +25,8 @@ pub fn couple(axes: &mut [Axis], places: &[Place], report: &mut Report) {
 
 /// A slave whose list stands alone has no master beside it.
 pub fn alone(axis: &Axis, place: Place, report: &mut Report) {
-    if let Some(number) = axis.control.master {
+    let has_a_way_out = axis.control.position_control.is_some();
+    if let Some(number) = axis.control.master.filter(|_| has_a_way_out) {
         let found = format!(
             "the master of the gantry, axis {number} (P-AXIS-00070), is not there: its additive velocity is left out"
         );
@@ -98,11 +99,12 @@ fn compare(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
 
 fn described(control: &PositionControl) -> String {
     match control.velocity {
-        Some(velocity) => {
-            format!(
-                "v_reso {}/{}, time base {:?}, {:?}",
-                velocity.reso.num, velocity.reso.denom, velocity.time_base, velocity.width
-            )
+        Some(Velocity { reso, time_base, width }) => {
+            let width = match width {
+                Width::Int16 => "INT16",
+                Width::Int32 => "INT32",
+            };
+            format!("v_reso {}/{}, v_time_base {}, {width}", reso.num, reso.denom, time_base as u32)
         }
         None => format!("multi_gain {}/{}", control.multi_gain.num, control.multi_gain.denom),
     }

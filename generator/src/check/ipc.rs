@@ -152,7 +152,9 @@ fn osc_damping(e: &mut Effective<'_>, i: u32) -> Option<f64> {
         e.report.push(diagnostic.allowed("one of the two, or equal values").instead("only P-AXIS-00850"));
         return None;
     }
-    let key = if new_value.is_none() && old_value.is_some() { keys[1] } else { keys[0] };
+    // What was given is judged: of two that are none, the newer one.
+    let key =
+        if new_value.is_none() && (old_value.is_some() || new.is_none() && old.is_some()) { keys[1] } else { keys[0] };
     let value = e.judged(key)?;
     // Which of the two it came from changes nothing in the block.
     e.note(keys[0], &value);
@@ -160,6 +162,12 @@ fn osc_damping(e: &mut Effective<'_>, i: u32) -> Option<f64> {
         Value::Real(damping) => Some(damping),
         _ => None,
     }
+}
+
+/// Which of the two parameters the damping of a stage comes from.
+pub fn damping_given(e: &Effective<'_>, i: u32) -> Name {
+    let is_new = e.given((Name::OscDamping, [i, 0])).is_some();
+    if !is_new && e.given((Name::FilterDamping, [i, 0])).is_some() { Name::FilterDamping } else { Name::OscDamping }
 }
 
 fn filter(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u32>, real: Option<RealKind>) -> Option<Filter> {
@@ -255,9 +263,11 @@ fn gate(e: &mut Effective<'_>, ipc: &Ipc, cycle_time: Option<u32>) -> Option<()>
     let key = (Name::Fade, [0, 0]);
     let longest = MAX_FADE_CYCLES * f64::from(ns) / 1e9;
     let time = time_text(u64::from(ns));
-    let found = format!("`fade` is {} s, {} cycles", real_text(fade(ipc)), cycles.ceil());
-    let allowed = format!("{MAX_FADE_CYCLES} cycles: {} s at a cycle time of {time}", real_text(rounded(longest)));
-    e.report.push(Diagnostic::error(codes::FADE, e.place_of(key), found).allowed(allowed));
+    let how = if e.given(key).is_some() { "is" } else { "has the default, or one period of the lowest fg_f0:" };
+    let found = format!("`fade` {how} {} s, {} cycles", real_text(fade(ipc)), cycles.ceil());
+    let allowed = format!("{MAX_FADE_CYCLES} cycles: {} s at a cycle time of {time}", real_text(longest));
+    let instead = format!("fade = \"{}s\" at the most, or a longer cycle time", real_text(longest));
+    e.report.push(Diagnostic::error(codes::FADE, e.place_of(key), found).allowed(allowed).instead(instead));
     None
 }
 

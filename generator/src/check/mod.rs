@@ -26,6 +26,7 @@ use crate::config::Values;
 use crate::design;
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Name, Value};
+use drive::Drive;
 use effective::Effective;
 use portable::RealKind;
 
@@ -91,7 +92,8 @@ fn control(e: &mut Effective<'_>, cycle_time: Option<u32>, ipc: Option<&Ipc>) ->
         // Nothing of the drive matters: a real machine's list may hold whatever it likes.
         return Some((Control { number, ..Control::default() }, 0));
     }
-    let drive = drive::check(e)?;
+    // Without a drive, which has been said, the rest is judged all the same.
+    let drive = drive::check(e).unwrap_or(Drive::UNKNOWN);
     let feedforward = feedforward::check(e, cycle_time, &drive)?;
     let position_control = position_control::check(e, &drive, ipc, feedforward.as_ref(), master.is_some())?;
     let control = Control { feedforward, position_control, number, master, master_limit: None };
@@ -121,7 +123,9 @@ fn is_finite(axis: &Axis, gear: u32, e: &mut Effective<'_>) -> bool {
 fn is_usable(axis: &Axis, effective: &mut Effective<'_>) -> bool {
     for refusal in design::unusable(axis) {
         let index = indices(&refusal.path);
-        let place = effective.place_of((Name::FilterF0, index));
+        let of_damping = refusal.path.ends_with("oscillation");
+        let name = if of_damping { ipc::damping_given(effective, index[0]) } else { Name::FilterF0 };
+        let place = effective.place_of((name, index));
         let found = format!("{}: {}", refusal.path, refusal.found);
         let diagnostic = Diagnostic::error(codes::ROUNDING, place, found);
         effective.report.push(diagnostic.allowed(refusal.allowed).instead(refusal.instead));

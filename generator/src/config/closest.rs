@@ -26,6 +26,14 @@ pub fn structure(path: &str) -> Option<String> {
     among(path, path::structures())
 }
 
+/// The first parameter below a structure, with the indices that the structure is written with.
+#[must_use]
+pub fn first_below(written: &str) -> Option<String> {
+    let start = path::without_indices(written) + ".";
+    let below = path::templates().find(|template| path::without_indices(template).starts_with(&start));
+    below.map(|template| path_with(template, indices(written)))
+}
+
 /// The structures that are ours: which part of a path names each, and how many letters may differ.
 const OURS: [(usize, &str, usize); 3] =
     [(0, "vorsteuer", 2), (1, "improved_position_control", 3), (1, "sai_op_mode_change", 3)];

@@ -104,6 +104,11 @@ impl<'a> List<'a> {
                 }
             }
             Path::OutOfRange { name, .. } => self.report.push(out_of_range(name, written, place())),
+            Path::Foreign if closest::is_ours(written) && path::is_structure(written) => {
+                let found = format!("{} is a structure: its parameters have values", value::shown(written));
+                let diagnostic = Diagnostic::error(codes::UNKNOWN, place(), found);
+                self.report.push(Diagnostic { instead: closest::first_below(written), ..diagnostic });
+            }
             Path::Foreign if !closest::is_ours(written) => self.foreign += 1,
             Path::Foreign => match closest::path(written) {
                 Some(known) => {

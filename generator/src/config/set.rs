@@ -6,7 +6,7 @@ use super::values::{self, Setting, Values};
 use super::{axis_name, closest, list, value};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
-use crate::parameters::{Name, Scope, Value};
+use crate::parameters::{Name, Scope, Value, path_with};
 use std::collections::HashMap;
 use std::ops::Range;
 use toml::Spanned;
@@ -142,9 +142,11 @@ fn below<'a>(
         match (path::find(path), value.get_ref()) {
             (Path::Known { name, index, spelling, misprint: false }, _) if name.parameter().scope != Scope::Set => {
                 let setting = setting(source, (name, spelling), key, (path, value), report);
-                if values.insert((name, index), setting).is_some() {
-                    let found = format!("{} is given twice", value::shown(path));
-                    report.push(Diagnostic::error(codes::GIVEN_TWICE, source.place(key.span().start), found));
+                if let Some(first) = values.insert((name, index), setting) {
+                    let line = first.path_place().line;
+                    let found = format!("{} is given twice, first in line {line}", value::shown(path));
+                    let diagnostic = Diagnostic::error(codes::GIVEN_TWICE, source.place(key.span().start), found);
+                    report.push(diagnostic.instead("one of the two"));
                 }
             }
             (Path::OutOfRange { name, .. }, _) => {
@@ -194,6 +196,10 @@ fn unknown(path: &str, value: &DeValue<'_>, place: Place) -> Diagnostic {
         let end = path.rsplit('.').next().unwrap_or(path);
         let instead = format!("{end} = [{{ ... }}], or [[...{end}]] for each");
         return Diagnostic::error(codes::TYPE, place, found).allowed("an array of tables").instead(instead);
+    }
+    if let Path::Known { name, index, misprint: true, .. } = path::find(path) {
+        let found = format!("{shown} is a misprint of the manual");
+        return Diagnostic::error(codes::UNKNOWN, place, found).instead(path_with(name.parameter().path, index));
     }
     if let Path::Known { name, .. } = path::find(path) {
         let found = format!("{shown} is a key of the set, not of an axis");

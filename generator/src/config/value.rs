@@ -125,7 +125,10 @@ fn of_bits(parameter: &Parameter, words: &'static [Word], number: i64, text: &st
         }
     }
     if rest != 0 {
-        let found = format!("is {}: the bits 0x{rest:x} stand for nothing alone", shown(text));
+        let found = match rest > 0 {
+            true => format!("is {}: the bits 0x{rest:x} stand for nothing alone", shown(text)),
+            false => format!("is {}, which has a sign", shown(text)),
+        };
         return Err(Refused { code: codes::WORD, found, allowed: parameter.allowed(), instead: None });
     }
     if found.is_empty() {

@@ -1,16 +1,6 @@
 //! Every end of a range, spelling, word and contradiction that the tests of single rules leave out, and what is said.
 
-use super::{IPC, direct, indirect, read_list, said, said_of_axis, said_of_set, set_point};
-
-/// Blocks, with an empty line between: after `> ` what is given, below it what is said about it.
-fn assert_transcript(say: impl Fn(&str) -> String, transcript: &str) {
-    for block in transcript.trim_matches('\n').split("\n\n") {
-        let lines: Vec<&str> = block.lines().collect();
-        let given: Vec<&str> = lines.iter().map_while(|line| line.strip_prefix("> ")).collect();
-        assert!(!given.is_empty(), "nothing is given: {block}");
-        assert_eq!(say(&given.join("\n")).lines().collect::<Vec<_>>(), lines[given.len()..], "{block}");
-    }
-}
+use super::{IPC, assert_transcript, direct, indirect, read_list, said, said_of_axis, said_of_set, set_point};
 
 fn canonical(list: &str) -> String {
     let (set, report) = read_list(list.replace("ipc.", IPC));
@@ -355,6 +345,8 @@ set.toml:3:45: error[AX305]: improved position control is enabled on a gantry sl
 > kenngr.gantry_ax_nr = 65535
 set.toml:5:23: warning[AX412]: the axis is a gantry slave with active stages: its input `mode` must stay OFF (error 70600)
     write instead: the stages in the list of the master
+set.toml:5:23: error[AX315]: X follows the axis 65535, and no axis of the set has this number
+    write instead: one of 65534 of X (P-AXIS-00016), or the master's list in the set
 
 > ipc.enable = 'ON'
 > kenngr.gantry_ax_nr = 0

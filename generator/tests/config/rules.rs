@@ -367,7 +367,8 @@ fn fade_of_too_many_cycles() {
         ),
         &[
             "set.toml:3:8: error[AX306]: `fade` is 20 s, 20000000 cycles",
-            "    allowed: 16777216 cycles: 16.7772 s at a cycle time of 1us",
+            "    allowed: 16777216 cycles: 16.777216 s at a cycle time of 1us",
+            "    write instead: fade = \"16.777216s\" at the most, or a longer cycle time",
         ],
     );
 }

@@ -109,6 +109,7 @@ fn rack_and_pinion() -> Axis {
         real: RealKind::F64,
         cycle_time_ns: 1_000_000,
         ipc: Ipc { enable: Enable::On, v_add_max_fact: 1000, v_max: 200_000.0, fade: 0.1, stage },
+        control: generator::axis::Control::default(),
         canonical: String::new(),
     }
 }

@@ -63,6 +63,7 @@ pub fn axes(count: usize, real: RealKind) -> impl Iterator<Item = Axis> {
             real,
             cycle_time_ns,
             ipc: Ipc { enable, v_add_max_fact, v_max, fade: random.unit(), stage },
+            control: generator::axis::Control::default(),
             canonical: String::new(),
         }
     })

@@ -194,8 +194,7 @@ pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>
     if coeffs.addition == Addition::None {
         outputs.error_id = feedforward_outputs.error_id;
     } else {
-        outputs.error_id =
-            if feedforward_outputs.fault { feedforward_outputs.error_id } else { ipc_outputs.error_id };
+        outputs.error_id = if feedforward_outputs.fault { feedforward_outputs.error_id } else { ipc_outputs.error_id };
     }
 }
 

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  e86ef3521bc21a1c20e36a31fa066f0a
- * body        5b3e0804824b407342340b42c47acc54
+ * body        85a4b0c0bbcbe2cd93e1085ea4ca5132
  */
 #ifndef AXIS_Y_H
 #define AXIS_Y_H
@@ -43,7 +43,7 @@ typedef struct {
     double v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the gate; 0 in OFF [um/s or 0.001 deg/s] */
     bool limited; /* the limit (P-AXIS-00757 of P-AXIS-00212) acts in this cycle */
     bool fault; /* the block cannot act in this cycle, error_id says why */
-    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct is no usable number */
+    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct is no usable number, 70600 enabled on a gantry slave */
 } axis_y_ipc_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */

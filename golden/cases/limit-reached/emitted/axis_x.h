@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  325f959a8a6307105ae6363b76420ebf
- * body        381849306e910f256426867ac3e469fa
+ * body        ca101d6a810dd0a67d14e86b885edd69
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -39,7 +39,7 @@ typedef struct {
     double v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the gate; 0 in OFF [um/s or 0.001 deg/s] */
     bool limited; /* the limit (P-AXIS-00757 of P-AXIS-00212) acts in this cycle */
     bool fault; /* the block cannot act in this cycle, error_id says why */
-    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct is no usable number */
+    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct is no usable number, 70600 enabled on a gantry slave */
 } axis_x_ipc_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9760420855774556c7bc167f08fc35fd
- * body        f62f59ec326e590054b930d6ed7e0c63
+ * body        4c36e4526792ccf71810607fab88b2bd
  */
 #ifndef AXIS_RACK_AND_PINION_H
 #define AXIS_RACK_AND_PINION_H
@@ -42,7 +42,7 @@ typedef struct {
     double v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the gate; 0 in OFF [um/s or 0.001 deg/s] */
     bool limited; /* the limit (P-AXIS-00757 of P-AXIS-00212) acts in this cycle */
     bool fault; /* the block cannot act in this cycle, error_id says why */
-    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct is no usable number */
+    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct is no usable number, 70600 enabled on a gantry slave */
 } axis_rack_and_pinion_ipc_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  6a0aecbe02b54a57c0c2078dc887a241
- * body        7ce91391e263b10b4a427094d8e45728
+ * body        c46932396d72c319e1b7a05111b70345
  */
 #ifndef AXIS_Z_H
 #define AXIS_Z_H
@@ -49,7 +49,7 @@ typedef struct {
     double v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the gate; 0 in OFF [um/s or 0.001 deg/s] */
     bool limited; /* the limit (P-AXIS-00757 of P-AXIS-00212) acts in this cycle */
     bool fault; /* the block cannot act in this cycle, error_id says why */
-    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct is no usable number */
+    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct is no usable number, 70600 enabled on a gantry slave */
 } axis_z_ipc_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  0571d45177aed7bb40e29b85e8e41486
- * body        c60d1b68f8cd8557cc35acfc0abea45d
+ * body        0dcbd27150d2fb8133bc2322315b9164
  */
 #ifndef AXIS_TWO_FREQUENCIES_H
 #define AXIS_TWO_FREQUENCIES_H
@@ -43,7 +43,7 @@ typedef struct {
     double v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the gate; 0 in OFF [um/s or 0.001 deg/s] */
     bool limited; /* the limit (P-AXIS-00757 of P-AXIS-00212) acts in this cycle */
     bool fault; /* the block cannot act in this cycle, error_id says why */
-    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct is no usable number */
+    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct is no usable number, 70600 enabled on a gantry slave */
 } axis_two_frequencies_ipc_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */

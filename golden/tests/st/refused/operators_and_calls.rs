@@ -73,8 +73,8 @@ fn operators_and_calls() {
             rule: "TRUNC",
             place: Place::Body,
             real: RealKind::F64,
-            text: "j := TRUNC(x);",
-            said: &["14:6: found the standard function `TRUNC`; write what it computes, in operators"],
+            text: "j := TRUNC(x) + 1;",
+            said: &["14:6: found TRUNC inside an expression; write a DINT of its own that it is assigned to"],
         },
         Row {
             rule: "a conversion that rounds",

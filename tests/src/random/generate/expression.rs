@@ -2,7 +2,7 @@
 
 use super::constant;
 use super::scope::Writer;
-use crate::random::syntax::{Argument, Call, Callee, Expr, Scalar};
+use crate::random::syntax::{Argument, Call, Callee, Expr, Scalar, Value};
 use portable::{Binary, Intrinsic, Unary};
 
 impl Writer<'_> {
@@ -52,10 +52,20 @@ impl Writer<'_> {
             3 => self.binary(Binary::Divide, Scalar::Real, depth),
             4 => self.unary(Unary::Negate, Scalar::Real, depth),
             _ => {
-                let value = self.expr(Scalar::U32, depth.min(1));
-                intrinsic(Intrinsic::FromU32, vec![value], Scalar::Real)
+                let (from, which) =
+                    *self.rng.pick(&[(Scalar::U32, Intrinsic::FromU32), (Scalar::I32, Intrinsic::FromI32)]);
+                let value = self.expr(from, depth.min(1));
+                intrinsic(which, vec![value], Scalar::Real)
             }
         }
+    }
+
+    /// The whole part of a quarter of an integer: with a fraction, and never beyond the integers.
+    pub fn truncated(&mut self) -> Expr {
+        let number = self.expr(Scalar::I32, 1);
+        let real = intrinsic(Intrinsic::FromI32, vec![number], Scalar::Real);
+        let quarter = operation(Binary::Multiply, real, Expr::Literal(Value::Lit(0.25)));
+        intrinsic(Intrinsic::Truncate, vec![quarter], Scalar::I32)
     }
 
     fn bool(&mut self, depth: usize) -> Expr {

@@ -72,6 +72,12 @@ impl Writer<'_> {
             self.enter(&name, Type::Scalar(Scalar::Usize), Access::Read);
             return Statement::Let { name, mutable: false, value: known };
         }
+        if self.rng.chance(6) {
+            let value = self.truncated();
+            let name = self.fresh();
+            self.enter(&name, Type::Scalar(Scalar::I32), Access::Read);
+            return Statement::Let { name, mutable: false, value };
+        }
         let scalar = shape::scalar(false, self.program, self.rng);
         let mutable = self.rng.chance(50);
         let value = if mutable && self.rng.chance(40) { self.leaf(scalar) } else { self.whole(scalar, 1) };

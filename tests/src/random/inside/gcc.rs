@@ -33,7 +33,7 @@ fn is_misread(expr: &Expr, program: &Program) -> bool {
 fn is_integer(expr: &Expr, program: &Program) -> bool {
     let constant = |expr| value(expr, program).is_some();
     match expr {
-        Expr::Intrinsic(Intrinsic::FromU32, _) => true,
+        Expr::Intrinsic(Intrinsic::FromU32 | Intrinsic::FromI32, _) => true,
         Expr::Unary(Unary::Negate, operand) => is_integer(operand, program),
         Expr::Binary(_, left, right) => {
             constant(left) && is_integer(right, program) || constant(right) && is_integer(left, program)
@@ -54,6 +54,11 @@ fn value(expr: &Expr, program: &Program) -> Option<Literal> {
         Expr::Intrinsic(Intrinsic::FromU32, operands) => match (value(&operands[0], program)?, program.real) {
             (Literal::U32(number), RealKind::F64) => Some(Literal::F64(portable::from_u32(number))),
             (Literal::U32(number), RealKind::F32) => Some(Literal::F32(portable::from_u32(number))),
+            _ => None,
+        },
+        Expr::Intrinsic(Intrinsic::FromI32, operands) => match (value(&operands[0], program)?, program.real) {
+            (Literal::I32(number), RealKind::F64) => Some(Literal::F64(portable::from_i32(number))),
+            (Literal::I32(number), RealKind::F32) => Some(Literal::F32(portable::from_i32(number))),
             _ => None,
         },
         _ => None,

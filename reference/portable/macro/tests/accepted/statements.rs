@@ -66,6 +66,39 @@ fn next_again<R: Real>(state: &mut State<R>) {
     next(state);
 }
 
+#[portable]
+#[derive(Clone, Copy, Default)]
+struct Inner<R> {
+    x: R,
+    on: bool,
+    n: [u32; 2],
+}
+
+#[portable]
+fn of_its_own<R: Real>(inner: &mut Inner<R>, x: R) -> R {
+    let mut other = Inner::<R>::default();
+    other.x = x;
+    other.on = true;
+    copy(inner, &other);
+    other.x
+}
+
+#[portable]
+fn copy<R: Real>(to: &mut Inner<R>, from: &Inner<R>) {
+    to.x = from.x;
+    to.n[1] = from.n[0];
+}
+
+#[test]
+fn structs_of_a_function() {
+    assert_eq!(
+        text::function(&of_its_own::Ir::<f64>::IR),
+        "of_its_own(inner: &mut Inner, x: f64) -> f64 { \
+         let other = default(F64(0.0), Bool(false), U32(0), U32(0)); \
+         other.x = x; other.on = true; copy(&inner, &other); other.x }"
+    );
+}
+
 #[test]
 fn loops_count_over_indices() {
     let expected = "loops(state: &mut State, last: usize) { \

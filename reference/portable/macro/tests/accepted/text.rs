@@ -42,6 +42,11 @@ fn block(of: &Block) -> String {
 fn statement(of: &Statement) -> String {
     match of {
         Statement::Let { name, value } => format!("let {name} = {};", expr(value)),
+        Statement::Default { name, leaves, .. } => {
+            let mut values = Vec::new();
+            leaves(&mut |literal| values.push(format!("{literal:?}")));
+            format!("let {name} = default({});", values.join(", "))
+        }
         Statement::Assign { place: target, value } => format!("{} = {};", place(target), expr(value)),
         Statement::For { variable, from, to, body } => {
             format!("for {variable} in {}..{} {}", expr(from), expr(to), block(body))

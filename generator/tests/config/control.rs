@@ -1,0 +1,438 @@
+//! Feedforward, position control, gantries: what is refused, corrected and warned of, to the letter.
+
+use super::{IPC, assert_said, assert_transcript, read_list, said, said_of_axis, said_of_set};
+
+#[test]
+fn where_the_position_is_controlled() {
+    assert_transcript(
+        said_of_axis,
+        r#"
+> kenngr.antr_typ = 2
+> ipc.enable = 'ON'
+> ipc.v_add_max_fact = 1
+> ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] }]
+set.toml:4:45: error[AX310]: improved position control is enabled, the drive controls the position (SERCOS, P-AXIS-00020), and its process data have no additive velocity
+    allowed: an additive velocity command in the process data: SERCOS S-0-0037, CANopen 60B1h, PROFIdrive NSOLL_B
+    write instead: process_data.additive_velocity = "INT32" in a set, if the drive has it, or antr.operation_mode CNC_POSITION_CONTROL (P-AXIS-00320)
+
+> kenngr.antr_typ = 'CANOPEN'
+> ipc.v_add_max_fact = 1
+> ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] }]
+set.toml:2:7: warning[AX432]: improved position control is configured, the drive controls the position (CANOPEN, P-AXIS-00020), and its process data have no additive velocity
+    allowed: an additive velocity command in the process data: SERCOS S-0-0037, CANopen 60B1h, PROFIdrive NSOLL_B
+    write instead: process_data.additive_velocity = "INT32" in a set, if the drive has it, or antr.operation_mode CNC_POSITION_CONTROL (P-AXIS-00320)
+
+> kenngr.antr_typ = 3
+> ipc.enable = 'ON'
+> process_data.additive_velocity = 'INT32'
+> ipc.v_add_max_fact = 1
+> ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] }]
+
+> kenngr.antr_typ = 2
+> antr.operation_mode = 'CNC_POSITION_CONTROL'
+> getriebe = [{ kv = 2000 }]
+> ipc.enable = 'ON'
+> ipc.v_add_max_fact = 1
+> ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] }]
+"#,
+    );
+}
+
+#[test]
+fn what_feedforward_refuses() {
+    assert_transcript(
+        said_of_axis,
+        r#"
+> vorsteuer.vorsteuerung = 'ADD_JERK'
+set.toml:3:26: error[AX311]: `vorsteuer.vorsteuerung` (P-AXIS-00223) has ADD_JERK, whose formula no document gives
+    allowed: VEL, ACC, JERK, ADD_VEL, ADD_ACC
+    write instead: JERK, or add_jerk = "experimental" in a set, to try a formula that is inferred from units
+
+> vorsteuer.vorsteuerung = 0x804
+> vorsteuer.jerk_fact_denom = 2
+> getriebe = [{ kv = 2000, load = 0.1 }]
+> add_jerk = 'experimental'
+> process_data.additive_torque = 'INT16'
+
+> vorsteuer.vorsteuerung = 'VEL ACC'
+> vorsteuer.vs_a_faktor = 4000
+> vorsteuer.feedforward_without_delay = true
+> getriebe = [{ kv = 2000 }]
+set.toml:5:39: error[AX312]: `vorsteuer.feedforward_without_delay` (P-AXIS-00566) is TRUE beside VEL ACC: error 110624 of the controller
+    allowed: VEL alone in vorsteuer.vorsteuerung (P-AXIS-00223)
+    write instead: feedforward_without_delay FALSE, or VEL alone
+
+> vorsteuer.vorsteuerung = 'VEL'
+> vorsteuer.feedforward_without_delay = 1
+> getriebe = [{ kv = 2000 }]
+
+> vorsteuer.vorsteuerung = 'ADD_ACC'
+> process_data.additive_torque = 'INT16'
+> getriebe = [{ kv = 2000, load = 0.1, incr_per_rev = 0 }]
+set.toml:5:53: error[AX313]: `getriebe[0].incr_per_rev` (P-AXIS-00092) is 0, and the additive torque needs it
+    allowed: 1 <= incr_per_rev [increments/revolution]
+
+> vorsteuer.vorsteuerung = 'ADD_ACC'
+> process_data.additive_torque = 'INT16'
+> getriebe = [{ kv = 2000, load = 1e300 }]
+set.toml:5:33: error[AX314]: the scaling of the additive torque is 6.135923151542565e298: a usable sample times it is beyond the numbers of this axis
+    write instead: the scaling of the drive's manual
+
+> vorsteuer.vorsteuerung = 'ADD_ACC'
+> process_data.additive_torque = 'INT16'
+> motor = 'linear'
+> kenngr.achs_typ = 2
+> getriebe = [{ kv = 2000, load = 100 }]
+set.toml:5:9: error[AX316]: `motor` is linear, and the axis turns (P-AXIS-00018)
+    write instead: motor = "rotary"
+"#,
+    );
+}
+
+#[test]
+fn what_is_corrected() {
+    assert_transcript(
+        said_of_axis,
+        r#"
+> vorsteuer.vorsteuerung = 'ADD_VEL'
+> getriebe = [{ kv = 2000 }]
+set.toml:3:26: warning[AX414]: `vorsteuer.vorsteuerung` (P-AXIS-00223) has ADD_VEL, and the process data have no such command: error 70350 of the controller; the output is switched off
+    write instead: process_data.additive_velocity = "INT32" or "INT16" in a set, if the drive has it
+
+> vorsteuer.vorsteuerung = 'VEL ADD_ACC'
+> getriebe = [{ kv = 2000 }]
+set.toml:3:26: warning[AX415]: `vorsteuer.vorsteuerung` (P-AXIS-00223) has ADD_ACC, and the process data have no such command: error 70351 of the controller; the output is switched off
+    write instead: process_data.additive_torque = "INT32" or "INT16" in a set, if the drive has it
+
+> vorsteuer.vorsteuerung = 'ADD_VEL'
+> vorsteuer.velocity_delay_time = 6000
+> process_data.additive_velocity = 'INT32'
+> getriebe = [{ kv = 2000 }]
+set.toml:4:33: warning[AX416]: `vorsteuer.velocity_delay_time` (P-AXIS-00389) is 6000 us: error 70349 of the controller; the delay is corrected to 0
+    allowed: 0 <= velocity_delay_time < 6 cycles, 1ms each [us]
+
+> vorsteuer.vorsteuerung = 'ADD_VEL'
+> vorsteuer.velocity_delay_time = 5999
+> process_data.additive_velocity = 'INT32'
+> getriebe = [{ kv = 2000 }]
+
+> vorsteuer.vorsteuerung = 'ADD_ACC'
+> vorsteuer.acceleration_delay_time = 70000
+> process_data.additive_torque = 'INT16'
+> getriebe = [{ kv = 2000, load = 0.1 }]
+set.toml:4:37: warning[AX417]: `vorsteuer.acceleration_delay_time` (P-AXIS-00390) is 70000 us: error 70348 of the controller; the delay is corrected to 0
+    allowed: 0 <= acceleration_delay_time < 6 cycles, 1ms each [us]
+
+> vorsteuer.vorsteuerung = 'ADD_ACC'
+> vorsteuer.acceleration_delay_time = -1
+> process_data.additive_torque = 'INT16'
+> getriebe = [{ kv = 2000, load = 0.1 }]
+set.toml:4:37: warning[AX417]: `vorsteuer.acceleration_delay_time` (P-AXIS-00390) is -1 us: error 70348 of the controller; the delay is corrected to 0
+    allowed: 0 <= acceleration_delay_time < 6 cycles, 1ms each [us]
+
+> vorsteuer.vorsteuerung = 'ADD_JERK'
+> vorsteuer.jerk_delay_time = 6000
+> vorsteuer.jerk_fact_denom = 2
+> add_jerk = 'experimental'
+> process_data.additive_torque = 'INT16'
+> getriebe = [{ kv = 2000, load = 0.1 }]
+set.toml:4:29: warning[AX417]: `vorsteuer.jerk_delay_time` (P-AXIS-00547) is 6000 us: error 70348 of the controller; the delay is corrected to 0
+    allowed: 0 <= jerk_delay_time < 6 cycles, 1ms each [us]
+
+> vorsteuer.vorsteuerung = 'ADD_ACC'
+> antr.torque_scale_denom = 0
+> process_data.additive_torque = 'INT16'
+> getriebe = [{ kv = 2000, load = 0.1 }]
+set.toml:4:27: warning[AX418]: `antr.torque_scale_denom` (P-AXIS-00326) is 0: error 110465 of the controller; the additive torque is switched off
+    allowed: 1 <= torque_scale_denom
+
+> vorsteuer.vorsteuerung = 'JERK'
+> vorsteuer.vs_a_faktor = 4000
+> vorsteuer.jerk_fact_denom = 0
+> getriebe = [{ kv = 2000 }]
+set.toml:5:29: warning[AX419]: `vorsteuer.jerk_fact_denom` (P-AXIS-00338) is 0: error 110473 of the controller; it is corrected to 100
+    allowed: 1 <= jerk_fact_denom
+
+> vorsteuer.vorsteuerung = 'VEL ACC'
+> vorsteuer.vs_a_nenner = 0
+> vorsteuer.vs_v_nenner = 0
+> getriebe = [{ kv = 2000 }]
+set.toml:5:25: warning[AX420]: `vorsteuer.vs_v_nenner` (P-AXIS-00229) is 0: feedforward is left out
+    allowed: 1 <= vs_v_nenner
+set.toml:4:25: warning[AX420]: `vorsteuer.vs_a_nenner` (P-AXIS-00226) is 0: the acceleration, and the jerk that shares its time constant, are left out
+    allowed: 1 <= vs_a_nenner
+
+> vorsteuer.vorsteuerung = 'ADD_ACC'
+> antr.acc_reference_value = 0
+> process_data.additive_torque = 'INT16'
+> getriebe = [{ kv = 2000, load = 0.1 }]
+set.toml:4:28: warning[AX421]: `antr.acc_reference_value` (P-AXIS-00392) is 0: the additive torque is switched off
+    write instead: the nominal torque of the motor, from its data sheet
+"#,
+    );
+}
+
+#[test]
+fn what_is_inert_or_dangerous() {
+    assert_transcript(
+        said_of_axis,
+        r#"
+> vorsteuer.vorsteuerung = 'ACC JERK'
+> getriebe = [{ kv = 2000 }]
+set.toml:3:26: warning[AX422]: the time constant of the acceleration (P-AXIS-00225/00226) has its default, 1 us
+    write instead: vorsteuer.vs_a_faktor with the drive's time constant in us
+set.toml:3:26: warning[AX422]: the factor of the jerk (P-AXIS-00337/00338) has its default, 1/100
+    write instead: vorsteuer.jerk_fact_num and jerk_fact_denom: 1/2 for a drive that only delays
+
+> vorsteuer.vorsteuerung = 'ADD_ACC'
+> process_data.additive_torque = 'INT16'
+> getriebe = [{ kv = 2000 }]
+set.toml:3:26: warning[AX422]: getriebe[0].load (P-AXIS-00391) has its default, 1e-6
+    write instead: the inertia of motor and load in kg m^2, of a linear motor the mass in kg
+
+> kenngr.antr_typ = 2
+> vorsteuer.vorsteuerung = 'VEL'
+> antr.feed_forward_v_weighting = 500
+> getriebe = [{ kv = 2000 }]
+set.toml:5:33: warning[AX423]: the drive feeds 50 % of the velocity forward itself (P-AXIS-00833), and the CNC does too: the axis leads
+    write instead: feedforward in one of the two
+
+> kenngr.antr_typ = 2
+> vorsteuer.vorsteuerung = 'VEL'
+> antr.sai_op_mode_change.feed_forward_v_weighting = 1000
+> getriebe = [{ kv = 2000 }]
+set.toml:5:52: warning[AX423]: the drive feeds 100 % of the velocity forward itself (P-AXIS-00766), and the CNC does too: the axis leads
+    write instead: feedforward in one of the two
+
+> vorsteuer.vorsteuerung = 'VEL'
+> vorsteuer.vs_v_faktor = 12
+> vorsteuer.vs_v_nenner = 10
+> getriebe = [{ kv = 2000 }]
+set.toml:4:25: warning[AX424]: feedforward has the weight 12/10 = 1.2 (P-AXIS-00228/00229): above 1 the axis leads its command
+    write instead: 0.7 to 1
+
+> vorsteuer.vorsteuerung = 'JERK ADD_ACC'
+> vorsteuer.vs_a_faktor = 12
+> vorsteuer.vs_a_nenner = 10
+> vorsteuer.jerk_fact_denom = 2
+> process_data.additive_torque = 'INT16'
+> getriebe = [{ kv = 2000, load = 0.1 }]
+set.toml:3:26: warning[AX425]: vorsteuer.vs_a_faktor/vs_a_nenner (P-AXIS-00225/00226) is 1.2: a weight of ADD_ACC, and a time constant in us of JERK
+    write instead: ADD_ACC without JERK, or ACC with JERK
+
+> vorsteuer.vorsteuerung = 'VEL'
+> vorsteuer.vs_a_faktor = 4000
+> vorsteuer.velocity_delay_time = 150
+> vorsteuer.shift_time = 2
+> motor = 'rotary'
+> getriebe = [{ kv = 2000 }]
+set.toml:4:25: warning[AX426]: nothing of what this axis does uses P-AXIS-00225, P-AXIS-00389, P-AXIS-00165, motor
+
+> vorsteuer.vorsteuerung = 'VEL'
+> vorsteuer.global_disable = 'TRUE'
+> getriebe = [{ kv = 2000 }]
+set.toml:4:28: warning[AX429]: vorsteuer.global_disable (P-AXIS-00256) is TRUE: feedforward puts out 0, despite G135
+    write instead: FALSE, or NONE in vorsteuer.vorsteuerung
+
+> real = 'f32'
+> getriebe = [{ kv = 2000 }]
+set.toml:3:8: warning[AX430]: the position lag is computed in single precision, which has 24 bits for a position
+    write instead: real = "f64" for this axis
+
+> real = 'f32'
+> kenngr.antr_typ = 8
+> vorsteuer.vorsteuerung = 'VEL'
+set.toml:2:7: warning[AX431]: getriebe[0].kv (P-AXIS-00099) is not given: its default 1000 is used, 10/s
+    write instead: the gain of the machine, in 0.01/s
+set.toml:3:8: warning[AX430]: the drive's position command is computed in single precision, which has 24 bits for a position
+    write instead: real = "f64" for this axis
+
+> vorsteuer.vorsteuerung = 'VEL'
+set.toml:2:7: warning[AX431]: getriebe[0].kv (P-AXIS-00099) is not given: its default 1000 is used, 10/s
+    write instead: the gain of the machine, in 0.01/s
+
+> vorsteuer.vorsteuerung = 'VEL VEL'
+set.toml:3:26: error[AX107]: `vorsteuer.vorsteuerung` (P-AXIS-00223) names `VEL` twice
+    allowed: NONE (0x000), VEL (0x001), ACC (0x002), JERK (0x004), ADD_VEL (0x101), ADD_ACC (0x202), ADD_JERK (0x804), and sums of these
+"#,
+    );
+}
+
+#[test]
+fn the_word_of_feedforward_and_the_drive() {
+    assert_transcript(
+        said_of_axis,
+        r#"
+> vorsteuer.vorsteuerung = 'VEL ADD_POS'
+set.toml:3:26: error[AX202]: `vorsteuer.vorsteuerung` (P-AXIS-00223) is `ADD_POS`
+    allowed: NONE (0x000), VEL (0x001), ACC (0x002), JERK (0x004), ADD_VEL (0x101), ADD_ACC (0x202), ADD_JERK (0x804), and sums of these
+
+> vorsteuer.vorsteuerung = 0x400
+set.toml:3:26: error[AX202]: `vorsteuer.vorsteuerung` (P-AXIS-00223) is `1024`: the bits 0x400 stand for nothing alone
+    allowed: NONE (0x000), VEL (0x001), ACC (0x002), JERK (0x004), ADD_VEL (0x101), ADD_ACC (0x202), ADD_JERK (0x804), and sums of these
+
+> vorsteuer.vorsteuerung = 0x100
+set.toml:3:26: error[AX202]: `vorsteuer.vorsteuerung` (P-AXIS-00223) is `256`: the bits 0x100 stand for nothing alone
+    allowed: NONE (0x000), VEL (0x001), ACC (0x002), JERK (0x004), ADD_VEL (0x101), ADD_ACC (0x202), ADD_JERK (0x804), and sums of these
+
+> vorsteuer.vorsteuerung = -1
+set.toml:3:26: error[AX202]: `vorsteuer.vorsteuerung` (P-AXIS-00223) is `-1`, which has a sign
+    allowed: NONE (0x000), VEL (0x001), ACC (0x002), JERK (0x004), ADD_VEL (0x101), ADD_ACC (0x202), ADD_JERK (0x804), and sums of these
+
+> vorsteuer.vorsteurung = 'VEL'
+set.toml:3:11: error[AX104]: `vorsteuer.vorsteurung` is not known
+    write instead: vorsteuer.vorsteuerung
+
+> kenngr.antr_typ = 9
+> getriebe = [{ kv = 0 }]
+set.toml:3:19: error[AX202]: `kenngr.antr_typ` (P-AXIS-00020) is `9`
+    allowed: CONVENTIONAL (ANTR_TYP_KONV, 1), SERCOS (ANTR_TYP_SERCOS, 2), PROFIDRIVE (ANTR_TYP_PROFIDRIVE, 3), SIMULATION (ANTR_TYP_SIMU, 4), LIGHTBUS (ANTR_TYP_LIGHTBUS, 5), TERMINAL (ANTR_TYP_TERM, 6), RT_ETHERNET (ANTR_TYP_ETHERNET, 7), CANOPEN (ANTR_TYP_CANOPEN, 8), VIRTUAL (ANTR_TYP_VIRTUELL, 16), CAN_BUS (ANTR_TYP_CAN, 32)
+set.toml:4:20: error[AX203]: `getriebe[0].kv` (P-AXIS-00099) is 0
+    allowed: 1 <= kv <= 4294967295 [0.01/s]
+
+> kenngr.antr_typ = 'NOBODY'
+> getriebe = [{ load = 'heavy' }]
+> vorsteuer.vs_a_nenner = 'no number'
+set.toml:2:7: warning[AX401]: no stage is active: the block puts out 0
+    write instead: ipc.stage[0].mode with DIRECT, INDIRECT or SET_POINT
+"#,
+    );
+}
+
+/// What is said about a set whose axes are given.
+fn said_of_axes(given: &str) -> String {
+    said_of_set(&format!("cycle_time = \"1ms\"\n{given}"))
+}
+
+#[test]
+fn gantries() {
+    assert_transcript(
+        said_of_axes,
+        r#"
+> [axis.A]
+> kopf.achs_nr = 1
+> kenngr.gantry_ax_nr = 9
+> getriebe = [{ kv = 2000 }]
+> [axis.B]
+> kopf.achs_nr = 2
+> getriebe = [{ kv = 2000 }]
+set.toml:4:23: error[AX315]: A follows the axis 9, and no axis of the set has this number
+    write instead: one of 1 of A, 2 of B (P-AXIS-00016), or the master's list in the set
+
+> [axis.A]
+> kopf.achs_nr = 1
+> kenngr.gantry_ax_nr = 2
+> getriebe = [{ kv = 2000 }]
+> [axis.B]
+> kopf.achs_nr = 2
+> kenngr.gantry_ax_nr = 3
+> getriebe = [{ kv = 2000 }]
+> [axis.C]
+> kopf.achs_nr = 3
+> kenngr.gantry_ax_nr = 1
+> getriebe = [{ kv = 2000 }]
+set.toml:4:23: error[AX315]: A follows B, which follows A in the end
+    write instead: the number of an axis that follows no other
+set.toml:8:23: error[AX315]: B follows C, which follows B in the end
+    write instead: the number of an axis that follows no other
+set.toml:12:23: error[AX315]: C follows A, which follows C in the end
+    write instead: the number of an axis that follows no other
+
+> [axis.A]
+> kopf.achs_nr = 1
+> kenngr.gantry_ax_nr = 2
+> getriebe = [{ kv = 2000 }]
+> [axis.B]
+> kopf.achs_nr = 2
+> kenngr.gantry_ax_nr = 3
+> getriebe = [{ kv = 2000 }]
+> [axis.C]
+> kopf.achs_nr = 3
+> getriebe = [{ kv = 2000 }]
+set.toml:4:23: error[AX315]: A follows B, which is a slave itself
+    write instead: the number of an axis that follows no other
+
+> [axis.A]
+> kopf.achs_nr = 1
+> kenngr.gantry_ax_nr = 2
+> getriebe = [{ kv = 2000 }]
+> [axis.B]
+> kopf.achs_nr = 2
+> getriebe = [{ kv = 2000 }]
+> [axis.C]
+> kopf.achs_nr = 2
+> getriebe = [{ kv = 2000 }]
+set.toml:4:23: error[AX315]: A follows the axis 2, a number that B and C have
+    write instead: kopf.achs_nr (P-AXIS-00016) of its own for each axis
+
+> [axis.A]
+> kopf.achs_nr = 1
+> kenngr.gantry_ax_nr = 2
+> getriebe = [{ kv = 2000, multi_gain_z = 1000 }]
+> [axis.B]
+> kopf.achs_nr = 2
+> getriebe = [{ kv = 2000 }]
+set.toml:4:23: warning[AX427]: A and its master B scale their velocities differently: multi_gain 1000/1, and multi_gain 2000/1
+    write instead: equal scalings, unless the drives are different
+
+> [axis.A]
+> kopf.achs_nr = 1
+> kenngr = { gantry_ax_nr = 2, antr_typ = 2 }
+> process_data.additive_velocity = 'INT32'
+> antr.v_reso_num = 7
+> [axis.B]
+> kopf.achs_nr = 2
+> kenngr.antr_typ = 2
+> process_data.additive_velocity = 'INT32'
+> lr_param.improved_position_control = { v_add_max_fact = 1000, stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] }] }
+set.toml:4:27: warning[AX427]: A and its master B scale their velocities differently: v_reso 7/36, v_time_base 0, INT32, and v_reso 1/36, v_time_base 0, INT32
+    write instead: equal scalings, unless the drives are different
+"#,
+    );
+}
+
+#[test]
+fn a_slave_whose_list_stands_alone() {
+    assert_said(
+        &said("kopf.achs_nr 2\nkenngr.gantry_ax_nr 1\ngetriebe[0].kv 2000"),
+        &[
+            "x.lis:2:21: warning[AX428]: the master of the gantry, axis 1 (P-AXIS-00070), is not there: its additive velocity is \
+             left out",
+            "    write instead: a set with both axes, whose lists they name",
+        ],
+    );
+}
+
+/// Words with blanks or bars between, the number, in lists and in sets: one canonical form.
+#[test]
+fn every_spelling_of_the_mode() {
+    let canonical = |mode: &str| {
+        let (set, report) =
+            read_list(format!("vorsteuer.vorsteuerung {mode}\nvorsteuer.vs_a_faktor 4000\ngetriebe[0].kv 2000"));
+        set.unwrap_or_else(|| panic!("{mode}: {report}")).axes[0].canonical.clone()
+    };
+    for mode in ["VEL|ACC", "ACC VEL", "acc | vel", "3", "0x3", "0x0003", "NONE VEL ACC"] {
+        assert_eq!(canonical(mode), canonical("VEL ACC"), "{mode}");
+    }
+    assert!(canonical("VEL ACC").contains("vorsteuer.vorsteuerung VEL ACC\n"));
+    assert_eq!(canonical("NONE"), canonical("0"));
+}
+
+/// A real machine's list has these for other functions: what they hold matters where a block uses it.
+#[test]
+fn what_nothing_uses_is_not_judged() {
+    let drive = "kenngr.antr_typ NOBODY\nantr.operation_mode 17\nantr.v_reso_num none\nvorsteuer.vs_a_nenner -5\ngetriebe[0].load heavy";
+    let (set, report) = read_list(drive);
+    assert!(set.is_some(), "{report}");
+    let (set, report) = read_list(format!("{drive}\n{IPC}stage[0].mode NOT_ACTIVE\nvorsteuer.vorsteuerung NONE"));
+    assert!(set.is_some(), "{report}");
+    assert_said(
+        &said("kenngr.antr_typ NOBODY\ngetriebe[0].kv 2000"),
+        &[
+            "x.lis:1:17: error[AX202]: `kenngr.antr_typ` (P-AXIS-00020) is `NOBODY`",
+            "    allowed: CONVENTIONAL (ANTR_TYP_KONV, 1), SERCOS (ANTR_TYP_SERCOS, 2), PROFIDRIVE (ANTR_TYP_PROFIDRIVE, 3), \
+             SIMULATION (ANTR_TYP_SIMU, 4), LIGHTBUS (ANTR_TYP_LIGHTBUS, 5), TERMINAL (ANTR_TYP_TERM, 6), RT_ETHERNET \
+             (ANTR_TYP_ETHERNET, 7), CANOPEN (ANTR_TYP_CANOPEN, 8), VIRTUAL (ANTR_TYP_VIRTUELL, 16), CAN_BUS (ANTR_TYP_CAN, 32)",
+        ],
+    );
+}
