@@ -3,4 +3,6 @@
 
 pub mod cases;
 pub mod environment;
+pub mod pictures;
 pub mod random;
+pub mod simulation;

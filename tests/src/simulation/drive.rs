@@ -1,0 +1,102 @@
+//! A drive with its velocity loop, and the axis that it moves: exact between two changes of its command. No control here.
+
+use super::planned::seconds;
+use std::collections::VecDeque;
+
+/// How the velocity follows its command. `Ta` is the equivalent time constant, the lag behind a ramp.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Loop {
+    /// exp(-Ta s)
+    DeadTime,
+    /// 1 / (1 + Ta s)
+    Pt1,
+    /// 1 / (1 + Ta s + T2^2 s^2)
+    Pt2 {
+        /// T2 [s]
+        t2: f64,
+    },
+}
+
+/// Terms of the Taylor series. A substep is at most 0.04 of Ta and of T2^2/Ta, wherever this is used: the first term that is
+/// left out is below the last bit of a double, 0.04^9/9! < 2^-52.
+const TERMS: usize = 9;
+
+/// A drive, and where its axis is.
+#[derive(Clone, Debug)]
+pub struct Drive {
+    of: Loop,
+    /// equivalent time constant [s]
+    t_a: f64,
+    /// length of a substep [s]
+    h: f64,
+    /// commands on their way [um/s]
+    delayed: VecDeque<f64>,
+    /// acceleration, of a PT2 [um/s^2]
+    a: f64,
+    /// velocity [um/s]
+    v: f64,
+    /// position [um]
+    pub x: f64,
+}
+
+impl Drive {
+    /// A drive at rest.
+    ///
+    /// # Panics
+    /// If a dead time is not a whole number of substeps.
+    #[must_use]
+    pub fn new(of: Loop, t_a_ns: u32, substep_ns: u32) -> Self {
+        let mut delayed = VecDeque::new();
+        if of == Loop::DeadTime {
+            assert_eq!(t_a_ns % substep_ns, 0, "drive: a dead time of {t_a_ns} ns in substeps of {substep_ns} ns");
+            delayed.extend((0..t_a_ns / substep_ns).map(|_| 0.0));
+        }
+        let (t_a, h) = (seconds(t_a_ns.into()), seconds(substep_ns.into()));
+        Self { of, t_a, h, delayed, a: 0.0, v: 0.0, x: 0.0 }
+    }
+
+    /// One substep with a constant velocity command [um/s].
+    pub fn advance(&mut self, v_command: f64) {
+        self.delayed.push_back(v_command);
+        let u = self.delayed.pop_front().expect("it has just been pushed");
+        let d = self.derivatives(u);
+        self.x += self.h * taylor(&d[..TERMS], self.h, 1);
+        self.v = taylor(&d[..TERMS], self.h, 0);
+        self.a = taylor(&d[1..], self.h, 0);
+    }
+
+    /// The velocity and its derivatives at the begin of a substep: the differential equation, derived again and again.
+    fn derivatives(&self, u: f64) -> [f64; TERMS + 1] {
+        let mut d = [0.0; TERMS + 1];
+        match self.of {
+            Loop::DeadTime => d[0] = u,
+            Loop::Pt1 => {
+                d[0] = self.v;
+                d[1] = (u - self.v) / self.t_a;
+                for k in 2..=TERMS {
+                    d[k] = -d[k - 1] / self.t_a;
+                }
+            }
+            Loop::Pt2 { t2 } => {
+                d[0] = self.v;
+                d[1] = self.a;
+                d[2] = (u - self.v - self.t_a * self.a) / (t2 * t2);
+                for k in 3..=TERMS {
+                    d[k] = -(d[k - 2] + self.t_a * d[k - 1]) / (t2 * t2);
+                }
+            }
+        }
+        d
+    }
+}
+
+/// `sum of d_k h^k / ((1 + s) (2 + s) ... (k + s))`: with s = 0 the Taylor series of the function, with s = 1 that of its mean
+/// over the substep.
+fn taylor(derivatives: &[f64], h: f64, s: u8) -> f64 {
+    let (mut sum, mut factor) = (0.0, 1.0);
+    for (derivative, k) in derivatives.iter().zip(1u8..) {
+        sum += factor * derivative;
+        factor *= h / f64::from(k + s);
+    }
+    sum
+}
