@@ -117,7 +117,7 @@ pub fn overflow(axis: &Axis) -> Option<Overflow> {
     }
     let weight = axis.control.feedforward.as_ref().map_or(1.0, |feedforward| feedforward.weight.value().max(1.0));
     // 16: sums of a few products.
-    let is_beyond = |factor: f64| !(factor * weight * sample * 16.0 <= largest);
+    let is_beyond = |factor: f64| factor.is_nan() || factor * weight * sample * 16.0 > largest;
     factors.into_iter().find(|(_, _, factor)| is_beyond(*factor)).map(|(parameter, what, factor)| Overflow {
         parameter,
         what,

@@ -9,6 +9,8 @@
 //!
 //! Each part is the block of its name. What an axis does not have is not there.
 
+#![expect(clippy::field_reassign_with_default, reason = "portable Rust makes a struct by its default alone")]
+
 mod signals;
 
 pub use signals::{Inputs, Outputs};

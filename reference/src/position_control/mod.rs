@@ -98,10 +98,8 @@ pub fn reads_actual<R: Real>(coeffs: &Coeffs<R>) -> bool {
 pub fn command<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
     let mut v_controller = R::ZERO;
     if coeffs.place == Place::Cnc {
-        v_controller = coeffs.kv * (inputs.x_command - inputs.x_actual);
-        if coeffs.feedforward {
-            v_controller = v_controller + inputs.v_feedforward;
-        }
+        let v_lag = coeffs.kv * (inputs.x_command - inputs.x_actual);
+        v_controller = if coeffs.feedforward { v_lag + inputs.v_feedforward } else { v_lag };
     }
     v_controller
 }
@@ -150,10 +148,7 @@ pub fn follow<R: Real>(
 /// The manipulated variable of position control in the CNC. `v_command` is the position controller's output.
 #[portable]
 pub fn manipulate<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    let mut v_drive = outputs.v_command;
-    if coeffs.adds {
-        v_drive = v_drive + inputs.v_add;
-    }
+    let v_drive = if coeffs.adds { outputs.v_command + inputs.v_add } else { outputs.v_command };
     let increments = coeffs.manipulated_scale * v_drive;
     outputs.manipulated_variable = process_data::rounded(&coeffs.manipulated_range, increments);
     outputs.limited = process_data::is_limited(&coeffs.manipulated_range, increments);
@@ -165,10 +160,8 @@ pub fn lead<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     if !state.settled {
         delay::settle(&mut state.shift, inputs.x_command);
     }
-    let mut x = delay::step(&mut state.shift, &coeffs.shift, inputs.x_command);
-    if coeffs.feedforward {
-        x = x + coeffs.lag * inputs.v_feedforward;
-    }
+    let x_shifted = delay::step(&mut state.shift, &coeffs.shift, inputs.x_command);
+    let x = if coeffs.feedforward { x_shifted + coeffs.lag * inputs.v_feedforward } else { x_shifted };
     outputs.x_drive = x;
     state.x_held = x;
     outputs.xerr = 0i32;

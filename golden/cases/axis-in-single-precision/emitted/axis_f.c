@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  a51e4e64fad240bd4128bbecc5fcab95
- * body        4948795ebb8181f2aca78b0778c1a6ac
+ * body        30edf36813d2953cbf8f4798506ffec3
  */
 #include "axis_f.h"
 
@@ -204,8 +204,8 @@ void axis_f_axis_step(axis_f_axis_state *restrict state, const axis_f_axis_input
             feedforward_fault = false;
             feedforward_error_id = error_none;
         }
-        const float v_controller = position_control_kv * (inputs->x_command - inputs->x_actual);
-        const float v_controller_2 = v_controller + feedforward_v_feedforward;
+        const float v_lag = position_control_kv * (inputs->x_command - inputs->x_actual);
+        const float v_controller = v_lag + feedforward_v_feedforward;
         float ipc_v_add;
         float ipc_v_add_calculated;
         bool ipc_limited;
@@ -305,7 +305,7 @@ void axis_f_axis_step(axis_f_axis_state *restrict state, const axis_f_axis_input
             ipc_fault = false;
             ipc_error_id = error_none;
         }
-        const float position_control_v_drive = v_controller_2 + ipc_v_add;
+        const float position_control_v_drive = v_controller + ipc_v_add;
         const float position_control_increments = position_control_manipulated_scale * position_control_v_drive;
         int32_t position_control_value;
         if (position_control_increments <= position_control_manipulated_range_lower_limit) {
@@ -328,7 +328,7 @@ void axis_f_axis_step(axis_f_axis_state *restrict state, const axis_f_axis_input
         outputs->v_feedforward = feedforward_v_feedforward;
         outputs->v_add = ipc_v_add;
         outputs->v_add_calculated = ipc_v_add_calculated;
-        outputs->v_command = v_controller_2;
+        outputs->v_command = v_controller;
         outputs->manipulated_variable = position_control_value;
         outputs->x_drive = 0.0f;
         outputs->xerr = 0;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  34e395339e0520ddd4444822e1ca30ef
- * body        ebe572de36c8426ea62c6393a7d92f8c
+ * body        1569533aef7d97da90e482c9c4d6ca1d
  */
 #include "axis_x.h"
 
@@ -235,8 +235,8 @@ void axis_x_axis_step(axis_x_axis_state *restrict state, const axis_x_axis_input
             feedforward_fault = false;
             feedforward_error_id = error_none;
         }
-        const double v_controller = position_control_kv * (inputs->x_command - inputs->x_actual);
-        const double v_controller_2 = v_controller + feedforward_v_feedforward;
+        const double v_lag = position_control_kv * (inputs->x_command - inputs->x_actual);
+        const double v_controller = v_lag + feedforward_v_feedforward;
         double ipc_v_add;
         double ipc_v_add_calculated;
         bool ipc_limited;
@@ -367,7 +367,7 @@ void axis_x_axis_step(axis_x_axis_state *restrict state, const axis_x_axis_input
             ipc_fault = false;
             ipc_error_id = error_none;
         }
-        const double position_control_v_drive = v_controller_2 + ipc_v_add;
+        const double position_control_v_drive = v_controller + ipc_v_add;
         const double position_control_increments = position_control_manipulated_scale * position_control_v_drive;
         int32_t position_control_value;
         if (position_control_increments <= position_control_manipulated_range_lower_limit) {
@@ -390,7 +390,7 @@ void axis_x_axis_step(axis_x_axis_state *restrict state, const axis_x_axis_input
         outputs->v_feedforward = feedforward_v_feedforward;
         outputs->v_add = ipc_v_add;
         outputs->v_add_calculated = ipc_v_add_calculated;
-        outputs->v_command = v_controller_2;
+        outputs->v_command = v_controller;
         outputs->manipulated_variable = position_control_value;
         outputs->x_drive = 0.0;
         outputs->xerr = 0;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  01b2d560e57f4aac4b6a8e72d07833cb
- * body        e47ea7c0262de2d21437af073536fafd
+ * body        ddef69d9e8d41111c8c91f163349d39b
  */
 #include "axis_y2.h"
 
@@ -142,7 +142,7 @@ void axis_y2_axis_step(axis_y2_axis_state *restrict state, const axis_y2_axis_in
         outputs->fault = false;
         outputs->error_id = error_none;
     } else {
-        const double v_controller = position_control_kv * (inputs->x_command - inputs->x_actual);
+        const double v_lag = position_control_kv * (inputs->x_command - inputs->x_actual);
         double v_add;
         bool limited;
         bool fault;
@@ -167,7 +167,7 @@ void axis_y2_axis_step(axis_y2_axis_state *restrict state, const axis_y2_axis_in
             fault = false;
             error_id = 0u;
         }
-        const double position_control_v_drive = v_controller + v_add;
+        const double position_control_v_drive = v_lag + v_add;
         const double position_control_increments = position_control_manipulated_scale * position_control_v_drive;
         int32_t position_control_value;
         if (position_control_increments <= position_control_manipulated_range_lower_limit) {
@@ -190,7 +190,7 @@ void axis_y2_axis_step(axis_y2_axis_state *restrict state, const axis_y2_axis_in
         outputs->v_feedforward = 0.0;
         outputs->v_add = v_add;
         outputs->v_add_calculated = v_add;
-        outputs->v_command = v_controller;
+        outputs->v_command = v_lag;
         outputs->manipulated_variable = position_control_value;
         outputs->x_drive = 0.0;
         outputs->xerr = 0;

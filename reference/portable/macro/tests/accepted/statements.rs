@@ -74,6 +74,7 @@ struct Inner<R> {
     n: [u32; 2],
 }
 
+#[expect(clippy::field_reassign_with_default, reason = "portable Rust makes a struct by its default alone")]
 #[portable]
 fn of_its_own<R: Real>(inner: &mut Inner<R>, x: R) -> R {
     let mut other = Inner::<R>::default();
