@@ -1,0 +1,21 @@
+/* Hand-written axis: the drive controls the position; the acceleration goes there as an additive torque, delayed by 0.15 cycles. */
+#ifndef AXIS_HAND_T_H
+#define AXIS_HAND_T_H
+
+#include "hand_axis.h"
+
+typedef hand_axis_inputs axis_hand_t_axis_inputs;
+typedef hand_axis_outputs axis_hand_t_axis_outputs;
+
+typedef struct {
+    bool settled; /* whether the delay has been filled */
+    double before; /* what the delay got in the last cycle */
+    double x_held; /* the last position command of the drive */
+} axis_hand_t_axis_state;
+
+void axis_hand_t_axis_init(axis_hand_t_axis_state *state);
+void axis_hand_t_axis_inputs_init(axis_hand_t_axis_inputs *inputs);
+void axis_hand_t_axis_step(
+    axis_hand_t_axis_state *state, const axis_hand_t_axis_inputs *inputs, axis_hand_t_axis_outputs *outputs);
+
+#endif
