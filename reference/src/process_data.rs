@@ -1,6 +1,6 @@
 //! From a real number to the integer that goes to the drive: rounded half away from zero, and saturated.
 
-use portable::{Real, from_i32, portable, truncate};
+use portable::{Real, portable, truncate, within};
 
 /// The range of a process-data type.
 #[portable]
@@ -16,34 +16,43 @@ pub struct Coeffs<R> {
     pub upper_limit: R,
 }
 
-/// from here on a fraction is rounded away from zero
+/// What becomes of a number.
 #[portable]
-pub fn half<R: Real>() -> R {
-    R::lit(0.5)
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Datum {
+    /// the integer
+    pub value: i32,
+    /// whether the range cuts the number off
+    pub limited: bool,
 }
 
-/// The nearest integer, the one away from zero where two are as near; within the range.
+/// the largest number below 1/2: added before a number is truncated it rounds exactly, where 1/2 would round 1/2 - 2^-54 up
 #[portable]
-pub fn rounded<R: Real>(coeffs: &Coeffs<R>, x: R) -> i32 {
-    let mut value = coeffs.highest;
-    if x <= coeffs.lower_limit {
-        value = coeffs.lowest;
-    } else if x < coeffs.upper_limit {
-        let whole = truncate(x);
-        // Exact: what a truncated number lacks is a part of its own digits.
-        let rest = x - from_i32::<R>(whole);
-        value = whole;
-        if rest >= half() {
-            value += 1i32;
-        } else if rest <= -half::<R>() {
-            value -= 1i32;
-        }
+pub fn nearly_half<R: Real>() -> R {
+    R::per_kind(0.499_999_999_999_999_94, 0.499_999_97)
+}
+
+/// The nearest integer, the one away from zero where two are as near. The number is not far beyond an i32.
+#[portable]
+pub fn nearest<R: Real>(x: R) -> i32 {
+    let value = if x >= R::ZERO { x + nearly_half() } else { x - nearly_half() };
+    truncate(value)
+}
+
+/// Rounds a number; where it lies outside of the range the end of the range stands for it.
+#[portable]
+pub fn round<R: Real>(datum: &mut Datum, coeffs: &Coeffs<R>, x: R) {
+    datum.limited = false;
+    if within(x, coeffs.upper_limit) {
+        datum.value = nearest(x);
+    } else if x > R::ZERO {
+        datum.value = coeffs.highest;
+        datum.limited = true;
+    } else if x > coeffs.lower_limit {
+        // Between -highest and lowest, which is one less.
+        datum.value = nearest(x);
+    } else {
+        datum.value = coeffs.lowest;
+        datum.limited = x < coeffs.lower_limit;
     }
-    value
-}
-
-/// Whether the range cuts a number off.
-#[portable]
-pub fn is_limited<R: Real>(coeffs: &Coeffs<R>, x: R) -> bool {
-    x < coeffs.lower_limit || x > coeffs.upper_limit
 }

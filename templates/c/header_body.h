@@ -9,8 +9,9 @@ extern "C" {
 #endif
 {%- for block in blocks %}
 
+{%- if !block.certificate.is_empty() %}
 /* {{ block.certificate }} */
-
+{% endif %}
 /* Written by the caller. {{ block.prefix }}_inputs_init fills in what is said to be the start. */
 typedef struct {
 {%- for member in block.inputs %}
@@ -30,6 +31,9 @@ typedef struct {
 {%- for member in block.state %}
     {{ member.ty }} {{ member.name }}; /* {{ member.doc }} */
 {%- endfor %}
+{%- if block.state.is_empty() %}
+    bool unused; /* this block keeps nothing; C has no struct without a member */
+{%- endif %}
 } {{ block.prefix }}_state;
 
 /* Once before the first cycle. */

@@ -40,6 +40,9 @@ static const {{ constant.ty }} {{ constant.name }} = {{ constant.value }}; /* {{
 {% endfor %}
 void {{ block.prefix }}_init({{ block.prefix }}_state *state)
 {
+{%- if block.state.is_empty() %}
+    state->unused = false;
+{%- endif %}
 {{ block.init }}}
 
 void {{ block.prefix }}_inputs_init({{ block.prefix }}_inputs *inputs)
@@ -52,6 +55,9 @@ void {{ block.prefix }}_inputs_init({{ block.prefix }}_inputs *inputs)
 void {{ block.prefix }}_step({{ block.prefix }}_state *restrict state, const {{ block.prefix }}_inputs *restrict inputs,
     {{ block.prefix }}_outputs *restrict outputs)
 {
+{%- if block.state.is_empty() %}
+    (void)state;
+{%- endif %}
 {{ block.step }}}
 
 {{ block.self_test }}

@@ -18,17 +18,17 @@ pub fn run(arguments: &SetArguments, samples: usize, files: &Files) -> Result<Ex
     let (set, _) = input::read(arguments)?;
     let mut outcomes = Vec::new();
     println!(
-        "{:<20} {:<8} {:<10} {:>10} {:>15}  first difference",
+        "{:<20} {:<16} {:<10} {:>10} {:>15}  first difference",
         "axis", "block", "engine", "samples", "differing bits"
     );
     let bar = progress(set.axes.iter().map(|axis| block::names(axis).len()).sum());
     for axis in &set.axes {
         let blocks = block::blocks(axis).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
-        for block in &blocks {
+        for (which, block) in blocks.iter().enumerate() {
             let shape = Shape::of(&block.program.inputs, axis.real);
             let inputs = stimulus::samples(&exercise::stimulus(axis, &block.program), &shape, samples)
                 .map_err(Exit::environment)?;
-            every_engine(axis, block, &inputs, &bar, &mut outcomes)?;
+            every_engine(axis, &blocks, which, &inputs, &bar, &mut outcomes)?;
         }
     }
     bar.finish_and_clear();
@@ -48,15 +48,17 @@ fn progress(blocks: usize) -> ProgressBar {
 #[expect(clippy::print_stdout, reason = "what the command has found")]
 fn every_engine(
     axis: &Axis,
-    block: &Block,
+    blocks: &[Block],
+    which: usize,
     inputs: &Samples,
     bar: &ProgressBar,
     outcomes: &mut Vec<Outcome>,
 ) -> Result<(), Exit> {
+    let block = &blocks[which];
     let mut expected: Option<Samples> = None;
     for engine in ENGINES {
         bar.set_message(format!("{} {} {engine}", axis.name, block.program.block));
-        let (bits, first) = match engine::run(engine, axis, block, inputs) {
+        let (bits, first) = match engine::run_among(engine, axis, blocks, which, inputs) {
             Ok(found) => {
                 let difference = compare(expected.as_ref().unwrap_or(&found), &found);
                 expected.get_or_insert(found);
@@ -72,7 +74,7 @@ fn every_engine(
         outcomes.push(Outcome { group: axis.name.clone(), name, failure });
         let is_reference = if engine == Engine::Reference { "(reference)" } else { &bits };
         let (name, block, samples) = (&axis.name, block.program.block, inputs.len());
-        bar.suspend(|| println!("{name:<20} {block:<8} {engine:<10} {samples:>10} {is_reference:>15}  {first}"));
+        bar.suspend(|| println!("{name:<20} {block:<16} {engine:<10} {samples:>10} {is_reference:>15}  {first}"));
         bar.inc(1);
     }
     Ok(())

@@ -17,6 +17,7 @@ pub fn identifier(path: &str) -> String {
 }
 
 /// The names of one scope, unlike each other in more than the case of their letters.
+#[derive(Clone, Debug)]
 pub struct Names {
     is_reserved: fn(&str) -> bool,
     taken: BTreeSet<String>,

@@ -21,17 +21,26 @@ pub struct Harness {
 }
 
 impl Harness {
-    /// Writes the files and compiles the program around the block.
+    /// Writes the files of a block alone and compiles the program around it.
     ///
     /// # Errors
     /// The compiler is not there, or there is no room.
     pub fn of(axis: &Axis, block: &Block, compiler: &Compiler) -> Result<Self, Failure> {
+        Self::among(axis, std::slice::from_ref(block), 0, compiler)
+    }
+
+    /// Writes the files of an axis and compiles the program around one of its blocks.
+    ///
+    /// # Errors
+    /// The compiler is not there, or there is no room.
+    pub fn among(axis: &Axis, blocks: &[Block], which: usize, compiler: &Compiler) -> Result<Self, Failure> {
+        let block = &blocks[which];
         let folder = new_folder()?;
         let write = |name: &str, text: &str| {
             let written = std::fs::write(folder.path().join(name), text);
             written.map_err(|error| Failure::Environment(format!("{name}: {error}")))
         };
-        let emitted = files(axis, std::slice::from_ref(block));
+        let emitted = files(axis, blocks);
         for file in &emitted {
             write(&file.name, &file.text)?;
         }

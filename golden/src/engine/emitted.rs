@@ -10,14 +10,21 @@ use generator::target::st::names::{is_reserved, signals};
 use generator::target::st::{codesys, plain, twincat};
 use generator::target::{File, block_name};
 
-/// Runs a block from the file that the target of a dialect emits.
-pub fn run(dialect: Dialect, axis: &Axis, block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
-    let blocks = std::slice::from_ref(block);
+/// Runs one of an axis's blocks from the file that the target of a dialect emits.
+pub fn run(
+    dialect: Dialect,
+    axis: &Axis,
+    blocks: &[Block],
+    which: usize,
+    inputs: &Samples,
+) -> Result<Samples, Failure> {
+    let block = &blocks[which];
     let (files, name, enable): (Vec<File>, _, &[(&str, bool)]) = match dialect {
         Dialect::Plain => (plain::files(axis, blocks), block_name(&axis.name, block.program.block), &[]),
         Dialect::TwinCat => {
             let name = twincat::block_name(&axis.name, block.program.block);
-            (twincat::files(axis, blocks), name, &[("Enable", true)])
+            // A file for each block.
+            (twincat::files(axis, std::slice::from_ref(block)), name, &[("Enable", true)])
         }
         Dialect::Codesys => (codesys::files(axis, blocks), block_name(&axis.name, block.program.block), &[]),
     };

@@ -76,18 +76,33 @@ impl fmt::Display for Failure {
 
 impl std::error::Error for Failure {}
 
-/// Runs a block of an axis from its start.
+/// Runs a block of an axis from its start, from files that hold this block alone.
 ///
 /// # Errors
 /// The engine `c` needs a compiler; the engines of Structured Text refuse a text that implementations could disagree on.
 pub fn run(engine: Engine, axis: &Axis, block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
+    run_among(engine, axis, std::slice::from_ref(block), 0, inputs)
+}
+
+/// Runs one of an axis's blocks from its start, from the files that the axis gets.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_among(
+    engine: Engine,
+    axis: &Axis,
+    blocks: &[Block],
+    which: usize,
+    inputs: &Samples,
+) -> Result<Samples, Failure> {
+    let compiler = Compiler::host;
     match engine {
-        Engine::Reference => Ok(reference::run(axis, block, inputs)),
-        Engine::Program => Ok(program::run(block, inputs)),
-        Engine::C => run_c(axis, block, inputs, &Compiler::host()),
-        Engine::St => emitted::run(Dialect::Plain, axis, block, inputs),
-        Engine::TwinCat => emitted::run(Dialect::TwinCat, axis, block, inputs),
-        Engine::Codesys => emitted::run(Dialect::Codesys, axis, block, inputs),
+        Engine::Reference => Ok(reference::run(axis, &blocks[which], inputs)),
+        Engine::Program => Ok(program::run(&blocks[which], inputs)),
+        Engine::C => Harness::among(axis, blocks, which, &compiler())?.run(inputs, &compiler()),
+        Engine::St => emitted::run(Dialect::Plain, axis, blocks, which, inputs),
+        Engine::TwinCat => emitted::run(Dialect::TwinCat, axis, blocks, which, inputs),
+        Engine::Codesys => emitted::run(Dialect::Codesys, axis, blocks, which, inputs),
     }
 }
 

@@ -108,6 +108,7 @@ pub fn feed_forward<R: Real>(
     state: &mut State<R>,
     coeffs: &Coeffs<R>,
     inputs: &Inputs<R>,
+    outputs: &mut Outputs<R>,
     feedforward_outputs: &mut feedforward::Outputs<R>,
 ) {
     if coeffs.has_feedforward {
@@ -117,24 +118,72 @@ pub fn feed_forward<R: Real>(
         feedforward_inputs.j_interpolator = inputs.j_interpolator;
         feedforward_inputs.feedforward_active = inputs.feedforward_active;
         feedforward_inputs.feedforward_percentage = inputs.feedforward_percentage;
-        feedforward_inputs.position_controlled = true;
-        feedforward::step(&mut state.feedforward, &coeffs.feedforward, &feedforward_inputs, feedforward_outputs);
+        if feedforward::is_usable(&coeffs.feedforward, &feedforward_inputs) {
+            feedforward::act(&mut state.feedforward, &coeffs.feedforward, &feedforward_inputs, feedforward_outputs);
+            if feedforward_outputs.torque_limited {
+                outputs.limited = true;
+            }
+        } else {
+            feedforward::stop(&mut state.feedforward, feedforward_outputs, error_none());
+            outputs.fault = true;
+            outputs.error_id = feedforward::error_of(&coeffs.feedforward, &feedforward_inputs);
+        }
+    }
+}
+
+/// A fault of a part, unless another part has one already.
+#[portable]
+pub fn fail<R: Real>(outputs: &mut Outputs<R>, error_id: u32) {
+    if !outputs.fault {
+        outputs.fault = true;
+        outputs.error_id = error_id;
     }
 }
 
 /// The master's additive velocity, within the master's limit; 0 where it is no usable number.
 #[portable]
-pub fn follow_master<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, ipc_outputs: &mut ipc::Outputs<R>) {
+pub fn follow_master<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) -> R {
+    let mut v_add = R::ZERO;
     if !usable(inputs.v_add_master, sample_limit()) {
-        ipc_outputs.fault = true;
-        ipc_outputs.error_id = error_v_add_master();
+        fail(outputs, error_v_add_master());
     } else if within(inputs.v_add_master, coeffs.master_limit) {
-        ipc_outputs.v_add = inputs.v_add_master;
+        v_add = inputs.v_add_master;
     } else {
-        ipc_outputs.v_add = if inputs.v_add_master > R::ZERO { coeffs.master_limit } else { coeffs.master_lower_limit };
-        ipc_outputs.limited = true;
+        v_add = if inputs.v_add_master > R::ZERO { coeffs.master_limit } else { coeffs.master_lower_limit };
+        outputs.limited = true;
     }
-    ipc_outputs.v_add_calculated = ipc_outputs.v_add;
+    outputs.v_add_calculated = v_add;
+    v_add
+}
+
+/// The additive velocity of improved position control.
+#[portable]
+pub fn improve<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    inputs: &Inputs<R>,
+    outputs: &mut Outputs<R>,
+    v_command: R,
+) -> R {
+    let mut ipc_inputs = ipc::Inputs::<R>::default();
+    // Where the drive has the position controller, the interpolator's velocity is the command (P-AXIS-00753).
+    ipc_inputs.v_command = if coeffs.position_control.place == Place::Cnc { v_command } else { inputs.v_interpolator };
+    ipc_inputs.v_motor = inputs.v_motor;
+    ipc_inputs.v_direct = inputs.v_direct;
+    ipc_inputs.mode = inputs.mode;
+    let mut ipc_outputs = ipc::Outputs::<R>::default();
+    if ipc::is_usable(&coeffs.ipc, &ipc_inputs) {
+        ipc::run(&mut state.ipc, &coeffs.ipc, &ipc_inputs, &mut ipc_outputs);
+        if ipc_outputs.limited {
+            outputs.limited = true;
+        }
+    } else {
+        ipc::stop(&mut state.ipc, &mut ipc_outputs, error_none());
+        let id = ipc::error_of(&coeffs.ipc, &ipc_inputs);
+        fail(outputs, id);
+    }
+    outputs.v_add_calculated = ipc_outputs.v_add_calculated;
+    ipc_outputs.v_add
 }
 
 /// The additive velocity: of improved position control, or of the gantry's master.
@@ -143,60 +192,48 @@ pub fn add<R: Real>(
     state: &mut State<R>,
     coeffs: &Coeffs<R>,
     inputs: &Inputs<R>,
+    outputs: &mut Outputs<R>,
     v_command: R,
-    ipc_outputs: &mut ipc::Outputs<R>,
-) {
+) -> R {
+    let mut v_add = R::ZERO;
     match coeffs.addition {
-        Addition::None => {}
-        Addition::Master => {
-            follow_master(coeffs, inputs, ipc_outputs);
-        }
-        Addition::Ipc => {
-            let mut ipc_inputs = ipc::Inputs::<R>::default();
-            // Where the drive has the position controller, the interpolator's velocity is the command (P-AXIS-00753).
-            ipc_inputs.v_command =
-                if coeffs.position_control.place == Place::Cnc { v_command } else { inputs.v_interpolator };
-            ipc_inputs.v_motor = inputs.v_motor;
-            ipc_inputs.v_direct = inputs.v_direct;
-            ipc_inputs.mode = inputs.mode;
-            ipc_inputs.position_controlled = true;
-            ipc::step(&mut state.ipc, &coeffs.ipc, &ipc_inputs, ipc_outputs);
-        }
+        Addition::None => outputs.v_add_calculated = R::ZERO,
+        Addition::Master => v_add = follow_master(coeffs, inputs, outputs),
+        Addition::Ipc => v_add = improve(state, coeffs, inputs, outputs, v_command),
     }
+    v_add
 }
 
 /// A cycle in which the axis acts.
 #[portable]
 pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    let mut feedforward_outputs = feedforward::Outputs::<R>::default();
-    feed_forward(state, coeffs, inputs, &mut feedforward_outputs);
+    // First what mostly holds; a part that has another answer says so.
+    outputs.limited = false;
+    outputs.fault = false;
+    outputs.error_id = error_none();
     let mut control_inputs = position_control::Inputs::<R>::default();
     control_inputs.x_command = inputs.x_command;
     control_inputs.x_actual = inputs.x_actual;
+    let mut feedforward_outputs = feedforward::Outputs::<R>::default();
+    feed_forward(state, coeffs, inputs, outputs, &mut feedforward_outputs);
+    outputs.v_feedforward = feedforward_outputs.v_feedforward;
     control_inputs.v_feedforward = feedforward_outputs.v_feedforward;
     control_inputs.v_additive = feedforward_outputs.v_additive;
     control_inputs.additive_torque = feedforward_outputs.additive_torque;
     let mut control_outputs = position_control::Outputs::<R>::default();
     control_outputs.v_command = position_control::command(&coeffs.position_control, &control_inputs);
-    let mut ipc_outputs = ipc::Outputs::<R>::default();
-    add(state, coeffs, inputs, control_outputs.v_command, &mut ipc_outputs);
-    control_inputs.v_add = ipc_outputs.v_add;
+    let v_add = add(state, coeffs, inputs, outputs, control_outputs.v_command);
+    outputs.v_add = v_add;
+    control_inputs.v_add = v_add;
     position_control::put_out(
         &mut state.position_control,
         &coeffs.position_control,
         &control_inputs,
         &mut control_outputs,
     );
-    outputs.v_feedforward = feedforward_outputs.v_feedforward;
-    outputs.v_add = ipc_outputs.v_add;
-    outputs.v_add_calculated = ipc_outputs.v_add_calculated;
     take(outputs, &control_outputs);
-    outputs.limited = ipc_outputs.limited || feedforward_outputs.torque_limited || control_outputs.limited;
-    outputs.fault = feedforward_outputs.fault || ipc_outputs.fault;
-    if coeffs.addition == Addition::None {
-        outputs.error_id = feedforward_outputs.error_id;
-    } else {
-        outputs.error_id = if feedforward_outputs.fault { feedforward_outputs.error_id } else { ipc_outputs.error_id };
+    if control_outputs.limited {
+        outputs.limited = true;
     }
 }
 

@@ -196,8 +196,10 @@ pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>
         let v_additive = additive(state, coeffs, inputs, gain_now);
         outputs.v_additive = v_additive;
         let velocity = coeffs.velocity_scale * v_additive;
-        outputs.additive_velocity = process_data::rounded(&coeffs.velocity_range, velocity);
-        outputs.velocity_limited = process_data::is_limited(&coeffs.velocity_range, velocity);
+        let mut datum = process_data::Datum::default();
+        process_data::round(&mut datum, &coeffs.velocity_range, velocity);
+        outputs.additive_velocity = datum.value;
+        outputs.velocity_limited = datum.limited;
     } else {
         outputs.v_additive = R::ZERO;
         outputs.additive_velocity = 0i32;
@@ -205,8 +207,10 @@ pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>
     }
     if has_any(&coeffs.torque) {
         let increments = torque(state, coeffs, inputs, gain_now);
-        outputs.additive_torque = process_data::rounded(&coeffs.torque_range, increments);
-        outputs.torque_limited = process_data::is_limited(&coeffs.torque_range, increments);
+        let mut datum = process_data::Datum::default();
+        process_data::round(&mut datum, &coeffs.torque_range, increments);
+        outputs.additive_torque = datum.value;
+        outputs.torque_limited = datum.limited;
     } else {
         outputs.additive_torque = 0i32;
         outputs.torque_limited = false;
@@ -232,17 +236,34 @@ pub fn reads_jerk<R: Real>(coeffs: &Coeffs<R>) -> bool {
     coeffs.conventional.jerk || coeffs.additive.jerk || coeffs.torque.jerk
 }
 
-/// One cycle. Only the inputs that a quantity looks at are judged.
+/// Whether every input that a quantity looks at is a usable number.
+#[portable]
+pub fn is_usable<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
+    (!reads_velocity(coeffs) || usable(inputs.v_interpolator, sample_limit()))
+        && (!reads_acceleration(coeffs) || usable(inputs.a_interpolator, sample_limit()))
+        && (!reads_jerk(coeffs) || usable(inputs.j_interpolator, sample_limit()))
+}
+
+/// The id of the first input that is no usable number.
+#[portable]
+pub fn error_of<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> u32 {
+    if reads_velocity(coeffs) && !usable(inputs.v_interpolator, sample_limit()) {
+        error_v_interpolator()
+    } else if reads_acceleration(coeffs) && !usable(inputs.a_interpolator, sample_limit()) {
+        error_a_interpolator()
+    } else {
+        error_j_interpolator()
+    }
+}
+
+/// One cycle.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     if inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns {
         stop(state, outputs, error_cycle_time());
-    } else if reads_velocity(coeffs) && !usable(inputs.v_interpolator, sample_limit()) {
-        stop(state, outputs, error_v_interpolator());
-    } else if reads_acceleration(coeffs) && !usable(inputs.a_interpolator, sample_limit()) {
-        stop(state, outputs, error_a_interpolator());
-    } else if reads_jerk(coeffs) && !usable(inputs.j_interpolator, sample_limit()) {
-        stop(state, outputs, error_j_interpolator());
+    } else if !is_usable(coeffs, inputs) {
+        let id = error_of(coeffs, inputs);
+        stop(state, outputs, id);
     } else if !inputs.position_controlled || inputs.reset {
         stop(state, outputs, error_none());
     } else {

@@ -122,14 +122,16 @@ pub fn sum_of_stages<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: 
 #[portable]
 pub fn limit<R: Real>(outputs: &mut Outputs<R>, coeffs: &Coeffs<R>, v_sum: R) -> R {
     let mut v_limited = R::ZERO;
-    if within(v_sum, coeffs.limit) {
-        v_limited = if within(v_sum, coeffs.rest) { R::ZERO } else { v_sum };
-    } else if v_sum > coeffs.limit {
-        v_limited = coeffs.limit;
+    if !within(v_sum, coeffs.limit) {
         outputs.limited = true;
-    } else if v_sum < coeffs.lower_limit {
-        v_limited = coeffs.lower_limit;
-        outputs.limited = true;
+        // Of a sum that is no number, which no usable sample leads to, nothing is added.
+        if v_sum > R::ZERO {
+            v_limited = coeffs.limit;
+        } else if v_sum < R::ZERO {
+            v_limited = coeffs.lower_limit;
+        }
+    } else if !within(v_sum, coeffs.rest) {
+        v_limited = v_sum;
     }
     v_limited
 }
@@ -183,23 +185,65 @@ pub fn start<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
     outputs.error_id = error_none();
 }
 
-/// A cycle in which the sections run.
+/// A cycle in which the sections run. The gate has been moved.
 #[portable]
 pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     outputs.limited = false;
     outputs.fault = false;
     outputs.error_id = error_none();
-    move_gate(state, coeffs, inputs.mode);
     let v_sum = sum_of_stages(state, coeffs, inputs);
     let v_limited = limit(outputs, coeffs, v_sum);
-    if state.gate >= coeffs.fade_cycles {
-        // The gate has just moved: where it is open, the mode is ON.
-        outputs.v_add = v_limited;
-        outputs.v_add_calculated = v_limited;
-    } else {
+    outputs.v_add = v_limited;
+    outputs.v_add_calculated = v_limited;
+    if state.gate < coeffs.fade_cycles {
         outputs.v_add =
             if state.gate > 0u32 { v_limited * (from_u32::<R>(state.gate) * coeffs.fade_step) } else { R::ZERO };
-        outputs.v_add_calculated = if inputs.mode != mode_off() { v_limited } else { R::ZERO };
+        if inputs.mode == mode_off() {
+            outputs.v_add_calculated = R::ZERO;
+        }
+    }
+}
+
+/// A cycle without a fault: the sections run, are put to the input, or are at rest.
+#[portable]
+pub fn run<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    // Mostly the mode is ON and the gate is open: then the sections run, and nothing else changes.
+    let is_open = inputs.mode == mode_on() && state.gate >= coeffs.fade_cycles;
+    if is_open || state.settled {
+        if !is_open {
+            move_gate(state, coeffs, inputs.mode);
+        }
+        act(state, coeffs, inputs, outputs);
+    } else if inputs.mode == mode_off() {
+        stop(state, outputs, error_none());
+    } else {
+        start(state, coeffs, inputs, outputs);
+    }
+}
+
+/// Whether the mode is one, and every input that a stage looks at a usable number.
+#[portable]
+pub fn is_usable<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
+    (inputs.mode == mode_on() || inputs.mode == mode_off() || inputs.mode == mode_dryrun())
+        && (!coeffs.slave || inputs.mode == mode_off())
+        && (!reads_command(coeffs) || usable(inputs.v_command, sample_limit()))
+        && (!reads_motor(coeffs) || usable(inputs.v_motor, sample_limit()))
+        && (!reads_direct(coeffs) || usable(inputs.v_direct, sample_limit()))
+}
+
+/// The id of what is wrong with the inputs.
+#[portable]
+pub fn error_of<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> u32 {
+    if inputs.mode != mode_off() && inputs.mode != mode_on() && inputs.mode != mode_dryrun() {
+        error_mode()
+    } else if coeffs.slave && inputs.mode != mode_off() {
+        error_gantry_slave()
+    } else if reads_command(coeffs) && !usable(inputs.v_command, sample_limit()) {
+        error_v_command()
+    } else if reads_motor(coeffs) && !usable(inputs.v_motor, sample_limit()) {
+        error_v_motor()
+    } else {
+        error_v_direct()
     }
 }
 
@@ -208,24 +252,13 @@ pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     if inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns {
         stop(state, outputs, error_cycle_time());
-    } else if inputs.mode != mode_off() && inputs.mode != mode_on() && inputs.mode != mode_dryrun() {
-        stop(state, outputs, error_mode());
-    } else if coeffs.slave && inputs.mode != mode_off() {
-        stop(state, outputs, error_gantry_slave());
-    } else if reads_command(coeffs) && !usable(inputs.v_command, sample_limit()) {
-        stop(state, outputs, error_v_command());
-    } else if reads_motor(coeffs) && !usable(inputs.v_motor, sample_limit()) {
-        stop(state, outputs, error_v_motor());
-    } else if reads_direct(coeffs) && !usable(inputs.v_direct, sample_limit()) {
-        stop(state, outputs, error_v_direct());
+    } else if !is_usable(coeffs, inputs) {
+        let id = error_of(coeffs, inputs);
+        stop(state, outputs, id);
     } else if !inputs.position_controlled || inputs.reset {
         stop(state, outputs, error_none());
-    } else if state.settled {
-        act(state, coeffs, inputs, outputs);
-    } else if inputs.mode == mode_off() {
-        stop(state, outputs, error_none());
     } else {
-        start(state, coeffs, inputs, outputs);
+        run(state, coeffs, inputs, outputs);
     }
 }
 

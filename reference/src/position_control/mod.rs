@@ -150,8 +150,12 @@ pub fn follow<R: Real>(
 pub fn manipulate<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let v_drive = if coeffs.adds { outputs.v_command + inputs.v_add } else { outputs.v_command };
     let increments = coeffs.manipulated_scale * v_drive;
-    outputs.manipulated_variable = process_data::rounded(&coeffs.manipulated_range, increments);
-    outputs.limited = process_data::is_limited(&coeffs.manipulated_range, increments);
+    let mut datum = process_data::Datum::default();
+    process_data::round(&mut datum, &coeffs.manipulated_range, increments);
+    outputs.manipulated_variable = datum.value;
+    if datum.limited {
+        outputs.limited = true;
+    }
 }
 
 /// The position command of position control in the drive.
@@ -164,12 +168,16 @@ pub fn lead<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     let x = if coeffs.feedforward { x_shifted + coeffs.lag * inputs.v_feedforward } else { x_shifted };
     outputs.x_drive = x;
     state.x_held = x;
-    outputs.xerr = 0i32;
-    outputs.limited = false;
     if coeffs.place == Place::Profidrive {
         let deviation = coeffs.xerr_scale * (x - inputs.x_actual);
-        outputs.xerr = process_data::rounded(&coeffs.xerr_range, deviation);
-        outputs.limited = process_data::is_limited(&coeffs.xerr_range, deviation);
+        let mut datum = process_data::Datum::default();
+        process_data::round(&mut datum, &coeffs.xerr_range, deviation);
+        outputs.xerr = datum.value;
+        if datum.limited {
+            outputs.limited = true;
+        }
+    } else {
+        outputs.xerr = 0i32;
     }
 }
 
@@ -187,9 +195,12 @@ pub fn add_velocity<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &m
             v_drive = if coeffs.additive { v_drive + inputs.v_add } else { inputs.v_add };
         }
         let increments = coeffs.velocity_scale * v_drive;
-        outputs.additive_velocity = process_data::rounded(&coeffs.velocity_range, increments);
-        let limited = process_data::is_limited(&coeffs.velocity_range, increments);
-        outputs.limited = outputs.limited || limited;
+        let mut datum = process_data::Datum::default();
+        process_data::round(&mut datum, &coeffs.velocity_range, increments);
+        outputs.additive_velocity = datum.value;
+        if datum.limited {
+            outputs.limited = true;
+        }
     } else {
         outputs.additive_velocity = 0i32;
     }
@@ -198,6 +209,7 @@ pub fn add_velocity<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &m
 /// Everything behind the position controller. `outputs.v_command` is its output already.
 #[portable]
 pub fn put_out<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    outputs.limited = false;
     outputs.fault = false;
     outputs.error_id = error_none();
     if coeffs.place == Place::Cnc {

@@ -1,12 +1,14 @@
 //! The two files of an axis in C: what goes into the templates.
 
-use super::print::{Printer, member};
+use super::names::is_reserved;
+use super::print::{self, Printer, member};
 use super::types;
 use crate::axis::Axis;
 use crate::block::Block;
 use crate::digest::{UNSEALED, digest};
 use crate::program::{Expr, Program, Type, Variable};
 use crate::render::{CBlock, CFile, CHeader, CSelfTest, CSource, Noisy, Switch};
+use crate::target::names::Names;
 use crate::target::outline::{COMMENT_WIDTH, Language};
 use crate::target::{File, VERSION, block_name, comment, sealed, stem};
 use askama::Template;
@@ -20,7 +22,15 @@ use portable::{Intrinsic, Literal, RealKind};
 pub fn files(axis: &Axis, blocks: &[Block]) -> Vec<File> {
     let stem = stem(&axis.name);
     let (header, source) = (format!("{stem}.h"), format!("{stem}.c"));
-    let texts: Vec<CBlock> = blocks.iter().map(|block| block_text(&axis.name, block)).collect();
+    // A source file is one scope: where several blocks share it, the numbers of each have its name before theirs.
+    let mut names = Names::without(is_reserved);
+    let prefix = |block: &Block| if blocks.len() > 1 { block.program.block } else { "" };
+    let constants: Vec<Vec<String>> =
+        blocks.iter().map(|block| print::constants(&block.program, prefix(block), &mut names)).collect();
+    let text = |(block, constants): (&Block, Vec<String>)| {
+        block_text(&axis.name, block, &Printer::beside(&block.program, constants, names.clone()))
+    };
+    let texts: Vec<CBlock> = blocks.iter().zip(constants).map(text).collect();
     let guard = format!("{}_H", stem.to_ascii_uppercase());
     let header_body = CHeader { guard: &guard, blocks: &texts }.render().expect("c: the header's template is filled");
     let (zero, builtin_magnitude) = match axis.real {
@@ -62,10 +72,9 @@ fn with_origin(axis: &Axis, file: String, body: &str) -> File {
     sealed(file.clone(), "", &text)
 }
 
-fn block_text(axis: &str, block: &Block) -> CBlock {
+fn block_text(axis: &str, block: &Block, printer: &Printer<'_>) -> CBlock {
     let program = &block.program;
     let prefix = block_name(axis, program.block);
-    let printer = Printer::new(program);
     let language = Language { ty: &|ty| types::name(ty, program.real), literal: &types::literal, next_line: "\n * " };
     CBlock {
         inputs: language.inputs(program, &members(&program.inputs)),

@@ -13,6 +13,12 @@ const LINE_WIDTH: usize = 120;
 /// Characters in a line of a comment inside a function.
 const NOTE_WIDTH: usize = 100;
 
+/// The names of a program's constants, behind a prefix where the file has other programs too.
+pub fn constants(program: &Program, prefix: &str, names: &mut Names) -> Vec<String> {
+    let path = |path: &str| if prefix.is_empty() { path.to_owned() } else { format!("{prefix}.{path}") };
+    program.constants.iter().map(|constant| names.take(&path(&constant.path))).collect()
+}
+
 /// A program with the names that its variables have in C.
 pub struct Printer<'p> {
     program: &'p Program,
@@ -24,10 +30,15 @@ pub struct Printer<'p> {
 }
 
 impl<'p> Printer<'p> {
-    /// Names the constants, then the locals.
+    /// A program that has a file for itself.
     pub fn new(program: &'p Program) -> Self {
         let mut names = Names::without(is_reserved);
-        let constants = program.constants.iter().map(|constant| names.take(&constant.path)).collect();
+        let constants = constants(program, "", &mut names);
+        Self::beside(program, constants, names)
+    }
+
+    /// A program whose constants have their names, in a file with those of others: its locals have none of them.
+    pub fn beside(program: &'p Program, constants: Vec<String>, mut names: Names) -> Self {
         let locals = program.locals.iter().map(|local| names.take(&local.path)).collect();
         let members = |of: &str, variables: &[Variable]| -> Vec<String> {
             variables.iter().map(|variable| format!("{of}->{}", member(&variable.path))).collect()
