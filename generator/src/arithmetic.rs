@@ -74,6 +74,8 @@ pub fn intrinsic(intrinsic: Intrinsic, operands: &[Literal], real: RealKind) -> 
         },
         (Intrinsic::Truncate, [Literal::F64(x)]) => Literal::I32(portable::truncate(*x)),
         (Intrinsic::Truncate, [Literal::F32(x)]) => Literal::I32(portable::truncate(*x)),
+        (Intrinsic::Nearest, [Literal::F64(x)]) => Literal::I32(portable::nearest(*x)),
+        (Intrinsic::Nearest, [Literal::F32(x)]) => Literal::I32(portable::nearest(*x)),
         _ => panic!("arithmetic: {intrinsic:?} of {operands:?}"),
     }
 }

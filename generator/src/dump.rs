@@ -70,6 +70,7 @@ fn expr(program: &Program, value: &Expr) -> String {
                 Intrinsic::Within => "within",
                 Intrinsic::FromU32 | Intrinsic::FromI32 => "real",
                 Intrinsic::Truncate => "truncate",
+                Intrinsic::Nearest => "nearest",
             };
             format!("{name}({})", operands.iter().map(|part| expr(program, part)).collect::<Vec<_>>().join(", "))
         }

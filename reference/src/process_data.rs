@@ -1,6 +1,6 @@
 //! From a real number to the integer that goes to the drive: rounded half away from zero, and saturated.
 
-use portable::{Real, portable, truncate, within};
+use portable::{Real, nearest, portable, within};
 
 /// The range of a process-data type.
 #[portable]
@@ -24,19 +24,6 @@ pub struct Datum {
     pub value: i32,
     /// whether the range cuts the number off
     pub limited: bool,
-}
-
-/// the largest number below 1/2: added before a number is truncated it rounds exactly, where 1/2 would round 1/2 - 2^-54 up
-#[portable]
-pub fn nearly_half<R: Real>() -> R {
-    R::per_kind(0.499_999_999_999_999_94, 0.499_999_97)
-}
-
-/// The nearest integer, the one away from zero where two are as near. The number is not far beyond an i32.
-#[portable]
-pub fn nearest<R: Real>(x: R) -> i32 {
-    let value = if x >= R::ZERO { x + nearly_half() } else { x - nearly_half() };
-    truncate(value)
 }
 
 /// Rounds a number; where it lies outside of the range the end of the range stands for it.

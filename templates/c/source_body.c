@@ -29,6 +29,19 @@ static {{ real }} magnitude({{ real }} value)
 #endif
 }
 {%- endif %}
+{%- if uses_nearest %}
+
+/* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
+ * rightly; without a library */
+static int32_t nearest({{ real }} value)
+{
+#if defined(__GNUC__)
+    return (int32_t)(value + {{ builtin_copysign }}({{ nearly_half }}, value));
+#else
+    return (int32_t)(value < {{ zero }} ? value - {{ nearly_half }} : value + {{ nearly_half }});
+#endif
+}
+{%- endif %}
 {%- for block in blocks %}
 {% for group in block.constants %}
 {%- if !group.note.is_empty() %}

@@ -1,6 +1,8 @@
 //! The passes over a [`Program`], one per file, and the order in which they run.
 
 pub mod coalesce;
+pub mod dead;
+pub mod flag;
 pub mod identity;
 pub mod prune;
 pub mod typing;
@@ -30,10 +32,12 @@ impl std::error::Error for Defect {}
 pub type Pass = fn(Program) -> Result<Program, Defect>;
 
 /// The stages after specialisation, in their order, by the names that `--emit` takes.
-pub const PASSES: [(&str, Pass); 5] = [
+pub const PASSES: [(&str, Pass); 7] = [
     ("typed", typing::run),
     ("identity", identity::run),
+    ("live", dead::run),
     ("coalesced", coalesce::run),
+    ("flags", flag::run),
     ("pruned", prune::run),
     ("verified", verify::run),
 ];

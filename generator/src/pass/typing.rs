@@ -62,7 +62,7 @@ pub fn type_of(expr: &Expr, program: &Program) -> Result<Type, Defect> {
                 Intrinsic::Usable | Intrinsic::Within => (Type::Real, Type::Bool),
                 Intrinsic::FromU32 => (Type::U32, Type::Real),
                 Intrinsic::FromI32 => (Type::I32, Type::Real),
-                Intrinsic::Truncate => (Type::Real, Type::I32),
+                Intrinsic::Truncate | Intrinsic::Nearest => (Type::Real, Type::I32),
             };
             for operand in operands {
                 expect(takes, type_of(operand, program)?, operand)?;

@@ -43,12 +43,18 @@ pub struct CSource<'a> {
     pub header: &'a str,
     /// whether a block asks for a magnitude
     pub uses_magnitude: bool,
+    /// whether a block rounds to an integer
+    pub uses_nearest: bool,
     /// C name of the real type
     pub real: &'a str,
     /// 0 of the real type
     pub zero: &'a str,
+    /// the largest number below 1/2
+    pub nearly_half: String,
     /// what GCC and Clang call the magnitude
     pub builtin_magnitude: &'a str,
+    /// what they call a magnitude with the sign of another number
+    pub builtin_copysign: &'a str,
     /// the blocks of the axis
     pub blocks: &'a [CBlock],
 }

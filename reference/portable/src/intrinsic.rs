@@ -36,6 +36,20 @@ pub fn truncate<R: Real>(x: R) -> i32 {
     x.truncated()
 }
 
+/// The nearest integer, of two that are as near the one away from 0. It is asked only for -2^31 < x < 2^31 - 1/2, and
+/// stands alone right of `let` or `=`.
+#[must_use]
+pub fn nearest<R: Real>(x: R) -> i32 {
+    truncate(if x >= R::ZERO { x + nearly_half() } else { x - nearly_half() })
+}
+
+/// The largest number below 1/2. Added before a number is truncated it rounds every number rightly, which 1/2 does not:
+/// 1/2 and the number below it make 1.
+#[must_use]
+pub fn nearly_half<R: Real>() -> R {
+    R::per_kind(0.499_999_999_999_999_94, 0.499_999_97)
+}
+
 macro_rules! intrinsic {
     ($name:ident, $intrinsic:ident, ($($param:ident: $type:ty),*) -> $returns:ty) => {
         #[doc(hidden)]
@@ -64,3 +78,4 @@ intrinsic!(within, Within, (x: R, limit: R) -> bool);
 intrinsic!(from_u32, FromU32, (value: u32) -> R);
 intrinsic!(from_i32, FromI32, (value: i32) -> R);
 intrinsic!(truncate, Truncate, (x: R) -> i32);
+intrinsic!(nearest, Nearest, (x: R) -> i32);

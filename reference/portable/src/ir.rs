@@ -44,6 +44,8 @@ pub enum Intrinsic {
     FromI32,
     /// [`crate::truncate`]
     Truncate,
+    /// [`crate::nearest`]
+    Nearest,
 }
 
 /// A parameter.

@@ -12,7 +12,7 @@ mod ir;
 mod literal;
 mod real;
 
-pub use intrinsic::{from_i32, from_u32, truncate, usable, within};
+pub use intrinsic::{from_i32, from_u32, nearest, nearly_half, truncate, usable, within};
 pub use ir::{
     Argument, Arm, Binary, Block, Body, Expr, Fn, Intrinsic, Mode, Param, Place, Projection, Statement, Unary,
 };

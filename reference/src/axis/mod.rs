@@ -152,6 +152,7 @@ pub fn follow_master<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &
         v_add = if inputs.v_add_master > R::ZERO { coeffs.master_limit } else { coeffs.master_lower_limit };
         outputs.limited = true;
     }
+    outputs.v_add = v_add;
     outputs.v_add_calculated = v_add;
     v_add
 }
@@ -172,18 +173,42 @@ pub fn improve<R: Real>(
     ipc_inputs.v_direct = inputs.v_direct;
     ipc_inputs.mode = inputs.mode;
     let mut ipc_outputs = ipc::Outputs::<R>::default();
-    if ipc::is_usable(&coeffs.ipc, &ipc_inputs) {
-        ipc::run(&mut state.ipc, &coeffs.ipc, &ipc_inputs, &mut ipc_outputs);
+    let mut runs = true;
+    // Mostly the gate is open: then the mode needs no question.
+    if ipc::is_open(&coeffs.ipc, inputs.mode, state.ipc.gate) {
+        if !ipc::is_usable(&coeffs.ipc, &ipc_inputs, true) {
+            runs = false;
+            refuse(state, coeffs, &ipc_inputs, outputs);
+        }
+    } else if ipc::is_usable(&coeffs.ipc, &ipc_inputs, false) {
+        runs = ipc::prepare(&mut state.ipc, &coeffs.ipc, &ipc_inputs);
+    } else {
+        runs = false;
+        refuse(state, coeffs, &ipc_inputs, outputs);
+    }
+    if runs {
+        ipc::act(&mut state.ipc, &coeffs.ipc, &ipc_inputs, &mut ipc_outputs);
         if ipc_outputs.limited {
             outputs.limited = true;
         }
-    } else {
-        ipc::stop(&mut state.ipc, &mut ipc_outputs, error_none());
-        let id = ipc::error_of(&coeffs.ipc, &ipc_inputs);
-        fail(outputs, id);
     }
+    outputs.v_add = ipc_outputs.v_add;
     outputs.v_add_calculated = ipc_outputs.v_add_calculated;
     ipc_outputs.v_add
+}
+
+/// A cycle in which improved position control must not act.
+#[portable]
+pub fn refuse<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    ipc_inputs: &ipc::Inputs<R>,
+    outputs: &mut Outputs<R>,
+) {
+    let mut ipc_outputs = ipc::Outputs::<R>::default();
+    ipc::stop(&mut state.ipc, &mut ipc_outputs, error_none());
+    let id = ipc::error_of(&coeffs.ipc, ipc_inputs);
+    fail(outputs, id);
 }
 
 /// The additive velocity: of improved position control, or of the gantry's master.
@@ -195,43 +220,92 @@ pub fn add<R: Real>(
     outputs: &mut Outputs<R>,
     v_command: R,
 ) -> R {
-    let mut v_add = R::ZERO;
     match coeffs.addition {
-        Addition::None => outputs.v_add_calculated = R::ZERO,
-        Addition::Master => v_add = follow_master(coeffs, inputs, outputs),
-        Addition::Ipc => v_add = improve(state, coeffs, inputs, outputs, v_command),
+        Addition::None => R::ZERO,
+        Addition::Master => follow_master(coeffs, inputs, outputs),
+        Addition::Ipc => improve(state, coeffs, inputs, outputs, v_command),
     }
-    v_add
+}
+
+/// Whether the drive gets an additive velocity.
+#[portable]
+pub fn has_additive_velocity<R: Real>(coeffs: &Coeffs<R>) -> bool {
+    coeffs.position_control.additive || coeffs.position_control.adds && coeffs.position_control.place != Place::Cnc
+}
+
+/// What the axis does not have, and what mostly holds: a part that has another answer says so. In the order of the
+/// outputs, so that a compiler clears them together.
+#[portable]
+pub fn clear<R: Real>(outputs: &mut Outputs<R>, coeffs: &Coeffs<R>) {
+    if coeffs.position_control.place != Place::Cnc {
+        outputs.v_command = R::ZERO;
+    }
+    if !coeffs.position_control.feedforward {
+        outputs.v_feedforward = R::ZERO;
+    }
+    if coeffs.addition == Addition::None {
+        outputs.v_add = R::ZERO;
+        outputs.v_add_calculated = R::ZERO;
+    }
+    if coeffs.position_control.place != Place::Cnc {
+        outputs.manipulated_variable = 0i32;
+    }
+    if coeffs.position_control.place == Place::Cnc {
+        outputs.x_drive = R::ZERO;
+    }
+    if coeffs.position_control.place != Place::Profidrive {
+        outputs.xerr = 0i32;
+    }
+    if !coeffs.position_control.torque {
+        outputs.additive_torque = 0i32;
+    }
+    if !has_additive_velocity(coeffs) {
+        outputs.additive_velocity = 0i32;
+    }
+    outputs.error_id = error_none();
+    outputs.limited = false;
+    outputs.fault = false;
 }
 
 /// A cycle in which the axis acts.
 #[portable]
 pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    // First what mostly holds; a part that has another answer says so.
-    outputs.limited = false;
-    outputs.fault = false;
-    outputs.error_id = error_none();
+    clear(outputs, coeffs);
     let mut control_inputs = position_control::Inputs::<R>::default();
     control_inputs.x_command = inputs.x_command;
     control_inputs.x_actual = inputs.x_actual;
     let mut feedforward_outputs = feedforward::Outputs::<R>::default();
     feed_forward(state, coeffs, inputs, outputs, &mut feedforward_outputs);
-    outputs.v_feedforward = feedforward_outputs.v_feedforward;
+    if coeffs.position_control.feedforward {
+        outputs.v_feedforward = feedforward_outputs.v_feedforward;
+    }
     control_inputs.v_feedforward = feedforward_outputs.v_feedforward;
     control_inputs.v_additive = feedforward_outputs.v_additive;
     control_inputs.additive_torque = feedforward_outputs.additive_torque;
     let mut control_outputs = position_control::Outputs::<R>::default();
     control_outputs.v_command = position_control::command(&coeffs.position_control, &control_inputs);
-    let v_add = add(state, coeffs, inputs, outputs, control_outputs.v_command);
-    outputs.v_add = v_add;
-    control_inputs.v_add = v_add;
+    control_inputs.v_add = add(state, coeffs, inputs, outputs, control_outputs.v_command);
     position_control::put_out(
         &mut state.position_control,
         &coeffs.position_control,
         &control_inputs,
         &mut control_outputs,
     );
-    take(outputs, &control_outputs);
+    if coeffs.position_control.place == Place::Cnc {
+        outputs.v_command = control_outputs.v_command;
+        outputs.manipulated_variable = control_outputs.manipulated_variable;
+    } else {
+        outputs.x_drive = control_outputs.x_drive;
+    }
+    if coeffs.position_control.place == Place::Profidrive {
+        outputs.xerr = control_outputs.xerr;
+    }
+    if has_additive_velocity(coeffs) {
+        outputs.additive_velocity = control_outputs.additive_velocity;
+    }
+    if coeffs.position_control.torque {
+        outputs.additive_torque = control_outputs.additive_torque;
+    }
     if control_outputs.limited {
         outputs.limited = true;
     }

@@ -48,20 +48,20 @@ pub struct Outputs<R> {
     pub v_add: R,
     /// the same after the limit (P-AXIS-00757) and before the gate; 0 in OFF [um/s or 0.001 deg/s]
     pub v_add_calculated: R,
-    /// position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments]
-    pub manipulated_variable: i32,
     /// position control in the drive: the position command of the drive [um or 0.001 deg]
     pub x_drive: R,
+    /// position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments]
+    pub manipulated_variable: i32,
     /// PROFIdrive: control deviation XERR, signal 25 (P-AXIS-00092) [increments]
     pub xerr: i32,
-    /// additive velocity command of the drive (P-AXIS-00205 to 00207) [increments]
-    pub additive_velocity: i32,
     /// additive torque command of the drive (P-AXIS-00325/00326) [increments]
     pub additive_torque: i32,
+    /// additive velocity command of the drive (P-AXIS-00205 to 00207) [increments]
+    pub additive_velocity: i32,
+    /// 0 none, 1 cycle time, 2 mode, 11 to 18 and 22 an input is no usable number
+    pub error_id: u32,
     /// the limit of v_add or a process-data type cuts an output off in this cycle
     pub limited: bool,
     /// a part of the block cannot act in this cycle, error_id says why
     pub fault: bool,
-    /// 0 none, 1 cycle time, 2 mode, 11 to 18 and 22 an input is no usable number
-    pub error_id: u32,
 }

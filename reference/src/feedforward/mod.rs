@@ -98,12 +98,13 @@ pub fn has_any(quantities: &Quantities) -> bool {
 #[portable]
 pub fn gain<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
     let mut gain_now = R::ZERO;
-    if !coeffs.global_disable && (coeffs.default_active || inputs.feedforward_active) {
-        if inputs.feedforward_percentage >= 100i32 {
-            gain_now = coeffs.weight;
-        } else if inputs.feedforward_percentage > 0i32 {
-            gain_now = coeffs.weight_per_percent * from_i32(inputs.feedforward_percentage);
-        }
+    let is_active = coeffs.default_active || inputs.feedforward_active;
+    if !coeffs.global_disable && is_active && inputs.feedforward_percentage > 0i32 {
+        gain_now = if inputs.feedforward_percentage < 100i32 {
+            coeffs.weight_per_percent * from_i32(inputs.feedforward_percentage)
+        } else {
+            coeffs.weight
+        };
     }
     gain_now
 }
@@ -147,36 +148,35 @@ pub fn stop<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, error_id: u
     outputs.error_id = error_id;
 }
 
-/// The additive velocity, delayed but not yet scaled.
+/// Fills the delays that have not been filled since the block began.
 #[portable]
-pub fn additive<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, gain_now: R) -> R {
-    let v = gain_now * sum(&coeffs.additive, coeffs, inputs);
+pub fn settle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, v: R, a: R, j: R) {
     if !state.settled {
-        delay::settle(&mut state.velocity_delay, v);
+        if has_any(&coeffs.additive) {
+            delay::settle(&mut state.velocity_delay, v);
+        }
+        if coeffs.torque.acceleration {
+            delay::settle(&mut state.acceleration_delay, a);
+        }
+        if coeffs.torque.jerk {
+            delay::settle(&mut state.jerk_delay, j);
+        }
+        state.settled = true;
     }
-    delay::step(&mut state.velocity_delay, &coeffs.velocity_delay, v)
 }
 
 /// The additive torque in increments, not yet rounded.
 #[portable]
-pub fn torque<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, gain_now: R) -> R {
+pub fn torque<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, a: R, j: R) -> R {
     let mut total = R::ZERO;
     if coeffs.torque.acceleration {
-        let a = gain_now * inputs.a_interpolator;
-        if !state.settled {
-            delay::settle(&mut state.acceleration_delay, a);
-        }
         let a_delayed = delay::step(&mut state.acceleration_delay, &coeffs.acceleration_delay, a);
         total = coeffs.torque_acceleration * a_delayed;
     }
     if coeffs.torque.jerk {
-        let j = gain_now * inputs.j_interpolator;
-        if !state.settled {
-            delay::settle(&mut state.jerk_delay, j);
-        }
         let j_delayed = delay::step(&mut state.jerk_delay, &coeffs.jerk_delay, j);
-        let part = coeffs.torque_jerk * j_delayed;
-        total = if coeffs.torque.acceleration { total + part } else { part };
+        let by_jerk = coeffs.torque_jerk * j_delayed;
+        total = if coeffs.torque.acceleration { total + by_jerk } else { by_jerk };
     }
     total
 }
@@ -192,8 +192,12 @@ pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>
     } else {
         outputs.v_feedforward = R::ZERO;
     }
+    let v = gain_now * sum(&coeffs.additive, coeffs, inputs);
+    let a = gain_now * inputs.a_interpolator;
+    let j = gain_now * inputs.j_interpolator;
+    settle(state, coeffs, v, a, j);
     if has_any(&coeffs.additive) {
-        let v_additive = additive(state, coeffs, inputs, gain_now);
+        let v_additive = delay::step(&mut state.velocity_delay, &coeffs.velocity_delay, v);
         outputs.v_additive = v_additive;
         let velocity = coeffs.velocity_scale * v_additive;
         let mut datum = process_data::Datum::default();
@@ -206,7 +210,7 @@ pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>
         outputs.velocity_limited = false;
     }
     if has_any(&coeffs.torque) {
-        let increments = torque(state, coeffs, inputs, gain_now);
+        let increments = torque(state, coeffs, a, j);
         let mut datum = process_data::Datum::default();
         process_data::round(&mut datum, &coeffs.torque_range, increments);
         outputs.additive_torque = datum.value;
@@ -215,7 +219,6 @@ pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>
         outputs.additive_torque = 0i32;
         outputs.torque_limited = false;
     }
-    state.settled = true;
 }
 
 /// Whether a sum looks at a quantity.

@@ -158,6 +158,12 @@ pub fn move_gate<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, mode: i32) {
 pub fn stop<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, error_id: u32) {
     state.settled = false;
     state.gate = 0u32;
+    clear(outputs, error_id);
+}
+
+/// Nothing is added.
+#[portable]
+pub fn clear<R: Real>(outputs: &mut Outputs<R>, error_id: u32) {
     outputs.v_add = R::ZERO;
     outputs.v_add_calculated = R::ZERO;
     outputs.limited = false;
@@ -170,19 +176,6 @@ pub fn stop<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, error_id: u
 pub fn init<R: Real>(state: &mut State<R>) {
     state.settled = false;
     state.gate = 0u32;
-}
-
-/// A cycle in which the sections are put to the steady state of the input. Steady sections put out 0, so that there is
-/// nothing to run.
-#[portable]
-pub fn start<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    settle(state, coeffs, inputs);
-    state.settled = true;
-    outputs.v_add = R::ZERO;
-    outputs.v_add_calculated = R::ZERO;
-    outputs.limited = false;
-    outputs.fault = false;
-    outputs.error_id = error_none();
 }
 
 /// A cycle in which the sections run. The gate has been moved.
@@ -204,27 +197,36 @@ pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>
     }
 }
 
-/// A cycle without a fault: the sections run, are put to the input, or are at rest.
+/// Whether the mode is ON and the gate open: mostly it is, and then nothing but the sections changes.
 #[portable]
-pub fn run<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    // Mostly the mode is ON and the gate is open: then the sections run, and nothing else changes.
-    let is_open = inputs.mode == mode_on() && state.gate >= coeffs.fade_cycles;
-    if is_open || state.settled {
-        if !is_open {
-            move_gate(state, coeffs, inputs.mode);
-        }
-        act(state, coeffs, inputs, outputs);
-    } else if inputs.mode == mode_off() {
-        stop(state, outputs, error_none());
-    } else {
-        start(state, coeffs, inputs, outputs);
-    }
+pub fn is_open<R: Real>(coeffs: &Coeffs<R>, mode: i32, gate: u32) -> bool {
+    mode == mode_on() && gate >= coeffs.fade_cycles
 }
 
-/// Whether the mode is one, and every input that a stage looks at a usable number.
+/// Moves the gate, or begins: whether the sections run in this cycle. In the first one they are put to the steady state of
+/// the input; steady sections put out 0, so that there is nothing to run.
 #[portable]
-pub fn is_usable<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
-    (inputs.mode == mode_on() || inputs.mode == mode_off() || inputs.mode == mode_dryrun())
+pub fn prepare<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
+    let mut runs = true;
+    if !is_open(coeffs, inputs.mode, state.gate) {
+        if state.settled {
+            move_gate(state, coeffs, inputs.mode);
+        } else {
+            runs = false;
+            if inputs.mode != mode_off() {
+                settle(state, coeffs, inputs);
+                state.settled = true;
+            }
+        }
+    }
+    runs
+}
+
+/// Whether the mode is one, and every input that a stage looks at a usable number. Where the gate is known to be open the
+/// mode needs no question.
+#[portable]
+pub fn is_usable<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, open: bool) -> bool {
+    (open || inputs.mode == mode_on() || inputs.mode == mode_off() || inputs.mode == mode_dryrun())
         && (!coeffs.slave || inputs.mode == mode_off())
         && (!reads_command(coeffs) || usable(inputs.v_command, sample_limit()))
         && (!reads_motor(coeffs) || usable(inputs.v_motor, sample_limit()))
@@ -252,13 +254,18 @@ pub fn error_of<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> u32 {
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     if inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns {
         stop(state, outputs, error_cycle_time());
-    } else if !is_usable(coeffs, inputs) {
+    } else if !is_usable(coeffs, inputs, false) {
         let id = error_of(coeffs, inputs);
         stop(state, outputs, id);
     } else if !inputs.position_controlled || inputs.reset {
         stop(state, outputs, error_none());
     } else {
-        run(state, coeffs, inputs, outputs);
+        let runs = prepare(state, coeffs, inputs);
+        if runs {
+            act(state, coeffs, inputs, outputs);
+        } else {
+            clear(outputs, error_none());
+        }
     }
 }
 

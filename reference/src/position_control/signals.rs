@@ -32,10 +32,10 @@ pub struct Inputs<R> {
 pub struct Outputs<R> {
     /// output of the position controller with feedforward, before v_add is added: v_command of improved position control [um/s or 0.001 deg/s]
     pub v_command: R,
-    /// position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments]
-    pub manipulated_variable: i32,
     /// position control in the drive: the position command of the drive [um or 0.001 deg]
     pub x_drive: R,
+    /// position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments]
+    pub manipulated_variable: i32,
     /// PROFIdrive: control deviation XERR, signal 25 (P-AXIS-00092) [increments]
     pub xerr: i32,
     /// additive velocity command of the drive (P-AXIS-00205 to 00207) [increments]

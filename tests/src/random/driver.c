@@ -27,6 +27,11 @@ static REAL magnitude(REAL value)
     return value < (REAL)0 ? -value : value;
 }
 
+static int32_t nearest(REAL value)
+{
+    return (int32_t)(value + COPYSIGN(NEARLY_HALF, value));
+}
+
 #include UNIT
 
 static FILE *file;

@@ -94,6 +94,11 @@ impl Printer<'_> {
                 text.push_str("(int32_t)");
                 self.bound(x, Precedence::Primary, text);
             }
+            (Intrinsic::Nearest, [x]) => {
+                text.push_str("nearest(");
+                self.expr(x, text);
+                text.push(')');
+            }
             (Intrinsic::FromU32 | Intrinsic::FromI32, [value]) => {
                 text.push_str(match self.program().real {
                     RealKind::F64 => "(double)",
@@ -121,6 +126,7 @@ impl Printer<'_> {
             },
             Expr::Intrinsic(Intrinsic::Usable | Intrinsic::Within, _) => Precedence::Relation,
             Expr::Intrinsic(Intrinsic::FromU32 | Intrinsic::FromI32 | Intrinsic::Truncate, _) => Precedence::Unary,
+            Expr::Intrinsic(Intrinsic::Nearest, _) => Precedence::Primary,
         }
     }
 

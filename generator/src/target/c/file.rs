@@ -33,24 +33,34 @@ pub fn files(axis: &Axis, blocks: &[Block]) -> Vec<File> {
     let texts: Vec<CBlock> = blocks.iter().zip(constants).map(text).collect();
     let guard = format!("{}_H", stem.to_ascii_uppercase());
     let header_body = CHeader { guard: &guard, blocks: &texts }.render().expect("c: the header's template is filled");
-    let (zero, builtin_magnitude) = match axis.real {
-        RealKind::F64 => ("0.0", "__builtin_fabs"),
-        RealKind::F32 => ("0.0f", "__builtin_fabsf"),
+    let (zero, [builtin_magnitude, builtin_copysign], nearly_half) = match axis.real {
+        RealKind::F64 => ("0.0", ["__builtin_fabs", "__builtin_copysign"], Literal::F64(portable::nearly_half())),
+        RealKind::F32 => ("0.0f", ["__builtin_fabsf", "__builtin_copysignf"], Literal::F32(portable::nearly_half())),
     };
     let real = types::name(Type::Real, axis.real);
-    let uses_magnitude = blocks.iter().any(|block| compares_magnitudes(&block.program));
-    let source_body = CSource { header: &header, uses_magnitude, real, zero, builtin_magnitude, blocks: &texts };
+    let uses = |wanted: &[Intrinsic]| blocks.iter().any(|block| asks_for(&block.program, wanted));
+    let source_body = CSource {
+        header: &header,
+        uses_magnitude: uses(&[Intrinsic::Usable, Intrinsic::Within]),
+        uses_nearest: uses(&[Intrinsic::Nearest]),
+        real,
+        zero,
+        nearly_half: types::literal(nearly_half),
+        builtin_magnitude,
+        builtin_copysign,
+        blocks: &texts,
+    };
     let source_body = source_body.render().expect("c: the source's template is filled");
     vec![with_origin(axis, header, &header_body), with_origin(axis, source, &source_body)]
 }
 
-/// Whether a program asks for a magnitude.
-fn compares_magnitudes(program: &Program) -> bool {
+/// Whether a program asks for one of these operations.
+fn asks_for(program: &Program, wanted: &[Intrinsic]) -> bool {
     let mut found = false;
     for statement in program.init.iter().chain(&program.step) {
         statement.expressions(&mut |expr| {
             expr.parts(&mut |part| {
-                found |= matches!(part, Expr::Intrinsic(Intrinsic::Usable | Intrinsic::Within, _));
+                found |= matches!(part, Expr::Intrinsic(intrinsic, _) if wanted.contains(intrinsic));
             });
         });
     }

@@ -110,6 +110,7 @@ const RESERVED: &[&str] = &[
     "random",
     "sample",
     "magnitude",
+    "nearest",
 ];
 
 /// Whether C keeps the word for itself, or a block uses it.

@@ -2,7 +2,7 @@
 
 use super::dialect::{Dialect, Form, type_name};
 use super::print::Printer;
-use super::{operands, start, types};
+use super::{nearest, operands, start, types};
 use crate::axis::Axis;
 use crate::block::Block;
 use crate::digest::{UNSEALED, digest};
@@ -26,7 +26,7 @@ pub fn listings(axis: &Axis, file: &str, blocks: &[Block], prefix: &str, dialect
 /// A block with the name that a file gives it.
 #[must_use]
 pub fn listing(name: String, block: &Block, program: Program, dialect: Dialect) -> StBlock {
-    let program = start::run(program);
+    let program = nearest::run(start::run(program));
     let program = if dialect.has_digits_in_expressions(program.real) { program } else { operands::run(program) };
     let printer = Printer::new(&program, dialect);
     let language = Language { ty: &|ty| type_name(ty, program.real), literal: &types::literal, next_line: "\n       " };

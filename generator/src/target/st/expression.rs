@@ -106,7 +106,8 @@ impl Printer<'_> {
 fn precedence(expr: &Expr) -> Precedence {
     match expr {
         Expr::Literal(literal) => of_literal(*literal),
-        Expr::Var(_) | Expr::Intrinsic(Intrinsic::FromU32 | Intrinsic::FromI32 | Intrinsic::Truncate, _) => {
+        Expr::Var(_)
+        | Expr::Intrinsic(Intrinsic::FromU32 | Intrinsic::FromI32 | Intrinsic::Truncate | Intrinsic::Nearest, _) => {
             Precedence::Primary
         }
         Expr::Unary(..) => Precedence::Sign,

@@ -8,6 +8,7 @@ pub mod dialect;
 mod expression;
 mod forms;
 pub mod names;
+pub mod nearest;
 pub mod operands;
 pub mod plain;
 pub mod print;

@@ -60,12 +60,13 @@ impl Writer<'_> {
         }
     }
 
-    /// The whole part of a quarter of an integer: with a fraction, and never beyond the integers.
+    /// An integer from a quarter of an integer: with a fraction, halves among them, and never beyond the integers.
     pub fn truncated(&mut self) -> Expr {
         let number = self.expr(Scalar::I32, 1);
         let real = intrinsic(Intrinsic::FromI32, vec![number], Scalar::Real);
         let quarter = operation(Binary::Multiply, real, Expr::Literal(Value::Lit(0.25)));
-        intrinsic(Intrinsic::Truncate, vec![quarter], Scalar::I32)
+        let which = *self.rng.pick(&[Intrinsic::Truncate, Intrinsic::Nearest]);
+        intrinsic(which, vec![quarter], Scalar::I32)
     }
 
     fn bool(&mut self, depth: usize) -> Expr {

@@ -5,7 +5,7 @@ use super::judge::Compiled;
 use generator::program::{Expr, Program, Statement, Type, Var, Variable};
 use generator::target::st::dialect::{Form, PLAIN, type_name};
 use generator::target::st::print::Printer;
-use generator::target::st::{operands, start, types};
+use generator::target::st::{nearest, operands, start, types};
 use std::fmt::Write;
 
 /// A file of function blocks, and a line for each of them: its number, the names and types of its inputs, then of its
@@ -23,7 +23,7 @@ pub struct Blocks {
 impl Blocks {
     /// Adds a program under a number, unless it gives nothing: no target has such a block.
     pub fn add(&mut self, number: usize, program: &Program, compiled: &Compiled) {
-        let program = start::run(whole(program.clone(), compiled));
+        let program = nearest::run(start::run(whole(program.clone(), compiled)));
         if program.outputs.is_empty() {
             return;
         }

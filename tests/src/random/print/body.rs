@@ -140,6 +140,7 @@ impl Text<'_> {
             Callee::Intrinsic(Intrinsic::FromU32) => ("from_u32".to_owned(), true),
             Callee::Intrinsic(Intrinsic::FromI32) => ("from_i32".to_owned(), true),
             Callee::Intrinsic(Intrinsic::Truncate) => ("truncate".to_owned(), false),
+            Callee::Intrinsic(Intrinsic::Nearest) => ("nearest".to_owned(), false),
             Callee::Function(which) => {
                 let function = &self.program.functions[which];
                 let module = match (self.inner, function.inner) {

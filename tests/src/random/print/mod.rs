@@ -11,7 +11,7 @@ use std::fmt::Write;
 pub fn module(program: &Program, name: &str) -> String {
     let mut text =
         Text { program, generic: program.generic(), function: 0, inner: false, level: 0, text: String::new() };
-    text.line("use portable::{Real, from_i32, from_u32, portable, truncate, usable, within};\n");
+    text.line("use portable::{Real, from_i32, from_u32, nearest, portable, truncate, usable, within};\n");
     for (position, count) in program.lengths.iter().enumerate() {
         text.line(&format!("pub const LEN{position}: usize = {count};\n"));
     }
