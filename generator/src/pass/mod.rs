@@ -2,9 +2,9 @@
 
 pub mod coalesce;
 pub mod dead;
-pub mod flag;
 pub mod identity;
 pub mod prune;
+pub mod sink;
 pub mod typing;
 pub mod verify;
 
@@ -37,7 +37,7 @@ pub const PASSES: [(&str, Pass); 7] = [
     ("identity", identity::run),
     ("live", dead::run),
     ("coalesced", coalesce::run),
-    ("flags", flag::run),
+    ("sunk", sink::run),
     ("pruned", prune::run),
     ("verified", verify::run),
 ];

@@ -125,19 +125,17 @@ pub fn feed_forward<R: Real>(
             }
         } else {
             feedforward::stop(&mut state.feedforward, feedforward_outputs, error_none());
-            outputs.fault = true;
-            outputs.error_id = feedforward::error_of(&coeffs.feedforward, &feedforward_inputs);
+            let id = feedforward::error_of(&coeffs.feedforward, &feedforward_inputs);
+            fail(outputs, id);
         }
     }
 }
 
-/// A fault of a part, unless another part has one already.
+/// A fault of a part: of several the last one in the order of the parts stands.
 #[portable]
 pub fn fail<R: Real>(outputs: &mut Outputs<R>, error_id: u32) {
-    if !outputs.fault {
-        outputs.fault = true;
-        outputs.error_id = error_id;
-    }
+    outputs.fault = true;
+    outputs.error_id = error_id;
 }
 
 /// The master's additive velocity, within the master's limit; 0 where it is no usable number.
@@ -175,7 +173,7 @@ pub fn improve<R: Real>(
     let mut ipc_outputs = ipc::Outputs::<R>::default();
     let mut runs = true;
     // Mostly the gate is open: then the mode needs no question.
-    if ipc::is_open(&coeffs.ipc, inputs.mode, state.ipc.gate) {
+    if inputs.mode == ipc::mode_on() && state.ipc.gate >= coeffs.ipc.fade_cycles {
         if !ipc::is_usable(&coeffs.ipc, &ipc_inputs, true) {
             runs = false;
             refuse(state, coeffs, &ipc_inputs, outputs);

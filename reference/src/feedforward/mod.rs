@@ -100,10 +100,10 @@ pub fn gain<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
     let mut gain_now = R::ZERO;
     let is_active = coeffs.default_active || inputs.feedforward_active;
     if !coeffs.global_disable && is_active && inputs.feedforward_percentage > 0i32 {
-        gain_now = if inputs.feedforward_percentage < 100i32 {
-            coeffs.weight_per_percent * from_i32(inputs.feedforward_percentage)
-        } else {
+        gain_now = if inputs.feedforward_percentage >= 100i32 {
             coeffs.weight
+        } else {
+            coeffs.weight_per_percent * from_i32(inputs.feedforward_percentage)
         };
     }
     gain_now
@@ -247,15 +247,15 @@ pub fn is_usable<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
         && (!reads_jerk(coeffs) || usable(inputs.j_interpolator, sample_limit()))
 }
 
-/// The id of the first input that is no usable number.
+/// The id of the input that is no usable number, of several the one of the highest derivative.
 #[portable]
 pub fn error_of<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> u32 {
-    if reads_velocity(coeffs) && !usable(inputs.v_interpolator, sample_limit()) {
-        error_v_interpolator()
+    if reads_jerk(coeffs) && !usable(inputs.j_interpolator, sample_limit()) {
+        error_j_interpolator()
     } else if reads_acceleration(coeffs) && !usable(inputs.a_interpolator, sample_limit()) {
         error_a_interpolator()
     } else {
-        error_j_interpolator()
+        error_v_interpolator()
     }
 }
 

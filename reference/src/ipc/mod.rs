@@ -186,21 +186,15 @@ pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>
     outputs.error_id = error_none();
     let v_sum = sum_of_stages(state, coeffs, inputs);
     let v_limited = limit(outputs, coeffs, v_sum);
-    outputs.v_add = v_limited;
-    outputs.v_add_calculated = v_limited;
-    if state.gate < coeffs.fade_cycles {
+    if state.gate >= coeffs.fade_cycles {
+        // The gate has just been moved: where it is open, the mode is ON.
+        outputs.v_add = v_limited;
+        outputs.v_add_calculated = v_limited;
+    } else {
         outputs.v_add =
             if state.gate > 0u32 { v_limited * (from_u32::<R>(state.gate) * coeffs.fade_step) } else { R::ZERO };
-        if inputs.mode == mode_off() {
-            outputs.v_add_calculated = R::ZERO;
-        }
+        outputs.v_add_calculated = if inputs.mode == mode_off() { R::ZERO } else { v_limited };
     }
-}
-
-/// Whether the mode is ON and the gate open: mostly it is, and then nothing but the sections changes.
-#[portable]
-pub fn is_open<R: Real>(coeffs: &Coeffs<R>, mode: i32, gate: u32) -> bool {
-    mode == mode_on() && gate >= coeffs.fade_cycles
 }
 
 /// Moves the gate, or begins: whether the sections run in this cycle. In the first one they are put to the steady state of
@@ -208,7 +202,8 @@ pub fn is_open<R: Real>(coeffs: &Coeffs<R>, mode: i32, gate: u32) -> bool {
 #[portable]
 pub fn prepare<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     let mut runs = true;
-    if !is_open(coeffs, inputs.mode, state.gate) {
+    // Mostly the mode is ON and the gate open: then nothing but the sections changes.
+    if inputs.mode != mode_on() || state.gate < coeffs.fade_cycles {
         if state.settled {
             move_gate(state, coeffs, inputs.mode);
         } else {

@@ -22,6 +22,9 @@ struct block {
     void (*step)(void *state, const void *inputs, void *outputs);
 };
 
+/* by the size of the real type */
+#define NEARLY_HALF (sizeof(REAL) == sizeof(float) ? (REAL)0.49999997f : (REAL)0.49999999999999994)
+
 static REAL magnitude(REAL value)
 {
     return value < (REAL)0 ? -value : value;
@@ -29,7 +32,7 @@ static REAL magnitude(REAL value)
 
 static int32_t nearest(REAL value)
 {
-    return (int32_t)(value + COPYSIGN(NEARLY_HALF, value));
+    return (int32_t)(value < (REAL)0 ? value - NEARLY_HALF : value + NEARLY_HALF);
 }
 
 #include UNIT

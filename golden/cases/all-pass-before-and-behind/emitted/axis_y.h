@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  e86ef3521bc21a1c20e36a31fa066f0a
- * body        85a4b0c0bbcbe2cd93e1085ea4ca5132
+ * body        45a7a9dee1ad8c1dffb1fc0530ea082a
  */
 #ifndef AXIS_Y_H
 #define AXIS_Y_H
@@ -15,7 +15,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
 /* range: |v| <= 400000 gives |v_add| <= 840601.9 before the limit and no |state| above 1348809; for |v| <= 1e15:
  * 3.372021e15, within double precision
  * stage[0] at 36 Hz: designed 0.8 at -90.30454 deg, measured 0.8 at -90.30454 deg; at 31.76085 Hz: designed

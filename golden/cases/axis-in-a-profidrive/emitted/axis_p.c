@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  034f796361d0823694dc733af3a57103
- * body        0ee3f72635c634d1ba6e5ce9370be10b
+ * body        9422dde2ba3d66cafd94a2d0ef90d781
  */
 #include "axis_p.h"
 
@@ -36,6 +36,17 @@ static double magnitude(double value)
 #endif
 }
 
+/* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
+ * rightly; without a library */
+static int32_t nearest(double value)
+{
+#if defined(__GNUC__)
+    return (int32_t)(value + __builtin_copysign(0.49999999999999994, value));
+#else
+    return (int32_t)(value < 0.0 ? value - 0.49999999999999994 : value + 0.49999999999999994);
+#endif
+}
+
 /* cycle time 1000 us, the coefficients hold for no other */
 static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
 
@@ -62,9 +73,8 @@ static const uint32_t error_x_command = 17u; /* error_id: x_command is not withi
 static const uint32_t error_none = 0u; /* error_id: no fault */
 static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_x_actual = 18u; /* error_id: x_actual is not within the sample limit */
-static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
 static const uint32_t error_a_interpolator = 15u; /* error_id: a_interpolator is not within the sample limit */
-static const double half = 0.5; /* from here on a fraction is rounded away from zero */
+static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
 
 void axis_p_axis_init(axis_p_axis_state *state)
 {
@@ -95,13 +105,12 @@ void axis_p_axis_step(axis_p_axis_state *restrict state, const axis_p_axis_input
 {
     if (!(magnitude(inputs->x_command) <= sample_limit)) {
         state->position_control_settled = false;
-        const double position_control_x_drive = state->position_control_x_held;
+        outputs->x_drive = state->position_control_x_held;
         outputs->v_feedforward = 0.0;
         outputs->v_add = 0.0;
         outputs->v_add_calculated = 0.0;
         outputs->v_command = 0.0;
         outputs->manipulated_variable = 0;
-        outputs->x_drive = position_control_x_drive;
         outputs->xerr = 0;
         outputs->additive_velocity = 0;
         outputs->additive_torque = 0;
@@ -154,36 +163,40 @@ void axis_p_axis_step(axis_p_axis_state *restrict state, const axis_p_axis_input
         outputs->fault = false;
         outputs->error_id = error_none;
     } else {
-        double feedforward_v_feedforward;
-        bool feedforward_fault;
-        uint32_t feedforward_error_id;
-        if (!(magnitude(inputs->v_interpolator) <= sample_limit)) {
-            feedforward_v_feedforward = 0.0;
-            feedforward_fault = true;
-            feedforward_error_id = error_v_interpolator;
-        } else if (!(magnitude(inputs->a_interpolator) <= sample_limit)) {
-            feedforward_v_feedforward = 0.0;
-            feedforward_fault = true;
-            feedforward_error_id = error_a_interpolator;
-        } else {
+        outputs->v_command = 0.0;
+        outputs->v_add = 0.0;
+        outputs->v_add_calculated = 0.0;
+        outputs->manipulated_variable = 0;
+        outputs->additive_torque = 0;
+        outputs->additive_velocity = 0;
+        outputs->error_id = error_none;
+        outputs->limited = false;
+        outputs->fault = false;
+        double v_feedforward;
+        if (magnitude(inputs->v_interpolator) <= sample_limit && magnitude(inputs->a_interpolator) <= sample_limit) {
             double feedforward_gain_now;
-            if (inputs->feedforward_active) {
+            if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
                 if (inputs->feedforward_percentage >= 100) {
                     feedforward_gain_now = feedforward_weight;
-                } else if (inputs->feedforward_percentage > 0) {
-                    feedforward_gain_now = feedforward_weight_per_percent * ((double)inputs->feedforward_percentage);
                 } else {
-                    feedforward_gain_now = 0.0;
+                    feedforward_gain_now = feedforward_weight_per_percent * ((double)inputs->feedforward_percentage);
                 }
             } else {
                 feedforward_gain_now = 0.0;
             }
             const double feedforward_by_acceleration = feedforward_t_a * inputs->a_interpolator;
             const double feedforward_total = inputs->v_interpolator + feedforward_by_acceleration;
-            feedforward_v_feedforward = feedforward_gain_now * feedforward_total;
-            feedforward_fault = false;
-            feedforward_error_id = error_none;
+            v_feedforward = feedforward_gain_now * feedforward_total;
+        } else {
+            if (!(magnitude(inputs->a_interpolator) <= sample_limit)) {
+                outputs->error_id = error_a_interpolator;
+            } else {
+                outputs->error_id = error_v_interpolator;
+            }
+            outputs->fault = true;
+            v_feedforward = 0.0;
         }
+        outputs->v_feedforward = v_feedforward;
         if (!state->position_control_settled) {
             state->position_control_shift_x0 = inputs->x_command;
             state->position_control_shift_x1 = inputs->x_command;
@@ -193,41 +206,25 @@ void axis_p_axis_step(axis_p_axis_state *restrict state, const axis_p_axis_input
         state->position_control_shift_x2 = state->position_control_shift_x1;
         state->position_control_shift_x1 = state->position_control_shift_x0;
         state->position_control_shift_x0 = inputs->x_command;
-        const double position_control_x = position_control_shift_y + position_control_lag * feedforward_v_feedforward;
+        const double position_control_x = position_control_shift_y + position_control_lag * v_feedforward;
         state->position_control_x_held = position_control_x;
         const double position_control_deviation =
             position_control_xerr_scale * (position_control_x - inputs->x_actual);
-        int32_t position_control_value;
-        if (position_control_deviation <= position_control_xerr_range_lower_limit) {
-            position_control_value = position_control_xerr_range_lowest;
-        } else if (position_control_deviation < position_control_xerr_range_upper_limit) {
-            const int32_t position_control_whole = (int32_t)position_control_deviation;
-            const double position_control_rest = position_control_deviation - (double)position_control_whole;
-            if (position_control_rest >= half) {
-                position_control_value = (int32_t)((uint32_t)position_control_whole + (uint32_t)1);
-            } else if (position_control_rest <= -half) {
-                position_control_value = (int32_t)((uint32_t)position_control_whole - (uint32_t)1);
-            } else {
-                position_control_value = position_control_whole;
-            }
+        if (magnitude(position_control_deviation) <= position_control_xerr_range_upper_limit) {
+            outputs->xerr = nearest(position_control_deviation);
+        } else if (position_control_deviation > 0.0) {
+            outputs->xerr = position_control_xerr_range_highest;
+            outputs->limited = true;
+        } else if (position_control_deviation > position_control_xerr_range_lower_limit) {
+            outputs->xerr = nearest(position_control_deviation);
         } else {
-            position_control_value = position_control_xerr_range_highest;
+            if (position_control_deviation < position_control_xerr_range_lower_limit) {
+                outputs->limited = true;
+            }
+            outputs->xerr = position_control_xerr_range_lowest;
         }
-        const bool position_control_limited =
-            position_control_deviation < position_control_xerr_range_lower_limit || position_control_deviation > position_control_xerr_range_upper_limit;
         state->position_control_settled = true;
-        outputs->v_feedforward = feedforward_v_feedforward;
-        outputs->v_add = 0.0;
-        outputs->v_add_calculated = 0.0;
-        outputs->v_command = 0.0;
-        outputs->manipulated_variable = 0;
         outputs->x_drive = position_control_x;
-        outputs->xerr = position_control_value;
-        outputs->additive_velocity = 0;
-        outputs->additive_torque = 0;
-        outputs->limited = position_control_limited;
-        outputs->fault = feedforward_fault;
-        outputs->error_id = feedforward_error_id;
     }
 }
 
@@ -260,62 +257,62 @@ uint32_t axis_p_axis_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint64_t expected[56] = {
-        UINT64_C(0xa2610a16a467b200),
-        UINT64_C(0xa77e0d1e7a6ce83a),
-        UINT64_C(0x99325acbc7c287c1),
-        UINT64_C(0x8d580b91f5934a2e),
-        UINT64_C(0x40a89850eed18870),
-        UINT64_C(0x6648190eb0de0ed7),
-        UINT64_C(0x7d983b975a3163ec),
-        UINT64_C(0x5512b2add33f9508),
-        UINT64_C(0x0616cd348c2f980e),
-        UINT64_C(0x5be7d0dd6456e4e1),
-        UINT64_C(0xc582918cab3f1e35),
-        UINT64_C(0xa7218c0b77b5b70d),
-        UINT64_C(0xd05d809cbe8cc219),
-        UINT64_C(0x365494cc4611af77),
-        UINT64_C(0xf7ddf6585b991b88),
-        UINT64_C(0x786cd7b3c25c98e1),
-        UINT64_C(0xe8cd2f4e772de25e),
-        UINT64_C(0xf76aeb1b795f073e),
-        UINT64_C(0x5f9251b19aa79f3e),
-        UINT64_C(0x1374faad2fc3ffca),
-        UINT64_C(0x024523945857de83),
-        UINT64_C(0xc59227f360e1ae26),
-        UINT64_C(0x149f1d5c7fd738e1),
-        UINT64_C(0xd44649ee73f66367),
-        UINT64_C(0x53646764ce940b0f),
-        UINT64_C(0xffcee818d1bafafb),
-        UINT64_C(0x9008ce83c84238f6),
-        UINT64_C(0xa74babc99b2dc544),
-        UINT64_C(0x183161a9a7378228),
-        UINT64_C(0xcdc99d90ddf81ed3),
-        UINT64_C(0xb387309c4fce6b25),
-        UINT64_C(0xeb20a3c8fcf3c7d8),
-        UINT64_C(0x6cc049f3fc425631),
-        UINT64_C(0x442c6eb63a6b1ee6),
-        UINT64_C(0xa0137d6f44688206),
-        UINT64_C(0x98b231a738ef0139),
-        UINT64_C(0xf899d67cfb473a24),
-        UINT64_C(0xa77346c0e019f4a7),
-        UINT64_C(0x23846f952ed5bd76),
-        UINT64_C(0x16a5980d5dbbf804),
-        UINT64_C(0x4acd4b66356f1d8b),
-        UINT64_C(0x377e8231b010c7ac),
-        UINT64_C(0xb08a7618c123dc76),
-        UINT64_C(0x9f3a233281eea9de),
-        UINT64_C(0xac43a561f26bffdc),
-        UINT64_C(0x8a494029e34bb5ca),
-        UINT64_C(0x026e476b16d3a7de),
-        UINT64_C(0x6d0a180e4a8c0594),
-        UINT64_C(0x076d91e781f33b01),
-        UINT64_C(0xd682221050db4c7b),
-        UINT64_C(0x33cbf8133b60058d),
-        UINT64_C(0xcc7525a40c575bb5),
-        UINT64_C(0xf0b006f8cc02b996),
-        UINT64_C(0xaef51332b11ddd9e),
-        UINT64_C(0x20ffcfd7894053c0),
-        UINT64_C(0xa8fbb5736ae6c346),
+        UINT64_C(0xc50cb76104d0d8d9),
+        UINT64_C(0x6375c81555fa6888),
+        UINT64_C(0x85f9dfbd87d5f8b1),
+        UINT64_C(0x45fc1e5ef0aa6c67),
+        UINT64_C(0x9672f4d02ee89cf2),
+        UINT64_C(0xe49c8011de85a434),
+        UINT64_C(0x01ea59ae0f101234),
+        UINT64_C(0x1c55bd04bc901f6b),
+        UINT64_C(0x2860573963237edc),
+        UINT64_C(0xa56cefbe5452bc1b),
+        UINT64_C(0x9dcb1657a588ced8),
+        UINT64_C(0x75ecad0e55278018),
+        UINT64_C(0x38a4302925ce1231),
+        UINT64_C(0x54cc2f742d06392a),
+        UINT64_C(0x1ec68f3ba113bd2d),
+        UINT64_C(0x074092852f8ccea7),
+        UINT64_C(0x1a65c211bd39c1a8),
+        UINT64_C(0xb03d88b10759fbb5),
+        UINT64_C(0x0aae24a841a73f77),
+        UINT64_C(0x783357a100e3db18),
+        UINT64_C(0xf6a5d80c50fa4e5d),
+        UINT64_C(0xebfb3e39c6002c69),
+        UINT64_C(0x621771677427d3fb),
+        UINT64_C(0x130feca1062213da),
+        UINT64_C(0x1ea2c9bc4f8a4910),
+        UINT64_C(0x2069bbefd6cb4add),
+        UINT64_C(0x979598e3c3621ade),
+        UINT64_C(0x30b709182e8629c9),
+        UINT64_C(0xba2c60c9823bf316),
+        UINT64_C(0x9770271e8bdee10a),
+        UINT64_C(0xbca88da108f81683),
+        UINT64_C(0x02627408986b61d0),
+        UINT64_C(0x6d5fb8a63c25622b),
+        UINT64_C(0xce9ffed672f5db9e),
+        UINT64_C(0xca0642f2816448da),
+        UINT64_C(0x2745b6c060490d75),
+        UINT64_C(0xf6aa8f05d1362dfe),
+        UINT64_C(0x85f903024e620b38),
+        UINT64_C(0x089e4c364668d9c2),
+        UINT64_C(0x983477a3260e8004),
+        UINT64_C(0x4cb10a27d3602432),
+        UINT64_C(0xd19d1b4fd0447901),
+        UINT64_C(0x09ba337a0bc43b73),
+        UINT64_C(0x2d8dfdc4542b61a0),
+        UINT64_C(0x33ea2f0d59da0450),
+        UINT64_C(0xb1a202a08661a52d),
+        UINT64_C(0xe66d80e1d79d267c),
+        UINT64_C(0x42ca89dfbcf4ba1d),
+        UINT64_C(0xf44b0129f7c8bba2),
+        UINT64_C(0x35410134a20bac7f),
+        UINT64_C(0x9c85a9443ddc7817),
+        UINT64_C(0x2105f536b62de8cf),
+        UINT64_C(0x0a770dd543a25054),
+        UINT64_C(0x8b3901f532b1efd5),
+        UINT64_C(0x16048a3dbd3aa7e3),
+        UINT64_C(0x4076f4ed747b943d),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_p_axis_state *, const axis_p_axis_inputs *, axis_p_axis_outputs *) = axis_p_axis_step;
@@ -366,14 +363,14 @@ uint32_t axis_p_axis_self_test(void)
         digest = axis_fold(digest, axis_bits_of(outputs.v_feedforward));
         digest = axis_fold(digest, axis_bits_of(outputs.v_add));
         digest = axis_fold(digest, axis_bits_of(outputs.v_add_calculated));
-        digest = axis_fold(digest, (uint32_t)outputs.manipulated_variable);
         digest = axis_fold(digest, axis_bits_of(outputs.x_drive));
+        digest = axis_fold(digest, (uint32_t)outputs.manipulated_variable);
         digest = axis_fold(digest, (uint32_t)outputs.xerr);
-        digest = axis_fold(digest, (uint32_t)outputs.additive_velocity);
         digest = axis_fold(digest, (uint32_t)outputs.additive_torque);
+        digest = axis_fold(digest, (uint32_t)outputs.additive_velocity);
+        digest = axis_fold(digest, outputs.error_id);
         digest = axis_fold(digest, outputs.limited);
         digest = axis_fold(digest, outputs.fault);
-        digest = axis_fold(digest, outputs.error_id);
         digest = axis_fold(digest, state.position_control_settled);
         digest = axis_fold(digest, axis_bits_of(state.position_control_shift_x0));
         digest = axis_fold(digest, axis_bits_of(state.position_control_shift_x1));

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  84c1aaebe7d5efbf7942c2b9e5459fdc
- * body        190027ea69a8bc407ec5819d1c158239
+ * body        fe021d27e3fdd9613895401bace20fdc
  */
 #include "axis_x.h"
 
@@ -33,6 +33,17 @@ static double magnitude(double value)
     return __builtin_fabs(value);
 #else
     return value < 0.0 ? -value : value;
+#endif
+}
+
+/* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
+ * rightly; without a library */
+static int32_t nearest(double value)
+{
+#if defined(__GNUC__)
+    return (int32_t)(value + __builtin_copysign(0.49999999999999994, value));
+#else
+    return (int32_t)(value < 0.0 ? value - 0.49999999999999994 : value + 0.49999999999999994);
 #endif
 }
 
@@ -108,14 +119,14 @@ static const double sample_limit = 1000000000000000.0; /* largest magnitude of a
 static const uint32_t error_x_command = 17u; /* error_id: x_command is not within the sample limit */
 static const uint32_t error_none = 0u; /* error_id: no fault */
 static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
 static const uint32_t error_a_interpolator = 15u; /* error_id: a_interpolator is not within the sample limit */
-static const double half = 0.5; /* from here on a fraction is rounded away from zero */
-static const int32_t mode_off = 0; /* mode: the block is off */
+static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
 static const int32_t mode_on = 1; /* mode: the block acts */
+static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_command = 11u; /* error_id: v_command is not within the sample limit */
+static const uint32_t error_v_direct = 13u; /* error_id: v_direct is not within the sample limit */
 static const double tiny = 1.0e-30; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 
 void axis_x_axis_init(axis_x_axis_state *state)
@@ -148,7 +159,7 @@ void axis_x_axis_step(axis_x_axis_state *restrict state, const axis_x_axis_input
     axis_x_axis_outputs *restrict outputs)
 {
     if (!(magnitude(inputs->x_command) <= sample_limit)) {
-        const double position_control_x_drive = state->position_control_x_held;
+        outputs->x_drive = state->position_control_x_held;
         state->feedforward_settled = false;
         state->ipc_settled = false;
         state->ipc_gate = 0u;
@@ -157,7 +168,6 @@ void axis_x_axis_step(axis_x_axis_state *restrict state, const axis_x_axis_input
         outputs->v_add_calculated = 0.0;
         outputs->v_command = 0.0;
         outputs->manipulated_variable = 0;
-        outputs->x_drive = position_control_x_drive;
         outputs->xerr = 0;
         outputs->additive_velocity = 0;
         outputs->additive_torque = 0;
@@ -199,49 +209,30 @@ void axis_x_axis_step(axis_x_axis_state *restrict state, const axis_x_axis_input
         outputs->fault = false;
         outputs->error_id = error_none;
     } else {
-        double feedforward_v_additive;
-        int32_t feedforward_additive_torque;
-        bool feedforward_torque_limited;
-        bool feedforward_fault;
-        uint32_t feedforward_error_id;
-        if (!(magnitude(inputs->v_interpolator) <= sample_limit)) {
-            state->feedforward_settled = false;
-            feedforward_v_additive = 0.0;
-            feedforward_additive_torque = 0;
-            feedforward_torque_limited = false;
-            feedforward_fault = true;
-            feedforward_error_id = error_v_interpolator;
-        } else if (!(magnitude(inputs->a_interpolator) <= sample_limit)) {
-            state->feedforward_settled = false;
-            feedforward_v_additive = 0.0;
-            feedforward_additive_torque = 0;
-            feedforward_torque_limited = false;
-            feedforward_fault = true;
-            feedforward_error_id = error_a_interpolator;
-        } else {
+        outputs->v_command = 0.0;
+        outputs->v_feedforward = 0.0;
+        outputs->manipulated_variable = 0;
+        outputs->xerr = 0;
+        outputs->error_id = error_none;
+        outputs->limited = false;
+        outputs->fault = false;
+        double v_additive;
+        if (magnitude(inputs->v_interpolator) <= sample_limit && magnitude(inputs->a_interpolator) <= sample_limit) {
             double feedforward_gain_now;
-            if (inputs->feedforward_active) {
+            if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
                 if (inputs->feedforward_percentage >= 100) {
                     feedforward_gain_now = feedforward_weight;
-                } else if (inputs->feedforward_percentage > 0) {
-                    feedforward_gain_now = feedforward_weight_per_percent * ((double)inputs->feedforward_percentage);
                 } else {
-                    feedforward_gain_now = 0.0;
+                    feedforward_gain_now = feedforward_weight_per_percent * ((double)inputs->feedforward_percentage);
                 }
             } else {
                 feedforward_gain_now = 0.0;
             }
             const double feedforward_v = feedforward_gain_now * inputs->v_interpolator;
+            const double feedforward_a = feedforward_gain_now * inputs->a_interpolator;
             if (!state->feedforward_settled) {
                 /* delay of 150 us = 0.15 cycles (P-AXIS-00389) */
                 state->feedforward_velocity_delay_x0 = feedforward_v;
-            }
-            /* delay of 150 us = 0.15 cycles (P-AXIS-00389) */
-            feedforward_v_additive =
-                feedforward_velocity_delay_now * feedforward_v + feedforward_velocity_delay_before * state->feedforward_velocity_delay_x0;
-            state->feedforward_velocity_delay_x0 = feedforward_v;
-            const double feedforward_a = feedforward_gain_now * inputs->a_interpolator;
-            if (!state->feedforward_settled) {
                 /* delay of 5999 us = 5.999 cycles (P-AXIS-00390) */
                 state->feedforward_acceleration_delay_x0 = feedforward_a;
                 state->feedforward_acceleration_delay_x1 = feedforward_a;
@@ -249,7 +240,12 @@ void axis_x_axis_step(axis_x_axis_state *restrict state, const axis_x_axis_input
                 state->feedforward_acceleration_delay_x3 = feedforward_a;
                 state->feedforward_acceleration_delay_x4 = feedforward_a;
                 state->feedforward_acceleration_delay_x5 = feedforward_a;
+                state->feedforward_settled = true;
             }
+            /* delay of 150 us = 0.15 cycles (P-AXIS-00389) */
+            v_additive =
+                feedforward_velocity_delay_now * feedforward_v + feedforward_velocity_delay_before * state->feedforward_velocity_delay_x0;
+            state->feedforward_velocity_delay_x0 = feedforward_v;
             /* delay of 5999 us = 5.999 cycles (P-AXIS-00390) */
             const double feedforward_acceleration_delay_y = state->feedforward_acceleration_delay_x4;
             const double feedforward_acceleration_delay_y_2 =
@@ -261,179 +257,169 @@ void axis_x_axis_step(axis_x_axis_state *restrict state, const axis_x_axis_input
             state->feedforward_acceleration_delay_x1 = state->feedforward_acceleration_delay_x0;
             state->feedforward_acceleration_delay_x0 = feedforward_a;
             const double feedforward_total = feedforward_torque_acceleration * feedforward_acceleration_delay_y_2;
-            if (feedforward_total <= feedforward_torque_range_lower_limit) {
-                feedforward_additive_torque = feedforward_torque_range_lowest;
-            } else if (feedforward_total < feedforward_torque_range_upper_limit) {
-                const int32_t feedforward_whole = (int32_t)feedforward_total;
-                const double feedforward_rest = feedforward_total - (double)feedforward_whole;
-                if (feedforward_rest >= half) {
-                    feedforward_additive_torque = (int32_t)((uint32_t)feedforward_whole + (uint32_t)1);
-                } else if (feedforward_rest <= -half) {
-                    feedforward_additive_torque = (int32_t)((uint32_t)feedforward_whole - (uint32_t)1);
+            if (magnitude(feedforward_total) <= feedforward_torque_range_upper_limit) {
+                outputs->additive_torque = nearest(feedforward_total);
+            } else if (feedforward_total > 0.0) {
+                outputs->additive_torque = feedforward_torque_range_highest;
+                outputs->limited = true;
+            } else if (feedforward_total > feedforward_torque_range_lower_limit) {
+                outputs->additive_torque = nearest(feedforward_total);
+            } else {
+                if (feedforward_total < feedforward_torque_range_lower_limit) {
+                    outputs->limited = true;
+                }
+                outputs->additive_torque = feedforward_torque_range_lowest;
+            }
+        } else {
+            state->feedforward_settled = false;
+            if (!(magnitude(inputs->a_interpolator) <= sample_limit)) {
+                outputs->error_id = error_a_interpolator;
+            } else {
+                outputs->error_id = error_v_interpolator;
+            }
+            outputs->fault = true;
+            v_additive = 0.0;
+            outputs->additive_torque = 0;
+        }
+        bool runs;
+        if (inputs->mode == mode_on && state->ipc_gate >= ipc_fade_cycles) {
+            if (!(magnitude(inputs->v_interpolator) <= sample_limit)) {
+                state->ipc_settled = false;
+                state->ipc_gate = 0u;
+                if (inputs->mode != mode_off && inputs->mode != mode_on && inputs->mode != mode_dryrun) {
+                    outputs->error_id = error_mode;
+                } else if (!(magnitude(inputs->v_interpolator) <= sample_limit)) {
+                    outputs->error_id = error_v_command;
                 } else {
-                    feedforward_additive_torque = feedforward_whole;
+                    outputs->error_id = error_v_direct;
+                }
+                outputs->fault = true;
+                runs = false;
+            } else {
+                runs = true;
+            }
+        } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun) && magnitude(inputs->v_interpolator) <= sample_limit) {
+            if (inputs->mode != mode_on || state->ipc_gate < ipc_fade_cycles) {
+                if (state->ipc_settled) {
+                    if (inputs->mode == mode_on) {
+                        if (state->ipc_gate < ipc_fade_cycles) {
+                            state->ipc_gate = state->ipc_gate + 1u;
+                        }
+                    } else {
+                        if (state->ipc_gate > 0u) {
+                            state->ipc_gate = state->ipc_gate - 1u;
+                        }
+                        if (inputs->mode == mode_off && state->ipc_gate == 0u) {
+                            state->ipc_settled = false;
+                        }
+                    }
+                    runs = true;
+                } else {
+                    if (inputs->mode != mode_off) {
+                        /* SET_POINT (P-AXIS-00753) from v_command, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
+                        /* simulated oscillation of the load, f0 of the first BANDPASS 14 Hz (P-AXIS-00751), damping ratio 0.6
+                         * (P-AXIS-00850): gain 1 at DC, 1.301708 and -39.80557 deg at f0 */
+                        state->ipc_stage0_oscillation_s1 = ipc_stage0_oscillation_settled_s1 * inputs->v_interpolator;
+                        state->ipc_stage0_oscillation_s2 = ipc_stage0_oscillation_settled_s2 * inputs->v_interpolator;
+                        /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 14 Hz (P-AXIS-00751),
+                         * quality factor 2 (P-AXIS-00752), -3 dB at 10.92977 and 17.92977 Hz */
+                        const double ipc_stage0_filter0_section0_s =
+                            ipc_stage0_filter0_bandpass0_b2 * inputs->v_interpolator;
+                        state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_s;
+                        state->ipc_stage0_filter0_section0_s2 = ipc_stage0_filter0_section0_s;
+                        state->ipc_settled = true;
+                    }
+                    runs = false;
                 }
             } else {
-                feedforward_additive_torque = feedforward_torque_range_highest;
+                runs = true;
             }
-            feedforward_torque_limited =
-                feedforward_total < feedforward_torque_range_lower_limit || feedforward_total > feedforward_torque_range_upper_limit;
-            state->feedforward_settled = true;
-            feedforward_fault = false;
-            feedforward_error_id = error_none;
-        }
-        double ipc_v_add;
-        double ipc_v_add_calculated;
-        bool ipc_limited;
-        bool ipc_fault;
-        uint32_t ipc_error_id;
-        if (inputs->mode != mode_off && inputs->mode != mode_on && inputs->mode != mode_dryrun) {
-            state->ipc_settled = false;
-            state->ipc_gate = 0u;
-            ipc_v_add = 0.0;
-            ipc_v_add_calculated = 0.0;
-            ipc_limited = false;
-            ipc_fault = true;
-            ipc_error_id = error_mode;
-        } else if (!(magnitude(inputs->v_interpolator) <= sample_limit)) {
-            state->ipc_settled = false;
-            state->ipc_gate = 0u;
-            ipc_v_add = 0.0;
-            ipc_v_add_calculated = 0.0;
-            ipc_limited = false;
-            ipc_fault = true;
-            ipc_error_id = error_v_command;
         } else {
-            if (state->ipc_settled) {
-                if (inputs->mode == mode_on) {
-                    if (state->ipc_gate < ipc_fade_cycles) {
-                        state->ipc_gate = state->ipc_gate + 1u;
-                    }
-                } else {
-                    if (state->ipc_gate > 0u) {
-                        state->ipc_gate = state->ipc_gate - 1u;
-                    }
-                    if (inputs->mode == mode_off && state->ipc_gate == 0u) {
-                        state->ipc_settled = false;
-                    }
-                }
-                /* SET_POINT (P-AXIS-00753) from v_command, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
-                /* simulated oscillation of the load, f0 of the first BANDPASS 14 Hz (P-AXIS-00751), damping ratio 0.6
-                 * (P-AXIS-00850): gain 1 at DC, 1.301708 and -39.80557 deg at f0 */
-                const double ipc_stage0_oscillation_y =
-                    ipc_stage0_oscillation_b0 * inputs->v_interpolator + state->ipc_stage0_oscillation_s1;
-                state->ipc_stage0_oscillation_s1 =
-                    ipc_stage0_oscillation_b1 * inputs->v_interpolator - ipc_stage0_oscillation_a1 * ipc_stage0_oscillation_y + state->ipc_stage0_oscillation_s2;
-                state->ipc_stage0_oscillation_s2 =
-                    ipc_stage0_oscillation_b2 * inputs->v_interpolator + tiny - ipc_stage0_oscillation_a2 * ipc_stage0_oscillation_y;
-                /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 14 Hz (P-AXIS-00751),
-                 * quality factor 2 (P-AXIS-00752), -3 dB at 10.92977 and 17.92977 Hz */
-                const double ipc_stage0_filter0_section0_t =
-                    ipc_stage0_filter0_bandpass0_b2 * ipc_stage0_oscillation_y;
-                const double ipc_stage0_filter0_section0_y =
-                    state->ipc_stage0_filter0_section0_s1 - ipc_stage0_filter0_section0_t;
-                state->ipc_stage0_filter0_section0_s1 =
-                    state->ipc_stage0_filter0_section0_s2 - ipc_stage0_filter0_bandpass0_a1 * ipc_stage0_filter0_section0_y;
-                state->ipc_stage0_filter0_section0_s2 =
-                    ipc_stage0_filter0_section0_t + tiny - ipc_stage0_filter0_bandpass0_a2 * ipc_stage0_filter0_section0_y;
-                const double ipc_v_stage = ipc_stage0_gain * ipc_stage0_filter0_section0_y;
-                double ipc_v_limited;
-                if (magnitude(ipc_v_stage) <= ipc_limit) {
-                    if (magnitude(ipc_v_stage) <= ipc_rest) {
-                        ipc_v_limited = 0.0;
-                    } else {
-                        ipc_v_limited = ipc_v_stage;
-                    }
-                    ipc_limited = false;
-                } else if (ipc_v_stage > ipc_limit) {
-                    ipc_limited = true;
+            state->ipc_settled = false;
+            state->ipc_gate = 0u;
+            if (inputs->mode != mode_off && inputs->mode != mode_on && inputs->mode != mode_dryrun) {
+                outputs->error_id = error_mode;
+            } else if (!(magnitude(inputs->v_interpolator) <= sample_limit)) {
+                outputs->error_id = error_v_command;
+            } else {
+                outputs->error_id = error_v_direct;
+            }
+            outputs->fault = true;
+            runs = false;
+        }
+        double v_add;
+        if (runs) {
+            /* SET_POINT (P-AXIS-00753) from v_command, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
+            /* simulated oscillation of the load, f0 of the first BANDPASS 14 Hz (P-AXIS-00751), damping ratio 0.6
+             * (P-AXIS-00850): gain 1 at DC, 1.301708 and -39.80557 deg at f0 */
+            const double ipc_stage0_oscillation_y =
+                ipc_stage0_oscillation_b0 * inputs->v_interpolator + state->ipc_stage0_oscillation_s1;
+            state->ipc_stage0_oscillation_s1 =
+                ipc_stage0_oscillation_b1 * inputs->v_interpolator - ipc_stage0_oscillation_a1 * ipc_stage0_oscillation_y + state->ipc_stage0_oscillation_s2;
+            state->ipc_stage0_oscillation_s2 =
+                ipc_stage0_oscillation_b2 * inputs->v_interpolator + tiny - ipc_stage0_oscillation_a2 * ipc_stage0_oscillation_y;
+            /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 14 Hz (P-AXIS-00751),
+             * quality factor 2 (P-AXIS-00752), -3 dB at 10.92977 and 17.92977 Hz */
+            const double ipc_stage0_filter0_section0_t = ipc_stage0_filter0_bandpass0_b2 * ipc_stage0_oscillation_y;
+            const double ipc_stage0_filter0_section0_y =
+                state->ipc_stage0_filter0_section0_s1 - ipc_stage0_filter0_section0_t;
+            state->ipc_stage0_filter0_section0_s1 =
+                state->ipc_stage0_filter0_section0_s2 - ipc_stage0_filter0_bandpass0_a1 * ipc_stage0_filter0_section0_y;
+            state->ipc_stage0_filter0_section0_s2 =
+                ipc_stage0_filter0_section0_t + tiny - ipc_stage0_filter0_bandpass0_a2 * ipc_stage0_filter0_section0_y;
+            const double ipc_v_stage = ipc_stage0_gain * ipc_stage0_filter0_section0_y;
+            double ipc_v_limited;
+            if (!(magnitude(ipc_v_stage) <= ipc_limit)) {
+                if (ipc_v_stage > 0.0) {
                     ipc_v_limited = ipc_limit;
-                } else if (ipc_v_stage < ipc_lower_limit) {
-                    ipc_limited = true;
+                } else if (ipc_v_stage < 0.0) {
                     ipc_v_limited = ipc_lower_limit;
                 } else {
-                    ipc_limited = false;
                     ipc_v_limited = 0.0;
                 }
-                if (state->ipc_gate >= ipc_fade_cycles) {
-                    ipc_v_add = ipc_v_limited;
-                    ipc_v_add_calculated = ipc_v_limited;
-                } else {
-                    if (state->ipc_gate > 0u) {
-                        ipc_v_add = ipc_v_limited * ((double)state->ipc_gate * ipc_fade_step);
-                    } else {
-                        ipc_v_add = 0.0;
-                    }
-                    if (inputs->mode != mode_off) {
-                        ipc_v_add_calculated = ipc_v_limited;
-                    } else {
-                        ipc_v_add_calculated = 0.0;
-                    }
-                }
+                outputs->limited = true;
+            } else if (!(magnitude(ipc_v_stage) <= ipc_rest)) {
+                ipc_v_limited = ipc_v_stage;
             } else {
+                ipc_v_limited = 0.0;
+            }
+            if (state->ipc_gate >= ipc_fade_cycles) {
+                v_add = ipc_v_limited;
+                outputs->v_add_calculated = ipc_v_limited;
+            } else {
+                if (state->ipc_gate > 0u) {
+                    v_add = ipc_v_limited * ((double)state->ipc_gate * ipc_fade_step);
+                } else {
+                    v_add = 0.0;
+                }
                 if (inputs->mode == mode_off) {
-                    state->ipc_settled = false;
-                    state->ipc_gate = 0u;
+                    outputs->v_add_calculated = 0.0;
                 } else {
-                    /* SET_POINT (P-AXIS-00753) from v_command, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
-                    /* simulated oscillation of the load, f0 of the first BANDPASS 14 Hz (P-AXIS-00751), damping ratio 0.6
-                     * (P-AXIS-00850): gain 1 at DC, 1.301708 and -39.80557 deg at f0 */
-                    state->ipc_stage0_oscillation_s1 = ipc_stage0_oscillation_settled_s1 * inputs->v_interpolator;
-                    state->ipc_stage0_oscillation_s2 = ipc_stage0_oscillation_settled_s2 * inputs->v_interpolator;
-                    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 14 Hz (P-AXIS-00751),
-                     * quality factor 2 (P-AXIS-00752), -3 dB at 10.92977 and 17.92977 Hz */
-                    const double ipc_stage0_filter0_section0_s =
-                        ipc_stage0_filter0_bandpass0_b2 * inputs->v_interpolator;
-                    state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_s;
-                    state->ipc_stage0_filter0_section0_s2 = ipc_stage0_filter0_section0_s;
-                    state->ipc_settled = true;
+                    outputs->v_add_calculated = ipc_v_limited;
                 }
-                ipc_v_add = 0.0;
-                ipc_v_add_calculated = 0.0;
-                ipc_limited = false;
             }
-            ipc_fault = false;
-            ipc_error_id = error_none;
+        } else {
+            v_add = 0.0;
+            outputs->v_add_calculated = 0.0;
         }
+        outputs->v_add = v_add;
         state->position_control_x_held = inputs->x_command;
-        const double position_control_v_drive = feedforward_v_additive + ipc_v_add;
+        const double position_control_v_drive = v_additive + v_add;
         const double position_control_increments = position_control_velocity_scale * position_control_v_drive;
-        int32_t position_control_value;
-        if (position_control_increments <= position_control_velocity_range_lower_limit) {
-            position_control_value = position_control_velocity_range_lowest;
-        } else if (position_control_increments < position_control_velocity_range_upper_limit) {
-            const int32_t position_control_whole = (int32_t)position_control_increments;
-            const double position_control_rest = position_control_increments - (double)position_control_whole;
-            if (position_control_rest >= half) {
-                position_control_value = (int32_t)((uint32_t)position_control_whole + (uint32_t)1);
-            } else if (position_control_rest <= -half) {
-                position_control_value = (int32_t)((uint32_t)position_control_whole - (uint32_t)1);
-            } else {
-                position_control_value = position_control_whole;
+        if (magnitude(position_control_increments) <= position_control_velocity_range_upper_limit) {
+            outputs->additive_velocity = nearest(position_control_increments);
+        } else if (position_control_increments > 0.0) {
+            outputs->additive_velocity = position_control_velocity_range_highest;
+            outputs->limited = true;
+        } else if (position_control_increments > position_control_velocity_range_lower_limit) {
+            outputs->additive_velocity = nearest(position_control_increments);
+        } else {
+            if (position_control_increments < position_control_velocity_range_lower_limit) {
+                outputs->limited = true;
             }
-        } else {
-            position_control_value = position_control_velocity_range_highest;
+            outputs->additive_velocity = position_control_velocity_range_lowest;
         }
-        const bool position_control_limited =
-            position_control_increments < position_control_velocity_range_lower_limit || position_control_increments > position_control_velocity_range_upper_limit;
-        outputs->v_feedforward = 0.0;
-        outputs->v_add = ipc_v_add;
-        outputs->v_add_calculated = ipc_v_add_calculated;
-        outputs->v_command = 0.0;
-        outputs->manipulated_variable = 0;
         outputs->x_drive = inputs->x_command;
-        outputs->xerr = 0;
-        outputs->additive_velocity = position_control_value;
-        outputs->additive_torque = feedforward_additive_torque;
-        outputs->limited = ipc_limited || feedforward_torque_limited || position_control_limited;
-        outputs->fault = feedforward_fault || ipc_fault;
-        uint32_t error_id;
-        if (feedforward_fault) {
-            error_id = feedforward_error_id;
-        } else {
-            error_id = ipc_error_id;
-        }
-        outputs->error_id = error_id;
     }
 }
 
@@ -466,62 +452,62 @@ uint32_t axis_x_axis_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint64_t expected[56] = {
-        UINT64_C(0x382a811b0cff84a2),
-        UINT64_C(0x4deb09dbccd3599e),
-        UINT64_C(0x491727f1d9ecdff7),
-        UINT64_C(0xb3c04d8c0d9b9d50),
-        UINT64_C(0xd4b5a0615e546757),
-        UINT64_C(0x9b8a9ee2b1a296ba),
-        UINT64_C(0x9f6eedeb34eeb4f1),
-        UINT64_C(0x7bb303d07945f42a),
-        UINT64_C(0x36dddfe5a51e4245),
-        UINT64_C(0x0abcf841c2c9ae03),
-        UINT64_C(0x1e491643aad1ebfb),
-        UINT64_C(0x9d9e1d3890824346),
-        UINT64_C(0x15e70a01fb5fc26e),
-        UINT64_C(0xf8f3d9aea293ebfb),
-        UINT64_C(0x75260eb0a3ec4b33),
-        UINT64_C(0xd2041a4f7779c7db),
-        UINT64_C(0xaa13a2c9efeda7e6),
-        UINT64_C(0x93892310209010c5),
-        UINT64_C(0x88cb6876e08f7166),
-        UINT64_C(0x56bcffba79388219),
-        UINT64_C(0x0835a909337da37f),
-        UINT64_C(0xcaaeb2881d3937c8),
-        UINT64_C(0xd38782fd24ea5e71),
-        UINT64_C(0x82b5682e0de51d94),
-        UINT64_C(0xa034d11278c41bfe),
-        UINT64_C(0x161f62d4580a04c3),
-        UINT64_C(0x13803afe148ff756),
-        UINT64_C(0x0c4a40ee45439f14),
-        UINT64_C(0x908e583c418dabe8),
-        UINT64_C(0x52ff29b91f52e34e),
-        UINT64_C(0x857ed69756b621d8),
-        UINT64_C(0x523dee4539291bec),
-        UINT64_C(0x628b833674d59b0d),
-        UINT64_C(0x319b716f33bfffc6),
-        UINT64_C(0xd4574db8661f734c),
-        UINT64_C(0x6acb28c474ab5daa),
-        UINT64_C(0x2f5effac1e86ef21),
-        UINT64_C(0xa450d5f4bd53d726),
-        UINT64_C(0x4cac53250b1c5a99),
-        UINT64_C(0x5f10594af3269b4d),
-        UINT64_C(0x34c5bae6c26a18d5),
-        UINT64_C(0x9987fd0ae4d1d1f6),
-        UINT64_C(0xaaf05048b0cb13d4),
-        UINT64_C(0x004c209c8107f414),
-        UINT64_C(0x9c5397395abfe43b),
-        UINT64_C(0x118c5aad49e3730d),
-        UINT64_C(0x1affb55c49b27117),
-        UINT64_C(0xdcdd25808d329032),
-        UINT64_C(0x399798e936a3be11),
-        UINT64_C(0xea9137dec8e2cf00),
-        UINT64_C(0x3b5462bfa1b40c81),
-        UINT64_C(0x88e6aeff4ddfd8dd),
-        UINT64_C(0xed2e2c982d969de5),
-        UINT64_C(0xc27041b30a8892a6),
-        UINT64_C(0xcab8048786aa3d51),
-        UINT64_C(0xfe924824b5c07f58),
+        UINT64_C(0x382a8dfecebea122),
+        UINT64_C(0x4df14d5fc42eb61e),
+        UINT64_C(0x4c3c52b2ab9b13f7),
+        UINT64_C(0x465157048199f4d2),
+        UINT64_C(0x90c28d82d1ad943f),
+        UINT64_C(0x2701bca5826ef417),
+        UINT64_C(0xddf9ee0b5118f934),
+        UINT64_C(0xc13344750327e5ca),
+        UINT64_C(0xf6fee6980db98f66),
+        UINT64_C(0x97400e69031c1fe4),
+        UINT64_C(0xf453fc8883622ba1),
+        UINT64_C(0xa30cab114067e82f),
+        UINT64_C(0xcc31e12c7ec155f1),
+        UINT64_C(0x9267ca0ec50863b6),
+        UINT64_C(0xb29e41a5bb9bb89f),
+        UINT64_C(0x8ea0b09a73a767fa),
+        UINT64_C(0xf7e68f73856d2b44),
+        UINT64_C(0x0073a0d18289a3eb),
+        UINT64_C(0x920ae7666d59823c),
+        UINT64_C(0xf700af15fcd9221e),
+        UINT64_C(0xae856f9d4ce00c2d),
+        UINT64_C(0xf299e95f8c21bbb9),
+        UINT64_C(0xd91a654a5f92d505),
+        UINT64_C(0xe09b3359275cd415),
+        UINT64_C(0x9325e974101cb00d),
+        UINT64_C(0x12a863f5369dfc5a),
+        UINT64_C(0x48f866be4a0cead4),
+        UINT64_C(0x4c5ff0fea270272f),
+        UINT64_C(0x1e66d132fbb5488a),
+        UINT64_C(0xba437faf4d06d615),
+        UINT64_C(0x2831c1553f87baee),
+        UINT64_C(0x17babbed647243dd),
+        UINT64_C(0x216e3e2800b18a70),
+        UINT64_C(0xb36c77a051f4f3a6),
+        UINT64_C(0xcdd25705b415568d),
+        UINT64_C(0xbd504dd224bedc26),
+        UINT64_C(0xf6f5cb3b448cdcc8),
+        UINT64_C(0xf3b3545accdaad0c),
+        UINT64_C(0xfdeb5a05761665a0),
+        UINT64_C(0x8187e93fd2b925a5),
+        UINT64_C(0x800dd2e1b2d6cee6),
+        UINT64_C(0xc21c5b8f920b5ab9),
+        UINT64_C(0x721f96a68e7f5c6b),
+        UINT64_C(0xa6e396d0f778b175),
+        UINT64_C(0x7b071f4d3241b8ee),
+        UINT64_C(0x7b5094f3c1e10e9f),
+        UINT64_C(0x77a0a76a52f9e74a),
+        UINT64_C(0xc15309e81ba029e0),
+        UINT64_C(0xfd60c161cfe9d4e5),
+        UINT64_C(0xc72c761344f7e562),
+        UINT64_C(0x014714f04f29f96f),
+        UINT64_C(0x08e4ef674fbc533e),
+        UINT64_C(0x646c409ee9f1b3a4),
+        UINT64_C(0x57cf86cb7c7a2fe1),
+        UINT64_C(0x64ebf70200740c9b),
+        UINT64_C(0x94ae30606d47ec03),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_axis_state *, const axis_x_axis_inputs *, axis_x_axis_outputs *) = axis_x_axis_step;
@@ -571,14 +557,14 @@ uint32_t axis_x_axis_self_test(void)
         digest = axis_fold(digest, axis_bits_of(outputs.v_feedforward));
         digest = axis_fold(digest, axis_bits_of(outputs.v_add));
         digest = axis_fold(digest, axis_bits_of(outputs.v_add_calculated));
-        digest = axis_fold(digest, (uint32_t)outputs.manipulated_variable);
         digest = axis_fold(digest, axis_bits_of(outputs.x_drive));
+        digest = axis_fold(digest, (uint32_t)outputs.manipulated_variable);
         digest = axis_fold(digest, (uint32_t)outputs.xerr);
-        digest = axis_fold(digest, (uint32_t)outputs.additive_velocity);
         digest = axis_fold(digest, (uint32_t)outputs.additive_torque);
+        digest = axis_fold(digest, (uint32_t)outputs.additive_velocity);
+        digest = axis_fold(digest, outputs.error_id);
         digest = axis_fold(digest, outputs.limited);
         digest = axis_fold(digest, outputs.fault);
-        digest = axis_fold(digest, outputs.error_id);
         digest = axis_fold(digest, state.feedforward_settled);
         digest = axis_fold(digest, axis_bits_of(state.feedforward_velocity_delay_x0));
         digest = axis_fold(digest, axis_bits_of(state.feedforward_acceleration_delay_x0));

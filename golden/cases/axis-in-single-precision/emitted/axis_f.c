@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  a51e4e64fad240bd4128bbecc5fcab95
- * body        30edf36813d2953cbf8f4798506ffec3
+ * body        521feccf8dffaab870a0f45f29a6e617
  */
 #include "axis_f.h"
 
@@ -33,6 +33,17 @@ static float magnitude(float value)
     return __builtin_fabsf(value);
 #else
     return value < 0.0f ? -value : value;
+#endif
+}
+
+/* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
+ * rightly; without a library */
+static int32_t nearest(float value)
+{
+#if defined(__GNUC__)
+    return (int32_t)(value + __builtin_copysignf(0.49999997f, value));
+#else
+    return (int32_t)(value < 0.0f ? value - 0.49999997f : value + 0.49999997f);
 #endif
 }
 
@@ -84,13 +95,13 @@ static const uint32_t error_none = 0u; /* error_id: no fault */
 static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_x_actual = 18u; /* error_id: x_actual is not within the sample limit */
 static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
-static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_on = 1; /* mode: the block acts */
+static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
+static const uint32_t error_v_direct = 13u; /* error_id: v_direct is not within the sample limit */
 static const float tiny = 1.0e-18f; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
-static const float half = 0.5f; /* from here on a fraction is rounded away from zero */
 
 void axis_f_axis_init(axis_f_axis_state *state)
 {
@@ -180,169 +191,159 @@ void axis_f_axis_step(axis_f_axis_state *restrict state, const axis_f_axis_input
         outputs->fault = false;
         outputs->error_id = error_none;
     } else {
-        float feedforward_v_feedforward;
-        bool feedforward_fault;
-        uint32_t feedforward_error_id;
-        if (!(magnitude(inputs->v_interpolator) <= sample_limit)) {
-            feedforward_v_feedforward = 0.0f;
-            feedforward_fault = true;
-            feedforward_error_id = error_v_interpolator;
-        } else {
+        outputs->x_drive = 0.0f;
+        outputs->xerr = 0;
+        outputs->additive_torque = 0;
+        outputs->additive_velocity = 0;
+        outputs->error_id = error_none;
+        outputs->limited = false;
+        outputs->fault = false;
+        float v_feedforward;
+        if (magnitude(inputs->v_interpolator) <= sample_limit) {
             float feedforward_gain_now;
-            if (inputs->feedforward_active) {
+            if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
                 if (inputs->feedforward_percentage >= 100) {
                     feedforward_gain_now = feedforward_weight;
-                } else if (inputs->feedforward_percentage > 0) {
-                    feedforward_gain_now = feedforward_weight_per_percent * ((float)inputs->feedforward_percentage);
                 } else {
-                    feedforward_gain_now = 0.0f;
+                    feedforward_gain_now = feedforward_weight_per_percent * ((float)inputs->feedforward_percentage);
                 }
             } else {
                 feedforward_gain_now = 0.0f;
             }
-            feedforward_v_feedforward = feedforward_gain_now * inputs->v_interpolator;
-            feedforward_fault = false;
-            feedforward_error_id = error_none;
-        }
-        const float v_lag = position_control_kv * (inputs->x_command - inputs->x_actual);
-        const float v_controller = v_lag + feedforward_v_feedforward;
-        float ipc_v_add;
-        float ipc_v_add_calculated;
-        bool ipc_limited;
-        bool ipc_fault;
-        uint32_t ipc_error_id;
-        if (inputs->mode != mode_off && inputs->mode != mode_on && inputs->mode != mode_dryrun) {
-            state->ipc_settled = false;
-            state->ipc_gate = 0u;
-            ipc_v_add = 0.0f;
-            ipc_v_add_calculated = 0.0f;
-            ipc_limited = false;
-            ipc_fault = true;
-            ipc_error_id = error_mode;
-        } else if (!(magnitude(inputs->v_motor) <= sample_limit)) {
-            state->ipc_settled = false;
-            state->ipc_gate = 0u;
-            ipc_v_add = 0.0f;
-            ipc_v_add_calculated = 0.0f;
-            ipc_limited = false;
-            ipc_fault = true;
-            ipc_error_id = error_v_motor;
+            v_feedforward = feedforward_gain_now * inputs->v_interpolator;
         } else {
-            if (state->ipc_settled) {
-                if (inputs->mode == mode_on) {
-                    if (state->ipc_gate < ipc_fade_cycles) {
-                        state->ipc_gate = state->ipc_gate + 1u;
-                    }
+            outputs->fault = true;
+            outputs->error_id = error_v_interpolator;
+            v_feedforward = 0.0f;
+        }
+        outputs->v_feedforward = v_feedforward;
+        const float v_lag = position_control_kv * (inputs->x_command - inputs->x_actual);
+        const float v_controller = v_lag + v_feedforward;
+        bool runs;
+        if (inputs->mode == mode_on && state->ipc_gate >= ipc_fade_cycles) {
+            if (!(magnitude(inputs->v_motor) <= sample_limit)) {
+                state->ipc_settled = false;
+                state->ipc_gate = 0u;
+                if (inputs->mode != mode_off && inputs->mode != mode_on && inputs->mode != mode_dryrun) {
+                    outputs->error_id = error_mode;
+                } else if (!(magnitude(inputs->v_motor) <= sample_limit)) {
+                    outputs->error_id = error_v_motor;
                 } else {
-                    if (state->ipc_gate > 0u) {
-                        state->ipc_gate = state->ipc_gate - 1u;
-                    }
-                    if (inputs->mode == mode_off && state->ipc_gate == 0u) {
-                        state->ipc_settled = false;
-                    }
+                    outputs->error_id = error_v_direct;
                 }
-                /* DIRECT (P-AXIS-00753) from v_motor, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
-                /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 24 Hz (P-AXIS-00751),
-                 * quality factor 4 (P-AXIS-00752), -3 dB at 21.1811 and 27.1811 Hz */
-                const float ipc_stage0_filter0_section0_t = ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                const float ipc_stage0_filter0_section0_y =
-                    state->ipc_stage0_filter0_section0_s1 - ipc_stage0_filter0_section0_t;
-                state->ipc_stage0_filter0_section0_s1 =
-                    state->ipc_stage0_filter0_section0_s2 - ipc_stage0_filter0_bandpass0_a1 * ipc_stage0_filter0_section0_y;
-                state->ipc_stage0_filter0_section0_s2 =
-                    ipc_stage0_filter0_section0_t + tiny - ipc_stage0_filter0_bandpass0_a2 * ipc_stage0_filter0_section0_y;
-                const float ipc_v_stage = ipc_stage0_gain * ipc_stage0_filter0_section0_y;
-                float ipc_v_limited;
-                if (magnitude(ipc_v_stage) <= ipc_limit) {
-                    if (magnitude(ipc_v_stage) <= ipc_rest) {
-                        ipc_v_limited = 0.0f;
+                outputs->fault = true;
+                runs = false;
+            } else {
+                runs = true;
+            }
+        } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun) && magnitude(inputs->v_motor) <= sample_limit) {
+            if (inputs->mode != mode_on || state->ipc_gate < ipc_fade_cycles) {
+                if (state->ipc_settled) {
+                    if (inputs->mode == mode_on) {
+                        if (state->ipc_gate < ipc_fade_cycles) {
+                            state->ipc_gate = state->ipc_gate + 1u;
+                        }
                     } else {
-                        ipc_v_limited = ipc_v_stage;
+                        if (state->ipc_gate > 0u) {
+                            state->ipc_gate = state->ipc_gate - 1u;
+                        }
+                        if (inputs->mode == mode_off && state->ipc_gate == 0u) {
+                            state->ipc_settled = false;
+                        }
                     }
-                    ipc_limited = false;
-                } else if (ipc_v_stage > ipc_limit) {
-                    ipc_limited = true;
+                    runs = true;
+                } else {
+                    if (inputs->mode != mode_off) {
+                        /* DIRECT (P-AXIS-00753) from v_motor, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
+                        /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 24 Hz (P-AXIS-00751),
+                         * quality factor 4 (P-AXIS-00752), -3 dB at 21.1811 and 27.1811 Hz */
+                        const float ipc_stage0_filter0_section0_s = ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
+                        state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_s;
+                        state->ipc_stage0_filter0_section0_s2 = ipc_stage0_filter0_section0_s;
+                        state->ipc_settled = true;
+                    }
+                    runs = false;
+                }
+            } else {
+                runs = true;
+            }
+        } else {
+            state->ipc_settled = false;
+            state->ipc_gate = 0u;
+            if (inputs->mode != mode_off && inputs->mode != mode_on && inputs->mode != mode_dryrun) {
+                outputs->error_id = error_mode;
+            } else if (!(magnitude(inputs->v_motor) <= sample_limit)) {
+                outputs->error_id = error_v_motor;
+            } else {
+                outputs->error_id = error_v_direct;
+            }
+            outputs->fault = true;
+            runs = false;
+        }
+        float v_add;
+        if (runs) {
+            /* DIRECT (P-AXIS-00753) from v_motor, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
+            /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 24 Hz (P-AXIS-00751),
+             * quality factor 4 (P-AXIS-00752), -3 dB at 21.1811 and 27.1811 Hz */
+            const float ipc_stage0_filter0_section0_t = ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
+            const float ipc_stage0_filter0_section0_y =
+                state->ipc_stage0_filter0_section0_s1 - ipc_stage0_filter0_section0_t;
+            state->ipc_stage0_filter0_section0_s1 =
+                state->ipc_stage0_filter0_section0_s2 - ipc_stage0_filter0_bandpass0_a1 * ipc_stage0_filter0_section0_y;
+            state->ipc_stage0_filter0_section0_s2 =
+                ipc_stage0_filter0_section0_t + tiny - ipc_stage0_filter0_bandpass0_a2 * ipc_stage0_filter0_section0_y;
+            const float ipc_v_stage = ipc_stage0_gain * ipc_stage0_filter0_section0_y;
+            float ipc_v_limited;
+            if (!(magnitude(ipc_v_stage) <= ipc_limit)) {
+                if (ipc_v_stage > 0.0f) {
                     ipc_v_limited = ipc_limit;
-                } else if (ipc_v_stage < ipc_lower_limit) {
-                    ipc_limited = true;
+                } else if (ipc_v_stage < 0.0f) {
                     ipc_v_limited = ipc_lower_limit;
                 } else {
-                    ipc_limited = false;
                     ipc_v_limited = 0.0f;
                 }
-                if (state->ipc_gate >= ipc_fade_cycles) {
-                    ipc_v_add = ipc_v_limited;
-                    ipc_v_add_calculated = ipc_v_limited;
-                } else {
-                    if (state->ipc_gate > 0u) {
-                        ipc_v_add = ipc_v_limited * ((float)state->ipc_gate * ipc_fade_step);
-                    } else {
-                        ipc_v_add = 0.0f;
-                    }
-                    if (inputs->mode != mode_off) {
-                        ipc_v_add_calculated = ipc_v_limited;
-                    } else {
-                        ipc_v_add_calculated = 0.0f;
-                    }
-                }
+                outputs->limited = true;
+            } else if (!(magnitude(ipc_v_stage) <= ipc_rest)) {
+                ipc_v_limited = ipc_v_stage;
             } else {
+                ipc_v_limited = 0.0f;
+            }
+            if (state->ipc_gate >= ipc_fade_cycles) {
+                v_add = ipc_v_limited;
+                outputs->v_add_calculated = ipc_v_limited;
+            } else {
+                if (state->ipc_gate > 0u) {
+                    v_add = ipc_v_limited * ((float)state->ipc_gate * ipc_fade_step);
+                } else {
+                    v_add = 0.0f;
+                }
                 if (inputs->mode == mode_off) {
-                    state->ipc_settled = false;
-                    state->ipc_gate = 0u;
+                    outputs->v_add_calculated = 0.0f;
                 } else {
-                    /* DIRECT (P-AXIS-00753) from v_motor, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
-                    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 24 Hz (P-AXIS-00751),
-                     * quality factor 4 (P-AXIS-00752), -3 dB at 21.1811 and 27.1811 Hz */
-                    const float ipc_stage0_filter0_section0_s = ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                    state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_s;
-                    state->ipc_stage0_filter0_section0_s2 = ipc_stage0_filter0_section0_s;
-                    state->ipc_settled = true;
+                    outputs->v_add_calculated = ipc_v_limited;
                 }
-                ipc_v_add = 0.0f;
-                ipc_v_add_calculated = 0.0f;
-                ipc_limited = false;
             }
-            ipc_fault = false;
-            ipc_error_id = error_none;
+        } else {
+            v_add = 0.0f;
+            outputs->v_add_calculated = 0.0f;
         }
-        const float position_control_v_drive = v_controller + ipc_v_add;
+        outputs->v_add = v_add;
+        const float position_control_v_drive = v_controller + v_add;
         const float position_control_increments = position_control_manipulated_scale * position_control_v_drive;
-        int32_t position_control_value;
-        if (position_control_increments <= position_control_manipulated_range_lower_limit) {
-            position_control_value = position_control_manipulated_range_lowest;
-        } else if (position_control_increments < position_control_manipulated_range_upper_limit) {
-            const int32_t position_control_whole = (int32_t)position_control_increments;
-            const float position_control_rest = position_control_increments - (float)position_control_whole;
-            if (position_control_rest >= half) {
-                position_control_value = (int32_t)((uint32_t)position_control_whole + (uint32_t)1);
-            } else if (position_control_rest <= -half) {
-                position_control_value = (int32_t)((uint32_t)position_control_whole - (uint32_t)1);
-            } else {
-                position_control_value = position_control_whole;
+        if (magnitude(position_control_increments) <= position_control_manipulated_range_upper_limit) {
+            outputs->manipulated_variable = nearest(position_control_increments);
+        } else if (position_control_increments > 0.0f) {
+            outputs->manipulated_variable = position_control_manipulated_range_highest;
+            outputs->limited = true;
+        } else if (position_control_increments > position_control_manipulated_range_lower_limit) {
+            outputs->manipulated_variable = nearest(position_control_increments);
+        } else {
+            if (position_control_increments < position_control_manipulated_range_lower_limit) {
+                outputs->limited = true;
             }
-        } else {
-            position_control_value = position_control_manipulated_range_highest;
+            outputs->manipulated_variable = position_control_manipulated_range_lowest;
         }
-        const bool position_control_limited =
-            position_control_increments < position_control_manipulated_range_lower_limit || position_control_increments > position_control_manipulated_range_upper_limit;
-        outputs->v_feedforward = feedforward_v_feedforward;
-        outputs->v_add = ipc_v_add;
-        outputs->v_add_calculated = ipc_v_add_calculated;
         outputs->v_command = v_controller;
-        outputs->manipulated_variable = position_control_value;
-        outputs->x_drive = 0.0f;
-        outputs->xerr = 0;
-        outputs->additive_velocity = 0;
-        outputs->additive_torque = 0;
-        outputs->limited = ipc_limited || position_control_limited;
-        outputs->fault = feedforward_fault || ipc_fault;
-        uint32_t error_id;
-        if (feedforward_fault) {
-            error_id = feedforward_error_id;
-        } else {
-            error_id = ipc_error_id;
-        }
-        outputs->error_id = error_id;
     }
 }
 
@@ -375,62 +376,62 @@ uint32_t axis_f_axis_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint32_t expected[56] = {
-        UINT32_C(0xc1a3365f),
-        UINT32_C(0xae780827),
-        UINT32_C(0x0f966b74),
-        UINT32_C(0x8da8dc5a),
-        UINT32_C(0x0ff6906d),
-        UINT32_C(0xdf846e55),
-        UINT32_C(0x657ddc3b),
-        UINT32_C(0xd91abb6b),
-        UINT32_C(0x7ba76de5),
-        UINT32_C(0x2ea791ed),
-        UINT32_C(0x1d5840f1),
-        UINT32_C(0x81ffc7ff),
-        UINT32_C(0x496e3c43),
-        UINT32_C(0x04f1a995),
-        UINT32_C(0x1ad3eba9),
-        UINT32_C(0xb7e5ea93),
-        UINT32_C(0xa2d1e899),
-        UINT32_C(0xc6b3180e),
-        UINT32_C(0xa6e0e894),
-        UINT32_C(0x631acdba),
-        UINT32_C(0x6ce643d9),
-        UINT32_C(0x5090d383),
-        UINT32_C(0xf8ec9694),
-        UINT32_C(0xf543b0e0),
-        UINT32_C(0xe58fb321),
-        UINT32_C(0xc876e59a),
-        UINT32_C(0xca7807c9),
-        UINT32_C(0xf6717fae),
-        UINT32_C(0xad4e1f0a),
-        UINT32_C(0x84e3dd2c),
-        UINT32_C(0x16658e67),
-        UINT32_C(0x4c58a97b),
-        UINT32_C(0x834dd50b),
-        UINT32_C(0x51c97462),
-        UINT32_C(0xffe24513),
-        UINT32_C(0xd956aad1),
-        UINT32_C(0x1d2dd5f9),
-        UINT32_C(0xf3f794b8),
-        UINT32_C(0x0dc7d89f),
-        UINT32_C(0x8a8ce6ca),
-        UINT32_C(0x033c53aa),
-        UINT32_C(0xb1145028),
-        UINT32_C(0x22274396),
-        UINT32_C(0x7b27d7eb),
-        UINT32_C(0x3a0afead),
-        UINT32_C(0x9b44cea8),
-        UINT32_C(0xb637bb33),
-        UINT32_C(0xcab41773),
-        UINT32_C(0x5058d7b6),
-        UINT32_C(0x0a490b4b),
-        UINT32_C(0x97b2e650),
-        UINT32_C(0x7d503d06),
-        UINT32_C(0x88f267b8),
-        UINT32_C(0x4b5cce7b),
-        UINT32_C(0x922f0060),
-        UINT32_C(0x7ed3fabd),
+        UINT32_C(0xecb33685),
+        UINT32_C(0xeb9e333b),
+        UINT32_C(0x0746b0e1),
+        UINT32_C(0x9239d425),
+        UINT32_C(0x84b194e2),
+        UINT32_C(0x6415e312),
+        UINT32_C(0x437e611a),
+        UINT32_C(0x2e99997f),
+        UINT32_C(0xcf22bb6a),
+        UINT32_C(0xab4ce593),
+        UINT32_C(0x9ae6c555),
+        UINT32_C(0xd14c4556),
+        UINT32_C(0xde759376),
+        UINT32_C(0xbf653683),
+        UINT32_C(0x7d36a62d),
+        UINT32_C(0x1ba64c9d),
+        UINT32_C(0x0fc35459),
+        UINT32_C(0x8afa84ce),
+        UINT32_C(0x9ed0b4e6),
+        UINT32_C(0x1e30c5ce),
+        UINT32_C(0x4c09f6ee),
+        UINT32_C(0xb2d5b25e),
+        UINT32_C(0x281bf103),
+        UINT32_C(0xccf1e00a),
+        UINT32_C(0xb5758afa),
+        UINT32_C(0x1813b530),
+        UINT32_C(0x8bf1576d),
+        UINT32_C(0x2709412d),
+        UINT32_C(0x49084f7e),
+        UINT32_C(0x7f5b8122),
+        UINT32_C(0xcb4388e5),
+        UINT32_C(0x9e476658),
+        UINT32_C(0x009b26c5),
+        UINT32_C(0x12eaf190),
+        UINT32_C(0xfefc0625),
+        UINT32_C(0x6b6ca9cc),
+        UINT32_C(0xa23c67fd),
+        UINT32_C(0xb64819d9),
+        UINT32_C(0x05a89319),
+        UINT32_C(0xbaaadeaf),
+        UINT32_C(0x491d840a),
+        UINT32_C(0x6fa095e8),
+        UINT32_C(0x0c9efa61),
+        UINT32_C(0x41fec277),
+        UINT32_C(0xd416c56f),
+        UINT32_C(0x478368a2),
+        UINT32_C(0x4135678e),
+        UINT32_C(0xbfe6aa5a),
+        UINT32_C(0xa53fcd66),
+        UINT32_C(0xb2755fd5),
+        UINT32_C(0x9e3d8eba),
+        UINT32_C(0xe7ba43cf),
+        UINT32_C(0x51bbd260),
+        UINT32_C(0x78048f62),
+        UINT32_C(0x15922d0a),
+        UINT32_C(0x6d7d7e5e),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_f_axis_state *, const axis_f_axis_inputs *, axis_f_axis_outputs *) = axis_f_axis_step;
@@ -480,14 +481,14 @@ uint32_t axis_f_axis_self_test(void)
         digest = axis_fold(digest, axis_bits_of(outputs.v_feedforward));
         digest = axis_fold(digest, axis_bits_of(outputs.v_add));
         digest = axis_fold(digest, axis_bits_of(outputs.v_add_calculated));
-        digest = axis_fold(digest, (uint32_t)outputs.manipulated_variable);
         digest = axis_fold(digest, axis_bits_of(outputs.x_drive));
+        digest = axis_fold(digest, (uint32_t)outputs.manipulated_variable);
         digest = axis_fold(digest, (uint32_t)outputs.xerr);
-        digest = axis_fold(digest, (uint32_t)outputs.additive_velocity);
         digest = axis_fold(digest, (uint32_t)outputs.additive_torque);
+        digest = axis_fold(digest, (uint32_t)outputs.additive_velocity);
+        digest = axis_fold(digest, outputs.error_id);
         digest = axis_fold(digest, outputs.limited);
         digest = axis_fold(digest, outputs.fault);
-        digest = axis_fold(digest, outputs.error_id);
         digest = axis_fold(digest, state.ipc_settled);
         digest = axis_fold(digest, state.ipc_gate);
         digest = axis_fold(digest, axis_bits_of(state.ipc_stage0_filter0_section0_s1));

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  34e395339e0520ddd4444822e1ca30ef
- * body        1569533aef7d97da90e482c9c4d6ca1d
+ * body        672aeedf0184e89fb592fed3ae412c41
  */
 #include "axis_x.h"
 
@@ -33,6 +33,17 @@ static double magnitude(double value)
     return __builtin_fabs(value);
 #else
     return value < 0.0 ? -value : value;
+#endif
+}
+
+/* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
+ * rightly; without a library */
+static int32_t nearest(double value)
+{
+#if defined(__GNUC__)
+    return (int32_t)(value + __builtin_copysign(0.49999999999999994, value));
+#else
+    return (int32_t)(value < 0.0 ? value - 0.49999999999999994 : value + 0.49999999999999994);
 #endif
 }
 
@@ -107,15 +118,15 @@ static const uint32_t error_x_command = 17u; /* error_id: x_command is not withi
 static const uint32_t error_none = 0u; /* error_id: no fault */
 static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_x_actual = 18u; /* error_id: x_actual is not within the sample limit */
-static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
 static const uint32_t error_a_interpolator = 15u; /* error_id: a_interpolator is not within the sample limit */
-static const int32_t mode_off = 0; /* mode: the block is off */
+static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
 static const int32_t mode_on = 1; /* mode: the block acts */
+static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
+static const uint32_t error_v_direct = 13u; /* error_id: v_direct is not within the sample limit */
 static const double tiny = 1.0e-30; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
-static const double half = 0.5; /* from here on a fraction is rounded away from zero */
 
 void axis_x_axis_init(axis_x_axis_state *state)
 {
@@ -205,206 +216,195 @@ void axis_x_axis_step(axis_x_axis_state *restrict state, const axis_x_axis_input
         outputs->fault = false;
         outputs->error_id = error_none;
     } else {
-        double feedforward_v_feedforward;
-        bool feedforward_fault;
-        uint32_t feedforward_error_id;
-        if (!(magnitude(inputs->v_interpolator) <= sample_limit)) {
-            feedforward_v_feedforward = 0.0;
-            feedforward_fault = true;
-            feedforward_error_id = error_v_interpolator;
-        } else if (!(magnitude(inputs->a_interpolator) <= sample_limit)) {
-            feedforward_v_feedforward = 0.0;
-            feedforward_fault = true;
-            feedforward_error_id = error_a_interpolator;
-        } else {
+        outputs->x_drive = 0.0;
+        outputs->xerr = 0;
+        outputs->additive_torque = 0;
+        outputs->additive_velocity = 0;
+        outputs->error_id = error_none;
+        outputs->limited = false;
+        outputs->fault = false;
+        double v_feedforward;
+        if (magnitude(inputs->v_interpolator) <= sample_limit && magnitude(inputs->a_interpolator) <= sample_limit) {
             double feedforward_gain_now;
-            if (inputs->feedforward_active) {
+            if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
                 if (inputs->feedforward_percentage >= 100) {
                     feedforward_gain_now = feedforward_weight;
-                } else if (inputs->feedforward_percentage > 0) {
-                    feedforward_gain_now = feedforward_weight_per_percent * ((double)inputs->feedforward_percentage);
                 } else {
-                    feedforward_gain_now = 0.0;
+                    feedforward_gain_now = feedforward_weight_per_percent * ((double)inputs->feedforward_percentage);
                 }
             } else {
                 feedforward_gain_now = 0.0;
             }
             const double feedforward_by_acceleration = feedforward_t_a * inputs->a_interpolator;
             const double feedforward_total = inputs->v_interpolator + feedforward_by_acceleration;
-            feedforward_v_feedforward = feedforward_gain_now * feedforward_total;
-            feedforward_fault = false;
-            feedforward_error_id = error_none;
-        }
-        const double v_lag = position_control_kv * (inputs->x_command - inputs->x_actual);
-        const double v_controller = v_lag + feedforward_v_feedforward;
-        double ipc_v_add;
-        double ipc_v_add_calculated;
-        bool ipc_limited;
-        bool ipc_fault;
-        uint32_t ipc_error_id;
-        if (inputs->mode != mode_off && inputs->mode != mode_on && inputs->mode != mode_dryrun) {
-            state->ipc_settled = false;
-            state->ipc_gate = 0u;
-            ipc_v_add = 0.0;
-            ipc_v_add_calculated = 0.0;
-            ipc_limited = false;
-            ipc_fault = true;
-            ipc_error_id = error_mode;
-        } else if (!(magnitude(inputs->v_motor) <= sample_limit)) {
-            state->ipc_settled = false;
-            state->ipc_gate = 0u;
-            ipc_v_add = 0.0;
-            ipc_v_add_calculated = 0.0;
-            ipc_limited = false;
-            ipc_fault = true;
-            ipc_error_id = error_v_motor;
+            v_feedforward = feedforward_gain_now * feedforward_total;
         } else {
-            if (state->ipc_settled) {
-                if (inputs->mode == mode_on) {
-                    if (state->ipc_gate < ipc_fade_cycles) {
-                        state->ipc_gate = state->ipc_gate + 1u;
-                    }
+            if (!(magnitude(inputs->a_interpolator) <= sample_limit)) {
+                outputs->error_id = error_a_interpolator;
+            } else {
+                outputs->error_id = error_v_interpolator;
+            }
+            outputs->fault = true;
+            v_feedforward = 0.0;
+        }
+        outputs->v_feedforward = v_feedforward;
+        const double v_lag = position_control_kv * (inputs->x_command - inputs->x_actual);
+        const double v_controller = v_lag + v_feedforward;
+        bool runs;
+        if (inputs->mode == mode_on && state->ipc_gate >= ipc_fade_cycles) {
+            if (!(magnitude(inputs->v_motor) <= sample_limit)) {
+                state->ipc_settled = false;
+                state->ipc_gate = 0u;
+                if (inputs->mode != mode_off && inputs->mode != mode_on && inputs->mode != mode_dryrun) {
+                    outputs->error_id = error_mode;
+                } else if (!(magnitude(inputs->v_motor) <= sample_limit)) {
+                    outputs->error_id = error_v_motor;
                 } else {
-                    if (state->ipc_gate > 0u) {
-                        state->ipc_gate = state->ipc_gate - 1u;
-                    }
-                    if (inputs->mode == mode_off && state->ipc_gate == 0u) {
-                        state->ipc_settled = false;
-                    }
+                    outputs->error_id = error_v_direct;
                 }
-                /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755) */
-                /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
-                 * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
-                const double ipc_stage0_filter0_section0_t = ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                const double ipc_stage0_filter0_section0_y =
-                    state->ipc_stage0_filter0_section0_s1 - ipc_stage0_filter0_section0_t;
-                state->ipc_stage0_filter0_section0_s1 =
-                    state->ipc_stage0_filter0_section0_s2 - ipc_stage0_filter0_bandpass0_a1 * ipc_stage0_filter0_section0_y;
-                state->ipc_stage0_filter0_section0_s2 =
-                    ipc_stage0_filter0_section0_t + tiny - ipc_stage0_filter0_bandpass0_a2 * ipc_stage0_filter0_section0_y;
-                const double ipc_v_stage = ipc_stage0_gain * ipc_stage0_filter0_section0_y;
-                /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755) */
-                /* simulated oscillation of the load, f0 of the first BANDPASS 11 Hz (P-AXIS-00751), damping ratio 0.8
-                 * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-                const double ipc_stage1_oscillation_y =
-                    ipc_stage1_oscillation_b0 * inputs->v_motor + state->ipc_stage1_oscillation_s1;
-                state->ipc_stage1_oscillation_s1 =
-                    ipc_stage1_oscillation_b1 * inputs->v_motor - ipc_stage1_oscillation_a1 * ipc_stage1_oscillation_y + state->ipc_stage1_oscillation_s2;
-                state->ipc_stage1_oscillation_s2 =
-                    ipc_stage1_oscillation_b2 * inputs->v_motor + tiny - ipc_stage1_oscillation_a2 * ipc_stage1_oscillation_y;
-                /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751),
-                 * quality factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz */
-                const double ipc_stage1_filter0_section0_t =
-                    ipc_stage1_filter0_bandpass0_b2 * ipc_stage1_oscillation_y;
-                const double ipc_stage1_filter0_section0_y =
-                    state->ipc_stage1_filter0_section0_s1 - ipc_stage1_filter0_section0_t;
-                state->ipc_stage1_filter0_section0_s1 =
-                    state->ipc_stage1_filter0_section0_s2 - ipc_stage1_filter0_bandpass0_a1 * ipc_stage1_filter0_section0_y;
-                state->ipc_stage1_filter0_section0_s2 =
-                    ipc_stage1_filter0_section0_t + tiny - ipc_stage1_filter0_bandpass0_a2 * ipc_stage1_filter0_section0_y;
-                const double ipc_v_stage_2 = ipc_stage1_gain * ipc_stage1_filter0_section0_y;
-                const double ipc_v_sum = ipc_v_stage + ipc_v_stage_2;
-                double ipc_v_limited;
-                if (magnitude(ipc_v_sum) <= ipc_limit) {
-                    if (magnitude(ipc_v_sum) <= ipc_rest) {
-                        ipc_v_limited = 0.0;
+                outputs->fault = true;
+                runs = false;
+            } else {
+                runs = true;
+            }
+        } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun) && magnitude(inputs->v_motor) <= sample_limit) {
+            if (inputs->mode != mode_on || state->ipc_gate < ipc_fade_cycles) {
+                if (state->ipc_settled) {
+                    if (inputs->mode == mode_on) {
+                        if (state->ipc_gate < ipc_fade_cycles) {
+                            state->ipc_gate = state->ipc_gate + 1u;
+                        }
                     } else {
-                        ipc_v_limited = ipc_v_sum;
+                        if (state->ipc_gate > 0u) {
+                            state->ipc_gate = state->ipc_gate - 1u;
+                        }
+                        if (inputs->mode == mode_off && state->ipc_gate == 0u) {
+                            state->ipc_settled = false;
+                        }
                     }
-                    ipc_limited = false;
-                } else if (ipc_v_sum > ipc_limit) {
-                    ipc_limited = true;
+                    runs = true;
+                } else {
+                    if (inputs->mode != mode_off) {
+                        /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755) */
+                        /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
+                         * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
+                        const double ipc_stage0_filter0_section0_s = ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
+                        state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_s;
+                        state->ipc_stage0_filter0_section0_s2 = ipc_stage0_filter0_section0_s;
+                        /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755) */
+                        /* simulated oscillation of the load, f0 of the first BANDPASS 11 Hz (P-AXIS-00751), damping ratio 0.8
+                         * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
+                        state->ipc_stage1_oscillation_s1 = ipc_stage1_oscillation_settled_s1 * inputs->v_motor;
+                        state->ipc_stage1_oscillation_s2 = ipc_stage1_oscillation_settled_s2 * inputs->v_motor;
+                        /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751),
+                         * quality factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz */
+                        const double ipc_stage1_filter0_section0_s = ipc_stage1_filter0_bandpass0_b2 * inputs->v_motor;
+                        state->ipc_stage1_filter0_section0_s1 = ipc_stage1_filter0_section0_s;
+                        state->ipc_stage1_filter0_section0_s2 = ipc_stage1_filter0_section0_s;
+                        state->ipc_settled = true;
+                    }
+                    runs = false;
+                }
+            } else {
+                runs = true;
+            }
+        } else {
+            state->ipc_settled = false;
+            state->ipc_gate = 0u;
+            if (inputs->mode != mode_off && inputs->mode != mode_on && inputs->mode != mode_dryrun) {
+                outputs->error_id = error_mode;
+            } else if (!(magnitude(inputs->v_motor) <= sample_limit)) {
+                outputs->error_id = error_v_motor;
+            } else {
+                outputs->error_id = error_v_direct;
+            }
+            outputs->fault = true;
+            runs = false;
+        }
+        double v_add;
+        if (runs) {
+            /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755) */
+            /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
+             * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
+            const double ipc_stage0_filter0_section0_t = ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
+            const double ipc_stage0_filter0_section0_y =
+                state->ipc_stage0_filter0_section0_s1 - ipc_stage0_filter0_section0_t;
+            state->ipc_stage0_filter0_section0_s1 =
+                state->ipc_stage0_filter0_section0_s2 - ipc_stage0_filter0_bandpass0_a1 * ipc_stage0_filter0_section0_y;
+            state->ipc_stage0_filter0_section0_s2 =
+                ipc_stage0_filter0_section0_t + tiny - ipc_stage0_filter0_bandpass0_a2 * ipc_stage0_filter0_section0_y;
+            const double ipc_v_stage = ipc_stage0_gain * ipc_stage0_filter0_section0_y;
+            /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755) */
+            /* simulated oscillation of the load, f0 of the first BANDPASS 11 Hz (P-AXIS-00751), damping ratio 0.8
+             * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
+            const double ipc_stage1_oscillation_y =
+                ipc_stage1_oscillation_b0 * inputs->v_motor + state->ipc_stage1_oscillation_s1;
+            state->ipc_stage1_oscillation_s1 =
+                ipc_stage1_oscillation_b1 * inputs->v_motor - ipc_stage1_oscillation_a1 * ipc_stage1_oscillation_y + state->ipc_stage1_oscillation_s2;
+            state->ipc_stage1_oscillation_s2 =
+                ipc_stage1_oscillation_b2 * inputs->v_motor + tiny - ipc_stage1_oscillation_a2 * ipc_stage1_oscillation_y;
+            /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751),
+             * quality factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz */
+            const double ipc_stage1_filter0_section0_t = ipc_stage1_filter0_bandpass0_b2 * ipc_stage1_oscillation_y;
+            const double ipc_stage1_filter0_section0_y =
+                state->ipc_stage1_filter0_section0_s1 - ipc_stage1_filter0_section0_t;
+            state->ipc_stage1_filter0_section0_s1 =
+                state->ipc_stage1_filter0_section0_s2 - ipc_stage1_filter0_bandpass0_a1 * ipc_stage1_filter0_section0_y;
+            state->ipc_stage1_filter0_section0_s2 =
+                ipc_stage1_filter0_section0_t + tiny - ipc_stage1_filter0_bandpass0_a2 * ipc_stage1_filter0_section0_y;
+            const double ipc_v_stage_2 = ipc_stage1_gain * ipc_stage1_filter0_section0_y;
+            const double ipc_v_sum = ipc_v_stage + ipc_v_stage_2;
+            double ipc_v_limited;
+            if (!(magnitude(ipc_v_sum) <= ipc_limit)) {
+                if (ipc_v_sum > 0.0) {
                     ipc_v_limited = ipc_limit;
-                } else if (ipc_v_sum < ipc_lower_limit) {
-                    ipc_limited = true;
+                } else if (ipc_v_sum < 0.0) {
                     ipc_v_limited = ipc_lower_limit;
                 } else {
-                    ipc_limited = false;
                     ipc_v_limited = 0.0;
                 }
-                if (state->ipc_gate >= ipc_fade_cycles) {
-                    ipc_v_add = ipc_v_limited;
-                    ipc_v_add_calculated = ipc_v_limited;
-                } else {
-                    if (state->ipc_gate > 0u) {
-                        ipc_v_add = ipc_v_limited * ((double)state->ipc_gate * ipc_fade_step);
-                    } else {
-                        ipc_v_add = 0.0;
-                    }
-                    if (inputs->mode != mode_off) {
-                        ipc_v_add_calculated = ipc_v_limited;
-                    } else {
-                        ipc_v_add_calculated = 0.0;
-                    }
-                }
+                outputs->limited = true;
+            } else if (!(magnitude(ipc_v_sum) <= ipc_rest)) {
+                ipc_v_limited = ipc_v_sum;
             } else {
+                ipc_v_limited = 0.0;
+            }
+            if (state->ipc_gate >= ipc_fade_cycles) {
+                v_add = ipc_v_limited;
+                outputs->v_add_calculated = ipc_v_limited;
+            } else {
+                if (state->ipc_gate > 0u) {
+                    v_add = ipc_v_limited * ((double)state->ipc_gate * ipc_fade_step);
+                } else {
+                    v_add = 0.0;
+                }
                 if (inputs->mode == mode_off) {
-                    state->ipc_settled = false;
-                    state->ipc_gate = 0u;
+                    outputs->v_add_calculated = 0.0;
                 } else {
-                    /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755) */
-                    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
-                     * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
-                    const double ipc_stage0_filter0_section0_s = ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                    state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_s;
-                    state->ipc_stage0_filter0_section0_s2 = ipc_stage0_filter0_section0_s;
-                    /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755) */
-                    /* simulated oscillation of the load, f0 of the first BANDPASS 11 Hz (P-AXIS-00751), damping ratio 0.8
-                     * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-                    state->ipc_stage1_oscillation_s1 = ipc_stage1_oscillation_settled_s1 * inputs->v_motor;
-                    state->ipc_stage1_oscillation_s2 = ipc_stage1_oscillation_settled_s2 * inputs->v_motor;
-                    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751),
-                     * quality factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz */
-                    const double ipc_stage1_filter0_section0_s = ipc_stage1_filter0_bandpass0_b2 * inputs->v_motor;
-                    state->ipc_stage1_filter0_section0_s1 = ipc_stage1_filter0_section0_s;
-                    state->ipc_stage1_filter0_section0_s2 = ipc_stage1_filter0_section0_s;
-                    state->ipc_settled = true;
+                    outputs->v_add_calculated = ipc_v_limited;
                 }
-                ipc_v_add = 0.0;
-                ipc_v_add_calculated = 0.0;
-                ipc_limited = false;
             }
-            ipc_fault = false;
-            ipc_error_id = error_none;
+        } else {
+            v_add = 0.0;
+            outputs->v_add_calculated = 0.0;
         }
-        const double position_control_v_drive = v_controller + ipc_v_add;
+        outputs->v_add = v_add;
+        const double position_control_v_drive = v_controller + v_add;
         const double position_control_increments = position_control_manipulated_scale * position_control_v_drive;
-        int32_t position_control_value;
-        if (position_control_increments <= position_control_manipulated_range_lower_limit) {
-            position_control_value = position_control_manipulated_range_lowest;
-        } else if (position_control_increments < position_control_manipulated_range_upper_limit) {
-            const int32_t position_control_whole = (int32_t)position_control_increments;
-            const double position_control_rest = position_control_increments - (double)position_control_whole;
-            if (position_control_rest >= half) {
-                position_control_value = (int32_t)((uint32_t)position_control_whole + (uint32_t)1);
-            } else if (position_control_rest <= -half) {
-                position_control_value = (int32_t)((uint32_t)position_control_whole - (uint32_t)1);
-            } else {
-                position_control_value = position_control_whole;
+        if (magnitude(position_control_increments) <= position_control_manipulated_range_upper_limit) {
+            outputs->manipulated_variable = nearest(position_control_increments);
+        } else if (position_control_increments > 0.0) {
+            outputs->manipulated_variable = position_control_manipulated_range_highest;
+            outputs->limited = true;
+        } else if (position_control_increments > position_control_manipulated_range_lower_limit) {
+            outputs->manipulated_variable = nearest(position_control_increments);
+        } else {
+            if (position_control_increments < position_control_manipulated_range_lower_limit) {
+                outputs->limited = true;
             }
-        } else {
-            position_control_value = position_control_manipulated_range_highest;
+            outputs->manipulated_variable = position_control_manipulated_range_lowest;
         }
-        const bool position_control_limited =
-            position_control_increments < position_control_manipulated_range_lower_limit || position_control_increments > position_control_manipulated_range_upper_limit;
-        outputs->v_feedforward = feedforward_v_feedforward;
-        outputs->v_add = ipc_v_add;
-        outputs->v_add_calculated = ipc_v_add_calculated;
         outputs->v_command = v_controller;
-        outputs->manipulated_variable = position_control_value;
-        outputs->x_drive = 0.0;
-        outputs->xerr = 0;
-        outputs->additive_velocity = 0;
-        outputs->additive_torque = 0;
-        outputs->limited = ipc_limited || position_control_limited;
-        outputs->fault = feedforward_fault || ipc_fault;
-        uint32_t error_id;
-        if (feedforward_fault) {
-            error_id = feedforward_error_id;
-        } else {
-            error_id = ipc_error_id;
-        }
-        outputs->error_id = error_id;
     }
 }
 
@@ -437,62 +437,62 @@ uint32_t axis_x_axis_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint64_t expected[56] = {
-        UINT64_C(0x68b370c65f75f543),
-        UINT64_C(0x376afe571aadedf7),
-        UINT64_C(0x32dc83f97dc10289),
-        UINT64_C(0x74d6400bcc27bc6a),
-        UINT64_C(0x176ff723e7fa76ba),
-        UINT64_C(0xfbfc1a58f4afbc23),
-        UINT64_C(0xef6b0d4e7b2cd7ce),
-        UINT64_C(0x62fb8115270a089f),
-        UINT64_C(0x9b3ad176a1009df8),
-        UINT64_C(0xf0007620076fc0dc),
-        UINT64_C(0x5bc799be1b909351),
-        UINT64_C(0x5dcfc77316ee8ab4),
-        UINT64_C(0x179138510cba1963),
-        UINT64_C(0xa47310771600d6aa),
-        UINT64_C(0xcdc55a1cefdb4014),
-        UINT64_C(0x7d0a05c6056d50ad),
-        UINT64_C(0xa7040f6f41d3cfca),
-        UINT64_C(0xe4ece8ee24cb21db),
-        UINT64_C(0x0b8ad1dfd52a26db),
-        UINT64_C(0xc9b4bee01a61bc02),
-        UINT64_C(0xa57f0e5d0a0f479f),
-        UINT64_C(0x21452b654b9d6bed),
-        UINT64_C(0x62e6bdf57536e574),
-        UINT64_C(0x6310a4a88dfca049),
-        UINT64_C(0xba8857d0b7cfac6f),
-        UINT64_C(0x4f090342cb30c797),
-        UINT64_C(0xef40519bf4072aee),
-        UINT64_C(0xc6880fd834e832d8),
-        UINT64_C(0xe2be49cfc63f4e5d),
-        UINT64_C(0xc1675fa3b9d94884),
-        UINT64_C(0x298767b244a2c790),
-        UINT64_C(0x001c4ab8fd4da986),
-        UINT64_C(0xf0d2eaada005940e),
-        UINT64_C(0x15faecea435d857f),
-        UINT64_C(0xea03c287dcaeaa24),
-        UINT64_C(0x5a3c2978a5ed51d8),
-        UINT64_C(0xa20b1ec2cedd642f),
-        UINT64_C(0xbadb2036bf5834fc),
-        UINT64_C(0x6da5ec75ebfa13f8),
-        UINT64_C(0xb32a5d5abede4b47),
-        UINT64_C(0xd2eb1cbb946b9d84),
-        UINT64_C(0xc2e6365f0f45370c),
-        UINT64_C(0x30e8921ad44d4aa4),
-        UINT64_C(0xe1b9b44200c9397c),
-        UINT64_C(0xdafa64f2585672fe),
-        UINT64_C(0x565da59bdb3195c8),
-        UINT64_C(0x53c3609e2e9419ff),
-        UINT64_C(0x92bea57bbc01407d),
-        UINT64_C(0xeeda77516fb1bb35),
-        UINT64_C(0x091bd8ef26844929),
-        UINT64_C(0x6c55fbc0d099bc81),
-        UINT64_C(0xa77274c57edb734e),
-        UINT64_C(0xb0abbfe102a08df5),
-        UINT64_C(0xfd60239c8a852821),
-        UINT64_C(0xe02b921b03652fbc),
-        UINT64_C(0xbc5c646d4d1e720b),
+        UINT64_C(0x68b3690678301ac3),
+        UINT64_C(0xc35126571aad71f9),
+        UINT64_C(0x32d4c42259558609),
+        UINT64_C(0x2e1e704c3688ceb7),
+        UINT64_C(0xbdc8eaef7a7d7aa1),
+        UINT64_C(0x242c51135e40aa5c),
+        UINT64_C(0x8879e91131889bf5),
+        UINT64_C(0xc8ef967ef735376a),
+        UINT64_C(0x9dedb66d9c2c1f15),
+        UINT64_C(0xa2b88030635bdd8b),
+        UINT64_C(0x1ac536a93a3cd297),
+        UINT64_C(0x4893bbcea4041c86),
+        UINT64_C(0xe8ea4db0479ce3bc),
+        UINT64_C(0x529fb6143f66d51e),
+        UINT64_C(0x642539981e368dc6),
+        UINT64_C(0x62bee0df0c29b240),
+        UINT64_C(0x12f9fd9d8f67ce3b),
+        UINT64_C(0xbe2cc8351d8a4040),
+        UINT64_C(0x977cb82c9b1499ab),
+        UINT64_C(0x285be428f33b348e),
+        UINT64_C(0x33169712f43de3ec),
+        UINT64_C(0xc42ef02dfdf1abcc),
+        UINT64_C(0x882ab42f4910bd3f),
+        UINT64_C(0xa0ae199bcc361626),
+        UINT64_C(0x9e1fb5a43c2d4be3),
+        UINT64_C(0x94e2fa80469b3f4f),
+        UINT64_C(0xa5e7c5607374d7e6),
+        UINT64_C(0xbd62d793b31713bf),
+        UINT64_C(0xc5ac583fa77cedd5),
+        UINT64_C(0xd5414f6253e91ec2),
+        UINT64_C(0xca84c3d31a8d3ada),
+        UINT64_C(0x5ec37f630c6944f3),
+        UINT64_C(0xe28c99c33de3deaf),
+        UINT64_C(0xf3df96f8df023eb9),
+        UINT64_C(0xa44f56360118140d),
+        UINT64_C(0xa0d2c803c9e7021a),
+        UINT64_C(0xe1a622e6ee586802),
+        UINT64_C(0xb28b55ab83dfa19e),
+        UINT64_C(0xb61cb69504ecb3e4),
+        UINT64_C(0x4254545f6287a1d9),
+        UINT64_C(0x0d807e14923da8ce),
+        UINT64_C(0xa006eaf23f5e3efb),
+        UINT64_C(0x32791108a13e2497),
+        UINT64_C(0xb0c74bb1f2ea0b98),
+        UINT64_C(0xfd0786aef89cc63d),
+        UINT64_C(0x5ac2d98dae4d1bb2),
+        UINT64_C(0x857bb77ee91400fc),
+        UINT64_C(0x3abd0d8efafd1489),
+        UINT64_C(0xde97b06215302d89),
+        UINT64_C(0x60ff1de668cfb0d3),
+        UINT64_C(0x91088f4aa33ea475),
+        UINT64_C(0xd1c0ec727921c4ec),
+        UINT64_C(0x550cf26209780b05),
+        UINT64_C(0x6ad40d60c9ae3ab1),
+        UINT64_C(0xd2b8db0f46698040),
+        UINT64_C(0xec9d853771bc5e90),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_axis_state *, const axis_x_axis_inputs *, axis_x_axis_outputs *) = axis_x_axis_step;
@@ -542,14 +542,14 @@ uint32_t axis_x_axis_self_test(void)
         digest = axis_fold(digest, axis_bits_of(outputs.v_feedforward));
         digest = axis_fold(digest, axis_bits_of(outputs.v_add));
         digest = axis_fold(digest, axis_bits_of(outputs.v_add_calculated));
-        digest = axis_fold(digest, (uint32_t)outputs.manipulated_variable);
         digest = axis_fold(digest, axis_bits_of(outputs.x_drive));
+        digest = axis_fold(digest, (uint32_t)outputs.manipulated_variable);
         digest = axis_fold(digest, (uint32_t)outputs.xerr);
-        digest = axis_fold(digest, (uint32_t)outputs.additive_velocity);
         digest = axis_fold(digest, (uint32_t)outputs.additive_torque);
+        digest = axis_fold(digest, (uint32_t)outputs.additive_velocity);
+        digest = axis_fold(digest, outputs.error_id);
         digest = axis_fold(digest, outputs.limited);
         digest = axis_fold(digest, outputs.fault);
-        digest = axis_fold(digest, outputs.error_id);
         digest = axis_fold(digest, state.ipc_settled);
         digest = axis_fold(digest, state.ipc_gate);
         digest = axis_fold(digest, axis_bits_of(state.ipc_stage0_filter0_section0_s1));

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  34e395339e0520ddd4444822e1ca30ef
- * body        97736ebb7e13455e959f29bdd0ddb289
+ * body        73777948021dc1d7eb3866a8c908bda7
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,9 +15,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/*  */
-
 /* Written by the caller. axis_x_axis_inputs_init fills in what is said to be the start. */
 typedef struct {
     double x_command; /* command position of the interpolator, on the same turn as x_actual [um or 0.001 deg]; start 0.0 */
@@ -42,14 +39,14 @@ typedef struct {
     double v_feedforward; /* conventional feedforward [um/s or 0.001 deg/s] */
     double v_add; /* additive velocity of improved position control; gantry slaves get it as v_add_master [um/s or 0.001 deg/s] */
     double v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the gate; 0 in OFF [um/s or 0.001 deg/s] */
-    int32_t manipulated_variable; /* position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments] */
     double x_drive; /* position control in the drive: the position command of the drive [um or 0.001 deg] */
+    int32_t manipulated_variable; /* position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments] */
     int32_t xerr; /* PROFIdrive: control deviation XERR, signal 25 (P-AXIS-00092) [increments] */
-    int32_t additive_velocity; /* additive velocity command of the drive (P-AXIS-00205 to 00207) [increments] */
     int32_t additive_torque; /* additive torque command of the drive (P-AXIS-00325/00326) [increments] */
+    int32_t additive_velocity; /* additive velocity command of the drive (P-AXIS-00205 to 00207) [increments] */
+    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 to 18 and 22 an input is no usable number */
     bool limited; /* the limit of v_add or a process-data type cuts an output off in this cycle */
     bool fault; /* a part of the block cannot act in this cycle, error_id says why */
-    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 to 18 and 22 an input is no usable number */
 } axis_x_axis_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  01b2d560e57f4aac4b6a8e72d07833cb
- * body        ddef69d9e8d41111c8c91f163349d39b
+ * body        93c980f3daf9c580b44fd8b16a7d9d43
  */
 #include "axis_y2.h"
 
@@ -36,6 +36,17 @@ static double magnitude(double value)
 #endif
 }
 
+/* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
+ * rightly; without a library */
+static int32_t nearest(double value)
+{
+#if defined(__GNUC__)
+    return (int32_t)(value + __builtin_copysign(0.49999999999999994, value));
+#else
+    return (int32_t)(value < 0.0 ? value - 0.49999999999999994 : value + 0.49999999999999994);
+#endif
+}
+
 /* cycle time 1000 us, the coefficients hold for no other */
 static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
 
@@ -62,10 +73,10 @@ static const uint32_t error_none = 0u; /* error_id: no fault */
 static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_x_actual = 18u; /* error_id: x_actual is not within the sample limit */
 static const uint32_t error_v_add_master = 22u; /* error_id: v_add_master is not within the sample limit */
-static const double half = 0.5; /* from here on a fraction is rounded away from zero */
 
 void axis_y2_axis_init(axis_y2_axis_state *state)
 {
+    state->unused = false;
 }
 
 void axis_y2_axis_inputs_init(axis_y2_axis_inputs *inputs)
@@ -89,6 +100,7 @@ void axis_y2_axis_inputs_init(axis_y2_axis_inputs *inputs)
 void axis_y2_axis_step(axis_y2_axis_state *restrict state, const axis_y2_axis_inputs *restrict inputs,
     axis_y2_axis_outputs *restrict outputs)
 {
+    (void)state;
     if (!(magnitude(inputs->x_command) <= sample_limit)) {
         outputs->v_feedforward = 0.0;
         outputs->v_add = 0.0;
@@ -142,63 +154,48 @@ void axis_y2_axis_step(axis_y2_axis_state *restrict state, const axis_y2_axis_in
         outputs->fault = false;
         outputs->error_id = error_none;
     } else {
-        const double v_lag = position_control_kv * (inputs->x_command - inputs->x_actual);
-        double v_add;
-        bool limited;
-        bool fault;
-        uint32_t error_id;
-        if (!(magnitude(inputs->v_add_master) <= sample_limit)) {
-            v_add = 0.0;
-            limited = false;
-            fault = true;
-            error_id = error_v_add_master;
-        } else {
-            if (magnitude(inputs->v_add_master) <= master_limit) {
-                v_add = inputs->v_add_master;
-                limited = false;
-            } else {
-                if (inputs->v_add_master > 0.0) {
-                    v_add = master_limit;
-                } else {
-                    v_add = master_lower_limit;
-                }
-                limited = true;
-            }
-            fault = false;
-            error_id = 0u;
-        }
-        const double position_control_v_drive = v_lag + v_add;
-        const double position_control_increments = position_control_manipulated_scale * position_control_v_drive;
-        int32_t position_control_value;
-        if (position_control_increments <= position_control_manipulated_range_lower_limit) {
-            position_control_value = position_control_manipulated_range_lowest;
-        } else if (position_control_increments < position_control_manipulated_range_upper_limit) {
-            const int32_t position_control_whole = (int32_t)position_control_increments;
-            const double position_control_rest = position_control_increments - (double)position_control_whole;
-            if (position_control_rest >= half) {
-                position_control_value = (int32_t)((uint32_t)position_control_whole + (uint32_t)1);
-            } else if (position_control_rest <= -half) {
-                position_control_value = (int32_t)((uint32_t)position_control_whole - (uint32_t)1);
-            } else {
-                position_control_value = position_control_whole;
-            }
-        } else {
-            position_control_value = position_control_manipulated_range_highest;
-        }
-        const bool position_control_limited =
-            position_control_increments < position_control_manipulated_range_lower_limit || position_control_increments > position_control_manipulated_range_upper_limit;
         outputs->v_feedforward = 0.0;
-        outputs->v_add = v_add;
-        outputs->v_add_calculated = v_add;
-        outputs->v_command = v_lag;
-        outputs->manipulated_variable = position_control_value;
         outputs->x_drive = 0.0;
         outputs->xerr = 0;
-        outputs->additive_velocity = 0;
         outputs->additive_torque = 0;
-        outputs->limited = limited || position_control_limited;
-        outputs->fault = fault;
-        outputs->error_id = error_id;
+        outputs->additive_velocity = 0;
+        outputs->error_id = error_none;
+        outputs->limited = false;
+        outputs->fault = false;
+        const double v_lag = position_control_kv * (inputs->x_command - inputs->x_actual);
+        double v_add;
+        if (!(magnitude(inputs->v_add_master) <= sample_limit)) {
+            outputs->fault = true;
+            outputs->error_id = error_v_add_master;
+            v_add = 0.0;
+        } else if (magnitude(inputs->v_add_master) <= master_limit) {
+            v_add = inputs->v_add_master;
+        } else {
+            if (inputs->v_add_master > 0.0) {
+                v_add = master_limit;
+            } else {
+                v_add = master_lower_limit;
+            }
+            outputs->limited = true;
+        }
+        outputs->v_add = v_add;
+        outputs->v_add_calculated = v_add;
+        const double position_control_v_drive = v_lag + v_add;
+        const double position_control_increments = position_control_manipulated_scale * position_control_v_drive;
+        if (magnitude(position_control_increments) <= position_control_manipulated_range_upper_limit) {
+            outputs->manipulated_variable = nearest(position_control_increments);
+        } else if (position_control_increments > 0.0) {
+            outputs->manipulated_variable = position_control_manipulated_range_highest;
+            outputs->limited = true;
+        } else if (position_control_increments > position_control_manipulated_range_lower_limit) {
+            outputs->manipulated_variable = nearest(position_control_increments);
+        } else {
+            if (position_control_increments < position_control_manipulated_range_lower_limit) {
+                outputs->limited = true;
+            }
+            outputs->manipulated_variable = position_control_manipulated_range_lowest;
+        }
+        outputs->v_command = v_lag;
     }
 }
 
@@ -231,62 +228,62 @@ uint32_t axis_y2_axis_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint64_t expected[56] = {
-        UINT64_C(0x005f2374431c7e08),
-        UINT64_C(0x8005f2374431c811),
-        UINT64_C(0x1825ebc934ff6781),
-        UINT64_C(0x11dd2f625fb0d940),
-        UINT64_C(0x011dd2f625fb0dc6),
-        UINT64_C(0x60720594fc1bf3a4),
-        UINT64_C(0x4664d1b435ae0c82),
-        UINT64_C(0x240a250d85db5ac8),
-        UINT64_C(0x821fb22edb8e93b4),
-        UINT64_C(0x47ffb32980fdca43),
-        UINT64_C(0x3420df0610bdfea4),
-        UINT64_C(0x43672a02158edc2a),
-        UINT64_C(0xa415f93244de004a),
-        UINT64_C(0xaa679373d8a1ff04),
-        UINT64_C(0x4a832f655b69a5f8),
-        UINT64_C(0x84cd1c5a325acd5f),
-        UINT64_C(0xf86e419d6ea0bed5),
-        UINT64_C(0x5fe494cb4b5c38f5),
-        UINT64_C(0x55a34d35e91b570f),
-        UINT64_C(0xf53984be137f3b38),
-        UINT64_C(0x8f73fac30881f473),
-        UINT64_C(0x3899dae00c304a47),
-        UINT64_C(0x73e7e27f791304e2),
-        UINT64_C(0x2719df8ca3134756),
-        UINT64_C(0x621639e3054b8175),
-        UINT64_C(0x56455c0d0bd39817),
-        UINT64_C(0x7542f7830d903589),
-        UINT64_C(0x9733be6ea15c8420),
-        UINT64_C(0x091461fff19de002),
-        UINT64_C(0x20ec1208a5507e08),
-        UINT64_C(0x826de87c50e509e8),
-        UINT64_C(0x8807006623f28c26),
-        UINT64_C(0x68de57adf4496eca),
-        UINT64_C(0xa6b52c2165a7f72c),
-        UINT64_C(0xca0e9b441b7c2c72),
-        UINT64_C(0x2cc80197a8c3b2c7),
-        UINT64_C(0x72f0ccf4f238372c),
-        UINT64_C(0xc70bee60f5c9937a),
-        UINT64_C(0xac1638efbf383137),
-        UINT64_C(0x7aa0986c8874049b),
-        UINT64_C(0xb789deb9c5dedad1),
-        UINT64_C(0x1b1ff6a5ddbe106d),
-        UINT64_C(0xd1d2bbddbd4f8606),
-        UINT64_C(0x6d799f15f5b18468),
-        UINT64_C(0x86fc3d703ff31c46),
-        UINT64_C(0x6814622b9f0a0bc4),
-        UINT64_C(0x46db83a86cc9f744),
-        UINT64_C(0x444c5bf60f7840fc),
-        UINT64_C(0xc21024bf55adec17),
-        UINT64_C(0x8350f3a66e4f62c1),
-        UINT64_C(0x0756b7946ae57a34),
-        UINT64_C(0x3c14d11b1862dbab),
-        UINT64_C(0xaa21d853c812b1c2),
-        UINT64_C(0x1bdad21e4de5af24),
-        UINT64_C(0x4208ea60ddf2def2),
-        UINT64_C(0x1c91102af8ebb1f7),
+        UINT64_C(0x406058f8431c7e00),
+        UINT64_C(0x0406058f84320be1),
+        UINT64_C(0x10610c2fb8ff6bbe),
+        UINT64_C(0x21666692c7f0d97c),
+        UINT64_C(0xc21666692c7f5598),
+        UINT64_C(0xcc01beb82c843819),
+        UINT64_C(0xdca080a8e8b490c1),
+        UINT64_C(0x1deab02dd10bc30c),
+        UINT64_C(0x01bf33e020419a31),
+        UINT64_C(0x507c69bc1548faa3),
+        UINT64_C(0x35283394ba02b1aa),
+        UINT64_C(0xa37329ec4023275a),
+        UINT64_C(0xea179917e78744f5),
+        UINT64_C(0x5ec23a81b2cc934f),
+        UINT64_C(0x35cc8448390c4f35),
+        UINT64_C(0x537d6e076034f7f3),
+        UINT64_C(0x35585bb5017e617f),
+        UINT64_C(0x3335fa47048a1318),
+        UINT64_C(0x83541463a4ae34b1),
+        UINT64_C(0x5815a7ad2f38690b),
+        UINT64_C(0xb5a1d9e37a3d8750),
+        UINT64_C(0x0b7aa637934c0375),
+        UINT64_C(0x909819d0f1851838),
+        UINT64_C(0xc969eb623a9a6883),
+        UINT64_C(0x3cb75ee51ec3f388),
+        UINT64_C(0x83ebffcc6d6b1f38),
+        UINT64_C(0xc81f2854c3a9adf3),
+        UINT64_C(0x7ce26d297cbe1b9f),
+        UINT64_C(0xf7ee85b85f53f979),
+        UINT64_C(0xdf5f4e786c2bdf97),
+        UINT64_C(0xbdd66e258d52bff9),
+        UINT64_C(0xdbbdb5a5f7b9677f),
+        UINT64_C(0x3d9c4090b185dc78),
+        UINT64_C(0x83fa8e94917bbe07),
+        UINT64_C(0x78603af24e3968e0),
+        UINT64_C(0x07a6cd9acbef868e),
+        UINT64_C(0xe01b0ae6a46af468),
+        UINT64_C(0xce62129dd0ecbf46),
+        UINT64_C(0x6c86cb220cea63f4),
+        UINT64_C(0x86a8e655ed4f27bf),
+        UINT64_C(0x384af2175c2c8cfc),
+        UINT64_C(0xc3a55a48f722eb8f),
+        UINT64_C(0xfc5aa7702ee5d3b8),
+        UINT64_C(0xcfa61ab09ccae93b),
+        UINT64_C(0xbc9b12f82a64b293),
+        UINT64_C(0x3bea420b9db12529),
+        UINT64_C(0xd39ef78d2cb468d2),
+        UINT64_C(0x6d1a57091b76e80d),
+        UINT64_C(0x16a1c33f866dd681),
+        UINT64_C(0x11436b10f15b5d88),
+        UINT64_C(0xc0ef0e01131635f8),
+        UINT64_C(0xcc4d95d462e5e37f),
+        UINT64_C(0x3c59b236dcbade58),
+        UINT64_C(0xc3313983bf302e05),
+        UINT64_C(0x5c550581f5078300),
+        UINT64_C(0x456a95768a5cf850),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_y2_axis_state *, const axis_y2_axis_inputs *, axis_y2_axis_outputs *) = axis_y2_axis_step;
@@ -337,14 +334,14 @@ uint32_t axis_y2_axis_self_test(void)
         digest = axis_fold(digest, axis_bits_of(outputs.v_feedforward));
         digest = axis_fold(digest, axis_bits_of(outputs.v_add));
         digest = axis_fold(digest, axis_bits_of(outputs.v_add_calculated));
-        digest = axis_fold(digest, (uint32_t)outputs.manipulated_variable);
         digest = axis_fold(digest, axis_bits_of(outputs.x_drive));
+        digest = axis_fold(digest, (uint32_t)outputs.manipulated_variable);
         digest = axis_fold(digest, (uint32_t)outputs.xerr);
-        digest = axis_fold(digest, (uint32_t)outputs.additive_velocity);
         digest = axis_fold(digest, (uint32_t)outputs.additive_torque);
+        digest = axis_fold(digest, (uint32_t)outputs.additive_velocity);
+        digest = axis_fold(digest, outputs.error_id);
         digest = axis_fold(digest, outputs.limited);
         digest = axis_fold(digest, outputs.fault);
-        digest = axis_fold(digest, outputs.error_id);
         if (digest != expected[sample]) {
             return sample + 1u;
         }

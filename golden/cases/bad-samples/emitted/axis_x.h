@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  dd3714341cc42b999aed7c65c021489b
- * body        b494d2474c50319bb56166a8cc8b7409
+ * body        a2df08760e4529149ef63aec677852b3
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,7 +15,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
 /* range: |v| <= 500000 gives |v_add| <= 1925406 before the limit and no |state| above 726487; for |v| <= 1e15:
  * 3.850812e15, within double precision
  * stage[0] at 60 Hz: designed 0.8490583 at 147.9946 deg, measured 0.8490583 at 147.9946 deg; at 54.28497 Hz:

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e8e1f0a47ea514001e7042c1835ee7b3
- * body        588401e04d786360dcf1d8c60e249a7b
+ * body        2120e36eeb99c637c28902a3497fdee0
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,7 +15,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
 /* range: |v| <= 500000 gives |v_add| <= 2972567 before the limit and no |state| above 1152334; for |v| <= 1e15:
  * 5.945134e15, within double precision
  * stage[0] at 53 Hz: designed 3 at -90.01934 deg, measured 3 at -90.01934 deg; at 41.32125 Hz: designed 2.12132

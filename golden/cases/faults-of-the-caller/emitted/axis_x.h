@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  748aa3626b02d1aa0e59eb14a7e1d7ca
- * body        5a7ad1936567a9824ecb09714757d0f2
+ * body        903a7d0ce1e7fad2ff241f6296f249e7
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,7 +15,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
 /* range: |v| <= 500000 gives |v_add| <= 754047.5 before the limit and no |state| above 1354499; for |v| <= 1e15:
  * 2.708999e15, within double precision
  * stage[0] at 15 Hz: designed 0.8490583 at 147.9946 deg, measured 0.8490583 at 147.9946 deg; at 9.189921 Hz:

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  ab1a45231c68022a5cdf6b2275938f30
- * body        9095ccbe915071a9920ac01dbb88affd
+ * body        3c601c7306d9275e711b1b28a45e56b9
  */
 #include "axis_t.h"
 
@@ -36,6 +36,17 @@ static double magnitude(double value)
 #endif
 }
 
+/* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
+ * rightly; without a library */
+static int32_t nearest(double value)
+{
+#if defined(__GNUC__)
+    return (int32_t)(value + __builtin_copysign(0.49999999999999994, value));
+#else
+    return (int32_t)(value < 0.0 ? value - 0.49999999999999994 : value + 0.49999999999999994);
+#endif
+}
+
 /* cycle time 1000 us, the coefficients hold for no other */
 static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
 
@@ -62,7 +73,7 @@ static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not t
 static const uint32_t error_none = 0u; /* error_id: no fault */
 static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
 static const uint32_t error_a_interpolator = 15u; /* error_id: a_interpolator is not within the sample limit */
-static const double half = 0.5; /* from here on a fraction is rounded away from zero */
+static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
 
 void axis_t_feedforward_init(axis_t_feedforward_state *state)
 {
@@ -95,6 +106,12 @@ void axis_t_feedforward_step(axis_t_feedforward_state *restrict state, const axi
         outputs->fault = true;
         outputs->error_id = error_cycle_time;
     } else if (!(magnitude(inputs->a_interpolator) <= sample_limit)) {
+        uint32_t value;
+        if (!(magnitude(inputs->a_interpolator) <= sample_limit)) {
+            value = error_a_interpolator;
+        } else {
+            value = error_v_interpolator;
+        }
         state->settled = false;
         outputs->v_feedforward = 0.0;
         outputs->v_additive = 0.0;
@@ -102,8 +119,8 @@ void axis_t_feedforward_step(axis_t_feedforward_state *restrict state, const axi
         outputs->additive_torque = 0;
         outputs->velocity_limited = false;
         outputs->torque_limited = false;
-        outputs->fault = true;
-        outputs->error_id = error_a_interpolator;
+        outputs->fault = value != error_none;
+        outputs->error_id = value;
     } else if (!inputs->position_controlled || inputs->reset) {
         state->settled = false;
         outputs->v_feedforward = 0.0;
@@ -118,50 +135,43 @@ void axis_t_feedforward_step(axis_t_feedforward_state *restrict state, const axi
         outputs->fault = false;
         outputs->error_id = error_none;
         double gain_now;
-        if (inputs->feedforward_active) {
+        if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
             if (inputs->feedforward_percentage >= 100) {
                 gain_now = weight;
-            } else if (inputs->feedforward_percentage > 0) {
-                gain_now = weight_per_percent * ((double)inputs->feedforward_percentage);
             } else {
-                gain_now = 0.0;
+                gain_now = weight_per_percent * ((double)inputs->feedforward_percentage);
             }
         } else {
             gain_now = 0.0;
         }
         outputs->v_feedforward = 0.0;
-        outputs->v_additive = 0.0;
-        outputs->additive_velocity = 0;
-        outputs->velocity_limited = false;
         const double a = gain_now * inputs->a_interpolator;
         if (!state->settled) {
             /* delay of 150 us = 0.15 cycles (P-AXIS-00390) */
             state->acceleration_delay_x0 = a;
+            state->settled = true;
         }
+        outputs->v_additive = 0.0;
+        outputs->additive_velocity = 0;
+        outputs->velocity_limited = false;
         /* delay of 150 us = 0.15 cycles (P-AXIS-00390) */
         const double acceleration_delay_y =
             acceleration_delay_now * a + acceleration_delay_before * state->acceleration_delay_x0;
         state->acceleration_delay_x0 = a;
         const double total = torque_acceleration * acceleration_delay_y;
-        int32_t value;
-        if (total <= torque_range_lower_limit) {
-            value = torque_range_lowest;
-        } else if (total < torque_range_upper_limit) {
-            const int32_t whole = (int32_t)total;
-            const double rest = total - (double)whole;
-            if (rest >= half) {
-                value = (int32_t)((uint32_t)whole + (uint32_t)1);
-            } else if (rest <= -half) {
-                value = (int32_t)((uint32_t)whole - (uint32_t)1);
-            } else {
-                value = whole;
-            }
+        if (magnitude(total) <= torque_range_upper_limit) {
+            outputs->additive_torque = nearest(total);
+            outputs->torque_limited = false;
+        } else if (total > 0.0) {
+            outputs->additive_torque = torque_range_highest;
+            outputs->torque_limited = true;
+        } else if (total > torque_range_lower_limit) {
+            outputs->additive_torque = nearest(total);
+            outputs->torque_limited = false;
         } else {
-            value = torque_range_highest;
+            outputs->torque_limited = total < torque_range_lower_limit;
+            outputs->additive_torque = torque_range_lowest;
         }
-        outputs->additive_torque = value;
-        outputs->torque_limited = total < torque_range_lower_limit || total > torque_range_upper_limit;
-        state->settled = true;
     }
 }
 

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  ab1a45231c68022a5cdf6b2275938f30
- * body        b6780d38af7b39bac8488b194f03534c
+ * body        857f2a5dd789bb03bedfbbae9a87a6a8
  */
 #ifndef AXIS_T_H
 #define AXIS_T_H
@@ -15,9 +15,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/*  */
-
 /* Written by the caller. axis_t_feedforward_inputs_init fills in what is said to be the start. */
 typedef struct {
     double v_interpolator; /* velocity of the interpolator [um/s or 0.001 deg/s]; not read for this axis; start 0.0 */

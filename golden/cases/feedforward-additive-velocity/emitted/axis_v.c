@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  2d93b41dd7a035d030e79ccf0c10fb2e
- * body        665ff3c5947c6d9a6559e11900c8ef48
+ * body        910a23cc021afe4f9c3edf2d7f0d762b
  */
 #include "axis_v.h"
 
@@ -36,6 +36,17 @@ static double magnitude(double value)
 #endif
 }
 
+/* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
+ * rightly; without a library */
+static int32_t nearest(double value)
+{
+#if defined(__GNUC__)
+    return (int32_t)(value + __builtin_copysign(0.49999999999999994, value));
+#else
+    return (int32_t)(value < 0.0 ? value - 0.49999999999999994 : value + 0.49999999999999994);
+#endif
+}
+
 /* cycle time 1000 us, the coefficients hold for no other */
 static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
 
@@ -62,7 +73,6 @@ static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not t
 static const uint32_t error_none = 0u; /* error_id: no fault */
 static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
 static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
-static const double half = 0.5; /* from here on a fraction is rounded away from zero */
 
 void axis_v_feedforward_init(axis_v_feedforward_state *state)
 {
@@ -118,13 +128,11 @@ void axis_v_feedforward_step(axis_v_feedforward_state *restrict state, const axi
         outputs->fault = false;
         outputs->error_id = error_none;
         double gain_now;
-        if (inputs->feedforward_active) {
+        if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
             if (inputs->feedforward_percentage >= 100) {
                 gain_now = weight;
-            } else if (inputs->feedforward_percentage > 0) {
-                gain_now = weight_per_percent * ((double)inputs->feedforward_percentage);
             } else {
-                gain_now = 0.0;
+                gain_now = weight_per_percent * ((double)inputs->feedforward_percentage);
             }
         } else {
             gain_now = 0.0;
@@ -134,33 +142,28 @@ void axis_v_feedforward_step(axis_v_feedforward_state *restrict state, const axi
         if (!state->settled) {
             /* delay of 150 us = 0.15 cycles (P-AXIS-00389) */
             state->velocity_delay_x0 = v;
+            state->settled = true;
         }
         /* delay of 150 us = 0.15 cycles (P-AXIS-00389) */
         const double velocity_delay_y = velocity_delay_now * v + velocity_delay_before * state->velocity_delay_x0;
         state->velocity_delay_x0 = v;
         outputs->v_additive = velocity_delay_y;
         const double velocity = velocity_scale * velocity_delay_y;
-        int32_t value;
-        if (velocity <= velocity_range_lower_limit) {
-            value = velocity_range_lowest;
-        } else if (velocity < velocity_range_upper_limit) {
-            const int32_t whole = (int32_t)velocity;
-            const double rest = velocity - (double)whole;
-            if (rest >= half) {
-                value = (int32_t)((uint32_t)whole + (uint32_t)1);
-            } else if (rest <= -half) {
-                value = (int32_t)((uint32_t)whole - (uint32_t)1);
-            } else {
-                value = whole;
-            }
+        if (magnitude(velocity) <= velocity_range_upper_limit) {
+            outputs->additive_velocity = nearest(velocity);
+            outputs->velocity_limited = false;
+        } else if (velocity > 0.0) {
+            outputs->additive_velocity = velocity_range_highest;
+            outputs->velocity_limited = true;
+        } else if (velocity > velocity_range_lower_limit) {
+            outputs->additive_velocity = nearest(velocity);
+            outputs->velocity_limited = false;
         } else {
-            value = velocity_range_highest;
+            outputs->velocity_limited = velocity < velocity_range_lower_limit;
+            outputs->additive_velocity = velocity_range_lowest;
         }
-        outputs->additive_velocity = value;
-        outputs->velocity_limited = velocity < velocity_range_lower_limit || velocity > velocity_range_upper_limit;
         outputs->additive_torque = 0;
         outputs->torque_limited = false;
-        state->settled = true;
     }
 }
 

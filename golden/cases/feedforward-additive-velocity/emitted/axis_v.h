@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  2d93b41dd7a035d030e79ccf0c10fb2e
- * body        f87bc93c3702bff8062724ec0aba05f3
+ * body        af2b211895f81b5f27d31dcdcadeeb6e
  */
 #ifndef AXIS_V_H
 #define AXIS_V_H
@@ -15,9 +15,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/*  */
-
 /* Written by the caller. axis_v_feedforward_inputs_init fills in what is said to be the start. */
 typedef struct {
     double v_interpolator; /* velocity of the interpolator [um/s or 0.001 deg/s]; start 0.0 */

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  39b35044808cb2fb9e32c45a46448f18
- * body        d2e2721aa0188fb5b16506914cb90623
+ * body        4f4af615c55b43eff821a67d7a41f9f5
  */
 #include "axis_x.h"
 
@@ -53,12 +53,13 @@ static const double t_j = 8.0e-6; /* square of the time constant of the jerk [s^
 static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_none = 0u; /* error_id: no fault */
 static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
-static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
-static const uint32_t error_a_interpolator = 15u; /* error_id: a_interpolator is not within the sample limit */
 static const uint32_t error_j_interpolator = 16u; /* error_id: j_interpolator is not within the sample limit */
+static const uint32_t error_a_interpolator = 15u; /* error_id: a_interpolator is not within the sample limit */
+static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
 
 void axis_x_feedforward_init(axis_x_feedforward_state *state)
 {
+    state->unused = false;
 }
 
 void axis_x_feedforward_inputs_init(axis_x_feedforward_inputs *inputs)
@@ -76,6 +77,7 @@ void axis_x_feedforward_inputs_init(axis_x_feedforward_inputs *inputs)
 void axis_x_feedforward_step(axis_x_feedforward_state *restrict state, const axis_x_feedforward_inputs *restrict inputs,
     axis_x_feedforward_outputs *restrict outputs)
 {
+    (void)state;
     if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
         outputs->v_feedforward = 0.0;
         outputs->v_additive = 0.0;
@@ -85,33 +87,23 @@ void axis_x_feedforward_step(axis_x_feedforward_state *restrict state, const axi
         outputs->torque_limited = false;
         outputs->fault = true;
         outputs->error_id = error_cycle_time;
-    } else if (!(magnitude(inputs->v_interpolator) <= sample_limit)) {
+    } else if (!(magnitude(inputs->v_interpolator) <= sample_limit && magnitude(inputs->a_interpolator) <= sample_limit && magnitude(inputs->j_interpolator) <= sample_limit)) {
+        uint32_t value;
+        if (!(magnitude(inputs->j_interpolator) <= sample_limit)) {
+            value = error_j_interpolator;
+        } else if (!(magnitude(inputs->a_interpolator) <= sample_limit)) {
+            value = error_a_interpolator;
+        } else {
+            value = error_v_interpolator;
+        }
         outputs->v_feedforward = 0.0;
         outputs->v_additive = 0.0;
         outputs->additive_velocity = 0;
         outputs->additive_torque = 0;
         outputs->velocity_limited = false;
         outputs->torque_limited = false;
-        outputs->fault = true;
-        outputs->error_id = error_v_interpolator;
-    } else if (!(magnitude(inputs->a_interpolator) <= sample_limit)) {
-        outputs->v_feedforward = 0.0;
-        outputs->v_additive = 0.0;
-        outputs->additive_velocity = 0;
-        outputs->additive_torque = 0;
-        outputs->velocity_limited = false;
-        outputs->torque_limited = false;
-        outputs->fault = true;
-        outputs->error_id = error_a_interpolator;
-    } else if (!(magnitude(inputs->j_interpolator) <= sample_limit)) {
-        outputs->v_feedforward = 0.0;
-        outputs->v_additive = 0.0;
-        outputs->additive_velocity = 0;
-        outputs->additive_torque = 0;
-        outputs->velocity_limited = false;
-        outputs->torque_limited = false;
-        outputs->fault = true;
-        outputs->error_id = error_j_interpolator;
+        outputs->fault = value != error_none;
+        outputs->error_id = value;
     } else if (!inputs->position_controlled || inputs->reset) {
         outputs->v_feedforward = 0.0;
         outputs->v_additive = 0.0;
@@ -125,13 +117,11 @@ void axis_x_feedforward_step(axis_x_feedforward_state *restrict state, const axi
         outputs->fault = false;
         outputs->error_id = error_none;
         double gain_now;
-        if (inputs->feedforward_active) {
+        if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
             if (inputs->feedforward_percentage >= 100) {
                 gain_now = weight;
-            } else if (inputs->feedforward_percentage > 0) {
-                gain_now = weight_per_percent * ((double)inputs->feedforward_percentage);
             } else {
-                gain_now = 0.0;
+                gain_now = weight_per_percent * ((double)inputs->feedforward_percentage);
             }
         } else {
             gain_now = 0.0;

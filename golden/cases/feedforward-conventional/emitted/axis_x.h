@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  39b35044808cb2fb9e32c45a46448f18
- * body        2b976749cff730bf65e17973a6810fc4
+ * body        42eb7dfea0ed6d6aabfff5c4a3693dec
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,9 +15,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/*  */
-
 /* Written by the caller. axis_x_feedforward_inputs_init fills in what is said to be the start. */
 typedef struct {
     double v_interpolator; /* velocity of the interpolator [um/s or 0.001 deg/s]; start 0.0 */
@@ -44,6 +41,7 @@ typedef struct {
 
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
+    bool unused; /* this block keeps nothing; C has no struct without a member */
 } axis_x_feedforward_state;
 
 /* Once before the first cycle. */

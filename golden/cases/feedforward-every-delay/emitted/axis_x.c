@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  b392536238f99500e428e906914a6271
- * body        75e875801e06ce77f89b60f26169cf12
+ * body        18635cb1aee8410c76a5547685dd4936
  */
 #include "axis_x.h"
 
@@ -33,6 +33,17 @@ static double magnitude(double value)
     return __builtin_fabs(value);
 #else
     return value < 0.0 ? -value : value;
+#endif
+}
+
+/* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
+ * rightly; without a library */
+static int32_t nearest(double value)
+{
+#if defined(__GNUC__)
+    return (int32_t)(value + __builtin_copysign(0.49999999999999994, value));
+#else
+    return (int32_t)(value < 0.0 ? value - 0.49999999999999994 : value + 0.49999999999999994);
 #endif
 }
 
@@ -72,10 +83,9 @@ static const double torque_range_upper_limit = 32767.0; /* the same as a real nu
 static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_none = 0u; /* error_id: no fault */
 static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
-static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
-static const uint32_t error_a_interpolator = 15u; /* error_id: a_interpolator is not within the sample limit */
 static const uint32_t error_j_interpolator = 16u; /* error_id: j_interpolator is not within the sample limit */
-static const double half = 0.5; /* from here on a fraction is rounded away from zero */
+static const uint32_t error_a_interpolator = 15u; /* error_id: a_interpolator is not within the sample limit */
+static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
 
 void axis_x_feedforward_init(axis_x_feedforward_state *state)
 {
@@ -107,7 +117,15 @@ void axis_x_feedforward_step(axis_x_feedforward_state *restrict state, const axi
         outputs->torque_limited = false;
         outputs->fault = true;
         outputs->error_id = error_cycle_time;
-    } else if (!(magnitude(inputs->v_interpolator) <= sample_limit)) {
+    } else if (!(magnitude(inputs->v_interpolator) <= sample_limit && magnitude(inputs->a_interpolator) <= sample_limit && magnitude(inputs->j_interpolator) <= sample_limit)) {
+        uint32_t value;
+        if (!(magnitude(inputs->j_interpolator) <= sample_limit)) {
+            value = error_j_interpolator;
+        } else if (!(magnitude(inputs->a_interpolator) <= sample_limit)) {
+            value = error_a_interpolator;
+        } else {
+            value = error_v_interpolator;
+        }
         state->settled = false;
         outputs->v_feedforward = 0.0;
         outputs->v_additive = 0.0;
@@ -115,28 +133,8 @@ void axis_x_feedforward_step(axis_x_feedforward_state *restrict state, const axi
         outputs->additive_torque = 0;
         outputs->velocity_limited = false;
         outputs->torque_limited = false;
-        outputs->fault = true;
-        outputs->error_id = error_v_interpolator;
-    } else if (!(magnitude(inputs->a_interpolator) <= sample_limit)) {
-        state->settled = false;
-        outputs->v_feedforward = 0.0;
-        outputs->v_additive = 0.0;
-        outputs->additive_velocity = 0;
-        outputs->additive_torque = 0;
-        outputs->velocity_limited = false;
-        outputs->torque_limited = false;
-        outputs->fault = true;
-        outputs->error_id = error_a_interpolator;
-    } else if (!(magnitude(inputs->j_interpolator) <= sample_limit)) {
-        state->settled = false;
-        outputs->v_feedforward = 0.0;
-        outputs->v_additive = 0.0;
-        outputs->additive_velocity = 0;
-        outputs->additive_torque = 0;
-        outputs->velocity_limited = false;
-        outputs->torque_limited = false;
-        outputs->fault = true;
-        outputs->error_id = error_j_interpolator;
+        outputs->fault = value != error_none;
+        outputs->error_id = value;
     } else if (!inputs->position_controlled || inputs->reset) {
         state->settled = false;
         outputs->v_feedforward = 0.0;
@@ -151,15 +149,19 @@ void axis_x_feedforward_step(axis_x_feedforward_state *restrict state, const axi
         outputs->fault = false;
         outputs->error_id = error_none;
         double gain_now;
-        if (inputs->feedforward_percentage >= 100) {
-            gain_now = weight;
-        } else if (inputs->feedforward_percentage > 0) {
-            gain_now = weight_per_percent * ((double)inputs->feedforward_percentage);
+        if (inputs->feedforward_percentage > 0) {
+            if (inputs->feedforward_percentage >= 100) {
+                gain_now = weight;
+            } else {
+                gain_now = weight_per_percent * ((double)inputs->feedforward_percentage);
+            }
         } else {
             gain_now = 0.0;
         }
         outputs->v_feedforward = 0.0;
         const double v = gain_now * inputs->v_interpolator;
+        const double a = gain_now * inputs->a_interpolator;
+        const double j = gain_now * inputs->j_interpolator;
         if (!state->settled) {
             /* delay of 5999 us = 5.999 cycles (P-AXIS-00389) */
             state->velocity_delay_x0 = v;
@@ -168,6 +170,11 @@ void axis_x_feedforward_step(axis_x_feedforward_state *restrict state, const axi
             state->velocity_delay_x3 = v;
             state->velocity_delay_x4 = v;
             state->velocity_delay_x5 = v;
+            /* delay of 2000 us = 2 cycles (P-AXIS-00390) */
+            state->acceleration_delay_x0 = a;
+            state->acceleration_delay_x1 = a;
+            /* delay of 0 us = 0 cycles (P-AXIS-00547) */
+            state->settled = true;
         }
         /* delay of 5999 us = 5.999 cycles (P-AXIS-00389) */
         const double velocity_delay_y = state->velocity_delay_x4;
@@ -181,58 +188,40 @@ void axis_x_feedforward_step(axis_x_feedforward_state *restrict state, const axi
         state->velocity_delay_x0 = v;
         outputs->v_additive = velocity_delay_y_2;
         const double velocity = velocity_scale * velocity_delay_y_2;
-        int32_t value;
-        if (velocity <= velocity_range_lower_limit) {
-            value = velocity_range_lowest;
-        } else if (velocity < velocity_range_upper_limit) {
-            const int32_t whole = (int32_t)velocity;
-            const double rest = velocity - (double)whole;
-            if (rest >= half) {
-                value = (int32_t)((uint32_t)whole + (uint32_t)1);
-            } else if (rest <= -half) {
-                value = (int32_t)((uint32_t)whole - (uint32_t)1);
-            } else {
-                value = whole;
-            }
+        if (magnitude(velocity) <= velocity_range_upper_limit) {
+            outputs->additive_velocity = nearest(velocity);
+            outputs->velocity_limited = false;
+        } else if (velocity > 0.0) {
+            outputs->additive_velocity = velocity_range_highest;
+            outputs->velocity_limited = true;
+        } else if (velocity > velocity_range_lower_limit) {
+            outputs->additive_velocity = nearest(velocity);
+            outputs->velocity_limited = false;
         } else {
-            value = velocity_range_highest;
-        }
-        outputs->additive_velocity = value;
-        outputs->velocity_limited = velocity < velocity_range_lower_limit || velocity > velocity_range_upper_limit;
-        const double a = gain_now * inputs->a_interpolator;
-        if (!state->settled) {
-            /* delay of 2000 us = 2 cycles (P-AXIS-00390) */
-            state->acceleration_delay_x0 = a;
-            state->acceleration_delay_x1 = a;
+            outputs->velocity_limited = velocity < velocity_range_lower_limit;
+            outputs->additive_velocity = velocity_range_lowest;
         }
         /* delay of 2000 us = 2 cycles (P-AXIS-00390) */
         const double acceleration_delay_y = state->acceleration_delay_x1;
         state->acceleration_delay_x1 = state->acceleration_delay_x0;
         state->acceleration_delay_x0 = a;
         const double total = torque_acceleration * acceleration_delay_y;
-        const double j = gain_now * inputs->j_interpolator;
         /* delay of 0 us = 0 cycles (P-AXIS-00547) */
-        const double part = torque_jerk * j;
-        const double total_2 = total + part;
-        int32_t value_2;
-        if (total_2 <= torque_range_lower_limit) {
-            value_2 = torque_range_lowest;
-        } else if (total_2 < torque_range_upper_limit) {
-            const int32_t whole_2 = (int32_t)total_2;
-            const double rest_2 = total_2 - (double)whole_2;
-            if (rest_2 >= half) {
-                value_2 = (int32_t)((uint32_t)whole_2 + (uint32_t)1);
-            } else if (rest_2 <= -half) {
-                value_2 = (int32_t)((uint32_t)whole_2 - (uint32_t)1);
-            } else {
-                value_2 = whole_2;
-            }
+        const double by_jerk = torque_jerk * j;
+        const double total_2 = total + by_jerk;
+        if (magnitude(total_2) <= torque_range_upper_limit) {
+            outputs->additive_torque = nearest(total_2);
+            outputs->torque_limited = false;
+        } else if (total_2 > 0.0) {
+            outputs->additive_torque = torque_range_highest;
+            outputs->torque_limited = true;
+        } else if (total_2 > torque_range_lower_limit) {
+            outputs->additive_torque = nearest(total_2);
+            outputs->torque_limited = false;
         } else {
-            value_2 = torque_range_highest;
+            outputs->torque_limited = total_2 < torque_range_lower_limit;
+            outputs->additive_torque = torque_range_lowest;
         }
-        outputs->additive_torque = value_2;
-        outputs->torque_limited = total_2 < torque_range_lower_limit || total_2 > torque_range_upper_limit;
-        state->settled = true;
     }
 }
 

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  b392536238f99500e428e906914a6271
- * body        c5d116765eba20bb3f34e7a5f18ab5db
+ * body        e9feaa71259aa1f6e31e9fa20a7c7f2e
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,9 +15,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/*  */
-
 /* Written by the caller. axis_x_feedforward_inputs_init fills in what is said to be the start. */
 typedef struct {
     double v_interpolator; /* velocity of the interpolator [um/s or 0.001 deg/s]; start 0.0 */

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  54ec9fd356e63495804223a32d086383
- * body        ae8a0cf2c8b220d253680541de273260
+ * body        198609dc474d045a95511a4da941af6c
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,7 +15,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
 /* range: |v| <= 500000 gives |v_add| <= 32057880 before the limit and no |state| above 26151460; for |v| <=
  * 1e15: 6.411576e16, within double precision
  * stage[0] at 112.5 Hz: designed 1 at 0 deg, measured 1 at 0 deg; at 12.19175 Hz: designed 0.7071068 at

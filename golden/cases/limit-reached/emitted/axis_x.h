@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  325f959a8a6307105ae6363b76420ebf
- * body        ca101d6a810dd0a67d14e86b885edd69
+ * body        5fc05ffc6ed47a7870a6c33082d67783
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,7 +15,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
 /* range: |v| <= 500000 gives |v_add| <= 2110465 before the limit and no |state| above 886710.8; for |v| <= 1e15:
  * 4.22093e15, within double precision
  * stage[0] at 53 Hz: designed 3 at 180 deg, measured 3 at 180 deg; at 47.95452 Hz: designed 2.12132 at -90 deg,

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  193f65cf41125eb0de2a3a631dc99cd0
- * body        680111c9bf97645d1fc2ad92ef4e0911
+ * body        25e1786931cf47c60a322369514e1bd3
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,7 +15,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
 /* range: the limit is 0, v_add is always 0; |v| <= 500000 gives no |state| above 610703; for |v| <= 1e15:
  * 1.221406e15, within double precision
  * response: not measured, a limit of 0 mutes the block (P-AXIS-00757) */

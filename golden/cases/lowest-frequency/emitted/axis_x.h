@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  62500 ns
  * parameters  d779f62a242bb193795c91e01e9ed760
- * body        fcc5849a1a3684dd63a8a8659eef2fc7
+ * body        39324cec5e84f29a290b489fb5464364
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,7 +15,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
 /* range: |v| <= 500000 gives |v_add| <= 20369180 before the limit and no |state| above 8892802; for |v| <= 1e15:
  * 4.073835e16, within double precision
  * stage[0] at 0.016 Hz: designed 3 at 180 deg, measured 3 at 179.9999 deg; at 0.009888544 Hz: designed 2.12132

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  433be3a8b78f4c5a206df87cde7d8541
- * body        aa0deeff748a76363e63f0bc3763be93
+ * body        f58310aead60cdc4974465e5f087b300
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,7 +15,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
 /* range: |v| <= 500000 gives |v_add| <= 2126135 before the limit and no |state| above 963217.5; for |v| <= 1e15:
  * 4.25227e15, within double precision
  * stage[0] at 40 Hz: designed 2 at 180 deg, measured 2 at 180 deg; at 35.30473 Hz: designed 1.414214 at -135

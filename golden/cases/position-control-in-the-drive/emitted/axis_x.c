@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  aa35bad67f4ffbca3fef660d77abf5fb
- * body        b2af2cc76fc285a350ea5aae8e480a80
+ * body        689bc620fe3f15f3dc3be534298ffe64
  */
 #include "axis_x.h"
 
@@ -36,6 +36,17 @@ static double magnitude(double value)
 #endif
 }
 
+/* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
+ * rightly; without a library */
+static int32_t nearest(double value)
+{
+#if defined(__GNUC__)
+    return (int32_t)(value + __builtin_copysign(0.49999999999999994, value));
+#else
+    return (int32_t)(value < 0.0 ? value - 0.49999999999999994 : value + 0.49999999999999994);
+#endif
+}
+
 /* cycle time 1000 us, the coefficients hold for no other */
 static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
 
@@ -59,7 +70,6 @@ static const uint32_t error_none = 0u; /* error_id: no fault */
 static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_v_feedforward = 19u; /* error_id: v_feedforward is not within the sample limit */
 static const uint32_t error_v_add = 21u; /* error_id: v_add is not within the sample limit */
-static const double half = 0.5; /* from here on a fraction is rounded away from zero */
 
 void axis_x_position_control_init(axis_x_position_control_state *state)
 {
@@ -143,6 +153,7 @@ void axis_x_position_control_step(axis_x_position_control_state *restrict state,
         outputs->x_drive = inputs->x_command;
     } else {
         outputs->v_command = 0.0;
+        outputs->limited = false;
         outputs->fault = false;
         outputs->error_id = error_none;
         outputs->manipulated_variable = 0;
@@ -150,27 +161,20 @@ void axis_x_position_control_step(axis_x_position_control_state *restrict state,
         outputs->x_drive = x;
         state->x_held = x;
         outputs->xerr = 0;
-        outputs->limited = false;
         const double increments = velocity_scale * inputs->v_add;
-        int32_t value;
-        if (increments <= velocity_range_lower_limit) {
-            value = velocity_range_lowest;
-        } else if (increments < velocity_range_upper_limit) {
-            const int32_t whole = (int32_t)increments;
-            const double rest = increments - (double)whole;
-            if (rest >= half) {
-                value = (int32_t)((uint32_t)whole + (uint32_t)1);
-            } else if (rest <= -half) {
-                value = (int32_t)((uint32_t)whole - (uint32_t)1);
-            } else {
-                value = whole;
-            }
+        if (magnitude(increments) <= velocity_range_upper_limit) {
+            outputs->additive_velocity = nearest(increments);
+        } else if (increments > 0.0) {
+            outputs->additive_velocity = velocity_range_highest;
+            outputs->limited = true;
+        } else if (increments > velocity_range_lower_limit) {
+            outputs->additive_velocity = nearest(increments);
         } else {
-            value = velocity_range_highest;
+            if (increments < velocity_range_lower_limit) {
+                outputs->limited = true;
+            }
+            outputs->additive_velocity = velocity_range_lowest;
         }
-        outputs->additive_velocity = value;
-        const bool limited = increments < velocity_range_lower_limit || increments > velocity_range_upper_limit;
-        outputs->limited = outputs->limited || limited;
         outputs->additive_torque = inputs->additive_torque;
     }
 }
@@ -204,53 +208,53 @@ uint32_t axis_x_position_control_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint64_t expected[47] = {
-        UINT64_C(0xdc5a5916974a06b4),
-        UINT64_C(0xf52de5778d9469fc),
-        UINT64_C(0x9de654a23a4f81c5),
-        UINT64_C(0x7b17e509c971127d),
-        UINT64_C(0xd98630c89ded2de6),
-        UINT64_C(0x91eed0113633b56b),
-        UINT64_C(0xb212e36377e051ed),
-        UINT64_C(0x884f61ef9252b2f1),
-        UINT64_C(0x3fc59065c4963605),
-        UINT64_C(0x4c0edc35064215c9),
-        UINT64_C(0x17d80eb7247a6dd2),
-        UINT64_C(0x46e4e107fd04831e),
-        UINT64_C(0xcd3bdd5f6a45751f),
-        UINT64_C(0x154af0a7fbdb8da9),
-        UINT64_C(0x2a6a0ee179aa19eb),
-        UINT64_C(0xc1d467d20139c7ad),
-        UINT64_C(0xfb024d853a18c29b),
-        UINT64_C(0x19d8e9c0e4a07589),
-        UINT64_C(0x18ee75be91644ba3),
-        UINT64_C(0xbe270d0b4912c32b),
-        UINT64_C(0xb3d99d0e032b940f),
-        UINT64_C(0x110a9cb56ea5f446),
-        UINT64_C(0x137e5c0c86168397),
-        UINT64_C(0xd114c7262605f945),
-        UINT64_C(0x8e2d1e70aaf1edd5),
-        UINT64_C(0x46e82a8201957946),
-        UINT64_C(0x0c218faca9f466ab),
-        UINT64_C(0xf505ef3dd1f6c248),
-        UINT64_C(0xc9f29c4ed17d6369),
-        UINT64_C(0x506dece29d823783),
-        UINT64_C(0xd40eac2b5272f9e9),
-        UINT64_C(0xaa49bec579d17d15),
-        UINT64_C(0x6a42f7f46b556156),
-        UINT64_C(0x6c90570c35306f35),
-        UINT64_C(0x971ec7db86ef90de),
-        UINT64_C(0xd0f98c1754aa3cea),
-        UINT64_C(0xd01328303c139bda),
-        UINT64_C(0xe34ed672e4b9f8dd),
-        UINT64_C(0xd7614aa8b7f5ad14),
-        UINT64_C(0xdda7d03cc0f58078),
-        UINT64_C(0xf5f01f08a828eef7),
-        UINT64_C(0x18664ecc94ccdbd2),
-        UINT64_C(0xff216702793df250),
-        UINT64_C(0x2376e4a404127741),
-        UINT64_C(0x066f5989ed943f3d),
-        UINT64_C(0xf322bcf1e47d5bde),
-        UINT64_C(0x7d53365d29c1f71e),
+        UINT64_C(0xf5f3f339521da356),
+        UINT64_C(0x814fe500b0f2f1ec),
+        UINT64_C(0xf0d7b7bcf1d5cbf8),
+        UINT64_C(0xd71863de1da288e3),
+        UINT64_C(0x7fec6dbd56afe11d),
+        UINT64_C(0xf8630350ddf9de65),
+        UINT64_C(0xef9616db098f688d),
+        UINT64_C(0xe2d0583af405ce9d),
+        UINT64_C(0xe1aa2d7863930123),
+        UINT64_C(0x2bbc965a3aeb9608),
+        UINT64_C(0x18d38d30ba4384ee),
+        UINT64_C(0x7021b1e0c0377601),
+        UINT64_C(0x18c882916a43228d),
+        UINT64_C(0xcb001f2156016e2c),
+        UINT64_C(0xdfac1948c1744152),
+        UINT64_C(0xf90cd5fcb47bf337),
+        UINT64_C(0x42c4c40d9ee75556),
+        UINT64_C(0x318ed639561e86d0),
+        UINT64_C(0x5e0ad4d5070c7cba),
+        UINT64_C(0x4f50ef678cda35e5),
+        UINT64_C(0xe526488c4aaf5f22),
+        UINT64_C(0x3d5761aae1fe1dbd),
+        UINT64_C(0xb95b0d7dfcd4a7f8),
+        UINT64_C(0x629b5e539e8410b2),
+        UINT64_C(0x5245cb61b1bc64ea),
+        UINT64_C(0xf00808d77456dd25),
+        UINT64_C(0x02069b7ec02d0f35),
+        UINT64_C(0xb0c76080bb5b1c6a),
+        UINT64_C(0xb2798b9b5ed65f3c),
+        UINT64_C(0x3fb98ec11b5bad19),
+        UINT64_C(0xdd999beca1be831b),
+        UINT64_C(0xcf11e4b3d648f03a),
+        UINT64_C(0x6a0abe2bb66834d0),
+        UINT64_C(0x60debd8617ca48d2),
+        UINT64_C(0x972c32bbcaccaf8f),
+        UINT64_C(0x188a593face9b706),
+        UINT64_C(0x5219e02238a4a6ad),
+        UINT64_C(0x41cc119c6f538e1f),
+        UINT64_C(0x5f99f830555e9c7a),
+        UINT64_C(0x01a4577a5e589cd4),
+        UINT64_C(0x9a8fe18d9650772e),
+        UINT64_C(0xd2da7a6e845a8be8),
+        UINT64_C(0x0c491e422ba45b6d),
+        UINT64_C(0x6180b08574f7c4f4),
+        UINT64_C(0xa3a2b90c19dee578),
+        UINT64_C(0xbf446452568eb2c7),
+        UINT64_C(0xa5c33452c90c65ae),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_position_control_state *, const axis_x_position_control_inputs *, axis_x_position_control_outputs *) = axis_x_position_control_step;
@@ -287,8 +291,8 @@ uint32_t axis_x_position_control_self_test(void)
         inputs.v_add = position_control_real_of(sample == 13u ? UINT64_C(0x7ff8000000000000) : noise);
         step(&state, &inputs, &outputs);
         digest = position_control_fold(digest, position_control_bits_of(outputs.v_command));
-        digest = position_control_fold(digest, (uint32_t)outputs.manipulated_variable);
         digest = position_control_fold(digest, position_control_bits_of(outputs.x_drive));
+        digest = position_control_fold(digest, (uint32_t)outputs.manipulated_variable);
         digest = position_control_fold(digest, (uint32_t)outputs.xerr);
         digest = position_control_fold(digest, (uint32_t)outputs.additive_velocity);
         digest = position_control_fold(digest, (uint32_t)outputs.additive_torque);

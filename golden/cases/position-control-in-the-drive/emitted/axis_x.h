@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  aa35bad67f4ffbca3fef660d77abf5fb
- * body        2ebfa7acd0c18e9ced3d0f6743f121da
+ * body        fc9d2232d99631211a52c6fefb517e11
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,9 +15,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/*  */
-
 /* Written by the caller. axis_x_position_control_inputs_init fills in what is said to be the start. */
 typedef struct {
     double x_command; /* command position of the interpolator, on the same turn as x_actual [um or 0.001 deg]; start 0.0 */
@@ -34,8 +31,8 @@ typedef struct {
 /* Written by axis_x_position_control_step. */
 typedef struct {
     double v_command; /* output of the position controller with feedforward, before v_add is added: v_command of improved position control [um/s or 0.001 deg/s] */
-    int32_t manipulated_variable; /* position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments] */
     double x_drive; /* position control in the drive: the position command of the drive [um or 0.001 deg] */
+    int32_t manipulated_variable; /* position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments] */
     int32_t xerr; /* PROFIdrive: control deviation XERR, signal 25 (P-AXIS-00092) [increments] */
     int32_t additive_velocity; /* additive velocity command of the drive (P-AXIS-00205 to 00207) [increments] */
     int32_t additive_torque; /* additive torque command of the drive (P-AXIS-00325/00326) [increments] */

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  882eaa05ff123070aefdad1bed2341f1
- * body        8dc9dce49cdbfffb1968979164b065f2
+ * body        4bdcfb58ea8bd5bf23562ba8bcb438e0
  */
 #ifndef AXIS_S_H
 #define AXIS_S_H
@@ -15,7 +15,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
 /* range: |v| <= 36000000 gives |v_add| <= 50955800 before the limit and no |state| above 64333590; for |v| <=
  * 1e15: 1.787044e15, within double precision
  * stage[0] at 250 Hz: designed 1 at 180 deg, measured 1 at 180 deg; at 220.6706 Hz: designed 0.7071068 at -90

@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  87f91c78676cb102a3330a2e3848dcd6
- * body        d86cc4bf6c93830a688ab732f903e655
+ * body        cf8c3e2048365aac3d5f14736722beda
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,7 +15,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
 /* range: |v| <= 500000 gives |v_add| <= 891041.7 before the limit and no |state| above 988708.6; for |v| <=
  * 1000000000: 1977417000, within single precision
  * stage[0] at 225 Hz: designed 1 at 180 deg, measured 1.000001 at 180 deg; at 211.412 Hz: designed 0.7071068 at

@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  62500 ns
  * parameters  bad0c99249e15f6dcaf94ab9de408464
- * body        d617058711545c168bad19757db7f9d6
+ * body        e88e0078b2ae7d0ce8a06a7f37d1e4e0
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,7 +15,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
 /* range: |v| <= 500000 gives |v_add| <= 1333728 before the limit and no |state| above 1569157; for |v| <=
  * 1000000000: 3138315000, within single precision
  * stage[0] at 160 Hz: designed 1.943651 at 120.9638 deg, measured 1.943544 at 120.9564 deg; at 150.3118 Hz:

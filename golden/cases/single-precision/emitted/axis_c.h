@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  0b73ef9889eaa78feb24d16a4842c593
- * body        cbf6a55f75751512fe594370dfef54fe
+ * body        d6175a4d1b9ff11d89398493b326970c
  */
 #ifndef AXIS_C_H
 #define AXIS_C_H
@@ -15,7 +15,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
 /* range: |v| <= 180000 gives |v_add| <= 1093843 before the limit and no |state| above 496919; for |v| <=
  * 1000000000: 6076905000, within single precision
  * stage[0] at 53 Hz: designed 2.5 at -61.59105 deg, measured 2.500001 at -61.59107 deg; at 44.87068 Hz: designed

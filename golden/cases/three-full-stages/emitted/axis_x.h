@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  fe27a53621d21cb7269ec91c9ce5f9db
- * body        177b0a51c2636002d986fa0d1cf5df32
+ * body        f13e63c15666e2f2ea412606510164e3
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,7 +15,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
 /* range: |v| <= 500000 gives |v_add| <= 3836786 before the limit and no |state| above 2361588; for |v| <= 1e15:
  * 7.673571e15, within double precision
  * stage[0] at 53 Hz: designed 1.5 at -90.01934 deg, measured 1.5 at -90.01934 deg; at 50.41374 Hz: designed

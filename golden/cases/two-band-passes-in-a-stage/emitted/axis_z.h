@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  6a0aecbe02b54a57c0c2078dc887a241
- * body        c46932396d72c319e1b7a05111b70345
+ * body        be131c9c08574cb0ad86e2f30145e21e
  */
 #ifndef AXIS_Z_H
 #define AXIS_Z_H
@@ -15,7 +15,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
 /* range: |v| <= 300000 gives |v_add| <= 1365423 before the limit and no |state| above 537931.5; for |v| <= 1e15:
  * 4.551409e15, within double precision
  * stage[0] at 200 Hz: designed 0.4984921 at -172.2985 deg, measured 0.4984921 at -172.2985 deg; at 169.4028 Hz:

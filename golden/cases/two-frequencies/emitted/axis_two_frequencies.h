@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  0571d45177aed7bb40e29b85e8e41486
- * body        0dcbd27150d2fb8133bc2322315b9164
+ * body        44326f51ca9fc53e12eb012777f31e6b
  */
 #ifndef AXIS_TWO_FREQUENCIES_H
 #define AXIS_TWO_FREQUENCIES_H
@@ -15,7 +15,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
 /* range: |v| <= 500000 gives |v_add| <= 544377.9 before the limit and no |state| above 864282.3; for |v| <=
  * 1e15: 1.728565e15, within double precision
  * stage[0] at 53 Hz: designed 0.5 at 180 deg, measured 0.5 at 180 deg; at 50.41374 Hz: designed 0.3535534 at

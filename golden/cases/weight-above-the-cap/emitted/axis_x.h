@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  1d3eeef73fc12835f3581e0fc768bd02
- * body        503d819344c23b90766b8f2198b63bff
+ * body        ed81373545457b2120bf47af64e9861d
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,7 +15,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
 /* range: |v| <= 500000 gives |v_add| <= 5088836 before the limit and no |state| above 717535.1; for |v| <= 1e15:
  * 1.017767e16, within double precision
  * stage[0] at 24 Hz: designed 8.007712 at 150.9454 deg, measured 8.007712 at 150.9454 deg; at 21.7188 Hz:

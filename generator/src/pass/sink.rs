@@ -1,6 +1,11 @@
-//! Removes flags that only say whether an output is set in the end: the output is set where the flag would be raised.
+//! Writes an output where its value is found, instead of a local that only goes there in the end; and sets an output where
+//! a flag would be raised that only says so in the end.
 //!
 //! ```text
+//! if a { x := 1 } else { x := b }               if a { output := 1 } else { output := b }
+//! ...                                      ->   ...
+//! output := x
+//!
 //! if a { flag := true } else { flag := b }      if a { output := true } else { if b { output := true } }
 //! ...                                      ->   ...
 //! if flag { output := true }
@@ -41,12 +46,13 @@ fn count_writes(statement: &Statement, writes: &mut [usize]) {
     });
 }
 
-/// A flag, the output that it decides about, and the value that the output gets.
+/// A local and the output that it goes to, or that it sets to a value.
 #[derive(Clone, Copy)]
-struct Flag {
+struct Way {
     local: usize,
     output: Var,
-    value: Literal,
+    /// of a flag: what the output gets
+    value: Option<Literal>,
 }
 
 /// Treats a list, inner lists first.
@@ -64,11 +70,11 @@ fn in_list(list: Vec<Statement>, reads: &[usize], writes: &[usize]) -> Vec<State
         .collect();
     let mut position = 0;
     while position < list.len() {
-        match asked(&list[position]).filter(|flag| can_go(*flag, &list[..position], reads, writes)) {
-            Some(flag) => {
+        match asked(&list[position]).filter(|way| can_go(*way, &list[..position], reads, writes)) {
+            Some(way) => {
                 list.remove(position);
                 let rest = list.split_off(position);
-                list = raise(list, flag);
+                list = go(list, way);
                 list.extend(rest);
                 // What was a flag of a flag is one itself now.
                 position = 0;
@@ -79,38 +85,47 @@ fn in_list(list: Vec<Statement>, reads: &[usize], writes: &[usize]) -> Vec<State
     list
 }
 
-/// The flag that a statement asks, if it does nothing but set an output.
-fn asked(statement: &Statement) -> Option<Flag> {
-    let Statement::If { condition: Expr::Var(Var::Local(local)), then, otherwise } = statement else { return None };
-    match (&then[..], &otherwise[..]) {
-        ([Statement::Assign { target: output @ Var::Output(_), value: Expr::Literal(value) }], []) => {
-            Some(Flag { local: *local, output: *output, value: *value })
+/// The way of a local to an output, if a statement does nothing else.
+fn asked(statement: &Statement) -> Option<Way> {
+    match statement {
+        Statement::Assign { target: output @ Var::Output(_), value: Expr::Var(Var::Local(local)) } => {
+            Some(Way { local: *local, output: *output, value: None })
         }
+        Statement::If { condition: Expr::Var(Var::Local(local)), then, otherwise } => match (&then[..], &otherwise[..])
+        {
+            ([Statement::Assign { target: output @ Var::Output(_), value: Expr::Literal(value) }], []) => {
+                Some(Way { local: *local, output: *output, value: Some(*value) })
+            }
+            _ => None,
+        },
         _ => None,
     }
 }
 
-/// Whether nothing else reads the flag, all that writes it stands before, and nobody looks at the output from there on.
-fn can_go(flag: Flag, before: &[Statement], reads: &[usize], writes: &[usize]) -> bool {
+/// Whether nothing else reads the local, all that writes it stands before, and nobody looks at the output from there on.
+fn can_go(way: Way, before: &[Statement], reads: &[usize], writes: &[usize]) -> bool {
     let mut written = vec![0; writes.len()];
     before.iter().for_each(|statement| count_writes(statement, &mut written));
-    let first = before.iter().position(|statement| statement.mentions(Var::Local(flag.local)));
-    let is_watched = |from: usize| before[from..].iter().any(|statement| statement.mentions(flag.output));
-    reads[flag.local] == 1 && written[flag.local] == writes[flag.local] && first.is_some_and(|first| !is_watched(first))
+    let first = before.iter().position(|statement| statement.mentions(Var::Local(way.local)));
+    let is_watched = |from: usize| before[from..].iter().any(|statement| statement.mentions(way.output));
+    reads[way.local] == 1 && written[way.local] == writes[way.local] && first.is_some_and(|first| !is_watched(first))
 }
 
-/// The statements with the output set where the flag was raised.
-fn raise(list: Vec<Statement>, flag: Flag) -> Vec<Statement> {
-    let set = || Statement::Assign { target: flag.output, value: Expr::Literal(flag.value) };
+/// The statements with the output in the place of the local.
+fn go(list: Vec<Statement>, way: Way) -> Vec<Statement> {
+    let assign = |value| Statement::Assign { target: way.output, value };
     list.into_iter()
         .filter_map(|statement| match statement {
-            Statement::Assign { target, value } if target == Var::Local(flag.local) => match value {
-                Expr::Literal(Literal::Bool(true)) => Some(set()),
-                Expr::Literal(Literal::Bool(false)) => None,
-                condition => Some(Statement::If { condition, then: vec![set()], otherwise: Vec::new() }),
+            Statement::Assign { target, value } if target == Var::Local(way.local) => match (way.value, value) {
+                (None, value) => Some(assign(value)),
+                (Some(set), Expr::Literal(Literal::Bool(raised))) => raised.then(|| assign(Expr::Literal(set))),
+                (Some(set), condition) => {
+                    let then = vec![assign(Expr::Literal(set))];
+                    Some(Statement::If { condition, then, otherwise: Vec::new() })
+                }
             },
             Statement::If { condition, then, otherwise } => {
-                let (then, otherwise) = (raise(then, flag), raise(otherwise, flag));
+                let (then, otherwise) = (go(then, way), go(otherwise, way));
                 (!then.is_empty() || !otherwise.is_empty()).then_some(Statement::If { condition, then, otherwise })
             }
             other => Some(other),
