@@ -103,7 +103,7 @@ fn leaf(parameter: &Parameter) -> Value {
     match parameter.kind {
         Kind::Word(words) => {
             let numbers: Vec<u32> = words.iter().filter_map(|word| word.number).collect();
-            let has_booleans = words.iter().any(|word| word.also.contains(&"TRUE"));
+            let has_booleans = words.iter().any(|word| word.name == "TRUE" || word.also.contains(&"TRUE"));
             let mut choices = vec![json!({ "type": "string", "enum": spellings(words) })];
             if !numbers.is_empty() {
                 choices.push(json!({ "type": "integer", "enum": numbers }));

@@ -77,7 +77,7 @@ fn events() -> Vec<Event> {
         event("feedforward_percentage", "0", 11_000, 500, 39_000),
         event("feedforward_percentage", "-3", 20_000, 50, 51_000),
         event("feedforward_percentage", "250", 22_000, 50, 51_000),
-        event("additive_torque", "-1234", 2_000, 9_000, 21_000),
+        event("torque_feedforward", "-1234", 2_000, 9_000, 21_000),
         event("v_interpolator", "nan", 15_000, 1, 44_000),
         event("a_interpolator", "-inf", 17_000, 2, 48_000),
         event("a_interpolator", "1e9", 36_000, 60, 61_000),

@@ -4,9 +4,10 @@
 use axgen_tests::cases::{in_both_real_types, title};
 use axgen_tests::environment::is_exhaustive;
 use generator::axis::{Axis, DirectSource, Enable, Filter, Ipc as IpcAxis, Mode, Prototype, Stage};
-use generator::block::leaves;
+use generator::block::{Part, Visitor, leaves, with_part};
 use generator::design;
 use golden::case::{self, Case};
+use golden::samples::Samples;
 use portable::{Literal, Portable, Real, RealKind};
 use rayon::prelude::*;
 use reference::Block;
@@ -58,14 +59,32 @@ fn no_state_of_a_golden_case_is_ever_subnormal_or_no_number() {
 fn assert_normal<R: Real>(case: &Case) {
     let count = if is_exhaustive() { case::DIGEST_SAMPLES } else { 50_000 };
     let samples = case::inputs(case, count).unwrap_or_else(|mistake| panic!("{mistake}"));
-    let coeffs = design::ipc::<R>(&case.axis);
-    let (mut state, mut outputs) = (<Ipc as Block<R>>::state(), <Ipc as Block<R>>::outputs());
-    let mut values = Vec::new();
+    with_part::<R, _>(case.block.program.block, States { case, samples: &samples, count });
+}
+
+/// A run whose states are looked at.
+struct States<'a> {
+    case: &'a Case,
+    samples: &'a Samples,
+    count: usize,
+}
+
+impl<R: Real> Visitor<R> for States<'_> {
+    type Value = ();
+
+    fn visit<P: Part<R>>(self) {
+        assert_states_normal::<R, P>(self.case, self.samples, self.count);
+    }
+}
+
+fn assert_states_normal<R: Real, P: Part<R>>(case: &Case, samples: &Samples, count: usize) {
+    let coeffs = P::coefficients(&case.axis);
+    let (mut state, mut outputs, mut values) = (P::state(), P::outputs(), Vec::new());
     for sample in 0..count {
         samples.read(sample, &mut values);
         let mut next = values.iter().copied();
-        let inputs = <Ipc as Block<R>>::Inputs::build(&mut || next.next().expect("a value for each input"));
-        <Ipc as Block<R>>::step(&mut state, &coeffs, &inputs, &mut outputs);
+        let inputs = P::Inputs::build(&mut || next.next().expect("a value for each input"));
+        P::step(&mut state, &coeffs, &inputs, &mut outputs);
         let is_bad = |leaf: &Literal| match *leaf {
             Literal::F64(value) => value != 0.0 && !value.is_normal(),
             Literal::F32(value) => value != 0.0 && !value.is_normal(),

@@ -14,7 +14,7 @@ use rayon::prelude::*;
 use std::collections::BTreeSet;
 
 /// What the cases have to show, all of them together.
-const ALL_SHOWN: [&str; 60] = [
+const ALL_SHOWN: [&str; 105] = [
     "DIRECT from v_motor",
     "DIRECT from v_direct",
     "INDIRECT",
@@ -75,6 +75,51 @@ const ALL_SHOWN: [&str; 60] = [
     "cycle time 4000 us",
     "double precision",
     "single precision",
+    "G135",
+    "G136 -5 %",
+    "G136 0 %",
+    "G136 250 %",
+    "G136 80 %",
+    "G137",
+    "PROFIdrive",
+    "active despite G137",
+    "additive velocity",
+    "additive_torque is put out",
+    "additive_torque saturates above",
+    "additive_torque saturates below",
+    "additive_velocity is put out",
+    "additive_velocity saturates above",
+    "additive_velocity saturates below",
+    "conventional acceleration",
+    "conventional jerk",
+    "conventional velocity",
+    "delay of 0 cycles",
+    "delay of 0.15 cycles",
+    "delay of 2 cycles",
+    "delay of 5.999 cycles",
+    "error 1",
+    "error 12",
+    "error 14",
+    "error 15",
+    "error 16",
+    "error 17",
+    "error 18",
+    "error 19",
+    "error 2",
+    "error 21",
+    "error 22",
+    "gantry slave",
+    "manipulated_variable is put out",
+    "manipulated_variable saturates above",
+    "manipulated_variable saturates below",
+    "position control in the CNC",
+    "position control in the drive",
+    "torque acceleration",
+    "torque jerk",
+    "weight 0.75",
+    "weight 1.2",
+    "xerr is put out",
+    "xerr saturates above",
 ];
 
 #[test]
@@ -138,6 +183,17 @@ fn the_recorded_inputs_alone_give_the_recorded_outputs() {
     });
 }
 
+/// Function blocks of Structured Text have inputs and outputs in one scope.
+#[test]
+fn every_signal_of_a_block_has_a_name_of_its_own() {
+    for case in all() {
+        let program = &case.block.program;
+        let names: Vec<&str> =
+            program.inputs.iter().chain(&program.outputs).map(|signal| signal.path.as_str()).collect();
+        assert_eq!(names.iter().collect::<BTreeSet<_>>().len(), names.len(), "{}: {names:?}", title(&case));
+    }
+}
+
 #[test]
 fn golden_stays_small() {
     fn size(folder: &std::path::Path) -> u64 {
@@ -170,14 +226,17 @@ fn a_single_bit_is_found() {
     );
 }
 
-/// Of every case: with its first coefficient off by one unit in the last place, the interpreter's bits differ, and the
-/// compiled block does not pass its self-test.
+/// Of every case: with a coefficient off by one unit in the last place, the interpreter's bits differ, and the compiled block
+/// does not pass its self-test.
 #[test]
 fn a_coefficient_that_is_off_by_one_bit_is_found() {
     in_both_real_types().par_iter().for_each(|case| {
         let mut case = case.clone();
         let constants = &mut case.block.program.constants;
-        let coefficient = constants.iter_mut().find(|constant| constant.path.starts_with("stage")).unwrap();
+        // One that reaches an output that is a real number: a part of a filter, else a weight, else a gain.
+        let wanted = ["stage[", "velocity_delay.now", "weight_per_percent", "kv", "lag"];
+        let found = wanted.iter().find_map(|part| constants.iter().position(|constant| constant.path.contains(part)));
+        let coefficient = &mut constants[found.expect("every block has one of them")];
         coefficient.value = match coefficient.value {
             Literal::F64(value) => Literal::F64(f64::from_bits(value.to_bits() ^ 1)),
             Literal::F32(value) => Literal::F32(f32::from_bits(value.to_bits() ^ 1)),
@@ -185,12 +244,16 @@ fn a_coefficient_that_is_off_by_one_bit_is_found() {
         };
         let inputs = inputs(&case, VECTOR_SAMPLES);
         let expected = run(&case, Engine::Reference, &inputs);
-        // A limit of 0 lets nothing through in which a difference could show.
-        if case.axis.ipc.v_add_max_fact > 0 {
+        // A limit of 0 lets nothing through in which a difference could show, and an additive torque is an integer.
+        let is_muted = case.block.program.block == "ipc" && case.axis.ipc.v_add_max_fact == 0;
+        let is_rounded = case.axis.control.feedforward.as_ref().is_some_and(|feedforward| {
+            case.block.program.block == "feedforward" && !feedforward.conventional.any() && !feedforward.additive.any()
+        });
+        if !is_muted && !is_rounded {
             assert!(compare(&expected, &run(&case, Engine::Program, &inputs)).bits > 0, "{}", title(&case));
         }
         let failure = engine::run(Engine::C, &case.axis, &case.block, &inputs);
-        assert!(matches!(failure, Err(Failure::SelfTest(_))), "{}: {failure:?}", title(&case));
+        assert!(matches!(failure, Err(Failure::SelfTest(_))), "{}: {:?}", title(&case), failure.err());
     });
 }
 

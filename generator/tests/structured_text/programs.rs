@@ -117,7 +117,8 @@ fn what_init_does_moves_into_the_first_cycle() {
 
 #[test]
 fn a_number_beside_a_variable_gets_a_name() {
-    let block = &all_blocks()[0];
+    let blocks = all_blocks();
+    let block = blocks.iter().find(|block| block.program.block == "ipc").unwrap();
     let mut program = block.program.clone();
     let number = |value| Box::new(Expr::Literal(Literal::F64(value)));
     let input = || Box::new(Expr::Var(Var::Input(1)));

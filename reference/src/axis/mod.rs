@@ -279,7 +279,7 @@ pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>
     }
     control_inputs.v_feedforward = feedforward_outputs.v_feedforward;
     control_inputs.v_additive = feedforward_outputs.v_additive;
-    control_inputs.additive_torque = feedforward_outputs.additive_torque;
+    control_inputs.torque_feedforward = feedforward_outputs.additive_torque;
     let mut control_outputs = position_control::Outputs::<R>::default();
     control_outputs.v_command = position_control::command(&coeffs.position_control, &control_inputs);
     control_inputs.v_add = add(state, coeffs, inputs, outputs, control_outputs.v_command);

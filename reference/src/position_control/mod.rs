@@ -221,7 +221,7 @@ pub fn put_out<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Input
         lead(state, coeffs, inputs, outputs);
     }
     add_velocity(coeffs, inputs, outputs);
-    outputs.additive_torque = if coeffs.torque { inputs.additive_torque } else { 0i32 };
+    outputs.additive_torque = if coeffs.torque { inputs.torque_feedforward } else { 0i32 };
     state.settled = true;
 }
 
@@ -272,7 +272,7 @@ impl<R: Real> Block<R> for PositionControl {
     }
 
     fn exercise(inputs: &mut Inputs<R>) {
-        inputs.additive_torque = 321;
+        inputs.torque_feedforward = 321;
     }
 
     fn outputs() -> Outputs<R> {

@@ -15,7 +15,7 @@ pub struct Inputs<R> {
     /// additive feedforward, before it is scaled [um/s or 0.001 deg/s]
     pub v_additive: R,
     /// additive torque of the feedforward [increments]
-    pub additive_torque: i32,
+    pub torque_feedforward: i32,
     /// additive velocity of improved position control [um/s or 0.001 deg/s]
     pub v_add: R,
     /// FALSE: the axis is not in position control, all outputs are 0 at once and x_drive follows x_command

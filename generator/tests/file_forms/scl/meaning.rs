@@ -133,12 +133,21 @@ impl<'b> Scope<'b> {
                 Some((_, ty)) => Ok(*ty),
             },
             Expr::Call(function, operand) => {
-                let ty = match function.as_str() {
-                    "UDINT_TO_LREAL" => Type::Lreal,
-                    "UDINT_TO_REAL" => Type::Real,
+                // TRUNC gives a DINT of either real type.
+                if function == "TRUNC" {
+                    return match self.ty(operand, known)? {
+                        Type::Real | Type::Lreal => Ok(Type::Dint),
+                        ty => Err(format!("TRUNC of {ty:?}")),
+                    };
+                }
+                let (from, ty) = match function.as_str() {
+                    "UDINT_TO_LREAL" => (Type::Udint, Type::Lreal),
+                    "UDINT_TO_REAL" => (Type::Udint, Type::Real),
+                    "DINT_TO_LREAL" => (Type::Dint, Type::Lreal),
+                    "DINT_TO_REAL" => (Type::Dint, Type::Real),
                     _ => return Err(format!("{function} is no conversion")),
                 };
-                self.has_type(operand, Type::Udint, known).map(|()| ty)
+                self.has_type(operand, from, known).map(|()| ty)
             }
             Expr::Unary(operator, operand) => match (operator.as_str(), self.ty(operand, known)?) {
                 ("NOT", Type::Bool) => Ok(Type::Bool),

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  aa35bad67f4ffbca3fef660d77abf5fb
- * body        689bc620fe3f15f3dc3be534298ffe64
+ * body        b1e3d4d283ca9e30576e3b945e6d5a95
  */
 #include "axis_x.h"
 
@@ -82,7 +82,7 @@ void axis_x_position_control_inputs_init(axis_x_position_control_inputs *inputs)
     inputs->x_actual = 0.0;
     inputs->v_feedforward = 0.0;
     inputs->v_additive = 0.0;
-    inputs->additive_torque = 0;
+    inputs->torque_feedforward = 0;
     inputs->v_add = 0.0;
     inputs->position_controlled = true;
     inputs->reset = false;
@@ -175,7 +175,7 @@ void axis_x_position_control_step(axis_x_position_control_state *restrict state,
             }
             outputs->additive_velocity = velocity_range_lowest;
         }
-        outputs->additive_torque = inputs->additive_torque;
+        outputs->additive_torque = inputs->torque_feedforward;
     }
 }
 
@@ -269,7 +269,7 @@ uint32_t axis_x_position_control_self_test(void)
 
     axis_x_position_control_init(&state);
     axis_x_position_control_inputs_init(&inputs);
-    inputs.additive_torque = 321;
+    inputs.torque_feedforward = 321;
     for (sample = 0u; sample < 47u; sample++) {
         /* at first within every limit, so that nothing is cut off */
         scale = sample < 39u ? 0.001953125 : 0.03125;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  aa35bad67f4ffbca3fef660d77abf5fb
- * body        fc9d2232d99631211a52c6fefb517e11
+ * body        f0ad41ee0b3f9dc42fbca9ddc7458abf
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -21,7 +21,7 @@ typedef struct {
     double x_actual; /* actual position, on the same turn as x_command [um or 0.001 deg]; not read for this axis; start 0.0 */
     double v_feedforward; /* conventional feedforward [um/s or 0.001 deg/s]; start 0.0 */
     double v_additive; /* additive feedforward, before it is scaled [um/s or 0.001 deg/s]; not read for this axis; start 0.0 */
-    int32_t additive_torque; /* additive torque of the feedforward [increments]; start 0 */
+    int32_t torque_feedforward; /* additive torque of the feedforward [increments]; start 0 */
     double v_add; /* additive velocity of improved position control [um/s or 0.001 deg/s]; start 0.0 */
     bool position_controlled; /* FALSE: the axis is not in position control, all outputs are 0 at once and x_drive follows x_command; start true */
     bool reset; /* while TRUE all outputs are 0 and x_drive follows x_command; start false */
