@@ -1,7 +1,7 @@
 //! Each pass on a program that is small enough to be read; the random programs find what these do not think of.
 
 use generator::interp::Machine;
-use generator::pass::{coalesce, identity, prune, typing, verify};
+use generator::pass::{coalesce, dead, identity, prune, sink, typing, verify};
 use generator::program::{Constant, Expr, Local, Origin, Program, Statement, Type, Var, Variable};
 use portable::{Binary, Literal, RealKind};
 
@@ -155,4 +155,45 @@ fn verifying_finds_broken_promises() {
     let mut infinite = program(0, vec![assign(Y, X)]);
     infinite.constants[0].value = Literal::F64(f64::INFINITY);
     assert_eq!(message(verify::run(infinite)), "verify: the constant a is F64(inf)");
+}
+
+#[test]
+fn an_assignment_that_nothing_reads_goes() {
+    let inner = choose(
+        vec![assign(Var::Local(0), X), assign(Y, local(0)), assign(Var::Local(1), real(1.0))],
+        vec![assign(Var::Local(0), real(0.0)), assign(Y, X), assign(Var::Local(1), real(2.0))],
+    );
+    let step = dead::run(program(2, vec![inner, assign(S, X)])).unwrap().step;
+    let expected = choose(vec![assign(Var::Local(0), X), assign(Y, local(0))], vec![assign(Y, X)]);
+    assert_eq!(step, [expected, assign(S, X)]);
+    // What is read behind the branches stays in both of them.
+    let both =
+        vec![choose(vec![assign(Var::Local(0), X)], vec![assign(Var::Local(0), real(0.0))]), assign(Y, local(0))];
+    assert_eq!(dead::run(program(1, both.clone())).unwrap().step, both);
+}
+
+#[test]
+fn what_only_goes_to_an_output_goes_there_at_once() {
+    let branches = |target| choose(vec![assign(target, X)], vec![assign(target, real(1.0))]);
+    let sunk = |step| sink::run(program(1, step)).unwrap().step;
+    let local_first = vec![branches(Var::Local(0)), assign(S, X), assign(Y, local(0))];
+    assert_eq!(sunk(local_first), [branches(Y), assign(S, X)]);
+    // Not where something looks at the output in between, nor where the local is read again.
+    let watched = vec![branches(Var::Local(0)), assign(S, Expr::Var(Y)), assign(Y, local(0))];
+    assert_eq!(sunk(watched.clone()), watched);
+    let read_again = vec![branches(Var::Local(0)), assign(Y, local(0)), assign(S, local(0))];
+    assert_eq!(sunk(read_again.clone()), read_again);
+}
+
+#[test]
+fn a_flag_becomes_what_it_decides() {
+    let (yes, no) = (Expr::Literal(Literal::Bool(true)), Expr::Literal(Literal::Bool(false)));
+    let less = binary(Binary::Less, X, real(0.0));
+    let set = || assign(Y, real(7.0));
+    let asked = |condition| Statement::If { condition, then: vec![set()], otherwise: Vec::new() };
+    let raised = |value| choose(vec![assign(Var::Local(0), yes.clone())], vec![assign(Var::Local(0), value)]);
+    let sunk = |step| sink::run(program(1, step)).unwrap().step;
+    assert_eq!(sunk(vec![assign(Y, X), raised(no), asked(local(0))]), [assign(Y, X), choose(vec![set()], vec![])]);
+    let found = sunk(vec![assign(Y, X), raised(less.clone()), asked(local(0))]);
+    assert_eq!(found, [assign(Y, X), choose(vec![set()], vec![asked(less)])]);
 }

@@ -234,7 +234,7 @@ fn a_coefficient_that_is_off_by_one_bit_is_found() {
         let mut case = case.clone();
         let constants = &mut case.block.program.constants;
         // One that reaches an output that is a real number: a part of a filter, else a weight, else a gain.
-        let wanted = ["stage[", "velocity_delay.now", "weight_per_percent", "kv", "lag"];
+        let wanted = ["stage[", "velocity_delay.before", "weight_per_percent", "kv", "lag"];
         let found = wanted.iter().find_map(|part| constants.iter().position(|constant| constant.path.contains(part)));
         let coefficient = &mut constants[found.expect("every block has one of them")];
         coefficient.value = match coefficient.value {

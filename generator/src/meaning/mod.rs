@@ -4,16 +4,18 @@
 //!
 //! ```text
 //! axis    two axes -> what differs, a line for the axis's values, one for each stage
+//! control feedforward, position control, gantry -> what differs, a line for each value
 //! stage   two stages -> weight, filters, gain and phase at the centres, decay
 //! number  two numbers -> as many digits as tell them apart
 //! ```
 
 mod axis;
+mod control;
 mod number;
 mod stage;
 
 use crate::axis::Axis;
-use crate::block::leaves;
+use crate::block::{self, leaves};
 use crate::design;
 use portable::{Literal, RealKind};
 
@@ -48,7 +50,10 @@ pub fn changes(old: &[Axis], new: &[Axis]) -> Vec<Change> {
         Change { axis: axis.name.clone(), kind }
     });
     let added = new.iter().filter(|axis| named(old, &axis.name).is_none());
-    let added = added.map(|axis| Change { axis: axis.name.clone(), kind: Kind::Added(axis::described(axis)) });
+    let added = added.map(|axis| Change {
+        axis: axis.name.clone(),
+        kind: Kind::Added([axis::described(axis), control::described(axis)].concat()),
+    });
     kept.chain(added).collect()
 }
 
@@ -80,16 +85,18 @@ fn between(old: &Axis, new: &Axis) -> Kind {
         return Kind::Same;
     }
     let mut lines = axis::differences(old, new);
+    lines.extend(control::differences(old, new));
     if lines.is_empty() {
         lines.push("the coefficients differ by no more than their rounding".to_owned());
     }
     Kind::Changed(lines)
 }
 
-/// All numbers of a block, in its real type.
-fn coefficients(axis: &Axis) -> Vec<Literal> {
-    match axis.real {
-        RealKind::F64 => leaves(&design::ipc::<f64>(axis)),
-        RealKind::F32 => leaves(&design::ipc::<f32>(axis)),
-    }
+/// All numbers of an axis's blocks, in their real type.
+fn coefficients(axis: &Axis) -> (Vec<&'static str>, Vec<Literal>) {
+    let numbers = match axis.real {
+        RealKind::F64 => leaves(&design::position_control::of_axis::<f64>(axis)),
+        RealKind::F32 => leaves(&design::position_control::of_axis::<f32>(axis)),
+    };
+    (block::names(axis), numbers)
 }

@@ -2,6 +2,7 @@
 
 mod allpass;
 mod bandpass;
+mod feedforward;
 mod golden;
 mod oscillation;
 mod refused;

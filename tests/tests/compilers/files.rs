@@ -37,6 +37,30 @@ fn strict_compilers_have_nothing_to_say() {
     }
 }
 
+/// An axis gets one file for all its blocks.
+#[test]
+fn all_blocks_of_an_axis_fit_into_a_file() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/feedforward.toml");
+    let (set, report) = generator::config::read(&path, &generator::config::ListOptions::default());
+    let axes = set.unwrap_or_else(|| panic!("{report}")).axes;
+    assert!(axes.iter().any(|axis| generator::block::names(axis).len() == 4));
+    for (tool, axis) in tools().into_iter().flat_map(|tool| axes.iter().map(move |axis| (tool, axis))) {
+        let folder = tempfile::tempdir().unwrap();
+        let files = c::files(axis, &generator::block::blocks(axis).unwrap());
+        for File { name, text } in &files {
+            std::fs::write(folder.path().join(name), text).unwrap();
+        }
+        let source = &files[1].name;
+        for level in ["-O0", "-O2"] {
+            compile(
+                tool.command,
+                folder.path(),
+                &[&STRICT[..], &["-Wshadow", level, "-c", source, "-o", "block.o"]].concat(),
+            );
+        }
+    }
+}
+
 /// Twice in one file, and called from there.
 #[test]
 fn the_header_is_fit_for_cpp() {
