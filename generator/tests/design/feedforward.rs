@@ -14,7 +14,7 @@ fn example(name: &str) -> Axis {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/feedforward.toml");
     let (set, report) = read(&path, &ListOptions::default());
     let axes = set.unwrap_or_else(|| panic!("{report}")).axes;
-    axes.into_iter().find(|axis| axis.name == name).unwrap()
+    axes.into_iter().find(|axis| axis.name == name).expect("an axis of the example")
 }
 
 /// What the drive of an axis gets for a constant input, after the delays have run full.
@@ -31,7 +31,7 @@ fn steady(axis: &Axis, inputs: Inputs<f64>) -> [i32; 2] {
 
 fn with_velocity(reso: Ratio, time_base: TimeBase, cycle_time_ns: u32) -> Axis {
     let mut axis = Axis { cycle_time_ns, ..example("V") };
-    let feedforward = axis.control.feedforward.as_mut().unwrap();
+    let feedforward = axis.control.feedforward.as_mut().expect("it has feedforward");
     feedforward.velocity = Some(Velocity { reso, time_base, width: Width::Int32 });
     axis
 }

@@ -44,7 +44,8 @@ fn all_blocks_of_an_axis_fit_into_a_file() {
     let (set, report) = generator::config::read(&path, &generator::config::ListOptions::default());
     let axes = set.unwrap_or_else(|| panic!("{report}")).axes;
     assert!(axes.iter().any(|axis| generator::block::names(axis).len() == 4));
-    for (tool, axis) in tools().into_iter().flat_map(|tool| axes.iter().map(move |axis| (tool, axis))) {
+    let tools = tools();
+    for (tool, axis) in tools.iter().flat_map(|tool| axes.iter().map(move |axis| (tool, axis))) {
         let folder = tempfile::tempdir().unwrap();
         let files = c::files(axis, &generator::block::blocks(axis).unwrap());
         for File { name, text } in &files {
