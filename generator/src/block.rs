@@ -200,7 +200,8 @@ fn blocks_as<R: Real>(axis: &Axis) -> Result<Vec<Block>, Defect> {
     }
     each_part!(make);
     for block in &mut blocks {
-        if block.program.block == <Ipc as Reference<R>>::NAME {
+        // A gantry slave's block never acts: there is nothing to measure.
+        if block.program.block == <Ipc as Reference<R>>::NAME && axis.control.master.is_none() {
             block.certificate = certificate::lines(&certificate::certify(axis, block));
         }
     }

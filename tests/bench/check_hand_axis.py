@@ -48,14 +48,14 @@ class Outputs(ctypes.Structure):
         ("v_feedforward", ctypes.c_double),
         ("v_add", ctypes.c_double),
         ("v_add_calculated", ctypes.c_double),
-        ("manipulated_variable", ctypes.c_int32),
         ("x_drive", ctypes.c_double),
+        ("manipulated_variable", ctypes.c_int32),
         ("xerr", ctypes.c_int32),
-        ("additive_velocity", ctypes.c_int32),
         ("additive_torque", ctypes.c_int32),
+        ("additive_velocity", ctypes.c_int32),
+        ("error_id", ctypes.c_uint32),
         ("limited", ctypes.c_bool),
         ("fault", ctypes.c_bool),
-        ("error_id", ctypes.c_uint32),
     ]
 
 
@@ -175,16 +175,16 @@ class Axis:
 
     def in_the_cnc(self, i, out):
         c, error_id, v_feedforward = self.c, 0, 0.0
-        if not usable(i.v_interpolator):
-            error_id = 14
-        elif not usable(i.a_interpolator):
+        if not usable(i.a_interpolator):
             error_id = 15
+        elif not usable(i.v_interpolator):
+            error_id = 14
         else:
             v_feedforward = self.gain(i) * (i.v_interpolator + c["t_a"] * i.a_interpolator)
         v_command = c["kv"] * (i.x_command - i.x_actual) + v_feedforward
         out["v_feedforward"], out["v_command"] = v_feedforward, v_command
         ipc_error_id = self.ipc(i, out)
-        error_id = error_id or ipc_error_id
+        error_id = ipc_error_id or error_id  # of several parts the last one stands
         increments = c["increments_per_velocity"] * (v_command + out["v_add"])
         out["manipulated_variable"], limited = self.rounded(increments)
         out["limited"] = out["limited"] or limited

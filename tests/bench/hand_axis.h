@@ -29,14 +29,14 @@ typedef struct {
     double v_feedforward;
     double v_add;
     double v_add_calculated;
-    int32_t manipulated_variable;
     double x_drive;
+    int32_t manipulated_variable;
     int32_t xerr;
-    int32_t additive_velocity;
     int32_t additive_torque;
+    int32_t additive_velocity;
+    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 12 v_motor, 14 v_, 15 a_interpolator, 17 x_command, 18 x_actual */
     bool limited;
     bool fault;
-    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 12 v_motor, 14 v_, 15 a_interpolator, 17 x_command, 18 x_actual */
 } hand_axis_outputs;
 
 /* Part of every cycle, and not. */

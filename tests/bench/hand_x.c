@@ -143,7 +143,7 @@ SELDOM void without_addition(
     state->gate = 0u;
     outputs->v_add = 0.0;
     outputs->v_add_calculated = 0.0;
-    if (error_id != 0u && !outputs->fault) { /* feedforward's fault comes first */
+    if (error_id != 0u) { /* it stands before feedforward's */
         outputs->fault = true;
         outputs->error_id = error_id;
     }
@@ -222,12 +222,9 @@ void axis_hand_x_axis_step(
     outputs->error_id = 0u;
 
     double v_feedforward = 0.0;
-    if (!usable(inputs->v_interpolator)) {
+    if (!usable(inputs->v_interpolator) || !usable(inputs->a_interpolator)) {
         outputs->fault = true;
-        outputs->error_id = 14u;
-    } else if (!usable(inputs->a_interpolator)) {
-        outputs->fault = true;
-        outputs->error_id = 15u;
+        outputs->error_id = usable(inputs->a_interpolator) ? 14u : 15u;
     } else {
         v_feedforward = feedforward_gain(inputs) * (inputs->v_interpolator + t_a * inputs->a_interpolator);
     }

@@ -68,12 +68,12 @@ impl Parameter {
             Kind::Integer { from, to } => format!("{from} <= {short} <= {to}{unit}"),
             Kind::Real { from, to } => {
                 let from = match from {
-                    Bound::Open(end) => format!("{end} <"),
-                    Bound::Closed(end) => format!("{end} <="),
+                    Bound::Open(end) => format!("{} <", real_text(end)),
+                    Bound::Closed(end) => format!("{} <=", real_text(end)),
                 };
                 let to = match to {
-                    Bound::Open(end) => format!("< {end}"),
-                    Bound::Closed(end) => format!("<= {end}"),
+                    Bound::Open(end) => format!("< {}", real_text(end)),
+                    Bound::Closed(end) => format!("<= {}", real_text(end)),
                 };
                 format!("{from} {short} {to}{unit}")
             }

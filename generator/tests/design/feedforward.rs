@@ -1,11 +1,13 @@
 //! The worked figures of the manual (ISG FCT-D2 "Feedforward control", 4.1 and 4.2) and of the formulas beside it, to the
 //! last digit that they are printed with; what the drive gets is an integer and compared as one.
 
-use generator::axis::{Axis, Motor, Ratio, Resolution, TimeBase, Torque, Velocity, Width};
+use generator::axis::{Axis, Enable, Motor, Ratio, Resolution, TimeBase, Torque, Velocity, Width};
+use generator::block::blocks;
 use generator::config::{ListOptions, read};
 use generator::design;
 use generator::design::scale::{self, angular_acceleration};
 use reference::feedforward::{Feedforward, Inputs};
+use reference::ipc::{Ipc, mode_dryrun, mode_off, mode_on};
 use reference::position_control::PositionControl;
 use reference::{Block, delay, process_data};
 use std::path::Path;
@@ -172,5 +174,21 @@ fn halves_and_ends() {
     for (x, expected) in [(0.499_999_97_f32, 0), (0.5, 1), (8_388_607.5, 8_388_608), (-3.5, -4), (3e9, i32::MAX)] {
         process_data::round(&mut datum, &scale::range::<f32>(Width::Int32), x);
         assert_eq!(datum.value, expected, "{x:?}");
+    }
+}
+
+/// Improved position control on a gantry slave is the error 70600, also where the mode is set at run time.
+#[test]
+fn a_gantry_slave_refuses_its_mode() {
+    let mut axis = example("Y1");
+    axis.control.master = Some(9);
+    axis.ipc.enable = Enable::Off;
+    assert_eq!(blocks(&axis).expect("a slave has blocks").len(), 3);
+    let coeffs = design::ipc::<f64>(&axis);
+    let (mut state, mut outputs) = (<Ipc as Block<f64>>::state(), <Ipc as Block<f64>>::outputs());
+    for (mode, expected) in [(mode_off(), 0), (mode_on(), 70_600), (mode_dryrun(), 70_600), (7, 2), (mode_off(), 0)] {
+        let inputs = reference::ipc::Inputs { mode, ..<Ipc as Block<f64>>::inputs(&coeffs) };
+        <Ipc as Block<f64>>::step(&mut state, &coeffs, &inputs, &mut outputs);
+        assert_eq!((outputs.error_id, outputs.fault, outputs.v_add), (expected, expected != 0, 0.0), "{mode}");
     }
 }

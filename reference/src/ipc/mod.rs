@@ -122,7 +122,9 @@ pub fn sum_of_stages<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: 
 #[portable]
 pub fn limit<R: Real>(outputs: &mut Outputs<R>, coeffs: &Coeffs<R>, v_sum: R) -> R {
     let mut v_limited = R::ZERO;
-    if !within(v_sum, coeffs.limit) {
+    if within(v_sum, coeffs.limit) {
+        v_limited = if within(v_sum, coeffs.rest) { R::ZERO } else { v_sum };
+    } else {
         outputs.limited = true;
         // Of a sum that is no number, which no usable sample leads to, nothing is added.
         if v_sum > R::ZERO {
@@ -130,8 +132,6 @@ pub fn limit<R: Real>(outputs: &mut Outputs<R>, coeffs: &Coeffs<R>, v_sum: R) ->
         } else if v_sum < R::ZERO {
             v_limited = coeffs.lower_limit;
         }
-    } else if !within(v_sum, coeffs.rest) {
-        v_limited = v_sum;
     }
     v_limited
 }

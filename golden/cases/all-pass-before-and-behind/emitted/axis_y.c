@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  e86ef3521bc21a1c20e36a31fa066f0a
- * body        03eaaaa4ab59f60c39b38cdb9b0bfe4d
+ * body        a72a10ad0586c43e055557018b84d801
  */
 #include "axis_y.h"
 
@@ -287,7 +287,13 @@ void axis_y_ipc_step(axis_y_ipc_state *restrict state, const axis_y_ipc_inputs *
             const double v_stage_2 = stage1_gain * stage1_filter1_section1_y;
             const double v_sum = v_stage + v_stage_2;
             double v_limited;
-            if (!(magnitude(v_sum) <= limit)) {
+            if (magnitude(v_sum) <= limit) {
+                if (magnitude(v_sum) <= rest) {
+                    v_limited = 0.0;
+                } else {
+                    v_limited = v_sum;
+                }
+            } else {
                 outputs->limited = true;
                 if (v_sum > 0.0) {
                     v_limited = limit;
@@ -296,10 +302,6 @@ void axis_y_ipc_step(axis_y_ipc_state *restrict state, const axis_y_ipc_inputs *
                 } else {
                     v_limited = 0.0;
                 }
-            } else if (!(magnitude(v_sum) <= rest)) {
-                v_limited = v_sum;
-            } else {
-                v_limited = 0.0;
             }
             if (state->gate >= fade_cycles) {
                 outputs->v_add = v_limited;

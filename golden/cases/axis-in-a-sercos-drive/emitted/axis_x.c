@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  84c1aaebe7d5efbf7942c2b9e5459fdc
- * body        fe021d27e3fdd9613895401bace20fdc
+ * body        03ac8939c4dd72edb08c7a203cb29bba
  */
 #include "axis_x.h"
 
@@ -369,7 +369,13 @@ void axis_x_axis_step(axis_x_axis_state *restrict state, const axis_x_axis_input
                 ipc_stage0_filter0_section0_t + tiny - ipc_stage0_filter0_bandpass0_a2 * ipc_stage0_filter0_section0_y;
             const double ipc_v_stage = ipc_stage0_gain * ipc_stage0_filter0_section0_y;
             double ipc_v_limited;
-            if (!(magnitude(ipc_v_stage) <= ipc_limit)) {
+            if (magnitude(ipc_v_stage) <= ipc_limit) {
+                if (magnitude(ipc_v_stage) <= ipc_rest) {
+                    ipc_v_limited = 0.0;
+                } else {
+                    ipc_v_limited = ipc_v_stage;
+                }
+            } else {
                 if (ipc_v_stage > 0.0) {
                     ipc_v_limited = ipc_limit;
                 } else if (ipc_v_stage < 0.0) {
@@ -378,10 +384,6 @@ void axis_x_axis_step(axis_x_axis_state *restrict state, const axis_x_axis_input
                     ipc_v_limited = 0.0;
                 }
                 outputs->limited = true;
-            } else if (!(magnitude(ipc_v_stage) <= ipc_rest)) {
-                ipc_v_limited = ipc_v_stage;
-            } else {
-                ipc_v_limited = 0.0;
             }
             if (state->ipc_gate >= ipc_fade_cycles) {
                 v_add = ipc_v_limited;

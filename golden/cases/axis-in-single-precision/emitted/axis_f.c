@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  a51e4e64fad240bd4128bbecc5fcab95
- * body        521feccf8dffaab870a0f45f29a6e617
+ * body        9c25f56ada94aa0a65989e5671006a43
  */
 #include "axis_f.h"
 
@@ -294,7 +294,13 @@ void axis_f_axis_step(axis_f_axis_state *restrict state, const axis_f_axis_input
                 ipc_stage0_filter0_section0_t + tiny - ipc_stage0_filter0_bandpass0_a2 * ipc_stage0_filter0_section0_y;
             const float ipc_v_stage = ipc_stage0_gain * ipc_stage0_filter0_section0_y;
             float ipc_v_limited;
-            if (!(magnitude(ipc_v_stage) <= ipc_limit)) {
+            if (magnitude(ipc_v_stage) <= ipc_limit) {
+                if (magnitude(ipc_v_stage) <= ipc_rest) {
+                    ipc_v_limited = 0.0f;
+                } else {
+                    ipc_v_limited = ipc_v_stage;
+                }
+            } else {
                 if (ipc_v_stage > 0.0f) {
                     ipc_v_limited = ipc_limit;
                 } else if (ipc_v_stage < 0.0f) {
@@ -303,10 +309,6 @@ void axis_f_axis_step(axis_f_axis_state *restrict state, const axis_f_axis_input
                     ipc_v_limited = 0.0f;
                 }
                 outputs->limited = true;
-            } else if (!(magnitude(ipc_v_stage) <= ipc_rest)) {
-                ipc_v_limited = ipc_v_stage;
-            } else {
-                ipc_v_limited = 0.0f;
             }
             if (state->ipc_gate >= ipc_fade_cycles) {
                 v_add = ipc_v_limited;

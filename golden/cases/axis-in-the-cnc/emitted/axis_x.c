@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  34e395339e0520ddd4444822e1ca30ef
- * body        672aeedf0184e89fb592fed3ae412c41
+ * body        569765188196259cf2650ee0ecf2152a
  */
 #include "axis_x.h"
 
@@ -355,7 +355,13 @@ void axis_x_axis_step(axis_x_axis_state *restrict state, const axis_x_axis_input
             const double ipc_v_stage_2 = ipc_stage1_gain * ipc_stage1_filter0_section0_y;
             const double ipc_v_sum = ipc_v_stage + ipc_v_stage_2;
             double ipc_v_limited;
-            if (!(magnitude(ipc_v_sum) <= ipc_limit)) {
+            if (magnitude(ipc_v_sum) <= ipc_limit) {
+                if (magnitude(ipc_v_sum) <= ipc_rest) {
+                    ipc_v_limited = 0.0;
+                } else {
+                    ipc_v_limited = ipc_v_sum;
+                }
+            } else {
                 if (ipc_v_sum > 0.0) {
                     ipc_v_limited = ipc_limit;
                 } else if (ipc_v_sum < 0.0) {
@@ -364,10 +370,6 @@ void axis_x_axis_step(axis_x_axis_state *restrict state, const axis_x_axis_input
                     ipc_v_limited = 0.0;
                 }
                 outputs->limited = true;
-            } else if (!(magnitude(ipc_v_sum) <= ipc_rest)) {
-                ipc_v_limited = ipc_v_sum;
-            } else {
-                ipc_v_limited = 0.0;
             }
             if (state->ipc_gate >= ipc_fade_cycles) {
                 v_add = ipc_v_limited;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  dd3714341cc42b999aed7c65c021489b
- * body        40f261c774844713521cffa9667995c1
+ * body        b0533c028426f146fb02e0c3775ed458
  */
 #include "axis_x.h"
 
@@ -268,7 +268,13 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
             const double v_stage_3 = -stage2_filter0_section0_y;
             const double v_sum_2 = v_sum + v_stage_3;
             double v_limited;
-            if (!(magnitude(v_sum_2) <= limit)) {
+            if (magnitude(v_sum_2) <= limit) {
+                if (magnitude(v_sum_2) <= rest) {
+                    v_limited = 0.0;
+                } else {
+                    v_limited = v_sum_2;
+                }
+            } else {
                 outputs->limited = true;
                 if (v_sum_2 > 0.0) {
                     v_limited = limit;
@@ -277,10 +283,6 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
                 } else {
                     v_limited = 0.0;
                 }
-            } else if (!(magnitude(v_sum_2) <= rest)) {
-                v_limited = v_sum_2;
-            } else {
-                v_limited = 0.0;
             }
             if (state->gate >= fade_cycles) {
                 outputs->v_add = v_limited;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e8e1f0a47ea514001e7042c1835ee7b3
- * body        9b1decbda4030ea44e0724e12a56738c
+ * body        a5a51cea64b7d1ec925b4a312ad11ac8
  */
 #include "axis_x.h"
 
@@ -253,7 +253,13 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
             const double v_stage_2 = stage1_gain * stage1_filter0_section0_y;
             const double v_sum = v_stage + v_stage_2;
             double v_limited;
-            if (!(magnitude(v_sum) <= limit)) {
+            if (magnitude(v_sum) <= limit) {
+                if (magnitude(v_sum) <= rest) {
+                    v_limited = 0.0;
+                } else {
+                    v_limited = v_sum;
+                }
+            } else {
                 outputs->limited = true;
                 if (v_sum > 0.0) {
                     v_limited = limit;
@@ -262,10 +268,6 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
                 } else {
                     v_limited = 0.0;
                 }
-            } else if (!(magnitude(v_sum) <= rest)) {
-                v_limited = v_sum;
-            } else {
-                v_limited = 0.0;
             }
             if (state->gate >= fade_cycles) {
                 outputs->v_add = v_limited;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  748aa3626b02d1aa0e59eb14a7e1d7ca
- * body        0990d9521a085126bb7cee4e161aca04
+ * body        18ce592e61f0b0c5332c565cbaa7bf7d
  */
 #include "axis_x.h"
 
@@ -222,7 +222,13 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
                 stage0_filter0_section2_t + tiny - stage0_filter0_bandpass2_a2 * stage0_filter0_section2_y;
             const double v_stage = stage0_gain * stage0_filter0_section2_y;
             double v_limited;
-            if (!(magnitude(v_stage) <= limit)) {
+            if (magnitude(v_stage) <= limit) {
+                if (magnitude(v_stage) <= rest) {
+                    v_limited = 0.0;
+                } else {
+                    v_limited = v_stage;
+                }
+            } else {
                 outputs->limited = true;
                 if (v_stage > 0.0) {
                     v_limited = limit;
@@ -231,10 +237,6 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
                 } else {
                     v_limited = 0.0;
                 }
-            } else if (!(magnitude(v_stage) <= rest)) {
-                v_limited = v_stage;
-            } else {
-                v_limited = 0.0;
             }
             if (state->gate >= fade_cycles) {
                 outputs->v_add = v_limited;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  54ec9fd356e63495804223a32d086383
- * body        8492723ad89bfddaa2b08c5b80823189
+ * body        12794dd2eaed97bafc990ce2196ab780
  */
 #include "axis_x.h"
 
@@ -296,7 +296,13 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
             const double v_stage_2 = stage1_gain * stage1_filter0_section2_y;
             const double v_sum = v_stage + v_stage_2;
             double v_limited;
-            if (!(magnitude(v_sum) <= limit)) {
+            if (magnitude(v_sum) <= limit) {
+                if (magnitude(v_sum) <= rest) {
+                    v_limited = 0.0;
+                } else {
+                    v_limited = v_sum;
+                }
+            } else {
                 outputs->limited = true;
                 if (v_sum > 0.0) {
                     v_limited = limit;
@@ -305,10 +311,6 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
                 } else {
                     v_limited = 0.0;
                 }
-            } else if (!(magnitude(v_sum) <= rest)) {
-                v_limited = v_sum;
-            } else {
-                v_limited = 0.0;
             }
             if (state->gate >= fade_cycles) {
                 outputs->v_add = v_limited;

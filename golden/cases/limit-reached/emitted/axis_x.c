@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  325f959a8a6307105ae6363b76420ebf
- * body        38769c27834fbcf76d17e13e8aa5d55a
+ * body        9b5973d74a29da5549bedc5eea201e24
  */
 #include "axis_x.h"
 
@@ -186,7 +186,13 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
                 stage0_filter0_section1_t + tiny - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
             const double v_stage = stage0_gain * stage0_filter0_section1_y;
             double v_limited;
-            if (!(magnitude(v_stage) <= limit)) {
+            if (magnitude(v_stage) <= limit) {
+                if (magnitude(v_stage) <= rest) {
+                    v_limited = 0.0;
+                } else {
+                    v_limited = v_stage;
+                }
+            } else {
                 outputs->limited = true;
                 if (v_stage > 0.0) {
                     v_limited = limit;
@@ -195,10 +201,6 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
                 } else {
                     v_limited = 0.0;
                 }
-            } else if (!(magnitude(v_stage) <= rest)) {
-                v_limited = v_stage;
-            } else {
-                v_limited = 0.0;
             }
             if (state->gate >= fade_cycles) {
                 outputs->v_add = v_limited;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  193f65cf41125eb0de2a3a631dc99cd0
- * body        b86d458a17eb950a3befe3dee0d5e5e1
+ * body        b70d4785d053a93f87aaf6c72596f44f
  */
 #include "axis_x.h"
 
@@ -183,7 +183,13 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
                 stage0_filter0_section1_t + tiny - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
             const double v_stage = -stage0_filter0_section1_y;
             double v_limited;
-            if (!(magnitude(v_stage) <= limit)) {
+            if (magnitude(v_stage) <= limit) {
+                if (magnitude(v_stage) <= rest) {
+                    v_limited = 0.0;
+                } else {
+                    v_limited = v_stage;
+                }
+            } else {
                 outputs->limited = true;
                 if (v_stage > 0.0) {
                     v_limited = limit;
@@ -192,10 +198,6 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
                 } else {
                     v_limited = 0.0;
                 }
-            } else if (!(magnitude(v_stage) <= rest)) {
-                v_limited = v_stage;
-            } else {
-                v_limited = 0.0;
             }
             if (state->gate >= fade_cycles) {
                 outputs->v_add = v_limited;

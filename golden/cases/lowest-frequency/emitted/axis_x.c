@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  62500 ns
  * parameters  d779f62a242bb193795c91e01e9ed760
- * body        b1f8b5d72e756202e5d67cfeae77152d
+ * body        2bea06cd5baac63e11b1b2d7969dafd8
  */
 #include "axis_x.h"
 
@@ -235,7 +235,13 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
             const double v_stage_2 = stage1_gain * stage1_filter0_section1_y;
             const double v_sum = v_stage + v_stage_2;
             double v_limited;
-            if (!(magnitude(v_sum) <= limit)) {
+            if (magnitude(v_sum) <= limit) {
+                if (magnitude(v_sum) <= rest) {
+                    v_limited = 0.0;
+                } else {
+                    v_limited = v_sum;
+                }
+            } else {
                 outputs->limited = true;
                 if (v_sum > 0.0) {
                     v_limited = limit;
@@ -244,10 +250,6 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
                 } else {
                     v_limited = 0.0;
                 }
-            } else if (!(magnitude(v_sum) <= rest)) {
-                v_limited = v_sum;
-            } else {
-                v_limited = 0.0;
             }
             if (state->gate >= fade_cycles) {
                 outputs->v_add = v_limited;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  433be3a8b78f4c5a206df87cde7d8541
- * body        d4a3b140332213937706f1d06eb3b315
+ * body        2be14548939b50e94aea77ff059767a4
  */
 #include "axis_x.h"
 
@@ -249,7 +249,13 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
             const double v_stage_2 = stage1_gain * stage1_filter0_section2_y;
             const double v_sum = v_stage + v_stage_2;
             double v_limited;
-            if (!(magnitude(v_sum) <= limit)) {
+            if (magnitude(v_sum) <= limit) {
+                if (magnitude(v_sum) <= rest) {
+                    v_limited = 0.0;
+                } else {
+                    v_limited = v_sum;
+                }
+            } else {
                 outputs->limited = true;
                 if (v_sum > 0.0) {
                     v_limited = limit;
@@ -258,10 +264,6 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
                 } else {
                     v_limited = 0.0;
                 }
-            } else if (!(magnitude(v_sum) <= rest)) {
-                v_limited = v_sum;
-            } else {
-                v_limited = 0.0;
             }
             if (state->gate >= fade_cycles) {
                 outputs->v_add = v_limited;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9760420855774556c7bc167f08fc35fd
- * body        3a1fcec6c7c02c7786703a8c37534368
+ * body        56801f329a235ffb9d003c50fe7fdd4a
  */
 #include "axis_rack_and_pinion.h"
 
@@ -221,7 +221,13 @@ void axis_rack_and_pinion_ipc_step(axis_rack_and_pinion_ipc_state *restrict stat
             const double v_stage_2 = stage1_gain * stage1_filter0_section0_y;
             const double v_sum = v_stage + v_stage_2;
             double v_limited;
-            if (!(magnitude(v_sum) <= limit)) {
+            if (magnitude(v_sum) <= limit) {
+                if (magnitude(v_sum) <= rest) {
+                    v_limited = 0.0;
+                } else {
+                    v_limited = v_sum;
+                }
+            } else {
                 outputs->limited = true;
                 if (v_sum > 0.0) {
                     v_limited = limit;
@@ -230,10 +236,6 @@ void axis_rack_and_pinion_ipc_step(axis_rack_and_pinion_ipc_state *restrict stat
                 } else {
                     v_limited = 0.0;
                 }
-            } else if (!(magnitude(v_sum) <= rest)) {
-                v_limited = v_sum;
-            } else {
-                v_limited = 0.0;
             }
             if (state->gate >= fade_cycles) {
                 outputs->v_add = v_limited;

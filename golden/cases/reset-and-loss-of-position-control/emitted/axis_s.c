@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  882eaa05ff123070aefdad1bed2341f1
- * body        70ba6b69d94bdd605008ef1bcb7c355f
+ * body        71f5b6a8610f04d1b52194cc18606381
  */
 #include "axis_s.h"
 
@@ -183,7 +183,13 @@ void axis_s_ipc_step(axis_s_ipc_state *restrict state, const axis_s_ipc_inputs *
                 stage0_filter0_section1_t + tiny - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
             const double v_stage = -stage0_filter0_section1_y;
             double v_limited;
-            if (!(magnitude(v_stage) <= limit)) {
+            if (magnitude(v_stage) <= limit) {
+                if (magnitude(v_stage) <= rest) {
+                    v_limited = 0.0;
+                } else {
+                    v_limited = v_stage;
+                }
+            } else {
                 outputs->limited = true;
                 if (v_stage > 0.0) {
                     v_limited = limit;
@@ -192,10 +198,6 @@ void axis_s_ipc_step(axis_s_ipc_state *restrict state, const axis_s_ipc_inputs *
                 } else {
                     v_limited = 0.0;
                 }
-            } else if (!(magnitude(v_stage) <= rest)) {
-                v_limited = v_stage;
-            } else {
-                v_limited = 0.0;
             }
             if (state->gate >= fade_cycles) {
                 outputs->v_add = v_limited;

@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  87f91c78676cb102a3330a2e3848dcd6
- * body        f07176f237387a29c3aa5a4c9acf578a
+ * body        562b06e5a3763b689732ab0fd181f9f3
  */
 #include "axis_x.h"
 
@@ -194,7 +194,13 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
                 stage0_filter0_section2_t + tiny - stage0_filter0_bandpass2_a2 * stage0_filter0_section2_y;
             const float v_stage = -stage0_filter0_section2_y;
             float v_limited;
-            if (!(magnitude(v_stage) <= limit)) {
+            if (magnitude(v_stage) <= limit) {
+                if (magnitude(v_stage) <= rest) {
+                    v_limited = 0.0f;
+                } else {
+                    v_limited = v_stage;
+                }
+            } else {
                 outputs->limited = true;
                 if (v_stage > 0.0f) {
                     v_limited = limit;
@@ -203,10 +209,6 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
                 } else {
                     v_limited = 0.0f;
                 }
-            } else if (!(magnitude(v_stage) <= rest)) {
-                v_limited = v_stage;
-            } else {
-                v_limited = 0.0f;
             }
             if (state->gate >= fade_cycles) {
                 outputs->v_add = v_limited;

@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  62500 ns
  * parameters  bad0c99249e15f6dcaf94ab9de408464
- * body        077a18e9b88fa2fe1bd7b4ffa90460cc
+ * body        a5dc4b2f386231e0e59da59a39b4197b
  */
 #include "axis_x.h"
 
@@ -218,7 +218,13 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
                 stage0_filter0_section2_t + tiny - stage0_filter0_bandpass2_a2 * stage0_filter0_section2_y;
             const float v_stage = -stage0_filter0_section2_y;
             float v_limited;
-            if (!(magnitude(v_stage) <= limit)) {
+            if (magnitude(v_stage) <= limit) {
+                if (magnitude(v_stage) <= rest) {
+                    v_limited = 0.0f;
+                } else {
+                    v_limited = v_stage;
+                }
+            } else {
                 outputs->limited = true;
                 if (v_stage > 0.0f) {
                     v_limited = limit;
@@ -227,10 +233,6 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
                 } else {
                     v_limited = 0.0f;
                 }
-            } else if (!(magnitude(v_stage) <= rest)) {
-                v_limited = v_stage;
-            } else {
-                v_limited = 0.0f;
             }
             if (state->gate >= fade_cycles) {
                 outputs->v_add = v_limited;

@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  0b73ef9889eaa78feb24d16a4842c593
- * body        fee3acdf68086e3f9d947f52ffae40c8
+ * body        c19e851fc4741bc96203f4d1d90caa53
  */
 #include "axis_c.h"
 
@@ -348,7 +348,13 @@ void axis_c_ipc_step(axis_c_ipc_state *restrict state, const axis_c_ipc_inputs *
             const float v_stage_3 = stage2_gain * stage2_filter0_section1_y;
             const float v_sum_2 = v_sum + v_stage_3;
             float v_limited;
-            if (!(magnitude(v_sum_2) <= limit)) {
+            if (magnitude(v_sum_2) <= limit) {
+                if (magnitude(v_sum_2) <= rest) {
+                    v_limited = 0.0f;
+                } else {
+                    v_limited = v_sum_2;
+                }
+            } else {
                 outputs->limited = true;
                 if (v_sum_2 > 0.0f) {
                     v_limited = limit;
@@ -357,10 +363,6 @@ void axis_c_ipc_step(axis_c_ipc_state *restrict state, const axis_c_ipc_inputs *
                 } else {
                     v_limited = 0.0f;
                 }
-            } else if (!(magnitude(v_sum_2) <= rest)) {
-                v_limited = v_sum_2;
-            } else {
-                v_limited = 0.0f;
             }
             if (state->gate >= fade_cycles) {
                 outputs->v_add = v_limited;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  fe27a53621d21cb7269ec91c9ce5f9db
- * body        830e44494b57e153294e337923f9393b
+ * body        49a95dc439ae54915cfe6e90abf85c0e
  */
 #include "axis_x.h"
 
@@ -413,7 +413,13 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
             const double v_stage_3 = stage2_gain * stage2_filter1_section0_y;
             const double v_sum_2 = v_sum + v_stage_3;
             double v_limited;
-            if (!(magnitude(v_sum_2) <= limit)) {
+            if (magnitude(v_sum_2) <= limit) {
+                if (magnitude(v_sum_2) <= rest) {
+                    v_limited = 0.0;
+                } else {
+                    v_limited = v_sum_2;
+                }
+            } else {
                 outputs->limited = true;
                 if (v_sum_2 > 0.0) {
                     v_limited = limit;
@@ -422,10 +428,6 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
                 } else {
                     v_limited = 0.0;
                 }
-            } else if (!(magnitude(v_sum_2) <= rest)) {
-                v_limited = v_sum_2;
-            } else {
-                v_limited = 0.0;
             }
             if (state->gate >= fade_cycles) {
                 outputs->v_add = v_limited;

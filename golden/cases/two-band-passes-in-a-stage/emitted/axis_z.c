@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  6a0aecbe02b54a57c0c2078dc887a241
- * body        50b1954f1f3dc0ad28974a2cda39e959
+ * body        c7ca38332bd6c12f483834b39afe0e6a
  */
 #include "axis_z.h"
 
@@ -268,7 +268,13 @@ void axis_z_ipc_step(axis_z_ipc_state *restrict state, const axis_z_ipc_inputs *
             const double v_stage_2 = stage1_gain * stage1_filter1_section0_y;
             const double v_sum = v_stage + v_stage_2;
             double v_limited;
-            if (!(magnitude(v_sum) <= limit)) {
+            if (magnitude(v_sum) <= limit) {
+                if (magnitude(v_sum) <= rest) {
+                    v_limited = 0.0;
+                } else {
+                    v_limited = v_sum;
+                }
+            } else {
                 outputs->limited = true;
                 if (v_sum > 0.0) {
                     v_limited = limit;
@@ -277,10 +283,6 @@ void axis_z_ipc_step(axis_z_ipc_state *restrict state, const axis_z_ipc_inputs *
                 } else {
                     v_limited = 0.0;
                 }
-            } else if (!(magnitude(v_sum) <= rest)) {
-                v_limited = v_sum;
-            } else {
-                v_limited = 0.0;
             }
             if (state->gate >= fade_cycles) {
                 outputs->v_add = v_limited;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  0571d45177aed7bb40e29b85e8e41486
- * body        73dfaa018a3f6ea912a93fd5dc281ecd
+ * body        618d6c24c7c100bae5a959f836350104
  */
 #include "axis_two_frequencies.h"
 
@@ -249,7 +249,13 @@ void axis_two_frequencies_ipc_step(axis_two_frequencies_ipc_state *restrict stat
             const double v_stage_2 = stage1_gain * stage1_filter0_section1_y;
             const double v_sum = v_stage + v_stage_2;
             double v_limited;
-            if (!(magnitude(v_sum) <= limit)) {
+            if (magnitude(v_sum) <= limit) {
+                if (magnitude(v_sum) <= rest) {
+                    v_limited = 0.0;
+                } else {
+                    v_limited = v_sum;
+                }
+            } else {
                 outputs->limited = true;
                 if (v_sum > 0.0) {
                     v_limited = limit;
@@ -258,10 +264,6 @@ void axis_two_frequencies_ipc_step(axis_two_frequencies_ipc_state *restrict stat
                 } else {
                     v_limited = 0.0;
                 }
-            } else if (!(magnitude(v_sum) <= rest)) {
-                v_limited = v_sum;
-            } else {
-                v_limited = 0.0;
             }
             if (state->gate >= fade_cycles) {
                 outputs->v_add = v_limited;

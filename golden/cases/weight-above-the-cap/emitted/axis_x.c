@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  1d3eeef73fc12835f3581e0fc768bd02
- * body        1bdd0389fedec0d716e189b6063fc71c
+ * body        45741bf063e08dba0f3690a18de5c1da
  */
 #include "axis_x.h"
 
@@ -195,7 +195,13 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
                 stage0_filter0_section0_t + tiny - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
             const double v_stage = stage0_gain * stage0_filter0_section0_y;
             double v_limited;
-            if (!(magnitude(v_stage) <= limit)) {
+            if (magnitude(v_stage) <= limit) {
+                if (magnitude(v_stage) <= rest) {
+                    v_limited = 0.0;
+                } else {
+                    v_limited = v_stage;
+                }
+            } else {
                 outputs->limited = true;
                 if (v_stage > 0.0) {
                     v_limited = limit;
@@ -204,10 +210,6 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
                 } else {
                     v_limited = 0.0;
                 }
-            } else if (!(magnitude(v_stage) <= rest)) {
-                v_limited = v_stage;
-            } else {
-                v_limited = 0.0;
             }
             if (state->gate >= fade_cycles) {
                 outputs->v_add = v_limited;
