@@ -1,6 +1,6 @@
 //! Gantries: a slave finds its master among the axes of the set. Only what concerns two axes is here.
 
-use crate::axis::{Axis, PositionControl, Velocity, Width};
+use crate::axis::{self, Axis, PositionControl, Velocity, Width};
 use crate::codes;
 use crate::design;
 use crate::diagnostics::{Diagnostic, Place, Report};
@@ -17,6 +17,7 @@ pub fn couple(axes: &mut [Axis], places: &[Place], report: &mut Report) {
             }
             Ok(master) => {
                 compare(&axes[slave], &axes[master], &places[slave], report);
+                way_out(&axes[slave], &axes[master], &places[slave], report);
                 take(axes, slave, master);
             }
         }
@@ -97,6 +98,26 @@ fn compare(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
     }
 }
 
+/// A slave that cannot follow what its master adds would pull the gantry askew.
+fn way_out(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
+    let is_shut = slave
+        .control
+        .position_control
+        .as_ref()
+        .is_some_and(|control| control.place != axis::Place::Cnc && control.velocity.is_none());
+    if is_shut && master.ipc.stage.iter().any(Option::is_some) {
+        let found = format!(
+            "{} follows {}, which has improved position control, and its own process data have no additive velocity",
+            slave.name, master.name
+        );
+        report.push(
+            Diagnostic::error(codes::NO_WAY_OUT, place.clone(), found)
+                .allowed("an additive velocity command in the process data of the slave too")
+                .instead("process_data.additive_velocity = \"INT32\" for this axis, if the drive has it"),
+        );
+    }
+}
+
 fn described(control: &PositionControl) -> String {
     match control.velocity {
         Some(Velocity { reso, time_base, width }) => {
@@ -106,7 +127,10 @@ fn described(control: &PositionControl) -> String {
             };
             format!("v_reso {}/{}, v_time_base {}, {width}", reso.num, reso.denom, time_base as u32)
         }
-        None => format!("multi_gain {}/{}", control.multi_gain.num, control.multi_gain.denom),
+        None if control.place == axis::Place::Cnc => {
+            format!("multi_gain {}/{}", control.multi_gain.num, control.multi_gain.denom)
+        }
+        None => "no additive velocity".to_owned(),
     }
 }
 

@@ -305,6 +305,27 @@ fn said_of_axes(given: &str) -> String {
 }
 
 #[test]
+fn a_gantry_slave_that_cannot_follow() {
+    assert_transcript(
+        said_of_axes,
+        r#"
+> [axis.A]
+> kopf.achs_nr = 1
+> kenngr = { gantry_ax_nr = 2, antr_typ = 2 }
+> [axis.B]
+> kopf.achs_nr = 2
+> getriebe = [{ kv = 2000 }]
+> lr_param.improved_position_control = { v_add_max_fact = 1000, stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] }] }
+set.toml:4:27: warning[AX427]: A and its master B scale their velocities differently: no additive velocity, and multi_gain 2000/1
+    write instead: equal scalings, unless the drives are different
+set.toml:4:27: error[AX310]: A follows B, which has improved position control, and its own process data have no additive velocity
+    allowed: an additive velocity command in the process data of the slave too
+    write instead: process_data.additive_velocity = "INT32" for this axis, if the drive has it
+"#,
+    );
+}
+
+#[test]
 fn gantries() {
     assert_transcript(
         said_of_axes,
