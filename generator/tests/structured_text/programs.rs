@@ -124,11 +124,15 @@ fn a_number_beside_a_variable_gets_a_name() {
     let input = || Box::new(Expr::Var(Var::Input(1)));
     let sum = |value| Expr::Binary(portable::Binary::Add, input(), number(value));
     let v_add = Var::Output(0);
+    let own = operands::run(program.clone()).constants.len();
     program.step.extend([0.5, 0.25, 0.5].map(|value| Statement::Assign { target: v_add, value: sum(value) }));
     program.step.push(Statement::Assign { target: Var::Output(1), value: *number(0.125) });
     let named = operands::run(program.clone());
-    let paths: Vec<&str> =
-        named.constants[program.constants.len()..].iter().map(|constant| constant.path.as_str()).collect();
-    assert_eq!(paths, ["number[0]", "number[1]"], "0.5 once, 0.25, and what is assigned stays");
+    let added: Vec<Literal> = named.constants[own..].iter().map(|constant| constant.value).collect();
+    let expected = [0.5, 0.25].map(Literal::F64);
+    assert_eq!(added, expected, "0.5 once, 0.25, and what is assigned stays");
+    for (number, constant) in named.constants[program.constants.len()..].iter().enumerate() {
+        assert_eq!(constant.path, format!("number[{number}]"));
+    }
     assert_eq!(run(&named, block, &[]), run(&program, block, &[]));
 }
