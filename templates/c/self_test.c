@@ -41,7 +41,16 @@ uint32_t {{ prefix }}_self_test(void)
     {{ real }} scale;
     uint32_t random = 1u;
     uint32_t sample;
+    /* 1 + 2^-{% if real == "double" %}30{% else %}15{% endif %} and its rounded square; volatile: worked out when it runs */
+    volatile {{ real }} factor = {{ block }}_real_of({% if real == "double" %}UINT64_C(0x3ff0000000400000){% else %}UINT32_C(0x3f800100){% endif %});
+    volatile {{ real }} square = {{ block }}_real_of({% if real == "double" %}UINT64_C(0x3ff0000000800000){% else %}UINT32_C(0x3f800200){% endif %});
+    const {{ real }} product = factor * factor;
+    const {{ real }} remainder = product - square;
 
+    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
+    if ({{ block }}_bits_of(remainder) != 0u) {
+        return 1u;
+    }
     {{ prefix }}_init(&state);
     {{ prefix }}_inputs_init(&inputs);
 {%- for switch in switches %}

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  84c1aaebe7d5efbf7942c2b9e5459fdc
- * body        03ac8939c4dd72edb08c7a203cb29bba
+ * body        2fe6244128c1b3af8107bf36c69db080
  */
 #include "axis_x.h"
 
@@ -521,7 +521,16 @@ uint32_t axis_x_axis_self_test(void)
     double scale;
     uint32_t random = 1u;
     uint32_t sample;
+    /* 1 + 2^-30 and its rounded square; volatile: worked out when it runs */
+    volatile double factor = axis_real_of(UINT64_C(0x3ff0000000400000));
+    volatile double square = axis_real_of(UINT64_C(0x3ff0000000800000));
+    const double product = factor * factor;
+    const double remainder = product - square;
 
+    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
+    if (axis_bits_of(remainder) != 0u) {
+        return 1u;
+    }
     axis_x_axis_init(&state);
     axis_x_axis_inputs_init(&inputs);
     inputs.feedforward_active = true;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  0571d45177aed7bb40e29b85e8e41486
- * body        618d6c24c7c100bae5a959f836350104
+ * body        d76d3174cff1a5e3b38fc2c85207022d
  */
 #include "axis_two_frequencies.h"
 
@@ -371,7 +371,16 @@ uint32_t axis_two_frequencies_ipc_self_test(void)
     double scale;
     uint32_t random = 1u;
     uint32_t sample;
+    /* 1 + 2^-30 and its rounded square; volatile: worked out when it runs */
+    volatile double factor = ipc_real_of(UINT64_C(0x3ff0000000400000));
+    volatile double square = ipc_real_of(UINT64_C(0x3ff0000000800000));
+    const double product = factor * factor;
+    const double remainder = product - square;
 
+    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
+    if (ipc_bits_of(remainder) != 0u) {
+        return 1u;
+    }
     axis_two_frequencies_ipc_init(&state);
     axis_two_frequencies_ipc_inputs_init(&inputs);
     for (sample = 0u; sample < 41u; sample++) {
