@@ -7,11 +7,11 @@ pub trait Block<R: Real> {
     /// Constants of the block, designed from the parameters.
     type Coeffs: Portable;
     /// What it remembers from one cycle to the next.
-    type State: Portable;
+    type State: Portable + Default;
     /// What the caller gives each cycle.
     type Inputs: Portable + Clone;
     /// What the caller gets each cycle.
-    type Outputs: Portable;
+    type Outputs: Portable + Default;
 
     /// The name in files and on the command line.
     const NAME: &'static str;
@@ -23,7 +23,10 @@ pub trait Block<R: Real> {
     const STEP: Fn;
 
     /// The state before the first cycle.
-    fn state() -> Self::State;
+    #[must_use]
+    fn state() -> Self::State {
+        Self::State::default()
+    }
 
     /// The values that inputs have until the caller writes them.
     fn inputs(coeffs: &Self::Coeffs) -> Self::Inputs;
@@ -32,7 +35,10 @@ pub trait Block<R: Real> {
     fn exercise(inputs: &mut Self::Inputs);
 
     /// The values of the outputs before the first cycle.
-    fn outputs() -> Self::Outputs;
+    #[must_use]
+    fn outputs() -> Self::Outputs {
+        Self::Outputs::default()
+    }
 
     /// One cycle.
     fn step(state: &mut Self::State, coeffs: &Self::Coeffs, inputs: &Self::Inputs, outputs: &mut Self::Outputs);

@@ -51,6 +51,7 @@ uint32_t {{ prefix }}_self_test(void)
     if ({{ block }}_bits_of(remainder) != 0u) {
         return 1u;
     }
+
     {{ prefix }}_init(&state);
     {{ prefix }}_inputs_init(&inputs);
 {%- for switch in switches %}

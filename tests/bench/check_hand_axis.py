@@ -194,9 +194,9 @@ class Axis:
         c = self.c
         out["x_drive"] = self.x_held = i.x_command
         if self.name == "v":
-            x, error_id, output, scale = i.v_interpolator, 14, "additive_velocity", c["increments_per_velocity"]
+            x, error_id, output, scale = i.v_interpolator, 14, "additive_velocity", c["increments_per_input"]
         else:
-            x, error_id, output, scale = i.a_interpolator, 15, "additive_torque", c["increments_per_acceleration"]
+            x, error_id, output, scale = i.a_interpolator, 15, "additive_torque", c["increments_per_input"]
         if not usable(x):
             self.settled = False
             return error_id
@@ -240,9 +240,9 @@ class Axis:
             i.x_actual = i.v_interpolator = i.a_interpolator = 0.0
             i.x_command = increments / (c["kv"] * c["increments_per_velocity"])
         elif self.name == "v":
-            i.v_interpolator = increments / c["increments_per_velocity"]
+            i.v_interpolator = increments / c["increments_per_input"]
         else:
-            i.a_interpolator = increments / c["increments_per_acceleration"]
+            i.a_interpolator = increments / c["increments_per_input"]
 
 
 def stimulus(axis, samples):

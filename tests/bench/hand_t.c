@@ -8,90 +8,17 @@
  */
 #include "axis_hand_t.h"
 
-typedef axis_hand_t_axis_state axis_state;
-typedef axis_hand_t_axis_inputs axis_inputs;
-typedef axis_hand_t_axis_outputs axis_outputs;
+#define AXIS(name) axis_hand_t_axis_##name
+#define INPUT a_interpolator
+#define INPUT_ERROR 15u
+#define OUTPUT additive_torque
+#define OUTPUT_MIN INT16_MIN
+#define OUTPUT_MAX INT16_MAX
 
 static const double now = 0.85; /* delay of 0.15 cycles */
 static const double earlier = 0.15;
-static const double increments_per_acceleration = 2.412743157956961;
+static const double increments_per_input = 2.412743157956961;
 static const double highest = 32767.0;
 static const double lowest = -32768.0;
 
-void axis_hand_t_axis_init(axis_state *state)
-{
-    state->settled = false;
-    state->x_held = 0.0;
-}
-
-void axis_hand_t_axis_inputs_init(axis_inputs *inputs)
-{
-    hand_axis_inputs_init(inputs, MODE_OFF);
-}
-
-/* A cycle without a usable command position: the drive keeps the one that it has. */
-SELDOM void hold(axis_state *restrict state, axis_outputs *restrict outputs)
-{
-    state->settled = false;
-    *outputs = (axis_outputs){ .x_drive = state->x_held, .fault = true, .error_id = 17u };
-}
-
-/* A cycle in which only the position command is put out. */
-SELDOM void follow(
-    axis_state *restrict state,
-    const axis_inputs *restrict inputs,
-    axis_outputs *restrict outputs,
-    uint32_t error_id)
-{
-    state->settled = false;
-    state->x_held = inputs->x_command;
-    *outputs = (axis_outputs){ .x_drive = inputs->x_command, .fault = error_id != 0u, .error_id = error_id };
-}
-
-/* An additive torque beyond the range, or at its ends. */
-SELDOM void saturate(axis_outputs *restrict outputs, double increments)
-{
-    if (increments >= highest) {
-        outputs->additive_torque = INT16_MAX;
-        outputs->limited = increments > highest;
-    } else if (increments <= lowest) {
-        outputs->additive_torque = INT16_MIN;
-        outputs->limited = increments < lowest;
-    } else {
-        outputs->additive_torque = nearest(increments);
-    }
-}
-
-void axis_hand_t_axis_step(
-    axis_state *restrict state, const axis_inputs *restrict inputs, axis_outputs *restrict outputs)
-{
-    if (!usable(inputs->x_command)) {
-        hold(state, outputs);
-        return;
-    }
-    if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != CYCLE_TIME_NS) {
-        follow(state, inputs, outputs, 1u);
-        return;
-    }
-    if (!inputs->position_controlled || inputs->reset) {
-        follow(state, inputs, outputs, 0u);
-        return;
-    }
-    if (!usable(inputs->a_interpolator)) {
-        follow(state, inputs, outputs, 15u);
-        return;
-    }
-    const double a = feedforward_gain(inputs) * inputs->a_interpolator;
-    const double before = state->settled ? state->before : a;
-    state->settled = true;
-    state->before = a;
-    state->x_held = inputs->x_command;
-    *outputs = (axis_outputs){ .x_drive = inputs->x_command };
-
-    const double increments = increments_per_acceleration * (now * a + earlier * before);
-    if (fabs(increments) < highest) {
-        outputs->additive_torque = nearest(increments);
-    } else {
-        saturate(outputs, increments);
-    }
-}
+#include "hand_additive.h"

@@ -145,17 +145,23 @@ pub fn follow<R: Real>(
     }
 }
 
+/// The integer for the process data; the outputs tell where the range cuts it off.
+#[portable]
+pub fn rounded<R: Real>(outputs: &mut Outputs<R>, range: &process_data::Coeffs<R>, increments: R) -> i32 {
+    let mut datum = process_data::Datum::default();
+    process_data::round(&mut datum, range, increments);
+    if datum.limited {
+        outputs.limited = true;
+    }
+    datum.value
+}
+
 /// The manipulated variable of position control in the CNC. `v_command` is the position controller's output.
 #[portable]
 pub fn manipulate<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let v_drive = if coeffs.adds { outputs.v_command + inputs.v_add } else { outputs.v_command };
     let increments = coeffs.manipulated_scale * v_drive;
-    let mut datum = process_data::Datum::default();
-    process_data::round(&mut datum, &coeffs.manipulated_range, increments);
-    outputs.manipulated_variable = datum.value;
-    if datum.limited {
-        outputs.limited = true;
-    }
+    outputs.manipulated_variable = rounded(outputs, &coeffs.manipulated_range, increments);
 }
 
 /// The position command of position control in the drive.
@@ -170,12 +176,7 @@ pub fn lead<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     state.x_held = x;
     if coeffs.place == Place::Profidrive {
         let deviation = coeffs.xerr_scale * (x - inputs.x_actual);
-        let mut datum = process_data::Datum::default();
-        process_data::round(&mut datum, &coeffs.xerr_range, deviation);
-        outputs.xerr = datum.value;
-        if datum.limited {
-            outputs.limited = true;
-        }
+        outputs.xerr = rounded(outputs, &coeffs.xerr_range, deviation);
     } else {
         outputs.xerr = 0i32;
     }
@@ -195,12 +196,7 @@ pub fn add_velocity<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &m
             v_drive = if coeffs.additive { v_drive + inputs.v_add } else { inputs.v_add };
         }
         let increments = coeffs.velocity_scale * v_drive;
-        let mut datum = process_data::Datum::default();
-        process_data::round(&mut datum, &coeffs.velocity_range, increments);
-        outputs.additive_velocity = datum.value;
-        if datum.limited {
-            outputs.limited = true;
-        }
+        outputs.additive_velocity = rounded(outputs, &coeffs.velocity_range, increments);
     } else {
         outputs.additive_velocity = 0i32;
     }
@@ -263,20 +259,12 @@ impl<R: Real> Block<R> for PositionControl {
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
 
-    fn state() -> State<R> {
-        State::default()
-    }
-
     fn inputs(_: &Coeffs<R>) -> Inputs<R> {
         Inputs { position_controlled: true, ..Inputs::default() }
     }
 
     fn exercise(inputs: &mut Inputs<R>) {
         inputs.torque_feedforward = 321;
-    }
-
-    fn outputs() -> Outputs<R> {
-        Outputs::default()
     }
 
     fn step(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {

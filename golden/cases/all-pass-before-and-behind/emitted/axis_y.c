@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  e86ef3521bc21a1c20e36a31fa066f0a
- * body        1e81dd3fd4a6516a877c5e64cc605a6f
+ * body        eb5b1e35fa5d7a4b18177c31f06963c2
  */
 #include "axis_y.h"
 
@@ -419,6 +419,7 @@ uint32_t axis_y_ipc_self_test(void)
     if (ipc_bits_of(remainder) != 0u) {
         return 1u;
     }
+
     axis_y_ipc_init(&state);
     axis_y_ipc_inputs_init(&inputs);
     inputs.mode = 1;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  034f796361d0823694dc733af3a57103
- * body        3571e7e6aea9446da2035a1e6e11848f
+ * body        7dab8ef16aa125b80fc0854c0c1a9be7
  */
 #include "axis_p.h"
 
@@ -334,6 +334,7 @@ uint32_t axis_p_axis_self_test(void)
     if (axis_bits_of(remainder) != 0u) {
         return 1u;
     }
+
     axis_p_axis_init(&state);
     axis_p_axis_inputs_init(&inputs);
     inputs.mode = 1;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  84c1aaebe7d5efbf7942c2b9e5459fdc
- * body        2fe6244128c1b3af8107bf36c69db080
+ * body        d7f0c0f19d25cb49cb386d185d5440cb
  */
 #include "axis_x.h"
 
@@ -531,6 +531,7 @@ uint32_t axis_x_axis_self_test(void)
     if (axis_bits_of(remainder) != 0u) {
         return 1u;
     }
+
     axis_x_axis_init(&state);
     axis_x_axis_inputs_init(&inputs);
     inputs.feedforward_active = true;

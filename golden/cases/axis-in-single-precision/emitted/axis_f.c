@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  a51e4e64fad240bd4128bbecc5fcab95
- * body        d018821cc8105239e50e4664a8ea57db
+ * body        6b7d7cc922853f758331a04ce6bdb97c
  */
 #include "axis_f.h"
 
@@ -455,6 +455,7 @@ uint32_t axis_f_axis_self_test(void)
     if (axis_bits_of(remainder) != 0u) {
         return 1u;
     }
+
     axis_f_axis_init(&state);
     axis_f_axis_inputs_init(&inputs);
     inputs.feedforward_active = true;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  34e395339e0520ddd4444822e1ca30ef
- * body        26b5563751772a54362379d75f994e18
+ * body        72f7cbd32cfa327cfa167f243ca7d953
  */
 #include "axis_x.h"
 
@@ -516,6 +516,7 @@ uint32_t axis_x_axis_self_test(void)
     if (axis_bits_of(remainder) != 0u) {
         return 1u;
     }
+
     axis_x_axis_init(&state);
     axis_x_axis_inputs_init(&inputs);
     inputs.feedforward_active = true;

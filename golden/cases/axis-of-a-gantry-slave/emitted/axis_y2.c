@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  01b2d560e57f4aac4b6a8e72d07833cb
- * body        b742494c8154402061eb9ad3fbf2d512
+ * body        6d1d6cf1025fb63b8d33a88083cdf51c
  */
 #include "axis_y2.h"
 
@@ -305,6 +305,7 @@ uint32_t axis_y2_axis_self_test(void)
     if (axis_bits_of(remainder) != 0u) {
         return 1u;
     }
+
     axis_y2_axis_init(&state);
     axis_y2_axis_inputs_init(&inputs);
     inputs.mode = 1;

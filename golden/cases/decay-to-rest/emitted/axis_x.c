@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e8e1f0a47ea514001e7042c1835ee7b3
- * body        a9953e9781dde8bf98f0de37b76bf2c4
+ * body        08524ec15ddef8c79af378c0a50314e0
  */
 #include "axis_x.h"
 
@@ -385,6 +385,7 @@ uint32_t axis_x_ipc_self_test(void)
     if (ipc_bits_of(remainder) != 0u) {
         return 1u;
     }
+
     axis_x_ipc_init(&state);
     axis_x_ipc_inputs_init(&inputs);
     for (sample = 0u; sample < 41u; sample++) {

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  748aa3626b02d1aa0e59eb14a7e1d7ca
- * body        6d010d6a64a78edcab1443e4869acaa0
+ * body        e0b3da8c871e50f6631664d4dd45601c
  */
 #include "axis_x.h"
 
@@ -354,6 +354,7 @@ uint32_t axis_x_ipc_self_test(void)
     if (ipc_bits_of(remainder) != 0u) {
         return 1u;
     }
+
     axis_x_ipc_init(&state);
     axis_x_ipc_inputs_init(&inputs);
     for (sample = 0u; sample < 41u; sample++) {

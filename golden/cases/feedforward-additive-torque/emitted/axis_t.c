@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  ab1a45231c68022a5cdf6b2275938f30
- * body        be3dde32e355b16f69e015e44b475ca0
+ * body        85b57e6e20f8c8c0739c9ce1354a5f02
  */
 #include "axis_t.h"
 
@@ -266,6 +266,7 @@ uint32_t axis_t_feedforward_self_test(void)
     if (feedforward_bits_of(remainder) != 0u) {
         return 1u;
     }
+
     axis_t_feedforward_init(&state);
     axis_t_feedforward_inputs_init(&inputs);
     inputs.feedforward_active = true;

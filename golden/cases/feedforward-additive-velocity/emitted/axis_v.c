@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  2d93b41dd7a035d030e79ccf0c10fb2e
- * body        1ea8aad8eaea9a324a04a5c9ae3480f3
+ * body        920dc3242bec6a296ba572bfc83772c6
  */
 #include "axis_v.h"
 
@@ -258,6 +258,7 @@ uint32_t axis_v_feedforward_self_test(void)
     if (feedforward_bits_of(remainder) != 0u) {
         return 1u;
     }
+
     axis_v_feedforward_init(&state);
     axis_v_feedforward_inputs_init(&inputs);
     inputs.feedforward_active = true;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  39b35044808cb2fb9e32c45a46448f18
- * body        9394e6fe76f6a410eb67b8195de05f15
+ * body        1eeff32a00dacd91603c882fc97779ab
  */
 #include "axis_x.h"
 
@@ -230,6 +230,7 @@ uint32_t axis_x_feedforward_self_test(void)
     if (feedforward_bits_of(remainder) != 0u) {
         return 1u;
     }
+
     axis_x_feedforward_init(&state);
     axis_x_feedforward_inputs_init(&inputs);
     inputs.feedforward_active = true;

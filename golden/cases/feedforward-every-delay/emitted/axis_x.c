@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  b392536238f99500e428e906914a6271
- * body        d4ca199fa5c2c318fa4fa759d9099683
+ * body        5656f18940938135ac5a344a501577e8
  */
 #include "axis_x.h"
 
@@ -316,6 +316,7 @@ uint32_t axis_x_feedforward_self_test(void)
     if (feedforward_bits_of(remainder) != 0u) {
         return 1u;
     }
+
     axis_x_feedforward_init(&state);
     axis_x_feedforward_inputs_init(&inputs);
     inputs.feedforward_active = true;

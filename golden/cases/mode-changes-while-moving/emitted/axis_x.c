@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  433be3a8b78f4c5a206df87cde7d8541
- * body        c6a949f1be9a33b5f31b777089d51ccd
+ * body        4ccdc7d72ee9909640db1a980fb93fad
  */
 #include "axis_x.h"
 
@@ -381,6 +381,7 @@ uint32_t axis_x_ipc_self_test(void)
     if (ipc_bits_of(remainder) != 0u) {
         return 1u;
     }
+
     axis_x_ipc_init(&state);
     axis_x_ipc_inputs_init(&inputs);
     inputs.mode = 1;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  aa35bad67f4ffbca3fef660d77abf5fb
- * body        9e5fb57e3a3dda7d24631f11a492dd44
+ * body        2425acc3cce5744fb6b28c681229eeb2
  */
 #include "axis_x.h"
 
@@ -276,6 +276,7 @@ uint32_t axis_x_position_control_self_test(void)
     if (position_control_bits_of(remainder) != 0u) {
         return 1u;
     }
+
     axis_x_position_control_init(&state);
     axis_x_position_control_inputs_init(&inputs);
     inputs.torque_feedforward = 321;

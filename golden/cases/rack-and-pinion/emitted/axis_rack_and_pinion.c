@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9760420855774556c7bc167f08fc35fd
- * body        ecef5af9aec792e7e5611632ca7906ce
+ * body        636d3dff4a2e640857267f94fc935e19
  */
 #include "axis_rack_and_pinion.h"
 
@@ -353,6 +353,7 @@ uint32_t axis_rack_and_pinion_ipc_self_test(void)
     if (ipc_bits_of(remainder) != 0u) {
         return 1u;
     }
+
     axis_rack_and_pinion_ipc_init(&state);
     axis_rack_and_pinion_ipc_inputs_init(&inputs);
     for (sample = 0u; sample < 41u; sample++) {

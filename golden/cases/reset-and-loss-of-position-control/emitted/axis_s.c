@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  882eaa05ff123070aefdad1bed2341f1
- * body        d264559f8e39b4854e0c66f5a434444f
+ * body        c34745626748d88642ef1c45df76143d
  */
 #include "axis_s.h"
 
@@ -315,6 +315,7 @@ uint32_t axis_s_ipc_self_test(void)
     if (ipc_bits_of(remainder) != 0u) {
         return 1u;
     }
+
     axis_s_ipc_init(&state);
     axis_s_ipc_inputs_init(&inputs);
     for (sample = 0u; sample < 41u; sample++) {

@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  87f91c78676cb102a3330a2e3848dcd6
- * body        e619c715ebd21e183dfc929440a3371b
+ * body        50b477967d71b6e313026268aeab942c
  */
 #include "axis_x.h"
 
@@ -326,6 +326,7 @@ uint32_t axis_x_ipc_self_test(void)
     if (ipc_bits_of(remainder) != 0u) {
         return 1u;
     }
+
     axis_x_ipc_init(&state);
     axis_x_ipc_inputs_init(&inputs);
     for (sample = 0u; sample < 41u; sample++) {

@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  0b73ef9889eaa78feb24d16a4842c593
- * body        28cad50d68b4b0693a3e2e5ac1e94a8b
+ * body        25c39ee026a07a4855b0c9007f85234b
  */
 #include "axis_c.h"
 
@@ -480,6 +480,7 @@ uint32_t axis_c_ipc_self_test(void)
     if (ipc_bits_of(remainder) != 0u) {
         return 1u;
     }
+
     axis_c_ipc_init(&state);
     axis_c_ipc_inputs_init(&inputs);
     for (sample = 0u; sample < 41u; sample++) {

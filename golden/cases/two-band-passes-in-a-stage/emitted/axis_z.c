@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  6a0aecbe02b54a57c0c2078dc887a241
- * body        db25e56dc26e10c9228ef7081aa85b28
+ * body        80a16708e15590d7f8b1936b896e95b2
  */
 #include "axis_z.h"
 
@@ -400,6 +400,7 @@ uint32_t axis_z_ipc_self_test(void)
     if (ipc_bits_of(remainder) != 0u) {
         return 1u;
     }
+
     axis_z_ipc_init(&state);
     axis_z_ipc_inputs_init(&inputs);
     for (sample = 0u; sample < 41u; sample++) {

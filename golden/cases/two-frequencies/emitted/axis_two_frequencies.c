@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  0571d45177aed7bb40e29b85e8e41486
- * body        d76d3174cff1a5e3b38fc2c85207022d
+ * body        f09051a848e5a47803606a8fca5a448f
  */
 #include "axis_two_frequencies.h"
 
@@ -381,6 +381,7 @@ uint32_t axis_two_frequencies_ipc_self_test(void)
     if (ipc_bits_of(remainder) != 0u) {
         return 1u;
     }
+
     axis_two_frequencies_ipc_init(&state);
     axis_two_frequencies_ipc_inputs_init(&inputs);
     for (sample = 0u; sample < 41u; sample++) {

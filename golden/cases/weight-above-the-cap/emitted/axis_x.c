@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  1d3eeef73fc12835f3581e0fc768bd02
- * body        a435c5bd15aebfbcd2c11544b0f5aa91
+ * body        535a87e87a4f2b9da195fbf9dcec031a
  */
 #include "axis_x.h"
 
@@ -327,6 +327,7 @@ uint32_t axis_x_ipc_self_test(void)
     if (ipc_bits_of(remainder) != 0u) {
         return 1u;
     }
+
     axis_x_ipc_init(&state);
     axis_x_ipc_inputs_init(&inputs);
     for (sample = 0u; sample < 41u; sample++) {

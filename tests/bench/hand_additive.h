@@ -1,0 +1,91 @@
+/* What the hand-written axes with position control in the drive and one additive command share: all but its numbers.
+ *
+ * The file that includes it has defined
+ *   AXIS(name)                      the names of the axis's types and functions
+ *   INPUT, INPUT_ERROR              the input that the command comes from, and the error_id of an unusable one
+ *   OUTPUT, OUTPUT_MIN, OUTPUT_MAX  the output that it goes to, and the ends of its process data
+ * and the constants now, earlier (the delay's weights), increments_per_input, highest, lowest.
+ */
+#include "hand_axis.h"
+
+typedef AXIS(state) axis_state;
+typedef AXIS(inputs) axis_inputs;
+typedef AXIS(outputs) axis_outputs;
+
+void AXIS(init)(axis_state *state)
+{
+    state->settled = false;
+    state->x_held = 0.0;
+}
+
+void AXIS(inputs_init)(axis_inputs *inputs)
+{
+    hand_axis_inputs_init(inputs, MODE_OFF);
+}
+
+/* A cycle without a usable command position: the drive keeps the one that it has. */
+SELDOM void hold(axis_state *restrict state, axis_outputs *restrict outputs)
+{
+    state->settled = false;
+    *outputs = (axis_outputs){ .x_drive = state->x_held, .fault = true, .error_id = 17u };
+}
+
+/* A cycle in which only the position command is put out. */
+SELDOM void follow(
+    axis_state *restrict state,
+    const axis_inputs *restrict inputs,
+    axis_outputs *restrict outputs,
+    uint32_t error_id)
+{
+    state->settled = false;
+    state->x_held = inputs->x_command;
+    *outputs = (axis_outputs){ .x_drive = inputs->x_command, .fault = error_id != 0u, .error_id = error_id };
+}
+
+/* An additive command beyond the range, or at its ends. */
+SELDOM void saturate(axis_outputs *restrict outputs, double increments)
+{
+    if (increments >= highest) {
+        outputs->OUTPUT = OUTPUT_MAX;
+        outputs->limited = increments > highest;
+    } else if (increments <= lowest) {
+        outputs->OUTPUT = OUTPUT_MIN;
+        outputs->limited = increments < lowest;
+    } else {
+        outputs->OUTPUT = nearest(increments);
+    }
+}
+
+void AXIS(step)(
+    axis_state *restrict state, const axis_inputs *restrict inputs, axis_outputs *restrict outputs)
+{
+    if (!usable(inputs->x_command)) {
+        hold(state, outputs);
+        return;
+    }
+    if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != CYCLE_TIME_NS) {
+        follow(state, inputs, outputs, 1u);
+        return;
+    }
+    if (!inputs->position_controlled || inputs->reset) {
+        follow(state, inputs, outputs, 0u);
+        return;
+    }
+    if (!usable(inputs->INPUT)) {
+        follow(state, inputs, outputs, INPUT_ERROR);
+        return;
+    }
+    const double x = feedforward_gain(inputs) * inputs->INPUT;
+    const double before = state->settled ? state->before : x;
+    state->settled = true;
+    state->before = x;
+    state->x_held = inputs->x_command;
+    *outputs = (axis_outputs){ .x_drive = inputs->x_command };
+
+    const double increments = increments_per_input * (now * x + earlier * before);
+    if (fabs(increments) < highest) {
+        outputs->OUTPUT = nearest(increments);
+    } else {
+        saturate(outputs, increments);
+    }
+}
