@@ -9,9 +9,10 @@ extern "C" {
 #endif
 {%- for block in blocks %}
 
-{%- if !block.certificate.is_empty() %}
+{% if !block.certificate.is_empty() -%}
 /* {{ block.certificate }} */
-{% endif %}
+
+{% endif -%}
 /* Written by the caller. {{ block.prefix }}_inputs_init fills in what is said to be the start. */
 typedef struct {
 {%- for member in block.inputs %}
@@ -43,12 +44,15 @@ void {{ block.prefix }}_init({{ block.prefix }}_state *state);
 void {{ block.prefix }}_inputs_init({{ block.prefix }}_inputs *inputs);
 
 /* Once per position-controller cycle. The three structs do not overlap. */
-void {{ block.prefix }}_step({{ block.prefix }}_state *state, const {{ block.prefix }}_inputs *inputs,
+void {{ block.prefix }}_step(
+    {{ block.prefix }}_state *state,
+    const {{ block.prefix }}_inputs *inputs,
     {{ block.prefix }}_outputs *outputs);
 
 /* Compares a run of {{ block.samples }} samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
- * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
+ * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
+ * operations, or that takes a NaN for a number. */
 uint32_t {{ block.prefix }}_self_test(void);
 {%- endfor %}
 

@@ -32,7 +32,8 @@ uint32_t {{ prefix }}_self_test(void)
 {%- endfor %}
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)({{ prefix }}_state *, const {{ prefix }}_inputs *, {{ prefix }}_outputs *) = {{ prefix }}_step;
+    void (*volatile step)({{ prefix }}_state *, const {{ prefix }}_inputs *, {{ prefix }}_outputs *) =
+        {{ prefix }}_step;
     {{ prefix }}_state state;
     {{ prefix }}_inputs inputs;
     {{ prefix }}_outputs outputs;

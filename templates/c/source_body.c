@@ -65,7 +65,9 @@ void {{ block.prefix }}_inputs_init({{ block.prefix }}_inputs *inputs)
 {%- endfor %}
 }
 
-void {{ block.prefix }}_step({{ block.prefix }}_state *restrict state, const {{ block.prefix }}_inputs *restrict inputs,
+void {{ block.prefix }}_step(
+    {{ block.prefix }}_state *restrict state,
+    const {{ block.prefix }}_inputs *restrict inputs,
     {{ block.prefix }}_outputs *restrict outputs)
 {
 {%- if block.state.is_empty() %}

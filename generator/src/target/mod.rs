@@ -2,6 +2,7 @@
 
 pub mod c;
 pub mod comment;
+pub mod line;
 pub mod names;
 pub mod number;
 pub mod outline;

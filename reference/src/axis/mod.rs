@@ -176,13 +176,13 @@ pub fn improve<R: Real>(
     if inputs.mode == ipc::mode_on() && state.ipc.gate >= coeffs.ipc.fade_cycles {
         if !ipc::is_usable(&coeffs.ipc, &ipc_inputs, true) {
             runs = false;
-            refuse(state, coeffs, &ipc_inputs, outputs);
+            refuse(state, coeffs, &ipc_inputs, outputs, true);
         }
     } else if ipc::is_usable(&coeffs.ipc, &ipc_inputs, false) {
         runs = ipc::prepare(&mut state.ipc, &coeffs.ipc, &ipc_inputs);
     } else {
         runs = false;
-        refuse(state, coeffs, &ipc_inputs, outputs);
+        refuse(state, coeffs, &ipc_inputs, outputs, false);
     }
     if runs {
         ipc::act(&mut state.ipc, &coeffs.ipc, &ipc_inputs, &mut ipc_outputs);
@@ -195,17 +195,18 @@ pub fn improve<R: Real>(
     ipc_outputs.v_add
 }
 
-/// A cycle in which improved position control must not act.
+/// A cycle in which improved position control must not act. Where its gate was open, the mode is not what is wrong.
 #[portable]
 pub fn refuse<R: Real>(
     state: &mut State<R>,
     coeffs: &Coeffs<R>,
     ipc_inputs: &ipc::Inputs<R>,
     outputs: &mut Outputs<R>,
+    open: bool,
 ) {
     let mut ipc_outputs = ipc::Outputs::<R>::default();
     ipc::stop(&mut state.ipc, &mut ipc_outputs, error_none());
-    let id = ipc::error_of(&coeffs.ipc, ipc_inputs);
+    let id = ipc::error_of(&coeffs.ipc, ipc_inputs, open);
     fail(outputs, id);
 }
 

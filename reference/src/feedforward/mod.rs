@@ -247,12 +247,15 @@ pub fn is_usable<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
         && (!reads_jerk(coeffs) || usable(inputs.j_interpolator, sample_limit()))
 }
 
-/// The id of the input that is no usable number, of several the one of the highest derivative.
+/// The id of the input that [`is_usable`] has found to be no usable number, of several the one of the highest derivative.
+/// Where only one can be, it needs no question.
 #[portable]
 pub fn error_of<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> u32 {
-    if reads_jerk(coeffs) && !usable(inputs.j_interpolator, sample_limit()) {
+    let reads_lower = reads_velocity(coeffs) || reads_acceleration(coeffs);
+    if reads_jerk(coeffs) && (!reads_lower || !usable(inputs.j_interpolator, sample_limit())) {
         error_j_interpolator()
-    } else if reads_acceleration(coeffs) && !usable(inputs.a_interpolator, sample_limit()) {
+    } else if reads_acceleration(coeffs) && (!reads_velocity(coeffs) || !usable(inputs.a_interpolator, sample_limit()))
+    {
         error_a_interpolator()
     } else {
         error_v_interpolator()

@@ -202,42 +202,47 @@ pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>
 #[portable]
 pub fn prepare<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     let mut runs = true;
-    // Mostly the mode is ON and the gate open: then nothing but the sections changes.
-    if inputs.mode != mode_on() || state.gate < coeffs.fade_cycles {
-        if state.settled {
-            move_gate(state, coeffs, inputs.mode);
-        } else {
-            runs = false;
-            if inputs.mode != mode_off() {
-                settle(state, coeffs, inputs);
-                state.settled = true;
-            }
+    if state.settled {
+        move_gate(state, coeffs, inputs.mode);
+    } else {
+        runs = false;
+        if inputs.mode != mode_off() {
+            settle(state, coeffs, inputs);
+            state.settled = true;
         }
     }
     runs
+}
+
+/// Whether there is such a mode.
+#[portable]
+pub fn is_mode(mode: i32) -> bool {
+    mode == mode_on() || mode == mode_off() || mode == mode_dryrun()
 }
 
 /// Whether the mode is one, and every input that a stage looks at a usable number. Where the gate is known to be open the
 /// mode needs no question.
 #[portable]
 pub fn is_usable<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, open: bool) -> bool {
-    (open || inputs.mode == mode_on() || inputs.mode == mode_off() || inputs.mode == mode_dryrun())
+    (open || is_mode(inputs.mode))
         && (!coeffs.slave || inputs.mode == mode_off())
         && (!reads_command(coeffs) || usable(inputs.v_command, sample_limit()))
         && (!reads_motor(coeffs) || usable(inputs.v_motor, sample_limit()))
         && (!reads_direct(coeffs) || usable(inputs.v_direct, sample_limit()))
 }
 
-/// The id of what is wrong with the inputs.
+/// The id of what [`is_usable`] has found wrong. Where only one thing can be, it needs no question.
 #[portable]
-pub fn error_of<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> u32 {
-    if inputs.mode != mode_off() && inputs.mode != mode_on() && inputs.mode != mode_dryrun() {
+pub fn error_of<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, open: bool) -> u32 {
+    let reads_later = reads_motor(coeffs) || reads_direct(coeffs);
+    let reads_any = reads_command(coeffs) || reads_later;
+    if !open && (!coeffs.slave && !reads_any || !is_mode(inputs.mode)) {
         error_mode()
-    } else if coeffs.slave && inputs.mode != mode_off() {
+    } else if coeffs.slave && (!reads_any || inputs.mode != mode_off()) {
         error_gantry_slave()
-    } else if reads_command(coeffs) && !usable(inputs.v_command, sample_limit()) {
+    } else if reads_command(coeffs) && (!reads_later || !usable(inputs.v_command, sample_limit())) {
         error_v_command()
-    } else if reads_motor(coeffs) && !usable(inputs.v_motor, sample_limit()) {
+    } else if reads_motor(coeffs) && (!reads_direct(coeffs) || !usable(inputs.v_motor, sample_limit())) {
         error_v_motor()
     } else {
         error_v_direct()
@@ -250,12 +255,16 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     if inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns {
         stop(state, outputs, error_cycle_time());
     } else if !is_usable(coeffs, inputs, false) {
-        let id = error_of(coeffs, inputs);
+        let id = error_of(coeffs, inputs, false);
         stop(state, outputs, id);
     } else if !inputs.position_controlled || inputs.reset {
         stop(state, outputs, error_none());
     } else {
-        let runs = prepare(state, coeffs, inputs);
+        let mut runs = true;
+        // Mostly the mode is ON and the gate open: then nothing but the sections changes.
+        if inputs.mode != mode_on() || state.gate < coeffs.fade_cycles {
+            runs = prepare(state, coeffs, inputs);
+        }
         if runs {
             act(state, coeffs, inputs, outputs);
         } else {

@@ -3,12 +3,12 @@
 use super::names::is_reserved;
 use super::{scope, types};
 use crate::program::{Expr, Program, Statement, Var, Variable};
-use crate::target::comment;
 use crate::target::names::{Names, identifier};
+use crate::target::{comment, line};
 use std::fmt::Write;
 
-/// Characters in a line of code, where it can be broken.
-const LINE_WIDTH: usize = 120;
+/// What a long line is broken before.
+const OPERATORS: [&str; 4] = [" && ", " || ", " + ", " - "];
 
 /// Characters in a line of a comment inside a function.
 const NOTE_WIDTH: usize = 100;
@@ -80,7 +80,7 @@ impl<'p> Printer<'p> {
                 continue;
             }
             for local in locals {
-                line(text, level, format_args!("{} {};", self.local_type(local), self.locals[local]));
+                put(text, level, format_args!("{} {};", self.local_type(local), self.locals[local]));
             }
             self.statement(statement, declared, level, text);
         }
@@ -91,7 +91,7 @@ impl<'p> Printer<'p> {
             Statement::Note(note) => {
                 let lines = comment::lines(&comment::harmless(note), NOTE_WIDTH);
                 let indent = "    ".repeat(level);
-                line(text, level, format_args!("/* {} */", lines.join(&format!("\n{indent} * "))));
+                put(text, level, format_args!("/* {} */", lines.join(&format!("\n{indent} * "))));
             }
             Statement::Assign { target, value } => {
                 self.assignment(["", "", "", self.var(*target)], value, level, text);
@@ -107,15 +107,15 @@ impl<'p> Printer<'p> {
                     rest = otherwise;
                 }
                 if !rest.is_empty() {
-                    line(text, level, format_args!("}} else {{"));
+                    put(text, level, format_args!("}} else {{"));
                     self.list(rest, declared, level + 1, text);
                 }
-                line(text, level, format_args!("}}"));
+                put(text, level, format_args!("}}"));
             }
         }
     }
 
-    /// An assignment, on two lines where one would be too long.
+    /// An assignment, on more lines where one would be too long.
     fn assignment(&self, target: [&str; 4], value: &Expr, level: usize, text: &mut String) {
         let start = text.len();
         indent(level, text);
@@ -124,19 +124,24 @@ impl<'p> Printer<'p> {
         let end_of_target = text.len();
         text.push(' ');
         self.expr(value, text);
-        text.push_str(";\n");
-        if text.len() - start > LINE_WIDTH {
+        text.push(';');
+        if text.len() - start > line::WIDTH {
             let mut next_line = "\n".to_owned();
             indent(level + 1, &mut next_line);
             text.replace_range(end_of_target..=end_of_target, &next_line);
+            line::fold(text, end_of_target + 1, level + 2, &OPERATORS);
         }
+        text.push('\n');
     }
 
     fn question(&self, words: &str, condition: &Expr, level: usize, text: &mut String) {
+        let start = text.len();
         indent(level, text);
         text.push_str(words);
         self.expr(condition, text);
-        text.push_str(") {\n");
+        text.push_str(") {");
+        line::fold(text, start, level + 2, &OPERATORS);
+        text.push('\n');
     }
 
     fn local_type(&self, local: usize) -> &'static str {
@@ -163,7 +168,7 @@ pub fn member(path: &str) -> String {
     }
 }
 
-fn line(text: &mut String, level: usize, content: std::fmt::Arguments<'_>) {
+fn put(text: &mut String, level: usize, content: std::fmt::Arguments<'_>) {
     indent(level, text);
     text.write_fmt(content).expect("c: a string takes all text");
     text.push('\n');

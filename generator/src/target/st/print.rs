@@ -5,11 +5,11 @@ use super::dialect::{Dialect, Form};
 use super::names::{is_reserved, signals};
 use super::{forms, types};
 use crate::program::{Constant, Expr, Program, Statement, Var};
-use crate::target::comment;
 use crate::target::names::Names;
+use crate::target::{comment, line};
 
-/// Characters in a line of code, where it can be broken.
-const LINE_WIDTH: usize = 120;
+/// What a long line is broken before.
+const OPERATORS: [&str; 4] = [" AND ", " OR ", " + ", " - "];
 
 /// Characters in a line of a comment among the statements.
 const NOTE_WIDTH: usize = 100;
@@ -125,7 +125,7 @@ impl<'p> Printer<'p> {
         }
     }
 
-    /// An assignment, on two lines where one would be too long.
+    /// An assignment, on more lines where one would be too long.
     fn assignment(&self, target: Var, value: &Expr, level: usize, text: &mut String) {
         let start = text.len();
         indent(level, text);
@@ -134,19 +134,24 @@ impl<'p> Printer<'p> {
         let end_of_target = text.len();
         text.push(' ');
         self.expr(value, text);
-        text.push_str(";\n");
-        if text.len() - start > LINE_WIDTH {
+        text.push(';');
+        if text.len() - start > line::WIDTH {
             let mut next_line = "\n".to_owned();
             indent(level + 1, &mut next_line);
             text.replace_range(end_of_target..=end_of_target, &next_line);
+            line::fold(text, end_of_target + 1, level + 2, &OPERATORS);
         }
+        text.push('\n');
     }
 
     fn question(&self, word: &str, condition: &Expr, level: usize, text: &mut String) {
+        let start = text.len();
         indent(level, text);
         text.push_str(word);
         self.expr(condition, text);
-        text.push_str(" THEN\n");
+        text.push_str(" THEN");
+        line::fold(text, start, level + 2, &OPERATORS);
+        text.push('\n');
     }
 
     pub(super) fn var(&self, var: Var) -> &str {

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  e86ef3521bc21a1c20e36a31fa066f0a
- * body        eb5b1e35fa5d7a4b18177c31f06963c2
+ * body        0f4d1dccf08ba2bbc162d5f96c4722ee
  */
 #include "axis_y.h"
 
@@ -132,7 +132,9 @@ void axis_y_ipc_inputs_init(axis_y_ipc_inputs *inputs)
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_y_ipc_step(axis_y_ipc_state *restrict state, const axis_y_ipc_inputs *restrict inputs,
+void axis_y_ipc_step(
+    axis_y_ipc_state *restrict state,
+    const axis_y_ipc_inputs *restrict inputs,
     axis_y_ipc_outputs *restrict outputs)
 {
     if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
@@ -143,9 +145,10 @@ void axis_y_ipc_step(axis_y_ipc_state *restrict state, const axis_y_ipc_inputs *
         outputs->limited = false;
         outputs->fault = true;
         outputs->error_id = error_cycle_time;
-    } else if (!((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun) && magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_direct) <= sample_limit)) {
+    } else if (!((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
+            && magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_direct) <= sample_limit)) {
         uint32_t value;
-        if (inputs->mode != mode_off && inputs->mode != mode_on && inputs->mode != mode_dryrun) {
+        if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
             value = error_mode;
         } else if (!(magnitude(inputs->v_command) <= sample_limit)) {
             value = error_v_command;
@@ -249,7 +252,8 @@ void axis_y_ipc_step(axis_y_ipc_state *restrict state, const axis_y_ipc_inputs *
             const double stage0_filter1_section0_y =
                 stage0_filter1_allpass_a2 * stage0_filter0_section1_y + state->stage0_filter1_section0_s1;
             state->stage0_filter1_section0_s1 =
-                stage0_filter1_allpass_a1 * (stage0_filter0_section1_y - stage0_filter1_section0_y) + state->stage0_filter1_section0_s2;
+                stage0_filter1_allpass_a1 * (stage0_filter0_section1_y - stage0_filter1_section0_y)
+                    + state->stage0_filter1_section0_s2;
             state->stage0_filter1_section0_s2 =
                 stage0_filter0_section1_y + tiny - stage0_filter1_allpass_a2 * stage0_filter1_section0_y;
             const double v_stage = stage0_gain * stage0_filter1_section0_y;
@@ -259,7 +263,8 @@ void axis_y_ipc_step(axis_y_ipc_state *restrict state, const axis_y_ipc_inputs *
             const double stage1_oscillation_y =
                 stage1_oscillation_b0 * inputs->v_command + state->stage1_oscillation_s1;
             state->stage1_oscillation_s1 =
-                stage1_oscillation_b1 * inputs->v_command - stage1_oscillation_a1 * stage1_oscillation_y + state->stage1_oscillation_s2;
+                stage1_oscillation_b1 * inputs->v_command - stage1_oscillation_a1 * stage1_oscillation_y
+                    + state->stage1_oscillation_s2;
             state->stage1_oscillation_s2 =
                 stage1_oscillation_b2 * inputs->v_command + tiny - stage1_oscillation_a2 * stage1_oscillation_y;
             /* ALLPASS (P-AXIS-00849): -180 deg at 12 Hz (P-AXIS-00751), quality factor 1 (P-AXIS-00752), -90 deg
@@ -267,7 +272,8 @@ void axis_y_ipc_step(axis_y_ipc_state *restrict state, const axis_y_ipc_inputs *
             const double stage1_filter0_section0_y =
                 stage1_filter0_allpass_a2 * stage1_oscillation_y + state->stage1_filter0_section0_s1;
             state->stage1_filter0_section0_s1 =
-                stage1_filter0_allpass_a1 * (stage1_oscillation_y - stage1_filter0_section0_y) + state->stage1_filter0_section0_s2;
+                stage1_filter0_allpass_a1 * (stage1_oscillation_y - stage1_filter0_section0_y)
+                    + state->stage1_filter0_section0_s2;
             state->stage1_filter0_section0_s2 =
                 stage1_oscillation_y + tiny - stage1_filter0_allpass_a2 * stage1_filter0_section0_y;
             /* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 18 Hz (P-AXIS-00751), quality
@@ -400,7 +406,8 @@ uint32_t axis_y_ipc_self_test(void)
         UINT64_C(0x5e77a36f27196442),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_y_ipc_state *, const axis_y_ipc_inputs *, axis_y_ipc_outputs *) = axis_y_ipc_step;
+    void (*volatile step)(axis_y_ipc_state *, const axis_y_ipc_inputs *, axis_y_ipc_outputs *) =
+        axis_y_ipc_step;
     axis_y_ipc_state state;
     axis_y_ipc_inputs inputs;
     axis_y_ipc_outputs outputs;

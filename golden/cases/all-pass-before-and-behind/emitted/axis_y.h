@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  e86ef3521bc21a1c20e36a31fa066f0a
- * body        45a7a9dee1ad8c1dffb1fc0530ea082a
+ * body        a4b046f85490966dc2432ed9566c3704
  */
 #ifndef AXIS_Y_H
 #define AXIS_Y_H
@@ -15,6 +15,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
 /* range: |v| <= 400000 gives |v_add| <= 840601.9 before the limit and no |state| above 1348809; for |v| <= 1e15:
  * 3.372021e15, within double precision
  * stage[0] at 36 Hz: designed 0.8 at -90.30454 deg, measured 0.8 at -90.30454 deg; at 31.76085 Hz: designed
@@ -72,12 +73,15 @@ void axis_y_ipc_init(axis_y_ipc_state *state);
 void axis_y_ipc_inputs_init(axis_y_ipc_inputs *inputs);
 
 /* Once per position-controller cycle. The three structs do not overlap. */
-void axis_y_ipc_step(axis_y_ipc_state *state, const axis_y_ipc_inputs *inputs,
+void axis_y_ipc_step(
+    axis_y_ipc_state *state,
+    const axis_y_ipc_inputs *inputs,
     axis_y_ipc_outputs *outputs);
 
 /* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
- * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
+ * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
+ * operations, or that takes a NaN for a number. */
 uint32_t axis_y_ipc_self_test(void);
 
 #ifdef __cplusplus

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  034f796361d0823694dc733af3a57103
- * body        7dab8ef16aa125b80fc0854c0c1a9be7
+ * body        fa832891c3aeb67db3e00e64f019cb14
  */
 #include "axis_p.h"
 
@@ -100,7 +100,9 @@ void axis_p_axis_inputs_init(axis_p_axis_inputs *inputs)
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_p_axis_step(axis_p_axis_state *restrict state, const axis_p_axis_inputs *restrict inputs,
+void axis_p_axis_step(
+    axis_p_axis_state *restrict state,
+    const axis_p_axis_inputs *restrict inputs,
     axis_p_axis_outputs *restrict outputs)
 {
     if (!(magnitude(inputs->x_command) <= sample_limit)) {
@@ -208,8 +210,7 @@ void axis_p_axis_step(axis_p_axis_state *restrict state, const axis_p_axis_input
         state->position_control_shift_x0 = inputs->x_command;
         const double position_control_x = position_control_shift_y + position_control_lag * v_feedforward;
         state->position_control_x_held = position_control_x;
-        const double position_control_deviation =
-            position_control_xerr_scale * (position_control_x - inputs->x_actual);
+        const double position_control_deviation = position_control_xerr_scale * (position_control_x - inputs->x_actual);
         if (magnitude(position_control_deviation) <= position_control_xerr_range_upper_limit) {
             outputs->xerr = nearest(position_control_deviation);
         } else if (position_control_deviation > 0.0) {
@@ -315,7 +316,8 @@ uint32_t axis_p_axis_self_test(void)
         UINT64_C(0x4076f4ed747b943d),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_p_axis_state *, const axis_p_axis_inputs *, axis_p_axis_outputs *) = axis_p_axis_step;
+    void (*volatile step)(axis_p_axis_state *, const axis_p_axis_inputs *, axis_p_axis_outputs *) =
+        axis_p_axis_step;
     axis_p_axis_state state;
     axis_p_axis_inputs inputs;
     axis_p_axis_outputs outputs;

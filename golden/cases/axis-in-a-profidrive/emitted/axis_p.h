@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  034f796361d0823694dc733af3a57103
- * body        5440b02936b2fece5765c3949aea5d84
+ * body        4270e260b117201a26e6af19169ea7b7
  */
 #ifndef AXIS_P_H
 #define AXIS_P_H
@@ -15,6 +15,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
 /* Written by the caller. axis_p_axis_inputs_init fills in what is said to be the start. */
 typedef struct {
     double x_command; /* command position of the interpolator, on the same turn as x_actual [um or 0.001 deg]; start 0.0 */
@@ -65,12 +66,15 @@ void axis_p_axis_init(axis_p_axis_state *state);
 void axis_p_axis_inputs_init(axis_p_axis_inputs *inputs);
 
 /* Once per position-controller cycle. The three structs do not overlap. */
-void axis_p_axis_step(axis_p_axis_state *state, const axis_p_axis_inputs *inputs,
+void axis_p_axis_step(
+    axis_p_axis_state *state,
+    const axis_p_axis_inputs *inputs,
     axis_p_axis_outputs *outputs);
 
 /* Compares a run of 56 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
- * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
+ * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
+ * operations, or that takes a NaN for a number. */
 uint32_t axis_p_axis_self_test(void);
 
 #ifdef __cplusplus

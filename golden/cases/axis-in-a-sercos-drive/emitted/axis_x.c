@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  84c1aaebe7d5efbf7942c2b9e5459fdc
- * body        d7f0c0f19d25cb49cb386d185d5440cb
+ * body        c034e79ce66487744522c8b41028a56d
  */
 #include "axis_x.h"
 
@@ -124,9 +124,8 @@ static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_command = 11u; /* error_id: v_command is not within the sample limit */
-static const uint32_t error_v_direct = 13u; /* error_id: v_direct is not within the sample limit */
+static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const double tiny = 1.0e-30; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 
 void axis_x_axis_init(axis_x_axis_state *state)
@@ -155,7 +154,9 @@ void axis_x_axis_inputs_init(axis_x_axis_inputs *inputs)
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_x_axis_step(axis_x_axis_state *restrict state, const axis_x_axis_inputs *restrict inputs,
+void axis_x_axis_step(
+    axis_x_axis_state *restrict state,
+    const axis_x_axis_inputs *restrict inputs,
     axis_x_axis_outputs *restrict outputs)
 {
     if (!(magnitude(inputs->x_command) <= sample_limit)) {
@@ -244,12 +245,14 @@ void axis_x_axis_step(axis_x_axis_state *restrict state, const axis_x_axis_input
             }
             /* delay of 150 us = 0.15 cycles (P-AXIS-00389) */
             v_additive =
-                feedforward_velocity_delay_now * feedforward_v + feedforward_velocity_delay_before * state->feedforward_velocity_delay_x0;
+                feedforward_velocity_delay_now * feedforward_v
+                    + feedforward_velocity_delay_before * state->feedforward_velocity_delay_x0;
             state->feedforward_velocity_delay_x0 = feedforward_v;
             /* delay of 5999 us = 5.999 cycles (P-AXIS-00390) */
             const double feedforward_acceleration_delay_y = state->feedforward_acceleration_delay_x4;
             const double feedforward_acceleration_delay_y_2 =
-                feedforward_acceleration_delay_now * feedforward_acceleration_delay_y + feedforward_acceleration_delay_before * state->feedforward_acceleration_delay_x5;
+                feedforward_acceleration_delay_now * feedforward_acceleration_delay_y
+                    + feedforward_acceleration_delay_before * state->feedforward_acceleration_delay_x5;
             state->feedforward_acceleration_delay_x5 = state->feedforward_acceleration_delay_x4;
             state->feedforward_acceleration_delay_x4 = state->feedforward_acceleration_delay_x3;
             state->feedforward_acceleration_delay_x3 = state->feedforward_acceleration_delay_x2;
@@ -286,63 +289,52 @@ void axis_x_axis_step(axis_x_axis_state *restrict state, const axis_x_axis_input
             if (!(magnitude(inputs->v_interpolator) <= sample_limit)) {
                 state->ipc_settled = false;
                 state->ipc_gate = 0u;
-                if (inputs->mode != mode_off && inputs->mode != mode_on && inputs->mode != mode_dryrun) {
-                    outputs->error_id = error_mode;
-                } else if (!(magnitude(inputs->v_interpolator) <= sample_limit)) {
-                    outputs->error_id = error_v_command;
-                } else {
-                    outputs->error_id = error_v_direct;
-                }
                 outputs->fault = true;
+                outputs->error_id = error_v_command;
                 runs = false;
             } else {
                 runs = true;
             }
-        } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun) && magnitude(inputs->v_interpolator) <= sample_limit) {
-            if (inputs->mode != mode_on || state->ipc_gate < ipc_fade_cycles) {
-                if (state->ipc_settled) {
-                    if (inputs->mode == mode_on) {
-                        if (state->ipc_gate < ipc_fade_cycles) {
-                            state->ipc_gate = state->ipc_gate + 1u;
-                        }
-                    } else {
-                        if (state->ipc_gate > 0u) {
-                            state->ipc_gate = state->ipc_gate - 1u;
-                        }
-                        if (inputs->mode == mode_off && state->ipc_gate == 0u) {
-                            state->ipc_settled = false;
-                        }
+        } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
+                && magnitude(inputs->v_interpolator) <= sample_limit) {
+            if (state->ipc_settled) {
+                if (inputs->mode == mode_on) {
+                    if (state->ipc_gate < ipc_fade_cycles) {
+                        state->ipc_gate = state->ipc_gate + 1u;
                     }
-                    runs = true;
                 } else {
-                    if (inputs->mode != mode_off) {
-                        /* SET_POINT (P-AXIS-00753) from v_command, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
-                        /* simulated oscillation of the load, f0 of the first BANDPASS 14 Hz (P-AXIS-00751), damping ratio 0.6
-                         * (P-AXIS-00850): gain 1 at DC, 1.301708 and -39.80557 deg at f0 */
-                        state->ipc_stage0_oscillation_s1 = ipc_stage0_oscillation_settled_s1 * inputs->v_interpolator;
-                        state->ipc_stage0_oscillation_s2 = ipc_stage0_oscillation_settled_s2 * inputs->v_interpolator;
-                        /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 14 Hz (P-AXIS-00751),
-                         * quality factor 2 (P-AXIS-00752), -3 dB at 10.92977 and 17.92977 Hz */
-                        const double ipc_stage0_filter0_section0_s =
-                            ipc_stage0_filter0_bandpass0_b2 * inputs->v_interpolator;
-                        state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_s;
-                        state->ipc_stage0_filter0_section0_s2 = ipc_stage0_filter0_section0_s;
-                        state->ipc_settled = true;
+                    if (state->ipc_gate > 0u) {
+                        state->ipc_gate = state->ipc_gate - 1u;
                     }
-                    runs = false;
+                    if (inputs->mode == mode_off && state->ipc_gate == 0u) {
+                        state->ipc_settled = false;
+                    }
                 }
-            } else {
                 runs = true;
+            } else {
+                if (inputs->mode != mode_off) {
+                    /* SET_POINT (P-AXIS-00753) from v_command, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
+                    /* simulated oscillation of the load, f0 of the first BANDPASS 14 Hz (P-AXIS-00751), damping ratio 0.6
+                     * (P-AXIS-00850): gain 1 at DC, 1.301708 and -39.80557 deg at f0 */
+                    state->ipc_stage0_oscillation_s1 = ipc_stage0_oscillation_settled_s1 * inputs->v_interpolator;
+                    state->ipc_stage0_oscillation_s2 = ipc_stage0_oscillation_settled_s2 * inputs->v_interpolator;
+                    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 14 Hz (P-AXIS-00751),
+                     * quality factor 2 (P-AXIS-00752), -3 dB at 10.92977 and 17.92977 Hz */
+                    const double ipc_stage0_filter0_section0_s =
+                        ipc_stage0_filter0_bandpass0_b2 * inputs->v_interpolator;
+                    state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_s;
+                    state->ipc_stage0_filter0_section0_s2 = ipc_stage0_filter0_section0_s;
+                    state->ipc_settled = true;
+                }
+                runs = false;
             }
         } else {
             state->ipc_settled = false;
             state->ipc_gate = 0u;
-            if (inputs->mode != mode_off && inputs->mode != mode_on && inputs->mode != mode_dryrun) {
+            if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
                 outputs->error_id = error_mode;
-            } else if (!(magnitude(inputs->v_interpolator) <= sample_limit)) {
-                outputs->error_id = error_v_command;
             } else {
-                outputs->error_id = error_v_direct;
+                outputs->error_id = error_v_command;
             }
             outputs->fault = true;
             runs = false;
@@ -355,9 +347,11 @@ void axis_x_axis_step(axis_x_axis_state *restrict state, const axis_x_axis_input
             const double ipc_stage0_oscillation_y =
                 ipc_stage0_oscillation_b0 * inputs->v_interpolator + state->ipc_stage0_oscillation_s1;
             state->ipc_stage0_oscillation_s1 =
-                ipc_stage0_oscillation_b1 * inputs->v_interpolator - ipc_stage0_oscillation_a1 * ipc_stage0_oscillation_y + state->ipc_stage0_oscillation_s2;
+                ipc_stage0_oscillation_b1 * inputs->v_interpolator
+                    - ipc_stage0_oscillation_a1 * ipc_stage0_oscillation_y + state->ipc_stage0_oscillation_s2;
             state->ipc_stage0_oscillation_s2 =
-                ipc_stage0_oscillation_b2 * inputs->v_interpolator + tiny - ipc_stage0_oscillation_a2 * ipc_stage0_oscillation_y;
+                ipc_stage0_oscillation_b2 * inputs->v_interpolator + tiny
+                    - ipc_stage0_oscillation_a2 * ipc_stage0_oscillation_y;
             /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 14 Hz (P-AXIS-00751),
              * quality factor 2 (P-AXIS-00752), -3 dB at 10.92977 and 17.92977 Hz */
             const double ipc_stage0_filter0_section0_t = ipc_stage0_filter0_bandpass0_b2 * ipc_stage0_oscillation_y;
@@ -512,7 +506,8 @@ uint32_t axis_x_axis_self_test(void)
         UINT64_C(0x94ae30606d47ec03),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_x_axis_state *, const axis_x_axis_inputs *, axis_x_axis_outputs *) = axis_x_axis_step;
+    void (*volatile step)(axis_x_axis_state *, const axis_x_axis_inputs *, axis_x_axis_outputs *) =
+        axis_x_axis_step;
     axis_x_axis_state state;
     axis_x_axis_inputs inputs;
     axis_x_axis_outputs outputs;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  84c1aaebe7d5efbf7942c2b9e5459fdc
- * body        e61df380e99b36de7f99a6b5ee9a93ee
+ * body        153252e394feaebed3451864f12de7eb
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,6 +15,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
 /* Written by the caller. axis_x_axis_inputs_init fills in what is said to be the start. */
 typedef struct {
     double x_command; /* command position of the interpolator, on the same turn as x_actual [um or 0.001 deg]; start 0.0 */
@@ -75,12 +76,15 @@ void axis_x_axis_init(axis_x_axis_state *state);
 void axis_x_axis_inputs_init(axis_x_axis_inputs *inputs);
 
 /* Once per position-controller cycle. The three structs do not overlap. */
-void axis_x_axis_step(axis_x_axis_state *state, const axis_x_axis_inputs *inputs,
+void axis_x_axis_step(
+    axis_x_axis_state *state,
+    const axis_x_axis_inputs *inputs,
     axis_x_axis_outputs *outputs);
 
 /* Compares a run of 56 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
- * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
+ * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
+ * operations, or that takes a NaN for a number. */
 uint32_t axis_x_axis_self_test(void);
 
 #ifdef __cplusplus

@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  a51e4e64fad240bd4128bbecc5fcab95
- * body        6b7d7cc922853f758331a04ce6bdb97c
+ * body        5fb667887841b4295b95a747ff53927d
  */
 #include "axis_f.h"
 
@@ -98,9 +98,8 @@ static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-static const uint32_t error_v_direct = 13u; /* error_id: v_direct is not within the sample limit */
+static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const float tiny = 1.0e-18f; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 
 void axis_f_axis_init(axis_f_axis_state *state)
@@ -127,7 +126,9 @@ void axis_f_axis_inputs_init(axis_f_axis_inputs *inputs)
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_f_axis_step(axis_f_axis_state *restrict state, const axis_f_axis_inputs *restrict inputs,
+void axis_f_axis_step(
+    axis_f_axis_state *restrict state,
+    const axis_f_axis_inputs *restrict inputs,
     axis_f_axis_outputs *restrict outputs)
 {
     if (!(magnitude(inputs->x_command) <= sample_limit)) {
@@ -224,58 +225,47 @@ void axis_f_axis_step(axis_f_axis_state *restrict state, const axis_f_axis_input
             if (!(magnitude(inputs->v_motor) <= sample_limit)) {
                 state->ipc_settled = false;
                 state->ipc_gate = 0u;
-                if (inputs->mode != mode_off && inputs->mode != mode_on && inputs->mode != mode_dryrun) {
-                    outputs->error_id = error_mode;
-                } else if (!(magnitude(inputs->v_motor) <= sample_limit)) {
-                    outputs->error_id = error_v_motor;
-                } else {
-                    outputs->error_id = error_v_direct;
-                }
                 outputs->fault = true;
+                outputs->error_id = error_v_motor;
                 runs = false;
             } else {
                 runs = true;
             }
-        } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun) && magnitude(inputs->v_motor) <= sample_limit) {
-            if (inputs->mode != mode_on || state->ipc_gate < ipc_fade_cycles) {
-                if (state->ipc_settled) {
-                    if (inputs->mode == mode_on) {
-                        if (state->ipc_gate < ipc_fade_cycles) {
-                            state->ipc_gate = state->ipc_gate + 1u;
-                        }
-                    } else {
-                        if (state->ipc_gate > 0u) {
-                            state->ipc_gate = state->ipc_gate - 1u;
-                        }
-                        if (inputs->mode == mode_off && state->ipc_gate == 0u) {
-                            state->ipc_settled = false;
-                        }
+        } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
+                && magnitude(inputs->v_motor) <= sample_limit) {
+            if (state->ipc_settled) {
+                if (inputs->mode == mode_on) {
+                    if (state->ipc_gate < ipc_fade_cycles) {
+                        state->ipc_gate = state->ipc_gate + 1u;
                     }
-                    runs = true;
                 } else {
-                    if (inputs->mode != mode_off) {
-                        /* DIRECT (P-AXIS-00753) from v_motor, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
-                        /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 24 Hz (P-AXIS-00751),
-                         * quality factor 4 (P-AXIS-00752), -3 dB at 21.1811 and 27.1811 Hz */
-                        const float ipc_stage0_filter0_section0_s = ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                        state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_s;
-                        state->ipc_stage0_filter0_section0_s2 = ipc_stage0_filter0_section0_s;
-                        state->ipc_settled = true;
+                    if (state->ipc_gate > 0u) {
+                        state->ipc_gate = state->ipc_gate - 1u;
                     }
-                    runs = false;
+                    if (inputs->mode == mode_off && state->ipc_gate == 0u) {
+                        state->ipc_settled = false;
+                    }
                 }
-            } else {
                 runs = true;
+            } else {
+                if (inputs->mode != mode_off) {
+                    /* DIRECT (P-AXIS-00753) from v_motor, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
+                    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 24 Hz (P-AXIS-00751),
+                     * quality factor 4 (P-AXIS-00752), -3 dB at 21.1811 and 27.1811 Hz */
+                    const float ipc_stage0_filter0_section0_s = ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
+                    state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_s;
+                    state->ipc_stage0_filter0_section0_s2 = ipc_stage0_filter0_section0_s;
+                    state->ipc_settled = true;
+                }
+                runs = false;
             }
         } else {
             state->ipc_settled = false;
             state->ipc_gate = 0u;
-            if (inputs->mode != mode_off && inputs->mode != mode_on && inputs->mode != mode_dryrun) {
+            if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
                 outputs->error_id = error_mode;
-            } else if (!(magnitude(inputs->v_motor) <= sample_limit)) {
-                outputs->error_id = error_v_motor;
             } else {
-                outputs->error_id = error_v_direct;
+                outputs->error_id = error_v_motor;
             }
             outputs->fault = true;
             runs = false;
@@ -436,7 +426,8 @@ uint32_t axis_f_axis_self_test(void)
         UINT32_C(0x6d7d7e5e),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_f_axis_state *, const axis_f_axis_inputs *, axis_f_axis_outputs *) = axis_f_axis_step;
+    void (*volatile step)(axis_f_axis_state *, const axis_f_axis_inputs *, axis_f_axis_outputs *) =
+        axis_f_axis_step;
     axis_f_axis_state state;
     axis_f_axis_inputs inputs;
     axis_f_axis_outputs outputs;

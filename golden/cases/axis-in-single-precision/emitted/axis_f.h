@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  a51e4e64fad240bd4128bbecc5fcab95
- * body        5ca9639707d7c83e600b328b309c04da
+ * body        6345843274b7f9f19123e8dd8f47baa9
  */
 #ifndef AXIS_F_H
 #define AXIS_F_H
@@ -15,6 +15,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
 /* Written by the caller. axis_f_axis_inputs_init fills in what is said to be the start. */
 typedef struct {
     float x_command; /* command position of the interpolator, on the same turn as x_actual [um or 0.001 deg]; start 0.0f */
@@ -64,12 +65,15 @@ void axis_f_axis_init(axis_f_axis_state *state);
 void axis_f_axis_inputs_init(axis_f_axis_inputs *inputs);
 
 /* Once per position-controller cycle. The three structs do not overlap. */
-void axis_f_axis_step(axis_f_axis_state *state, const axis_f_axis_inputs *inputs,
+void axis_f_axis_step(
+    axis_f_axis_state *state,
+    const axis_f_axis_inputs *inputs,
     axis_f_axis_outputs *outputs);
 
 /* Compares a run of 56 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
- * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
+ * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
+ * operations, or that takes a NaN for a number. */
 uint32_t axis_f_axis_self_test(void);
 
 #ifdef __cplusplus

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  34e395339e0520ddd4444822e1ca30ef
- * body        72f7cbd32cfa327cfa167f243ca7d953
+ * body        a44387d3c3940b9c3b68a709b231387d
  */
 #include "axis_x.h"
 
@@ -123,9 +123,8 @@ static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-static const uint32_t error_v_direct = 13u; /* error_id: v_direct is not within the sample limit */
+static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const double tiny = 1.0e-30; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 
 void axis_x_axis_init(axis_x_axis_state *state)
@@ -152,7 +151,9 @@ void axis_x_axis_inputs_init(axis_x_axis_inputs *inputs)
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_x_axis_step(axis_x_axis_state *restrict state, const axis_x_axis_inputs *restrict inputs,
+void axis_x_axis_step(
+    axis_x_axis_state *restrict state,
+    const axis_x_axis_inputs *restrict inputs,
     axis_x_axis_outputs *restrict outputs)
 {
     if (!(magnitude(inputs->x_command) <= sample_limit)) {
@@ -255,68 +256,57 @@ void axis_x_axis_step(axis_x_axis_state *restrict state, const axis_x_axis_input
             if (!(magnitude(inputs->v_motor) <= sample_limit)) {
                 state->ipc_settled = false;
                 state->ipc_gate = 0u;
-                if (inputs->mode != mode_off && inputs->mode != mode_on && inputs->mode != mode_dryrun) {
-                    outputs->error_id = error_mode;
-                } else if (!(magnitude(inputs->v_motor) <= sample_limit)) {
-                    outputs->error_id = error_v_motor;
-                } else {
-                    outputs->error_id = error_v_direct;
-                }
                 outputs->fault = true;
+                outputs->error_id = error_v_motor;
                 runs = false;
             } else {
                 runs = true;
             }
-        } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun) && magnitude(inputs->v_motor) <= sample_limit) {
-            if (inputs->mode != mode_on || state->ipc_gate < ipc_fade_cycles) {
-                if (state->ipc_settled) {
-                    if (inputs->mode == mode_on) {
-                        if (state->ipc_gate < ipc_fade_cycles) {
-                            state->ipc_gate = state->ipc_gate + 1u;
-                        }
-                    } else {
-                        if (state->ipc_gate > 0u) {
-                            state->ipc_gate = state->ipc_gate - 1u;
-                        }
-                        if (inputs->mode == mode_off && state->ipc_gate == 0u) {
-                            state->ipc_settled = false;
-                        }
+        } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
+                && magnitude(inputs->v_motor) <= sample_limit) {
+            if (state->ipc_settled) {
+                if (inputs->mode == mode_on) {
+                    if (state->ipc_gate < ipc_fade_cycles) {
+                        state->ipc_gate = state->ipc_gate + 1u;
                     }
-                    runs = true;
                 } else {
-                    if (inputs->mode != mode_off) {
-                        /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755) */
-                        /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
-                         * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
-                        const double ipc_stage0_filter0_section0_s = ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                        state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_s;
-                        state->ipc_stage0_filter0_section0_s2 = ipc_stage0_filter0_section0_s;
-                        /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755) */
-                        /* simulated oscillation of the load, f0 of the first BANDPASS 11 Hz (P-AXIS-00751), damping ratio 0.8
-                         * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-                        state->ipc_stage1_oscillation_s1 = ipc_stage1_oscillation_settled_s1 * inputs->v_motor;
-                        state->ipc_stage1_oscillation_s2 = ipc_stage1_oscillation_settled_s2 * inputs->v_motor;
-                        /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751),
-                         * quality factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz */
-                        const double ipc_stage1_filter0_section0_s = ipc_stage1_filter0_bandpass0_b2 * inputs->v_motor;
-                        state->ipc_stage1_filter0_section0_s1 = ipc_stage1_filter0_section0_s;
-                        state->ipc_stage1_filter0_section0_s2 = ipc_stage1_filter0_section0_s;
-                        state->ipc_settled = true;
+                    if (state->ipc_gate > 0u) {
+                        state->ipc_gate = state->ipc_gate - 1u;
                     }
-                    runs = false;
+                    if (inputs->mode == mode_off && state->ipc_gate == 0u) {
+                        state->ipc_settled = false;
+                    }
                 }
-            } else {
                 runs = true;
+            } else {
+                if (inputs->mode != mode_off) {
+                    /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755) */
+                    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
+                     * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
+                    const double ipc_stage0_filter0_section0_s = ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
+                    state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_s;
+                    state->ipc_stage0_filter0_section0_s2 = ipc_stage0_filter0_section0_s;
+                    /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755) */
+                    /* simulated oscillation of the load, f0 of the first BANDPASS 11 Hz (P-AXIS-00751), damping ratio 0.8
+                     * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
+                    state->ipc_stage1_oscillation_s1 = ipc_stage1_oscillation_settled_s1 * inputs->v_motor;
+                    state->ipc_stage1_oscillation_s2 = ipc_stage1_oscillation_settled_s2 * inputs->v_motor;
+                    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751),
+                     * quality factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz */
+                    const double ipc_stage1_filter0_section0_s = ipc_stage1_filter0_bandpass0_b2 * inputs->v_motor;
+                    state->ipc_stage1_filter0_section0_s1 = ipc_stage1_filter0_section0_s;
+                    state->ipc_stage1_filter0_section0_s2 = ipc_stage1_filter0_section0_s;
+                    state->ipc_settled = true;
+                }
+                runs = false;
             }
         } else {
             state->ipc_settled = false;
             state->ipc_gate = 0u;
-            if (inputs->mode != mode_off && inputs->mode != mode_on && inputs->mode != mode_dryrun) {
+            if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
                 outputs->error_id = error_mode;
-            } else if (!(magnitude(inputs->v_motor) <= sample_limit)) {
-                outputs->error_id = error_v_motor;
             } else {
-                outputs->error_id = error_v_direct;
+                outputs->error_id = error_v_motor;
             }
             outputs->fault = true;
             runs = false;
@@ -340,9 +330,11 @@ void axis_x_axis_step(axis_x_axis_state *restrict state, const axis_x_axis_input
             const double ipc_stage1_oscillation_y =
                 ipc_stage1_oscillation_b0 * inputs->v_motor + state->ipc_stage1_oscillation_s1;
             state->ipc_stage1_oscillation_s1 =
-                ipc_stage1_oscillation_b1 * inputs->v_motor - ipc_stage1_oscillation_a1 * ipc_stage1_oscillation_y + state->ipc_stage1_oscillation_s2;
+                ipc_stage1_oscillation_b1 * inputs->v_motor - ipc_stage1_oscillation_a1 * ipc_stage1_oscillation_y
+                    + state->ipc_stage1_oscillation_s2;
             state->ipc_stage1_oscillation_s2 =
-                ipc_stage1_oscillation_b2 * inputs->v_motor + tiny - ipc_stage1_oscillation_a2 * ipc_stage1_oscillation_y;
+                ipc_stage1_oscillation_b2 * inputs->v_motor + tiny
+                    - ipc_stage1_oscillation_a2 * ipc_stage1_oscillation_y;
             /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751),
              * quality factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz */
             const double ipc_stage1_filter0_section0_t = ipc_stage1_filter0_bandpass0_b2 * ipc_stage1_oscillation_y;
@@ -497,7 +489,8 @@ uint32_t axis_x_axis_self_test(void)
         UINT64_C(0xec9d853771bc5e90),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_x_axis_state *, const axis_x_axis_inputs *, axis_x_axis_outputs *) = axis_x_axis_step;
+    void (*volatile step)(axis_x_axis_state *, const axis_x_axis_inputs *, axis_x_axis_outputs *) =
+        axis_x_axis_step;
     axis_x_axis_state state;
     axis_x_axis_inputs inputs;
     axis_x_axis_outputs outputs;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  01b2d560e57f4aac4b6a8e72d07833cb
- * body        6d1d6cf1025fb63b8d33a88083cdf51c
+ * body        1cc31d5058c6ed45f35235489b6c11d4
  */
 #include "axis_y2.h"
 
@@ -97,7 +97,9 @@ void axis_y2_axis_inputs_init(axis_y2_axis_inputs *inputs)
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_y2_axis_step(axis_y2_axis_state *restrict state, const axis_y2_axis_inputs *restrict inputs,
+void axis_y2_axis_step(
+    axis_y2_axis_state *restrict state,
+    const axis_y2_axis_inputs *restrict inputs,
     axis_y2_axis_outputs *restrict outputs)
 {
     (void)state;
@@ -286,7 +288,8 @@ uint32_t axis_y2_axis_self_test(void)
         UINT64_C(0x456a95768a5cf850),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_y2_axis_state *, const axis_y2_axis_inputs *, axis_y2_axis_outputs *) = axis_y2_axis_step;
+    void (*volatile step)(axis_y2_axis_state *, const axis_y2_axis_inputs *, axis_y2_axis_outputs *) =
+        axis_y2_axis_step;
     axis_y2_axis_state state;
     axis_y2_axis_inputs inputs;
     axis_y2_axis_outputs outputs;

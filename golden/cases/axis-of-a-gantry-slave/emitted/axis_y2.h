@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  01b2d560e57f4aac4b6a8e72d07833cb
- * body        4a058d60f3dc57baf640f0171f5e8aac
+ * body        20bc9fe9f99419fad40e116774a40613
  */
 #ifndef AXIS_Y2_H
 #define AXIS_Y2_H
@@ -15,6 +15,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
 /* Written by the caller. axis_y2_axis_inputs_init fills in what is said to be the start. */
 typedef struct {
     double x_command; /* command position of the interpolator, on the same turn as x_actual [um or 0.001 deg]; start 0.0 */
@@ -61,12 +62,15 @@ void axis_y2_axis_init(axis_y2_axis_state *state);
 void axis_y2_axis_inputs_init(axis_y2_axis_inputs *inputs);
 
 /* Once per position-controller cycle. The three structs do not overlap. */
-void axis_y2_axis_step(axis_y2_axis_state *state, const axis_y2_axis_inputs *inputs,
+void axis_y2_axis_step(
+    axis_y2_axis_state *state,
+    const axis_y2_axis_inputs *inputs,
     axis_y2_axis_outputs *outputs);
 
 /* Compares a run of 56 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
- * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
+ * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
+ * operations, or that takes a NaN for a number. */
 uint32_t axis_y2_axis_self_test(void);
 
 #ifdef __cplusplus

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  dd3714341cc42b999aed7c65c021489b
- * body        68b9680898583abbb5c97003eeeb14d2
+ * body        07c36a009807b47bce249b5e55db91ab
  */
 #include "axis_x.h"
 
@@ -127,7 +127,9 @@ void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *restrict inputs,
+void axis_x_ipc_step(
+    axis_x_ipc_state *restrict state,
+    const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
     if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
@@ -138,9 +140,11 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
         outputs->limited = false;
         outputs->fault = true;
         outputs->error_id = error_cycle_time;
-    } else if (!((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun) && magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit && magnitude(inputs->v_direct) <= sample_limit)) {
+    } else if (!((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
+            && magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit
+            && magnitude(inputs->v_direct) <= sample_limit)) {
         uint32_t value;
-        if (inputs->mode != mode_off && inputs->mode != mode_on && inputs->mode != mode_dryrun) {
+        if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
             value = error_mode;
         } else if (!(magnitude(inputs->v_command) <= sample_limit)) {
             value = error_v_command;
@@ -226,7 +230,8 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
             const double stage0_oscillation_y =
                 stage0_oscillation_b0 * inputs->v_command + state->stage0_oscillation_s1;
             state->stage0_oscillation_s1 =
-                stage0_oscillation_b1 * inputs->v_command - stage0_oscillation_a1 * stage0_oscillation_y + state->stage0_oscillation_s2;
+                stage0_oscillation_b1 * inputs->v_command - stage0_oscillation_a1 * stage0_oscillation_y
+                    + state->stage0_oscillation_s2;
             state->stage0_oscillation_s2 =
                 stage0_oscillation_b2 * inputs->v_command + tiny - stage0_oscillation_a2 * stage0_oscillation_y;
             /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 60 Hz (P-AXIS-00751),
@@ -243,7 +248,8 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
              * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
             const double stage1_oscillation_y = stage1_oscillation_b0 * inputs->v_motor + state->stage1_oscillation_s1;
             state->stage1_oscillation_s1 =
-                stage1_oscillation_b1 * inputs->v_motor - stage1_oscillation_a1 * stage1_oscillation_y + state->stage1_oscillation_s2;
+                stage1_oscillation_b1 * inputs->v_motor - stage1_oscillation_a1 * stage1_oscillation_y
+                    + state->stage1_oscillation_s2;
             state->stage1_oscillation_s2 =
                 stage1_oscillation_b2 * inputs->v_motor + tiny - stage1_oscillation_a2 * stage1_oscillation_y;
             /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 70 Hz (P-AXIS-00751),
@@ -381,7 +387,8 @@ uint32_t axis_x_ipc_self_test(void)
         UINT64_C(0xfb5a430ce54c7761),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) = axis_x_ipc_step;
+    void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
+        axis_x_ipc_step;
     axis_x_ipc_state state;
     axis_x_ipc_inputs inputs;
     axis_x_ipc_outputs outputs;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  dd3714341cc42b999aed7c65c021489b
- * body        a2df08760e4529149ef63aec677852b3
+ * body        cb0ebd237ed1a62bb12483176ea55960
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,6 +15,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
 /* range: |v| <= 500000 gives |v_add| <= 1925406 before the limit and no |state| above 726487; for |v| <= 1e15:
  * 3.850812e15, within double precision
  * stage[0] at 60 Hz: designed 0.8490583 at 147.9946 deg, measured 0.8490583 at 147.9946 deg; at 54.28497 Hz:
@@ -71,12 +72,15 @@ void axis_x_ipc_init(axis_x_ipc_state *state);
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs);
 
 /* Once per position-controller cycle. The three structs do not overlap. */
-void axis_x_ipc_step(axis_x_ipc_state *state, const axis_x_ipc_inputs *inputs,
+void axis_x_ipc_step(
+    axis_x_ipc_state *state,
+    const axis_x_ipc_inputs *inputs,
     axis_x_ipc_outputs *outputs);
 
 /* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
- * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
+ * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
+ * operations, or that takes a NaN for a number. */
 uint32_t axis_x_ipc_self_test(void);
 
 #ifdef __cplusplus

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  748aa3626b02d1aa0e59eb14a7e1d7ca
- * body        e0b3da8c871e50f6631664d4dd45601c
+ * body        83f8bf70c04407f97032a8c2000ffdbd
  */
 #include "axis_x.h"
 
@@ -90,7 +90,6 @@ static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not
 static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_command = 11u; /* error_id: v_command is not within the sample limit */
-static const uint32_t error_v_direct = 13u; /* error_id: v_direct is not within the sample limit */
 static const double tiny = 1.0e-30; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 
 void axis_x_ipc_init(axis_x_ipc_state *state)
@@ -110,7 +109,9 @@ void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *restrict inputs,
+void axis_x_ipc_step(
+    axis_x_ipc_state *restrict state,
+    const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
     if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
@@ -121,14 +122,13 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
         outputs->limited = false;
         outputs->fault = true;
         outputs->error_id = error_cycle_time;
-    } else if (!((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun) && magnitude(inputs->v_command) <= sample_limit)) {
+    } else if (!((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
+            && magnitude(inputs->v_command) <= sample_limit)) {
         uint32_t value;
-        if (inputs->mode != mode_off && inputs->mode != mode_on && inputs->mode != mode_dryrun) {
+        if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
             value = error_mode;
-        } else if (!(magnitude(inputs->v_command) <= sample_limit)) {
-            value = error_v_command;
         } else {
-            value = error_v_direct;
+            value = error_v_command;
         }
         state->settled = false;
         state->gate = 0u;
@@ -197,7 +197,8 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
             const double stage0_oscillation_y =
                 stage0_oscillation_b0 * inputs->v_command + state->stage0_oscillation_s1;
             state->stage0_oscillation_s1 =
-                stage0_oscillation_b1 * inputs->v_command - stage0_oscillation_a1 * stage0_oscillation_y + state->stage0_oscillation_s2;
+                stage0_oscillation_b1 * inputs->v_command - stage0_oscillation_a1 * stage0_oscillation_y
+                    + state->stage0_oscillation_s2;
             state->stage0_oscillation_s2 =
                 stage0_oscillation_b2 * inputs->v_command + tiny - stage0_oscillation_a2 * stage0_oscillation_y;
             /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 15 Hz (P-AXIS-00751),
@@ -335,7 +336,8 @@ uint32_t axis_x_ipc_self_test(void)
         UINT64_C(0x0ff520550ed2f8ac),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) = axis_x_ipc_step;
+    void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
+        axis_x_ipc_step;
     axis_x_ipc_state state;
     axis_x_ipc_inputs inputs;
     axis_x_ipc_outputs outputs;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  748aa3626b02d1aa0e59eb14a7e1d7ca
- * body        903a7d0ce1e7fad2ff241f6296f249e7
+ * body        9f6c5443420f9b492d4cd85a1938f6dc
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,6 +15,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
 /* range: |v| <= 500000 gives |v_add| <= 754047.5 before the limit and no |state| above 1354499; for |v| <= 1e15:
  * 2.708999e15, within double precision
  * stage[0] at 15 Hz: designed 0.8490583 at 147.9946 deg, measured 0.8490583 at 147.9946 deg; at 9.189921 Hz:
@@ -63,12 +64,15 @@ void axis_x_ipc_init(axis_x_ipc_state *state);
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs);
 
 /* Once per position-controller cycle. The three structs do not overlap. */
-void axis_x_ipc_step(axis_x_ipc_state *state, const axis_x_ipc_inputs *inputs,
+void axis_x_ipc_step(
+    axis_x_ipc_state *state,
+    const axis_x_ipc_inputs *inputs,
     axis_x_ipc_outputs *outputs);
 
 /* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
- * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
+ * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
+ * operations, or that takes a NaN for a number. */
 uint32_t axis_x_ipc_self_test(void);
 
 #ifdef __cplusplus

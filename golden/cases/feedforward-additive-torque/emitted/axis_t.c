@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  ab1a45231c68022a5cdf6b2275938f30
- * body        85b57e6e20f8c8c0739c9ce1354a5f02
+ * body        2848e96b81041957bd8dab1a40367fdf
  */
 #include "axis_t.h"
 
@@ -73,7 +73,6 @@ static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not t
 static const uint32_t error_none = 0u; /* error_id: no fault */
 static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
 static const uint32_t error_a_interpolator = 15u; /* error_id: a_interpolator is not within the sample limit */
-static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
 
 void axis_t_feedforward_init(axis_t_feedforward_state *state)
 {
@@ -92,7 +91,9 @@ void axis_t_feedforward_inputs_init(axis_t_feedforward_inputs *inputs)
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_t_feedforward_step(axis_t_feedforward_state *restrict state, const axis_t_feedforward_inputs *restrict inputs,
+void axis_t_feedforward_step(
+    axis_t_feedforward_state *restrict state,
+    const axis_t_feedforward_inputs *restrict inputs,
     axis_t_feedforward_outputs *restrict outputs)
 {
     if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
@@ -106,12 +107,6 @@ void axis_t_feedforward_step(axis_t_feedforward_state *restrict state, const axi
         outputs->fault = true;
         outputs->error_id = error_cycle_time;
     } else if (!(magnitude(inputs->a_interpolator) <= sample_limit)) {
-        uint32_t value;
-        if (!(magnitude(inputs->a_interpolator) <= sample_limit)) {
-            value = error_a_interpolator;
-        } else {
-            value = error_v_interpolator;
-        }
         state->settled = false;
         outputs->v_feedforward = 0.0;
         outputs->v_additive = 0.0;
@@ -119,8 +114,8 @@ void axis_t_feedforward_step(axis_t_feedforward_state *restrict state, const axi
         outputs->additive_torque = 0;
         outputs->velocity_limited = false;
         outputs->torque_limited = false;
-        outputs->fault = value != error_none;
-        outputs->error_id = value;
+        outputs->fault = true;
+        outputs->error_id = error_a_interpolator;
     } else if (!inputs->position_controlled || inputs->reset) {
         state->settled = false;
         outputs->v_feedforward = 0.0;
@@ -247,7 +242,8 @@ uint32_t axis_t_feedforward_self_test(void)
         UINT64_C(0xf65a0a7215cc0ed1),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_t_feedforward_state *, const axis_t_feedforward_inputs *, axis_t_feedforward_outputs *) = axis_t_feedforward_step;
+    void (*volatile step)(axis_t_feedforward_state *, const axis_t_feedforward_inputs *, axis_t_feedforward_outputs *) =
+        axis_t_feedforward_step;
     axis_t_feedforward_state state;
     axis_t_feedforward_inputs inputs;
     axis_t_feedforward_outputs outputs;

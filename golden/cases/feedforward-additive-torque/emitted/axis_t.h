@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  ab1a45231c68022a5cdf6b2275938f30
- * body        857f2a5dd789bb03bedfbbae9a87a6a8
+ * body        6e15ab3e6630692a98aad17420704768
  */
 #ifndef AXIS_T_H
 #define AXIS_T_H
@@ -15,6 +15,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
 /* Written by the caller. axis_t_feedforward_inputs_init fills in what is said to be the start. */
 typedef struct {
     double v_interpolator; /* velocity of the interpolator [um/s or 0.001 deg/s]; not read for this axis; start 0.0 */
@@ -52,12 +53,15 @@ void axis_t_feedforward_init(axis_t_feedforward_state *state);
 void axis_t_feedforward_inputs_init(axis_t_feedforward_inputs *inputs);
 
 /* Once per position-controller cycle. The three structs do not overlap. */
-void axis_t_feedforward_step(axis_t_feedforward_state *state, const axis_t_feedforward_inputs *inputs,
+void axis_t_feedforward_step(
+    axis_t_feedforward_state *state,
+    const axis_t_feedforward_inputs *inputs,
     axis_t_feedforward_outputs *outputs);
 
 /* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
- * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
+ * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
+ * operations, or that takes a NaN for a number. */
 uint32_t axis_t_feedforward_self_test(void);
 
 #ifdef __cplusplus

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  2d93b41dd7a035d030e79ccf0c10fb2e
- * body        920dc3242bec6a296ba572bfc83772c6
+ * body        63a999ef69ea1c7069b0b6de07384bb8
  */
 #include "axis_v.h"
 
@@ -91,7 +91,9 @@ void axis_v_feedforward_inputs_init(axis_v_feedforward_inputs *inputs)
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_v_feedforward_step(axis_v_feedforward_state *restrict state, const axis_v_feedforward_inputs *restrict inputs,
+void axis_v_feedforward_step(
+    axis_v_feedforward_state *restrict state,
+    const axis_v_feedforward_inputs *restrict inputs,
     axis_v_feedforward_outputs *restrict outputs)
 {
     if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
@@ -239,7 +241,8 @@ uint32_t axis_v_feedforward_self_test(void)
         UINT64_C(0x91681732fd2879d9),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_v_feedforward_state *, const axis_v_feedforward_inputs *, axis_v_feedforward_outputs *) = axis_v_feedforward_step;
+    void (*volatile step)(axis_v_feedforward_state *, const axis_v_feedforward_inputs *, axis_v_feedforward_outputs *) =
+        axis_v_feedforward_step;
     axis_v_feedforward_state state;
     axis_v_feedforward_inputs inputs;
     axis_v_feedforward_outputs outputs;

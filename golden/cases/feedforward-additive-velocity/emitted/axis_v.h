@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  2d93b41dd7a035d030e79ccf0c10fb2e
- * body        af2b211895f81b5f27d31dcdcadeeb6e
+ * body        a5cc20333075aa8e84ba9191144f15d4
  */
 #ifndef AXIS_V_H
 #define AXIS_V_H
@@ -15,6 +15,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
 /* Written by the caller. axis_v_feedforward_inputs_init fills in what is said to be the start. */
 typedef struct {
     double v_interpolator; /* velocity of the interpolator [um/s or 0.001 deg/s]; start 0.0 */
@@ -52,12 +53,15 @@ void axis_v_feedforward_init(axis_v_feedforward_state *state);
 void axis_v_feedforward_inputs_init(axis_v_feedforward_inputs *inputs);
 
 /* Once per position-controller cycle. The three structs do not overlap. */
-void axis_v_feedforward_step(axis_v_feedforward_state *state, const axis_v_feedforward_inputs *inputs,
+void axis_v_feedforward_step(
+    axis_v_feedforward_state *state,
+    const axis_v_feedforward_inputs *inputs,
     axis_v_feedforward_outputs *outputs);
 
 /* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
- * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
+ * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
+ * operations, or that takes a NaN for a number. */
 uint32_t axis_v_feedforward_self_test(void);
 
 #ifdef __cplusplus

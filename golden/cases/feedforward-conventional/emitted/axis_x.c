@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  39b35044808cb2fb9e32c45a46448f18
- * body        1eeff32a00dacd91603c882fc97779ab
+ * body        7c56bdd2fc76052a5acd339d12cd3eef
  */
 #include "axis_x.h"
 
@@ -74,7 +74,9 @@ void axis_x_feedforward_inputs_init(axis_x_feedforward_inputs *inputs)
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_x_feedforward_step(axis_x_feedforward_state *restrict state, const axis_x_feedforward_inputs *restrict inputs,
+void axis_x_feedforward_step(
+    axis_x_feedforward_state *restrict state,
+    const axis_x_feedforward_inputs *restrict inputs,
     axis_x_feedforward_outputs *restrict outputs)
 {
     (void)state;
@@ -87,7 +89,8 @@ void axis_x_feedforward_step(axis_x_feedforward_state *restrict state, const axi
         outputs->torque_limited = false;
         outputs->fault = true;
         outputs->error_id = error_cycle_time;
-    } else if (!(magnitude(inputs->v_interpolator) <= sample_limit && magnitude(inputs->a_interpolator) <= sample_limit && magnitude(inputs->j_interpolator) <= sample_limit)) {
+    } else if (!(magnitude(inputs->v_interpolator) <= sample_limit && magnitude(inputs->a_interpolator) <= sample_limit
+            && magnitude(inputs->j_interpolator) <= sample_limit)) {
         uint32_t value;
         if (!(magnitude(inputs->j_interpolator) <= sample_limit)) {
             value = error_j_interpolator;
@@ -211,7 +214,8 @@ uint32_t axis_x_feedforward_self_test(void)
         UINT64_C(0x26b102f886275c27),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_x_feedforward_state *, const axis_x_feedforward_inputs *, axis_x_feedforward_outputs *) = axis_x_feedforward_step;
+    void (*volatile step)(axis_x_feedforward_state *, const axis_x_feedforward_inputs *, axis_x_feedforward_outputs *) =
+        axis_x_feedforward_step;
     axis_x_feedforward_state state;
     axis_x_feedforward_inputs inputs;
     axis_x_feedforward_outputs outputs;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  b392536238f99500e428e906914a6271
- * body        5656f18940938135ac5a344a501577e8
+ * body        31de42697362bbff3bcd8336bd40f350
  */
 #include "axis_x.h"
 
@@ -104,7 +104,9 @@ void axis_x_feedforward_inputs_init(axis_x_feedforward_inputs *inputs)
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_x_feedforward_step(axis_x_feedforward_state *restrict state, const axis_x_feedforward_inputs *restrict inputs,
+void axis_x_feedforward_step(
+    axis_x_feedforward_state *restrict state,
+    const axis_x_feedforward_inputs *restrict inputs,
     axis_x_feedforward_outputs *restrict outputs)
 {
     if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
@@ -117,7 +119,8 @@ void axis_x_feedforward_step(axis_x_feedforward_state *restrict state, const axi
         outputs->torque_limited = false;
         outputs->fault = true;
         outputs->error_id = error_cycle_time;
-    } else if (!(magnitude(inputs->v_interpolator) <= sample_limit && magnitude(inputs->a_interpolator) <= sample_limit && magnitude(inputs->j_interpolator) <= sample_limit)) {
+    } else if (!(magnitude(inputs->v_interpolator) <= sample_limit && magnitude(inputs->a_interpolator) <= sample_limit
+            && magnitude(inputs->j_interpolator) <= sample_limit)) {
         uint32_t value;
         if (!(magnitude(inputs->j_interpolator) <= sample_limit)) {
             value = error_j_interpolator;
@@ -297,7 +300,8 @@ uint32_t axis_x_feedforward_self_test(void)
         UINT64_C(0xd15fa374f05664e6),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_x_feedforward_state *, const axis_x_feedforward_inputs *, axis_x_feedforward_outputs *) = axis_x_feedforward_step;
+    void (*volatile step)(axis_x_feedforward_state *, const axis_x_feedforward_inputs *, axis_x_feedforward_outputs *) =
+        axis_x_feedforward_step;
     axis_x_feedforward_state state;
     axis_x_feedforward_inputs inputs;
     axis_x_feedforward_outputs outputs;

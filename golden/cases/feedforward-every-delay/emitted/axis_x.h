@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  b392536238f99500e428e906914a6271
- * body        e9feaa71259aa1f6e31e9fa20a7c7f2e
+ * body        00c62684d0af3f1f326a5777141044ac
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,6 +15,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
 /* Written by the caller. axis_x_feedforward_inputs_init fills in what is said to be the start. */
 typedef struct {
     double v_interpolator; /* velocity of the interpolator [um/s or 0.001 deg/s]; start 0.0 */
@@ -59,12 +60,15 @@ void axis_x_feedforward_init(axis_x_feedforward_state *state);
 void axis_x_feedforward_inputs_init(axis_x_feedforward_inputs *inputs);
 
 /* Once per position-controller cycle. The three structs do not overlap. */
-void axis_x_feedforward_step(axis_x_feedforward_state *state, const axis_x_feedforward_inputs *inputs,
+void axis_x_feedforward_step(
+    axis_x_feedforward_state *state,
+    const axis_x_feedforward_inputs *inputs,
     axis_x_feedforward_outputs *outputs);
 
 /* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
- * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
+ * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
+ * operations, or that takes a NaN for a number. */
 uint32_t axis_x_feedforward_self_test(void);
 
 #ifdef __cplusplus

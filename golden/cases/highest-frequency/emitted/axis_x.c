@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  54ec9fd356e63495804223a32d086383
- * body        2e078cde2ff79b4755134ef34a944c31
+ * body        5c36b13f82c0793d9c1a43b785523053
  */
 #include "axis_x.h"
 
@@ -114,7 +114,6 @@ static const double sample_limit = 1000000000000000.0; /* largest magnitude of a
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_command = 11u; /* error_id: v_command is not within the sample limit */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-static const uint32_t error_v_direct = 13u; /* error_id: v_direct is not within the sample limit */
 static const double tiny = 1.0e-30; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 
 void axis_x_ipc_init(axis_x_ipc_state *state)
@@ -134,7 +133,9 @@ void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *restrict inputs,
+void axis_x_ipc_step(
+    axis_x_ipc_state *restrict state,
+    const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
     if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
@@ -145,16 +146,15 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
         outputs->limited = false;
         outputs->fault = true;
         outputs->error_id = error_cycle_time;
-    } else if (!((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun) && magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit)) {
+    } else if (!((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
+            && magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit)) {
         uint32_t value;
-        if (inputs->mode != mode_off && inputs->mode != mode_on && inputs->mode != mode_dryrun) {
+        if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
             value = error_mode;
         } else if (!(magnitude(inputs->v_command) <= sample_limit)) {
             value = error_v_command;
-        } else if (!(magnitude(inputs->v_motor) <= sample_limit)) {
-            value = error_v_motor;
         } else {
-            value = error_v_direct;
+            value = error_v_motor;
         }
         state->settled = false;
         state->gate = 0u;
@@ -260,7 +260,8 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
             const double stage0_filter1_section0_y =
                 stage0_filter1_allpass_a2 * stage0_filter0_section2_y + state->stage0_filter1_section0_s1;
             state->stage0_filter1_section0_s1 =
-                stage0_filter1_allpass_a1 * (stage0_filter0_section2_y - stage0_filter1_section0_y) + state->stage0_filter1_section0_s2;
+                stage0_filter1_allpass_a1 * (stage0_filter0_section2_y - stage0_filter1_section0_y)
+                    + state->stage0_filter1_section0_s2;
             state->stage0_filter1_section0_s2 =
                 stage0_filter0_section2_y + tiny - stage0_filter1_allpass_a2 * stage0_filter1_section0_y;
             const double v_stage = -stage0_filter1_section0_y;
@@ -270,7 +271,8 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
             const double stage1_oscillation_y =
                 stage1_oscillation_b0 * inputs->v_command + state->stage1_oscillation_s1;
             state->stage1_oscillation_s1 =
-                stage1_oscillation_b1 * inputs->v_command - stage1_oscillation_a1 * stage1_oscillation_y + state->stage1_oscillation_s2;
+                stage1_oscillation_b1 * inputs->v_command - stage1_oscillation_a1 * stage1_oscillation_y
+                    + state->stage1_oscillation_s2;
             state->stage1_oscillation_s2 =
                 stage1_oscillation_b2 * inputs->v_command + tiny - stage1_oscillation_a2 * stage1_oscillation_y;
             /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 112.5 Hz (P-AXIS-00751),
@@ -409,7 +411,8 @@ uint32_t axis_x_ipc_self_test(void)
         UINT64_C(0x3ff97ef6d4a9e44c),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) = axis_x_ipc_step;
+    void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
+        axis_x_ipc_step;
     axis_x_ipc_state state;
     axis_x_ipc_inputs inputs;
     axis_x_ipc_outputs outputs;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  325f959a8a6307105ae6363b76420ebf
- * body        5fc05ffc6ed47a7870a6c33082d67783
+ * body        9321ae06c45a252dcbdc3e9696243b72
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,6 +15,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
 /* range: |v| <= 500000 gives |v_add| <= 2110465 before the limit and no |state| above 886710.8; for |v| <= 1e15:
  * 4.22093e15, within double precision
  * stage[0] at 53 Hz: designed 3 at 180 deg, measured 3 at 180 deg; at 47.95452 Hz: designed 2.12132 at -90 deg,
@@ -58,12 +59,15 @@ void axis_x_ipc_init(axis_x_ipc_state *state);
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs);
 
 /* Once per position-controller cycle. The three structs do not overlap. */
-void axis_x_ipc_step(axis_x_ipc_state *state, const axis_x_ipc_inputs *inputs,
+void axis_x_ipc_step(
+    axis_x_ipc_state *state,
+    const axis_x_ipc_inputs *inputs,
     axis_x_ipc_outputs *outputs);
 
 /* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
- * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
+ * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
+ * operations, or that takes a NaN for a number. */
 uint32_t axis_x_ipc_self_test(void);
 
 #ifdef __cplusplus

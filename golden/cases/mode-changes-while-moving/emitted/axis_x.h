@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  433be3a8b78f4c5a206df87cde7d8541
- * body        f58310aead60cdc4974465e5f087b300
+ * body        19869c3bf3a29b9a9367601e3acf8685
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,6 +15,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
 /* range: |v| <= 500000 gives |v_add| <= 2126135 before the limit and no |state| above 963217.5; for |v| <= 1e15:
  * 4.25227e15, within double precision
  * stage[0] at 40 Hz: designed 2 at 180 deg, measured 2 at 180 deg; at 35.30473 Hz: designed 1.414214 at -135
@@ -67,12 +68,15 @@ void axis_x_ipc_init(axis_x_ipc_state *state);
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs);
 
 /* Once per position-controller cycle. The three structs do not overlap. */
-void axis_x_ipc_step(axis_x_ipc_state *state, const axis_x_ipc_inputs *inputs,
+void axis_x_ipc_step(
+    axis_x_ipc_state *state,
+    const axis_x_ipc_inputs *inputs,
     axis_x_ipc_outputs *outputs);
 
 /* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
- * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
+ * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
+ * operations, or that takes a NaN for a number. */
 uint32_t axis_x_ipc_self_test(void);
 
 #ifdef __cplusplus

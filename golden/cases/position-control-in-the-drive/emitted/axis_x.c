@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  aa35bad67f4ffbca3fef660d77abf5fb
- * body        2425acc3cce5744fb6b28c681229eeb2
+ * body        ad6198e813ed594c069493bc4ecb1880
  */
 #include "axis_x.h"
 
@@ -89,7 +89,9 @@ void axis_x_position_control_inputs_init(axis_x_position_control_inputs *inputs)
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_x_position_control_step(axis_x_position_control_state *restrict state, const axis_x_position_control_inputs *restrict inputs,
+void axis_x_position_control_step(
+    axis_x_position_control_state *restrict state,
+    const axis_x_position_control_inputs *restrict inputs,
     axis_x_position_control_outputs *restrict outputs)
 {
     if (!(magnitude(inputs->x_command) <= sample_limit)) {
@@ -257,7 +259,8 @@ uint32_t axis_x_position_control_self_test(void)
         UINT64_C(0xa5c33452c90c65ae),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_x_position_control_state *, const axis_x_position_control_inputs *, axis_x_position_control_outputs *) = axis_x_position_control_step;
+    void (*volatile step)(axis_x_position_control_state *, const axis_x_position_control_inputs *, axis_x_position_control_outputs *) =
+        axis_x_position_control_step;
     axis_x_position_control_state state;
     axis_x_position_control_inputs inputs;
     axis_x_position_control_outputs outputs;

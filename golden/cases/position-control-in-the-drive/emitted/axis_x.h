@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  aa35bad67f4ffbca3fef660d77abf5fb
- * body        f0ad41ee0b3f9dc42fbca9ddc7458abf
+ * body        909fe5b06bfd2490da003831ecb2a8d5
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,6 +15,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
 /* Written by the caller. axis_x_position_control_inputs_init fills in what is said to be the start. */
 typedef struct {
     double x_command; /* command position of the interpolator, on the same turn as x_actual [um or 0.001 deg]; start 0.0 */
@@ -53,12 +54,15 @@ void axis_x_position_control_init(axis_x_position_control_state *state);
 void axis_x_position_control_inputs_init(axis_x_position_control_inputs *inputs);
 
 /* Once per position-controller cycle. The three structs do not overlap. */
-void axis_x_position_control_step(axis_x_position_control_state *state, const axis_x_position_control_inputs *inputs,
+void axis_x_position_control_step(
+    axis_x_position_control_state *state,
+    const axis_x_position_control_inputs *inputs,
     axis_x_position_control_outputs *outputs);
 
 /* Compares a run of 47 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
- * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
+ * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
+ * operations, or that takes a NaN for a number. */
 uint32_t axis_x_position_control_self_test(void);
 
 #ifdef __cplusplus

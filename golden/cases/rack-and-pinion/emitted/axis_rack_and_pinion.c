@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9760420855774556c7bc167f08fc35fd
- * body        636d3dff4a2e640857267f94fc935e19
+ * body        d4cd9bd36eee3653e091e70198237546
  */
 #include "axis_rack_and_pinion.h"
 
@@ -91,7 +91,6 @@ static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not
 static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-static const uint32_t error_v_direct = 13u; /* error_id: v_direct is not within the sample limit */
 static const double tiny = 1.0e-30; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 
 void axis_rack_and_pinion_ipc_init(axis_rack_and_pinion_ipc_state *state)
@@ -111,7 +110,9 @@ void axis_rack_and_pinion_ipc_inputs_init(axis_rack_and_pinion_ipc_inputs *input
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_rack_and_pinion_ipc_step(axis_rack_and_pinion_ipc_state *restrict state, const axis_rack_and_pinion_ipc_inputs *restrict inputs,
+void axis_rack_and_pinion_ipc_step(
+    axis_rack_and_pinion_ipc_state *restrict state,
+    const axis_rack_and_pinion_ipc_inputs *restrict inputs,
     axis_rack_and_pinion_ipc_outputs *restrict outputs)
 {
     if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
@@ -122,14 +123,13 @@ void axis_rack_and_pinion_ipc_step(axis_rack_and_pinion_ipc_state *restrict stat
         outputs->limited = false;
         outputs->fault = true;
         outputs->error_id = error_cycle_time;
-    } else if (!((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun) && magnitude(inputs->v_motor) <= sample_limit)) {
+    } else if (!((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
+            && magnitude(inputs->v_motor) <= sample_limit)) {
         uint32_t value;
-        if (inputs->mode != mode_off && inputs->mode != mode_on && inputs->mode != mode_dryrun) {
+        if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
             value = error_mode;
-        } else if (!(magnitude(inputs->v_motor) <= sample_limit)) {
-            value = error_v_motor;
         } else {
-            value = error_v_direct;
+            value = error_v_motor;
         }
         state->settled = false;
         state->gate = 0u;
@@ -207,7 +207,8 @@ void axis_rack_and_pinion_ipc_step(axis_rack_and_pinion_ipc_state *restrict stat
              * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
             const double stage1_oscillation_y = stage1_oscillation_b0 * inputs->v_motor + state->stage1_oscillation_s1;
             state->stage1_oscillation_s1 =
-                stage1_oscillation_b1 * inputs->v_motor - stage1_oscillation_a1 * stage1_oscillation_y + state->stage1_oscillation_s2;
+                stage1_oscillation_b1 * inputs->v_motor - stage1_oscillation_a1 * stage1_oscillation_y
+                    + state->stage1_oscillation_s2;
             state->stage1_oscillation_s2 =
                 stage1_oscillation_b2 * inputs->v_motor + tiny - stage1_oscillation_a2 * stage1_oscillation_y;
             /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751),
@@ -334,7 +335,8 @@ uint32_t axis_rack_and_pinion_ipc_self_test(void)
         UINT64_C(0x389780503d78f57e),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_rack_and_pinion_ipc_state *, const axis_rack_and_pinion_ipc_inputs *, axis_rack_and_pinion_ipc_outputs *) = axis_rack_and_pinion_ipc_step;
+    void (*volatile step)(axis_rack_and_pinion_ipc_state *, const axis_rack_and_pinion_ipc_inputs *, axis_rack_and_pinion_ipc_outputs *) =
+        axis_rack_and_pinion_ipc_step;
     axis_rack_and_pinion_ipc_state state;
     axis_rack_and_pinion_ipc_inputs inputs;
     axis_rack_and_pinion_ipc_outputs outputs;

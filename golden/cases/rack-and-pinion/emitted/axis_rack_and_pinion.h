@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9760420855774556c7bc167f08fc35fd
- * body        08bce81af33d353dfae4d49b6260189f
+ * body        2b0ca4fadb135561d39478571ad52750
  */
 #ifndef AXIS_RACK_AND_PINION_H
 #define AXIS_RACK_AND_PINION_H
@@ -15,6 +15,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
 /* range: |v| <= 530000 gives |v_add| <= 2308249 before the limit and no |state| above 783998.6; for |v| <= 1e15:
  * 4.355187e15, within double precision
  * stage[0] at 53 Hz: designed 3 at 180 deg, measured 3 at 180 deg; at 50.41374 Hz: designed 2.12132 at -135 deg,
@@ -63,12 +64,15 @@ void axis_rack_and_pinion_ipc_init(axis_rack_and_pinion_ipc_state *state);
 void axis_rack_and_pinion_ipc_inputs_init(axis_rack_and_pinion_ipc_inputs *inputs);
 
 /* Once per position-controller cycle. The three structs do not overlap. */
-void axis_rack_and_pinion_ipc_step(axis_rack_and_pinion_ipc_state *state, const axis_rack_and_pinion_ipc_inputs *inputs,
+void axis_rack_and_pinion_ipc_step(
+    axis_rack_and_pinion_ipc_state *state,
+    const axis_rack_and_pinion_ipc_inputs *inputs,
     axis_rack_and_pinion_ipc_outputs *outputs);
 
 /* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
- * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
+ * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
+ * operations, or that takes a NaN for a number. */
 uint32_t axis_rack_and_pinion_ipc_self_test(void);
 
 #ifdef __cplusplus

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  882eaa05ff123070aefdad1bed2341f1
- * body        c34745626748d88642ef1c45df76143d
+ * body        960a72823d8359e08e0bafa46063e9d9
  */
 #include "axis_s.h"
 
@@ -72,7 +72,6 @@ static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not
 static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-static const uint32_t error_v_direct = 13u; /* error_id: v_direct is not within the sample limit */
 static const double tiny = 1.0e-30; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 
 void axis_s_ipc_init(axis_s_ipc_state *state)
@@ -92,7 +91,9 @@ void axis_s_ipc_inputs_init(axis_s_ipc_inputs *inputs)
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_s_ipc_step(axis_s_ipc_state *restrict state, const axis_s_ipc_inputs *restrict inputs,
+void axis_s_ipc_step(
+    axis_s_ipc_state *restrict state,
+    const axis_s_ipc_inputs *restrict inputs,
     axis_s_ipc_outputs *restrict outputs)
 {
     if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
@@ -103,14 +104,13 @@ void axis_s_ipc_step(axis_s_ipc_state *restrict state, const axis_s_ipc_inputs *
         outputs->limited = false;
         outputs->fault = true;
         outputs->error_id = error_cycle_time;
-    } else if (!((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun) && magnitude(inputs->v_motor) <= sample_limit)) {
+    } else if (!((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
+            && magnitude(inputs->v_motor) <= sample_limit)) {
         uint32_t value;
-        if (inputs->mode != mode_off && inputs->mode != mode_on && inputs->mode != mode_dryrun) {
+        if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
             value = error_mode;
-        } else if (!(magnitude(inputs->v_motor) <= sample_limit)) {
-            value = error_v_motor;
         } else {
-            value = error_v_direct;
+            value = error_v_motor;
         }
         state->settled = false;
         state->gate = 0u;
@@ -296,7 +296,8 @@ uint32_t axis_s_ipc_self_test(void)
         UINT64_C(0x38521c5cf91849f2),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_s_ipc_state *, const axis_s_ipc_inputs *, axis_s_ipc_outputs *) = axis_s_ipc_step;
+    void (*volatile step)(axis_s_ipc_state *, const axis_s_ipc_inputs *, axis_s_ipc_outputs *) =
+        axis_s_ipc_step;
     axis_s_ipc_state state;
     axis_s_ipc_inputs inputs;
     axis_s_ipc_outputs outputs;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  882eaa05ff123070aefdad1bed2341f1
- * body        4bdcfb58ea8bd5bf23562ba8bcb438e0
+ * body        522d4897e576b88b200c4dfe0ec8d03c
  */
 #ifndef AXIS_S_H
 #define AXIS_S_H
@@ -15,6 +15,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
 /* range: |v| <= 36000000 gives |v_add| <= 50955800 before the limit and no |state| above 64333590; for |v| <=
  * 1e15: 1.787044e15, within double precision
  * stage[0] at 250 Hz: designed 1 at 180 deg, measured 1 at 180 deg; at 220.6706 Hz: designed 0.7071068 at -90
@@ -58,12 +59,15 @@ void axis_s_ipc_init(axis_s_ipc_state *state);
 void axis_s_ipc_inputs_init(axis_s_ipc_inputs *inputs);
 
 /* Once per position-controller cycle. The three structs do not overlap. */
-void axis_s_ipc_step(axis_s_ipc_state *state, const axis_s_ipc_inputs *inputs,
+void axis_s_ipc_step(
+    axis_s_ipc_state *state,
+    const axis_s_ipc_inputs *inputs,
     axis_s_ipc_outputs *outputs);
 
 /* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
- * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
+ * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
+ * operations, or that takes a NaN for a number. */
 uint32_t axis_s_ipc_self_test(void);
 
 #ifdef __cplusplus

@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  87f91c78676cb102a3330a2e3848dcd6
- * body        cf8c3e2048365aac3d5f14736722beda
+ * body        d276434d1e18952934108a635c06f348
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,6 +15,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
 /* range: |v| <= 500000 gives |v_add| <= 891041.7 before the limit and no |state| above 988708.6; for |v| <=
  * 1000000000: 1977417000, within single precision
  * stage[0] at 225 Hz: designed 1 at 180 deg, measured 1.000001 at 180 deg; at 211.412 Hz: designed 0.7071068 at
@@ -61,12 +62,15 @@ void axis_x_ipc_init(axis_x_ipc_state *state);
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs);
 
 /* Once per position-controller cycle. The three structs do not overlap. */
-void axis_x_ipc_step(axis_x_ipc_state *state, const axis_x_ipc_inputs *inputs,
+void axis_x_ipc_step(
+    axis_x_ipc_state *state,
+    const axis_x_ipc_inputs *inputs,
     axis_x_ipc_outputs *outputs);
 
 /* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
- * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
+ * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
+ * operations, or that takes a NaN for a number. */
 uint32_t axis_x_ipc_self_test(void);
 
 #ifdef __cplusplus

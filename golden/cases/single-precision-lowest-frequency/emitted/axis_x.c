@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  62500 ns
  * parameters  bad0c99249e15f6dcaf94ab9de408464
- * body        a4a2c89167d51d49d95eb5213cdad880
+ * body        270bbd01448bf2a8ce42d105df888541
  */
 #include "axis_x.h"
 
@@ -87,7 +87,6 @@ static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not
 static const float sample_limit = 1000000000.0f; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-static const uint32_t error_v_direct = 13u; /* error_id: v_direct is not within the sample limit */
 static const float tiny = 1.0e-18f; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 
 void axis_x_ipc_init(axis_x_ipc_state *state)
@@ -107,7 +106,9 @@ void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *restrict inputs,
+void axis_x_ipc_step(
+    axis_x_ipc_state *restrict state,
+    const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
     if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
@@ -118,14 +119,13 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
         outputs->limited = false;
         outputs->fault = true;
         outputs->error_id = error_cycle_time;
-    } else if (!((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun) && magnitude(inputs->v_motor) <= sample_limit)) {
+    } else if (!((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
+            && magnitude(inputs->v_motor) <= sample_limit)) {
         uint32_t value;
-        if (inputs->mode != mode_off && inputs->mode != mode_on && inputs->mode != mode_dryrun) {
+        if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
             value = error_mode;
-        } else if (!(magnitude(inputs->v_motor) <= sample_limit)) {
-            value = error_v_motor;
         } else {
-            value = error_v_direct;
+            value = error_v_motor;
         }
         state->settled = false;
         state->gate = 0u;
@@ -193,7 +193,8 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
              * (P-AXIS-00850): gain 1 at DC, 1.943651 and -59.03624 deg at f0 */
             const float stage0_oscillation_y = stage0_oscillation_b0 * inputs->v_motor + state->stage0_oscillation_s1;
             state->stage0_oscillation_s1 =
-                stage0_oscillation_b1 * inputs->v_motor - stage0_oscillation_a1 * stage0_oscillation_y + state->stage0_oscillation_s2;
+                stage0_oscillation_b1 * inputs->v_motor - stage0_oscillation_a1 * stage0_oscillation_y
+                    + state->stage0_oscillation_s2;
             state->stage0_oscillation_s2 =
                 stage0_oscillation_b2 * inputs->v_motor + tiny - stage0_oscillation_a2 * stage0_oscillation_y;
             /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 160 Hz (P-AXIS-00751),
@@ -331,7 +332,8 @@ uint32_t axis_x_ipc_self_test(void)
         UINT32_C(0x75430cda),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) = axis_x_ipc_step;
+    void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
+        axis_x_ipc_step;
     axis_x_ipc_state state;
     axis_x_ipc_inputs inputs;
     axis_x_ipc_outputs outputs;

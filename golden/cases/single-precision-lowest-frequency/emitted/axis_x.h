@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  62500 ns
  * parameters  bad0c99249e15f6dcaf94ab9de408464
- * body        e88e0078b2ae7d0ce8a06a7f37d1e4e0
+ * body        d0f974e6f838c3390cb80c3aafcc37d1
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,6 +15,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
 /* range: |v| <= 500000 gives |v_add| <= 1333728 before the limit and no |state| above 1569157; for |v| <=
  * 1000000000: 3138315000, within single precision
  * stage[0] at 160 Hz: designed 1.943651 at 120.9638 deg, measured 1.943544 at 120.9564 deg; at 150.3118 Hz:
@@ -63,12 +64,15 @@ void axis_x_ipc_init(axis_x_ipc_state *state);
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs);
 
 /* Once per position-controller cycle. The three structs do not overlap. */
-void axis_x_ipc_step(axis_x_ipc_state *state, const axis_x_ipc_inputs *inputs,
+void axis_x_ipc_step(
+    axis_x_ipc_state *state,
+    const axis_x_ipc_inputs *inputs,
     axis_x_ipc_outputs *outputs);
 
 /* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
- * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
+ * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
+ * operations, or that takes a NaN for a number. */
 uint32_t axis_x_ipc_self_test(void);
 
 #ifdef __cplusplus

@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  0b73ef9889eaa78feb24d16a4842c593
- * body        25c39ee026a07a4855b0c9007f85234b
+ * body        ee115a48689c1a75c9490dc4e1418ca1
  */
 #include "axis_c.h"
 
@@ -138,7 +138,6 @@ static const float sample_limit = 1000000000.0f; /* largest magnitude of a usabl
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_command = 11u; /* error_id: v_command is not within the sample limit */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-static const uint32_t error_v_direct = 13u; /* error_id: v_direct is not within the sample limit */
 static const float tiny = 1.0e-18f; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 
 void axis_c_ipc_init(axis_c_ipc_state *state)
@@ -158,7 +157,9 @@ void axis_c_ipc_inputs_init(axis_c_ipc_inputs *inputs)
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_c_ipc_step(axis_c_ipc_state *restrict state, const axis_c_ipc_inputs *restrict inputs,
+void axis_c_ipc_step(
+    axis_c_ipc_state *restrict state,
+    const axis_c_ipc_inputs *restrict inputs,
     axis_c_ipc_outputs *restrict outputs)
 {
     if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
@@ -169,16 +170,15 @@ void axis_c_ipc_step(axis_c_ipc_state *restrict state, const axis_c_ipc_inputs *
         outputs->limited = false;
         outputs->fault = true;
         outputs->error_id = error_cycle_time;
-    } else if (!((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun) && magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit)) {
+    } else if (!((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
+            && magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit)) {
         uint32_t value;
-        if (inputs->mode != mode_off && inputs->mode != mode_on && inputs->mode != mode_dryrun) {
+        if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
             value = error_mode;
         } else if (!(magnitude(inputs->v_command) <= sample_limit)) {
             value = error_v_command;
-        } else if (!(magnitude(inputs->v_motor) <= sample_limit)) {
-            value = error_v_motor;
         } else {
-            value = error_v_direct;
+            value = error_v_motor;
         }
         state->settled = false;
         state->gate = 0u;
@@ -294,7 +294,8 @@ void axis_c_ipc_step(axis_c_ipc_state *restrict state, const axis_c_ipc_inputs *
             const float stage0_filter1_section0_y =
                 stage0_filter1_allpass_a2 * stage0_filter0_section2_y + state->stage0_filter1_section0_s1;
             state->stage0_filter1_section0_s1 =
-                stage0_filter1_allpass_a1 * (stage0_filter0_section2_y - stage0_filter1_section0_y) + state->stage0_filter1_section0_s2;
+                stage0_filter1_allpass_a1 * (stage0_filter0_section2_y - stage0_filter1_section0_y)
+                    + state->stage0_filter1_section0_s2;
             state->stage0_filter1_section0_s2 =
                 stage0_filter0_section2_y + tiny - stage0_filter1_allpass_a2 * stage0_filter1_section0_y;
             const float v_stage = stage0_gain * stage0_filter1_section0_y;
@@ -303,7 +304,8 @@ void axis_c_ipc_step(axis_c_ipc_state *restrict state, const axis_c_ipc_inputs *
              * 0.7 (P-AXIS-00850): gain 1 at DC, 1.228904 and -35.53768 deg at f0 */
             const float stage1_oscillation_y = stage1_oscillation_b0 * inputs->v_motor + state->stage1_oscillation_s1;
             state->stage1_oscillation_s1 =
-                stage1_oscillation_b1 * inputs->v_motor - stage1_oscillation_a1 * stage1_oscillation_y + state->stage1_oscillation_s2;
+                stage1_oscillation_b1 * inputs->v_motor - stage1_oscillation_a1 * stage1_oscillation_y
+                    + state->stage1_oscillation_s2;
             state->stage1_oscillation_s2 =
                 stage1_oscillation_b2 * inputs->v_motor + tiny - stage1_oscillation_a2 * stage1_oscillation_y;
             /* BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 17.5 Hz (P-AXIS-00751),
@@ -325,10 +327,10 @@ void axis_c_ipc_step(axis_c_ipc_state *restrict state, const axis_c_ipc_inputs *
             /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755) */
             /* simulated oscillation of the load, f0 of the first BANDPASS 64 Hz (P-AXIS-00751), damping ratio 0.8
              * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-            const float stage2_oscillation_y =
-                stage2_oscillation_b0 * inputs->v_command + state->stage2_oscillation_s1;
+            const float stage2_oscillation_y = stage2_oscillation_b0 * inputs->v_command + state->stage2_oscillation_s1;
             state->stage2_oscillation_s1 =
-                stage2_oscillation_b1 * inputs->v_command - stage2_oscillation_a1 * stage2_oscillation_y + state->stage2_oscillation_s2;
+                stage2_oscillation_b1 * inputs->v_command - stage2_oscillation_a1 * stage2_oscillation_y
+                    + state->stage2_oscillation_s2;
             state->stage2_oscillation_s2 =
                 stage2_oscillation_b2 * inputs->v_command + tiny - stage2_oscillation_a2 * stage2_oscillation_y;
             /* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 64 Hz (P-AXIS-00751), quality
@@ -461,7 +463,8 @@ uint32_t axis_c_ipc_self_test(void)
         UINT32_C(0x69aed141),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_c_ipc_state *, const axis_c_ipc_inputs *, axis_c_ipc_outputs *) = axis_c_ipc_step;
+    void (*volatile step)(axis_c_ipc_state *, const axis_c_ipc_inputs *, axis_c_ipc_outputs *) =
+        axis_c_ipc_step;
     axis_c_ipc_state state;
     axis_c_ipc_inputs inputs;
     axis_c_ipc_outputs outputs;

@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  0b73ef9889eaa78feb24d16a4842c593
- * body        d6175a4d1b9ff11d89398493b326970c
+ * body        eb310c8f5939c0254c45d2fcde021646
  */
 #ifndef AXIS_C_H
 #define AXIS_C_H
@@ -15,6 +15,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
 /* range: |v| <= 180000 gives |v_add| <= 1093843 before the limit and no |state| above 496919; for |v| <=
  * 1000000000: 6076905000, within single precision
  * stage[0] at 53 Hz: designed 2.5 at -61.59105 deg, measured 2.500001 at -61.59107 deg; at 44.87068 Hz: designed
@@ -81,12 +82,15 @@ void axis_c_ipc_init(axis_c_ipc_state *state);
 void axis_c_ipc_inputs_init(axis_c_ipc_inputs *inputs);
 
 /* Once per position-controller cycle. The three structs do not overlap. */
-void axis_c_ipc_step(axis_c_ipc_state *state, const axis_c_ipc_inputs *inputs,
+void axis_c_ipc_step(
+    axis_c_ipc_state *state,
+    const axis_c_ipc_inputs *inputs,
     axis_c_ipc_outputs *outputs);
 
 /* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
- * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
+ * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
+ * operations, or that takes a NaN for a number. */
 uint32_t axis_c_ipc_self_test(void);
 
 #ifdef __cplusplus

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  fe27a53621d21cb7269ec91c9ce5f9db
- * body        5fe25019855882d60d9117863939d791
+ * body        db3380b1a1c640c7ee25f526060bc76c
  */
 #include "axis_x.h"
 
@@ -159,7 +159,6 @@ static const double sample_limit = 1000000000000000.0; /* largest magnitude of a
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_command = 11u; /* error_id: v_command is not within the sample limit */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-static const uint32_t error_v_direct = 13u; /* error_id: v_direct is not within the sample limit */
 static const double tiny = 1.0e-30; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 
 void axis_x_ipc_init(axis_x_ipc_state *state)
@@ -179,7 +178,9 @@ void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *restrict inputs,
+void axis_x_ipc_step(
+    axis_x_ipc_state *restrict state,
+    const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
     if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
@@ -190,16 +191,15 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
         outputs->limited = false;
         outputs->fault = true;
         outputs->error_id = error_cycle_time;
-    } else if (!((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun) && magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit)) {
+    } else if (!((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
+            && magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit)) {
         uint32_t value;
-        if (inputs->mode != mode_off && inputs->mode != mode_on && inputs->mode != mode_dryrun) {
+        if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
             value = error_mode;
         } else if (!(magnitude(inputs->v_command) <= sample_limit)) {
             value = error_v_command;
-        } else if (!(magnitude(inputs->v_motor) <= sample_limit)) {
-            value = error_v_motor;
         } else {
-            value = error_v_direct;
+            value = error_v_motor;
         }
         state->settled = false;
         state->gate = 0u;
@@ -331,7 +331,8 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
             const double stage0_filter1_section0_y =
                 stage0_filter1_allpass_a2 * stage0_filter0_section2_y + state->stage0_filter1_section0_s1;
             state->stage0_filter1_section0_s1 =
-                stage0_filter1_allpass_a1 * (stage0_filter0_section2_y - stage0_filter1_section0_y) + state->stage0_filter1_section0_s2;
+                stage0_filter1_allpass_a1 * (stage0_filter0_section2_y - stage0_filter1_section0_y)
+                    + state->stage0_filter1_section0_s2;
             state->stage0_filter1_section0_s2 =
                 stage0_filter0_section2_y + tiny - stage0_filter1_allpass_a2 * stage0_filter1_section0_y;
             const double v_stage = stage0_gain * stage0_filter1_section0_y;
@@ -340,7 +341,8 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
              * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
             const double stage1_oscillation_y = stage1_oscillation_b0 * inputs->v_motor + state->stage1_oscillation_s1;
             state->stage1_oscillation_s1 =
-                stage1_oscillation_b1 * inputs->v_motor - stage1_oscillation_a1 * stage1_oscillation_y + state->stage1_oscillation_s2;
+                stage1_oscillation_b1 * inputs->v_motor - stage1_oscillation_a1 * stage1_oscillation_y
+                    + state->stage1_oscillation_s2;
             state->stage1_oscillation_s2 =
                 stage1_oscillation_b2 * inputs->v_motor + tiny - stage1_oscillation_a2 * stage1_oscillation_y;
             /* ALLPASS (P-AXIS-00849): -180 deg at 7.2 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg
@@ -348,7 +350,8 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
             const double stage1_filter0_section0_y =
                 stage1_filter0_allpass_a2 * stage1_oscillation_y + state->stage1_filter0_section0_s1;
             state->stage1_filter0_section0_s1 =
-                stage1_filter0_allpass_a1 * (stage1_oscillation_y - stage1_filter0_section0_y) + state->stage1_filter0_section0_s2;
+                stage1_filter0_allpass_a1 * (stage1_oscillation_y - stage1_filter0_section0_y)
+                    + state->stage1_filter0_section0_s2;
             state->stage1_filter0_section0_s2 =
                 stage1_oscillation_y + tiny - stage1_filter0_allpass_a2 * stage1_filter0_section0_y;
             /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751),
@@ -379,7 +382,8 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
             const double stage2_oscillation_y =
                 stage2_oscillation_b0 * inputs->v_command + state->stage2_oscillation_s1;
             state->stage2_oscillation_s1 =
-                stage2_oscillation_b1 * inputs->v_command - stage2_oscillation_a1 * stage2_oscillation_y + state->stage2_oscillation_s2;
+                stage2_oscillation_b1 * inputs->v_command - stage2_oscillation_a1 * stage2_oscillation_y
+                    + state->stage2_oscillation_s2;
             state->stage2_oscillation_s2 =
                 stage2_oscillation_b2 * inputs->v_command + tiny - stage2_oscillation_a2 * stage2_oscillation_y;
             /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 90 Hz (P-AXIS-00751), quality
@@ -407,7 +411,8 @@ void axis_x_ipc_step(axis_x_ipc_state *restrict state, const axis_x_ipc_inputs *
             const double stage2_filter1_section0_y =
                 stage2_filter1_allpass_a2 * stage2_filter0_section2_y + state->stage2_filter1_section0_s1;
             state->stage2_filter1_section0_s1 =
-                stage2_filter1_allpass_a1 * (stage2_filter0_section2_y - stage2_filter1_section0_y) + state->stage2_filter1_section0_s2;
+                stage2_filter1_allpass_a1 * (stage2_filter0_section2_y - stage2_filter1_section0_y)
+                    + state->stage2_filter1_section0_s2;
             state->stage2_filter1_section0_s2 =
                 stage2_filter0_section2_y + tiny - stage2_filter1_allpass_a2 * stage2_filter1_section0_y;
             const double v_stage_3 = stage2_gain * stage2_filter1_section0_y;
@@ -526,7 +531,8 @@ uint32_t axis_x_ipc_self_test(void)
         UINT64_C(0xd9374208712646f4),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) = axis_x_ipc_step;
+    void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
+        axis_x_ipc_step;
     axis_x_ipc_state state;
     axis_x_ipc_inputs inputs;
     axis_x_ipc_outputs outputs;

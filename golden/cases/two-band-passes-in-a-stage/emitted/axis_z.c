@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  6a0aecbe02b54a57c0c2078dc887a241
- * body        80a16708e15590d7f8b1936b896e95b2
+ * body        1650b101da3bce92b67cbe96f101d052
  */
 #include "axis_z.h"
 
@@ -125,7 +125,9 @@ void axis_z_ipc_inputs_init(axis_z_ipc_inputs *inputs)
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_z_ipc_step(axis_z_ipc_state *restrict state, const axis_z_ipc_inputs *restrict inputs,
+void axis_z_ipc_step(
+    axis_z_ipc_state *restrict state,
+    const axis_z_ipc_inputs *restrict inputs,
     axis_z_ipc_outputs *restrict outputs)
 {
     if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
@@ -136,9 +138,10 @@ void axis_z_ipc_step(axis_z_ipc_state *restrict state, const axis_z_ipc_inputs *
         outputs->limited = false;
         outputs->fault = true;
         outputs->error_id = error_cycle_time;
-    } else if (!((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun) && magnitude(inputs->v_motor) <= sample_limit && magnitude(inputs->v_direct) <= sample_limit)) {
+    } else if (!((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
+            && magnitude(inputs->v_motor) <= sample_limit && magnitude(inputs->v_direct) <= sample_limit)) {
         uint32_t value;
-        if (inputs->mode != mode_off && inputs->mode != mode_on && inputs->mode != mode_dryrun) {
+        if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
             value = error_mode;
         } else if (!(magnitude(inputs->v_motor) <= sample_limit)) {
             value = error_v_motor;
@@ -381,7 +384,8 @@ uint32_t axis_z_ipc_self_test(void)
         UINT64_C(0x8d015b6dc3867243),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_z_ipc_state *, const axis_z_ipc_inputs *, axis_z_ipc_outputs *) = axis_z_ipc_step;
+    void (*volatile step)(axis_z_ipc_state *, const axis_z_ipc_inputs *, axis_z_ipc_outputs *) =
+        axis_z_ipc_step;
     axis_z_ipc_state state;
     axis_z_ipc_inputs inputs;
     axis_z_ipc_outputs outputs;

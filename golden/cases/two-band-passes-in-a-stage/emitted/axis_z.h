@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  6a0aecbe02b54a57c0c2078dc887a241
- * body        be131c9c08574cb0ad86e2f30145e21e
+ * body        cf3ba77d761b2907c43ce0302816caa4
  */
 #ifndef AXIS_Z_H
 #define AXIS_Z_H
@@ -15,6 +15,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
 /* range: |v| <= 300000 gives |v_add| <= 1365423 before the limit and no |state| above 537931.5; for |v| <= 1e15:
  * 4.551409e15, within double precision
  * stage[0] at 200 Hz: designed 0.4984921 at -172.2985 deg, measured 0.4984921 at -172.2985 deg; at 169.4028 Hz:
@@ -76,12 +77,15 @@ void axis_z_ipc_init(axis_z_ipc_state *state);
 void axis_z_ipc_inputs_init(axis_z_ipc_inputs *inputs);
 
 /* Once per position-controller cycle. The three structs do not overlap. */
-void axis_z_ipc_step(axis_z_ipc_state *state, const axis_z_ipc_inputs *inputs,
+void axis_z_ipc_step(
+    axis_z_ipc_state *state,
+    const axis_z_ipc_inputs *inputs,
     axis_z_ipc_outputs *outputs);
 
 /* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
- * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
+ * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
+ * operations, or that takes a NaN for a number. */
 uint32_t axis_z_ipc_self_test(void);
 
 #ifdef __cplusplus

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  0571d45177aed7bb40e29b85e8e41486
- * body        f09051a848e5a47803606a8fca5a448f
+ * body        12b0a7059a3248425311659fa8690e2a
  */
 #include "axis_two_frequencies.h"
 
@@ -101,7 +101,6 @@ static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not
 static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-static const uint32_t error_v_direct = 13u; /* error_id: v_direct is not within the sample limit */
 static const double tiny = 1.0e-30; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 
 void axis_two_frequencies_ipc_init(axis_two_frequencies_ipc_state *state)
@@ -121,7 +120,9 @@ void axis_two_frequencies_ipc_inputs_init(axis_two_frequencies_ipc_inputs *input
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_two_frequencies_ipc_step(axis_two_frequencies_ipc_state *restrict state, const axis_two_frequencies_ipc_inputs *restrict inputs,
+void axis_two_frequencies_ipc_step(
+    axis_two_frequencies_ipc_state *restrict state,
+    const axis_two_frequencies_ipc_inputs *restrict inputs,
     axis_two_frequencies_ipc_outputs *restrict outputs)
 {
     if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
@@ -132,14 +133,13 @@ void axis_two_frequencies_ipc_step(axis_two_frequencies_ipc_state *restrict stat
         outputs->limited = false;
         outputs->fault = true;
         outputs->error_id = error_cycle_time;
-    } else if (!((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun) && magnitude(inputs->v_motor) <= sample_limit)) {
+    } else if (!((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
+            && magnitude(inputs->v_motor) <= sample_limit)) {
         uint32_t value;
-        if (inputs->mode != mode_off && inputs->mode != mode_on && inputs->mode != mode_dryrun) {
+        if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
             value = error_mode;
-        } else if (!(magnitude(inputs->v_motor) <= sample_limit)) {
-            value = error_v_motor;
         } else {
-            value = error_v_direct;
+            value = error_v_motor;
         }
         state->settled = false;
         state->gate = 0u;
@@ -229,7 +229,8 @@ void axis_two_frequencies_ipc_step(axis_two_frequencies_ipc_state *restrict stat
              * (P-AXIS-00850): gain 1 at DC, 1.414214 and -45 deg at f0 */
             const double stage1_oscillation_y = stage1_oscillation_b0 * inputs->v_motor + state->stage1_oscillation_s1;
             state->stage1_oscillation_s1 =
-                stage1_oscillation_b1 * inputs->v_motor - stage1_oscillation_a1 * stage1_oscillation_y + state->stage1_oscillation_s2;
+                stage1_oscillation_b1 * inputs->v_motor - stage1_oscillation_a1 * stage1_oscillation_y
+                    + state->stage1_oscillation_s2;
             state->stage1_oscillation_s2 =
                 stage1_oscillation_b2 * inputs->v_motor + tiny - stage1_oscillation_a2 * stage1_oscillation_y;
             /* BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 90 Hz (P-AXIS-00751),
@@ -362,7 +363,8 @@ uint32_t axis_two_frequencies_ipc_self_test(void)
         UINT64_C(0x2ea8c378d7ff4b56),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_two_frequencies_ipc_state *, const axis_two_frequencies_ipc_inputs *, axis_two_frequencies_ipc_outputs *) = axis_two_frequencies_ipc_step;
+    void (*volatile step)(axis_two_frequencies_ipc_state *, const axis_two_frequencies_ipc_inputs *, axis_two_frequencies_ipc_outputs *) =
+        axis_two_frequencies_ipc_step;
     axis_two_frequencies_ipc_state state;
     axis_two_frequencies_ipc_inputs inputs;
     axis_two_frequencies_ipc_outputs outputs;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  0571d45177aed7bb40e29b85e8e41486
- * body        44326f51ca9fc53e12eb012777f31e6b
+ * body        5983ba956ed79eaff4f5865785f8b95b
  */
 #ifndef AXIS_TWO_FREQUENCIES_H
 #define AXIS_TWO_FREQUENCIES_H
@@ -15,6 +15,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
 /* range: |v| <= 500000 gives |v_add| <= 544377.9 before the limit and no |state| above 864282.3; for |v| <=
  * 1e15: 1.728565e15, within double precision
  * stage[0] at 53 Hz: designed 0.5 at 180 deg, measured 0.5 at 180 deg; at 50.41374 Hz: designed 0.3535534 at
@@ -68,12 +69,15 @@ void axis_two_frequencies_ipc_init(axis_two_frequencies_ipc_state *state);
 void axis_two_frequencies_ipc_inputs_init(axis_two_frequencies_ipc_inputs *inputs);
 
 /* Once per position-controller cycle. The three structs do not overlap. */
-void axis_two_frequencies_ipc_step(axis_two_frequencies_ipc_state *state, const axis_two_frequencies_ipc_inputs *inputs,
+void axis_two_frequencies_ipc_step(
+    axis_two_frequencies_ipc_state *state,
+    const axis_two_frequencies_ipc_inputs *inputs,
     axis_two_frequencies_ipc_outputs *outputs);
 
 /* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
- * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
+ * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
+ * operations, or that takes a NaN for a number. */
 uint32_t axis_two_frequencies_ipc_self_test(void);
 
 #ifdef __cplusplus

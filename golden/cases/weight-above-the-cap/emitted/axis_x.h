@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  1d3eeef73fc12835f3581e0fc768bd02
- * body        ed81373545457b2120bf47af64e9861d
+ * body        98ecd06bcbc9938324a74c0da599d7ab
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -15,6 +15,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
 /* range: |v| <= 500000 gives |v_add| <= 5088836 before the limit and no |state| above 717535.1; for |v| <= 1e15:
  * 1.017767e16, within double precision
  * stage[0] at 24 Hz: designed 8.007712 at 150.9454 deg, measured 8.007712 at 150.9454 deg; at 21.7188 Hz:
@@ -59,12 +60,15 @@ void axis_x_ipc_init(axis_x_ipc_state *state);
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs);
 
 /* Once per position-controller cycle. The three structs do not overlap. */
-void axis_x_ipc_step(axis_x_ipc_state *state, const axis_x_ipc_inputs *inputs,
+void axis_x_ipc_step(
+    axis_x_ipc_state *state,
+    const axis_x_ipc_inputs *inputs,
     axis_x_ipc_outputs *outputs);
 
 /* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs. Run it once at start-up, on the machine and with the compiler options that the
- * block runs with: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
+ * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
+ * operations, or that takes a NaN for a number. */
 uint32_t axis_x_ipc_self_test(void);
 
 #ifdef __cplusplus
