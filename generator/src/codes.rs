@@ -138,6 +138,9 @@ codes! {
          no slave. Logical axis numbers (P-AXIS-00016) name one axis each.";
     LINEAR_MOTOR = "AX316", "a linear motor that turns",
         "A linear motor moves a translatory axis. The torque of a rotary axis or a spindle comes from a rotary motor.";
+    NO_GEAR = "AX317", "a gear step that is not there",
+        "The key `gear` names a gear step of which the axis has no parameter, while it has other steps. Every parameter of the \
+         step would have its default, and without Kv there would be no position control. Name one of the steps that are given.";
 
     NO_STAGE = "AX401", "no stage is active",
         "The block is generated, and puts out 0.";
@@ -145,7 +148,9 @@ codes! {
         "v_add_max_fact is 0, which is its default: whatever the stages want to add is limited to 0. Set it, in 0.1 % of \
          the largest velocity of the axis.";
     GEAR = "AX403", "several gear steps",
-        "Parameters of several gear steps are given, and one of them is used: step 0, or the one that the key `gear` names.";
+        "Parameters of several gear steps are given, and one of them is used: step 0, or the one that the key `gear` names. \
+         Write the key `gear` below the axis of a set to choose. What the chosen step lacks does not come from another one, but \
+         is its default: write it as getriebe[i] of that step.";
     GENERATIONS = "AX404", "old beside new parameters",
         "P-AXIS-00756 is still valid, but should not be combined with filter[k] and P-AXIS-00850, which came with its \
          successor.";
@@ -158,14 +163,14 @@ codes! {
     SQUEEZED = "AX407", "a frequency near half the sampling frequency",
         "The filter is exact at its centre and its edges, but its upper skirt ends at half the sampling frequency.";
     DELAY = "AX408", "the delay turns the phase",
-        "The delay costs 360 f0 Ts (cycles + 0.5) degrees at f0: one cycle at the least, and half a cycle for the hold. \
-         Drive and mechanics come on top. Beyond 90 degrees the stage excites the vibration, unless an all-pass turns the \
+        "The delay costs 360 f0 Ts (cycles + 0.5) degrees at f0: the cycles of P-AXIS-00191 (antr.nbr_delay_cycles), where the \
+         list has it, else one at the least, and half a cycle for the hold. Drive and mechanics come on top. Beyond 90 degrees the stage excites the vibration, unless an all-pass turns the \
          phase back.";
     OVERLAP = "AX409", "stages overlap",
         "The -3 dB bands of two stages intersect, so that each acts on the other's vibration. Put them in operation together, \
          with small weights.";
     POLARITY = "AX410", "an all-pass that inverts",
-        "At its own frequency an all-pass turns by 180 degrees: the stage pushes where it pulled. That is right only where the \
+        "At its own frequency, and close to it, an all-pass turns by 180 degrees: the stage pushes where it pulled. That is right only where the \
          lag is near 180 degrees.";
     NO_TYPE = "AX411", "a filter without a type",
         "filter[1] is NO_FILTER unless its type says otherwise; its other parameters then have no effect.";

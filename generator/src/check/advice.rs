@@ -2,24 +2,20 @@
 
 use super::effective::Effective;
 use super::ipc::{is_gantry_slave, rounded};
-use crate::axis::{Axis, DirectSource, Enable, Filter, Mode, Stage};
+use super::phase;
+use crate::axis::{Axis, Enable, Filter, Mode, Stage};
 use crate::codes;
 use crate::config::{Key, Setting};
 use crate::design::band::{band, edges, frequency};
 use crate::design::filter;
 use crate::diagnostics::Diagnostic;
-use crate::parameters::{FILTERS, Name, STAGES, Value, path_with, real_text};
+use crate::parameters::{FILTERS, Name, STAGES, Value, path_with};
 
 /// Above this f0 * Ts the upper skirt of a band-pass is squeezed against half the sampling frequency.
 const NEAR_NYQUIST: f64 = 0.35;
-/// A loop through the measured velocity costs one cycle of transport at the least, and the hold half a cycle.
-const LEAST_DELAY_CYCLES: f64 = 1.5;
-/// Beyond this lag of the delay alone, in degrees, what drive and mechanics add will soon make it 90.
-const MUCH_DELAY: f64 = 60.0;
 
 /// Says what a user would want to know before the block acts.
 pub fn advise(axis: &Axis, e: &mut Effective<'_>) {
-    gear_steps(e);
     whole(axis, e);
     for (i, stage) in (0..STAGES).zip(&axis.ipc.stage) {
         inert_source(e, i, stage.as_ref());
@@ -27,53 +23,17 @@ pub fn advise(axis: &Axis, e: &mut Effective<'_>) {
             damping_generations(e, i, stage);
             filter_without_type(e, i, stage);
             weight(e, i, stage);
-            direct_source(e, i, stage);
             near_nyquist(e, i, stage, axis);
-            delay(e, i, stage, axis);
-            polarity(e, i, stage);
+            phase::advise(e, i, stage, axis.cycle_time());
         }
     }
     overlaps(axis, e);
 }
 
-fn warn(e: &mut Effective<'_>, code: &'static str, key: Key, found: String, instead: Option<String>) {
+/// A warning about a parameter.
+pub fn warn(e: &mut Effective<'_>, code: &'static str, key: Key, found: String, instead: Option<String>) {
     let diagnostic = Diagnostic::warning(code, e.place_of(key), found);
     e.report.push(Diagnostic { instead, ..diagnostic });
-}
-
-/// Which gear step is used, where that may be a surprise.
-fn gear_steps(e: &mut Effective<'_>) {
-    let mut steps: Vec<u32> =
-        e.all_given().filter(|((name, _), _)| *name == Name::VbMax).map(|((_, [step, _]), _)| step).collect();
-    steps.sort_unstable();
-    let gear_key = (Name::Gear, [0, 0]);
-    let Some(Value::Integer(gear)) = e.judged(gear_key) else { return };
-    let given = steps.iter().any(|step| i64::from(*step) == gear);
-    let Some(other) = steps.iter().copied().find(|step| i64::from(*step) != gear) else { return };
-    let listed = steps.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
-    if !given {
-        let are = if steps.len() == 1 { "is" } else { "are" };
-        let default = Name::VbMax.parameter().default_at([0, 0]).unwrap_or_default();
-        let found = format!(
-            "gear step {gear} is used, and only {listed} {are} given: vb_max of step {gear} is its default {default} (P-AXIS-00212)"
-        );
-        warn(
-            e,
-            codes::GEAR,
-            (Name::VbMax, [other, 0]),
-            found,
-            Some(format!("the key `gear`, or getriebe[{gear}].dynamik.vb_max")),
-        );
-    } else if e.given(gear_key).is_none() {
-        let found = format!("the gear steps {listed} are given; step {gear} is used");
-        warn(
-            e,
-            codes::GEAR,
-            (Name::VbMax, [other, 0]),
-            found,
-            Some("the key `gear` in a set, to choose one".to_owned()),
-        );
-    }
 }
 
 fn whole(axis: &Axis, e: &mut Effective<'_>) {
@@ -161,23 +121,6 @@ fn weight(e: &mut Effective<'_>, i: u32, stage: &Stage) {
     }
 }
 
-/// What is fed back from the load lags more than what is fed back from the motor.
-fn direct_source(e: &mut Effective<'_>, i: u32, stage: &Stage) {
-    let from_load = stage.mode == Mode::Direct { source: DirectSource::Direct };
-    if from_load && !(has_allpass(stage) && stage.weight() <= 1.0) {
-        let found = format!(
-            "stage[{i}] feeds back v_direct, which lags by the drive, the mechanics and the delay: beyond 90 degrees at \
-             f0 an all-pass is mandatory, or the loop is unstable"
-        );
-        let instead = match has_allpass(stage) {
-            true => "a weight of at most 1".to_owned(),
-            false => format!("an ALLPASS in filter[{}], and a weight of at most 1", 1 - first_bandpass(stage)),
-        };
-        let instead = Some(instead);
-        warn(e, codes::LAG, (Name::DirectSource, [i, 0]), found, instead);
-    }
-}
-
 /// A source that no stage takes.
 fn inert_source(e: &mut Effective<'_>, i: u32, stage: Option<&Stage>) {
     let key = (Name::DirectSource, [i, 0]);
@@ -201,35 +144,6 @@ fn near_nyquist(e: &mut Effective<'_>, i: u32, stage: &Stage, axis: &Axis) {
             let instead =
                 Some(format!("a shorter cycle time, or fg_f0 below {NEAR_NYQUIST} of the sampling frequency"));
             warn(e, codes::SQUEEZED, (Name::FilterF0, [i, k]), found, instead);
-        }
-    }
-}
-
-/// The delay of the loop turns the phase, which an all-pass turns back. A pre-filter (SET_POINT) has no loop.
-fn delay(e: &mut Effective<'_>, i: u32, stage: &Stage, axis: &Axis) {
-    let lag = 360.0 * stage.f0() * axis.cycle_time() * LEAST_DELAY_CYCLES;
-    if lag > MUCH_DELAY && !has_allpass(stage) && !matches!(stage.mode, Mode::SetPoint { .. }) {
-        let k = first_bandpass(stage);
-        let found = format!(
-            "stage[{i}] at {} Hz: the delay of the loop alone, {LEAST_DELAY_CYCLES} cycles at the least, costs {} degrees; \
-             beyond 90 degrees in all it excites what it is to damp",
-            real_text(stage.f0()),
-            rounded(lag)
-        );
-        let instead = Some("an ALLPASS in the other filter, SET_POINT, or a shorter cycle time".to_owned());
-        warn(e, codes::DELAY, (Name::FilterF0, [i, k]), found, instead);
-    }
-}
-
-/// An all-pass at the frequency of the band-pass turns by 180 degrees there.
-fn polarity(e: &mut Effective<'_>, i: u32, stage: &Stage) {
-    for (k, filter) in (0..FILTERS).zip(&stage.filter) {
-        if matches!(filter, Filter::Allpass { f0, .. } if f0.to_bits() == stage.f0().to_bits()) {
-            let found = format!(
-                "stage[{i}].filter[{k}] is an all-pass at the f0 of the band-pass: it inverts the stage's polarity"
-            );
-            let instead = Some("an fg_f0 beside it, unless the inversion is meant".to_owned());
-            warn(e, codes::POLARITY, (Name::FilterF0, [i, k]), found, instead);
         }
     }
 }
@@ -269,11 +183,8 @@ fn band_of(stage: &Stage, cycle_time: f64) -> [f64; 2] {
     common
 }
 
-fn has_allpass(stage: &Stage) -> bool {
-    stage.filter.iter().any(|filter| matches!(filter, Filter::Allpass { .. }))
-}
-
-fn first_bandpass(stage: &Stage) -> u32 {
+/// Where the first band-pass of a stage stands.
+pub fn first_bandpass(stage: &Stage) -> u32 {
     let at = (0..FILTERS).zip(&stage.filter).find(|(_, filter)| matches!(filter, Filter::Bandpass { .. }));
     at.map_or(0, |(k, _)| k)
 }

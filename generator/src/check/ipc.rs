@@ -27,6 +27,9 @@ pub fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option<RealKi
     // Every stage is judged, so that all errors of all stages are told.
     let stages: [Option<Option<Stage>>; STAGES as usize] =
         std::array::from_fn(|i| u32::try_from(i).ok().and_then(|i| stage(e, i, cycle_time, real)));
+    if stages.iter().any(|stage| !matches!(stage, Some(None))) {
+        delay_cycles(e);
+    }
     let [first, second, third] = stages;
     #[expect(clippy::cast_precision_loss, reason = "at most 1e12 ns")]
     let fade = fade? as f64 / 1e9;
@@ -34,6 +37,17 @@ pub fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option<RealKi
         Ipc { enable: enable?, v_add_max_fact: v_add_max_fact?, v_max: v_max?, fade, stage: [first?, second?, third?] };
     gate(e, &ipc, cycle_time)?;
     Some(ipc)
+}
+
+/// Cycles between a command and the actual value that it caused (P-AXIS-00191), where they are given. They tell how much of the
+/// phase a loop loses; nothing in a block is made of them.
+pub fn delay_cycles(e: &mut Effective<'_>) -> Option<u32> {
+    let key = (Name::NbrDelayCycles, [0, 0]);
+    e.given(key)?;
+    match e.judged(key)? {
+        Value::Integer(cycles) => u32::try_from(cycles).ok(),
+        _ => None,
+    }
 }
 
 /// A gantry slave gets the master's additive velocity: of its own it must have none (70600).

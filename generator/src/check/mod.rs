@@ -6,7 +6,8 @@
 //! drive      where the position is controlled, what the process data hold
 //! feedforward, position_control  their rules; corrected: what the controller reports and corrects
 //! gantry     slaves find their masters
-//! advice, control_advice  what is legal, but inert or dangerous: warnings
+//! gear       which gear step is used, and what it lacks
+//! advice, phase, control_advice  what is legal, but inert or dangerous: warnings
 //! ```
 //! Only what a stage's mode uses is judged: vendors' examples carry values in unused parameters that lie outside.
 
@@ -17,7 +18,9 @@ mod drive;
 mod effective;
 mod feedforward;
 pub mod gantry;
+mod gear;
 mod ipc;
+mod phase;
 mod position_control;
 
 use crate::axis::{Axis, Control, Ipc};
@@ -64,6 +67,7 @@ pub fn axis(name: &str, cycle_time: Option<u32>, values: &Values<'_>, home: Plac
         "f32" => RealKind::F32,
         _ => RealKind::F64,
     });
+    gear::check(&mut effective);
     let ipc = ipc::check(&mut effective, cycle_time, real);
     let control = control(&mut effective, cycle_time, ipc.as_ref());
     let axis = match (real, cycle_time, ipc, control) {
@@ -75,6 +79,7 @@ pub fn axis(name: &str, cycle_time: Option<u32>, values: &Values<'_>, home: Plac
     };
     let axis = axis.filter(|(axis, gear)| is_usable(axis, &mut effective) && is_finite(axis, *gear, &mut effective));
     if let Some((axis, gear)) = &axis {
+        gear::advise(axis, &mut effective);
         advice::advise(axis, &mut effective);
         control_advice::advise(axis, *gear, &mut effective);
     }

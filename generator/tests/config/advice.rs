@@ -64,45 +64,6 @@ fn weight_of_set_point() {
 }
 
 #[test]
-fn v_direct() {
-    assert_said(
-        &said_of_axis(
-            "ipc.v_add_max_fact = 1000\n\
-             ipc.stage = [{ mode = 'DIRECT', direct_source = 'v_direct', filter = [{ order = 1, fg_f0 = 20, q_factor = 2 }] }]",
-        ),
-        &[
-            "set.toml:4:80: warning[AX406]: stage[0] feeds back v_direct, which lags by the drive, the mechanics and the delay: beyond 90 degrees at f0 an all-pass is mandatory, or the loop is unstable",
-            "    write instead: an ALLPASS in filter[1], and a weight of at most 1",
-        ],
-    );
-}
-
-#[test]
-fn v_direct_with_an_allpass_and_a_weight_of_1() {
-    assert_said(
-        &said_of_axis(
-            "ipc.v_add_max_fact = 1000\n\
-             ipc.stage = [{ mode = 'DIRECT', direct_source = 'v_direct', filter = [{ order = 1, fg_f0 = 20, q_factor = 2 }, { type = 'ALLPASS', fg_f0 = 15, q_factor = 2 }] }]",
-        ),
-        &[],
-    );
-}
-
-#[test]
-fn v_direct_with_an_allpass_and_a_larger_weight() {
-    assert_said(
-        &said_of_axis(
-            "ipc.v_add_max_fact = 1000\n\
-             ipc.stage = [{ mode = 'DIRECT', direct_source = 'v_direct', weight_fact_num = 2, filter = [{ order = 1, fg_f0 = 20, q_factor = 2 }, { type = 'ALLPASS', fg_f0 = 15, q_factor = 2 }] }]",
-        ),
-        &[
-            "set.toml:4:80: warning[AX406]: stage[0] feeds back v_direct, which lags by the drive, the mechanics and the delay: beyond 90 degrees at f0 an all-pass is mandatory, or the loop is unstable",
-            "    write instead: a weight of at most 1",
-        ],
-    );
-}
-
-#[test]
 fn direct_source_of_another_mode() {
     assert_said(
         &said_of_axis(
@@ -127,31 +88,6 @@ fn near_half_the_sampling_frequency() {
             "x.lis:2:58: warning[AX407]: stage[0].filter[0] lies at 0.351 of the sampling frequency: its upper skirt is squeezed against one half",
             "    write instead: a shorter cycle time, or fg_f0 below 0.35 of the sampling frequency",
         ],
-    );
-}
-
-#[test]
-fn delay() {
-    assert_said(&said(&direct("ipc.stage[0].filter.fg_f0 111")), &[]);
-    assert_said(
-        &said(&direct("ipc.stage[0].filter.fg_f0 112")),
-        &[
-            "x.lis:1:58: warning[AX408]: stage[0] at 112 Hz: the delay of the loop alone, 1.5 cycles at the least, costs 60.48 degrees; beyond 90 degrees in all it excites what it is to damp",
-            "    write instead: an ALLPASS in the other filter, SET_POINT, or a shorter cycle time",
-        ],
-    );
-}
-
-#[test]
-fn delay_with_an_allpass_or_without_a_loop() {
-    assert_said(
-        &said(&direct(
-            "ipc.stage[0].filter.fg_f0 200\n\
-             ipc.stage[0].filter[1].type ALLPASS\n\
-             ipc.stage[0].filter[1].fg_f0 180\n\
-             ipc.stage[0].filter[1].q_factor 2",
-        )),
-        &[],
     );
 }
 
@@ -181,21 +117,6 @@ fn stages_beside_each_other() {
              ipc.stage[2].filter.q_factor 10",
         )),
         &[],
-    );
-}
-
-#[test]
-fn allpass_at_the_f0_of_the_bandpass() {
-    assert_said(
-        &said(&direct(
-            "ipc.stage[0].filter[1].type ALLPASS\n\
-             ipc.stage[0].filter[1].fg_f0 53\n\
-             ipc.stage[0].filter[1].q_factor 2",
-        )),
-        &[
-            "x.lis:2:61: warning[AX410]: stage[0].filter[1] is an all-pass at the f0 of the band-pass: it inverts the stage's polarity",
-            "    write instead: an fg_f0 beside it, unless the inversion is meant",
-        ],
     );
 }
 

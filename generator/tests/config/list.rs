@@ -288,8 +288,8 @@ fn another_gear_step_than_the_one_that_is_used() {
     assert_said(
         &said(&direct("getriebe[1].dynamik.vb_max 1000")),
         &[
-            "x.lis:1:28: warning[AX403]: gear step 0 is used, and only 1 is given: vb_max of step 0 is its default 200000 (P-AXIS-00212)",
-            "    write instead: the key `gear`, or getriebe[0].dynamik.vb_max",
+            "x.lis:1:28: warning[AX403]: gear step 0 is used, and lacks what other steps have: dynamik.vb_max (P-AXIS-00212), whose default 200000 holds",
+            "    write instead: the parameters getriebe[0], or the key `gear` of another step",
         ],
     );
 }

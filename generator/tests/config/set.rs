@@ -639,8 +639,9 @@ fn a_gear_step_that_is_not_given() {
              ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] }]",
         ),
         &[
-            "set.toml:4:36: warning[AX403]: gear step 3 is used, and only 1 is given: vb_max of step 3 is its default 200000 (P-AXIS-00212)",
-            "    write instead: the key `gear`, or getriebe[3].dynamik.vb_max",
+            "set.toml:3:8: error[AX317]: `gear` is 3, and the axis has the gear step 1 only",
+            "    allowed: a gear step that the list or the set has",
+            "    write instead: gear = 1, or the parameters getriebe[3]",
         ],
     );
 }

@@ -1,0 +1,89 @@
+//! Which gear step of an axis is used, where that may be a surprise: an error where it is not there, else warnings.
+
+use super::advice::warn;
+use super::effective::Effective;
+use crate::axis::Axis;
+use crate::codes;
+use crate::config::Key;
+use crate::diagnostics::Diagnostic;
+use crate::parameters::{Name, Value, path_with};
+
+/// The gear step that the set names is one that the axis has, or there are none at all.
+pub fn check(e: &mut Effective<'_>) {
+    let gear_key = (Name::Gear, [0, 0]);
+    let steps = steps(e);
+    let Some(Value::Integer(gear)) = e.judged(gear_key) else { return };
+    let is_there = steps.iter().any(|step| i64::from(*step) == gear);
+    if steps.is_empty() || is_there || e.given(gear_key).is_none() {
+        return;
+    }
+    let found = format!("`gear` is {gear}, and the axis has {} only", listed(&steps));
+    let diagnostic = Diagnostic::error(codes::NO_GEAR, e.place_of(gear_key), found);
+    let instead = format!("gear = {}, or the parameters getriebe[{gear}]", steps[0]);
+    e.report.push(diagnostic.allowed("a gear step that the list or the set has").instead(instead));
+}
+
+/// What a user would want to know who did not choose the step, or whose step is not complete.
+pub fn advise(axis: &Axis, e: &mut Effective<'_>) {
+    let steps = steps(e);
+    let gear_key = (Name::Gear, [0, 0]);
+    let Some(Value::Integer(gear)) = e.judged(gear_key) else { return };
+    let Ok(gear) = u32::try_from(gear) else { return };
+    let Some(other) = first_of_another(e, gear) else { return };
+    let lacking = lacking(e, gear, axis.control.position_control.is_none());
+    if !lacking.is_empty() {
+        let found = format!("gear step {gear} is used, and lacks what other steps have: {}", lacking.join("; "));
+        let instead = format!("the parameters getriebe[{gear}], or the key `gear` of another step");
+        warn(e, codes::GEAR, other, found, Some(instead));
+    } else if e.given(gear_key).is_none() {
+        let found = format!("{} are given; step {gear} is used", listed(&steps));
+        warn(e, codes::GEAR, other, found, Some("the key `gear` in a set, to choose one".to_owned()));
+    }
+}
+
+/// The gear steps of which anything is given.
+fn steps(e: &Effective<'_>) -> Vec<u32> {
+    let mut steps: Vec<u32> =
+        e.all_given().filter(|(key, _)| is_of_a_gear(*key)).map(|((_, [step, _]), _)| step).collect();
+    steps.sort_unstable();
+    steps.dedup();
+    steps
+}
+
+fn is_of_a_gear((name, _): Key) -> bool {
+    name.parameter().path.starts_with("getriebe[")
+}
+
+/// The first parameter of another step, where the surprise is shown.
+fn first_of_another(e: &Effective<'_>, gear: u32) -> Option<Key> {
+    let of_others = e.all_given().map(|(key, _)| key).filter(|key| is_of_a_gear(*key) && key.1[0] != gear);
+    of_others.min_by_key(|(name, [step, _])| (*step, *name))
+}
+
+/// What the step lacks, other steps have and the axis needs: with the default that holds instead.
+fn lacking(e: &Effective<'_>, gear: u32, is_uncontrolled: bool) -> Vec<String> {
+    let of_others = |name: Name| e.all_given().any(|((other, [step, _]), _)| other == name && step != gear);
+    let is_needed = |name: Name| name == Name::Kv && is_uncontrolled || e.is_used((name, [gear, 0]));
+    let names = Name::ALL.into_iter().filter(|name| is_of_a_gear((*name, [0, 0])) && of_others(*name));
+    names
+        .filter(|name| e.given((*name, [gear, 0])).is_none() && is_needed(*name))
+        .map(|name| {
+            let parameter = name.parameter();
+            let path = path_with(parameter.path, [gear, 0]);
+            let end = path.split_once('.').map_or(path.as_str(), |(_, end)| end);
+            let id = parameter.id.unwrap_or_default();
+            match e.is_used((name, [gear, 0])) {
+                true => {
+                    format!("{end} ({id}), whose default {} holds", parameter.default_at([gear, 0]).unwrap_or_default())
+                }
+                false => format!("{end} ({id}), without which there is no position control"),
+            }
+        })
+        .collect()
+}
+
+/// `the gear steps 0, 2`.
+fn listed(steps: &[u32]) -> String {
+    let numbers = steps.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
+    format!("the gear step{} {numbers}", if steps.len() == 1 { "" } else { "s" })
+}
