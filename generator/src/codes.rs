@@ -59,7 +59,8 @@ codes! {
     BYTE = "AX102", "a byte outside of ASCII",
         "Bytes that are not printable ASCII are legal in comments only.";
     NO_VALUE = "AX103", "a parameter without a value",
-        "The line names a parameter and ends.";
+        "The line names a parameter and ends. Write the value behind the path, with a blank between, or take the line away: \
+         then the default holds.";
     UNKNOWN = "AX104", "an unknown parameter",
         "The path lies in a structure that axgen owns, or in a set, and no parameter has it. Passing it over could leave \
          out a parameter that you rely on. The name that was probably meant is given.";
@@ -143,7 +144,8 @@ codes! {
          step would have its default, and without Kv there would be no position control. Name one of the steps that are given.";
 
     NO_STAGE = "AX401", "no stage is active",
-        "The block is generated, and puts out 0.";
+        "Improved position control does nothing; without feedforward and position control the block is generated all the same, \
+         and puts out 0. Give a stage the mode DIRECT, INDIRECT or SET_POINT (P-AXIS-00753), or enable OFF.";
     MUTED = "AX402", "the limit is 0",
         "v_add_max_fact is 0, which is its default: whatever the stages want to add is limited to 0. Set it, in 0.1 % of \
          the largest velocity of the axis.";
@@ -161,7 +163,8 @@ codes! {
         "v_direct lags behind the command by the drive, the mechanics and the delay. Up to 90 degrees of lag at f0 the stage \
          damps, beyond it an all-pass is mandatory and the weight should stay at or below 1. Measure the lag first.";
     SQUEEZED = "AX407", "a frequency near half the sampling frequency",
-        "The filter is exact at its centre and its edges, but its upper skirt ends at half the sampling frequency.";
+        "The filter is exact at its centre and its edges, but its upper skirt ends at half the sampling frequency. Shorten the \
+         cycle time, or keep fg_f0 below 0.35 of the sampling frequency; if neither is possible, nothing else is wrong with it.";
     DELAY = "AX408", "the delay turns the phase",
         "The delay costs 360 f0 Ts (cycles + 0.5) degrees at f0: the cycles of P-AXIS-00191 (antr.nbr_delay_cycles), where the \
          list has it, else one at the least, and half a cycle for the hold. Drive and mechanics come on top. Beyond 90 degrees the stage excites the vibration, unless an all-pass turns the \
@@ -195,7 +198,8 @@ codes! {
     JERK_FACT = "AX419", "jerk factor with the denominator 0 (110473)",
         "The controller reports its error 110473 and corrects the denominator to 100; the block does the same.";
     DENOMINATOR = "AX420", "a denominator of 0",
-        "The manual's range has the 0, which divides nothing. The term that it belongs to is left out.";
+        "The manual's range has the 0, by which nothing can be divided. What the quotient weights is left out; write 1 where no \
+         denominator is meant.";
     NO_REFERENCE = "AX421", "no nominal torque",
         "The additive torque is scaled to the nominal torque of the motor (P-AXIS-00392), which is 0. It is switched off.";
     INERT_DEFAULT = "AX422", "a default that leaves feedforward without effect",
@@ -210,7 +214,8 @@ codes! {
         "With ADD_ACC the quotient P-AXIS-00225/00226 is a plain weight, without it a time constant in us. JERK takes it for \
          the time constant.";
     NO_EFFECT = "AX426", "parameters without effect",
-        "The parameters are given, and nothing of what this axis does uses them.";
+        "The parameters are given, and nothing of what this axis does uses them: feedforward that P-AXIS-00223 does not switch \
+         on, a scaling of a command that the drive does not get, process data that are not put out.";
     SCALINGS = "AX427", "unequal scalings in a gantry",
         "A slave puts out its master's additive velocity in its own scaling. Where the scalings differ, so do the increments: \
          that is right for unequal drives only.";
@@ -228,6 +233,20 @@ codes! {
     NO_WAY_OUT_YET = "AX432", "improved position control that may not be enabled",
         "The drive controls the position, and its process data have no additive velocity: nothing would go out. The mode is \
          OFF at start; it must stay so until the drive has the process datum and process_data.additive_velocity says so.";
+    ZERO = "AX433", "a factor of 0",
+        "The factor is written as 0, and all that it weights is 0. That is legal, and mostly a list that nobody has finished: \
+         write the value, or take away what it weights.";
+    SHORT_TIME = "AX434", "a time constant that no drive has",
+        "With ACC and JERK the quotient P-AXIS-00225/00226 is the drive's time constant in us. Below a twentieth of a cycle it \
+         does nothing: mostly it was meant as a weight, which it is with ADD_ACC only, or in ms. Write it in us.";
+    SATURATES = "AX435", "process data too small for the axis",
+        "At the largest velocity of the axis (P-AXIS-00212), or at the limit of improved position control (P-AXIS-00757), the \
+         command has more increments than the type of its process datum holds. The block saturates there, and says so at run \
+         time in `limited`. Give the datum INT32, or scale it with fewer increments.";
+    RESONANCE = "AX436", "a simulated oscillation with little damping",
+        "In the mode INDIRECT the simulated oscillation has sqrt(1 + 1 / (4 D^2)) times its input at f0, which the weight \
+         multiplies: more than 14 times the motor's velocity is fed back. Lower the damping ratio slowly, with a small weight, \
+         and look at the additive velocity in DRYRUN first.";
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! What is legal, but inert, out of date or dangerous: warnings about an axis that is valid. Nothing here is an error.
 
 use super::effective::Effective;
-use super::ipc::{is_gantry_slave, rounded};
+use super::ipc::{damping_given, is_gantry_slave, rounded};
 use super::phase;
 use crate::axis::{Axis, Enable, Filter, Mode, Stage};
 use crate::codes;
@@ -9,10 +9,12 @@ use crate::config::{Key, Setting};
 use crate::design::band::{band, edges, frequency};
 use crate::design::filter;
 use crate::diagnostics::Diagnostic;
-use crate::parameters::{FILTERS, Name, STAGES, Value, path_with};
+use crate::parameters::{FILTERS, Name, STAGES, Value, path_with, real_text};
 
 /// Above this f0 * Ts the upper skirt of a band-pass is squeezed against half the sampling frequency.
 const NEAR_NYQUIST: f64 = 0.35;
+/// Twice the weight at which the controller caps: a usual damping ratio does not lead there with any weight.
+const MUCH_GAIN: f64 = 2.0 * Stage::MAX_WEIGHT;
 
 /// Says what a user would want to know before the block acts.
 pub fn advise(axis: &Axis, e: &mut Effective<'_>) {
@@ -23,6 +25,7 @@ pub fn advise(axis: &Axis, e: &mut Effective<'_>) {
             damping_generations(e, i, stage);
             filter_without_type(e, i, stage);
             weight(e, i, stage);
+            resonance(e, i, stage);
             near_nyquist(e, i, stage, axis);
             phase::advise(e, i, stage, axis.cycle_time());
         }
@@ -46,8 +49,15 @@ fn whole(axis: &Axis, e: &mut Effective<'_>) {
         warn(e, codes::SLAVE_STAGES, (Name::GantryMaster, [0, 0]), found, instead);
     }
     let control = &axis.control;
-    if active == 0 && !slave && control.feedforward.is_none() && control.position_control.is_none() {
-        let found = "no stage is active: the block puts out 0".to_owned();
+    let does_nothing = control.feedforward.is_none() && control.position_control.is_none();
+    if active == 0 && !slave && (does_nothing || axis.ipc.enable != Enable::Off) {
+        let found = match does_nothing {
+            true => "no stage is active: the block puts out 0".to_owned(),
+            false => format!(
+                "improved position control is {}, and no stage is active: it adds nothing",
+                if axis.ipc.enable == Enable::On { "ON" } else { "DRYRUN" }
+            ),
+        };
         let instead = format!("{} with DIRECT, INDIRECT or SET_POINT", path_with(Name::Mode.parameter().path, [0, 0]));
         warn(e, codes::NO_STAGE, (Name::Enable, [0, 0]), found, Some(instead));
     }
@@ -118,6 +128,25 @@ fn weight(e: &mut Effective<'_>, i: u32, stage: &Stage) {
         );
         let instead = Some(format!("about {}, the best weight at this damping", rounded(best)));
         warn(e, codes::SET_POINT, (Name::WeightFactNum, [i, 0]), found, instead);
+    }
+}
+
+/// The simulated oscillation multiplies the weight, which is capped for a reason: |H(f0)| = sqrt(1 + 1 / (4 D^2)).
+fn resonance(e: &mut Effective<'_>, i: u32, stage: &Stage) {
+    let Mode::Indirect { osc_damping } = stage.mode else { return };
+    let peak = libm::sqrt(1.0 + 0.25 / (osc_damping * osc_damping));
+    let gain = stage.weight() * peak;
+    if gain > MUCH_GAIN {
+        let found = format!(
+            "stage[{i}] is INDIRECT with the damping ratio {}: its simulated oscillation has {} times the motor's velocity at f0, \
+             with the weight {} {} times",
+            real_text(osc_damping),
+            rounded(peak),
+            rounded(stage.weight()),
+            rounded(gain)
+        );
+        let instead = Some("a larger damping ratio or a smaller weight, and DRYRUN first".to_owned());
+        warn(e, codes::RESONANCE, (damping_given(e, i), [i, 0]), found, instead);
     }
 }
 

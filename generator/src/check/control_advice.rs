@@ -3,6 +3,7 @@
 use super::drive::key;
 use super::effective::Effective;
 use super::ipc::rounded;
+use super::{inert, saturation};
 use crate::axis::{Axis, Feedforward, Place, PositionControl};
 use crate::codes;
 use crate::config::Key;
@@ -12,18 +13,18 @@ use portable::RealKind;
 
 /// Says what a user would want to know before the blocks act.
 pub fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
+    inert::advise(axis, gear, e);
     if let Some(feedforward) = &axis.control.feedforward {
         disabled(feedforward, e);
         weight(feedforward, e);
-        inert_defaults(feedforward, gear, e);
         two_meanings(feedforward, e);
-        no_effect(gear, e);
     }
     if let Some(control) = &axis.control.position_control {
         if let Some(feedforward) = &axis.control.feedforward {
             twice(control, feedforward, e);
         }
         kv_default(control, axis, gear, e);
+        saturation::advise(axis, control, gear, e);
         single(axis, control, e);
     }
 }
@@ -49,28 +50,6 @@ fn weight(feedforward: &Feedforward, e: &mut Effective<'_>) {
             rounded(feedforward.weight.value())
         );
         warn(e, codes::LEADS, key(Name::VsVFaktor), found, "0.7 to 1");
-    }
-}
-
-/// Defaults with which a quantity contributes next to nothing.
-fn inert_defaults(feedforward: &Feedforward, gear: u32, e: &mut Effective<'_>) {
-    let sums = [feedforward.conventional, feedforward.additive];
-    let uses_time = sums.iter().any(|sum| sum.acceleration || sum.jerk);
-    if uses_time && e.given(key(Name::VsAFaktor)).is_none() && e.given(key(Name::VsANenner)).is_none() {
-        let found = "the time constant of the acceleration (P-AXIS-00225/00226) has its default, 1 us".to_owned();
-        let instead = "vorsteuer.vs_a_faktor with the drive's time constant in us";
-        warn(e, codes::INERT_DEFAULT, key(Name::FeedforwardMode), found, instead);
-    }
-    let uses_jerk = sums.iter().any(|sum| sum.jerk) || feedforward.torque.jerk;
-    if uses_jerk && e.given(key(Name::JerkFactNum)).is_none() && e.given(key(Name::JerkFactDenom)).is_none() {
-        let found = "the factor of the jerk (P-AXIS-00337/00338) has its default, 1/100".to_owned();
-        let instead = "vorsteuer.jerk_fact_num and jerk_fact_denom: 1/2 for a drive that only delays";
-        warn(e, codes::INERT_DEFAULT, key(Name::FeedforwardMode), found, instead);
-    }
-    if feedforward.torque.any() && e.given((Name::Load, [gear, 0])).is_none() {
-        let found = format!("getriebe[{gear}].load (P-AXIS-00391) has its default, 1e-6");
-        let instead = "the inertia of motor and load in kg m^2, of a linear motor the mass in kg";
-        warn(e, codes::INERT_DEFAULT, key(Name::FeedforwardMode), found, instead);
     }
 }
 
@@ -124,38 +103,5 @@ fn single(axis: &Axis, control: &PositionControl, e: &mut Effective<'_>) {
         let what = if control.place == Place::Cnc { "the position lag" } else { "the drive's position command" };
         let found = format!("{what} is computed in single precision, which has 24 bits for a position");
         warn(e, codes::SINGLE_POSITION, key(Name::RealType), found, "real = \"f64\" for this axis");
-    }
-}
-
-/// Parameters of feedforward that are given and that nothing uses: told by use, not by the manual's column of drive types.
-fn no_effect(gear: u32, e: &mut Effective<'_>) {
-    let of_gear = [Name::MultiGainN, Name::MultiGainZ, Name::Load].map(|name| (name, [gear, 0]));
-    let others = [
-        Name::VResoDenom,
-        Name::VResoNum,
-        Name::VTimeBase,
-        Name::VsAFaktor,
-        Name::VsANenner,
-        Name::JerkFactNum,
-        Name::JerkFactDenom,
-        Name::VelocityDelayTime,
-        Name::AccelerationDelayTime,
-        Name::JerkDelayTime,
-        Name::ShiftTime,
-        Name::TorqueScaleNum,
-        Name::TorqueScaleDenom,
-        Name::AccReferenceValue,
-        Name::Motor,
-    ]
-    .map(key);
-    let idle: Vec<Key> =
-        of_gear.into_iter().chain(others).filter(|key| e.given(*key).is_some() && !e.is_used(*key)).collect();
-    if let Some(first) = idle.first() {
-        let listed: Vec<String> = idle
-            .iter()
-            .map(|(name, _)| name.parameter().id.map_or_else(|| name.parameter().short().to_owned(), str::to_owned))
-            .collect();
-        let found = format!("nothing of what this axis does uses {}", listed.join(", "));
-        e.report.push(Diagnostic::warning(codes::NO_EFFECT, e.place_of(*first), found));
     }
 }

@@ -43,8 +43,10 @@ pub fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Drive) -> O
     let sums = [conventional, additive];
     let uses_time = sums.iter().any(|sum| sum.acceleration || sum.jerk);
     let acceleration = if uses_time || torque.acceleration {
-        let consequence = ("the acceleration, and the jerk that shares its time constant, are left out", None);
-        corrected::ratio(e, [Name::VsAFaktor, Name::VsANenner], codes::DENOMINATOR, consequence)
+        let acceleration = torque.acceleration || sums.iter().any(|sum| sum.acceleration);
+        let jerk = sums.iter().any(|sum| sum.jerk);
+        let consequence = format!("{} left out", sharing(acceleration, jerk, ["is", "are"]));
+        corrected::ratio(e, [Name::VsAFaktor, Name::VsANenner], codes::DENOMINATOR, (&consequence, None))
     } else {
         Some(crate::axis::Ratio::ZERO)
     };
@@ -96,6 +98,21 @@ fn ways(has: &dyn Fn(&str) -> bool) -> (Quantities, Quantities, Quantities) {
     let additive = Quantities { velocity: has("ADD_VEL"), ..Quantities::default() };
     let torque = Quantities { velocity: false, acceleration: has("ADD_ACC"), jerk: has("ADD_JERK") };
     (conventional, additive, torque)
+}
+
+/// What P-AXIS-00225/00226 weights, with the verb that follows: ADD_JERK does not use them.
+pub fn weighted(feedforward: &Feedforward, verb: [&str; 2]) -> String {
+    let sums = [feedforward.conventional, feedforward.additive];
+    let acceleration = feedforward.torque.acceleration || sums.iter().any(|sum| sum.acceleration);
+    sharing(acceleration, sums.iter().any(|sum| sum.jerk), verb)
+}
+
+fn sharing(acceleration: bool, jerk: bool, [is, are]: [&str; 2]) -> String {
+    match (acceleration, jerk) {
+        (true, true) => format!("the acceleration, and the jerk that shares its time constant, {are}"),
+        (false, true) => format!("the jerk, which has the time constant of the acceleration, {is}"),
+        _ => format!("the acceleration {is}"),
+    }
 }
 
 /// ADD_JERK only where it is asked for by name.

@@ -7,7 +7,7 @@
 //! feedforward, position_control  their rules; corrected: what the controller reports and corrects
 //! gantry     slaves find their masters
 //! gear       which gear step is used, and what it lacks
-//! advice, phase, control_advice  what is legal, but inert or dangerous: warnings
+//! advice, phase, control_advice, inert, saturation  what is legal, but inert or dangerous: warnings
 //! ```
 //! Only what a stage's mode uses is judged: vendors' examples carry values in unused parameters that lie outside.
 
@@ -19,9 +19,11 @@ mod effective;
 mod feedforward;
 pub mod gantry;
 mod gear;
+mod inert;
 mod ipc;
 mod phase;
 mod position_control;
+mod saturation;
 
 use crate::axis::{Axis, Control, Ipc};
 use crate::codes;

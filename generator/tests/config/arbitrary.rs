@@ -191,6 +191,7 @@ fn every_code_has_a_test() {
         include_str!("arbitrary.rs"),
         include_str!("files.rs"),
         include_str!("gear.rs"),
+        include_str!("inert.rs"),
         include_str!("list.rs"),
         include_str!("phase.rs"),
         include_str!("rules.rs"),

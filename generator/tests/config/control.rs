@@ -159,7 +159,30 @@ set.toml:5:29: warning[AX419]: `vorsteuer.jerk_fact_denom` (P-AXIS-00338) is 0: 
 > getriebe = [{ kv = 2000 }]
 set.toml:5:25: warning[AX420]: `vorsteuer.vs_v_nenner` (P-AXIS-00229) is 0: feedforward is left out
     allowed: 1 <= vs_v_nenner
+set.toml:4:25: warning[AX420]: `vorsteuer.vs_a_nenner` (P-AXIS-00226) is 0: the acceleration is left out
+    allowed: 1 <= vs_a_nenner
+
+> vorsteuer.vorsteuerung = 'ACC JERK'
+> vorsteuer.vs_a_nenner = 0
+> vorsteuer.jerk_fact_denom = 2
+> getriebe = [{ kv = 2000 }]
 set.toml:4:25: warning[AX420]: `vorsteuer.vs_a_nenner` (P-AXIS-00226) is 0: the acceleration, and the jerk that shares its time constant, are left out
+    allowed: 1 <= vs_a_nenner
+
+> vorsteuer.vorsteuerung = 'JERK'
+> vorsteuer.vs_a_nenner = 0
+> vorsteuer.jerk_fact_denom = 2
+> getriebe = [{ kv = 2000 }]
+set.toml:4:25: warning[AX420]: `vorsteuer.vs_a_nenner` (P-AXIS-00226) is 0: the jerk, which has the time constant of the acceleration, is left out
+    allowed: 1 <= vs_a_nenner
+
+> vorsteuer.vorsteuerung = 'ADD_ACC ADD_JERK'
+> vorsteuer.vs_a_nenner = 0
+> vorsteuer.jerk_fact_denom = 2
+> add_jerk = 'experimental'
+> process_data.additive_torque = 'INT16'
+> getriebe = [{ kv = 2000, load = 0.1 }]
+set.toml:4:25: warning[AX420]: `vorsteuer.vs_a_nenner` (P-AXIS-00226) is 0: the acceleration is left out
     allowed: 1 <= vs_a_nenner
 
 > vorsteuer.vorsteuerung = 'ADD_ACC'

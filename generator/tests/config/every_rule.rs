@@ -38,7 +38,9 @@ fn both_ends_of_every_range_of_a_list() {
         let damping = if path.ends_with("damping") { "" } else { "\nipc.stage[0].osc_damping 0.5" };
         let said = |value: &str| said(&indirect(&format!("{path} {value}{damping}")));
         for value in inside.split(' ') {
-            assert_eq!(said(value), "", "{path} {value}");
+            // Legal, and warned of: the resonance of the simulated oscillation.
+            let expected = if value == "1e-15" { "warning[AX436]" } else { "" };
+            assert!(said(value).contains(expected) && said(value).is_empty() == expected.is_empty(), "{path} {value}");
         }
         let column = path.replace("ipc.", IPC).len() + 2;
         for value in outside.split(' ') {

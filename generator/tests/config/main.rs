@@ -8,6 +8,7 @@ mod every_rule;
 mod examples;
 mod files;
 mod gear;
+mod inert;
 mod list;
 mod phase;
 mod rules;
