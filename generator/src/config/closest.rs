@@ -20,6 +20,15 @@ pub fn path(path: &str) -> Option<String> {
     among(path, path::templates()).or_else(|| among(path, path::structures()))
 }
 
+/// A template with the indices that a path has at the same parts.
+#[must_use]
+pub fn with_indices_of(template: &str, written: &str) -> String {
+    let parts = template.split('.').zip(written.split('.'));
+    let numbers = parts.filter(|(part, _)| part.contains('[')).map(|(_, written)| indices(written)[0]);
+    let mut numbers = numbers.chain([0, 0]);
+    path_with(template, std::array::from_fn(|_| numbers.next().unwrap_or(0)))
+}
+
 /// The structure that the name of a table was probably meant to be.
 #[must_use]
 pub fn structure(path: &str) -> Option<String> {
@@ -115,6 +124,16 @@ mod tests {
         close(&format!("{ipc}.stage[1].filter[1].qfactor"), "stage[1].filter[1].q_factor");
         assert_eq!(path(&format!("{ipc}.stage[0].colour")), None);
         assert_eq!(path(&"x".repeat(10_000)), None);
+    }
+
+    #[test]
+    fn indices_of_the_same_parts() {
+        let other = |template: &str, written: &str| with_indices_of(template, written);
+        assert_eq!(other("getriebe[i].kv", "getriebe.kv"), "getriebe[0].kv");
+        assert_eq!(
+            other("a.stage[i].filter[k].order", "a[7].stage[2].filter[1].order[9]"),
+            "a.stage[2].filter[1].order"
+        );
     }
 
     #[test]

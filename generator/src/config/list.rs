@@ -40,7 +40,9 @@ pub fn read_to_keep<'a>(source: &'a Source<'a>) -> List<'a> {
         let text = text[..bad].trim_ascii_start();
         let path = text.iter().position(|byte| matches!(byte, b' ' | b'\t')).map(|end| &text[..end]);
         let path = path.and_then(|path| str::from_utf8(path).ok());
-        path.is_some_and(|path| path::find(path) == Path::Foreign && !closest::is_ours(path))
+        path.is_some_and(|path| {
+            path::find(path) == Path::Foreign && !closest::is_ours(path) && path::with_other_indices(path).is_none()
+        })
     })
 }
 
@@ -92,9 +94,11 @@ impl<'a> List<'a> {
                     let instead = path_with(name.parameter().path, index);
                     self.report.push(Diagnostic::warning(codes::MISPRINT, place(), found).instead(instead));
                 }
+                // `=` begins what `import` leaves in the place of a value: it is never one of another function's.
+                let can_wait = name.parameter().is_shared && !value.starts_with('=');
                 let value = value_of(name, statement)
                     .map_err(|refused| refused.diagnostic(name, written, source.place(start + value_at)));
-                let (value, refused) = values::read(name, value, &mut self.report);
+                let (value, refused) = values::read(can_wait, value, &mut self.report);
                 let (path_at, value_at) = (start + path_at, start + value_at);
                 let setting = Setting { value, refused, spelling, source, path_at, value_at };
                 if let Some(first) = self.values.insert((name, index), setting) {
@@ -104,6 +108,12 @@ impl<'a> List<'a> {
                 }
             }
             Path::OutOfRange { name, .. } => self.report.push(out_of_range(name, written, place())),
+            Path::Foreign if path::with_other_indices(written).is_some() => {
+                let known = path::with_other_indices(written).map(|known| closest::with_indices_of(known, written));
+                let found = format!("{} is not known", value::shown(written));
+                let diagnostic = Diagnostic::error(codes::UNKNOWN, place(), found);
+                self.report.push(Diagnostic { instead: known, ..diagnostic });
+            }
             Path::Foreign if closest::is_ours(written) && path::is_structure(written) => {
                 let found = format!("{} is a structure: its parameters have values", value::shown(written));
                 let diagnostic = Diagnostic::error(codes::UNKNOWN, place(), found);

@@ -180,6 +180,8 @@ fn checked(
 ) -> Option<(Axis, Place)> {
     let place = values.get((Name::GantryMaster, [0, 0])).map_or_else(|| home.clone(), Setting::value_place);
     let (axis, mut said) = check::axis(name, cycle_time, values, home);
+    let unread = values.unread(&said);
+    said.diagnostics.extend(unread);
     if report.has_errors() {
         // What could not be read is missing: advice about what is there would mislead.
         said.diagnostics.retain(|diagnostic| diagnostic.severity == Severity::Error);

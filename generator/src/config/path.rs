@@ -67,6 +67,37 @@ static STRUCTURES: LazyLock<Vec<String>> = LazyLock::new(|| {
     structures
 });
 
+/// Every path and alias without its indices, in small letters: `getriebe.kv`. The first of equals is a path.
+static BARE: LazyLock<HashMap<Vec<u8>, &'static str>> = LazyLock::new(|| {
+    let vendors = Name::ALL.map(Name::parameter).into_iter().filter(|parameter| parameter.scope == Scope::List);
+    let mut bare = HashMap::new();
+    for template in vendors.flat_map(|parameter| std::iter::once(&parameter.path).chain(parameter.aliases)) {
+        bare.entry(without_brackets(template, &mut [0; LONGEST]).to_vec()).or_insert(*template);
+    }
+    bare
+});
+
+/// The template that a path would name with other indices, in other letters: `getriebe[i].kv` for `getriebe.kv`.
+#[must_use]
+pub fn with_other_indices(path: &str) -> Option<&'static str> {
+    if path.len() > LONGEST { None } else { BARE.get(without_brackets(path, &mut [0; LONGEST])).copied() }
+}
+
+/// Without allocating: a real machine's list has hundreds of paths to ask for.
+fn without_brackets<'b>(path: &str, bare: &'b mut [u8; LONGEST]) -> &'b [u8] {
+    let mut length = 0;
+    let mut within = false;
+    for byte in path.bytes() {
+        within = within || byte == b'[';
+        if let Some(place) = bare.get_mut(length).filter(|_| !within) {
+            *place = byte.to_ascii_lowercase();
+            length += 1;
+        }
+        within = within && byte != b']';
+    }
+    &bare[..length]
+}
+
 /// Finds what a path names.
 #[must_use]
 pub fn find(path: &str) -> Path {
@@ -176,6 +207,14 @@ mod tests {
         assert_eq!(known(&format!("{ipc}.stage[1]osc_damping")), (Name::OscDamping, [1, 0], true));
         assert_eq!(known(&format!("{ipc}.stage[1].filter[0].damping")), (Name::FilterDamping, [1, 0], false));
         assert_eq!(known("getriebe[15].dynamik.vb_max"), (Name::VbMax, [15, 0], false));
+    }
+
+    #[test]
+    fn other_indices() {
+        assert_eq!(with_other_indices("getriebe.kv"), Some("getriebe[i].kv"));
+        assert_eq!(with_other_indices("Vorsteuer[0].VORSTEUERUNG"), Some("vorsteuer.vorsteuerung"));
+        assert_eq!(with_other_indices("kopf[0].achs_nr[3]"), Some("kopf.achs_nr"));
+        assert_eq!(with_other_indices("kenngr.swe_pos"), None);
     }
 
     #[test]

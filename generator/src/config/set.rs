@@ -2,7 +2,7 @@
 
 use super::path::{self, Path};
 use super::source::Source;
-use super::values::{self, Setting, Values};
+use super::values::{Setting, Values};
 use super::{axis_name, closest, list, value};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
@@ -179,10 +179,11 @@ fn setting<'a>(
     report: &mut Report,
 ) -> Setting<'a> {
     let Range { start: value_at, .. } = value.span();
+    // A list may have a value that nobody can read for other functions; a set is written for us, and none of its keys is.
     let value = value::of_toml(name.parameter(), value.get_ref())
-        .map_err(|refused| refused.diagnostic(name, written, source.place(value_at)));
-    let (value, refused) = values::read(name, value, report);
-    Setting { value, refused, spelling, source, path_at: key.span().start, value_at }
+        .map_err(|refused| report.push(refused.diagnostic(name, written, source.place(value_at))))
+        .ok();
+    Setting { value, refused: None, spelling, source, path_at: key.span().start, value_at }
 }
 
 /// A key that is not in the table, or a table or an array where the other is needed.

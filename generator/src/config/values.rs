@@ -1,7 +1,7 @@
 //! The values that were given for one axis, each with its place; no default, no range and no rule.
 
 use super::source::Source;
-use crate::diagnostics::{Diagnostic, Place, Report};
+use crate::diagnostics::{Diagnostic, Place, Report, Severity};
 use crate::parameters::{Name, Value};
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -40,15 +40,15 @@ impl Setting<'_> {
     }
 }
 
-/// A value, or why it is none: said at once, unless the parameter is judged only where it is used.
+/// A value of a list, or why it is none: said at once, unless that can wait until something uses it.
 pub(super) fn read(
-    name: Name,
+    can_wait: bool,
     read: Result<Value, Diagnostic>,
     report: &mut Report,
 ) -> (Option<Value>, Option<Diagnostic>) {
     match read {
         Ok(value) => (Some(value), None),
-        Err(refused) if name.parameter().is_shared => (None, Some(refused)),
+        Err(refused) if can_wait => (None, Some(refused)),
         Err(refused) => {
             report.push(refused);
             (None, None)
@@ -80,9 +80,12 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// What is to be said of the values that nothing may use.
-    pub fn refusals(&self) -> impl Iterator<Item = &Diagnostic> {
-        self.settings.values().filter_map(|setting| setting.refused.as_ref())
+    /// Why values of a list could not be read, but for those of which that has been said as an error where they are used: warnings,
+    /// for a real machine's list may have them for other functions.
+    pub fn unread(&self, said: &Report) -> Vec<Diagnostic> {
+        let refusals = self.settings.values().filter_map(|setting| setting.refused.as_ref());
+        let unsaid = refusals.filter(|refused| !said.diagnostics.contains(refused));
+        unsaid.map(|refused| Diagnostic { severity: Severity::Warning, ..refused.clone() }).collect()
     }
 
     /// Lets the values of a set take the place of those of its list.

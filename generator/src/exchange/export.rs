@@ -51,7 +51,6 @@ fn of_set(
     let top = set::top(source, table.get_ref(), report);
     let axis = named(source, &top.axes, axis, report)?;
     let keys = set::values_of(source, axis, report);
-    keys.refusals().for_each(|refused| report.push(refused.clone()));
     if report.has_errors() {
         return None;
     }
@@ -66,7 +65,8 @@ fn of_set(
     let list_source = Source::of(&name, &bytes);
     let read = list::read_to_keep(&list_source);
     report.extend(read.report);
-    read.values.refusals().for_each(|refused| report.push(refused.clone()));
+    // Their lines stay as they are.
+    report.diagnostics.extend(read.values.unread(&Report::default()));
     if report.has_errors() {
         return None;
     }

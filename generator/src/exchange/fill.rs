@@ -122,7 +122,7 @@ impl Filling<'_, '_> {
                     format!("`{path}` is a key of an axis set: no controller knows it, and it stands in a comment");
                 self.report.push(Diagnostic::warning(codes::KEY_OF_A_SET, setting.path_place(), found));
             }
-            if !written.contains(&key) && (own || name.parameter().scope == Scope::List) {
+            if !written.contains(&key) && setting.value.is_some() && (own || name.parameter().scope == Scope::List) {
                 let sign = if own { OWN } else { "" };
                 lines.push((setting.path_at, format!("{sign}{path} {}", text_of(name, setting))));
             }

@@ -54,8 +54,8 @@ pub fn import_with(path: &Path, options: &ListOptions, load: Load<'_>) -> (Optio
     let source = Source::of(&file, &bytes);
     let list = list::read_to_keep(&source);
     report.extend(list.report);
-    // What nothing may use is copied all the same, and so must be readable.
-    list.values.refusals().for_each(|refused| report.push(refused.clone()));
+    // Nothing may use them: then they are as good as values of other functions, and their lines are kept.
+    report.diagnostics.extend(list.values.unread(&Report::default()));
     if report.has_errors() {
         return (None, report);
     }

@@ -316,8 +316,12 @@ set.toml:4:20: error[AX203]: `getriebe[0].kv` (P-AXIS-00099) is 0
 > kenngr.antr_typ = 'NOBODY'
 > getriebe = [{ load = 'heavy' }]
 > vorsteuer.vs_a_nenner = 'no number'
-set.toml:2:7: warning[AX401]: no stage is active: the block puts out 0
-    write instead: ipc.stage[0].mode with DIRECT, INDIRECT or SET_POINT
+set.toml:3:19: error[AX202]: `kenngr.antr_typ` (P-AXIS-00020) is `NOBODY`
+    allowed: CONVENTIONAL (ANTR_TYP_KONV, 1), SERCOS (ANTR_TYP_SERCOS, 2), PROFIDRIVE (ANTR_TYP_PROFIDRIVE, 3), SIMULATION (ANTR_TYP_SIMU, 4), LIGHTBUS (ANTR_TYP_LIGHTBUS, 5), TERMINAL (ANTR_TYP_TERM, 6), RT_ETHERNET (ANTR_TYP_ETHERNET, 7), CANOPEN (ANTR_TYP_CANOPEN, 8), VIRTUAL (ANTR_TYP_VIRTUELL, 16), CAN_BUS (ANTR_TYP_CAN, 32)
+set.toml:4:22: error[AX204]: `getriebe[0].load` (P-AXIS-00391) is of type string
+    allowed: a number, 0 <= load <= 1.7976931348623157e308 [kg m^2, linear motor: kg]
+set.toml:5:25: error[AX204]: `vorsteuer.vs_a_nenner` (P-AXIS-00226) is of type string
+    allowed: a whole number, 0 <= vs_a_nenner <= 2147483647
 "#,
     );
 }

@@ -1,6 +1,6 @@
 //! Reading axis lists.
 
-use super::{assert_said, direct, indirect, read_list, said};
+use super::{assert_said, assert_transcript, direct, indirect, read_list, said};
 
 #[test]
 fn a_valid_stage_says_nothing() {
@@ -315,4 +315,65 @@ fn foreign_parameters_are_passed_over_and_counted() {
         "kenngr.swe_pos 15000000 ( P-AXIS-00178\nantr.x[1][2] MVS_SVS M 3\nlr_param.other 1\nlist_without_value\n";
     let (set, report) = read_list(foreign.to_owned() + &direct("").replace("ipc.", super::IPC));
     assert_eq!((set.unwrap().foreign, report.to_string().as_str()), (4, ""));
+}
+
+/// A path that is known but for its indices or its capitals must not be taken for another function's.
+#[test]
+fn other_indices_than_the_parameter_has() {
+    assert_transcript(
+        said,
+        r"
+> vorsteuer[0].vorsteuerung VEL
+> getriebe.kv 1000
+> Getriebe[2].dynamik[1].VB_MAX 1000
+> kopf[].achs_nr 1
+> ipc.enable[0] ON
+> ipc.stage.mode DIRECT
+> lr_param[0].improved_position_control.stage[2].filter.order 1
+x.lis:1:1: error[AX104]: `vorsteuer[0].vorsteuerung` is not known
+    write instead: vorsteuer.vorsteuerung
+x.lis:2:1: error[AX104]: `getriebe.kv` is not known
+    write instead: getriebe[0].kv
+x.lis:3:1: error[AX104]: `Getriebe[2].dynamik[1].VB_MAX` is not known
+    write instead: getriebe[2].dynamik.vb_max
+x.lis:4:1: error[AX104]: `kopf[].achs_nr` is not known
+    write instead: kopf.achs_nr
+x.lis:5:1: error[AX104]: `ipc.enable[0]` is not known
+    write instead: ipc.enable
+x.lis:6:1: error[AX104]: `ipc.stage.mode` is not known
+    write instead: ipc.stage[0].mode
+x.lis:7:1: error[AX104]: `lr_param[0].improved_position_control.stage[2].filter.order` is not known
+    write instead: ipc.stage[2].filter[0].order
+",
+    );
+}
+
+/// Nothing uses it: a real machine's list may have it for another function, or it is a slip.
+#[test]
+fn a_value_that_nobody_can_read_and_nothing_uses() {
+    assert_transcript(
+        |given| said(&direct(given)),
+        r"
+> vorsteuer.velocity_delay_time abc
+> antr.v_reso_num xyz
+> antr.v_reso_denom -5
+x.lis:2:17: warning[AX201]: `antr.v_reso_num` (P-AXIS-00206) is `xyz`, no whole number
+    allowed: a whole number, 0 <= v_reso_num <= 4294967295 [increments]
+x.lis:1:31: warning[AX201]: `vorsteuer.velocity_delay_time` (P-AXIS-00389) is `abc`, no whole number
+    allowed: a whole number, 0 <= velocity_delay_time <= 65535 [us]
+
+> antr.v_reso_num = 7
+x.lis:1:17: error[AX101]: `antr.v_reso_num` (P-AXIS-00206) is `= 7`: a list has no `=`
+    allowed: 0 <= v_reso_num <= 4294967295 [increments]
+    write instead: antr.v_reso_num 7
+
+> getriebe[0].load
+x.lis:1:17: warning[AX103]: `getriebe[0].load` (P-AXIS-00391) has no value
+    allowed: 0 <= load <= 1.7976931348623157e308 [kg m^2, linear motor: kg]
+
+> kenngr.antr_typ
+x.lis:1:16: error[AX103]: `kenngr.antr_typ` (P-AXIS-00020) has no value
+    allowed: CONVENTIONAL (ANTR_TYP_KONV, 1), SERCOS (ANTR_TYP_SERCOS, 2), PROFIDRIVE (ANTR_TYP_PROFIDRIVE, 3), SIMULATION (ANTR_TYP_SIMU, 4), LIGHTBUS (ANTR_TYP_LIGHTBUS, 5), TERMINAL (ANTR_TYP_TERM, 6), RT_ETHERNET (ANTR_TYP_ETHERNET, 7), CANOPEN (ANTR_TYP_CANOPEN, 8), VIRTUAL (ANTR_TYP_VIRTUELL, 16), CAN_BUS (ANTR_TYP_CAN, 32)
+",
+    );
 }

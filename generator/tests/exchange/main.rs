@@ -6,6 +6,7 @@ mod edited;
 mod examples;
 mod large;
 mod random;
+mod unread;
 
 use generator::config::{ListOptions, Unreadable, read_with};
 use generator::diagnostics::Report;
