@@ -8,7 +8,8 @@ use std::fmt::Write;
 pub fn text() -> String {
     let mut page = String::from(
         "# Parameters\n\nMade by `axgen params --markdown` from the one table of parameters. Parameters with an id are the vendor's; the \
-         others are keys of axgen's own, for what no axis list holds. A default outside of the range means that the parameter \
+         others are keys of axgen's own, for what no axis list holds. Types, builds and drives are those that the manuals print; `----` is \
+         printed too. A default outside of the range means that the parameter \
          must be given where it is used.\n",
     );
     for (scope, title) in [
@@ -18,7 +19,7 @@ pub fn text() -> String {
     ] {
         let _ = write!(
             page,
-            "\n## {title}\n\n| id | path | allowed | default | unit | since | drives | meaning |\n| --- | --- | --- | --- | --- | --- | --- | --- |\n"
+            "\n## {title}\n\n| id | path | type | allowed | default | unit | since | drives | meaning |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n"
         );
         for parameter in Name::ALL.map(Name::parameter).into_iter().filter(|parameter| parameter.scope == scope) {
             row(parameter, &mut page);
@@ -33,14 +34,19 @@ fn row(parameter: &Parameter, page: &mut String) {
         let also: Vec<String> = parameter.aliases.iter().map(|alias| format!("`{alias}`")).collect();
         let _ = write!(meaning, "; also {}", also.join(", "));
     }
+    if !parameter.misprints.is_empty() {
+        let misprints: Vec<String> = parameter.misprints.iter().map(|misprint| format!("`{misprint}`")).collect();
+        let _ = write!(meaning, "; misprinted as {}", misprints.join(", "));
+    }
     if !parameter.printed.is_empty() {
         let _ = write!(meaning, "; printed: {}", parameter.printed);
     }
     let _ = writeln!(
         page,
-        "| {} | `{}` | {} | {} | {} | {} | {} | {} |",
+        "| {} | `{}` | {} | {} | {} | {} | {} | {} | {} |",
         parameter.id.unwrap_or(""),
         parameter.path,
+        parameter.data_type,
         cell(&parameter.allowed()),
         cell(&parameter.default.join(", ")),
         parameter.unit,

@@ -46,7 +46,7 @@ fn is(parameter: &Parameter, wanted: &str) -> bool {
     let by_id = parameter.id.is_some_and(|id| {
         id.eq_ignore_ascii_case(wanted) || id.rsplit('-').next().is_some_and(|digits| digits == wanted)
     });
-    let paths = [parameter.path].into_iter().chain(parameter.aliases.iter().copied());
+    let paths = [parameter.path].into_iter().chain(parameter.aliases.iter().chain(parameter.misprints).copied());
     by_id || paths.map(plain).any(|path| path == wanted_path || path.ends_with(&format!(".{wanted_path}")))
 }
 
@@ -60,6 +60,7 @@ fn describe(parameter: &Parameter) -> String {
         }
     };
     line("meaning", parameter.meaning.to_owned());
+    line("type", parameter.data_type.to_owned());
     line("allowed", parameter.allowed());
     line("printed", parameter.printed.to_owned());
     line("unit", parameter.unit.to_owned());
@@ -67,6 +68,7 @@ fn describe(parameter: &Parameter) -> String {
     line("since", parameter.since.to_owned());
     line("drives", parameter.drives.to_owned());
     line("also", parameter.aliases.join(", "));
+    line("misprint", parameter.misprints.join(", "));
     line(
         "stands in",
         match parameter.scope {

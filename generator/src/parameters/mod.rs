@@ -23,6 +23,8 @@ pub struct Parameter {
     pub scope: Scope,
     /// what its value looks like
     pub kind: Kind,
+    /// the vendor's data type, where the manuals print it: UNS16, SGN32, REAL64, BOOLEAN, STRING
+    pub data_type: &'static str,
     /// the unit of a number
     pub unit: &'static str,
     /// the value that holds when none is given, as a list would write it: one for all, or one for each value of the last
@@ -32,6 +34,8 @@ pub struct Parameter {
     pub since: &'static str,
     /// the range as the manual prints it, where that is not the range used here
     pub printed: &'static str,
+    /// of a whole number: what each of its few values means, from 0 on
+    pub numbers: &'static [&'static str],
     /// the drive types for which the manual prints it
     pub drives: &'static str,
     /// whether it is judged where it is used only: a real machine's list has it for functions that are not generated

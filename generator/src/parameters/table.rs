@@ -49,10 +49,12 @@ const VENDOR: Parameter = Parameter {
     indices: &[],
     scope: Scope::List,
     kind: Kind::Text,
+    data_type: "",
     unit: "",
     default: &[],
     since: "",
     printed: "",
+    numbers: &[],
     drives: "",
     is_shared: false,
     meaning: "",
@@ -230,6 +232,7 @@ table! {
     MultiGainN: SHARED {
         id: Some("P-AXIS-00128"),
         path: "getriebe[i].multi_gain_n",
+        data_type: "UNS32",
         indices: &[GEARS],
         kind: UNSIGNED,
         default: &["1"],
@@ -239,6 +242,7 @@ table! {
     MultiGainZ: SHARED {
         id: Some("P-AXIS-00129"),
         path: "getriebe[i].multi_gain_z",
+        data_type: "UNS32",
         indices: &[GEARS],
         kind: UNSIGNED,
         unit: "increments",
@@ -249,11 +253,12 @@ table! {
     IncrPerRev: SHARED {
         id: Some("P-AXIS-00092"),
         path: "getriebe[i].incr_per_rev",
+        data_type: "UNS32",
         indices: &[GEARS],
         kind: Kind::Integer { from: 0, to: u32::MAX },
         unit: "increments/revolution",
         default: &["1024"],
-        drives: "all",
+        drives: "----",
     }
     /// path resolution: denominator, path; with a feed constant revolutions of the gear's output
     WegaufN: SHARED {
@@ -275,6 +280,7 @@ table! {
     Load: SHARED {
         id: Some("P-AXIS-00391"),
         path: "getriebe[i].load",
+        data_type: "REAL64",
         indices: &[GEARS],
         kind: POSITIVE,
         unit: "kg m^2, linear motor: kg",
@@ -310,6 +316,7 @@ table! {
     VResoDenom: SHARED {
         id: Some("P-AXIS-00205"),
         path: "antr.v_reso_denom",
+        data_type: "UNS32",
         kind: UNSIGNED,
         unit: "um or 0.001 deg",
         default: &["36"],
@@ -319,23 +326,27 @@ table! {
     VResoNum: SHARED {
         id: Some("P-AXIS-00206"),
         path: "antr.v_reso_num",
+        data_type: "UNS32",
         kind: Kind::Integer { from: 0, to: u32::MAX },
         unit: "increments",
         default: &["1"],
         drives: "all",
     }
-    /// scaling of the additive velocity: 0 per minute, 1 per second, 2 per cycle
+    /// scaling of the additive velocity: the time of P-AXIS-00205
     VTimeBase: SHARED {
         id: Some("P-AXIS-00207"),
         path: "antr.v_time_base",
+        data_type: "UNS16",
         kind: Kind::Integer { from: 0, to: 2 },
         default: &["0"],
+        numbers: &["per minute", "per second", "per sampling interval"],
         drives: "SERCOS",
     }
     /// feedforward: the quantities, and whether they go to the drive as additive commands
     FeedforwardMode: SHARED {
         id: Some("P-AXIS-00223"),
         path: "vorsteuer.vorsteuerung",
+        data_type: "STRING, before the words UNS16",
         kind: Kind::Flags(&[
             numbered("NONE", 0x000),
             numbered("VEL", 0x001),
@@ -347,40 +358,44 @@ table! {
         ]),
         default: &["NONE"],
         since: "words: V2.11.2034.6, V2.11.2808.03, V3.1.3065.04, V3.1.3102.00",
-        drives: "all",
+        drives: "----",
     }
     /// feedforward of the acceleration: numerator of its time constant; with ADD_ACC of a plain weight
     VsAFaktor: SHARED {
         id: Some("P-AXIS-00225"),
         path: "vorsteuer.vs_a_faktor",
+        data_type: "SGN32",
         kind: SIGNED,
         unit: "us, with ADD_ACC: 1",
         default: &["1"],
-        drives: "all",
+        drives: "----",
     }
     /// feedforward of the acceleration: denominator; 0 takes the term away
     VsANenner: SHARED {
         id: Some("P-AXIS-00226"),
         path: "vorsteuer.vs_a_nenner",
+        data_type: "SGN32",
         kind: SIGNED,
         default: &["1"],
-        drives: "all",
+        drives: "----",
     }
     /// weight of the whole feedforward: numerator; 0.7 to 1 is usual, above 1 the axis leads
     VsVFaktor: SHARED {
         id: Some("P-AXIS-00228"),
         path: "vorsteuer.vs_v_faktor",
+        data_type: "SGN32",
         kind: SIGNED,
         default: &["1"],
-        drives: "all",
+        drives: "----",
     }
     /// weight of the whole feedforward: denominator; 0 takes all of it away
     VsVNenner: SHARED {
         id: Some("P-AXIS-00229"),
         path: "vorsteuer.vs_v_nenner",
+        data_type: "SGN32",
         kind: SIGNED,
         default: &["1"],
-        drives: "all",
+        drives: "----",
     }
     /// feedforward is active despite G137
     DefaultActive: SHARED {
@@ -400,22 +415,25 @@ table! {
     JerkFactNum: SHARED {
         id: Some("P-AXIS-00337"),
         path: "vorsteuer.jerk_fact_num",
+        data_type: "UNS32",
         kind: Kind::Integer { from: 0, to: u32::MAX },
         default: &["1"],
-        drives: "all",
+        drives: "----",
     }
     /// feedforward of the jerk: denominator of its factor; 0 is corrected to 100 (110473)
     JerkFactDenom: SHARED {
         id: Some("P-AXIS-00338"),
         path: "vorsteuer.jerk_fact_denom",
+        data_type: "UNS32",
         kind: UNSIGNED,
         default: &["100"],
-        drives: "all",
+        drives: "----",
     }
     /// delay of the additive velocity against the position, below six cycles; outside it is corrected to 0 (70349)
     VelocityDelayTime: SHARED {
         id: Some("P-AXIS-00389"),
         path: "vorsteuer.velocity_delay_time",
+        data_type: "UNS16",
         kind: DELAY,
         unit: "us",
         default: &["0"],
@@ -426,6 +444,7 @@ table! {
     AccelerationDelayTime: SHARED {
         id: Some("P-AXIS-00390"),
         path: "vorsteuer.acceleration_delay_time",
+        data_type: "UNS16",
         kind: DELAY,
         unit: "us",
         default: &["0"],
@@ -451,6 +470,7 @@ table! {
     ShiftTime: SHARED {
         id: Some("P-AXIS-00165"),
         path: "vorsteuer.shift_time",
+        data_type: "UNS16",
         kind: Kind::Integer { from: 0, to: 4 },
         unit: "cycles",
         default: &["3"],
@@ -460,6 +480,7 @@ table! {
     TorqueScaleNum: SHARED {
         id: Some("P-AXIS-00325"),
         path: "antr.torque_scale_num",
+        data_type: "UNS32",
         kind: WEIGHT,
         unit: "increments",
         default: &["1"],
@@ -469,6 +490,7 @@ table! {
     TorqueScaleDenom: SHARED {
         id: Some("P-AXIS-00326"),
         path: "antr.torque_scale_denom",
+        data_type: "UNS32",
         kind: WEIGHT,
         default: &["1"],
         printed: "1 < torque_scale_denom < MAX(UNS32), which excludes the default",
@@ -478,6 +500,7 @@ table! {
     AccReferenceValue: SHARED {
         id: Some("P-AXIS-00392"),
         path: "antr.acc_reference_value",
+        data_type: "REAL64",
         kind: POSITIVE,
         unit: "Nm, linear motor: N",
         default: &["1"],
@@ -497,6 +520,7 @@ table! {
     ChangeFeedForwardVWeighting: SHARED {
         id: Some("P-AXIS-00766"),
         path: "antr.sai_op_mode_change.feed_forward_v_weighting",
+        data_type: "UNS16",
         kind: Kind::Integer { from: 0, to: 1200 },
         unit: "0.1 %",
         default: &["0"],
@@ -506,6 +530,7 @@ table! {
     VVelocityControlOn: SHARED {
         id: Some("P-AXIS-00767"),
         path: "antr.sai_op_mode_change.v_velocity_control_on",
+        data_type: "SGN32",
         kind: SIGNED,
         unit: "0.001 deg/s",
         default: &["200000000"],
@@ -516,6 +541,7 @@ table! {
     VPositionControlOn: SHARED {
         id: Some("P-AXIS-00768"),
         path: "antr.sai_op_mode_change.v_position_control_on",
+        data_type: "SGN32",
         kind: SIGNED,
         unit: "0.001 deg/s",
         default: &["0"],
@@ -526,28 +552,33 @@ table! {
     Enable: VENDOR {
         id: Some("P-AXIS-00758"),
         path: ipc!("enable"),
+        data_type: "STRING, before V3.1.3132.0 BOOLEAN",
         kind: Kind::Word(&[
             Word { name: "OFF", number: Some(0), also: &["FALSE"] },
             Word { name: "ON", number: Some(1), also: &["TRUE"] },
             word("DRYRUN"),
         ]),
         default: &["OFF"],
-        since: IPC,
+        since: "V3.1.3077.08; words: V3.1.3132.0",
+        drives: "SERCOS, PROFIdrive, CANopen",
     }
     /// largest additive velocity as a part of the largest velocity of the axis (P-AXIS-00212)
     VAddMaxFact: VENDOR {
         id: Some("P-AXIS-00757"),
         path: ipc!("v_add_max_fact"),
+        data_type: "UNS16",
         kind: Kind::Integer { from: 0, to: 2000 },
         unit: "0.1 %",
         default: &["0"],
         since: IPC,
+        drives: "SERCOS, PROFIdrive, CANopen",
     }
     /// where the stage takes the vibration from: a measured velocity, the motor's velocity behind a simulated
     /// oscillation, or the command velocity behind a simulated oscillation
     Mode: VENDOR {
         id: Some("P-AXIS-00753"),
         path: ipc!("stage[i].mode"),
+        data_type: "UNS32",
         indices: &[STAGES],
         kind: Kind::Word(&[
             numbered("NOT_ACTIVE", 0),
@@ -557,6 +588,7 @@ table! {
         ]),
         default: &["NOT_ACTIVE"],
         since: IPC,
+        drives: "SERCOS, PROFIdrive, CANopen",
     }
     /// measured velocity that a DIRECT stage takes: motor encoder or direct measuring system
     DirectSource: AXIS_KEY {
@@ -569,89 +601,107 @@ table! {
     WeightFactNum: VENDOR {
         id: Some("P-AXIS-00754"),
         path: ipc!("stage[i].weight_fact_num"),
+        data_type: "UNS32",
         indices: &[STAGES],
         kind: WEIGHT,
         default: &["1"],
         since: IPC,
+        drives: "SERCOS, PROFIdrive, CANopen",
     }
     /// weight of the stage: denominator
     WeightFactDenom: VENDOR {
         id: Some("P-AXIS-00755"),
         path: ipc!("stage[i].weight_fact_denom"),
+        data_type: "UNS32",
         indices: &[STAGES],
         kind: WEIGHT,
         default: &["1"],
         since: IPC,
+        drives: "SERCOS, PROFIdrive, CANopen",
     }
     /// damping ratio of the simulated oscillation (INDIRECT, SET_POINT); the lower, the larger the additive velocity
     OscDamping: VENDOR {
         id: Some("P-AXIS-00850"),
         path: ipc!("stage[i].osc_damping"),
+        data_type: "REAL64",
         misprints: &[ipc!("stage[i]osc_damping")],
         indices: &[STAGES],
         kind: DAMPING,
         default: &["-1"],
         since: IPC_FILTERS,
+        drives: "SERCOS, PROFIdrive, CANopen",
     }
     /// predecessor of P-AXIS-00850
     FilterDamping: VENDOR {
         id: Some("P-AXIS-00756"),
         path: ipc!("stage[i].filter.damping"),
+        data_type: "REAL64",
         aliases: &[ipc!("stage[i].filter[k].damping")],
         indices: &[STAGES, 1],
         kind: DAMPING,
         default: &["-1"],
         since: IPC,
+        drives: "SERCOS, PROFIdrive, CANopen",
     }
     /// type of the filter; every active stage needs a band-pass
     FilterType: VENDOR {
         id: Some("P-AXIS-00849"),
         path: ipc!("stage[i].filter[k].type"),
+        data_type: "STRING",
         aliases: &[ipc!("stage[i].filter.type")],
         indices: &[STAGES, FILTERS],
         kind: Kind::Word(&[word("NO_FILTER"), word("BANDPASS"), word("ALLPASS")]),
         default: &["BANDPASS", "NO_FILTER"],
         since: IPC_FILTERS,
+        drives: "SERCOS, PROFIdrive, CANopen",
     }
     /// low-pass prototype of a band-pass; the second filter needs it in writing
     FilterPrototype: VENDOR {
         id: Some("P-AXIS-00848"),
         path: ipc!("stage[i].filter[k].prototype"),
+        data_type: "STRING",
         aliases: &[ipc!("stage[i].filter.prototype")],
         indices: &[STAGES, FILTERS],
         kind: Kind::Word(&[word("CRIT_DAMPING"), word("BUTTERWORTH"), word("BESSEL")]),
         default: &["CRIT_DAMPING"],
         since: IPC_FILTERS,
+        drives: "SERCOS, PROFIdrive, CANopen",
     }
     /// order of a band-pass: its sections of second order, 20 dB/decade each
     FilterOrder: VENDOR {
         id: Some("P-AXIS-00750"),
         path: ipc!("stage[i].filter[k].order"),
+        data_type: "UNS32",
         aliases: &[ipc!("stage[i].filter.order")],
         indices: &[STAGES, FILTERS],
         kind: Kind::Integer { from: 1, to: 3 },
         default: &["0"],
         since: IPC,
+        drives: "SERCOS, PROFIdrive, CANopen",
     }
     /// centre frequency of a band-pass and of the simulated oscillation; frequency of -180 degrees of an all-pass
     FilterF0: VENDOR {
         id: Some("P-AXIS-00751"),
         path: ipc!("stage[i].filter[k].fg_f0"),
+        data_type: "REAL64",
         aliases: &[ipc!("stage[i].filter.fg_f0")],
         indices: &[STAGES, FILTERS],
         kind: Kind::Real { from: Bound::Open(0.0), to: Bound::Closed(500.0) },
         unit: "Hz",
         default: &["-1"],
         since: IPC,
+        drives: "SERCOS, PROFIdrive, CANopen",
     }
     /// quality factor: centre frequency / bandwidth at -3 dB
     FilterQ: VENDOR {
         id: Some("P-AXIS-00752"),
         path: ipc!("stage[i].filter[k].q_factor"),
+        data_type: "REAL64",
         aliases: &[ipc!("stage[i].filter.q_factor")],
         indices: &[STAGES, FILTERS],
         kind: Kind::Real { from: Bound::Closed(1.0), to: Bound::Closed(10.0) },
         default: &["-1"],
         since: IPC,
+        drives: "SERCOS, PROFIdrive, CANopen",
     }
 }

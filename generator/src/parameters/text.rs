@@ -65,6 +65,10 @@ impl Parameter {
             Kind::Word(words) => words.iter().map(spellings).collect::<Vec<_>>().join(", "),
             Kind::Words(words) => format!("any of {}", words.iter().map(spellings).collect::<Vec<_>>().join(", ")),
             Kind::Flags(words) => words.iter().map(flag).collect::<Vec<_>>().join(", ") + ", and sums of these",
+            Kind::Integer { .. } if !self.numbers.is_empty() => {
+                let of = |(number, meaning): (usize, &&str)| format!("{number} ({meaning})");
+                self.numbers.iter().enumerate().map(of).collect::<Vec<_>>().join(", ")
+            }
             Kind::Integer { from, to } => format!("{from} <= {short} <= {to}{unit}"),
             Kind::Real { from, to } => {
                 let from = match from {

@@ -1,4 +1,8 @@
-//! The JSON schema of a set, from the table of parameters: what an editor completes and checks as one types.
+//! The JSON schema of a set, from the table of parameters: what an editor completes and checks as one types. It takes every set
+//! that `check` takes; what `check` refuses it refuses as far as the place of a value alone tells.
+
+mod judged;
+mod pattern;
 
 use crate::parameters::{Bound, Kind, Name, Parameter, Scope, Word};
 use serde_json::{Map, Value, json};
@@ -6,7 +10,8 @@ use serde_json::{Map, Value, json};
 /// The schema, JSON Schema draft 2020-12, as text.
 #[must_use]
 pub fn text() -> String {
-    let axis = Node::of(|parameter| parameter.scope != Scope::Set).schema();
+    let mut axis = Node::of(|parameter| parameter.scope != Scope::Set).schema();
+    axis["allOf"] = judged::rules();
     let mut set = Node::of(|parameter| parameter.scope == Scope::Set);
     set.description = "A set of axes for axgen".to_owned();
     let mut set = set.schema();
@@ -67,11 +72,10 @@ impl Node {
             }
         }
         node.single = false;
-        node.leaf = Some(leaf(parameter));
-        node.description = parameter.id.map_or_else(
-            || parameter.meaning.to_owned(),
-            |id| format!("{} ({id}){}", parameter.meaning, in_unit(parameter.unit)),
-        );
+        // Where something else may decide whether a value is used, its range is only told.
+        let is_always_judged = !parameter.is_shared && parameter.indices.is_empty();
+        node.leaf = Some(leaf(parameter, is_always_judged));
+        node.description = description(parameter);
     }
 
     fn schema(&self) -> Value {
@@ -98,27 +102,32 @@ impl Node {
     }
 }
 
-/// What a value may be. A default outside of the range means that there is none.
-fn leaf(parameter: &Parameter) -> Value {
+fn description(parameter: &Parameter) -> String {
+    let of_vendor = parameter.id.map_or_else(String::new, |id| {
+        let data_type = if parameter.data_type.is_empty() { "" } else { ", " };
+        format!(" ({id}{data_type}{})", parameter.data_type)
+    });
     match parameter.kind {
-        Kind::Word(words) => {
-            let numbers: Vec<u32> = words.iter().filter_map(|word| word.number).collect();
-            let has_booleans = words.iter().any(|word| word.name == "TRUE" || word.also.contains(&"TRUE"));
-            let mut choices = vec![json!({ "type": "string", "enum": spellings(words) })];
-            if !numbers.is_empty() {
-                choices.push(json!({ "type": "integer", "enum": numbers }));
-            }
-            if has_booleans {
-                choices.push(json!({ "type": "boolean" }));
-            }
-            json!({ "anyOf": choices })
+        Kind::Integer { .. } | Kind::Real { .. } => {
+            format!("{}{of_vendor}: {}", parameter.meaning, parameter.allowed())
         }
-        Kind::Words(words) => {
-            json!({ "type": "array", "items": { "type": "string", "enum": spellings(words) }, "uniqueItems": true })
-        }
-        Kind::Flags(_) => json!({ "anyOf": [{ "type": "string" }, { "type": "integer", "minimum": 0 }] }),
-        Kind::Integer { from, to } => json!({ "type": "integer", "minimum": from, "maximum": to }),
-        Kind::Real { from, to } => {
+        _ => format!("{}{of_vendor}", parameter.meaning),
+    }
+}
+
+/// What a value may be; without its range where it is not judged. A default outside of the range means that there is none.
+fn leaf(parameter: &Parameter, is_judged: bool) -> Value {
+    match parameter.kind {
+        Kind::Word(all) => words(all),
+        Kind::Words(all) => json!({ "type": "array", "items": words(all), "uniqueItems": true }),
+        Kind::Flags(all) => json!({ "anyOf": [
+            { "type": "string", "enum": all.iter().map(|word| word.name).collect::<Vec<_>>() },
+            { "type": "string", "pattern": pattern::of_flags(all) },
+            { "type": "integer", "enum": pattern::sums(all) },
+        ] }),
+        Kind::Integer { from, to } if is_judged => json!({ "type": "integer", "minimum": from, "maximum": to }),
+        Kind::Integer { .. } => json!({ "type": "integer" }),
+        Kind::Real { from, to } if is_judged => {
             let (low, from) = match from {
                 Bound::Open(end) => ("exclusiveMinimum", end),
                 Bound::Closed(end) => ("minimum", end),
@@ -129,16 +138,29 @@ fn leaf(parameter: &Parameter) -> Value {
             };
             json!({ "type": "number", low: from, high: to })
         }
-        Kind::Duration { .. } => json!({ "type": "string", "pattern": "^[0-9.]+ ?(s|ms|us|ns)$" }),
+        Kind::Real { .. } => json!({ "type": "number" }),
+        Kind::Duration { from, to } => json!({ "type": "string", "pattern": pattern::of_duration(from, to) }),
         Kind::Text => json!({ "type": "string" }),
     }
 }
 
-/// Every spelling of the words; a set takes any case, an editor completes these.
-fn spellings(words: &[Word]) -> Vec<&str> {
-    words.iter().flat_map(|word| std::iter::once(word.name).chain(word.also.iter().copied())).collect()
-}
-
-fn in_unit(unit: &str) -> String {
-    if unit.is_empty() { String::new() } else { format!(" [{unit}]") }
+/// One of the words: spelled so that an editor completes it, or in any case, or by its number.
+fn words<'w>(words: impl IntoIterator<Item = &'w Word>) -> Value {
+    let words: Vec<&Word> = words.into_iter().collect();
+    let spellings = words.iter().flat_map(|word| std::iter::once(word.name).chain(word.also.iter().copied()));
+    let mut choices = vec![
+        json!({ "type": "string", "enum": spellings.collect::<Vec<_>>() }),
+        json!({ "type": "string", "pattern": pattern::of_words(words.iter().copied()) }),
+    ];
+    let numbers: Vec<u32> = words.iter().filter_map(|word| word.number).collect();
+    if !numbers.is_empty() {
+        choices.push(json!({ "type": "integer", "enum": numbers }));
+    }
+    let is = |wanted: &str| words.iter().any(|word| word.name == wanted || word.also.contains(&wanted));
+    let booleans: Vec<bool> =
+        [("FALSE", false), ("TRUE", true)].into_iter().filter(|(word, _)| is(word)).map(|(_, b)| b).collect();
+    if !booleans.is_empty() {
+        choices.push(json!({ "enum": booleans }));
+    }
+    json!({ "anyOf": choices })
 }

@@ -1,0 +1,75 @@
+//! Ranges that hold only where something uses the value, as far as the set alone says so: those of an active stage, and of
+//! the gear step 0. Where an axis has a list, that may say otherwise.
+
+use super::{leaf, words};
+use crate::parameters::{Kind, Name};
+use serde_json::{Value, json};
+
+/// What an axis obeys beside the types of its values.
+#[must_use]
+pub fn rules() -> Value {
+    let stages = json!({ "lr_param": { "properties": { "improved_position_control": { "properties": {
+        "stage": { "items": stage() },
+    } } } } });
+    let steps = json!({ "getriebe": { "prefixItems": [{ "properties": { "dynamik": { "properties": {
+        "vb_max": leaf(Name::VbMax.parameter(), true),
+    } } } }] } });
+    json!([
+        { "if": { "not": { "required": ["list"] } }, "then": { "properties": stages } },
+        { "if": { "not": { "required": ["gear"] } }, "then": { "properties": steps } },
+    ])
+}
+
+/// A stage whose mode is written, and is not NOT_ACTIVE.
+fn stage() -> Value {
+    let strict = |name: Name| leaf(name.parameter(), true);
+    let damping = json!({ "exclusiveMaximum": 1.0 });
+    json!({ "allOf": [
+        {
+            "if": given(Name::Mode, &["DIRECT", "INDIRECT", "SET_POINT"]),
+            "then": { "properties": {
+                "weight_fact_num": strict(Name::WeightFactNum),
+                "weight_fact_denom": strict(Name::WeightFactDenom),
+                "filter": filters(),
+            } },
+        },
+        {
+            "if": given(Name::Mode, &["INDIRECT", "SET_POINT"]),
+            // Below 0 stands for a damping that is not given, where the other parameter gives it.
+            "then": { "properties": {
+                "osc_damping": damping,
+                "filter": { "properties": { "damping": damping }, "prefixItems": [{ "properties": { "damping": damping } }] },
+            } },
+        },
+    ] })
+}
+
+/// Filters of an active stage, as an array, or the first one as a table.
+fn filters() -> Value {
+    let bandpass = given(Name::FilterType, &["BANDPASS"]);
+    // The first filter is a band-pass where it has no type.
+    let by_default = json!({ "properties": bandpass["properties"] });
+    let mut first = filter(&by_default);
+    first["prefixItems"] = json!([filter(&by_default), filter(&bandpass)]);
+    first
+}
+
+fn filter(is_bandpass: &Value) -> Value {
+    let ranges = |names: &[Name]| {
+        let of = |name: &Name| (name.parameter().short().to_owned(), leaf(name.parameter(), true));
+        json!({ "properties": names.iter().map(of).collect::<serde_json::Map<_, _>>() })
+    };
+    json!({ "allOf": [
+        { "if": is_bandpass, "then": ranges(&[Name::FilterOrder, Name::FilterF0, Name::FilterQ]) },
+        { "if": given(Name::FilterType, &["ALLPASS"]), "then": ranges(&[Name::FilterF0, Name::FilterQ]) },
+    ] })
+}
+
+/// A table in which the parameter is one of the words.
+fn given(name: Name, chosen: &[&str]) -> Value {
+    let parameter = name.parameter();
+    let Kind::Word(all) = parameter.kind else { panic!("schema: {name:?} has no words") };
+    let short = parameter.short();
+    let chosen = words(all.iter().filter(|word| chosen.contains(&word.name)));
+    json!({ "required": [short], "properties": { short: chosen } })
+}
