@@ -130,7 +130,7 @@ codes! {
         "feedforward_without_delay (P-AXIS-00566) holds for VEL alone. The controller reports its error 110624.";
     RESOLUTION = "AX313", "no increments per revolution",
         "The angle that the motor turns by follows from the path resolution and the increments per revolution \
-         (P-AXIS-00092), which is 0.";
+         (P-AXIS-00092), which is 0. With a feed constant a PROFIdrive drive would get 0 for every control deviation, too.";
     SCALE = "AX314", "a scaling beyond the numbers",
         "The parameters of a scaling are so large that their product with a velocity or an acceleration is no number any \
          more.";
@@ -218,7 +218,7 @@ codes! {
          on, a scaling of a command that the drive does not get, process data that are not put out.";
     SCALINGS = "AX427", "unequal scalings in a gantry",
         "A slave puts out its master's additive velocity in its own scaling. Where the scalings differ, so do the increments: \
-         that is right for unequal drives only.";
+         that is right for unequal drives only. Where one of the two turns and the other does not, not even the unit is the same.";
     MASTER_UNKNOWN = "AX428", "the master of a gantry is not there",
         "A list that stands alone has no master beside it. In a set with both, the slave's block `axis` puts out the master's \
          additive velocity.";

@@ -9,6 +9,8 @@ pub struct Control {
     pub position_control: Option<PositionControl>,
     /// logical axis number (P-AXIS-00016)
     pub number: u32,
+    /// whether the axis turns (P-AXIS-00018): its velocities are in 0.001 deg/s, else in um/s
+    pub turns: bool,
     /// on a gantry slave: logical axis number of its master (P-AXIS-00070)
     pub master: Option<u32>,
     /// on a gantry slave whose master is known: largest |v_add| of the master [um/s or 0.001 deg/s]
@@ -136,6 +138,14 @@ pub struct Resolution {
     pub wegauf: Ratio,
     /// feed constant [0.1 um or 0.0001 deg per revolution] (P-AXIS-00362/00363)
     pub feed_const: Ratio,
+}
+
+impl Resolution {
+    /// Whether there is a feed constant: one of its parameters is not 1.
+    #[must_use]
+    pub fn has_feed_const(&self) -> bool {
+        self.feed_const != Ratio { num: 1, denom: 1 }
+    }
 }
 
 /// Scaling of an additive torque.

@@ -1,6 +1,6 @@
 //! What is legal, but inert, out of date or dangerous: warnings about an axis that is valid. Nothing here is an error.
 
-use super::effective::Effective;
+use super::effective::{Effective, as_written};
 use super::ipc::{damping_given, is_gantry_slave, rounded};
 use super::phase;
 use crate::axis::{Axis, Enable, Filter, Mode, Stage};
@@ -58,8 +58,10 @@ fn whole(axis: &Axis, e: &mut Effective<'_>) {
                 if axis.ipc.enable == Enable::On { "ON" } else { "DRYRUN" }
             ),
         };
+        let is_about_it = |name: Name| name.parameter().path.contains("improved_position_control");
+        let place = e.place_near((Name::Enable, [0, 0]), is_about_it);
         let instead = format!("{} with DIRECT, INDIRECT or SET_POINT", path_with(Name::Mode.parameter().path, [0, 0]));
-        warn(e, codes::NO_STAGE, (Name::Enable, [0, 0]), found, Some(instead));
+        e.report.push(Diagnostic::warning(codes::NO_STAGE, place, found).instead(instead));
     }
     if active > 0 && axis.ipc.v_add_max_fact == 0 {
         let how = if e.given((Name::VAddMaxFact, [0, 0])).is_some() { "is" } else { "has the default" };
@@ -109,8 +111,9 @@ fn filter_without_type(e: &mut Effective<'_>, i: u32, stage: &Stage) {
         let typed = e.given((Name::FilterType, [i, k])).is_some();
         if let Some(name) = described.filter(|_| !typed) {
             let found = format!("stage[{i}].filter[{k}] has parameters and no type: it is NO_FILTER (P-AXIS-00849)");
-            let instead = format!("{} BANDPASS or ALLPASS", path_with(Name::FilterType.parameter().path, [i, k]));
-            warn(e, codes::NO_TYPE, (name, [i, k]), found, Some(instead));
+            let place = e.place_of((name, [i, k]));
+            let instead = as_written(&place, (Name::FilterType, [i, k]), &["BANDPASS", "ALLPASS"]);
+            e.report.push(Diagnostic::warning(codes::NO_TYPE, place, found).instead(instead));
         }
     }
 }

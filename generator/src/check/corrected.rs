@@ -34,6 +34,10 @@ pub fn delay(
         e.report.push(Diagnostic::warning(code, e.place_of(key(name)), found).allowed(allowed));
         0
     });
+    if delay > u32::from(u16::MAX) {
+        // Six long cycles are more than the parameter's own range, which the controller does not correct.
+        return e.judged(key(name)).and(None);
+    }
     e.note(key(name), &Value::Integer(i64::from(delay)));
     Some(delay)
 }

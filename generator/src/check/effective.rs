@@ -7,6 +7,7 @@ use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Name, Value, path_with};
 use std::collections::BTreeMap;
 use std::fmt::Write;
+use std::path::Path;
 
 /// What an axis was given, what was said about it, and what of it its block uses.
 #[derive(Debug)]
@@ -45,6 +46,18 @@ impl<'a> Effective<'a> {
             Some(setting) => setting.value_place(),
             None => of_stage().map_or_else(|| self.home.clone(), Setting::path_place),
         }
+    }
+
+    /// The place of a parameter; of one that is not given in a list, whose home is the whole file, the first of those that are
+    /// about the same.
+    #[must_use]
+    pub fn place_near(&self, key: Key, is_about_it: impl Fn(Name) -> bool) -> Place {
+        let place = self.place_of(key);
+        if place.line > 0 {
+            return place;
+        }
+        let near = self.all_given().find(|((name, _), _)| is_about_it(*name));
+        near.map_or(place, |(_, setting)| setting.path_place())
     }
 
     /// The value that holds, judged; it does not go into the canonical form.
@@ -142,6 +155,22 @@ impl<'a> Effective<'a> {
             let _ = writeln!(lines, "{} {text}", path_with(name.parameter().path, *index));
         }
         lines
+    }
+}
+
+/// How the word of a parameter is written in the file of a message: as a line of a list, or as a key of a set.
+#[must_use]
+pub fn as_written(place: &Place, (name, index): Key, words: &[&str]) -> String {
+    let path = path_with(name.parameter().path, index);
+    let is_set = Path::new(&place.file).extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"));
+    if !is_set {
+        return format!("{path} {}", words.join(" or "));
+    }
+    let words = words.iter().map(|word| format!("\"{word}\"")).collect::<Vec<_>>().join(" or ");
+    match path.split_once("improved_position_control.stage").and(path.rsplit_once('.')) {
+        // Stages and filters are tables.
+        Some((table, short)) => format!("{short} = {words} in {table}"),
+        None => format!("{path} = {words}"),
     }
 }
 

@@ -42,10 +42,14 @@ fn master_of(axes: &[Axis], slave: usize, number: u32) -> Result<usize, (String,
     let name = &axes[slave].name;
     match named[..] {
         [] => {
-            let numbers: Vec<String> =
-                axes.iter().map(|axis| format!("{} of {}", axis.control.number, axis.name)).collect();
+            let others = axes.iter().enumerate().filter(|(other, _)| *other != slave).map(|(_, axis)| axis);
+            let numbers: Vec<String> = others.map(|axis| format!("{} of {}", axis.control.number, axis.name)).collect();
             let found = format!("{name} follows the axis {number}, and no axis of the set has this number");
-            Err((found, format!("one of {} (P-AXIS-00016), or the master's list in the set", numbers.join(", "))))
+            let instead = match numbers.is_empty() {
+                true => "the master's list in the set".to_owned(),
+                false => format!("one of {} (P-AXIS-00016), or the master's list in the set", numbers.join(", ")),
+            };
+            Err((found, instead))
         }
         [master] if axes[master].control.master.is_some() => {
             let found = if follows(axes, master, slave) {
@@ -84,7 +88,21 @@ fn compare(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
     let (Some(of_slave), Some(of_master)) = (&slave.control.position_control, &master.control.position_control) else {
         return;
     };
-    let scaling = |control: &PositionControl| (control.place, control.multi_gain, control.velocity);
+    if slave.control.turns != master.control.turns {
+        let [of_slave, of_master] = [slave, master].map(|axis| if axis.control.turns { "0.001 deg/s" } else { "um/s" });
+        let found = format!(
+            "{} has velocities in {of_slave}, and its master {} in {of_master} (P-AXIS-00018): the additive velocity of the one is \
+             none of the other",
+            slave.name, master.name
+        );
+        let instead = "equal axis types, kenngr.achs_typ (P-AXIS-00018)";
+        report.push(Diagnostic::warning(codes::SCALINGS, place.clone(), found).instead(instead));
+    }
+    // What the other way out would scale does not matter.
+    let scaling = |control: &PositionControl| match control.place {
+        axis::Place::Cnc => (Some(control.multi_gain), None),
+        _ => (None, control.velocity),
+    };
     if scaling(of_slave) != scaling(of_master) {
         let found = format!(
             "{} and its master {} scale their velocities differently: {}, and {}",
@@ -119,7 +137,7 @@ fn way_out(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
 }
 
 fn described(control: &PositionControl) -> String {
-    match control.velocity {
+    match control.velocity.filter(|_| control.place != axis::Place::Cnc) {
         Some(Velocity { reso, time_base, width }) => {
             let width = match width {
                 Width::Int16 => "INT16",

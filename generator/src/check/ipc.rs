@@ -1,6 +1,6 @@
 //! The rules of improved position control that are errors: a block that breaks one must not act on a machine.
 
-use super::effective::Effective;
+use super::effective::{Effective, as_written};
 use crate::axis::{DirectSource, Enable, Filter, Ipc, Mode, Prototype, Stage};
 use crate::codes;
 use crate::design::ipc::{MAX_FADE_CYCLES, fade};
@@ -62,8 +62,9 @@ fn gantry(e: &mut Effective<'_>, enable: Option<Enable>) {
         "improved position control is enabled on a gantry slave, whose master is axis {master} (P-AXIS-00070): error \
          70600 of the controller"
     );
-    let instead = format!("{} OFF here, and the stages in the list of axis {master}", Name::Enable.parameter().path);
     let place = e.place_of((Name::Enable, [0, 0]));
+    let off = as_written(&place, (Name::Enable, [0, 0]), &["OFF"]);
+    let instead = format!("{off} here, and the stages in the list of axis {master}");
     e.report.push(Diagnostic::error(codes::GANTRY_SLAVE, place, found).instead(instead));
 }
 
@@ -123,7 +124,7 @@ fn stage(e: &mut Effective<'_>, i: u32, cycle_time: Option<u32>, real: Option<Re
     if !filter.iter().any(|filter| matches!(filter, Filter::Bandpass { .. })) {
         let place = e.place_of((Name::FilterType, [i, 0]));
         let found = format!("stage[{i}] is {word} and has no band-pass");
-        let instead = format!("{} BANDPASS", path_with(Name::FilterType.parameter().path, [i, 0]));
+        let instead = as_written(&place, (Name::FilterType, [i, 0]), &["BANDPASS"]);
         e.report.push(
             Diagnostic::error(codes::NO_BANDPASS, place, found)
                 .allowed("at least one BANDPASS in every active stage (P-AXIS-00849)")
@@ -213,8 +214,9 @@ fn prototype(e: &mut Effective<'_>, index: [u32; 2]) -> Option<Prototype> {
             parameter.title(parameter.path, index),
             index[1]
         );
-        let diagnostic = Diagnostic::error(codes::PROTOTYPE, e.place_of((Name::FilterType, index)), found);
-        let instead = format!("{} CRIT_DAMPING", path_with(parameter.path, index));
+        let place = e.place_of((Name::FilterType, index));
+        let instead = as_written(&place, key, &["CRIT_DAMPING"]);
+        let diagnostic = Diagnostic::error(codes::PROTOTYPE, place, found);
         e.report.push(diagnostic.allowed(parameter.allowed()).instead(instead));
         return None;
     }

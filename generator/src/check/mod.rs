@@ -94,16 +94,17 @@ fn control(e: &mut Effective<'_>, cycle_time: Option<u32>, ipc: Option<&Ipc>) ->
         Value::Integer(number) => u32::try_from(number).ok()?,
         _ => return None,
     };
+    let turns = e.judged((Name::AxisType, [0, 0])).is_some_and(|kind| kind != Value::Word("ACHSTYP_TRANSLATOR"));
     let master = ipc::master(e);
     if ipc.is_some_and(|ipc| ipc.stage.iter().all(Option::is_none)) && master.is_none() && !is_asked_for(e) {
         // Nothing of the drive matters: a real machine's list may hold whatever it likes.
-        return Some((Control { number, ..Control::default() }, 0));
+        return Some((Control { number, turns, ..Control::default() }, 0));
     }
     // Without a drive, which has been said, the rest is judged all the same.
     let drive = drive::check(e).unwrap_or(Drive::UNKNOWN);
     let feedforward = feedforward::check(e, cycle_time, &drive)?;
     let position_control = position_control::check(e, &drive, ipc, feedforward.as_ref(), master.is_some())?;
-    let control = Control { feedforward, position_control, number, master, master_limit: None };
+    let control = Control { feedforward, position_control, number, turns, master, master_limit: None };
     Some((control, drive.gear))
 }
 

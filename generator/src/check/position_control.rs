@@ -1,8 +1,9 @@
 //! The rules of position control, and whether an axis gets it.
 
+use super::corrected::title;
 use super::drive::{self, Drive, key, ratio};
 use super::effective::Effective;
-use crate::axis::{Enable, Feedforward, Ipc, Place, PositionControl, Ratio, Width};
+use crate::axis::{Enable, Feedforward, Ipc, Place, PositionControl, Ratio, Resolution, Width};
 use crate::codes;
 use crate::diagnostics::Diagnostic;
 use crate::parameters::{Name, Value};
@@ -47,6 +48,9 @@ pub fn check(
     };
     let is_profidrive = drive.place == Place::Profidrive;
     let resolution = if is_profidrive { Some(drive::resolution(e, gear)?) } else { None };
+    if let Some(resolution) = resolution.filter(|of| of.incr_per_rev == 0 && of.has_feed_const()) {
+        return no_increments(e, gear, &resolution);
+    }
     let shift_time = if is_profidrive && feedforward.is_some() { e.integer(key(Name::ShiftTime)) } else { Some(0) };
     Some(Some(PositionControl {
         place: drive.place,
@@ -57,6 +61,20 @@ pub fn check(
         resolution,
         shift_time: shift_time?,
     }))
+}
+
+/// With a feed constant the path resolution is a multiple of the increments per revolution: of 0 the control deviation is always 0.
+fn no_increments<T>(e: &mut Effective<'_>, gear: u32, resolution: &Resolution) -> Option<T> {
+    let incr_key = (Name::IncrPerRev, [gear, 0]);
+    let found = format!(
+        "{} is 0, and with the feed constant {}/{} (P-AXIS-00362/00363) the control deviation XERR is always 0",
+        title(e, incr_key),
+        resolution.feed_const.num,
+        resolution.feed_const.denom
+    );
+    let diagnostic = Diagnostic::error(codes::RESOLUTION, e.place_of(incr_key), found);
+    e.report.push(diagnostic.allowed("1 <= incr_per_rev [increments/revolution]"));
+    None
 }
 
 /// Improved position control that the drive's process data have no room for: an error where it is enabled.

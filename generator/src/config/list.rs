@@ -84,9 +84,10 @@ impl<'a> List<'a> {
         let (path_at, value_at) = (statement.path_at(), statement.value_at());
         let place = || source.place(start + path_at);
         match path::find(written) {
-            Path::Known { name, .. } if name.parameter().scope != Scope::List => {
+            Path::Known { name, index, .. } if name.parameter().scope != Scope::List => {
                 let found = format!("`{written}` is a key of an axis set; no axis list has it");
-                self.report.push(Diagnostic::error(codes::KEY_OF_A_SET, place(), found).instead(instead_of_key(name)));
+                self.report
+                    .push(Diagnostic::error(codes::KEY_OF_A_SET, place(), found).instead(instead_of_key(name, index)));
             }
             Path::Known { name, index, spelling, misprint } => {
                 if misprint {
@@ -181,9 +182,9 @@ fn bad_byte(source: &Source<'_>, at: usize) -> Diagnostic {
         .instead("the line without it, or a `#` before the comment")
 }
 
-fn instead_of_key(name: Name) -> String {
+fn instead_of_key(name: Name, index: [u32; 2]) -> String {
     match name {
         Name::CycleTime => "the option --cycle-time".to_owned(),
-        _ => format!("`{}` in a TOML set whose axis names this list", name.parameter().short()),
+        _ => format!("`{}` in a TOML set whose axis names this list", path_with(name.parameter().path, index)),
     }
 }

@@ -129,12 +129,22 @@ fn of_bits(parameter: &Parameter, words: &'static [Word], number: i64, text: &st
             true => format!("is {}: the bits 0x{rest:x} stand for nothing alone", shown(text)),
             false => format!("is {}, which has a sign", shown(text)),
         };
-        return Err(Refused { code: codes::WORD, found, allowed: parameter.allowed(), instead: None });
+        let instead = if rest > 0 { meant(words, number, rest) } else { None };
+        return Err(Refused { code: codes::WORD, found, allowed: parameter.allowed(), instead });
     }
     if found.is_empty() {
         found.extend(words.iter().find(|word| word.number == Some(0)).map(|word| word.name));
     }
     Ok(Value::Words(found))
+}
+
+/// What a number was probably meant to be of which bits are left over: with all bits of the word that has them. The bit 0x400, which
+/// would continue the pattern of ADD_VEL and ADD_ACC, belongs to no word: ADD_JERK has 0x800.
+fn meant(words: &[Word], number: i64, rest: i64) -> Option<String> {
+    let bits = if rest == 0x400 { 0x800 } else { rest };
+    let of = |word: &Word| word.number.map(i64::from).filter(|all| all & bits == bits).map(|all| (word.name, all));
+    let (name, all) = words.iter().find_map(of)?;
+    Some(format!("0x{:03x}, if {name} is meant", number & !rest | all))
 }
 
 fn of_array(
@@ -230,7 +240,7 @@ fn of_duration(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
         "ns" => 0,
         "" => {
             let found = format!("is {}, which has no unit", shown(text));
-            return Err(refused(found, real(number).map(|_| format!("\"{number}ms\", if milliseconds are meant"))));
+            return Err(refused(found, real(number).map(|time| with_unit(number, time))));
         }
         _ => return Err(refused(format!("is {}, no time", shown(text)), None)),
     };
@@ -248,6 +258,15 @@ fn of_duration(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
         .map_err(|_| refused(format!("is {}, far too long", shown(text)), None))
 }
 
+/// A time without a unit with the units that are likely.
+fn with_unit(number: &str, time: f64) -> String {
+    // Below a tenth of a millisecond there is hardly a cycle: so small a number is mostly one of seconds.
+    match time < 0.1 {
+        true => format!("\"{number}s\", if seconds are meant, or \"{number}ms\", if milliseconds are"),
+        false => format!("\"{number}ms\", if milliseconds are meant"),
+    }
+}
+
 fn wrong_type(parameter: &Parameter, value: &DeValue<'_>) -> Refused {
     let needed = match parameter.kind {
         Kind::Word(_) | Kind::Text => "a string",
@@ -262,7 +281,8 @@ fn wrong_type(parameter: &Parameter, value: &DeValue<'_>) -> Refused {
             of_text(parameter, text).ok().map(|value| format!("{}, without quotes", value.text()))
         }
         (Kind::Duration { .. }, DeValue::Integer(_) | DeValue::Float(_)) => {
-            Some(format!("\"{}ms\", if milliseconds are meant", scalar(value)))
+            let number = scalar(value);
+            real(&number).map(|time| with_unit(&number, time))
         }
         _ => None,
     };

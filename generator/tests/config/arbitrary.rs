@@ -190,6 +190,7 @@ fn every_code_has_a_test() {
         include_str!("every_rule.rs"),
         include_str!("arbitrary.rs"),
         include_str!("files.rs"),
+        include_str!("gantry.rs"),
         include_str!("gear.rs"),
         include_str!("inert.rs"),
         include_str!("list.rs"),

@@ -72,6 +72,17 @@ set.toml:5:39: error[AX312]: `vorsteuer.feedforward_without_delay` (P-AXIS-00566
 set.toml:5:53: error[AX313]: `getriebe[0].incr_per_rev` (P-AXIS-00092) is 0, and the additive torque needs it
     allowed: 1 <= incr_per_rev [increments/revolution]
 
+> kenngr.antr_typ = 'PROFIDRIVE'
+> antr.feed_const_num = 50000
+> getriebe = [{ kv = 2000, incr_per_rev = 0 }]
+> vorsteuer.vorsteuerung = 'VEL'
+set.toml:5:41: error[AX313]: `getriebe[0].incr_per_rev` (P-AXIS-00092) is 0, and with the feed constant 50000/1 (P-AXIS-00362/00363) the control deviation XERR is always 0
+    allowed: 1 <= incr_per_rev [increments/revolution]
+
+> kenngr.antr_typ = 'PROFIDRIVE'
+> getriebe = [{ kv = 2000, incr_per_rev = 0 }]
+> vorsteuer.vorsteuerung = 'VEL'
+
 > vorsteuer.vorsteuerung = 'ADD_ACC'
 > process_data.additive_torque = 'INT16'
 > getriebe = [{ kv = 2000, load = 1e300 }]
@@ -293,10 +304,21 @@ set.toml:3:26: error[AX202]: `vorsteuer.vorsteuerung` (P-AXIS-00223) is `ADD_POS
 > vorsteuer.vorsteuerung = 0x400
 set.toml:3:26: error[AX202]: `vorsteuer.vorsteuerung` (P-AXIS-00223) is `1024`: the bits 0x400 stand for nothing alone
     allowed: NONE (0x000), VEL (0x001), ACC (0x002), JERK (0x004), ADD_VEL (0x101), ADD_ACC (0x202), ADD_JERK (0x804), and sums of these
+    write instead: 0x804, if ADD_JERK is meant
+
+> vorsteuer.vorsteuerung = '0x405'
+set.toml:3:26: error[AX202]: `vorsteuer.vorsteuerung` (P-AXIS-00223) is `0x405`: the bits 0x400 stand for nothing alone
+    allowed: NONE (0x000), VEL (0x001), ACC (0x002), JERK (0x004), ADD_VEL (0x101), ADD_ACC (0x202), ADD_JERK (0x804), and sums of these
+    write instead: 0x805, if ADD_JERK is meant
+
+> vorsteuer.vorsteuerung = 0x3000
+set.toml:3:26: error[AX202]: `vorsteuer.vorsteuerung` (P-AXIS-00223) is `12288`: the bits 0x3000 stand for nothing alone
+    allowed: NONE (0x000), VEL (0x001), ACC (0x002), JERK (0x004), ADD_VEL (0x101), ADD_ACC (0x202), ADD_JERK (0x804), and sums of these
 
 > vorsteuer.vorsteuerung = 0x100
 set.toml:3:26: error[AX202]: `vorsteuer.vorsteuerung` (P-AXIS-00223) is `256`: the bits 0x100 stand for nothing alone
     allowed: NONE (0x000), VEL (0x001), ACC (0x002), JERK (0x004), ADD_VEL (0x101), ADD_ACC (0x202), ADD_JERK (0x804), and sums of these
+    write instead: 0x101, if ADD_VEL is meant
 
 > vorsteuer.vorsteuerung = -1
 set.toml:3:26: error[AX202]: `vorsteuer.vorsteuerung` (P-AXIS-00223) is `-1`, which has a sign
@@ -323,131 +345,6 @@ set.toml:4:22: error[AX204]: `getriebe[0].load` (P-AXIS-00391) is of type string
 set.toml:5:25: error[AX204]: `vorsteuer.vs_a_nenner` (P-AXIS-00226) is of type string
     allowed: a whole number, 0 <= vs_a_nenner <= 2147483647
 "#,
-    );
-}
-
-/// What is said about a set whose axes are given.
-fn said_of_axes(given: &str) -> String {
-    said_of_set(&format!("cycle_time = \"1ms\"\n{given}"))
-}
-
-#[test]
-fn a_gantry_slave_that_cannot_follow() {
-    assert_transcript(
-        said_of_axes,
-        r#"
-> [axis.A]
-> kopf.achs_nr = 1
-> kenngr = { gantry_ax_nr = 2, antr_typ = 2 }
-> [axis.B]
-> kopf.achs_nr = 2
-> getriebe = [{ kv = 2000 }]
-> lr_param.improved_position_control = { v_add_max_fact = 1000, stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] }] }
-set.toml:4:27: warning[AX427]: A and its master B scale their velocities differently: no additive velocity, and multi_gain 2000/1
-    write instead: equal scalings, unless the drives are different
-set.toml:4:27: error[AX310]: A follows B, which has improved position control, and its own process data have no additive velocity
-    allowed: an additive velocity command in the process data of the slave too
-    write instead: process_data.additive_velocity = "INT32" for this axis, if the drive has it
-"#,
-    );
-}
-
-#[test]
-fn gantries() {
-    assert_transcript(
-        said_of_axes,
-        r#"
-> [axis.A]
-> kopf.achs_nr = 1
-> kenngr.gantry_ax_nr = 9
-> getriebe = [{ kv = 2000 }]
-> [axis.B]
-> kopf.achs_nr = 2
-> getriebe = [{ kv = 2000 }]
-set.toml:4:23: error[AX315]: A follows the axis 9, and no axis of the set has this number
-    write instead: one of 1 of A, 2 of B (P-AXIS-00016), or the master's list in the set
-
-> [axis.A]
-> kopf.achs_nr = 1
-> kenngr.gantry_ax_nr = 2
-> getriebe = [{ kv = 2000 }]
-> [axis.B]
-> kopf.achs_nr = 2
-> kenngr.gantry_ax_nr = 3
-> getriebe = [{ kv = 2000 }]
-> [axis.C]
-> kopf.achs_nr = 3
-> kenngr.gantry_ax_nr = 1
-> getriebe = [{ kv = 2000 }]
-set.toml:4:23: error[AX315]: A follows B, which follows A in the end
-    write instead: the number of an axis that follows no other
-set.toml:8:23: error[AX315]: B follows C, which follows B in the end
-    write instead: the number of an axis that follows no other
-set.toml:12:23: error[AX315]: C follows A, which follows C in the end
-    write instead: the number of an axis that follows no other
-
-> [axis.A]
-> kopf.achs_nr = 1
-> kenngr.gantry_ax_nr = 2
-> getriebe = [{ kv = 2000 }]
-> [axis.B]
-> kopf.achs_nr = 2
-> kenngr.gantry_ax_nr = 3
-> getriebe = [{ kv = 2000 }]
-> [axis.C]
-> kopf.achs_nr = 3
-> getriebe = [{ kv = 2000 }]
-set.toml:4:23: error[AX315]: A follows B, which is a slave itself
-    write instead: the number of an axis that follows no other
-
-> [axis.A]
-> kopf.achs_nr = 1
-> kenngr.gantry_ax_nr = 2
-> getriebe = [{ kv = 2000 }]
-> [axis.B]
-> kopf.achs_nr = 2
-> getriebe = [{ kv = 2000 }]
-> [axis.C]
-> kopf.achs_nr = 2
-> getriebe = [{ kv = 2000 }]
-set.toml:4:23: error[AX315]: A follows the axis 2, a number that B and C have
-    write instead: kopf.achs_nr (P-AXIS-00016) of its own for each axis
-
-> [axis.A]
-> kopf.achs_nr = 1
-> kenngr.gantry_ax_nr = 2
-> getriebe = [{ kv = 2000, multi_gain_z = 1000 }]
-> [axis.B]
-> kopf.achs_nr = 2
-> getriebe = [{ kv = 2000 }]
-set.toml:4:23: warning[AX427]: A and its master B scale their velocities differently: multi_gain 1000/1, and multi_gain 2000/1
-    write instead: equal scalings, unless the drives are different
-
-> [axis.A]
-> kopf.achs_nr = 1
-> kenngr = { gantry_ax_nr = 2, antr_typ = 2 }
-> process_data.additive_velocity = 'INT32'
-> antr.v_reso_num = 7
-> [axis.B]
-> kopf.achs_nr = 2
-> kenngr.antr_typ = 2
-> process_data.additive_velocity = 'INT32'
-> lr_param.improved_position_control = { v_add_max_fact = 1000, stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] }] }
-set.toml:4:27: warning[AX427]: A and its master B scale their velocities differently: v_reso 7/36, v_time_base 0, INT32, and v_reso 1/36, v_time_base 0, INT32
-    write instead: equal scalings, unless the drives are different
-"#,
-    );
-}
-
-#[test]
-fn a_slave_whose_list_stands_alone() {
-    assert_said(
-        &said("kopf.achs_nr 2\nkenngr.gantry_ax_nr 1\ngetriebe[0].kv 2000"),
-        &[
-            "x.lis:2:21: warning[AX428]: the master of the gantry, axis 1 (P-AXIS-00070), is not there: its additive velocity is \
-             left out",
-            "    write instead: a set with both axes, whose lists they name",
-        ],
     );
 }
 
@@ -482,5 +379,31 @@ fn what_nothing_uses_is_not_judged() {
              SIMULATION (ANTR_TYP_SIMU, 4), LIGHTBUS (ANTR_TYP_LIGHTBUS, 5), TERMINAL (ANTR_TYP_TERM, 6), RT_ETHERNET \
              (ANTR_TYP_ETHERNET, 7), CANOPEN (ANTR_TYP_CANOPEN, 8), VIRTUAL (ANTR_TYP_VIRTUELL, 16), CAN_BUS (ANTR_TYP_CAN, 32)",
         ],
+    );
+}
+
+/// Six cycles of 20 ms are longer than the delay's own type UNS16.
+#[test]
+fn a_delay_beyond_its_type() {
+    let say = |given: &str| said_of_set(&format!("cycle_time = '20ms'\n[axis.X]\n{given}"));
+    assert_transcript(
+        say,
+        r"
+> vorsteuer = { vorsteuerung = 'ADD_VEL', velocity_delay_time = 65536 }
+> process_data.additive_velocity = 'INT32'
+> getriebe = [{ kv = 2000 }]
+set.toml:3:63: error[AX203]: `vorsteuer.velocity_delay_time` (P-AXIS-00389) is 65536
+    allowed: 0 <= velocity_delay_time <= 65535 [us]
+
+> vorsteuer = { vorsteuerung = 'ADD_VEL', velocity_delay_time = 65535 }
+> process_data.additive_velocity = 'INT32'
+> getriebe = [{ kv = 2000 }]
+
+> vorsteuer = { vorsteuerung = 'ADD_VEL', velocity_delay_time = 120000 }
+> process_data.additive_velocity = 'INT32'
+> getriebe = [{ kv = 2000 }]
+set.toml:3:63: warning[AX416]: `vorsteuer.velocity_delay_time` (P-AXIS-00389) is 120000 us: error 70349 of the controller; the delay is corrected to 0
+    allowed: 0 <= velocity_delay_time < 6 cycles, 20ms each [us]
+",
     );
 }

@@ -335,12 +335,12 @@ x.lis:1:60: error[AX301]: stage[0] is DIRECT and has no band-pass
 fn g_gantry_masters_and_slaves() {
     assert_transcript(
         said_beside_a_stage,
-        r"
+        r#"
 > ipc.enable = 1
 > kopf.achs_nr = 2
 > kenngr.gantry_ax_nr = 65535
 set.toml:3:45: error[AX305]: improved position control is enabled on a gantry slave, whose master is axis 65535 (P-AXIS-00070): error 70600 of the controller
-    write instead: ipc.enable OFF here, and the stages in the list of axis 65535
+    write instead: ipc.enable = "OFF" here, and the stages in the list of axis 65535
 
 > ipc.enable = false
 > kopf.achs_nr = 65534
@@ -348,7 +348,7 @@ set.toml:3:45: error[AX305]: improved position control is enabled on a gantry sl
 set.toml:5:23: warning[AX412]: the axis is a gantry slave with active stages: its input `mode` must stay OFF (error 70600)
     write instead: the stages in the list of the master
 set.toml:5:23: error[AX315]: X follows the axis 65535, and no axis of the set has this number
-    write instead: one of 65534 of X (P-AXIS-00016), or the master's list in the set
+    write instead: the master's list in the set
 
 > ipc.enable = 'ON'
 > kenngr.gantry_ax_nr = 0
@@ -356,7 +356,7 @@ set.toml:5:23: error[AX315]: X follows the axis 65535, and no axis of the set ha
 > ipc.enable = 'DRYRUN'
 > kenngr.gantry_ax_nr = 3
 > kopf.achs_nr = 3
-",
+"#,
     );
 }
 

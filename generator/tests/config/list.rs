@@ -264,7 +264,7 @@ fn keys_of_a_set() {
             "x.lis:2:1: error[AX109]: `cycle_time` is a key of an axis set; no axis list has it",
             "    write instead: the option --cycle-time",
             "x.lis:3:1: error[AX109]: `ipc.stage[0].direct_source` is a key of an axis set; no axis list has it",
-            "    write instead: `direct_source` in a TOML set whose axis names this list",
+            "    write instead: `ipc.stage[0].direct_source` in a TOML set whose axis names this list",
         ],
     );
 }

@@ -7,6 +7,7 @@ mod control;
 mod every_rule;
 mod examples;
 mod files;
+mod gantry;
 mod gear;
 mod inert;
 mod list;
@@ -14,6 +15,7 @@ mod phase;
 mod rules;
 mod set;
 mod values;
+mod wording;
 
 use generator::config::{ListOptions, Set, Unreadable, read_with};
 use generator::diagnostics::Report;

@@ -88,6 +88,14 @@ fn cycle_times() {
         ],
     );
     assert_said(
+        &said_of_set("cycle_time = 0.001\n[axis.X]"),
+        &[
+            "set.toml:1:14: error[AX204]: `cycle_time` is of type float",
+            "    allowed: a string: a number with a unit (s, ms, us or ns), 1ns <= cycle_time <= 4.294967295s",
+            "    write instead: \"0.001s\", if seconds are meant, or \"0.001ms\", if milliseconds are",
+        ],
+    );
+    assert_said(
         &said_of_set(
             "cycle_time = \"1\"\n\
              [axis.X]",
