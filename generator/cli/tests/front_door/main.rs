@@ -154,12 +154,26 @@ fn a_parameter_is_found_by_id_path_and_end_of_path() {
         by_id,
         "lr_param.improved_position_control.stage[i].filter[k].q_factor (P-AXIS-00752)\n  \
          meaning   quality factor: centre frequency / bandwidth at -3 dB\n  \
+         type      REAL64\n  \
          allowed   1 <= q_factor <= 10\n  \
          default   -1\n  \
          since     V3.1.3077.08\n  \
+         drives    SERCOS, PROFIdrive, CANopen\n  \
          also      lr_param.improved_position_control.stage[i].filter.q_factor\n  \
          stands in an axis list, and below an axis of a set\n"
     );
+    let misprinted = told("lr_param.improved_position_control.stage[i]osc_damping");
+    assert_eq!(misprinted, told("00850"));
+    assert!(
+        misprinted.contains("\n  misprint  lr_param.improved_position_control.stage[i]osc_damping\n"),
+        "{misprinted}"
+    );
+    let meant = "\n  allowed   0 (per minute), 1 (per second), 2 (per sampling interval)\n";
+    assert!(told("v_time_base").contains(meant));
+    assert!(
+        told("vs_v_faktor").contains("\n  type      SGN32\n") && told("vs_v_faktor").contains("\n  drives    ----\n")
+    );
+    assert!(told("00758").contains("\n  since     V3.1.3077.08; words: V3.1.3132.0\n"));
     let (code, _, err) = axgen(folder.path(), &["params", "bandwidth"]);
     assert_eq!((code, err.as_str()), (2, "no parameter `bandwidth`; `axgen params` lists all, by id and path\n"));
     assert!(axgen(folder.path(), &["params"]).1.lines().count() >= 20);
