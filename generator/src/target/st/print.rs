@@ -168,6 +168,8 @@ impl<'p> Printer<'p> {
 
 /// A number in a statement, with its name behind it.
 fn inline(value: &str, name: &str) -> String {
+    // Compilers may read the smallest DINT as minus a number that is none.
+    let value = if value == "-2147483648" { "-2147483647 - 1" } else { value };
     let is_bare = !value.starts_with(['-', '(']) && !value.contains(" * ");
     if is_bare { format!("{value} (* {name} *)") } else { format!("({value} (* {name} *))") }
 }

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  34e395339e0520ddd4444822e1ca30ef
- * body        a44387d3c3940b9c3b68a709b231387d
+ * body        1558e56d27106b77816e0ae7740fbc16
  */
 #include "axis_x.h"
 
@@ -109,8 +109,8 @@ static const double position_control_manipulated_scale = 1.2; /* manipulated var
 /* process data of 32 bits */
 static const int32_t position_control_manipulated_range_lowest = (-2147483647 - 1); /* smallest value of the process data */
 static const int32_t position_control_manipulated_range_highest = 2147483647; /* largest value of the process data */
-static const double position_control_manipulated_range_lower_limit = -2147483648.0; /* the same as a real number */
-static const double position_control_manipulated_range_upper_limit = 2147483647.0; /* the same as a real number */
+static const double position_control_manipulated_range_lower_limit = -2147483648.4999995; /* smallest number that is rounded to the smallest value */
+static const double position_control_manipulated_range_upper_limit = 2147483647.4999998; /* largest number that is rounded to the largest value */
 
 /* the same for every axis */
 static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
@@ -390,13 +390,14 @@ void axis_x_axis_step(
         } else if (position_control_increments > 0.0) {
             outputs->manipulated_variable = position_control_manipulated_range_highest;
             outputs->limited = true;
-        } else if (position_control_increments > position_control_manipulated_range_lower_limit) {
-            outputs->manipulated_variable = nearest(position_control_increments);
-        } else {
+        } else if (position_control_increments < 0.0) {
             if (position_control_increments < position_control_manipulated_range_lower_limit) {
                 outputs->limited = true;
             }
             outputs->manipulated_variable = position_control_manipulated_range_lowest;
+        } else {
+            outputs->manipulated_variable = 0;
+            outputs->limited = true;
         }
         outputs->v_command = v_controller;
     }
