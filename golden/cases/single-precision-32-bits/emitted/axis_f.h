@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  83aae2ef51a7bbc5c8d99c44ff7bc9b6
- * body        780331cb5cb7d4632409a0976b6a6185
+ * body        ffa75b0145ab601efde84d3e82985f9e
  */
 #ifndef AXIS_F_H
 #define AXIS_F_H
@@ -24,22 +24,22 @@ typedef struct {
     float v_additive; /* additive feedforward, before it is scaled [um/s or 0.001 deg/s]; not read for this axis; start 0.0f */
     int32_t torque_feedforward; /* additive torque of the feedforward [increments]; not read for this axis; start 0 */
     float v_add; /* additive velocity of improved position control [um/s or 0.001 deg/s]; not read for this axis; start 0.0f */
-    bool position_controlled; /* FALSE: the axis is not in position control, all outputs are 0 at once and x_drive follows x_command; start true */
-    bool reset; /* while TRUE all outputs are 0 and x_drive follows x_command; start false */
+    bool position_controlled; /* FALSE: the axis is not in position control, all outputs are 0 at once; x_drive, if the drive has the controller, follows x_command. It acts in full in the next cycle: x_command stands on x_actual then; start true */
+    bool reset; /* while TRUE the same; start false */
     uint32_t task_cycle_ns; /* the caller's cycle [ns], 0: unchecked; another value than designed for is a fault; start 0u */
 } axis_f_position_control_inputs;
 
 /* Written by axis_f_position_control_step. */
 typedef struct {
     float v_command; /* output of the position controller with feedforward, before v_add is added: v_command of improved position control [um/s or 0.001 deg/s] */
-    float x_drive; /* position control in the drive: the position command of the drive [um or 0.001 deg] */
+    float x_drive; /* position control in the drive: the position command of the drive [um or 0.001 deg]; always 0.0f for this axis */
     int32_t manipulated_variable; /* position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments] */
-    int32_t xerr; /* PROFIdrive: control deviation XERR, signal 25 (P-AXIS-00092) [increments] */
-    int32_t additive_velocity; /* additive velocity command of the drive (P-AXIS-00205 to 00207) [increments] */
-    int32_t additive_torque; /* additive torque command of the drive (P-AXIS-00325/00326) [increments] */
+    int32_t xerr; /* PROFIdrive: control deviation XERR, signal 25 (P-AXIS-00092) [increments]; always 0 for this axis */
+    int32_t additive_velocity; /* additive velocity command of the drive (P-AXIS-00205 to 00207) [increments]; always 0 for this axis */
+    int32_t additive_torque; /* additive torque command of the drive (P-AXIS-00325/00326) [increments]; always 0 for this axis */
     bool limited; /* a process-data type cuts an output off in this cycle */
     bool fault; /* the block cannot act in this cycle, error_id says why */
-    uint32_t error_id; /* 0 none, 1 cycle time, 17 x_command, 18 x_actual, 19 v_feedforward, 20 v_additive, 21 v_add is no usable number */
+    uint32_t error_id; /* 0 none, 1 cycle time, 17 x_command, 18 x_actual, 19 v_feedforward, 20 v_additive, 21 v_add is no usable number; each of them stops the block */
 } axis_f_position_control_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */
