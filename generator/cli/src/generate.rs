@@ -14,7 +14,8 @@ use generator::generate;
 use generator::pass::Defect;
 use generator::target::{self, DEFAULT_TARGETS, File, TARGETS, Target};
 use generator::write::{self, Refusal, Written};
-use std::path::{Path, PathBuf};
+use std::borrow::Cow;
+use std::path::PathBuf;
 use std::slice;
 
 /// Axes that are described one by one; of more, only their number is said.
@@ -48,14 +49,17 @@ pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Resul
         return emit::run(set.axes.iter().filter(|axis| axes.is_empty() || axes.contains(&axis.name)), stage);
     }
     if let Some(show) = request.compare {
+        let named = shared::named(&set, axes, &targets, out);
         let compare = |file| compare_files::difference(&file, out, show);
-        return compare_files::say(files(&set, axes, &targets, out, compare));
+        return compare_files::say(files(&named, axes, &targets, compare));
     }
     let folder = write::open(out).map_err(refused)?;
-    let staged = files(&set, axes, &targets, out, |file| write::stage(&folder, &file));
+    let named = shared::named(&set, axes, &targets, out);
+    let staged = files(&named, axes, &targets, |file| write::stage(&folder, &file));
     let paths: Vec<PathBuf> = staged.iter().flatten().map(|file| file.path.clone()).collect();
     let written = write::commit(folder, staged, request.force).map_err(refused)?;
-    let left_out = targets.iter().filter_map(|target| shared::left_out(&set, axes, target, out)).collect::<String>();
+    let left_out = named.iter().zip(&targets).filter_map(|(named, target)| shared::left_out(&set, named, target, out));
+    let left_out: String = left_out.collect();
     set.axes.retain(|axis| axes.is_empty() || axes.contains(&axis.name));
     say(&set, &paths, written, warnings)?;
     output::print(left_out)?;
@@ -70,20 +74,24 @@ pub fn refused(refusal: Refusal) -> Exit {
     }
 }
 
-/// Makes the files; those that axes share are made for each target as they stand beside what is in the folder.
+/// Makes the files of the axes (all, if none is named) for each target, and those that the axes of its set share.
 fn files<T: Send>(
-    set: &Set,
+    sets: &[Cow<'_, Set>],
     axes: &[String],
     targets: &[Target],
-    out: &Path,
     take: impl Fn(File) -> T + Sync,
 ) -> Vec<T> {
-    if axes.is_empty() {
-        return made(generate::files(set, axes, targets, take));
+    match sets {
+        // All are the whole set: one design of each axis serves all targets.
+        [set, ..] if sets.iter().all(|set| matches!(set, Cow::Borrowed(_))) => {
+            made(generate::files(set, axes, targets, take))
+        }
+        _ => {
+            let of =
+                |(set, target): (&Cow<'_, Set>, _)| made(generate::files(set, axes, slice::from_ref(target), &take));
+            sets.iter().zip(targets).flat_map(of).collect()
+        }
     }
-    let of =
-        |target| made(generate::files(&shared::named(set, axes, target, out), axes, slice::from_ref(target), &take));
-    targets.iter().flat_map(of).collect()
 }
 
 /// What was made; a defect is ours, and never anybody's input.

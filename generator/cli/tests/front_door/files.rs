@@ -95,6 +95,22 @@ fn a_single_axis_keeps_what_the_others_share() {
     assert!(!out.contains("leave out"), "{out}");
 }
 
+/// What is there of one target says nothing of another.
+#[test]
+fn each_target_has_its_own_files() {
+    let folder = three();
+    let path = folder.path();
+    assert_eq!(generate(path, "--target twincat --axis Y").0, 0);
+    assert_eq!(generate(path, "--target codesys --axis Z").0, 0);
+    let (code, out) = generate(path, "--target c --target twincat --target codesys --axis X");
+    assert_eq!(code, 0);
+    let told = "twincat: the shared files leave out Z: their files are not in generated\n";
+    assert!(out.ends_with(told) && !out.contains("codesys: "), "{out}");
+    assert_eq!(named(path), (objects(path), 2));
+    let shared = fs::read_to_string(path.join("generated/axgen_shared.xml")).unwrap();
+    assert!(shared.contains("F_axgen_usable_LREAL") && shared.contains("F_axgen_usable_REAL"), "{shared}");
+}
+
 #[test]
 fn pages_are_written_as_files_are() {
     let folder = started();
