@@ -6,7 +6,7 @@ use super::values::{self, Setting, Values};
 use super::{axis_name, closest, list, value};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
-use crate::parameters::{Name, Scope, Value, path_with};
+use crate::parameters::{Kind, Name, Scope, Value, path_with};
 use std::collections::HashMap;
 use std::ops::Range;
 use toml::Spanned;
@@ -179,9 +179,22 @@ fn setting<'a>(
     report: &mut Report,
 ) -> Setting<'a> {
     let Range { start: value_at, .. } = value.span();
-    let value = value::of_toml(name.parameter(), value.get_ref())
-        .map_err(|refused| refused.diagnostic(name, written, source.place(value_at)));
-    let (value, refused) = values::read(name, value, report);
+    let said = |at, refused: value::Refused| refused.diagnostic(name, written, source.place(at));
+    let parameter = name.parameter();
+    let (value, refused) = match (parameter.kind, value.get_ref()) {
+        // Each wrong word is told at its own place.
+        (Kind::Words(words), DeValue::Array(array)) => match value::of_array(parameter, words, array) {
+            Ok(value) => (Some(value), None),
+            Err(wrong) => {
+                report.diagnostics.extend(wrong.into_iter().map(|(at, refused)| said(at, refused)));
+                (None, None)
+            }
+        },
+        (_, other) => {
+            let read = value::of_toml(parameter, other).map_err(|refused| said(value_at, refused));
+            values::read(name, read, report)
+        }
+    };
     Setting { value, refused, spelling, source, path_at: key.span().start, value_at }
 }
 
