@@ -32,6 +32,8 @@ pub fn listing(name: String, block: &Block, program: Program, dialect: Dialect) 
     let language = Language { ty: &|ty| type_name(ty, program.real), literal: &types::literal, next_line: "\n       " };
     let names = &printer.names;
     let groups = language.groups(block, &emitted, &names.constants);
+    let in_statements = Language { literal: &types::in_statement, ..language };
+    let assigned = with_form(Form::Assigned, &printer.forms, &in_statements.groups(block, &emitted, &names.constants));
     let of = |form| with_form(form, &printer.forms, &groups);
     StBlock {
         name,
@@ -41,7 +43,7 @@ pub fn listing(name: String, block: &Block, program: Program, dialect: Dialect) 
         locals: locals(&emitted, &names.locals),
         inline: of(Form::Inline),
         declared: of(Form::Declared),
-        assigned: of(Form::Assigned),
+        assigned,
         body: printer.body(0),
     }
 }

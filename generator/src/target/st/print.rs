@@ -56,7 +56,7 @@ impl<'p> Printer<'p> {
         let with_sigil = |names: &[String]| names.iter().map(|name| format!("{}{name}", dialect.sigil)).collect();
         let forms = forms::of(program, &dialect);
         let constant = |((constant, name), form): ((&Constant, &String), &Form)| match form {
-            Form::Inline => inline(&types::literal(constant.value), name),
+            Form::Inline => inline(&types::in_statement(constant.value), name),
             Form::Declared | Form::Assigned => format!("{}{name}", dialect.sigil),
         };
         let constants = program.constants.iter().zip(&names.constants).zip(&forms).map(constant).collect();
@@ -168,8 +168,6 @@ impl<'p> Printer<'p> {
 
 /// A number in a statement, with its name behind it.
 fn inline(value: &str, name: &str) -> String {
-    // Compilers may read the smallest DINT as minus a number that is none.
-    let value = if value == "-2147483648" { "-2147483647 - 1" } else { value };
     let is_bare = !value.starts_with(['-', '(']) && !value.contains(" * ");
     if is_bare { format!("{value} (* {name} *)") } else { format!("({value} (* {name} *))") }
 }
