@@ -40,7 +40,7 @@ pub trait Part<R: Real>: Reference<R> {
     /// What they mean.
     fn notes(axis: &Axis) -> Vec<(String, String)>;
 
-    /// The ranges of the noise on its real inputs in a self-test: where no limit acts, and the largest in operation.
+    /// The ranges of the noise on its real inputs in a self-test: where no limit acts, and where limits do.
     fn ranges(axis: &Axis) -> [f64; 2];
 }
 
@@ -72,7 +72,8 @@ impl<R: Real> Part<R> for Ipc {
 
     fn ranges(axis: &Axis) -> [f64; 2] {
         let (limit, v_max) = (design::ipc::limit(&axis.ipc), axis.ipc.v_max);
-        [if limit > 0.0 { limit / 16.0 } else { v_max }, v_max]
+        // A narrow band-pass lets little of the noise pass.
+        [if limit > 0.0 { limit / 16.0 } else { v_max }, v_max.max(64.0 * limit)]
     }
 }
 

@@ -31,7 +31,8 @@ macro_rules! codes {
 
 codes! {
     UNREADABLE = "AX001", "a file cannot be read",
-        "The set, or an axis list that it names, cannot be opened. The path of a list is relative to the file of the set.";
+        "The set, an axis list that it names, or a CSV file cannot be opened. The path of a list is relative to the file of the \
+         set.";
     TOO_LARGE = "AX002", "a file is too large",
         "No set and no axis list has as many bytes; it is probably another file.";
     UTF8 = "AX003", "a set is no UTF-8",
@@ -52,6 +53,29 @@ codes! {
          cycle_time in a set, or with --cycle-time. The generated block can check it against its task.";
     NOT_LISTED = "AX010", "more messages than anybody reads",
         "A thousand messages were listed. Mend the first ones: the others often follow from them.";
+    USAGE = "AX011", "a command line that cannot be carried out",
+        "An option is unknown or missing, or its value is none. `axgen help COMMAND` says what a command takes.";
+    NO_SUCH = "AX012", "a name that nothing has",
+        "The axis, the target, the stage, the engine, the block, the parameter or the code that the command line names does \
+         not exist.";
+    EDITED = "AX013", "a generated file that was changed by hand",
+        "The digest in its line `body` is no longer that of its content. Overwriting it would lose the change: make it in the set, \
+         or give --force.";
+    NOT_OURS = "AX014", "a file that would be lost",
+        "Where the command would write there is a file that it did not make, or that it reads itself. Give another name; \
+         --force, where the command has it, replaces a file that it does not read.";
+    SAMPLES = "AX015", "a mistake in a CSV file of samples",
+        "The first line has the names of signals, each further line a value of each. Reals are decimal, or 0x and the digits of \
+         their bits; BOOL is 0 or 1.";
+    CASE = "AX016", "a golden case that cannot be used",
+        "The case's case.toml, its set or its stimulus is wrong, it does not show what it says that it shows, or its \
+         folder takes no files.";
+    UNWRITABLE = "AX017", "a place that takes no output",
+        "The system does not let the command write to the file, the folder or the standard output: no permission, no space, or \
+         something else is in the way. This is no mistake in the set.";
+    NO_ENGINE = "AX018", "an engine that cannot run",
+        "The engine needs a program that is not there, or that does not work: mostly the C compiler, `cc` or what the variable CC \
+         names. This is no mistake in the set.";
 
     LINE = "AX101", "no line of an axis list",
         "A line is `path value`, with blanks or tabs between and no `=`; `#`, or `(` at the start of a line or behind a \

@@ -22,6 +22,18 @@ pub struct Place {
     pub column: usize,
 }
 
+impl Place {
+    /// A file as a whole, or what stands for one: an option, the standard output. A message has a line each, whatever the
+    /// name is.
+    #[must_use]
+    pub fn whole(file: impl fmt::Display) -> Self {
+        let name = file.to_string();
+        let is_plain = !name.contains(char::is_control);
+        let file = if is_plain { name } else { name.chars().flat_map(char::escape_debug).collect() };
+        Self { file, line: 0, column: 0 }
+    }
+}
+
 /// One message.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
@@ -116,6 +128,12 @@ impl Report {
     #[must_use]
     pub fn warnings(&self) -> usize {
         self.diagnostics.iter().filter(|d| d.severity == Severity::Warning).count()
+    }
+}
+
+impl From<Diagnostic> for Report {
+    fn from(diagnostic: Diagnostic) -> Self {
+        Self { diagnostics: vec![diagnostic] }
     }
 }
 

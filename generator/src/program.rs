@@ -169,17 +169,22 @@ impl Statement {
         }
     }
 
-    /// Calls `visit` for every variable that this statement or one inside it writes.
-    pub fn targets(&self, visit: &mut dyn FnMut(Var)) {
+    /// Calls `visit` for every variable that this statement or one inside it writes, with what it writes.
+    pub fn assignments(&self, visit: &mut dyn FnMut(Var, &Expr)) {
         match self {
             Self::Note(_) => {}
-            Self::Assign { target, .. } => visit(*target),
+            Self::Assign { target, value } => visit(*target, value),
             Self::If { then, otherwise, .. } => {
                 for statement in then.iter().chain(otherwise) {
-                    statement.targets(visit);
+                    statement.assignments(visit);
                 }
             }
         }
+    }
+
+    /// Calls `visit` for every variable that this statement or one inside it writes.
+    pub fn targets(&self, visit: &mut dyn FnMut(Var)) {
+        self.assignments(&mut |target, _| visit(target));
     }
 
     /// Whether this statement or one inside it reads or writes the variable.

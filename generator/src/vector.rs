@@ -1,11 +1,12 @@
 //! A short run of a block that a user can repeat on the controller itself, with the answers of the reference. No NaN, no
 //! infinity: some runtimes stop on them.
 
-use crate::block::leaves;
+use crate::block::{leaf, leaves};
 use crate::noise::Noise;
 use crate::program::{Program, Type};
 use portable::{Literal, Portable, Real};
 use reference::Block as Reference;
+use reference::signal::sample_limit;
 
 /// What went in and what came out, sample by sample, in the order of the program's inputs and outputs.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,17 +18,22 @@ pub struct Vector {
 }
 
 /// Samples of a run.
-const SAMPLES: usize = 128;
-/// The first sample with the full noise: before it no limit acts.
-const LOUD_FROM: usize = 96;
+pub const SAMPLES: usize = 192;
+/// The first sample with the full noise. Before it no limit acts, and a gate that needs 100 cycles has opened.
+const LOUD_FROM: usize = 112;
 /// The sample in which the first switch is turned.
-const FIRST_SWITCH: usize = 40;
+const FIRST_SWITCH: usize = 128;
 /// From one switch to the next.
-const SWITCH_DISTANCE: usize = 12;
+const SWITCH_DISTANCE: usize = 6;
 /// For how long a switch stays turned.
-const SWITCH_LENGTH: usize = 4;
+const SWITCH_LENGTH: usize = 3;
+/// The sample in which the first real is unusable.
+const FIRST_UNUSABLE: usize = 168;
+/// From one unusable real to the next.
+const UNUSABLE_DISTANCE: usize = 3;
 
-/// Runs the reference on noise; one switch after the other is turned for a few samples.
+/// Runs the reference on noise; one switch after the other is turned for a few samples, one real after the other unusable
+/// for one.
 ///
 /// `ranges` are the noise's: first one at which no limit acts, then the full one.
 #[must_use]
@@ -35,8 +41,11 @@ pub fn record<R: Real, B: Reference<R>>(coeffs: &B::Coeffs, program: &Program, r
     let mut usual = B::inputs(coeffs);
     B::exercise(&mut usual);
     let usual = leaves(&usual);
-    let switches: Vec<usize> =
-        (0..program.inputs.len()).filter(|index| program.inputs[*index].ty != Type::Real).collect();
+    let (reals, switches): (Vec<usize>, Vec<usize>) =
+        (0..program.inputs.len()).partition(|index| program.inputs[*index].ty == Type::Real);
+    debug_assert!(FIRST_SWITCH + switches.len() * SWITCH_DISTANCE <= FIRST_UNUSABLE);
+    debug_assert!(FIRST_UNUSABLE + reals.len() * UNUSABLE_DISTANCE <= SAMPLES);
+    let beyond = leaf(sample_limit::<R>() + sample_limit::<R>());
     let (mut state, mut outputs, mut noise) = (B::state(), B::outputs(), Noise::<R>::within(ranges));
     let mut vector = Vector { inputs: Vec::with_capacity(SAMPLES), outputs: Vec::with_capacity(SAMPLES) };
     for sample in 0..SAMPLES {
@@ -44,8 +53,15 @@ pub fn record<R: Real, B: Reference<R>>(coeffs: &B::Coeffs, program: &Program, r
             .checked_sub(FIRST_SWITCH)
             .filter(|since| since % SWITCH_DISTANCE < SWITCH_LENGTH)
             .and_then(|since| switches.get(since / SWITCH_DISTANCE));
+        let unusable = sample
+            .checked_sub(FIRST_UNUSABLE)
+            .filter(|since| since % UNUSABLE_DISTANCE == 0)
+            .and_then(|since| reals.get(since / UNUSABLE_DISTANCE));
         let value = |(index, value): (usize, &Literal)| match program.inputs[index].ty {
-            Type::Real => noise.next(sample >= LOUD_FROM),
+            Type::Real => {
+                let noise = noise.next(sample >= LOUD_FROM);
+                if unusable == Some(&index) { beyond } else { noise }
+            }
             _ if turned == Some(&index) => turn(*value),
             _ => *value,
         };

@@ -1,19 +1,24 @@
 //! A stimulus for any axis: what `verify` runs a user's own blocks with.
 
+use crate::ends;
 use crate::stimulus::{Component, Event, Stimulus, Window};
 use crate::waveform::Form;
 use generator::axis::{Axis, Filter};
 use generator::program::Program;
 
+/// The first cycle of those that search the ends of process data: early, so that a short run has them.
+const FIRST_END: u64 = 200;
+
 /// Everything that can happen to a block: moves, vibrations at its own frequencies, noise, steps to the limit, mode
-/// changes, resets, loss of position control, bad samples, wrong cycle times, and rest. Of all this a block gets what it
-/// has a signal for.
+/// changes, resets, loss of position control, bad samples, wrong cycle times, rest, and both ends of process data. Of all
+/// this a block gets what it has a signal for.
 #[must_use]
 pub fn stimulus(axis: &Axis, block: &Program) -> Stimulus {
     let has = |name: &str| block.inputs.iter().any(|input| input.path == name);
     let signal = reals(axis).into_iter().zip(1..).filter(|((name, _), _)| has(name));
     let signal = signal.map(|((name, largest), seed)| (name.to_owned(), components(axis, seed, largest))).collect();
-    let event = events().into_iter().filter(|event| has(&event.signal)).collect();
+    let mut event: Vec<Event> = events().into_iter().filter(|event| has(&event.signal)).collect();
+    event.extend(ends::events(block, axis.real, FIRST_END));
     Stimulus { signal, event }
 }
 

@@ -5,7 +5,7 @@
 //! samples    the values of all signals of a run, packed; csv: the same as text
 //! engine     four ways to run a block: reference, program, c (and, later, st)
 //! compare    how many bits of two runs differ, and where first
-//! exercise   the stimulus for a user's own axes
+//! exercise   the stimulus for a user's own axes; ends: the events at the ends of its process data
 //! case       a folder with an axis set, a stimulus and the answers that were recorded
 //! shows      what a case has in it: so that none can silently cease to show what it is there for
 //! ```
@@ -14,6 +14,7 @@
 pub mod case;
 pub mod compare;
 pub mod csv;
+pub mod ends;
 pub mod engine;
 pub mod exercise;
 pub mod samples;

@@ -7,11 +7,11 @@ pub trait Block<R: Real> {
     /// Constants of the block, designed from the parameters.
     type Coeffs: Portable;
     /// What it remembers from one cycle to the next.
-    type State: Portable + Default;
+    type State: Portable;
     /// What the caller gives each cycle.
     type Inputs: Portable + Clone;
     /// What the caller gets each cycle.
-    type Outputs: Portable + Default;
+    type Outputs: Portable;
 
     /// The name in files and on the command line.
     const NAME: &'static str;
@@ -23,10 +23,7 @@ pub trait Block<R: Real> {
     const STEP: Fn;
 
     /// The state before the first cycle.
-    #[must_use]
-    fn state() -> Self::State {
-        Self::State::default()
-    }
+    fn state() -> Self::State;
 
     /// The values that inputs have until the caller writes them.
     fn inputs(coeffs: &Self::Coeffs) -> Self::Inputs;
@@ -35,10 +32,7 @@ pub trait Block<R: Real> {
     fn exercise(inputs: &mut Self::Inputs);
 
     /// The values of the outputs before the first cycle.
-    #[must_use]
-    fn outputs() -> Self::Outputs {
-        Self::Outputs::default()
-    }
+    fn outputs() -> Self::Outputs;
 
     /// One cycle.
     fn step(state: &mut Self::State, coeffs: &Self::Coeffs, inputs: &Self::Inputs, outputs: &mut Self::Outputs);

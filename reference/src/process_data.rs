@@ -10,9 +10,9 @@ pub struct Coeffs<R> {
     pub lowest: i32,
     /// largest value of the process data
     pub highest: i32,
-    /// the same as a real number
+    /// smallest number that is rounded to the smallest value
     pub lower_limit: R,
-    /// the same as a real number
+    /// largest number that is rounded to the largest value
     pub upper_limit: R,
 }
 
@@ -26,7 +26,7 @@ pub struct Datum {
     pub limited: bool,
 }
 
-/// Rounds a number; where it lies outside of the range the end of the range stands for it.
+/// Rounds a number; where it lies beyond what is rounded to an end of the range, that end stands for it.
 #[portable]
 pub fn round<R: Real>(datum: &mut Datum, coeffs: &Coeffs<R>, x: R) {
     datum.limited = false;
@@ -35,11 +35,13 @@ pub fn round<R: Real>(datum: &mut Datum, coeffs: &Coeffs<R>, x: R) {
     } else if x > R::ZERO {
         datum.value = coeffs.highest;
         datum.limited = true;
-    } else if x > coeffs.lower_limit {
-        // Between -highest and lowest, which is one less.
-        datum.value = nearest(x);
-    } else {
+    } else if x < R::ZERO {
+        // What lies between -highest - 1/2 and lowest - 1/2 is rounded to lowest, which is -highest - 1.
         datum.value = coeffs.lowest;
         datum.limited = x < coeffs.lower_limit;
+    } else {
+        // Of what is no number, which no usable sample leads to, nothing is put out.
+        datum.value = 0i32;
+        datum.limited = true;
     }
 }

@@ -78,7 +78,7 @@ class Axis:
         self.settled, self.gate = False, 0
         self.before = self.x_held = 0.0
         self.seen = dict.fromkeys(
-            ("open", "faded", "rest", "settled", "limit", "half", "below half", "at an end", "beyond an end"), 0
+            "open faded rest settled limit half below_half at_an_end rounded_to_an_end beyond_an_end".split(), 0
         )
         self.seen["errors"] = set()
 
@@ -91,22 +91,23 @@ class Axis:
 
     def rounded(self, x):
         lowest, highest = INTEGERS[self.name]
-        limited = x < float(lowest) or x > float(highest)
-        self.seen["at an end"] += x in (float(lowest), float(highest))
-        self.seen["beyond an end"] += limited
-        if x <= float(lowest):
-            return lowest, limited
-        if not x < float(highest):
-            return highest, limited
+        self.seen["at_an_end"] += x in (float(lowest), float(highest))
+        self.seen["rounded_to_an_end"] += lowest - 0.5 < x < lowest or highest < x < highest + 0.5
+        if x <= lowest - 0.5:
+            self.seen["beyond_an_end"] += 1
+            return lowest, True
+        if x >= highest + 0.5:
+            self.seen["beyond_an_end"] += 1
+            return highest, True
         value = int(x)
         fraction = x - float(value)
         self.seen["half"] += abs(fraction) == 0.5
-        self.seen["below half"] += 0.5 - 1e-8 < abs(fraction) < 0.5
+        self.seen["below_half"] += 0.5 - 1e-8 < abs(fraction) < 0.5
         if fraction >= 0.5:
             value += 1
         elif fraction <= -0.5:
             value -= 1
-        return value, limited
+        return value, False
 
     def bandpass(self, p, x):
         c, s = self.c, self.s[p]

@@ -42,15 +42,15 @@ SELDOM void follow(
     *outputs = (axis_outputs){ .x_drive = inputs->x_command, .fault = error_id != 0u, .error_id = error_id };
 }
 
-/* An additive command beyond the range, or at its ends. */
+/* An additive command beyond the range, or at its lower end. */
 SELDOM void saturate(axis_outputs *restrict outputs, double increments)
 {
     if (increments >= highest) {
         outputs->OUTPUT = OUTPUT_MAX;
-        outputs->limited = increments > highest;
+        outputs->limited = true;
     } else if (increments <= lowest) {
         outputs->OUTPUT = OUTPUT_MIN;
-        outputs->limited = increments < lowest;
+        outputs->limited = true;
     } else {
         outputs->OUTPUT = nearest(increments);
     }

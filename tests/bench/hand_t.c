@@ -18,7 +18,7 @@
 static const double now = 0.85; /* delay of 0.15 cycles */
 static const double earlier = 0.15;
 static const double increments_per_input = 2.412743157956961;
-static const double highest = 32767.0;
-static const double lowest = -32768.0;
+static const double highest = 32767.5; /* rounded beyond the range from here on */
+static const double lowest = -32768.5;
 
 #include "hand_additive.h"

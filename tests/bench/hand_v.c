@@ -18,7 +18,7 @@
 static const double now = 0.85; /* delay of 0.15 cycles */
 static const double earlier = 0.15;
 static const double increments_per_input = 180.01800180018003;
-static const double highest = 2147483647.0;
-static const double lowest = -2147483648.0;
+static const double highest = 2147483647.5; /* rounded beyond the range from here on */
+static const double lowest = -2147483648.5;
 
 #include "hand_additive.h"

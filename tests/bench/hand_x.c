@@ -25,8 +25,8 @@ static const double fade_step = 0.01;
 static const double t_a = 0.004; /* s */
 static const double kv = 20.0; /* 1/s */
 static const double increments_per_velocity = 1.2;
-static const double highest = 2147483647.0;
-static const double lowest = -2147483648.0;
+static const double highest = 2147483647.5; /* rounded beyond the range from here on */
+static const double lowest = -2147483648.5;
 
 /* stage 0: BANDPASS order 1, 53 Hz, Q 10 */
 static const double bp0_minus_b0 = -0.016379233277825974;
@@ -99,15 +99,15 @@ SELDOM void idle(axis_state *restrict state, axis_outputs *restrict outputs, uin
     *outputs = (axis_outputs){ .fault = error_id != 0u, .error_id = error_id };
 }
 
-/* What the drive gets: of a velocity beyond the range, or at its ends. */
+/* What the drive gets: of a velocity beyond the range, or at its lower end. */
 SELDOM void saturate(axis_outputs *restrict outputs, double increments)
 {
     if (increments >= highest) {
         outputs->manipulated_variable = INT32_MAX;
-        outputs->limited = outputs->limited || increments > highest;
+        outputs->limited = true;
     } else if (increments <= lowest) {
         outputs->manipulated_variable = INT32_MIN;
-        outputs->limited = outputs->limited || increments < lowest;
+        outputs->limited = true;
     } else {
         outputs->manipulated_variable = nearest(increments);
     }

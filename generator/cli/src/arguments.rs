@@ -1,7 +1,9 @@
 //! The command line: what it takes, in the words of its help. Nothing is done here.
 
+use crate::emit;
 use crate::messages::Format;
 use crate::results::Files;
+use crate::verify;
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
 use std::path::PathBuf;
@@ -10,6 +12,9 @@ use std::path::PathBuf;
 #[derive(Parser)]
 #[command(name = "axgen", version, max_term_width = 100)]
 pub struct Cli {
+    /// What messages look like
+    #[arg(long, global = true, value_name = "FORMAT", default_value = "human")]
+    pub message_format: Format,
     /// what is to be done
     #[command(subcommand)]
     pub command: Command,
@@ -40,8 +45,7 @@ pub enum Command {
         /// The same, with the lines that differ
         #[arg(long, conflicts_with_all = ["emit", "force"])]
         diff: bool,
-        /// Print one stage of the pipeline instead: parameters, program, typed, identity, coalesced, pruned, verified
-        #[arg(long, value_name = "STAGE", conflicts_with = "force")]
+        #[arg(long, value_name = "STAGE", conflicts_with = "force", help = emit::help())]
         emit: Option<String>,
     },
     /// Reads and checks only
@@ -80,7 +84,7 @@ pub enum Command {
         #[command(flatten)]
         set: SetArguments,
         /// Samples of each run
-        #[arg(long, value_name = "N", default_value_t = 100_000)]
+        #[arg(long, value_name = "N", default_value = "100000", value_parser = verify::samples)]
         samples: usize,
         #[command(flatten)]
         results: Files,
@@ -153,6 +157,9 @@ pub enum Command {
         /// The folder for them
         #[arg(default_value = "man")]
         folder: PathBuf,
+        /// Overwrite files that axgen did not make, or that were changed by hand
+        #[arg(long)]
+        force: bool,
     },
     /// Vectors to keep in a repository
     Golden {
@@ -191,9 +198,6 @@ pub struct SetArguments {
     /// Name of an axis list's axis [default: from the file's name]
     #[arg(long, value_name = "NAME")]
     pub name: Option<String>,
-    /// What messages look like
-    #[arg(long, value_name = "FORMAT", default_value = "human")]
-    pub message_format: Format,
 }
 
 /// Where a single file goes.
@@ -205,7 +209,4 @@ pub struct OneFile {
     /// Replace a file that is there
     #[arg(long)]
     pub force: bool,
-    /// What messages look like
-    #[arg(long, value_name = "FORMAT", default_value = "human")]
-    pub message_format: Format,
 }

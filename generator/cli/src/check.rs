@@ -3,19 +3,21 @@
 use crate::arguments::SetArguments;
 use crate::exit::Exit;
 use crate::input::{self, counted};
+use crate::messages::Format;
+use crate::output;
 use crate::summary;
 use generator::block;
 
 /// Runs the command.
-#[expect(clippy::print_stdout, reason = "what the command has found")]
-pub fn run(arguments: &SetArguments) -> Result<Exit, Exit> {
-    let (set, warnings) = input::read(arguments)?;
+pub fn run(arguments: &SetArguments, format: Format) -> Result<Exit, Exit> {
+    let (set, warnings) = input::read(arguments, format)?;
     for axis in &set.axes {
-        print!("{}", summary::of(axis));
+        output::print(summary::of(axis))?;
         for block in block::blocks(axis).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}")) {
-            block.certificate.iter().for_each(|line| println!("  {line}"));
+            block.certificate.iter().try_for_each(|line| output::line(format!("  {line}")))?;
         }
     }
-    println!("{}, {} of other functions passed over", counted(warnings, "warning"), counted(set.foreign, "parameter"));
+    let (warnings, foreign) = (counted(warnings, "warning"), counted(set.foreign, "parameter"));
+    output::line(format!("{warnings}, {foreign} of other functions passed over"))?;
     Ok(Exit::Done)
 }

@@ -1,6 +1,8 @@
 //! `axgen generate --check` and `--diff`: what on disk differs from what would be written. Nothing is written.
 
 use crate::exit::Exit;
+use crate::output;
+use generator::codes;
 use generator::target::File;
 use similar::TextDiff;
 use std::fs;
@@ -22,7 +24,9 @@ pub fn difference(file: &File, folder: &Path, show: Show) -> Result<Option<Strin
     let found = match fs::read(&path) {
         Ok(bytes) => Some(bytes),
         Err(error) if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) => None,
-        Err(error) => return Err(Exit::environment(format!("{}: {error}", path.display()))),
+        Err(error) => {
+            return Err(Exit::environment(codes::UNREADABLE, path.display(), format!("cannot be read: {error}")));
+        }
     };
     if found.as_deref() == Some(file.text.as_bytes()) {
         return Ok(None);
@@ -35,12 +39,11 @@ pub fn difference(file: &File, folder: &Path, show: Show) -> Result<Option<Strin
 }
 
 /// Says every difference. Silent where there is none.
-#[expect(clippy::print_stdout, reason = "what the command has found")]
 pub fn say(differences: Vec<Result<Option<String>, Exit>>) -> Result<Exit, Exit> {
     let mut exit = Exit::Done;
     for difference in differences {
         if let Some(text) = difference? {
-            print!("{text}");
+            output::print(text)?;
             exit = Exit::Different;
         }
     }

@@ -1,19 +1,20 @@
 //! `axgen diff`: what a change between two sets means for the machine.
 
 use crate::exit::Exit;
-use crate::messages::{self, Format};
+use crate::input::said;
+use crate::messages::Format;
+use crate::output;
 use generator::config::{self, ListOptions, Set};
 use generator::meaning;
 use std::path::Path;
 
 /// Runs the command. `options` are for the axis lists among the two; two lists are versions of one axis, whatever the files'
 /// names.
-#[expect(clippy::print_stdout, reason = "what the command has found")]
-pub fn run(old: &Path, new: &Path, options: &ListOptions) -> Result<Exit, Exit> {
+pub fn run(old: &Path, new: &Path, options: &ListOptions, format: Format) -> Result<Exit, Exit> {
     let some_list = !is_set(old) || !is_set(new);
     let load = |path: &Path| {
         let none = ListOptions::default();
-        read(path, if is_set(path) && some_list { &none } else { options })
+        read(path, if is_set(path) && some_list { &none } else { options }, format)
     };
     // Both are read, so that the mistakes of both are said.
     let (mut before, after) = match (load(old), load(new)) {
@@ -27,18 +28,15 @@ pub fn run(old: &Path, new: &Path, options: &ListOptions) -> Result<Exit, Exit> 
     }
     let changes = meaning::changes(&before.axes, &after.axes);
     for line in meaning::lines(&changes) {
-        println!("{line}");
+        output::line(line)?;
     }
     Ok(if meaning::differ(&changes) { Exit::Different } else { Exit::Done })
 }
 
-fn read(path: &Path, options: &ListOptions) -> Result<Set, Exit> {
+/// A set; of one that can be compared only the differences are of interest, not the warnings.
+fn read(path: &Path, options: &ListOptions, format: Format) -> Result<Set, Exit> {
     let (set, report) = config::read(path, options);
-    let text = messages::text(&report, Format::Human);
-    if set.is_none() {
-        eprint!("{text}");
-    }
-    set.ok_or_else(|| Exit::input(format!("{}: nothing can be compared", path.display())))
+    set.map_or_else(|| said(None, &report, format), Ok)
 }
 
 fn is_set(path: &Path) -> bool {

@@ -1,9 +1,13 @@
 //! The exit codes, which scripts rely on, and the way in which a failure is said.
 
+use crate::messages::{self, Format};
+use crate::output;
+use generator::codes;
+use generator::diagnostics::{Diagnostic, Place, Report};
 use std::fmt::Display;
 use std::process::ExitCode;
 
-/// How the command ends. A text goes to standard error.
+/// How the command ends. Messages that have not been said yet go to standard error.
 #[derive(Debug)]
 pub enum Exit {
     /// 0
@@ -11,27 +15,37 @@ pub enum Exit {
     /// 1: a check found a difference
     Different,
     /// 2: the input is wrong; nothing was written
-    Input(String),
+    Input(Report),
     /// 3: the environment is: no compiler, no permission, no space
-    Environment(String),
+    Environment(Report),
 }
 
 impl Exit {
-    /// The input is wrong.
-    pub fn input(text: impl Display) -> Self {
-        Self::Input(text.to_string())
+    /// The input is wrong; `of` is the file or the option that it is about.
+    pub fn input(code: &'static str, of: impl Display, found: impl Display) -> Self {
+        Self::Input(Diagnostic::error(code, Place::whole(of), found.to_string()).into())
     }
 
-    /// The environment is wrong.
-    pub fn environment(text: impl Display) -> Self {
-        Self::Environment(text.to_string())
+    /// The environment is wrong; `of` is the file or the program that it is about.
+    pub fn environment(code: &'static str, of: impl Display, found: impl Display) -> Self {
+        Self::Environment(Diagnostic::error(code, Place::whole(of), found.to_string()).into())
     }
 
-    /// Says why, if there is anything to say.
-    pub fn say(self) -> Self {
-        match &self {
-            Self::Input(text) | Self::Environment(text) if !text.is_empty() => eprintln!("{}", text.trim_end()),
-            _ => {}
+    /// A file, or standard output, takes nothing.
+    pub fn unwritable(of: impl Display, error: impl Display) -> Self {
+        Self::environment(codes::UNWRITABLE, of, error)
+    }
+
+    /// A name of the command line that nothing has, and those that there are.
+    pub fn no_such(option: &str, what: &str, name: &str, known: &[&str]) -> Self {
+        let found = format!("no {what} `{}`", name.escape_default());
+        Self::Input(Diagnostic::error(codes::NO_SUCH, Place::whole(option), found).allowed(known.join(", ")).into())
+    }
+
+    /// Says why, if that has not been said.
+    pub fn say(self, format: Format) -> Self {
+        if let Self::Input(report) | Self::Environment(report) = &self {
+            output::say(&messages::text(report, format));
         }
         self
     }

@@ -9,15 +9,9 @@ use std::path::Path;
 
 /// Runs the command: the axis may be left out where the set has one; without a file, or to `-`, it writes to standard
 /// output; a file that is there is replaced only by force.
-pub fn run(
-    set: &Path,
-    axis: Option<&str>,
-    out: Option<&Path>,
-    force: bool,
-    message_format: Format,
-) -> Result<Exit, Exit> {
+pub fn run(set: &Path, axis: Option<&str>, out: Option<&Path>, force: bool, format: Format) -> Result<Exit, Exit> {
     let (list, report) = exchange::export(set, axis);
-    let list = said(list, &report, message_format)?;
+    let list = said(list, &report, format)?;
     one_file::write(out, &list, force)?;
     Ok(Exit::Done)
 }

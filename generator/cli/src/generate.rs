@@ -5,13 +5,18 @@ use crate::compare_files::{self, Show};
 use crate::emit;
 use crate::exit::Exit;
 use crate::input::{self, counted};
+use crate::messages::Format;
+use crate::output;
+use crate::shared;
 use crate::summary;
 use generator::config::Set;
 use generator::generate;
 use generator::pass::Defect;
-use generator::target::{self, DEFAULT_TARGETS, TARGETS, Target};
+use generator::target::{self, DEFAULT_TARGETS, File, TARGETS, Target};
 use generator::write::{self, Refusal, Written};
+use std::borrow::Cow;
 use std::path::PathBuf;
+use std::slice;
 
 /// Axes that are described one by one; of more, only their number is said.
 const DESCRIBED_AXES: usize = 10;
@@ -33,9 +38,9 @@ pub struct Request {
 }
 
 /// Runs the command.
-pub fn run(arguments: &SetArguments, request: &Request) -> Result<Exit, Exit> {
+pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Result<Exit, Exit> {
     let Request { axes, out, .. } = request;
-    let (mut set, warnings) = input::read(arguments)?;
+    let (mut set, warnings) = input::read(arguments, format)?;
     for name in axes {
         input::axis(&set, Some(name))?;
     }
@@ -44,23 +49,48 @@ pub fn run(arguments: &SetArguments, request: &Request) -> Result<Exit, Exit> {
         return emit::run(set.axes.iter().filter(|axis| axes.is_empty() || axes.contains(&axis.name)), stage);
     }
     if let Some(show) = request.compare {
+        let named = shared::named(&set, axes, &targets, out);
         let compare = |file| compare_files::difference(&file, out, show);
-        return compare_files::say(made(generate::files(&set, axes, &targets, compare)));
+        return compare_files::say(files(&named, axes, &targets, compare));
     }
     let folder = write::open(out).map_err(refused)?;
-    let staged = made(generate::files(&set, axes, &targets, |file| write::stage(&folder, &file)));
+    let named = shared::named(&set, axes, &targets, out);
+    let staged = files(&named, axes, &targets, |file| write::stage(&folder, &file));
     let paths: Vec<PathBuf> = staged.iter().flatten().map(|file| file.path.clone()).collect();
     let written = write::commit(folder, staged, request.force).map_err(refused)?;
+    let left_out = named.iter().zip(&targets).filter_map(|(named, target)| shared::left_out(&set, named, target, out));
+    let left_out: String = left_out.collect();
     set.axes.retain(|axis| axes.is_empty() || axes.contains(&axis.name));
-    say(&set, &paths, written, warnings);
+    say(&set, &paths, written, warnings)?;
+    output::print(left_out)?;
     Ok(Exit::Done)
 }
 
 /// Why nothing was written: a file that was edited is the user's to judge, the rest is the environment.
-fn refused(refusal: Refusal) -> Exit {
+pub fn refused(refusal: Refusal) -> Exit {
     match refusal {
-        Refusal::Edited(_) => Exit::input(refusal),
-        Refusal::Failed(..) | Refusal::Torn(..) => Exit::environment(refusal),
+        Refusal::Edited(_) => Exit::Input(refusal.report()),
+        Refusal::Failed(..) | Refusal::Torn(..) => Exit::Environment(refusal.report()),
+    }
+}
+
+/// Makes the files of the axes (all, if none is named) for each target, and those that the axes of its set share.
+fn files<T: Send>(
+    sets: &[Cow<'_, Set>],
+    axes: &[String],
+    targets: &[Target],
+    take: impl Fn(File) -> T + Sync,
+) -> Vec<T> {
+    match sets {
+        // All are the whole set: one design of each axis serves all targets.
+        [set, ..] if sets.iter().all(|set| matches!(set, Cow::Borrowed(_))) => {
+            made(generate::files(set, axes, targets, take))
+        }
+        _ => {
+            let of =
+                |(set, target): (&Cow<'_, Set>, _)| made(generate::files(set, axes, slice::from_ref(target), &take));
+            sets.iter().zip(targets).flat_map(of).collect()
+        }
     }
 }
 
@@ -73,31 +103,32 @@ fn made<T>(result: Result<T, Defect>) -> T {
 fn chosen(named: &[String], set: &Set) -> Result<Vec<Target>, Exit> {
     let usual = DEFAULT_TARGETS.map(str::to_owned);
     let names = [named, &set.targets, &usual].into_iter().find(|names| !names.is_empty()).unwrap_or_default();
-    let known = || TARGETS.iter().map(|target| target.name).collect::<Vec<_>>().join(", ");
-    names
-        .iter()
-        .map(|name| {
-            target::named(name)
-                .ok_or_else(|| Exit::input(format!("no target `{}`; there is: {}", name.escape_default(), known())))
-        })
-        .collect()
-}
-
-#[expect(clippy::print_stdout, reason = "what the command has done")]
-fn say(set: &Set, paths: &[PathBuf], written: Written, warnings: usize) {
-    if set.axes.len() <= DESCRIBED_AXES {
-        for axis in &set.axes {
-            print!("{}", summary::of(axis));
-        }
-        for path in paths {
-            println!("{}", path.display());
+    let mut targets: Vec<Target> = Vec::with_capacity(names.len());
+    for name in names {
+        let known = TARGETS.map(|target| target.name);
+        let target = target::named(name).ok_or_else(|| Exit::no_such("--target", "target", name, &known))?;
+        // A target that is named twice has its files once.
+        if targets.iter().all(|chosen| chosen.name != target.name) {
+            targets.push(target);
         }
     }
-    println!(
+    Ok(targets)
+}
+
+fn say(set: &Set, paths: &[PathBuf], written: Written, warnings: usize) -> Result<(), Exit> {
+    if set.axes.len() <= DESCRIBED_AXES {
+        for axis in &set.axes {
+            output::print(summary::of(axis))?;
+        }
+        for path in paths {
+            output::line(path.display())?;
+        }
+    }
+    output::line(format!(
         "{}: {} written, {} unchanged, {}",
         counted(set.axes.len(), "axe").replace("axe", "axis").replace("axiss", "axes"),
         counted(written.changed, "file"),
         written.unchanged,
         counted(warnings, "warning"),
-    );
+    ))
 }

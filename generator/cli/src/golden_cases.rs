@@ -1,28 +1,29 @@
 //! `axgen golden`: vectors to keep in a repository, and their check.
 
 use crate::exit::Exit;
+use crate::output;
 use crate::results::{Files, Outcome};
+use generator::codes;
 use golden::case::{self, Case};
 use std::path::{Path, PathBuf};
 
 /// Writes the vectors of every case.
-#[expect(clippy::print_stdout, reason = "what the command has done")]
 pub fn record(folders: &[PathBuf]) -> Result<Exit, Exit> {
     for case in read_all(folders)? {
-        case::record(&case).map_err(Exit::environment)?;
-        println!("{}: recorded", case.folder.display());
+        let failed = |text| Exit::environment(codes::CASE, case.folder.display(), text);
+        case::record(&case).map_err(failed)?;
+        output::line(format!("{}: recorded", case.folder.display()))?;
     }
     Ok(Exit::Done)
 }
 
 /// Compares the vectors of every case.
-#[expect(clippy::print_stdout, reason = "what the command has found")]
 pub fn verify(folders: &[PathBuf], files: &Files) -> Result<Exit, Exit> {
     let (mut exit, mut outcomes) = (Exit::Done, Vec::new());
     for case in read_all(folders)? {
-        let differing = case::verify(&case).map_err(Exit::input)?;
+        let differing = case::verify(&case).map_err(|text| unusable(&case.folder, text))?;
         let failure = (!differing.is_empty()).then(|| format!("differs in {}", differing.join(", ")));
-        println!("{}: {}", case.folder.display(), failure.as_deref().unwrap_or("as recorded"));
+        output::line(format!("{}: {}", case.folder.display(), failure.as_deref().unwrap_or("as recorded")))?;
         if failure.is_some() {
             exit = Exit::Different;
         }
@@ -38,5 +39,9 @@ pub fn verify(folders: &[PathBuf], files: &Files) -> Result<Exit, Exit> {
 
 /// Reads all cases before anything is done with one.
 fn read_all(folders: &[PathBuf]) -> Result<Vec<Case>, Exit> {
-    folders.iter().map(|folder: &PathBuf| case::read(Path::new(folder)).map_err(Exit::input)).collect()
+    folders.iter().map(|folder| case::read(folder).map_err(|text| unusable(folder, text))).collect()
+}
+
+fn unusable(folder: &Path, why: String) -> Exit {
+    Exit::input(codes::CASE, folder.display(), why.trim_end())
 }

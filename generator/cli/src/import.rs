@@ -19,14 +19,14 @@ pub struct Request<'r> {
     /// whether a file that is there may be replaced
     pub force: bool,
     /// what messages look like
-    pub message_format: Format,
+    pub format: Format,
 }
 
 /// Runs the command.
 pub fn run(list: &Path, request: Request<'_>) -> Result<Exit, Exit> {
-    let Request { cycle_time, name, out, force, message_format } = request;
+    let Request { cycle_time, name, out, force, format } = request;
     let (set, report) = exchange::import(list, &ListOptions { cycle_time, name });
-    let set = said(set, &report, message_format)?;
+    let set = said(set, &report, format)?;
     one_file::write(out, set.as_bytes(), force)?;
     Ok(Exit::Done)
 }

@@ -3,40 +3,44 @@
 use crate::arguments::SetArguments;
 use crate::exit::Exit;
 use crate::messages::{self, Format};
+use crate::output;
 use generator::axis::Axis;
+use generator::codes;
 use generator::config::{self, ListOptions, Set};
-use generator::diagnostics::Report;
+use generator::diagnostics::{Diagnostic, Place, Report};
 
 /// Reads and checks the set; says all messages. With an error the command ends here.
-pub fn read(arguments: &SetArguments) -> Result<(Set, usize), Exit> {
+pub fn read(arguments: &SetArguments, format: Format) -> Result<(Set, usize), Exit> {
     let options = ListOptions { cycle_time: arguments.cycle_time.clone(), name: arguments.name.clone() };
     let (set, report) = config::read(&arguments.set, &options);
-    Ok((said(set, &report, arguments.message_format)?, report.warnings()))
+    Ok((said(set, &report, format)?, report.warnings()))
 }
 
 /// What came of reading, with all messages on standard error.
 pub fn said<T>(result: Option<T>, report: &Report, format: Format) -> Result<T, Exit> {
-    eprint!("{}", messages::text(report, format));
-    result.ok_or_else(|| match format {
-        // A machine has its objects.
-        Format::Json => Exit::input(""),
-        Format::Human => {
+    output::say(&messages::text(report, format));
+    result.ok_or_else(|| {
+        if format == Format::Human {
             let errors = report.diagnostics.len() - report.warnings();
-            Exit::input(format!("{}; nothing was written", counted(errors, "error")))
+            output::say(&format!("{}; nothing was written\n", counted(errors, "error")));
         }
+        Exit::Input(Report::default())
     })
 }
 
 /// The axis of that name, or the only one.
 pub fn axis<'s>(set: &'s Set, name: Option<&str>) -> Result<&'s Axis, Exit> {
-    let names = || set.axes.iter().map(|axis| axis.name.as_str()).collect::<Vec<_>>().join(", ");
+    const OPTION: &str = "--axis";
+    let names: Vec<&str> = set.axes.iter().map(|axis| axis.name.as_str()).collect();
     match (name, set.axes.as_slice()) {
         (None, [axis]) => Ok(axis),
-        (None, _) => Err(Exit::input(format!("which axis? give --axis with one of: {}", names()))),
-        (Some(name), axes) => axes
-            .iter()
-            .find(|axis| axis.name == name)
-            .ok_or_else(|| Exit::input(format!("no axis `{}`; the set has: {}", name.escape_default(), names()))),
+        (None, _) => {
+            let which = Diagnostic::error(codes::USAGE, Place::whole(OPTION), "the set has several axes: which one?");
+            Err(Exit::Input(which.allowed(names.join(", ")).into()))
+        }
+        (Some(name), axes) => {
+            axes.iter().find(|axis| axis.name == name).ok_or_else(|| Exit::no_such(OPTION, "axis", name, &names))
+        }
     }
 }
 

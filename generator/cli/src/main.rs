@@ -1,9 +1,12 @@
 //! The command `axgen`: which file does what was asked for. No work is done here.
 #![forbid(unsafe_code)]
+#![warn(clippy::print_stderr)] // `output` prints
 
 mod arguments;
 mod check;
+mod command_line;
 mod compare_files;
+mod compiler;
 mod diff;
 mod emit;
 mod exit;
@@ -16,50 +19,58 @@ mod init;
 mod input;
 mod messages;
 mod one_file;
+mod output;
 mod params;
 mod results;
 mod run;
 mod schema;
+mod shared;
 mod shell;
 mod summary;
 mod verify;
 
 use arguments::{Cli, Command, Golden, OneFile};
-use clap::Parser;
 use compare_files::Show;
 use exit::Exit;
 use generator::config::ListOptions;
+use messages::Format;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
     sigpipe::reset();
-    let result = match Cli::parse().command {
+    let Cli { command, message_format } = match command_line::read() {
+        Ok(cli) => cli,
+        Err(exit) => return exit.into(),
+    };
+    run(command, message_format).unwrap_or_else(|exit| exit.say(message_format)).into()
+}
+
+/// Does what was asked for.
+fn run(command: Command, format: Format) -> Result<Exit, Exit> {
+    match command {
         Command::Generate { set, targets, axes, out, force, check, diff, emit } => {
             let compare = if diff { Some(Show::Lines) } else { check.then_some(Show::Names) };
-            generate::run(&set, &generate::Request { targets, axes, out, force, compare, emit })
+            generate::run(&set, format, &generate::Request { targets, axes, out, force, compare, emit })
         }
-        Command::Check { set } => check::run(&set),
+        Command::Check { set } => check::run(&set, format),
         Command::Run { set, axis, block, engine, stimulus, compare, out, hex } => {
-            run::run(&set, &run::Request { axis, block, engine, stimulus, compare, out, hex })
+            run::run(&set, format, &run::Request { axis, block, engine, stimulus, compare, out, hex })
         }
-        Command::Verify { set, samples, results } => verify::run(&set, samples, &results),
-        Command::Diff { old, new, cycle_time, name } => diff::run(&old, &new, &ListOptions { cycle_time, name }),
-        Command::Import { list, cycle_time, name, to } => {
-            let OneFile { out, force, message_format } = to;
-            let request = import::Request { cycle_time, name, out: out.as_deref(), force, message_format };
-            import::run(&list, request)
+        Command::Verify { set, samples, results } => verify::run(&set, format, samples, &results),
+        Command::Diff { old, new, cycle_time, name } => {
+            diff::run(&old, &new, &ListOptions { cycle_time, name }, format)
         }
-        Command::Export { set, axis, to } => {
-            export::run(&set, axis.as_deref(), to.out.as_deref(), to.force, to.message_format)
+        Command::Import { list, cycle_time, name, to: OneFile { out, force } } => {
+            import::run(&list, import::Request { cycle_time, name, out: out.as_deref(), force, format })
         }
+        Command::Export { set, axis, to } => export::run(&set, axis.as_deref(), to.out.as_deref(), to.force, format),
         Command::Params { parameter, markdown } => params::run(parameter.as_deref(), markdown),
         Command::Explain { code } => explain::run(code.as_deref()),
         Command::Init { file } => init::run(&file),
         Command::Schema => schema::run(),
         Command::Completions { shell } => shell::completions(shell),
-        Command::Man { folder } => shell::man(&folder),
+        Command::Man { folder, force } => shell::man(&folder, force),
         Command::Golden { command: Golden::Record { cases } } => golden_cases::record(&cases),
         Command::Golden { command: Golden::Verify { cases, results } } => golden_cases::verify(&cases, &results),
-    };
-    result.unwrap_or_else(|exit: Exit| exit.say()).into()
+    }
 }

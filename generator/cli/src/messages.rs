@@ -1,8 +1,9 @@
 //! Messages on standard error: for people with the line and a mark, for machines as JSON, one object a line.
 
 use clap::ValueEnum;
-use generator::diagnostics::{Diagnostic, Report, Severity};
+use generator::diagnostics::{Diagnostic, Place, Report, Severity};
 use serde_json::json;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -21,14 +22,17 @@ const WIDTH: usize = 100;
 /// Longer lines, in bytes, are not shown: nobody wrote them, and each message about one would cost as much as the line.
 const LONGEST: usize = 10_000;
 
+/// What some editors put before a text. It is no character of the first line.
+const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
+
 /// The text of all messages.
 pub fn text(report: &Report, format: Format) -> String {
     let mut files = BTreeMap::new();
     report.diagnostics.iter().fold(String::new(), |mut text, diagnostic| {
-        let line = line_of(diagnostic, &mut files);
+        let (diagnostic, line) = seen(diagnostic, &mut files);
         match format {
-            Format::Human => human(diagnostic, line.as_deref(), &mut text),
-            Format::Json => json(diagnostic, line.as_deref(), &mut text),
+            Format::Human => human(&diagnostic, line.as_deref(), &mut text),
+            Format::Json => json(&diagnostic, line.as_deref(), &mut text),
         }
         text
     })
@@ -64,7 +68,7 @@ fn json(diagnostic: &Diagnostic, line: Option<&str>, text: &mut String) {
         "found": diagnostic.found,
         "allowed": diagnostic.allowed,
         "instead": diagnostic.instead,
-        "text": line,
+        "text": line.map(visible),
     });
     let _ = writeln!(text, "{object}");
 }
@@ -75,9 +79,17 @@ struct Shown {
     bytes: Vec<u8>,
     line: usize,
     start: usize,
+    /// whether a byte order mark stood before these bytes
+    marked: bool,
 }
 
 impl Shown {
+    fn of(mut bytes: Vec<u8>) -> Self {
+        let marked = bytes.starts_with(BYTE_ORDER_MARK);
+        bytes.drain(..if marked { BYTE_ORDER_MARK.len() } else { 0 });
+        Self { bytes, marked, ..Self::default() }
+    }
+
     /// The bytes of a line, counted from 0.
     fn line(&mut self, number: usize) -> Option<&[u8]> {
         if number < self.line {
@@ -91,27 +103,46 @@ impl Shown {
     }
 }
 
-/// The line that a message is about, as far as it can be read again; each file is read once.
-fn line_of(diagnostic: &Diagnostic, files: &mut BTreeMap<String, Shown>) -> Option<String> {
-    let place = &diagnostic.place;
-    let number = place.line.checked_sub(1)?;
-    let file = files
-        .entry(place.file.clone())
-        .or_insert_with(|| Shown { bytes: std::fs::read(&place.file).unwrap_or_default(), ..Shown::default() });
-    let line = file.line(number).filter(|line| line.len() <= LONGEST)?;
-    Some(String::from_utf8_lossy(line).chars().map(|c| if c.is_control() { ' ' } else { c }).collect())
+/// A message, and the line that it is about, as far as it can be read again; each file is read once. A byte order mark is in
+/// neither the line nor the column.
+fn seen<'d>(diagnostic: &'d Diagnostic, files: &mut BTreeMap<String, Shown>) -> (Cow<'d, Diagnostic>, Option<String>) {
+    let Place { file, line, column } = &diagnostic.place;
+    let Some(number) = line.checked_sub(1) else { return (Cow::Borrowed(diagnostic), None) };
+    let shown = files.entry(file.clone()).or_insert_with(|| Shown::of(std::fs::read(file).unwrap_or_default()));
+    let found = shown.line(number).filter(|line| line.len() <= LONGEST);
+    let found = found.map(|line| String::from_utf8_lossy(line).trim_end().to_owned());
+    if number > 0 || !shown.marked || *column < 2 {
+        return (Cow::Borrowed(diagnostic), found);
+    }
+    let mut moved = diagnostic.clone();
+    moved.place.column -= 1;
+    (Cow::Owned(moved), found)
 }
 
-/// The part of a line around a column, and where the column is in it.
+/// The part of a line around a column, fit for a terminal, and where the column is in it.
 fn around(line: &str, column: usize) -> (String, usize) {
-    let line = line.trim_end();
     let at = column.max(1) - 1;
     let start = if at < WIDTH { 0 } else { at - WIDTH / 2 };
-    let mut shown: String = line.chars().skip(start).take(WIDTH).collect();
-    if line.chars().nth(start + WIDTH).is_some() {
-        shown.push_str("...");
+    let part = |from: usize, count: usize| visible(&line.chars().skip(from).take(count).collect::<String>());
+    let (dots, more) = (if start == 0 { "" } else { "..." }, line.chars().nth(start + WIDTH).is_some());
+    let before = format!("{dots}{}", part(start, at - start));
+    // A place behind the end of the line is marked there.
+    let behind = at.saturating_sub(line.chars().count());
+    let mark = before.chars().count() + behind;
+    (format!("{before}{}{}", part(at, start + WIDTH - at), if more { "..." } else { "" }), mark)
+}
+
+/// A line with everything that could steer a terminal, or turn the order of the letters, written out as in a message.
+fn visible(line: &str) -> String {
+    let mut text = String::with_capacity(line.len());
+    for character in line.chars() {
+        match character {
+            '\t' => text.push(' '),
+            '"' | '\'' | '\\' => text.push(character),
+            other => text.extend(other.escape_debug()),
+        }
     }
-    if start == 0 { (shown, at) } else { (format!("...{shown}"), at - start + 3) }
+    text
 }
 
 #[cfg(test)]
@@ -125,8 +156,23 @@ mod tests {
     }
 
     #[test]
+    fn what_could_steer_a_terminal_is_written_out_and_the_mark_stays_below_its_place() {
+        assert_eq!(around("\u{202e}\u{1b}x", 3), ("\\u{202e}\\u{1b}x".to_owned(), 14));
+        assert_eq!(around("\t\"\\'\u{e4} y", 7), (" \"\\'\u{e4} y".to_owned(), 6));
+        assert_eq!(around("x", 4), ("x".to_owned(), 3), "behind the end of the line");
+    }
+
+    #[test]
+    fn a_byte_order_mark_is_no_part_of_the_first_line() {
+        let mut file = Shown::of(b"\xEF\xBB\xBFone\n\xEF\xBB\xBFtwo".to_vec());
+        assert!(file.marked);
+        assert_eq!(file.line(0), Some("one".as_bytes()));
+        assert_eq!(file.line(1), Some("\u{feff}two".as_bytes()));
+    }
+
+    #[test]
     fn lines_are_found_in_any_order() {
-        let mut file = Shown { bytes: b"one\ntwo\n\nfour".to_vec(), ..Shown::default() };
+        let mut file = Shown::of(b"one\ntwo\n\nfour".to_vec());
         for (number, line) in [(1, "two"), (3, "four"), (0, "one"), (2, ""), (3, "four")] {
             assert_eq!(file.line(number), Some(line.as_bytes()));
         }

@@ -1,6 +1,8 @@
-//! Writing one file that a command was asked for, or standard output; what is in it does not matter.
+//! Writing one file that a command was asked for, or standard output, and not over an input; what is in it does not matter.
 
 use crate::exit::Exit;
+use crate::output;
+use generator::codes;
 use std::fs::{self, OpenOptions};
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;
@@ -9,14 +11,15 @@ use std::path::Path;
 /// a whole or not at all.
 pub fn write(out: Option<&Path>, bytes: &[u8], force: bool) -> Result<(), Exit> {
     let Some(path) = out.filter(|path| path.as_os_str() != "-") else {
-        let written = io::stdout().write_all(bytes).and_then(|()| io::stdout().flush());
-        return written.map_err(|error| Exit::environment(format!("standard output: {error}")));
+        return output::print(bytes);
     };
     let failed = |error: io::Error| match error.kind() {
-        ErrorKind::AlreadyExists => {
-            Exit::input(format!("{}: is there already; give another name, or --force to replace it", path.display()))
-        }
-        _ => Exit::environment(format!("{}: {error}; nothing was written", path.display())),
+        ErrorKind::AlreadyExists => Exit::input(
+            codes::NOT_OURS,
+            path.display(),
+            "is there already; give another name, or --force to replace it",
+        ),
+        _ => Exit::unwritable(path.display(), format!("{error}; nothing was written")),
     };
     let mut name = path.file_name().unwrap_or_default().to_owned();
     name.push(format!(".axgen-staged-{}", std::process::id()));
@@ -30,4 +33,30 @@ pub fn write(out: Option<&Path>, bytes: &[u8], force: bool) -> Result<(), Exit> 
         let _ = fs::remove_file(target); // of the two errors the first is the one to say
         failed(error)
     })
+}
+
+/// Refuses a file to write that the command reads itself.
+pub fn kept_apart<'p>(out: &Path, mut inputs: impl Iterator<Item = &'p Path>) -> Result<(), Exit> {
+    match inputs.any(|input| is_same(input, out)) {
+        true => Err(Exit::input(codes::NOT_OURS, out.display(), "is an input of this run; give another name")),
+        false => Ok(()),
+    }
+}
+
+/// Whether two paths lead to one regular file, whatever its names are. Devices may be both.
+fn is_same(one: &Path, other: &Path) -> bool {
+    let (Ok(one), Ok(other)) = (fs::canonicalize(one), fs::canonicalize(other)) else { return false };
+    let (Ok(found), Ok(of_other)) = (fs::metadata(&one), fs::metadata(&other)) else { return false };
+    found.is_file() && (one == other || has_one_content(&found, &of_other))
+}
+
+#[cfg(unix)]
+fn has_one_content(one: &fs::Metadata, other: &fs::Metadata) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    (one.dev(), one.ino()) == (other.dev(), other.ino())
+}
+
+#[cfg(not(unix))]
+fn has_one_content(_: &fs::Metadata, _: &fs::Metadata) -> bool {
+    false
 }

@@ -1,19 +1,20 @@
 //! `axgen params`: what a parameter is, from the one table.
 
 use crate::exit::Exit;
+use crate::output;
+use generator::codes;
 use generator::parameters::{Name, Parameter, Scope};
 use generator::reference_page;
 
 /// Runs the command: one parameter, or all.
-#[expect(clippy::print_stdout, reason = "what was asked for")]
 pub fn run(wanted: Option<&str>, markdown: bool) -> Result<Exit, Exit> {
     if markdown {
-        print!("{}", reference_page::text());
+        output::print(reference_page::text())?;
         return Ok(Exit::Done);
     }
     let Some(wanted) = wanted else {
         for parameter in Name::ALL.map(Name::parameter) {
-            println!("{:<13} {}", parameter.id.unwrap_or("-"), parameter.path);
+            output::line(format!("{:<13} {}", parameter.id.unwrap_or("-"), parameter.path))?;
         }
         return Ok(Exit::Done);
     };
@@ -21,10 +22,11 @@ pub fn run(wanted: Option<&str>, markdown: bool) -> Result<Exit, Exit> {
         Name::ALL.map(Name::parameter).into_iter().filter(|parameter| is(parameter, wanted)).collect();
     if found.is_empty() {
         let wanted = wanted.escape_default();
-        return Err(Exit::input(format!("no parameter `{wanted}`; `axgen params` lists all, by id and path")));
+        let found = format!("no parameter `{wanted}`; `axgen params` lists all, by id and path");
+        return Err(Exit::input(codes::NO_SUCH, "axgen params", found));
     }
     let texts: Vec<String> = found.into_iter().map(describe).collect();
-    print!("{}", texts.join("\n"));
+    output::print(texts.join("\n"))?;
     Ok(Exit::Done)
 }
 

@@ -1,6 +1,7 @@
 //! Results of checks as files for other programs: JUnit for a release pipeline, JSON for everything else.
 
 use crate::exit::Exit;
+use crate::one_file;
 use clap::Args;
 use serde_json::json;
 use std::fmt::Write;
@@ -28,6 +29,12 @@ pub struct Outcome {
 }
 
 impl Files {
+    /// Refuses to write over an input of the command.
+    pub fn kept_apart(&self, input: &Path) -> Result<(), Exit> {
+        let mut files = self.junit.iter().chain(&self.json);
+        files.try_for_each(|file| one_file::kept_apart(file, std::iter::once(input)))
+    }
+
     /// Writes the files that were asked for.
     pub fn write(&self, suite: &str, outcomes: &[Outcome]) -> Result<(), Exit> {
         let save = |path: &Option<PathBuf>, text: &dyn Fn() -> String| match path {
@@ -40,7 +47,7 @@ impl Files {
 }
 
 fn write(path: &Path, text: &str) -> Result<(), Exit> {
-    std::fs::write(path, text).map_err(|error| Exit::environment(format!("{}: {error}", path.display())))
+    std::fs::write(path, text).map_err(|error| Exit::unwritable(path.display(), error))
 }
 
 fn failures(outcomes: &[Outcome]) -> usize {

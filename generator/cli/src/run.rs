@@ -3,12 +3,20 @@
 use crate::arguments::SetArguments;
 use crate::exit::Exit;
 use crate::input::{self, counted};
+use crate::messages::Format;
+use crate::one_file;
+use crate::output;
+use generator::axis::Axis;
+use generator::block::{self, Block};
+use generator::codes;
+use generator::diagnostics::{Diagnostic, Place, Report};
 use golden::case::named_block;
-use golden::compare::{Difference, Place, compare};
+use golden::compare::{self, Difference, compare};
 use golden::csv::{self, Reals, Recording};
-use golden::engine::{self, ENGINES, Engine, Failure};
+use golden::engine::{self, ENGINES, Engine};
 use golden::samples::{Samples, Shape};
-use std::io::{Read, Write};
+use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// What the command takes, beside the set.
@@ -30,11 +38,16 @@ pub struct Request {
 }
 
 /// Runs the command.
-pub fn run(arguments: &SetArguments, request: &Request) -> Result<Exit, Exit> {
-    let (set, _) = input::read(arguments)?;
+pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Result<Exit, Exit> {
+    let (set, _) = input::read(arguments, format)?;
     let axis = input::axis(&set, request.axis.as_deref())?;
-    let block = named_block(axis, &request.block).map_err(Exit::input)?;
+    let block = block_of(axis, &request.block)?;
     let engine = named_engine(&request.engine)?;
+    let out = request.out.as_deref().filter(|out| !is_standard(out));
+    if let Some(out) = out {
+        let inputs = [Some(arguments.set.as_path()), request.stimulus.as_deref(), request.compare.as_deref()];
+        one_file::kept_apart(out, inputs.into_iter().flatten())?;
+    }
     let shape = |variables| Shape::of(variables, axis.real);
     let (inputs, outputs) = (shape(&block.program.inputs), shape(&block.program.outputs));
     let recording = request.compare.as_deref().map(|file| {
@@ -46,29 +59,32 @@ pub fn run(arguments: &SetArguments, request: &Request) -> Result<Exit, Exit> {
     let inputs = match (request.stimulus.as_deref(), &recording) {
         (Some(file), _) => csv::read(&read(file)?, &inputs).map_err(|mistakes| wrong(file, &mistakes))?,
         (None, Some(recording)) => recording.inputs.clone(),
-        (None, None) => return Err(Exit::input("which inputs? give --stimulus or --compare with a CSV file")),
+        (None, None) => {
+            let found = "which inputs? give --stimulus or --compare with a CSV file";
+            return Err(Exit::input(codes::USAGE, "--stimulus", found));
+        }
     };
-    let found = engine::run(engine, axis, &block, &inputs).map_err(|failure| match failure {
-        Failure::Environment(text) => Exit::environment(text),
-        failure => Exit::environment(format!("engine {engine}: {failure}")),
-    })?;
-    let out = request.out.as_deref().or(recording.is_none().then_some(Path::new("-")));
-    if let Some(out) = out {
-        write(out, &csv::write(&[&found], if request.hex { Reals::Hexadecimal } else { Reals::Decimal }))?;
+    let found = engine::run(engine, axis, &block, &inputs)
+        .map_err(|failure| Exit::environment(codes::NO_ENGINE, format!("engine {engine}"), failure))?;
+    let text = || csv::write(&[&found], if request.hex { Reals::Hexadecimal } else { Reals::Decimal });
+    match out {
+        Some(out) => fs::write(out, text()).map_err(|error| Exit::unwritable(out.display(), error))?,
+        None if recording.is_none() || request.out.is_some() => output::print(text())?,
+        None => {}
     }
-    Ok(recording.map_or(Exit::Done, |recording| compared(&recording, &found, engine)))
+    recording.map_or(Ok(Exit::Done), |recording| compared(&recording, &found, engine))
 }
 
 /// Says how a recording differs from what an engine gives.
-#[expect(clippy::print_stdout, reason = "what the command has found")]
-fn compared(recording: &Recording, found: &Samples, engine: Engine) -> Exit {
+fn compared(recording: &Recording, found: &Samples, engine: Engine) -> Result<Exit, Exit> {
     let names: Vec<&str> = recording.outputs.shape.signals.iter().map(|signal| signal.name.as_str()).collect();
     let Difference { bits, first } = compare(&found.only(&recording.recorded), &recording.outputs);
     let samples = counted(recording.outputs.len(), "sample");
-    println!("{} against engine {engine}, {samples}: {}", names.join(", "), counted(bits, "differing bit"));
-    let Some(Place { sample, signal, expected, found }) = first else {
+    let bits_said = counted(bits, "differing bit");
+    output::line(format!("{} against engine {engine}, {samples}: {bits_said}", names.join(", ")))?;
+    let Some(compare::Place { sample, signal, expected, found }) = first else {
         // Runs of different length differ, though no sample of both does.
-        return if bits == 0 { Exit::Done } else { Exit::Different };
+        return Ok(if bits == 0 { Exit::Done } else { Exit::Different });
     };
     let [recorded, computed] = [found, expected].map(|value| {
         let mut texts = [String::new(), String::new()];
@@ -76,38 +92,54 @@ fn compared(recording: &Recording, found: &Samples, engine: Engine) -> Exit {
         csv::cell(value, Reals::Hexadecimal, &mut texts[1]);
         if texts[0] == texts[1] { texts[0].clone() } else { texts.join(" = ") }
     });
-    println!("first: sample {sample} (line {}), {signal}: {recorded} recorded, {computed} computed", sample + 2);
-    Exit::Different
+    let place = format!("sample {sample} (line {}), {signal}", sample + 2);
+    output::line(format!("first: {place}: {recorded} recorded, {computed} computed"))?;
+    Ok(Exit::Different)
 }
+
+/// More mistakes than these are counted, not listed, as in a set.
+const MOST_MISTAKES: usize = 1000;
 
 /// The mistakes of a CSV file.
 fn wrong(file: &Path, mistakes: &[csv::Mistake]) -> Exit {
-    let line = |mistake: &csv::Mistake| {
-        let csv::Mistake { line, column, found, allowed } = mistake;
-        format!("{}:{line}:{column}: {found}; allowed: {allowed}\n", file.display())
-    };
-    Exit::input(mistakes.iter().map(line).collect::<String>())
+    let whole = Place::whole(name_of(file));
+    let mut report = Report::default();
+    for csv::Mistake { line, column, found, allowed } in mistakes.iter().take(MOST_MISTAKES) {
+        let place = Place { line: *line, column: *column, ..whole.clone() };
+        report.push(Diagnostic::error(codes::SAMPLES, place, found).allowed(allowed));
+    }
+    if mistakes.len() > MOST_MISTAKES {
+        let found = format!("{} more messages are not listed", mistakes.len() - MOST_MISTAKES);
+        report.push(Diagnostic::error(codes::NOT_LISTED, whole, found));
+    }
+    Exit::Input(report)
+}
+
+/// The block of that name.
+fn block_of(axis: &Axis, name: &str) -> Result<Block, Exit> {
+    let names = block::names(axis);
+    if !names.contains(&name) {
+        return Err(Exit::no_such("--block", "block", name, &names));
+    }
+    Ok(named_block(axis, name).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}")))
 }
 
 fn named_engine(name: &str) -> Result<Engine, Exit> {
-    let names = || ENGINES.map(|engine| engine.to_string()).join(", ");
-    ENGINES
-        .into_iter()
-        .find(|engine| engine.to_string() == name)
-        .ok_or_else(|| Exit::input(format!("no engine `{}`; there is: {}", name.escape_default(), names())))
+    let names = ENGINES.map(|engine| engine.to_string());
+    let found = ENGINES.into_iter().find(|engine| engine.to_string() == name);
+    found.ok_or_else(|| Exit::no_such("--engine", "engine", name, &names.each_ref().map(String::as_str)))
 }
 
 fn read(path: &Path) -> Result<String, Exit> {
-    if path.as_os_str() == "-" {
-        let mut text = String::new();
-        let read = std::io::stdin().read_to_string(&mut text);
-        return read.map(|_| text).map_err(|error| Exit::input(format!("standard input: {error}")));
-    }
-    std::fs::read_to_string(path).map_err(|error| Exit::input(format!("{}: {error}", path.display())))
+    let text = if is_standard(path) { io::read_to_string(io::stdin()) } else { fs::read_to_string(path) };
+    text.map_err(|error| Exit::input(codes::UNREADABLE, name_of(path), format!("cannot be read: {error}")))
 }
 
-fn write(path: &Path, text: &str) -> Result<(), Exit> {
-    let written =
-        if path.as_os_str() == "-" { std::io::stdout().write_all(text.as_bytes()) } else { std::fs::write(path, text) };
-    written.map_err(|error| Exit::environment(format!("{}: {error}", path.display())))
+fn name_of(input: &Path) -> String {
+    if is_standard(input) { "standard input".to_owned() } else { input.display().to_string() }
+}
+
+/// Whether a path stands for standard input or output.
+fn is_standard(path: &Path) -> bool {
+    path.as_os_str() == "-"
 }

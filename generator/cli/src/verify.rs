@@ -1,33 +1,44 @@
 //! `axgen verify`: every block of every axis, every engine, against the reference, bit by bit.
 
 use crate::arguments::SetArguments;
+use crate::compiler;
 use crate::exit::Exit;
 use crate::input;
+use crate::messages::Format;
+use crate::output;
 use crate::results::{Files, Outcome};
 use generator::axis::Axis;
 use generator::block::{self, Block};
+use generator::codes;
 use golden::compare::{Place, compare};
 use golden::engine::{self, ENGINES, Engine, Failure};
 use golden::samples::{Samples, Shape};
 use golden::{exercise, stimulus};
 use indicatif::{ProgressBar, ProgressStyle};
 
+/// How many samples each run has: without any, nothing would be verified.
+pub fn samples(text: &str) -> Result<usize, &'static str> {
+    text.parse().ok().filter(|samples| *samples > 0).ok_or("a whole number from 1 on is allowed")
+}
+
 /// Runs the command.
-#[expect(clippy::print_stdout, reason = "what the command has found")]
-pub fn run(arguments: &SetArguments, samples: usize, files: &Files) -> Result<Exit, Exit> {
-    let (set, _) = input::read(arguments)?;
+pub fn run(arguments: &SetArguments, format: Format, samples: usize, files: &Files) -> Result<Exit, Exit> {
+    let (set, _) = input::read(arguments, format)?;
+    files.kept_apart(&arguments.set)?;
     let mut outcomes = Vec::new();
-    println!(
+    output::line(format!(
         "{:<20} {:<16} {:<10} {:>10} {:>15}  first difference",
         "axis", "block", "engine", "samples", "differing bits"
-    );
-    let bar = progress(set.axes.iter().map(|axis| block::names(axis).len()).sum());
+    ))?;
+    let blocks = set.axes.iter().map(|axis| block::names(axis).len()).sum();
+    // Machines have nothing but objects on standard error.
+    let bar = if format == Format::Json { ProgressBar::hidden() } else { progress(blocks) };
     for axis in &set.axes {
         let blocks = block::blocks(axis).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
         for (which, block) in blocks.iter().enumerate() {
             let shape = Shape::of(&block.program.inputs, axis.real);
             let inputs = stimulus::samples(&exercise::stimulus(axis, &block.program), &shape, samples)
-                .map_err(Exit::environment)?;
+                .unwrap_or_else(|mistake| panic!("a defect of axgen: {mistake}"));
             every_engine(axis, &blocks, which, &inputs, &bar, &mut outcomes)?;
         }
     }
@@ -45,7 +56,6 @@ fn progress(blocks: usize) -> ProgressBar {
 }
 
 /// Prints a line for each engine, and notes what came of it.
-#[expect(clippy::print_stdout, reason = "what the command has found")]
 fn every_engine(
     axis: &Axis,
     blocks: &[Block],
@@ -65,16 +75,19 @@ fn every_engine(
                 (difference.bits.to_string(), difference.first.map(place).unwrap_or_default())
             }
             Err(Failure::SelfTest(sample)) => ("-".to_owned(), format!("self-test, sample {sample}")),
-            Err(Failure::Broken(text)) => ("-".to_owned(), text),
-            Err(Failure::Environment(text)) => return Err(Exit::environment(text)),
-            Err(failure) => return Err(Exit::environment(format!("engine {engine}: {failure}"))),
+            Err(Failure::Broken(text)) if engine != Engine::C || compiler::works() => ("-".to_owned(), text),
+            Err(Failure::Broken(text)) => {
+                return Err(Exit::environment(codes::NO_ENGINE, "engine c", compiler::broken(&text)));
+            }
+            Err(failure) => return Err(Exit::environment(codes::NO_ENGINE, format!("engine {engine}"), failure)),
         };
         let failure = (!first.is_empty() || bits != "0").then(|| format!("{bits} differing bits; {first}"));
         let name = format!("{} {engine}", block.program.block);
         outcomes.push(Outcome { group: axis.name.clone(), name, failure });
         let is_reference = if engine == Engine::Reference { "(reference)" } else { &bits };
         let (name, block, samples) = (&axis.name, block.program.block, inputs.len());
-        bar.suspend(|| println!("{name:<20} {block:<16} {engine:<10} {samples:>10} {is_reference:>15}  {first}"));
+        let row = format!("{name:<20} {block:<16} {engine:<10} {samples:>10} {is_reference:>15}  {first}");
+        bar.suspend(|| output::line(row))?;
         bar.inc(1);
     }
     Ok(())

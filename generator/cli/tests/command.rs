@@ -93,7 +93,7 @@ fn one_axis_alone() {
     assert_eq!(run.code, 0);
     assert_eq!(files(&folder.path().join("generated")).len(), 2);
     let run = axgen(folder.path(), &["generate", "machine.toml", "--axis", "Q"]);
-    assert_eq!((run.code, run.err.as_str()), (2, "no axis `Q`; the set has: X, Y, C\n"));
+    assert_eq!((run.code, run.err.as_str()), (2, "--axis: error[AX012]: no axis `Q`\n    allowed: X, Y, C\n"));
 }
 
 #[test]
@@ -119,8 +119,8 @@ fn a_file_that_was_edited_by_hand_is_kept() {
     assert_eq!(run.code, 2);
     assert_eq!(
         run.err,
-        "generated/axis_rack_and_pinion.c: was changed by hand after it had been generated\n\
-         nothing was written; move the changes to the set, or overwrite them with --force\n"
+        "generated/axis_rack_and_pinion.c: error[AX013]: was changed by hand after it had been generated; nothing was written\n    \
+         write instead: the change in what the file is made from; or overwrite it with --force\n"
     );
     assert!(read(folder.path(), "generated/axis_rack_and_pinion.c").contains("gain = -2.0;"));
     assert_eq!(read(folder.path(), "generated/axis_rack_and_pinion.h"), header);
@@ -207,8 +207,10 @@ fn a_bad_stimulus_is_told_with_its_place() {
     assert_eq!(run.code, 2);
     assert_eq!(
         run.err,
-        "in.csv:3:1: 1 cells; allowed: 2 cells, as many as the header has columns\n\
-         in.csv:4:5: `x` for mode; allowed: an integer from -2147483648 to 2147483647\n"
+        "in.csv:3:1: error[AX015]: 1 cells\n  3 | 1.0\n    | ^\n    \
+         allowed: 2 cells, as many as the header has columns\n\
+         in.csv:4:5: error[AX015]: `x` for mode\n  4 | 1.0,x\n    |     ^\n    \
+         allowed: an integer from -2147483648 to 2147483647\n"
     );
     fs::write(folder.path().join("in.csv"), "v_motor,speed,v_motor\n").unwrap();
     let run = axgen(folder.path(), &["run", "machine.toml", "--axis", "X", "--stimulus", "in.csv"]);
@@ -216,7 +218,10 @@ fn a_bad_stimulus_is_told_with_its_place() {
     assert_eq!(
         run.err,
         format!(
-            "in.csv:1:9: the column `speed`; allowed: {inputs}\nin.csv:1:15: the column `v_motor` a second time; allowed: {inputs}\n"
+            "in.csv:1:9: error[AX015]: the column `speed`\n  1 | v_motor,speed,v_motor\n    |         ^\n    \
+             allowed: {inputs}\n\
+             in.csv:1:15: error[AX015]: the column `v_motor` a second time\n  1 | v_motor,speed,v_motor\n    \
+             |               ^\n    allowed: {inputs}\n"
         )
     );
 }
@@ -301,7 +306,7 @@ fn what_a_recording_may_lack() {
     assert_eq!(run.out, "v_add, fault against engine reference, 400 samples: 0 differing bits\n");
     let run = axgen(folder.path(), &[&RACK[..], &["--compare", "in.csv"]].concat());
     assert_eq!(run.code, 2);
-    assert!(run.err.starts_with("in.csv:1:1: no column of an output"), "{}", run.err);
+    assert!(run.err.starts_with("in.csv:1:1: error[AX015]: no column of an output"), "{}", run.err);
     let run = axgen(folder.path(), &RACK);
     assert_eq!(run.code, 2);
     assert!(run.err.contains("--stimulus <FILE>"), "{}", run.err);

@@ -94,8 +94,9 @@ fn kv_default(control: &PositionControl, axis: &Axis, gear: u32, e: &mut Effecti
             control.kv,
             rounded(f64::from(control.kv) / 100.0)
         );
-        let place = e
-            .place_near(kv_key, |name| name == Name::FeedforwardMode || name.parameter().path.starts_with("getriebe["));
+        let place = e.place_near(kv_key, |name| {
+            matches!(name, Name::FeedforwardMode | Name::GantryMaster) || name.parameter().path.starts_with("getriebe[")
+        });
         e.report
             .push(Diagnostic::warning(codes::KV_DEFAULT, place, found).instead("the gain of the machine, in 0.01/s"));
     }

@@ -10,8 +10,8 @@ use crate::parameters::{Name, Value};
 
 /// Position control of one axis; outer none: an error, which has been said; inner none: nothing asks for it.
 ///
-/// An axis gets it where its list gives Kv, where there is feedforward, and where its drive controls the position and
-/// improved position control needs a way there.
+/// An axis gets it where its list gives Kv, where there is feedforward, where its drive controls the position and improved
+/// position control needs a way there, and where it is a gantry slave: else it could not put out what its master adds.
 pub fn check(
     e: &mut Effective<'_>,
     drive: &Drive,
@@ -25,7 +25,7 @@ pub fn check(
         no_way_out(e, ipc.is_some_and(|ipc| ipc.enable != Enable::Off));
     }
     let kv_key = (Name::Kv, [drive.gear, 0]);
-    let asked = e.given(kv_key).is_some() || feedforward.is_some() || in_drive && (is_active || is_slave);
+    let asked = e.given(kv_key).is_some() || feedforward.is_some() || is_slave || in_drive && is_active;
     if !asked {
         return Some(None);
     }

@@ -6,7 +6,7 @@ use super::values::{Setting, Values};
 use super::{axis_name, closest, list, value};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
-use crate::parameters::{Name, Scope, Value, path_with};
+use crate::parameters::{Kind, Name, Scope, Value, path_with};
 use std::collections::HashMap;
 use std::ops::Range;
 use toml::Spanned;
@@ -179,10 +179,16 @@ fn setting<'a>(
     report: &mut Report,
 ) -> Setting<'a> {
     let Range { start: value_at, .. } = value.span();
+    let said = |at, refused: value::Refused| refused.diagnostic(name, written, source.place(at));
+    let parameter = name.parameter();
     // A list may have a value that nobody can read for other functions; a set is written for us, and none of its keys is.
-    let value = value::of_toml(name.parameter(), value.get_ref())
-        .map_err(|refused| report.push(refused.diagnostic(name, written, source.place(value_at))))
-        .ok();
+    let value = match (parameter.kind, value.get_ref()) {
+        // Each wrong word is told at its own place.
+        (Kind::Words(words), DeValue::Array(array)) => value::of_array(parameter, words, array)
+            .map_err(|wrong| report.diagnostics.extend(wrong.into_iter().map(|(at, refused)| said(at, refused))))
+            .ok(),
+        (_, other) => value::of_toml(parameter, other).map_err(|refused| report.push(said(value_at, refused))).ok(),
+    };
     Setting { value, refused: None, spelling, source, path_at: key.span().start, value_at }
 }
 

@@ -59,7 +59,9 @@ pub fn of_toml(parameter: &Parameter, value: &DeValue<'_>) -> Result<Value, Refu
         (Kind::Word(words), DeValue::Integer(_) | DeValue::Boolean(_)) => {
             of_word(parameter, words, &scalar(value)).map(Value::Word)
         }
-        (Kind::Words(words), DeValue::Array(array)) => of_array(parameter, words, array),
+        (Kind::Words(words), DeValue::Array(array)) => {
+            of_array(parameter, words, array).map_err(|mut wrong| wrong.swap_remove(0).1)
+        }
         (Kind::Flags(_), DeValue::String(text)) => of_text(parameter, text),
         (Kind::Flags(_), DeValue::Integer(_)) => of_text(parameter, &scalar(value)),
         (Kind::Integer { .. } | Kind::Real { .. }, DeValue::Integer(_) | DeValue::Float(_)) => {
@@ -147,26 +149,34 @@ fn meant(words: &[Word], number: i64, rest: i64) -> Option<String> {
     Some(format!("0x{:03x}, if {name} is meant", number & !rest | all))
 }
 
-fn of_array(
+/// Words, each an element of an array.
+///
+/// # Errors
+/// Every element that is none, or repeats one, with the place of its first byte.
+pub fn of_array(
     parameter: &Parameter,
     words: &'static [Word],
     array: &[toml::Spanned<DeValue<'_>>],
-) -> Result<Value, Refused> {
+) -> Result<Value, Vec<(usize, Refused)>> {
     let mut found = Vec::with_capacity(array.len());
+    let mut wrong = Vec::new();
     for element in array {
-        let DeValue::String(text) = element.get_ref() else { return Err(wrong_type(parameter, element.get_ref())) };
-        let word = of_word(parameter, words, text)?;
-        if found.contains(&word) {
-            return Err(Refused {
-                code: codes::GIVEN_TWICE,
-                found: format!("names {} twice", shown(word)),
-                allowed: parameter.allowed(),
-                instead: None,
-            });
+        let word = match element.get_ref() {
+            DeValue::String(text) => of_word(parameter, words, text),
+            other => Err(wrong_type(parameter, other)),
+        };
+        match word {
+            Err(refused) => wrong.push((element.span().start, refused)),
+            Ok(word) if found.contains(&word) => {
+                let found = format!("names {} twice", shown(word));
+                let code = codes::GIVEN_TWICE;
+                wrong
+                    .push((element.span().start, Refused { code, found, allowed: parameter.allowed(), instead: None }));
+            }
+            Ok(word) => found.push(word),
         }
-        found.push(word);
     }
-    Ok(Value::Words(found))
+    if wrong.is_empty() { Ok(Value::Words(found)) } else { Err(wrong) }
 }
 
 fn of_integer(parameter: &Parameter, text: &str) -> Result<Value, Refused> {

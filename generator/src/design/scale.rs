@@ -72,11 +72,23 @@ pub fn torque(torque: &Torque) -> f64 {
 }
 
 /// The range of a process datum.
+///
+/// The limits are the outermost numbers of the real type that are rounded to its ends, so that no number within them is
+/// rounded beyond. In single precision they differ from the ends: 2147483647 itself would become 2^31.
 #[must_use]
 pub fn range<R: Real>(width: Width) -> process_data::Coeffs<R> {
     let [lowest, highest] = width.range();
-    let (lower_limit, upper_limit) = (R::lit(f64::from(lowest)), R::lit(f64::from(highest)));
+    let below = |end: f64| R::per_kind(end.next_down(), single_below(end));
+    let upper_limit = below(f64::from(highest) + 0.5);
+    let lower_limit = R::ZERO - below(0.5 - f64::from(lowest));
     process_data::Coeffs { lowest, highest, lower_limit, upper_limit }
+}
+
+/// The largest number of single precision below another.
+#[expect(clippy::cast_possible_truncation, reason = "what is rounded up is taken back")]
+fn single_below(end: f64) -> f32 {
+    let nearest = end as f32;
+    if f64::from(nearest) < end { nearest } else { nearest.next_down() }
 }
 
 /// A factor that leads beyond the numbers.

@@ -171,6 +171,10 @@ pub struct TcGuide<'a> {
     pub version: &'a str,
     /// digest of the file
     pub body_digest: &'a str,
-    /// a block, for the example of a call
-    pub block: &'a str,
+    /// a block `ipc`, for the example of a call; empty: there is none
+    pub damping: &'a str,
+    /// a block `axis`, for the example of a call; empty: there is none
+    pub axis: &'a str,
+    /// of a recorded run
+    pub samples: usize,
 }

@@ -3,9 +3,10 @@
 
 use super::comment;
 use crate::block::Block;
-use crate::program::{Origin, Program, Type, Var, Variable};
+use crate::program::{Expr, Origin, Program, Type, Var, Variable};
 use crate::render::{ConstantText, Group, Member};
 use portable::Literal;
+use std::fmt::Write;
 
 /// Characters in a line of a comment, without the marks around it.
 pub const COMMENT_WIDTH: usize = 110;
@@ -27,6 +28,16 @@ impl Language<'_> {
         let mut members = self.members(&program.inputs, names);
         for (member, _) in members.iter_mut().zip(is_read(program)).filter(|(_, is_read)| !is_read) {
             member.doc.push_str("; not read for this axis");
+        }
+        members
+    }
+
+    /// The outputs of a program; those that this axis does not have say so.
+    #[must_use]
+    pub fn outputs(&self, program: &Program, names: &[String]) -> Vec<Member> {
+        let mut members = self.members(&program.outputs, names);
+        for (_, member) in members.iter_mut().enumerate().filter(|(output, _)| is_constant(program, *output)) {
+            let _ = write!(member.doc, "; always {} for this axis", member.start);
         }
         members
     }
@@ -91,6 +102,18 @@ pub fn is_read(program: &Program) -> Vec<bool> {
         });
     }
     read
+}
+
+/// Whether no cycle puts out anything but the value from the start.
+fn is_constant(program: &Program, output: usize) -> bool {
+    let mut is_constant = true;
+    for statement in &program.step {
+        statement.assignments(&mut |target, value| {
+            let is_start = matches!(value, Expr::Literal(literal) if *literal == program.outputs[output].start);
+            is_constant &= target != Var::Output(output) || is_start;
+        });
+    }
+    is_constant
 }
 
 /// A path and those that contain it, outermost first.

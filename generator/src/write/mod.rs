@@ -13,6 +13,8 @@ mod replace;
 
 pub use folder::{Folder, open};
 
+use crate::codes;
+use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::digest::is_sealed;
 use crate::target::File;
 use beside::{remove, staged};
@@ -52,29 +54,41 @@ pub enum Owner {
     Other,
 }
 
+impl Refusal {
+    /// What is said about it: a message for each file.
+    #[must_use]
+    pub fn report(&self) -> Report {
+        let of = |path: &Path, code, found: String| Diagnostic::error(code, Place::whole(path.display()), found);
+        let diagnostics = match self {
+            Self::Edited(files) => files.iter().map(|(path, owner)| kept(path, *owner)).collect(),
+            Self::Failed(path, error) => vec![of(path, codes::UNWRITABLE, format!("{error}; nothing was written"))],
+            Self::Torn(path, error, torn) => {
+                let found = format!("{error}; but for the files named below all are as they were before");
+                let not_put_back = |path: &PathBuf| {
+                    let found =
+                        format!("could not be put back; as it was before it is {}", beside::kept(path).display());
+                    of(path, codes::UNWRITABLE, found)
+                };
+                [of(path, codes::UNWRITABLE, found)].into_iter().chain(torn.iter().map(not_put_back)).collect()
+            }
+        };
+        Report { diagnostics }
+    }
+}
+
+/// What is said of a file that is kept as it is.
+fn kept(path: &Path, owner: Owner) -> Diagnostic {
+    let (code, found) = match owner {
+        Owner::Other => (codes::NOT_OURS, "was not generated, or its line `body` was taken out"),
+        Owner::Edited | Owner::Generated => (codes::EDITED, "was changed by hand after it had been generated"),
+    };
+    Diagnostic::error(code, Place::whole(path.display()), format!("{found}; nothing was written"))
+        .instead("the change in what the file is made from; or overwrite it with --force")
+}
+
 impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Edited(files) => {
-                for (path, owner) in files {
-                    let why = match owner {
-                        Owner::Other => "was not generated, or its line `body` was taken out",
-                        Owner::Edited | Owner::Generated => "was changed by hand after it had been generated",
-                    };
-                    writeln!(f, "{}: {why}", path.display())?;
-                }
-                write!(f, "nothing was written; move the changes to the set, or overwrite them with --force")
-            }
-            Self::Failed(path, error) => write!(f, "{}: {error}; nothing was written", path.display()),
-            Self::Torn(path, error, torn) => {
-                writeln!(f, "{}: {error}", path.display())?;
-                for path in torn {
-                    let (path, kept) = (path.display(), beside::kept(path));
-                    writeln!(f, "{path}: could not be put back; as it was before it is {}", kept.display())?;
-                }
-                write!(f, "the other files are as they were before")
-            }
-        }
+        f.write_str(self.report().to_string().trim_end())
     }
 }
 

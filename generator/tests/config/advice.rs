@@ -144,6 +144,10 @@ fn gantry_slave_with_stages() {
         &[
             "x.lis:2:21: warning[AX412]: the axis is a gantry slave with active stages: its input `mode` must stay OFF (error 70600)",
             "    write instead: the stages in the list of the master",
+            "x.lis:2:1: warning[AX431]: getriebe[0].kv (P-AXIS-00099) is not given: its default 1000 is used, 10/s",
+            "    write instead: the gain of the machine, in 0.01/s",
+            "x.lis:2:21: warning[AX428]: the master of the gantry, axis 1 (P-AXIS-00070), is not there: its additive velocity is left out",
+            "    write instead: a set with both axes, whose lists they name",
         ],
     );
 }

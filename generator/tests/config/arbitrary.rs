@@ -181,7 +181,7 @@ fn deep_nesting() {
     let _ = read_list(format!("{}x 1\n{IPC}{} 1", "a.".repeat(1_000_000), "[".repeat(1_000_000)));
 }
 
-/// Every code is asserted somewhere in these tests.
+/// Every code is asserted somewhere in these tests; those of the command line in its own.
 #[test]
 fn every_code_has_a_test() {
     let tests = [
@@ -198,6 +198,7 @@ fn every_code_has_a_test() {
         include_str!("rules.rs"),
         include_str!("set.rs"),
         include_str!("values.rs"),
+        include_str!("../../cli/tests/front_door/messages.rs"),
     ];
     for code in CODES {
         assert!(tests.iter().any(|test| test.contains(code.code)), "{} has no test", code.code);

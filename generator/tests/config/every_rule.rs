@@ -347,6 +347,8 @@ set.toml:3:45: error[AX305]: improved position control is enabled on a gantry sl
 > kenngr.gantry_ax_nr = 65535
 set.toml:5:23: warning[AX412]: the axis is a gantry slave with active stages: its input `mode` must stay OFF (error 70600)
     write instead: the stages in the list of the master
+set.toml:2:7: warning[AX431]: getriebe[0].kv (P-AXIS-00099) is not given: its default 1000 is used, 10/s
+    write instead: the gain of the machine, in 0.01/s
 set.toml:5:23: error[AX315]: X follows the axis 65535, and no axis of the set has this number
     write instead: the master's list in the set
 

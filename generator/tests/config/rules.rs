@@ -216,7 +216,12 @@ fn g_gantry_slave_without_a_stage() {
             "kopf.achs_nr 2\n\
              kenngr.gantry_ax_nr 1",
         ),
-        &[],
+        &[
+            "x.lis:2:1: warning[AX431]: getriebe[0].kv (P-AXIS-00099) is not given: its default 1000 is used, 10/s",
+            "    write instead: the gain of the machine, in 0.01/s",
+            "x.lis:2:21: warning[AX428]: the master of the gantry, axis 1 (P-AXIS-00070), is not there: its additive velocity is left out",
+            "    write instead: a set with both axes, whose lists they name",
+        ],
     );
 }
 

@@ -278,7 +278,7 @@ fn targets() {
              [axis.X]",
         ),
         &[
-            "set.toml:2:11: error[AX202]: `targets` is `pascal`",
+            "set.toml:2:12: error[AX202]: `targets` is `pascal`",
             "    allowed: any of c, st, twincat, codesys, scl",
             "set.toml:3:7: warning[AX401]: no stage is active: the block puts out 0",
             "    write instead: ipc.stage[0].mode with DIRECT, INDIRECT or SET_POINT",
@@ -291,7 +291,7 @@ fn targets() {
              [axis.X]",
         ),
         &[
-            "set.toml:2:11: error[AX202]: `targets` is `twincta`",
+            "set.toml:2:12: error[AX202]: `targets` is `twincta`",
             "    allowed: any of c, st, twincat, codesys, scl",
             "    write instead: twincat",
             "set.toml:3:7: warning[AX401]: no stage is active: the block puts out 0",
@@ -305,9 +305,31 @@ fn targets() {
              [axis.X]",
         ),
         &[
-            "set.toml:2:11: error[AX107]: `targets` names `c` twice",
+            "set.toml:2:17: error[AX107]: `targets` names `c` twice",
             "    allowed: any of c, st, twincat, codesys, scl",
             "set.toml:3:7: warning[AX401]: no stage is active: the block puts out 0",
+            "    write instead: ipc.stage[0].mode with DIRECT, INDIRECT or SET_POINT",
+        ],
+    );
+    assert_said(
+        &said_of_set(
+            "cycle_time = \"1ms\"\n\
+             targets = [\"stt\", \"c\", \"q\",\n  \"scll\", \"c\"]\n\
+             [axis.X]",
+        ),
+        &[
+            "set.toml:2:12: error[AX202]: `targets` is `stt`",
+            "    allowed: any of c, st, twincat, codesys, scl",
+            "    write instead: st",
+            "set.toml:2:24: error[AX202]: `targets` is `q`",
+            "    allowed: any of c, st, twincat, codesys, scl",
+            "    write instead: c",
+            "set.toml:3:3: error[AX202]: `targets` is `scll`",
+            "    allowed: any of c, st, twincat, codesys, scl",
+            "    write instead: scl",
+            "set.toml:3:11: error[AX107]: `targets` names `c` twice",
+            "    allowed: any of c, st, twincat, codesys, scl",
+            "set.toml:4:7: warning[AX401]: no stage is active: the block puts out 0",
             "    write instead: ipc.stage[0].mode with DIRECT, INDIRECT or SET_POINT",
         ],
     );
@@ -318,7 +340,7 @@ fn targets() {
              [axis.X]",
         ),
         &[
-            "set.toml:2:11: error[AX204]: `targets` is of type integer",
+            "set.toml:2:12: error[AX204]: `targets` is of type integer",
             "    allowed: an array of strings, any of c, st, twincat, codesys, scl",
             "set.toml:3:7: warning[AX401]: no stage is active: the block puts out 0",
             "    write instead: ipc.stage[0].mode with DIRECT, INDIRECT or SET_POINT",

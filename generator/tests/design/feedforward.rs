@@ -156,13 +156,20 @@ fn halves_and_ends() {
         (Width::Int16, -2.5, (-3, false)),
         (Width::Int16, 32_766.5, (32_767, false)),
         (Width::Int16, 32_767.0, (32_767, false)),
-        (Width::Int16, 32_767.1, (32_767, true)),
+        (Width::Int16, 32_767.499_999_999_99, (32_767, false)),
+        (Width::Int16, 32_767.5, (32_767, true)),
         (Width::Int16, -32_767.5, (-32_768, false)),
         (Width::Int16, -32_768.0, (-32_768, false)),
-        (Width::Int16, -32_768.1, (-32_768, true)),
+        (Width::Int16, -32_768.499_999_999_99, (-32_768, false)),
+        (Width::Int16, -32_768.5, (-32_768, true)),
         (Width::Int32, 2_147_483_646.5, (2_147_483_647, false)),
         (Width::Int32, -2_147_483_647.5, (-2_147_483_648, false)),
         (Width::Int32, -2_147_483_647.3, (-2_147_483_647, false)),
+        (Width::Int32, 2_147_483_647.499_999_8, (2_147_483_647, false)),
+        (Width::Int32, 2_147_483_647.5, (2_147_483_647, true)),
+        (Width::Int32, -2_147_483_648.499_999_5, (-2_147_483_648, false)),
+        (Width::Int32, -2_147_483_648.5, (-2_147_483_648, true)),
+        (Width::Int32, f64::NAN, (0, true)),
         (Width::Int32, 1e300, (2_147_483_647, true)),
         (Width::Int32, -1e300, (-2_147_483_648, true)),
     ] {
@@ -170,10 +177,26 @@ fn halves_and_ends() {
         process_data::round(&mut datum, &scale::range::<f64>(width), x);
         assert_eq!((datum.value, datum.limited), expected, "{x:?} in {width:?}");
     }
-    let mut datum = process_data::Datum::default();
-    for (x, expected) in [(0.499_999_97_f32, 0), (0.5, 1), (8_388_607.5, 8_388_608), (-3.5, -4), (3e9, i32::MAX)] {
-        process_data::round(&mut datum, &scale::range::<f32>(Width::Int32), x);
-        assert_eq!(datum.value, expected, "{x:?}");
+    for (width, x, expected) in [
+        (Width::Int32, 0.499_999_97_f32, (0, false)),
+        (Width::Int32, 0.5, (1, false)),
+        (Width::Int32, 8_388_607.5, (8_388_608, false)),
+        (Width::Int32, -3.5, (-4, false)),
+        // The last number below 2^31, and 2^31: what 2147483647 becomes in single precision.
+        (Width::Int32, 2_147_483_520.0, (2_147_483_520, false)),
+        (Width::Int32, 2_147_483_648.0, (2_147_483_647, true)),
+        (Width::Int32, -2_147_483_520.0, (-2_147_483_520, false)),
+        (Width::Int32, -2_147_483_648.0, (-2_147_483_648, false)),
+        (Width::Int32, -2_147_483_904.0, (-2_147_483_648, true)),
+        (Width::Int32, 3e9, (2_147_483_647, true)),
+        (Width::Int16, 32_767.498, (32_767, false)),
+        (Width::Int16, 32_767.5, (32_767, true)),
+        (Width::Int16, -32_768.496, (-32_768, false)),
+        (Width::Int16, -32_768.5, (-32_768, true)),
+    ] {
+        let mut datum = process_data::Datum::default();
+        process_data::round(&mut datum, &scale::range::<f32>(width), x);
+        assert_eq!((datum.value, datum.limited), expected, "{x:?} in {width:?}");
     }
 }
 

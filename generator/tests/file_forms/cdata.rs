@@ -39,6 +39,6 @@ fn text_that_ends_no_section_is_not_touched() {
     let items = [Item { name: "A < B & C ]] >", value: -1 }];
     let file = TcEnum { version: "1", body_digest: "0", id: "{0}".to_owned(), items: &items };
     assert!(askama::Template::render(&file).unwrap().contains("\n    A < B & C ]] > := -1\n"));
-    let guide = TcGuide { version: HOSTILE, body_digest: "0", block: "B" };
+    let guide = TcGuide { version: HOSTILE, body_digest: "0", damping: "B", axis: "A", samples: 1 };
     assert!(askama::Template::render(&guide).unwrap().contains(HOSTILE), "no file of XML");
 }

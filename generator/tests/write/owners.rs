@@ -37,8 +37,10 @@ fn what_was_edited_or_made_by_others_needs_force() {
     assert_eq!(
         refused.to_string(),
         format!(
-            "{}: was changed by hand after it had been generated\n{}: was not generated, or its line `body` was taken out\n\
-             nothing was written; move the changes to the set, or overwrite them with --force",
+            "{}: error[AX013]: was changed by hand after it had been generated; nothing was written\n    \
+             write instead: the change in what the file is made from; or overwrite it with --force\n\
+             {}: error[AX014]: was not generated, or its line `body` was taken out; nothing was written\n    \
+             write instead: the change in what the file is made from; or overwrite it with --force",
             x.display(),
             y.display()
         )

@@ -51,6 +51,9 @@ pub trait Real:
     fn from_i32(value: i32) -> Self;
 
     /// The whole part, towards 0, of a number within the range of the integer.
+    ///
+    /// # Panics
+    /// In a debug build, of a number beyond: C leaves undefined what becomes of it.
     fn truncated(self) -> i32;
 
     /// The value as f64, exactly.
@@ -88,6 +91,7 @@ impl Real for f64 {
 
     #[expect(clippy::cast_possible_truncation, reason = "that is what it does")]
     fn truncated(self) -> i32 {
+        debug_assert!(is_within_i32(self.to_f64()), "truncate: {self} is beyond the range");
         self as i32
     }
 
@@ -120,10 +124,16 @@ impl Real for f32 {
 
     #[expect(clippy::cast_possible_truncation, reason = "that is what it does")]
     fn truncated(self) -> i32 {
+        debug_assert!(is_within_i32(self.to_f64()), "truncate: {self} is beyond the range");
         self as i32
     }
 
     fn to_f64(self) -> f64 {
         f64::from(self)
     }
+}
+
+/// Whether the whole part of a number is an i32.
+fn is_within_i32(x: f64) -> bool {
+    -2_147_483_649.0 < x && x < 2_147_483_648.0
 }

@@ -371,6 +371,10 @@ impl<R: Real> Block<R> for Axis {
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
 
+    fn state() -> State<R> {
+        State::default()
+    }
+
     fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {
         Inputs { mode: coeffs.ipc.enable, feedforward_percentage: 100, position_controlled: true, ..Inputs::default() }
     }
@@ -379,6 +383,10 @@ impl<R: Real> Block<R> for Axis {
         inputs.mode = ipc::mode_on();
         inputs.feedforward_active = true;
         inputs.feedforward_percentage = 87;
+    }
+
+    fn outputs() -> Outputs<R> {
+        Outputs::default()
     }
 
     fn step(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {

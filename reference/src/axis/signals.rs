@@ -28,9 +28,9 @@ pub struct Inputs<R> {
     pub feedforward_active: bool,
     /// weight of G136 [%], limited to 0..100
     pub feedforward_percentage: i32,
-    /// FALSE: the axis is not in position control, all outputs are 0 at once and x_drive follows x_command
+    /// FALSE: the axis is not in position control, all outputs are 0 at once; x_drive, if the drive has the controller, follows x_command. It acts in full in the next cycle: x_command stands on x_actual then
     pub position_controlled: bool,
-    /// while TRUE all outputs are 0 and the states follow the inputs
+    /// while TRUE the same
     pub reset: bool,
     /// the caller's cycle [ns], 0: unchecked; another value than designed for is a fault
     pub task_cycle_ns: u32,
@@ -58,7 +58,7 @@ pub struct Outputs<R> {
     pub additive_torque: i32,
     /// additive velocity command of the drive (P-AXIS-00205 to 00207) [increments]
     pub additive_velocity: i32,
-    /// 0 none, 1 cycle time, 2 mode, 11 to 18 and 22 an input is no usable number
+    /// 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator, 17 x_command, 18 x_actual, 22 v_add_master is no usable number; 1, 17, 18 stop the axis, the others only the part that reads it; of several parts the last one's
     pub error_id: u32,
     /// the limit of v_add or a process-data type cuts an output off in this cycle
     pub limited: bool,

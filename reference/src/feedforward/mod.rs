@@ -292,6 +292,10 @@ impl<R: Real> Block<R> for Feedforward {
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
 
+    fn state() -> State<R> {
+        State::default()
+    }
+
     fn inputs(_: &Coeffs<R>) -> Inputs<R> {
         Inputs { feedforward_percentage: 100, position_controlled: true, ..Inputs::default() }
     }
@@ -299,6 +303,10 @@ impl<R: Real> Block<R> for Feedforward {
     fn exercise(inputs: &mut Inputs<R>) {
         inputs.feedforward_active = true;
         inputs.feedforward_percentage = 87;
+    }
+
+    fn outputs() -> Outputs<R> {
+        Outputs::default()
     }
 
     fn step(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {

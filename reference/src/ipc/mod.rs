@@ -288,12 +288,20 @@ impl<R: Real> Block<R> for Ipc {
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
 
+    fn state() -> State<R> {
+        State::default()
+    }
+
     fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {
         Inputs { mode: coeffs.enable, position_controlled: true, ..Inputs::default() }
     }
 
     fn exercise(inputs: &mut Inputs<R>) {
         inputs.mode = mode_on();
+    }
+
+    fn outputs() -> Outputs<R> {
+        Outputs::default()
     }
 
     fn step(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {

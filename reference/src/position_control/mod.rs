@@ -259,12 +259,20 @@ impl<R: Real> Block<R> for PositionControl {
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
 
+    fn state() -> State<R> {
+        State::default()
+    }
+
     fn inputs(_: &Coeffs<R>) -> Inputs<R> {
         Inputs { position_controlled: true, ..Inputs::default() }
     }
 
     fn exercise(inputs: &mut Inputs<R>) {
         inputs.torque_feedforward = 321;
+    }
+
+    fn outputs() -> Outputs<R> {
+        Outputs::default()
     }
 
     fn step(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {

@@ -18,9 +18,9 @@ pub struct Inputs<R> {
     pub torque_feedforward: i32,
     /// additive velocity of improved position control [um/s or 0.001 deg/s]
     pub v_add: R,
-    /// FALSE: the axis is not in position control, all outputs are 0 at once and x_drive follows x_command
+    /// FALSE: the axis is not in position control, all outputs are 0 at once; x_drive, if the drive has the controller, follows x_command. It acts in full in the next cycle: x_command stands on x_actual then
     pub position_controlled: bool,
-    /// while TRUE all outputs are 0 and x_drive follows x_command
+    /// while TRUE the same
     pub reset: bool,
     /// the caller's cycle [ns], 0: unchecked; another value than designed for is a fault
     pub task_cycle_ns: u32,
@@ -46,6 +46,6 @@ pub struct Outputs<R> {
     pub limited: bool,
     /// the block cannot act in this cycle, error_id says why
     pub fault: bool,
-    /// 0 none, 1 cycle time, 17 x_command, 18 x_actual, 19 v_feedforward, 20 v_additive, 21 v_add is no usable number
+    /// 0 none, 1 cycle time, 17 x_command, 18 x_actual, 19 v_feedforward, 20 v_additive, 21 v_add is no usable number; each of them stops the block
     pub error_id: u32,
 }

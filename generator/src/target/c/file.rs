@@ -88,7 +88,7 @@ fn block_text(axis: &str, block: &Block, printer: &Printer<'_>) -> CBlock {
     let language = Language { ty: &|ty| types::name(ty, program.real), literal: &types::literal, next_line: "\n * " };
     CBlock {
         inputs: language.inputs(program, &members(&program.inputs)),
-        outputs: language.members(&program.outputs, &members(&program.outputs)),
+        outputs: language.outputs(program, &members(&program.outputs)),
         state: language.members(&program.state, &members(&program.state)),
         constants: language.groups(block, program, printer.constants()),
         init: printer.body(&program.init),

@@ -26,22 +26,24 @@ pub fn listings(axis: &Axis, file: &str, blocks: &[Block], prefix: &str, dialect
 /// A block with the name that a file gives it.
 #[must_use]
 pub fn listing(name: String, block: &Block, program: Program, dialect: Dialect) -> StBlock {
-    let program = nearest::run(start::run(program));
-    let program = if dialect.has_digits_in_expressions(program.real) { program } else { operands::run(program) };
-    let printer = Printer::new(&program, dialect);
+    let emitted = nearest::run(start::run(program.clone()));
+    let emitted = if dialect.has_digits_in_expressions(program.real) { emitted } else { operands::run(emitted) };
+    let printer = Printer::new(&emitted, dialect);
     let language = Language { ty: &|ty| type_name(ty, program.real), literal: &types::literal, next_line: "\n       " };
     let names = &printer.names;
-    let groups = language.groups(block, &program, &names.constants);
+    let groups = language.groups(block, &emitted, &names.constants);
+    let in_statements = Language { literal: &types::in_statement, ..language };
+    let assigned = with_form(Form::Assigned, &printer.forms, &in_statements.groups(block, &emitted, &names.constants));
     let of = |form| with_form(form, &printer.forms, &groups);
     StBlock {
         name,
-        inputs: language.inputs(&program, &names.inputs),
-        outputs: language.members(&program.outputs, &names.outputs),
-        state: language.members(&program.state, &names.state),
-        locals: locals(&program, &names.locals),
+        inputs: language.inputs(&emitted, &names.inputs),
+        outputs: language.outputs(&program, &names.outputs),
+        state: language.members(&emitted.state, &names.state),
+        locals: locals(&emitted, &names.locals),
         inline: of(Form::Inline),
         declared: of(Form::Declared),
-        assigned: of(Form::Assigned),
+        assigned,
         body: printer.body(0),
     }
 }

@@ -22,7 +22,7 @@ impl Printer<'_> {
     /// Appends an expression.
     pub(super) fn expr(&self, expr: &Expr, text: &mut String) {
         match expr {
-            Expr::Literal(literal) => text.push_str(&types::literal(*literal)),
+            Expr::Literal(literal) => text.push_str(&types::in_statement(*literal)),
             Expr::Var(var) => text.push_str(self.var(*var)),
             Expr::Unary(operator, operand) => self.unary(*operator, operand, text),
             Expr::Binary(operator, left, right) => self.binary(*operator, left, right, text),
@@ -121,9 +121,9 @@ fn precedence(expr: &Expr) -> Precedence {
     }
 }
 
-/// A literal may have a sign, or be a product.
+/// A literal may be a product, or begin with a sign.
 fn of_literal(literal: Literal) -> Precedence {
-    let text = types::literal(literal);
+    let text = types::in_statement(literal);
     match text.as_bytes().first() {
         _ if text.contains(" * ") => Precedence::Product,
         Some(b'-') => Precedence::Sign,

@@ -56,7 +56,7 @@ impl<'p> Printer<'p> {
         let with_sigil = |names: &[String]| names.iter().map(|name| format!("{}{name}", dialect.sigil)).collect();
         let forms = forms::of(program, &dialect);
         let constant = |((constant, name), form): ((&Constant, &String), &Form)| match form {
-            Form::Inline => inline(&types::literal(constant.value), name),
+            Form::Inline => inline(&types::in_statement(constant.value), name),
             Form::Declared | Form::Assigned => format!("{}{name}", dialect.sigil),
         };
         let constants = program.constants.iter().zip(&names.constants).zip(&forms).map(constant).collect();

@@ -30,6 +30,15 @@ pub fn literal(value: Literal) -> String {
     }
 }
 
+/// The text of a literal in a statement: to some compilers -2147483648 is there minus a number that fits no DINT.
+#[must_use]
+pub fn in_statement(value: Literal) -> String {
+    match value {
+        Literal::I32(i32::MIN) => "-2147483647 - 1".to_owned(),
+        other => literal(other),
+    }
+}
+
 /// The digits of a number within the limits; a product for one beyond them.
 fn real(value: f64, text: String) -> String {
     let magnitude = value.abs();

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  034f796361d0823694dc733af3a57103
- * body        fa832891c3aeb67db3e00e64f019cb14
+ * body        bca74d2f3866f67e72a1b66ef015721f
  */
 #include "axis_p.h"
 
@@ -64,8 +64,8 @@ static const double position_control_lag = 0.03333333333333333; /* 1 / Kv of the
 static const double position_control_xerr_scale = 104.8576; /* increments for 1 um or 0.001 deg */
 static const int32_t position_control_xerr_range_lowest = (-2147483647 - 1); /* smallest value of the process data */
 static const int32_t position_control_xerr_range_highest = 2147483647; /* largest value of the process data */
-static const double position_control_xerr_range_lower_limit = -2147483648.0; /* the same as a real number */
-static const double position_control_xerr_range_upper_limit = 2147483647.0; /* the same as a real number */
+static const double position_control_xerr_range_lower_limit = -2147483648.4999995; /* smallest number that is rounded to the smallest value */
+static const double position_control_xerr_range_upper_limit = 2147483647.4999998; /* largest number that is rounded to the largest value */
 
 /* the same for every axis */
 static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
@@ -216,13 +216,14 @@ void axis_p_axis_step(
         } else if (position_control_deviation > 0.0) {
             outputs->xerr = position_control_xerr_range_highest;
             outputs->limited = true;
-        } else if (position_control_deviation > position_control_xerr_range_lower_limit) {
-            outputs->xerr = nearest(position_control_deviation);
-        } else {
+        } else if (position_control_deviation < 0.0) {
             if (position_control_deviation < position_control_xerr_range_lower_limit) {
                 outputs->limited = true;
             }
             outputs->xerr = position_control_xerr_range_lowest;
+        } else {
+            outputs->xerr = 0;
+            outputs->limited = true;
         }
         state->position_control_settled = true;
         outputs->x_drive = position_control_x;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  84c1aaebe7d5efbf7942c2b9e5459fdc
- * body        c034e79ce66487744522c8b41028a56d
+ * body        4b723795c8d07d6450dd4874536114ac
  */
 #include "axis_x.h"
 
@@ -69,8 +69,8 @@ static const double feedforward_torque_acceleration = 0.0005585053606381854; /* 
 /* process data of 16 bits */
 static const int32_t feedforward_torque_range_lowest = -32768; /* smallest value of the process data */
 static const int32_t feedforward_torque_range_highest = 32767; /* largest value of the process data */
-static const double feedforward_torque_range_lower_limit = -32768.0; /* the same as a real number */
-static const double feedforward_torque_range_upper_limit = 32767.0; /* the same as a real number */
+static const double feedforward_torque_range_lower_limit = -32768.49999999999; /* smallest number that is rounded to the smallest value */
+static const double feedforward_torque_range_upper_limit = 32767.499999999996; /* largest number that is rounded to the largest value */
 
 /* SET_POINT (P-AXIS-00753) from v_command, weight 60/100 = 0.6 (P-AXIS-00754/00755)
  * simulated oscillation of the load, f0 of the first BANDPASS 14 Hz (P-AXIS-00751), damping ratio 0.6
@@ -111,8 +111,8 @@ static const double position_control_velocity_scale = 60.0; /* additive velocity
 /* process data of 32 bits */
 static const int32_t position_control_velocity_range_lowest = (-2147483647 - 1); /* smallest value of the process data */
 static const int32_t position_control_velocity_range_highest = 2147483647; /* largest value of the process data */
-static const double position_control_velocity_range_lower_limit = -2147483648.0; /* the same as a real number */
-static const double position_control_velocity_range_upper_limit = 2147483647.0; /* the same as a real number */
+static const double position_control_velocity_range_lower_limit = -2147483648.4999995; /* smallest number that is rounded to the smallest value */
+static const double position_control_velocity_range_upper_limit = 2147483647.4999998; /* largest number that is rounded to the largest value */
 
 /* the same for every axis */
 static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
@@ -265,13 +265,14 @@ void axis_x_axis_step(
             } else if (feedforward_total > 0.0) {
                 outputs->additive_torque = feedforward_torque_range_highest;
                 outputs->limited = true;
-            } else if (feedforward_total > feedforward_torque_range_lower_limit) {
-                outputs->additive_torque = nearest(feedforward_total);
-            } else {
+            } else if (feedforward_total < 0.0) {
                 if (feedforward_total < feedforward_torque_range_lower_limit) {
                     outputs->limited = true;
                 }
                 outputs->additive_torque = feedforward_torque_range_lowest;
+            } else {
+                outputs->additive_torque = 0;
+                outputs->limited = true;
             }
         } else {
             state->feedforward_settled = false;
@@ -407,13 +408,14 @@ void axis_x_axis_step(
         } else if (position_control_increments > 0.0) {
             outputs->additive_velocity = position_control_velocity_range_highest;
             outputs->limited = true;
-        } else if (position_control_increments > position_control_velocity_range_lower_limit) {
-            outputs->additive_velocity = nearest(position_control_increments);
-        } else {
+        } else if (position_control_increments < 0.0) {
             if (position_control_increments < position_control_velocity_range_lower_limit) {
                 outputs->limited = true;
             }
             outputs->additive_velocity = position_control_velocity_range_lowest;
+        } else {
+            outputs->additive_velocity = 0;
+            outputs->limited = true;
         }
         outputs->x_drive = inputs->x_command;
     }

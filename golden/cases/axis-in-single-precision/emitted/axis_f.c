@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  a51e4e64fad240bd4128bbecc5fcab95
- * body        5fb667887841b4295b95a747ff53927d
+ * body        7428369c4bd4d07f07eef569bdb30f87
  */
 #include "axis_f.h"
 
@@ -85,8 +85,8 @@ static const float position_control_manipulated_scale = 0.3f; /* manipulated var
 /* process data of 16 bits */
 static const int32_t position_control_manipulated_range_lowest = -32768; /* smallest value of the process data */
 static const int32_t position_control_manipulated_range_highest = 32767; /* largest value of the process data */
-static const float position_control_manipulated_range_lower_limit = -32768.0f; /* the same as a real number */
-static const float position_control_manipulated_range_upper_limit = 32767.0f; /* the same as a real number */
+static const float position_control_manipulated_range_lower_limit = -32768.496f; /* smallest number that is rounded to the smallest value */
+static const float position_control_manipulated_range_upper_limit = 32767.498f; /* largest number that is rounded to the largest value */
 
 /* the same for every axis */
 static const float sample_limit = 1000000000.0f; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
@@ -327,13 +327,14 @@ void axis_f_axis_step(
         } else if (position_control_increments > 0.0f) {
             outputs->manipulated_variable = position_control_manipulated_range_highest;
             outputs->limited = true;
-        } else if (position_control_increments > position_control_manipulated_range_lower_limit) {
-            outputs->manipulated_variable = nearest(position_control_increments);
-        } else {
+        } else if (position_control_increments < 0.0f) {
             if (position_control_increments < position_control_manipulated_range_lower_limit) {
                 outputs->limited = true;
             }
             outputs->manipulated_variable = position_control_manipulated_range_lowest;
+        } else {
+            outputs->manipulated_variable = 0;
+            outputs->limited = true;
         }
         outputs->v_command = v_controller;
     }

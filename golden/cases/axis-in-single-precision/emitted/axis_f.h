@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  a51e4e64fad240bd4128bbecc5fcab95
- * body        6345843274b7f9f19123e8dd8f47baa9
+ * body        7b2152cb417643c7a3f0dd7a51103f5c
  */
 #ifndef AXIS_F_H
 #define AXIS_F_H
@@ -29,8 +29,8 @@ typedef struct {
     int32_t mode; /* improved position control: 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758); start 1 */
     bool feedforward_active; /* G135: TRUE, G137: FALSE; start false */
     int32_t feedforward_percentage; /* weight of G136 [%], limited to 0..100; start 100 */
-    bool position_controlled; /* FALSE: the axis is not in position control, all outputs are 0 at once and x_drive follows x_command; start true */
-    bool reset; /* while TRUE all outputs are 0 and the states follow the inputs; start false */
+    bool position_controlled; /* FALSE: the axis is not in position control, all outputs are 0 at once; x_drive, if the drive has the controller, follows x_command. It acts in full in the next cycle: x_command stands on x_actual then; start true */
+    bool reset; /* while TRUE the same; start false */
     uint32_t task_cycle_ns; /* the caller's cycle [ns], 0: unchecked; another value than designed for is a fault; start 0u */
 } axis_f_axis_inputs;
 
@@ -40,12 +40,12 @@ typedef struct {
     float v_feedforward; /* conventional feedforward [um/s or 0.001 deg/s] */
     float v_add; /* additive velocity of improved position control; gantry slaves get it as v_add_master [um/s or 0.001 deg/s] */
     float v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the gate; 0 in OFF [um/s or 0.001 deg/s] */
-    float x_drive; /* position control in the drive: the position command of the drive [um or 0.001 deg] */
+    float x_drive; /* position control in the drive: the position command of the drive [um or 0.001 deg]; always 0.0f for this axis */
     int32_t manipulated_variable; /* position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments] */
-    int32_t xerr; /* PROFIdrive: control deviation XERR, signal 25 (P-AXIS-00092) [increments] */
-    int32_t additive_torque; /* additive torque command of the drive (P-AXIS-00325/00326) [increments] */
-    int32_t additive_velocity; /* additive velocity command of the drive (P-AXIS-00205 to 00207) [increments] */
-    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 to 18 and 22 an input is no usable number */
+    int32_t xerr; /* PROFIdrive: control deviation XERR, signal 25 (P-AXIS-00092) [increments]; always 0 for this axis */
+    int32_t additive_torque; /* additive torque command of the drive (P-AXIS-00325/00326) [increments]; always 0 for this axis */
+    int32_t additive_velocity; /* additive velocity command of the drive (P-AXIS-00205 to 00207) [increments]; always 0 for this axis */
+    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator, 17 x_command, 18 x_actual, 22 v_add_master is no usable number; 1, 17, 18 stop the axis, the others only the part that reads it; of several parts the last one's */
     bool limited; /* the limit of v_add or a process-data type cuts an output off in this cycle */
     bool fault; /* a part of the block cannot act in this cycle, error_id says why */
 } axis_f_axis_outputs;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  34e395339e0520ddd4444822e1ca30ef
- * body        a44387d3c3940b9c3b68a709b231387d
+ * body        34b50298d3fcf41db0636a7019447037
  */
 #include "axis_x.h"
 
@@ -109,8 +109,8 @@ static const double position_control_manipulated_scale = 1.2; /* manipulated var
 /* process data of 32 bits */
 static const int32_t position_control_manipulated_range_lowest = (-2147483647 - 1); /* smallest value of the process data */
 static const int32_t position_control_manipulated_range_highest = 2147483647; /* largest value of the process data */
-static const double position_control_manipulated_range_lower_limit = -2147483648.0; /* the same as a real number */
-static const double position_control_manipulated_range_upper_limit = 2147483647.0; /* the same as a real number */
+static const double position_control_manipulated_range_lower_limit = -2147483648.4999995; /* smallest number that is rounded to the smallest value */
+static const double position_control_manipulated_range_upper_limit = 2147483647.4999998; /* largest number that is rounded to the largest value */
 
 /* the same for every axis */
 static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
@@ -390,13 +390,14 @@ void axis_x_axis_step(
         } else if (position_control_increments > 0.0) {
             outputs->manipulated_variable = position_control_manipulated_range_highest;
             outputs->limited = true;
-        } else if (position_control_increments > position_control_manipulated_range_lower_limit) {
-            outputs->manipulated_variable = nearest(position_control_increments);
-        } else {
+        } else if (position_control_increments < 0.0) {
             if (position_control_increments < position_control_manipulated_range_lower_limit) {
                 outputs->limited = true;
             }
             outputs->manipulated_variable = position_control_manipulated_range_lowest;
+        } else {
+            outputs->manipulated_variable = 0;
+            outputs->limited = true;
         }
         outputs->v_command = v_controller;
     }
@@ -479,14 +480,14 @@ uint32_t axis_x_axis_self_test(void)
         UINT64_C(0x5ac2d98dae4d1bb2),
         UINT64_C(0x857bb77ee91400fc),
         UINT64_C(0x3abd0d8efafd1489),
-        UINT64_C(0xde97b06215302d89),
-        UINT64_C(0x60ff1de668cfb0d3),
-        UINT64_C(0x91088f4aa33ea475),
-        UINT64_C(0xd1c0ec727921c4ec),
-        UINT64_C(0x550cf26209780b05),
-        UINT64_C(0x6ad40d60c9ae3ab1),
-        UINT64_C(0xd2b8db0f46698040),
-        UINT64_C(0xec9d853771bc5e90),
+        UINT64_C(0x6734770b3518b028),
+        UINT64_C(0x82bd45180d258352),
+        UINT64_C(0x7a588c0e37e2eba2),
+        UINT64_C(0x78feb91143839371),
+        UINT64_C(0x9466b94f537b87be),
+        UINT64_C(0xf700b37b3ba1d723),
+        UINT64_C(0x468325e57a881159),
+        UINT64_C(0x162a6a62ee53cb4b),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_axis_state *, const axis_x_axis_inputs *, axis_x_axis_outputs *) =
@@ -516,7 +517,7 @@ uint32_t axis_x_axis_self_test(void)
     inputs.feedforward_percentage = 87;
     for (sample = 0u; sample < 56u; sample++) {
         /* at first within every limit, so that nothing is cut off */
-        scale = sample < 48u ? 0.00390625 : 1.0;
+        scale = sample < 48u ? 0.00390625 : 4.0;
         /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
         random = random * 1664525u + 1013904223u;
         noise = axis_bits_of(((double)(random >> 8) - 8388608.0) * scale);

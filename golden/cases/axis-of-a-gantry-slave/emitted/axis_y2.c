@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  01b2d560e57f4aac4b6a8e72d07833cb
- * body        1cc31d5058c6ed45f35235489b6c11d4
+ * body        09b267a917baeffd1b27c998e8220905
  */
 #include "axis_y2.h"
 
@@ -63,8 +63,8 @@ static const double position_control_manipulated_scale = 0.12; /* manipulated va
 /* process data of 32 bits */
 static const int32_t position_control_manipulated_range_lowest = (-2147483647 - 1); /* smallest value of the process data */
 static const int32_t position_control_manipulated_range_highest = 2147483647; /* largest value of the process data */
-static const double position_control_manipulated_range_lower_limit = -2147483648.0; /* the same as a real number */
-static const double position_control_manipulated_range_upper_limit = 2147483647.0; /* the same as a real number */
+static const double position_control_manipulated_range_lower_limit = -2147483648.4999995; /* smallest number that is rounded to the smallest value */
+static const double position_control_manipulated_range_upper_limit = 2147483647.4999998; /* largest number that is rounded to the largest value */
 
 /* the same for every axis */
 static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
@@ -189,13 +189,14 @@ void axis_y2_axis_step(
         } else if (position_control_increments > 0.0) {
             outputs->manipulated_variable = position_control_manipulated_range_highest;
             outputs->limited = true;
-        } else if (position_control_increments > position_control_manipulated_range_lower_limit) {
-            outputs->manipulated_variable = nearest(position_control_increments);
-        } else {
+        } else if (position_control_increments < 0.0) {
             if (position_control_increments < position_control_manipulated_range_lower_limit) {
                 outputs->limited = true;
             }
             outputs->manipulated_variable = position_control_manipulated_range_lowest;
+        } else {
+            outputs->manipulated_variable = 0;
+            outputs->limited = true;
         }
         outputs->v_command = v_lag;
     }

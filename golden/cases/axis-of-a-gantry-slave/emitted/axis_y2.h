@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  01b2d560e57f4aac4b6a8e72d07833cb
- * body        20bc9fe9f99419fad40e116774a40613
+ * body        225c02d6fdf62b431cf65604d658a31a
  */
 #ifndef AXIS_Y2_H
 #define AXIS_Y2_H
@@ -29,23 +29,23 @@ typedef struct {
     int32_t mode; /* improved position control: 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758); not read for this axis; start 0 */
     bool feedforward_active; /* G135: TRUE, G137: FALSE; not read for this axis; start false */
     int32_t feedforward_percentage; /* weight of G136 [%], limited to 0..100; not read for this axis; start 100 */
-    bool position_controlled; /* FALSE: the axis is not in position control, all outputs are 0 at once and x_drive follows x_command; start true */
-    bool reset; /* while TRUE all outputs are 0 and the states follow the inputs; start false */
+    bool position_controlled; /* FALSE: the axis is not in position control, all outputs are 0 at once; x_drive, if the drive has the controller, follows x_command. It acts in full in the next cycle: x_command stands on x_actual then; start true */
+    bool reset; /* while TRUE the same; start false */
     uint32_t task_cycle_ns; /* the caller's cycle [ns], 0: unchecked; another value than designed for is a fault; start 0u */
 } axis_y2_axis_inputs;
 
 /* Written by axis_y2_axis_step. */
 typedef struct {
     double v_command; /* output of the position controller with feedforward, before v_add is added [um/s or 0.001 deg/s] */
-    double v_feedforward; /* conventional feedforward [um/s or 0.001 deg/s] */
+    double v_feedforward; /* conventional feedforward [um/s or 0.001 deg/s]; always 0.0 for this axis */
     double v_add; /* additive velocity of improved position control; gantry slaves get it as v_add_master [um/s or 0.001 deg/s] */
     double v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the gate; 0 in OFF [um/s or 0.001 deg/s] */
-    double x_drive; /* position control in the drive: the position command of the drive [um or 0.001 deg] */
+    double x_drive; /* position control in the drive: the position command of the drive [um or 0.001 deg]; always 0.0 for this axis */
     int32_t manipulated_variable; /* position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments] */
-    int32_t xerr; /* PROFIdrive: control deviation XERR, signal 25 (P-AXIS-00092) [increments] */
-    int32_t additive_torque; /* additive torque command of the drive (P-AXIS-00325/00326) [increments] */
-    int32_t additive_velocity; /* additive velocity command of the drive (P-AXIS-00205 to 00207) [increments] */
-    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 to 18 and 22 an input is no usable number */
+    int32_t xerr; /* PROFIdrive: control deviation XERR, signal 25 (P-AXIS-00092) [increments]; always 0 for this axis */
+    int32_t additive_torque; /* additive torque command of the drive (P-AXIS-00325/00326) [increments]; always 0 for this axis */
+    int32_t additive_velocity; /* additive velocity command of the drive (P-AXIS-00205 to 00207) [increments]; always 0 for this axis */
+    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator, 17 x_command, 18 x_actual, 22 v_add_master is no usable number; 1, 17, 18 stop the axis, the others only the part that reads it; of several parts the last one's */
     bool limited; /* the limit of v_add or a process-data type cuts an output off in this cycle */
     bool fault; /* a part of the block cannot act in this cycle, error_id says why */
 } axis_y2_axis_outputs;

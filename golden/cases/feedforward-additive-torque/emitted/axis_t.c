@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  ab1a45231c68022a5cdf6b2275938f30
- * body        2848e96b81041957bd8dab1a40367fdf
+ * body        aafe73b5eec21f6bbd62395aea854464
  */
 #include "axis_t.h"
 
@@ -65,8 +65,8 @@ static const double torque_acceleration = 2.412743157956961; /* additive torque:
 /* process data of 16 bits */
 static const int32_t torque_range_lowest = -32768; /* smallest value of the process data */
 static const int32_t torque_range_highest = 32767; /* largest value of the process data */
-static const double torque_range_lower_limit = -32768.0; /* the same as a real number */
-static const double torque_range_upper_limit = 32767.0; /* the same as a real number */
+static const double torque_range_lower_limit = -32768.49999999999; /* smallest number that is rounded to the smallest value */
+static const double torque_range_upper_limit = 32767.499999999996; /* largest number that is rounded to the largest value */
 
 /* the same for every axis */
 static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
@@ -160,12 +160,12 @@ void axis_t_feedforward_step(
         } else if (total > 0.0) {
             outputs->additive_torque = torque_range_highest;
             outputs->torque_limited = true;
-        } else if (total > torque_range_lower_limit) {
-            outputs->additive_torque = nearest(total);
-            outputs->torque_limited = false;
-        } else {
+        } else if (total < 0.0) {
             outputs->torque_limited = total < torque_range_lower_limit;
             outputs->additive_torque = torque_range_lowest;
+        } else {
+            outputs->additive_torque = 0;
+            outputs->torque_limited = true;
         }
     }
 }

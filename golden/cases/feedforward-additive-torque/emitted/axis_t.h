@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  ab1a45231c68022a5cdf6b2275938f30
- * body        6e15ab3e6630692a98aad17420704768
+ * body        d032e2218984972bd7836b20d6d6b7f8
  */
 #ifndef AXIS_T_H
 #define AXIS_T_H
@@ -30,11 +30,11 @@ typedef struct {
 
 /* Written by axis_t_feedforward_step. */
 typedef struct {
-    double v_feedforward; /* conventional feedforward: what to add to the position controller's output [um/s or 0.001 deg/s] */
-    double v_additive; /* additive feedforward, weighted and delayed, before it is scaled (P-AXIS-00389) [um/s or 0.001 deg/s] */
-    int32_t additive_velocity; /* v_additive as process data of the drive (P-AXIS-00205 to 00207) [increments] */
+    double v_feedforward; /* conventional feedforward: what to add to the position controller's output [um/s or 0.001 deg/s]; always 0.0 for this axis */
+    double v_additive; /* additive feedforward, weighted and delayed, before it is scaled (P-AXIS-00389) [um/s or 0.001 deg/s]; always 0.0 for this axis */
+    int32_t additive_velocity; /* v_additive as process data of the drive (P-AXIS-00205 to 00207) [increments]; always 0 for this axis */
     int32_t additive_torque; /* additive torque or force as process data of the drive (P-AXIS-00325/00326, 00390 to 00392) [increments] */
-    bool velocity_limited; /* the process-data type cuts additive_velocity off in this cycle */
+    bool velocity_limited; /* the process-data type cuts additive_velocity off in this cycle; always false for this axis */
     bool torque_limited; /* the process-data type cuts additive_torque off in this cycle */
     bool fault; /* the block cannot act in this cycle, error_id says why */
     uint32_t error_id; /* 0 none, 1 cycle time, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator is no usable number */

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  2d93b41dd7a035d030e79ccf0c10fb2e
- * body        63a999ef69ea1c7069b0b6de07384bb8
+ * body        2a941d7ac301334a8265799fc4c42ed6
  */
 #include "axis_v.h"
 
@@ -65,8 +65,8 @@ static const double velocity_scale = 180.01800180018003; /* additive velocity: i
 /* process data of 32 bits */
 static const int32_t velocity_range_lowest = (-2147483647 - 1); /* smallest value of the process data */
 static const int32_t velocity_range_highest = 2147483647; /* largest value of the process data */
-static const double velocity_range_lower_limit = -2147483648.0; /* the same as a real number */
-static const double velocity_range_upper_limit = 2147483647.0; /* the same as a real number */
+static const double velocity_range_lower_limit = -2147483648.4999995; /* smallest number that is rounded to the smallest value */
+static const double velocity_range_upper_limit = 2147483647.4999998; /* largest number that is rounded to the largest value */
 
 /* the same for every axis */
 static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
@@ -157,12 +157,12 @@ void axis_v_feedforward_step(
         } else if (velocity > 0.0) {
             outputs->additive_velocity = velocity_range_highest;
             outputs->velocity_limited = true;
-        } else if (velocity > velocity_range_lower_limit) {
-            outputs->additive_velocity = nearest(velocity);
-            outputs->velocity_limited = false;
-        } else {
+        } else if (velocity < 0.0) {
             outputs->velocity_limited = velocity < velocity_range_lower_limit;
             outputs->additive_velocity = velocity_range_lowest;
+        } else {
+            outputs->additive_velocity = 0;
+            outputs->velocity_limited = true;
         }
         outputs->additive_torque = 0;
         outputs->torque_limited = false;

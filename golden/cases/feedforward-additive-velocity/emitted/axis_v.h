@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  2d93b41dd7a035d030e79ccf0c10fb2e
- * body        a5cc20333075aa8e84ba9191144f15d4
+ * body        916bc140f3aaf60a798b1def9501082f
  */
 #ifndef AXIS_V_H
 #define AXIS_V_H
@@ -30,12 +30,12 @@ typedef struct {
 
 /* Written by axis_v_feedforward_step. */
 typedef struct {
-    double v_feedforward; /* conventional feedforward: what to add to the position controller's output [um/s or 0.001 deg/s] */
+    double v_feedforward; /* conventional feedforward: what to add to the position controller's output [um/s or 0.001 deg/s]; always 0.0 for this axis */
     double v_additive; /* additive feedforward, weighted and delayed, before it is scaled (P-AXIS-00389) [um/s or 0.001 deg/s] */
     int32_t additive_velocity; /* v_additive as process data of the drive (P-AXIS-00205 to 00207) [increments] */
-    int32_t additive_torque; /* additive torque or force as process data of the drive (P-AXIS-00325/00326, 00390 to 00392) [increments] */
+    int32_t additive_torque; /* additive torque or force as process data of the drive (P-AXIS-00325/00326, 00390 to 00392) [increments]; always 0 for this axis */
     bool velocity_limited; /* the process-data type cuts additive_velocity off in this cycle */
-    bool torque_limited; /* the process-data type cuts additive_torque off in this cycle */
+    bool torque_limited; /* the process-data type cuts additive_torque off in this cycle; always false for this axis */
     bool fault; /* the block cannot act in this cycle, error_id says why */
     uint32_t error_id; /* 0 none, 1 cycle time, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator is no usable number */
 } axis_v_feedforward_outputs;

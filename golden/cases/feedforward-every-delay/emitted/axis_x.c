@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  b392536238f99500e428e906914a6271
- * body        31de42697362bbff3bcd8336bd40f350
+ * body        787a760424cac778979b8f8e8a6d02da
  */
 #include "axis_x.h"
 
@@ -65,8 +65,8 @@ static const double velocity_scale = 0.1; /* additive velocity: increments for 1
 /* process data of 16 bits */
 static const int32_t velocity_range_lowest = -32768; /* smallest value of the process data */
 static const int32_t velocity_range_highest = 32767; /* largest value of the process data */
-static const double velocity_range_lower_limit = -32768.0; /* the same as a real number */
-static const double velocity_range_upper_limit = 32767.0; /* the same as a real number */
+static const double velocity_range_lower_limit = -32768.49999999999; /* smallest number that is rounded to the smallest value */
+static const double velocity_range_upper_limit = 32767.499999999996; /* largest number that is rounded to the largest value */
 
 /* additive torque: load 0.002 kg m^2 (P-AXIS-00391), 1000 increments (P-AXIS-00325/00326) at the nominal torque
  * 2.5 Nm (P-AXIS-00392), weight 1 (P-AXIS-00225/00226) */
@@ -76,8 +76,8 @@ static const double torque_acceleration = 0.0005026548245743669; /* additive tor
 static const double torque_jerk = 1.0053096491487338e-6; /* additive torque: increments for 1 um/s^3 or 0.001 deg/s^3 */
 static const int32_t torque_range_lowest = -32768; /* smallest value of the process data */
 static const int32_t torque_range_highest = 32767; /* largest value of the process data */
-static const double torque_range_lower_limit = -32768.0; /* the same as a real number */
-static const double torque_range_upper_limit = 32767.0; /* the same as a real number */
+static const double torque_range_lower_limit = -32768.49999999999; /* smallest number that is rounded to the smallest value */
+static const double torque_range_upper_limit = 32767.499999999996; /* largest number that is rounded to the largest value */
 
 /* the same for every axis */
 static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
@@ -197,12 +197,12 @@ void axis_x_feedforward_step(
         } else if (velocity > 0.0) {
             outputs->additive_velocity = velocity_range_highest;
             outputs->velocity_limited = true;
-        } else if (velocity > velocity_range_lower_limit) {
-            outputs->additive_velocity = nearest(velocity);
-            outputs->velocity_limited = false;
-        } else {
+        } else if (velocity < 0.0) {
             outputs->velocity_limited = velocity < velocity_range_lower_limit;
             outputs->additive_velocity = velocity_range_lowest;
+        } else {
+            outputs->additive_velocity = 0;
+            outputs->velocity_limited = true;
         }
         /* delay of 2000 us = 2 cycles (P-AXIS-00390) */
         const double acceleration_delay_y = state->acceleration_delay_x1;
@@ -218,12 +218,12 @@ void axis_x_feedforward_step(
         } else if (total_2 > 0.0) {
             outputs->additive_torque = torque_range_highest;
             outputs->torque_limited = true;
-        } else if (total_2 > torque_range_lower_limit) {
-            outputs->additive_torque = nearest(total_2);
-            outputs->torque_limited = false;
-        } else {
+        } else if (total_2 < 0.0) {
             outputs->torque_limited = total_2 < torque_range_lower_limit;
             outputs->additive_torque = torque_range_lowest;
+        } else {
+            outputs->additive_torque = 0;
+            outputs->torque_limited = true;
         }
     }
 }

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  b392536238f99500e428e906914a6271
- * body        00c62684d0af3f1f326a5777141044ac
+ * body        84a8e190e918c7140d978d28358da5b8
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -30,7 +30,7 @@ typedef struct {
 
 /* Written by axis_x_feedforward_step. */
 typedef struct {
-    double v_feedforward; /* conventional feedforward: what to add to the position controller's output [um/s or 0.001 deg/s] */
+    double v_feedforward; /* conventional feedforward: what to add to the position controller's output [um/s or 0.001 deg/s]; always 0.0 for this axis */
     double v_additive; /* additive feedforward, weighted and delayed, before it is scaled (P-AXIS-00389) [um/s or 0.001 deg/s] */
     int32_t additive_velocity; /* v_additive as process data of the drive (P-AXIS-00205 to 00207) [increments] */
     int32_t additive_torque; /* additive torque or force as process data of the drive (P-AXIS-00325/00326, 00390 to 00392) [increments] */

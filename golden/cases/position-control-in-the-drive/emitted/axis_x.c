@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  aa35bad67f4ffbca3fef660d77abf5fb
- * body        ad6198e813ed594c069493bc4ecb1880
+ * body        f011463a39a42966d3156fb84390dd62
  */
 #include "axis_x.h"
 
@@ -60,8 +60,8 @@ static const double velocity_scale = 60.0; /* additive velocity: increments for 
 /* process data of 32 bits */
 static const int32_t velocity_range_lowest = (-2147483647 - 1); /* smallest value of the process data */
 static const int32_t velocity_range_highest = 2147483647; /* largest value of the process data */
-static const double velocity_range_lower_limit = -2147483648.0; /* the same as a real number */
-static const double velocity_range_upper_limit = 2147483647.0; /* the same as a real number */
+static const double velocity_range_lower_limit = -2147483648.4999995; /* smallest number that is rounded to the smallest value */
+static const double velocity_range_upper_limit = 2147483647.4999998; /* largest number that is rounded to the largest value */
 
 /* the same for every axis */
 static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
@@ -169,13 +169,14 @@ void axis_x_position_control_step(
         } else if (increments > 0.0) {
             outputs->additive_velocity = velocity_range_highest;
             outputs->limited = true;
-        } else if (increments > velocity_range_lower_limit) {
-            outputs->additive_velocity = nearest(increments);
-        } else {
+        } else if (increments < 0.0) {
             if (increments < velocity_range_lower_limit) {
                 outputs->limited = true;
             }
             outputs->additive_velocity = velocity_range_lowest;
+        } else {
+            outputs->additive_velocity = 0;
+            outputs->limited = true;
         }
         outputs->additive_torque = inputs->torque_feedforward;
     }

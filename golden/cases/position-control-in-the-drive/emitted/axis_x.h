@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  aa35bad67f4ffbca3fef660d77abf5fb
- * body        909fe5b06bfd2490da003831ecb2a8d5
+ * body        75fbe9a6b8f8136223733b1439e50a63
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -24,22 +24,22 @@ typedef struct {
     double v_additive; /* additive feedforward, before it is scaled [um/s or 0.001 deg/s]; not read for this axis; start 0.0 */
     int32_t torque_feedforward; /* additive torque of the feedforward [increments]; start 0 */
     double v_add; /* additive velocity of improved position control [um/s or 0.001 deg/s]; start 0.0 */
-    bool position_controlled; /* FALSE: the axis is not in position control, all outputs are 0 at once and x_drive follows x_command; start true */
-    bool reset; /* while TRUE all outputs are 0 and x_drive follows x_command; start false */
+    bool position_controlled; /* FALSE: the axis is not in position control, all outputs are 0 at once; x_drive, if the drive has the controller, follows x_command. It acts in full in the next cycle: x_command stands on x_actual then; start true */
+    bool reset; /* while TRUE the same; start false */
     uint32_t task_cycle_ns; /* the caller's cycle [ns], 0: unchecked; another value than designed for is a fault; start 0u */
 } axis_x_position_control_inputs;
 
 /* Written by axis_x_position_control_step. */
 typedef struct {
-    double v_command; /* output of the position controller with feedforward, before v_add is added: v_command of improved position control [um/s or 0.001 deg/s] */
+    double v_command; /* output of the position controller with feedforward, before v_add is added: v_command of improved position control [um/s or 0.001 deg/s]; always 0.0 for this axis */
     double x_drive; /* position control in the drive: the position command of the drive [um or 0.001 deg] */
-    int32_t manipulated_variable; /* position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments] */
-    int32_t xerr; /* PROFIdrive: control deviation XERR, signal 25 (P-AXIS-00092) [increments] */
+    int32_t manipulated_variable; /* position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments]; always 0 for this axis */
+    int32_t xerr; /* PROFIdrive: control deviation XERR, signal 25 (P-AXIS-00092) [increments]; always 0 for this axis */
     int32_t additive_velocity; /* additive velocity command of the drive (P-AXIS-00205 to 00207) [increments] */
     int32_t additive_torque; /* additive torque command of the drive (P-AXIS-00325/00326) [increments] */
     bool limited; /* a process-data type cuts an output off in this cycle */
     bool fault; /* the block cannot act in this cycle, error_id says why */
-    uint32_t error_id; /* 0 none, 1 cycle time, 17 x_command, 18 x_actual, 19 v_feedforward, 20 v_additive, 21 v_add is no usable number */
+    uint32_t error_id; /* 0 none, 1 cycle time, 17 x_command, 18 x_actual, 19 v_feedforward, 20 v_additive, 21 v_add is no usable number; each of them stops the block */
 } axis_x_position_control_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */

@@ -58,6 +58,11 @@ fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
             if value.is_none() && !said(node, text).contains('_') {
                 lowering.say(node, shown(node, text), "an integer that fits a DINT or UDINT");
             }
+            if value == Some(SMALLEST_DINT) {
+                // To some compilers 2147483648 is a LINT, and so is minus it.
+                lowering.say(node, "`-2147483648` in an expression".to_owned(), "`-2147483647 - 1`");
+                return None;
+            }
             value.map(Operand::Integer)
         }
         "real_literal" => real(lowering, node),
@@ -81,6 +86,9 @@ fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
         }
     }
 }
+
+/// -2^31.
+const SMALLEST_DINT: i64 = -2_147_483_648;
 
 fn real(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
     let text = lowering.text;
@@ -134,6 +142,10 @@ fn binary(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
     }
     let kind = match (a, b) {
         (Operand::Slot { kind, .. }, _) | (_, Operand::Slot { kind, .. }) => kind,
+        // Of the smallest DINT this is the only form that every compiler reads alike: no smaller type holds its left side.
+        (Operand::Integer(left), Operand::Integer(1)) if operator == "-" && left == SMALLEST_DINT + 1 => {
+            return Some(Operand::Integer(SMALLEST_DINT));
+        }
         (Operand::Integer(_), Operand::Integer(_)) => {
             lowering.say(node, format!("`{operator}` of two integer literals"), "its result");
             return None;

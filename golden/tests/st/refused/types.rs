@@ -133,6 +133,13 @@ fn types() {
             said: &["14:6: found `+` of two integer literals; write its result"],
         },
         Row {
+            rule: "the smallest DINT as minus a number that is none",
+            place: Place::Body,
+            real: RealKind::F64,
+            text: "j := (-2147483648);",
+            said: &["14:7: found `-2147483648` in an expression; write `-2147483647 - 1`"],
+        },
+        Row {
             rule: "a condition that is no BOOL",
             place: Place::Body,
             real: RealKind::F64,

@@ -55,7 +55,7 @@ impl Blocks {
             }
         }
         for (constant, name) in assigned {
-            let _ = writeln!(text, "{name} := {};", types::literal(constant.value));
+            let _ = writeln!(text, "{name} := {};", types::in_statement(constant.value));
         }
         let _ = writeln!(text, "{}END_FUNCTION_BLOCK\n", printer.body(0));
         let list = |signals: &[(String, Type)]| -> String {

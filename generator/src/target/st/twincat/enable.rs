@@ -7,7 +7,7 @@ use portable::{Binary, Literal, Unary};
 ///
 /// - `Enable` FALSE acts as mode OFF, or as `position_controlled` FALSE where the block cannot be faded; TRUE as that input
 ///   says.
-/// - `Valid`: enabled, and no fault in this cycle.
+/// - `Valid`: enabled, and no fault in this cycle. It is no gate: on a fault of a part the others go on.
 /// - `Busy`: enabled, or not yet at rest: the block must go on being called.
 /// - `Error`, `ErrorID`: `fault` and `error_id`.
 ///
@@ -86,8 +86,8 @@ fn docs(switch: &str) -> [&'static str; 3] {
             "enabled, or still fading out: go on calling the block",
         ],
         _ => [
-            "FALSE acts as position_controlled FALSE, TRUE as position_controlled says",
-            "enabled, and no fault in this cycle: the outputs may go to the drive",
+            "FALSE acts as position_controlled FALSE, at once and without a ramp; TRUE as position_controlled says",
+            "enabled, and no fault of any part in this cycle; the outputs hold in any case, do not gate them with it",
             "enabled: go on calling the block",
         ],
     }

@@ -7,6 +7,7 @@ use crate::render::{Compile, Item, TcEnum, TcGuide, TcProgram, TcProject, TcUnio
 use crate::target::st::dialect::{type_name, word_name};
 use crate::target::st::real_types;
 use crate::target::{self, File, Unit, VERSION};
+use crate::vector;
 use portable::RealKind;
 use reference::ipc::{mode_dryrun, mode_off, mode_on};
 
@@ -29,7 +30,7 @@ pub fn shared(units: &[Unit<'_>]) -> Vec<File> {
     files.push(sealed(TESTS, "PRG_axgen_tests.TcPOU".to_owned(), &program));
     let project = project(&files, &blocks);
     files.push(project);
-    files.push(guide(blocks.first().map_or("", String::as_str)));
+    files.push(guide(units));
     files
 }
 
@@ -71,6 +72,14 @@ fn entry(name: &str) -> Option<Compile> {
     Some(Compile { folder, file: file.to_owned() })
 }
 
-fn guide(block: &str) -> File {
-    target::sealed(format!("{FOLDER}/IMPORT.md"), "", &TcGuide { version: VERSION, body_digest: UNSEALED, block })
+/// The guide, with a call of the first block of each kind that is called for itself.
+fn guide(units: &[Unit<'_>]) -> File {
+    let first = |block: &str| {
+        let having = units.iter().filter(|unit| unit.blocks.contains(&block));
+        having.map(|unit| block_name(unit.axis, block)).min().unwrap_or_default()
+    };
+    let (damping, axis) = (first("ipc"), first("axis"));
+    let guide =
+        TcGuide { version: VERSION, body_digest: UNSEALED, damping: &damping, axis: &axis, samples: vector::SAMPLES };
+    target::sealed(format!("{FOLDER}/IMPORT.md"), "", &guide)
 }

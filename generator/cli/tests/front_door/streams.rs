@@ -1,0 +1,76 @@
+//! A standard output that takes no more: the environment, with a message, whatever the command is.
+
+#![cfg(target_os = "linux")]
+
+use super::started;
+use std::fs::File;
+use std::path::Path;
+use std::process::{Command, Output};
+
+/// Every command that prints.
+const PRINT: &[&str] = &[
+    "check axes.toml",
+    "generate axes.toml",
+    "generate axes.toml --emit program",
+    "generate axes.toml --check --out other",
+    "generate axes.toml --diff --out other",
+    "run axes.toml --stimulus in.csv",
+    "run axes.toml --compare recorded.csv",
+    "verify axes.toml --samples 3",
+    "diff axes.toml axes.toml",
+    "import x.lis",
+    "export axes.toml",
+    "params",
+    "params q_factor",
+    "params --markdown",
+    "explain",
+    "explain AX304",
+    "init new.toml",
+    "schema",
+    "completions bash",
+    "man",
+    "golden record case",
+    "golden verify case",
+    "--help",
+    "help run",
+    "--version",
+];
+
+fn into_full(folder: &Path, arguments: &str) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_axgen"));
+    command.current_dir(folder).args(arguments.split(' '));
+    command.stdout(File::options().write(true).open("/dev/full").unwrap());
+    command
+}
+
+#[test]
+fn a_standard_output_that_is_full_is_the_environment() {
+    let folder = started();
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    write("in.csv", "v_motor\n1.0\n");
+    write("recorded.csv", "v_motor,v_add\n1.0,0.0\n");
+    write("x.lis", "kopf.achs_nr 1\n");
+    std::fs::create_dir(folder.path().join("case")).unwrap();
+    write(
+        "case/case.toml",
+        "purpose = \"\"\nset = \"../axes.toml\"\naxis = \"X\"\nblock = \"ipc\"\n[stimulus.signal]\n",
+    );
+    for arguments in PRINT {
+        let Output { status, stderr, .. } = into_full(folder.path(), arguments).output().unwrap();
+        let err = String::from_utf8(stderr).unwrap();
+        assert_eq!(status.code(), Some(3), "{arguments}: {err}");
+        let last = err.lines().last().unwrap_or_default();
+        assert_eq!(last, "standard output: error[AX017]: No space left on device (os error 28)", "{arguments}");
+    }
+}
+
+/// Nobody can be told; the exit code says it.
+#[test]
+fn a_standard_error_that_is_full_too_changes_nothing() {
+    let folder = started();
+    for (arguments, code) in [("params", 3), ("params bandwidth", 2), ("check not-there.toml", 2), ("--speed", 2)] {
+        let mut command = into_full(folder.path(), arguments);
+        command.stderr(File::options().write(true).open("/dev/full").unwrap());
+        assert_eq!(command.status().unwrap().code(), Some(code), "{arguments}");
+    }
+}
