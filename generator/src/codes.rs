@@ -104,9 +104,10 @@ codes! {
 
     NUMBER = "AX201", "not a number",
         "A number is decimal, with a point and an exponent where a real number is allowed, or hexadecimal with 0x. NaN and \
-         infinities are none.";
+         infinities are none. In a list it is a warning where nothing uses a parameter that other functions have too.";
     WORD = "AX202", "an unknown word",
-        "The parameter takes one of the words given, in any case, or the number that stands for it.";
+        "The parameter takes one of the words given, in any case, or the number that stands for it. In a list it is a warning \
+         where nothing uses a parameter that other functions have too.";
     RANGE = "AX203", "outside of the range",
         "The value lies outside of the range that the parameter has. Values are never clamped: a block inside a control \
          loop must do what its list says, or not be there.";

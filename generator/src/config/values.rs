@@ -88,6 +88,13 @@ impl<'a> Values<'a> {
         unsaid.map(|refused| Diagnostic { severity: Severity::Warning, ..refused.clone() }).collect()
     }
 
+    /// The same with those that have been said as errors.
+    pub fn refused(&self, said: &Report) -> Vec<Diagnostic> {
+        let refusals = self.settings.values().filter_map(|setting| setting.refused.clone());
+        let of_use = refusals.filter(|refused| said.diagnostics.contains(refused));
+        of_use.chain(self.unread(said)).collect()
+    }
+
     /// Lets the values of a set take the place of those of its list.
     pub fn override_with(&mut self, other: Self) {
         self.settings.extend(other.settings);

@@ -5,6 +5,7 @@ use super::print;
 use super::slot::{self, HOLE, Slot};
 use super::spelling;
 use super::tree::{Leaf, Table};
+use crate::check;
 use crate::codes;
 use crate::config::axis_name;
 use crate::config::file::{self, Load};
@@ -54,8 +55,10 @@ pub fn import_with(path: &Path, options: &ListOptions, load: Load<'_>) -> (Optio
     let source = Source::of(&file, &bytes);
     let list = list::read_to_keep(&source);
     report.extend(list.report);
-    // Nothing may use them: then they are as good as values of other functions, and their lines are kept.
-    report.diagnostics.extend(list.values.unread(&Report::default()));
+    // A set without a value that the axis uses would mean something else. What nothing uses is as good as a value of another
+    // function: its line is kept.
+    let said = check::axis(&name, Some(cycle_time_or(cycle_time)), &list.values, source.whole()).1;
+    report.diagnostics.extend(list.values.refused(&said));
     if report.has_errors() {
         return (None, report);
     }
@@ -65,6 +68,15 @@ pub fn import_with(path: &Path, options: &ListOptions, load: Load<'_>) -> (Optio
         Some(set(&name, &file_name, cycle_time.map(str::to_owned).or(taken.cycle_time.clone()).as_deref(), &taken)),
         report,
     )
+}
+
+/// The cycle time in ns; without one a usual one, for what is asked of it does not depend on it in a list without errors.
+fn cycle_time_or(given: Option<&str>) -> u32 {
+    let value = given.and_then(|text| of_text(Name::CycleTime.parameter(), text).ok());
+    match value {
+        Some(Value::Duration(ns)) => u32::try_from(ns).ok().filter(|ns| *ns > 0).unwrap_or(1_000_000),
+        _ => 1_000_000,
+    }
 }
 
 /// A list, taken apart.

@@ -1,6 +1,6 @@
 //! Values that nobody can read, of parameters that other functions have too: their lines are kept, as `check` passes over them.
 
-use super::{export_beside, exported, import, imported};
+use super::{export_beside, exported, import, imported, meaning};
 
 const LIST: &str =
     "vorsteuer.velocity_delay_time  abc # why?\nantr.v_reso_num xyz\nantr.v_reso_denom 7\ngetriebe[0].load\n";
@@ -36,4 +36,19 @@ fn a_sign_that_stands_for_a_value_is_none() {
     assert!(set.is_none());
     assert_eq!(report.diagnostics[0].code, "AX101");
     assert!(imported("vorsteuer.shift_time 2\n").contains("shift_time = 2"));
+}
+
+/// The set would mean something else: nothing is imported, as nothing is checked.
+#[test]
+fn a_value_that_the_axis_uses_is_an_error() {
+    for (line, code) in [("vorsteuer.vorsteuerung VELL", "AX202"), ("getriebe[0].kv fast", "AX201")] {
+        let list = format!("{line}\n");
+        let (set, report) = import(&list);
+        assert!(set.is_none(), "{line}");
+        assert_eq!(report.diagnostics.iter().map(|said| said.code).collect::<Vec<_>>(), [code], "{report}");
+        let found = meaning("x.lis", list.as_bytes()).unwrap_err();
+        assert!(found.iter().any(|(said, _)| *said == code), "{found:?}");
+    }
+    // Another gear step than the one that is used.
+    assert!(import("getriebe[0].kv 2000\ngetriebe[1].kv fast\n").0.is_some());
 }
