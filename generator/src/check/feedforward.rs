@@ -3,7 +3,7 @@
 use super::corrected::{self, title};
 use super::drive::{self, Drive, key};
 use super::effective::Effective;
-use crate::axis::{Feedforward, Motor, Place, Quantities, Torque};
+use crate::axis::{Feedforward, Motor, Place, Quantities, Ratio, Torque};
 use crate::codes;
 use crate::diagnostics::Diagnostic;
 use crate::parameters::{Name, Value};
@@ -48,13 +48,24 @@ pub fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Drive) -> O
         let consequence = format!("{} left out", sharing(acceleration, jerk, ["is", "are"]));
         corrected::ratio(e, [Name::VsAFaktor, Name::VsANenner], codes::DENOMINATOR, (&consequence, None))
     } else {
-        Some(crate::axis::Ratio::ZERO)
+        Some(Ratio::ZERO)
     };
-    let jerk = if sums.iter().any(|sum| sum.jerk) || torque.jerk {
+    let is_out = |ratio: Option<Ratio>| ratio.is_some_and(|ratio| ratio.num == 0);
+    if is_out(acceleration) {
+        // With the time constant goes all that it weights; inputs that nothing else reads are not judged either.
+        for sum in [&mut conventional, &mut additive] {
+            *sum = Quantities { velocity: sum.velocity, ..Quantities::default() };
+        }
+        torque.acceleration = false;
+    }
+    if is_out(weight) {
+        [conventional, additive, torque] = [Quantities::default(); 3];
+    }
+    let jerk = if [conventional, additive, torque].iter().any(|sum| sum.jerk) {
         let consequence = ("error 110473 of the controller; it is corrected to 100", Some(100));
         corrected::ratio(e, [Name::JerkFactNum, Name::JerkFactDenom], codes::JERK_FACT, consequence)
     } else {
-        Some(crate::axis::Ratio::ZERO)
+        Some(Ratio::ZERO)
     };
     let mut delay = |is_used: bool, name, code| match is_used {
         true => corrected::delay(e, name, cycle_time, code),

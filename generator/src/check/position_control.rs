@@ -51,7 +51,8 @@ pub fn check(
     if let Some(resolution) = resolution.filter(|of| of.incr_per_rev == 0 && of.has_feed_const()) {
         return no_increments(e, gear, &resolution);
     }
-    let shift_time = if is_profidrive && feedforward.is_some() { e.integer(key(Name::ShiftTime)) } else { Some(0) };
+    // A feedforward that is switched off leads nothing: the position must not come later for it.
+    let shift_time = if is_profidrive && (leads || additive) { e.integer(key(Name::ShiftTime)) } else { Some(0) };
     Some(Some(PositionControl {
         place: drive.place,
         kv: kv?,

@@ -179,6 +179,7 @@ set.toml:4:25: warning[AX420]: `vorsteuer.vs_a_nenner` (P-AXIS-00226) is 0: the 
 > getriebe = [{ kv = 2000 }]
 set.toml:4:25: warning[AX420]: `vorsteuer.vs_a_nenner` (P-AXIS-00226) is 0: the acceleration, and the jerk that shares its time constant, are left out
     allowed: 1 <= vs_a_nenner
+set.toml:5:29: warning[AX426]: nothing of what this axis does uses P-AXIS-00338
 
 > vorsteuer.vorsteuerung = 'JERK'
 > vorsteuer.vs_a_nenner = 0
@@ -186,6 +187,7 @@ set.toml:4:25: warning[AX420]: `vorsteuer.vs_a_nenner` (P-AXIS-00226) is 0: the 
 > getriebe = [{ kv = 2000 }]
 set.toml:4:25: warning[AX420]: `vorsteuer.vs_a_nenner` (P-AXIS-00226) is 0: the jerk, which has the time constant of the acceleration, is left out
     allowed: 1 <= vs_a_nenner
+set.toml:5:29: warning[AX426]: nothing of what this axis does uses P-AXIS-00338
 
 > vorsteuer.vorsteuerung = 'ADD_ACC ADD_JERK'
 > vorsteuer.vs_a_nenner = 0
