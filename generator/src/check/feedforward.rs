@@ -112,12 +112,6 @@ fn ways(has: &dyn Fn(&str) -> bool) -> (Quantities, Quantities, Quantities) {
 }
 
 /// What P-AXIS-00225/00226 weights, with the verb that follows: ADD_JERK does not use them.
-pub fn weighted(feedforward: &Feedforward, verb: [&str; 2]) -> String {
-    let sums = [feedforward.conventional, feedforward.additive];
-    let acceleration = feedforward.torque.acceleration || sums.iter().any(|sum| sum.acceleration);
-    sharing(acceleration, sums.iter().any(|sum| sum.jerk), verb)
-}
-
 fn sharing(acceleration: bool, jerk: bool, [is, are]: [&str; 2]) -> String {
     match (acceleration, jerk) {
         (true, true) => format!("the acceleration, and the jerk that shares its time constant, {are}"),

@@ -2,7 +2,6 @@
 
 use super::drive::key;
 use super::effective::Effective;
-use super::feedforward::weighted;
 use super::ipc::rounded;
 use crate::axis::{Axis, Feedforward};
 use crate::codes;
@@ -19,7 +18,7 @@ pub fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
         defaults(feedforward, gear, e);
         time_constant(feedforward, axis.cycle_time_ns, e);
     }
-    zeros(axis.control.feedforward.as_ref(), gear, e);
+    zeros(gear, e);
     no_effect(axis, gear, e);
 }
 
@@ -79,16 +78,13 @@ fn time_constant(feedforward: &Feedforward, cycle_time_ns: u32, e: &mut Effectiv
 }
 
 /// Factors that are given as 0: all that they weight is 0.
-fn zeros(feedforward: Option<&Feedforward>, gear: u32, e: &mut Effective<'_>) {
+fn zeros(gear: u32, e: &mut Effective<'_>) {
     let factors = [
-        (key(Name::VResoNum), "the additive velocity is always 0".to_owned()),
-        (key(Name::VsVFaktor), "the whole feedforward is always 0".to_owned()),
-        (
-            key(Name::VsAFaktor),
-            format!("{} always 0", feedforward.map_or_else(String::new, |of| weighted(of, ["is", "are"]))),
-        ),
-        (key(Name::JerkFactNum), "the feedforward of the jerk is always 0".to_owned()),
-        ((Name::Load, [gear, 0]), "the additive torque is always 0".to_owned()),
+        (key(Name::VResoNum), "the additive velocity is always 0"),
+        (key(Name::VsVFaktor), "the whole feedforward is always 0"),
+        (key(Name::VsAFaktor), "the acceleration is always 0, and so is a jerk that has its time constant"),
+        (key(Name::JerkFactNum), "the feedforward of the jerk is always 0"),
+        ((Name::Load, [gear, 0]), "the additive torque is always 0"),
     ];
     for (key, consequence) in factors {
         let is_zero = |value: &Value| matches!(value, Value::Integer(0)) || *value == Value::Real(0.0);

@@ -47,7 +47,7 @@ set.toml:4:25: warning[AX433]: `vorsteuer.vs_v_faktor` (P-AXIS-00228) is 0: the 
 > vorsteuer.vorsteuerung = 'VEL ACC'
 > vorsteuer.vs_a_faktor = 0
 > getriebe = [{ kv = 2000 }]
-set.toml:4:25: warning[AX433]: `vorsteuer.vs_a_faktor` (P-AXIS-00225) is 0: the acceleration is always 0
+set.toml:4:25: warning[AX433]: `vorsteuer.vs_a_faktor` (P-AXIS-00225) is 0: the acceleration is always 0, and so is a jerk that has its time constant
     write instead: a value above 0, or no ACC in vorsteuer.vorsteuerung
 
 > vorsteuer.vorsteuerung = 'ACC JERK'
