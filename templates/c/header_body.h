@@ -50,9 +50,9 @@ void {{ block.prefix }}_step(
     {{ block.prefix }}_outputs *outputs);
 
 /* Compares a run of {{ block.samples }} samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
- * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
- * operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
+ * precision. Run it once at start-up, on the machine and with the compiler options that the block runs with: it finds a
+ * build that fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
 uint32_t {{ block.prefix }}_self_test(void);
 {%- endfor %}
 

@@ -52,6 +52,12 @@ uint32_t {{ prefix }}_self_test(void)
     if ({{ block }}_bits_of(remainder) != 0u) {
         return 1u;
     }
+{%- if real == "double" %}
+    /* as it stands here, unless the compiler takes constants for single precision */
+    if ({{ block }}_bits_of(0.1) != UINT64_C(0x3fb999999999999a)) {
+        return 1u;
+    }
+{%- endif %}
 
     {{ prefix }}_init(&state);
     {{ prefix }}_inputs_init(&inputs);

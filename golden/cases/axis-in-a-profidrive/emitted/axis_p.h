@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  034f796361d0823694dc733af3a57103
- * body        980e05326e8a6f527607cd95f9efede3
+ * body        fcefd4b55a0870783d19c9ebaf27388f
  */
 #ifndef AXIS_P_H
 #define AXIS_P_H
@@ -72,9 +72,9 @@ void axis_p_axis_step(
     axis_p_axis_outputs *outputs);
 
 /* Compares a run of 56 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
- * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
- * operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
+ * precision. Run it once at start-up, on the machine and with the compiler options that the block runs with: it finds a
+ * build that fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
 uint32_t axis_p_axis_self_test(void);
 
 #ifdef __cplusplus

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  34e395339e0520ddd4444822e1ca30ef
- * body        2ca0f5b6b549f3ed5288c1668a8d073d
+ * body        9f509473a58a8cabe40f5b7ee9235eb0
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -75,9 +75,9 @@ void axis_x_axis_step(
     axis_x_axis_outputs *outputs);
 
 /* Compares a run of 56 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
- * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
- * operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
+ * precision. Run it once at start-up, on the machine and with the compiler options that the block runs with: it finds a
+ * build that fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
 uint32_t axis_x_axis_self_test(void);
 
 #ifdef __cplusplus

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  01b2d560e57f4aac4b6a8e72d07833cb
- * body        225c02d6fdf62b431cf65604d658a31a
+ * body        4805e6facc3b43ab958fe3e28b1635e0
  */
 #ifndef AXIS_Y2_H
 #define AXIS_Y2_H
@@ -68,9 +68,9 @@ void axis_y2_axis_step(
     axis_y2_axis_outputs *outputs);
 
 /* Compares a run of 56 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
- * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
- * operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
+ * precision. Run it once at start-up, on the machine and with the compiler options that the block runs with: it finds a
+ * build that fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
 uint32_t axis_y2_axis_self_test(void);
 
 #ifdef __cplusplus

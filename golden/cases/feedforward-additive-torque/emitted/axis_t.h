@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  ab1a45231c68022a5cdf6b2275938f30
- * body        d032e2218984972bd7836b20d6d6b7f8
+ * body        f9e825ea9007622f3e33e4bec9f70dfb
  */
 #ifndef AXIS_T_H
 #define AXIS_T_H
@@ -59,9 +59,9 @@ void axis_t_feedforward_step(
     axis_t_feedforward_outputs *outputs);
 
 /* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
- * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
- * operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
+ * precision. Run it once at start-up, on the machine and with the compiler options that the block runs with: it finds a
+ * build that fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
 uint32_t axis_t_feedforward_self_test(void);
 
 #ifdef __cplusplus

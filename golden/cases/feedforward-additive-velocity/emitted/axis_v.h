@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  2d93b41dd7a035d030e79ccf0c10fb2e
- * body        916bc140f3aaf60a798b1def9501082f
+ * body        d534353fbf5a65fb346e78509d91a8c2
  */
 #ifndef AXIS_V_H
 #define AXIS_V_H
@@ -59,9 +59,9 @@ void axis_v_feedforward_step(
     axis_v_feedforward_outputs *outputs);
 
 /* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
- * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
- * operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
+ * precision. Run it once at start-up, on the machine and with the compiler options that the block runs with: it finds a
+ * build that fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
 uint32_t axis_v_feedforward_self_test(void);
 
 #ifdef __cplusplus

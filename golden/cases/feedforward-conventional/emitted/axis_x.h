@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  39b35044808cb2fb9e32c45a46448f18
- * body        dd95a0509858327eccecdb6dfd9d28c3
+ * body        44a382e0348e7fc2987ef72ae38dc7b8
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -58,9 +58,9 @@ void axis_x_feedforward_step(
     axis_x_feedforward_outputs *outputs);
 
 /* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
- * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
- * operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
+ * precision. Run it once at start-up, on the machine and with the compiler options that the block runs with: it finds a
+ * build that fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
 uint32_t axis_x_feedforward_self_test(void);
 
 #ifdef __cplusplus

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  54ec9fd356e63495804223a32d086383
- * body        de90cb88bdf61b1509c6267024c8aa05
+ * body        3f52b7b2c81832f7b3b07f2e24d5cedf
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -81,9 +81,9 @@ void axis_x_ipc_step(
     axis_x_ipc_outputs *outputs);
 
 /* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
- * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
- * operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
+ * precision. Run it once at start-up, on the machine and with the compiler options that the block runs with: it finds a
+ * build that fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
 uint32_t axis_x_ipc_self_test(void);
 
 #ifdef __cplusplus

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  193f65cf41125eb0de2a3a631dc99cd0
- * body        6c095343b977a1a23b7605c4eb096974
+ * body        9fd5322361e4608a51ceafc0be0f7442
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -63,9 +63,9 @@ void axis_x_ipc_step(
     axis_x_ipc_outputs *outputs);
 
 /* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
- * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
- * operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
+ * precision. Run it once at start-up, on the machine and with the compiler options that the block runs with: it finds a
+ * build that fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
 uint32_t axis_x_ipc_self_test(void);
 
 #ifdef __cplusplus

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  aa35bad67f4ffbca3fef660d77abf5fb
- * body        75fbe9a6b8f8136223733b1439e50a63
+ * body        7a250f2eacb45a81328f561ad7ca3ea7
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -60,9 +60,9 @@ void axis_x_position_control_step(
     axis_x_position_control_outputs *outputs);
 
 /* Compares a run of 47 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
- * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
- * operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
+ * precision. Run it once at start-up, on the machine and with the compiler options that the block runs with: it finds a
+ * build that fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
 uint32_t axis_x_position_control_self_test(void);
 
 #ifdef __cplusplus

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9760420855774556c7bc167f08fc35fd
- * body        2b0ca4fadb135561d39478571ad52750
+ * body        31ca1c5e31c5d5bad9ff029ff986c402
  */
 #ifndef AXIS_RACK_AND_PINION_H
 #define AXIS_RACK_AND_PINION_H
@@ -70,9 +70,9 @@ void axis_rack_and_pinion_ipc_step(
     axis_rack_and_pinion_ipc_outputs *outputs);
 
 /* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
- * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
- * operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
+ * precision. Run it once at start-up, on the machine and with the compiler options that the block runs with: it finds a
+ * build that fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
 uint32_t axis_rack_and_pinion_ipc_self_test(void);
 
 #ifdef __cplusplus

@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  83aae2ef51a7bbc5c8d99c44ff7bc9b6
- * body        ffa75b0145ab601efde84d3e82985f9e
+ * body        a784174bbe89e0f4c0bc0cf25dd8d3e4
  */
 #ifndef AXIS_F_H
 #define AXIS_F_H
@@ -60,9 +60,9 @@ void axis_f_position_control_step(
     axis_f_position_control_outputs *outputs);
 
 /* Compares a run of 47 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
- * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
- * operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
+ * precision. Run it once at start-up, on the machine and with the compiler options that the block runs with: it finds a
+ * build that fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
 uint32_t axis_f_position_control_self_test(void);
 
 #ifdef __cplusplus

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  0571d45177aed7bb40e29b85e8e41486
- * body        5983ba956ed79eaff4f5865785f8b95b
+ * body        5479993f34385c158255b8ecb5b155f2
  */
 #ifndef AXIS_TWO_FREQUENCIES_H
 #define AXIS_TWO_FREQUENCIES_H
@@ -75,9 +75,9 @@ void axis_two_frequencies_ipc_step(
     axis_two_frequencies_ipc_outputs *outputs);
 
 /* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
- * machine and with the compiler options that the block runs with: it finds a build that fuses or reorders floating-point
- * operations, or that takes a NaN for a number. */
+ * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
+ * precision. Run it once at start-up, on the machine and with the compiler options that the block runs with: it finds a
+ * build that fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
 uint32_t axis_two_frequencies_ipc_self_test(void);
 
 #ifdef __cplusplus
