@@ -115,12 +115,13 @@ impl<'a> List<'a> {
                 let diagnostic = Diagnostic::error(codes::UNKNOWN, place(), found);
                 self.report.push(Diagnostic { instead: known, ..diagnostic });
             }
-            Path::Foreign if closest::is_ours(written) && path::is_structure(written) => {
+            // Mostly so, and asked once: comparing letters takes its time.
+            Path::Foreign if !closest::is_ours(written) => self.foreign += 1,
+            Path::Foreign if path::is_structure(written) => {
                 let found = format!("{} is a structure: its parameters have values", value::shown(written));
                 let diagnostic = Diagnostic::error(codes::UNKNOWN, place(), found);
                 self.report.push(Diagnostic { instead: closest::first_below(written), ..diagnostic });
             }
-            Path::Foreign if !closest::is_ours(written) => self.foreign += 1,
             Path::Foreign => match closest::path(written) {
                 Some(known) => {
                     let found = format!("{} is not known", value::shown(written));
