@@ -1,13 +1,14 @@
 //! From an axis to its blocks: design, specialise, the passes, the self-test. No target here.
 
 use crate::axis::Axis;
-use crate::pass::{self, Defect};
-use crate::program::Program;
 use crate::self_test::{self, SelfTest};
 use crate::vector::{self, Vector};
-use crate::{certificate, design, specialise};
-use portable::{Literal, Portable, Real, RealKind};
-use reference::Block as Reference;
+use crate::{certificate, design};
+use compiler::pass::{self, Defect};
+use compiler::program::Program;
+use compiler::specialise;
+use portable::Block as Reference;
+use portable::{Real, RealKind};
 use reference::axis::Axis as WholeAxis;
 use reference::feedforward::Feedforward;
 use reference::ipc::Ipc;
@@ -244,16 +245,4 @@ fn block<R: Real, P: Part<R>>(axis: &Axis) -> Result<Block, Defect> {
     let self_test = self_test::record::<R, P>(&coeffs, &program, &paths, ranges);
     let vector = vector::record::<R, P>(&coeffs, &program, ranges);
     Ok(Block { program, notes, self_test, vector, certificate: Vec::new() })
-}
-
-/// The scalar that a real is.
-pub fn leaf<R: Real>(value: R) -> Literal {
-    leaves(&value)[0]
-}
-
-/// The scalars of a value, in the order of its type.
-pub fn leaves<T: Portable>(value: &T) -> Vec<Literal> {
-    let mut leaves = Vec::new();
-    value.visit(&mut |literal| leaves.push(literal));
-    leaves
 }

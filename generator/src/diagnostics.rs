@@ -1,5 +1,6 @@
 //! What the tool says about its input: code, place, what was found, what is allowed, what to write instead.
 
+use crate::codes;
 use std::fmt;
 
 /// How bad it is.
@@ -107,7 +108,25 @@ pub struct Report {
     pub diagnostics: Vec<Diagnostic>,
 }
 
+/// More messages than these are not listed, but counted: nobody reads them, and a file of 64 MiB can ask for millions.
+const MOST_MESSAGES: usize = 1000;
+
 impl Report {
+    /// The report up to as many messages as anybody reads; of the rest only their number.
+    #[must_use]
+    pub fn shortened(mut self) -> Self {
+        if self.diagnostics.len() > MOST_MESSAGES {
+            let rest = Self { diagnostics: self.diagnostics.split_off(MOST_MESSAGES) };
+            let place = Place { line: 0, column: 0, ..self.diagnostics[MOST_MESSAGES - 1].place.clone() };
+            let found = format!("{} more messages are not listed", rest.diagnostics.len());
+            self.push(match rest.has_errors() {
+                true => Diagnostic::error(codes::NOT_LISTED, place, found),
+                false => Diagnostic::warning(codes::NOT_LISTED, place, found),
+            });
+        }
+        self
+    }
+
     /// Adds a message.
     pub fn push(&mut self, diagnostic: Diagnostic) {
         self.diagnostics.push(diagnostic);

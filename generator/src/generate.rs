@@ -3,8 +3,8 @@
 use crate::axis::Axis;
 use crate::block;
 use crate::config::Set;
-use crate::pass::Defect;
 use crate::target::{File, Target, Unit};
+use compiler::pass::Defect;
 use rayon::prelude::*;
 
 /// Makes the files of some axes (all, if none is named) for some targets, and what all axes of the set share there. Hands
@@ -23,14 +23,16 @@ pub fn files<T: Send>(
     let chosen = set.axes.par_iter().filter(|axis| axes.is_empty() || axes.contains(&axis.name));
     let taken: Result<Vec<Vec<T>>, Defect> =
         chosen.map(|axis| Ok(axis_files(axis, targets)?.into_iter().map(&take).collect())).collect();
-    let units: Vec<Unit<'_>> = set.axes.iter().map(unit).collect();
+    let units = units(set);
     let shared = targets.iter().flat_map(|target| (target.shared)(&units)).map(&take).collect();
     Ok(taken?.into_iter().chain([shared]).flatten().collect())
 }
 
-/// What a shared file may know of an axis.
-fn unit(axis: &Axis) -> Unit<'_> {
-    Unit { axis: &axis.name, real: axis.real, blocks: block::names(axis) }
+/// What a shared file may know of the axes.
+#[must_use]
+pub fn units<'s>(set: &'s Set) -> Vec<Unit<'s>> {
+    let unit = |axis: &'s Axis| Unit { axis: &axis.name, real: axis.real, blocks: block::names(axis) };
+    set.axes.iter().map(unit).collect()
 }
 
 /// Design, specialise and the passes once; then each target prints.

@@ -7,7 +7,6 @@
 //! `block` and `generate` are the drivers; `axis` and `program` are the data between the steps.
 #![forbid(unsafe_code)]
 
-pub mod arithmetic;
 pub mod axis;
 pub mod block;
 pub mod certificate;
@@ -17,20 +16,15 @@ pub mod config;
 pub mod design;
 pub mod diagnostics;
 pub mod digest;
-pub mod dump;
 pub mod exchange;
 pub mod generate;
-pub mod interp;
 pub mod meaning;
 pub mod noise;
 pub mod parameters;
-pub mod pass;
-pub mod program;
 pub mod reference_page;
 pub mod render;
 pub mod schema;
 pub mod self_test;
-pub mod specialise;
 pub mod target;
 pub mod vector;
 pub mod write;

@@ -1,6 +1,6 @@
 //! Noise that every target can make itself, exact in both real types. Nothing is recorded here.
 
-use crate::block::leaf;
+use compiler::leaf;
 use portable::{Literal, Real};
 use std::marker::PhantomData;
 

@@ -1,10 +1,10 @@
 //! What the self-test of a block does, and the answers that the reference gives. Every target prints it its own way.
 
-use crate::block::{leaf, leaves};
 use crate::noise::Noise;
-use crate::program::{Program, Type};
+use compiler::program::{Program, Type};
+use compiler::{leaf, leaves};
+use portable::Block as Reference;
 use portable::{Literal, Portable, Real, RealKind};
-use reference::Block as Reference;
 
 /// A short run on noise: it finds a build that fuses, reorders or shortens operations, or that takes a NaN for a number.
 #[derive(Clone, Debug, PartialEq)]

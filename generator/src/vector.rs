@@ -1,11 +1,11 @@
 //! A short run of a block that a user can repeat on the controller itself, with the answers of the reference. No NaN, no
 //! infinity: some runtimes stop on them.
 
-use crate::block::{leaf, leaves};
 use crate::noise::Noise;
-use crate::program::{Program, Type};
+use compiler::program::{Program, Type};
+use compiler::{leaf, leaves};
+use portable::Block as Reference;
 use portable::{Literal, Portable, Real};
-use reference::Block as Reference;
 use reference::signal::sample_limit;
 
 /// What went in and what came out, sample by sample, in the order of the program's inputs and outputs.
@@ -49,20 +49,14 @@ pub fn record<R: Real, B: Reference<R>>(coeffs: &B::Coeffs, program: &Program, r
     let (mut state, mut outputs, mut noise) = (B::state(), B::outputs(), Noise::<R>::within(ranges));
     let mut vector = Vector { inputs: Vec::with_capacity(SAMPLES), outputs: Vec::with_capacity(SAMPLES) };
     for sample in 0..SAMPLES {
-        let turned = sample
-            .checked_sub(FIRST_SWITCH)
-            .filter(|since| since % SWITCH_DISTANCE < SWITCH_LENGTH)
-            .and_then(|since| switches.get(since / SWITCH_DISTANCE));
-        let unusable = sample
-            .checked_sub(FIRST_UNUSABLE)
-            .filter(|since| since % UNUSABLE_DISTANCE == 0)
-            .and_then(|since| reals.get(since / UNUSABLE_DISTANCE));
+        let turned = in_turn(&switches, sample, FIRST_SWITCH, SWITCH_DISTANCE, SWITCH_LENGTH);
+        let unusable = in_turn(&reals, sample, FIRST_UNUSABLE, UNUSABLE_DISTANCE, 1);
         let value = |(index, value): (usize, &Literal)| match program.inputs[index].ty {
             Type::Real => {
                 let noise = noise.next(sample >= LOUD_FROM);
-                if unusable == Some(&index) { beyond } else { noise }
+                if unusable == Some(index) { beyond } else { noise }
             }
-            _ if turned == Some(&index) => turn(*value),
+            _ if turned == Some(index) => turn(*value),
             _ => *value,
         };
         let inputs: Vec<Literal> = usual.iter().enumerate().map(value).collect();
@@ -73,6 +67,12 @@ pub fn record<R: Real, B: Reference<R>>(coeffs: &B::Coeffs, program: &Program, r
         vector.outputs.push(leaves(&outputs));
     }
     vector
+}
+
+/// Which of some inputs has its turn in a sample: each for `length` samples, `distance` after the one before.
+fn in_turn(inputs: &[usize], sample: usize, first: usize, distance: usize, length: usize) -> Option<usize> {
+    let since = sample.checked_sub(first).filter(|since| since % distance < length)?;
+    inputs.get(since / distance).copied()
 }
 
 /// Another value of a switch.

@@ -1,8 +1,8 @@
 //! Each pass on a program that is small enough to be read; the random programs find what these do not think of.
 
-use generator::interp::Machine;
-use generator::pass::{coalesce, dead, identity, prune, sink, typing, verify};
-use generator::program::{Constant, Expr, Local, Origin, Program, Statement, Type, Var, Variable};
+use compiler::interp::Machine;
+use compiler::pass::{coalesce, dead, identity, prune, sink, typing, verify};
+use compiler::program::{Constant, Expr, Local, Origin, Program, Statement, Type, Var, Variable};
 use portable::{Binary, Literal, RealKind};
 
 fn variable(path: &str, ty: Type, start: Literal) -> Variable {
@@ -54,7 +54,7 @@ fn choose(then: Vec<Statement>, otherwise: Vec<Statement>) -> Statement {
     Statement::If { condition: ON, then, otherwise }
 }
 
-fn message(result: Result<Program, generator::pass::Defect>) -> String {
+fn message(result: Result<Program, compiler::pass::Defect>) -> String {
     result.expect_err("the program has a defect").to_string()
 }
 

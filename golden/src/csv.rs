@@ -1,7 +1,7 @@
 //! Runs as CSV: a header of signal names, one row a cycle, reals in decimal or as the hexadecimal digits of their bits.
 
 use crate::samples::{Samples, Shape, Signal};
-use generator::program::Type;
+use compiler::program::Type;
 use portable::{Literal, RealKind};
 use std::fmt::Write;
 

@@ -3,8 +3,8 @@
 
 use crate::csv::{Reals, cell};
 use crate::stimulus::{Event, Window};
-use generator::interp::Machine;
-use generator::program::{Program, Type};
+use compiler::interp::Machine;
+use compiler::program::{Program, Type};
 use portable::{Literal, RealKind};
 use reference::signal::sample_limit;
 
@@ -44,7 +44,7 @@ pub fn events(block: &Program, real: RealKind, first: u64) -> Vec<Event> {
 
 /// What the inputs are while one of them is searched.
 fn base(block: &Program, real: RealKind) -> Vec<Literal> {
-    let value = |variable: &generator::program::Variable| match variable.path.as_str() {
+    let value = |variable: &compiler::program::Variable| match variable.path.as_str() {
         "mode" => Literal::I32(0),
         "feedforward_active" => Literal::Bool(true),
         _ if variable.ty == Type::Real => number(0, real),

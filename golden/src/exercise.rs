@@ -3,8 +3,8 @@
 use crate::ends;
 use crate::stimulus::{Component, Event, Stimulus, Window};
 use crate::waveform::Form;
+use compiler::program::Program;
 use generator::axis::{Axis, Filter};
-use generator::program::Program;
 
 /// The first cycle of those that search the ends of process data: early, so that a short run has them.
 const FIRST_END: u64 = 200;

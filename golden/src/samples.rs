@@ -1,6 +1,6 @@
 //! The values of all signals of a run, packed sample by sample. What a compiled engine reads and writes has this form.
 
-use generator::program::{Type, Variable};
+use compiler::program::{Type, Variable};
 use portable::{Literal, RealKind};
 use std::ops::Range;
 

@@ -5,7 +5,7 @@
 use crate::csv::parse;
 use crate::samples::{Samples, Shape};
 use crate::waveform::{Form, Waveform};
-use generator::program::Type;
+use compiler::program::Type;
 use portable::{Literal, RealKind};
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;

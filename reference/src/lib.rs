@@ -9,7 +9,6 @@ pub mod allpass;
 pub mod axis;
 pub mod bandpass;
 pub mod biquad;
-mod block;
 pub mod delay;
 pub mod feedforward;
 pub mod filter;
@@ -19,5 +18,3 @@ pub mod process_data;
 pub mod section;
 pub mod signal;
 pub mod stage;
-
-pub use block::Block;

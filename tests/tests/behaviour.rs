@@ -3,14 +3,15 @@
 
 use axgen_tests::cases::{in_both_real_types, title};
 use axgen_tests::environment::is_exhaustive;
+use compiler::leaves;
 use generator::axis::{Axis, DirectSource, Enable, Filter, Ipc as IpcAxis, Mode, Prototype, Stage};
-use generator::block::{Part, Visitor, leaves, with_part};
+use generator::block::{Part, Visitor, with_part};
 use generator::design;
 use golden::case::{self, Case};
 use golden::samples::Samples;
+use portable::Block;
 use portable::{Literal, Portable, Real, RealKind};
 use rayon::prelude::*;
-use reference::Block;
 use reference::ipc::Ipc;
 
 const DIRECT: Mode = Mode::Direct { source: DirectSource::Motor };

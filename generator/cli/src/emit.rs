@@ -2,8 +2,9 @@
 
 use crate::exit::Exit;
 use crate::output;
+use compiler::pass;
 use generator::axis::Axis;
-use generator::{block, pass};
+use generator::block;
 
 /// The stages, in the order of the pipeline.
 fn stages() -> Vec<&'static str> {
@@ -37,7 +38,7 @@ pub fn run<'a>(axes: impl Iterator<Item = &'a Axis>, stage: &str) -> Result<Exit
 fn print(axis: &Axis, last: Option<&str>) -> Result<(), Exit> {
     let programs = block::programs(axis, last).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
     for program in programs {
-        let (name, text) = (&axis.name, generator::dump::text(&program));
+        let (name, text) = (&axis.name, compiler::dump::text(&program));
         output::line(format!("# axis {name}: {}\n{}", program.block, text.trim_end()))?;
     }
     Ok(())

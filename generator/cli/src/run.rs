@@ -97,22 +97,15 @@ fn compared(recording: &Recording, found: &Samples, engine: Engine) -> Result<Ex
     Ok(Exit::Different)
 }
 
-/// More mistakes than these are counted, not listed, as in a set.
-const MOST_MISTAKES: usize = 1000;
-
 /// The mistakes of a CSV file.
 fn wrong(file: &Path, mistakes: &[csv::Mistake]) -> Exit {
     let whole = Place::whole(name_of(file));
     let mut report = Report::default();
-    for csv::Mistake { line, column, found, allowed } in mistakes.iter().take(MOST_MISTAKES) {
+    for csv::Mistake { line, column, found, allowed } in mistakes {
         let place = Place { line: *line, column: *column, ..whole.clone() };
         report.push(Diagnostic::error(codes::SAMPLES, place, found).allowed(allowed));
     }
-    if mistakes.len() > MOST_MISTAKES {
-        let found = format!("{} more messages are not listed", mistakes.len() - MOST_MISTAKES);
-        report.push(Diagnostic::error(codes::NOT_LISTED, whole, found));
-    }
-    Exit::Input(report)
+    Exit::Input(report.shortened())
 }
 
 /// The block of that name.

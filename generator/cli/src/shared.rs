@@ -6,7 +6,8 @@
 use generator::axis::Axis;
 use generator::block;
 use generator::config::Set;
-use generator::target::{self, Target, Unit};
+use generator::generate::units;
+use generator::target::{self, Target};
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -74,9 +75,4 @@ fn names_below(folder: &Path, depth: usize) -> String {
         _ => entry.file_name().to_string_lossy().into_owned() + "\n",
     };
     entries.map(name).collect()
-}
-
-fn units<'a>(set: &'a Set) -> Vec<Unit<'a>> {
-    let unit = |axis: &'a Axis| Unit { axis: &axis.name, real: axis.real, blocks: block::names(axis) };
-    set.axes.iter().map(unit).collect()
 }

@@ -1,7 +1,7 @@
 //! The stages of a compiled block as chains of second-order sections, found by single steps from unit states. No bound.
 
 use super::probe::{Probe, Source};
-use crate::program::{Program, Type};
+use compiler::program::{Program, Type};
 
 /// A stage as it acts: `gain * section[n-1](... section[0](x))`.
 #[derive(Clone, Debug, PartialEq)]

@@ -24,7 +24,7 @@ pub use response::{Band, Point};
 use crate::axis::Axis;
 use crate::block::Block;
 use crate::design;
-use crate::program::Program;
+use compiler::program::Program;
 use portable::RealKind;
 
 /// What is certain of a block.

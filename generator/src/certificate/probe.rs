@@ -3,8 +3,8 @@
 //! Between its switches the block is linear: such a step shows one column of its state-space matrices. The amplitudes
 //! are powers of two, so that dividing by them rounds nothing.
 
-use crate::interp::Machine;
-use crate::program::Program;
+use compiler::interp::Machine;
+use compiler::program::Program;
 use portable::{Literal, RealKind};
 
 /// What is 1 before a step; everything else is 0.

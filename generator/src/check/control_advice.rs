@@ -29,7 +29,8 @@ pub fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     }
 }
 
-fn warn(e: &mut Effective<'_>, code: &'static str, key: Key, found: String, instead: &str) {
+/// A warning about a parameter, with what to write.
+pub fn warn(e: &mut Effective<'_>, code: &'static str, key: Key, found: String, instead: &str) {
     let diagnostic = Diagnostic::warning(code, e.place_of(key), found);
     e.report.push(diagnostic.instead(instead));
 }

@@ -1,5 +1,6 @@
 //! Feedforward and position control that contribute next to nothing, and parameters that nothing uses: warnings.
 
+use super::control_advice::warn;
 use super::drive::key;
 use super::effective::Effective;
 use super::ipc::rounded;
@@ -20,11 +21,6 @@ pub fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     }
     zeros(gear, e);
     no_effect(axis, gear, e);
-}
-
-fn warn(e: &mut Effective<'_>, code: &'static str, key: Key, found: String, instead: &str) {
-    let diagnostic = Diagnostic::warning(code, e.place_of(key), found);
-    e.report.push(diagnostic.instead(instead));
 }
 
 /// Defaults with which a quantity contributes next to nothing.

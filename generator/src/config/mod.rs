@@ -67,7 +67,7 @@ pub fn read_with(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<
     let name = named(path);
     let set = match load(path) {
         Err(unreadable) => {
-            report.push(unreadable.diagnostic(&name, Place { file: name.clone(), line: 0, column: 0 }));
+            report.push(unreadable.diagnostic(&name, Place::whole(&name)));
             Set::default()
         }
         Ok(bytes) if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml")) => {
@@ -76,30 +76,12 @@ pub fn read_with(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<
         }
         Ok(bytes) => read_list(path, &Source::of(&name, &bytes), options, &mut report),
     };
-    (if report.has_errors() { None } else { Some(set) }, shortened(report))
-}
-
-/// More messages than these are not listed, but counted: nobody reads them, and a file of 64 MiB can ask for millions.
-const MOST_MESSAGES: usize = 1000;
-
-fn shortened(mut report: Report) -> Report {
-    if report.diagnostics.len() > MOST_MESSAGES {
-        let rest = Report { diagnostics: report.diagnostics.split_off(MOST_MESSAGES) };
-        let place = report.diagnostics[MOST_MESSAGES - 1].place.clone();
-        let place = Place { line: 0, column: 0, ..place };
-        let found = format!("{} more messages are not listed", rest.diagnostics.len());
-        report.push(match rest.has_errors() {
-            true => Diagnostic::error(codes::NOT_LISTED, place, found),
-            false => Diagnostic::warning(codes::NOT_LISTED, place, found),
-        });
-    }
-    report
+    (if report.has_errors() { None } else { Some(set) }, report.shortened())
 }
 
 /// How messages name a file: a line each, whatever its name is.
 fn named(path: &Path) -> String {
-    let name = path.display().to_string();
-    if name.contains(char::is_control) { name.chars().flat_map(char::escape_debug).collect() } else { name }
+    Place::whole(path.display()).file
 }
 
 fn read_set(path: &Path, source: &Source<'_>, load: Load<'_>, report: &mut Report) -> Set {

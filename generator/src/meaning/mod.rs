@@ -15,8 +15,9 @@ mod number;
 mod stage;
 
 use crate::axis::Axis;
-use crate::block::{self, leaves};
+use crate::block;
 use crate::design;
+use compiler::leaves;
 use portable::{Literal, RealKind};
 
 /// An axis of one of two sets, or of both.

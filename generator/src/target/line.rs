@@ -3,6 +3,24 @@
 /// Characters in a line of code, where it can be broken.
 pub const WIDTH: usize = 120;
 
+/// Begins a line.
+pub fn indent(level: usize, text: &mut String) {
+    for _ in 0..level {
+        text.push_str("    ");
+    }
+}
+
+/// Breaks the assignment that begins at `start`, if it is too long: behind its target, which ends at `end_of_target` before a
+/// blank, then before operators.
+pub fn fold_assignment(text: &mut String, start: usize, end_of_target: usize, level: usize, operators: &[&str]) {
+    if text.len() - start > WIDTH {
+        let mut next_line = "\n".to_owned();
+        indent(level + 1, &mut next_line);
+        text.replace_range(end_of_target..=end_of_target, &next_line);
+        fold(text, end_of_target + 1, level + 2, operators);
+    }
+}
+
 /// Where a line can be broken.
 #[derive(Clone, Copy)]
 struct Place {

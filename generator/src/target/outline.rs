@@ -3,8 +3,8 @@
 
 use super::comment;
 use crate::block::Block;
-use crate::program::{Expr, Origin, Program, Type, Var, Variable};
 use crate::render::{ConstantText, Group, Member};
+use compiler::program::{Expr, Origin, Program, Type, Var, Variable};
 use portable::Literal;
 use std::fmt::Write;
 
@@ -36,7 +36,7 @@ impl Language<'_> {
     #[must_use]
     pub fn outputs(&self, program: &Program, names: &[String]) -> Vec<Member> {
         let mut members = self.members(&program.outputs, names);
-        for (_, member) in members.iter_mut().enumerate().filter(|(output, _)| is_constant(program, *output)) {
+        for (member, _) in members.iter_mut().zip(is_constant(program)).filter(|(_, is_constant)| *is_constant) {
             let _ = write!(member.doc, "; always {} for this axis", member.start);
         }
         members
@@ -104,16 +104,17 @@ pub fn is_read(program: &Program) -> Vec<bool> {
     read
 }
 
-/// Whether no cycle puts out anything but the value from the start.
-fn is_constant(program: &Program, output: usize) -> bool {
-    let mut is_constant = true;
+/// Which outputs are never anything but what they are at the start.
+fn is_constant(program: &Program) -> Vec<bool> {
+    let mut constant = vec![true; program.outputs.len()];
     for statement in &program.step {
         statement.assignments(&mut |target, value| {
-            let is_start = matches!(value, Expr::Literal(literal) if *literal == program.outputs[output].start);
-            is_constant &= target != Var::Output(output) || is_start;
+            if let Var::Output(index) = target {
+                constant[index] &= *value == Expr::Literal(program.outputs[index].start);
+            }
         });
     }
-    is_constant
+    constant
 }
 
 /// A path and those that contain it, outermost first.

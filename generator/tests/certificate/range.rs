@@ -1,10 +1,10 @@
 //! The bounds against brute force: impulse responses that are added up to the end, and the inputs that are the worst.
 
 use super::{block, one_band_pass, rack_and_pinion, sets};
+use compiler::interp::Machine;
+use compiler::program::{Program, Type};
 use generator::axis::{Axis, Prototype};
 use generator::certificate::{Bound, certify};
-use generator::interp::Machine;
-use generator::program::{Program, Type};
 use portable::{Literal, RealKind};
 use proptest::prelude::*;
 

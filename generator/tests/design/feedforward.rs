@@ -6,10 +6,11 @@ use generator::block::blocks;
 use generator::config::{ListOptions, read};
 use generator::design;
 use generator::design::scale::{self, angular_acceleration};
+use portable::Block;
 use reference::feedforward::{Feedforward, Inputs};
 use reference::ipc::{Ipc, mode_dryrun, mode_off, mode_on};
 use reference::position_control::PositionControl;
-use reference::{Block, delay, process_data};
+use reference::{delay, process_data};
 use std::path::Path;
 
 fn example(name: &str) -> Axis {

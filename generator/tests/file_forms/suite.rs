@@ -2,8 +2,8 @@
 
 use crate::twincat::{code, object};
 use crate::{CASES, xml};
+use compiler::program::Type;
 use generator::block::blocks;
-use generator::program::Type;
 use generator::target::names::identifier;
 use generator::target::outline::is_read;
 use portable::RealKind;

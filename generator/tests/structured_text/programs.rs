@@ -1,9 +1,9 @@
 //! What a dialect changes in a program, run by the interpreter: the values stay.
 
 use super::{MACHINE, set};
+use compiler::interp::Machine;
+use compiler::program::{Expr, Program, Statement, Type, Var};
 use generator::block::{Block, blocks};
-use generator::interp::Machine;
-use generator::program::{Expr, Program, Statement, Type, Var};
 use generator::target::st::{operands, start, twincat::enable};
 use portable::Literal;
 

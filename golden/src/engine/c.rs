@@ -2,9 +2,9 @@
 
 use super::{Compiler, Failure};
 use crate::samples::{Samples, Shape};
+use compiler::program::Type;
 use generator::axis::Axis;
 use generator::block::Block;
-use generator::program::Type;
 use generator::target::c::{files, types};
 use generator::target::names;
 use std::fmt::Write as _;
@@ -79,7 +79,7 @@ fn new_folder() -> Result<TempDir, Failure> {
 fn layout(stem: &str, block: &Block) -> String {
     let program = &block.program;
     let (prefix, real) = (format!("{stem}_{}", program.block), program.real);
-    let access = |verb: &str, variables: &[generator::program::Variable]| {
+    let access = |verb: &str, variables: &[compiler::program::Variable]| {
         variables.iter().fold(String::new(), |mut text, variable| {
             let name = names::identifier(&variable.path);
             let written = match variable.ty {
@@ -90,7 +90,7 @@ fn layout(stem: &str, block: &Block) -> String {
             text
         })
     };
-    let frame = |variables: &[generator::program::Variable]| Shape::of(variables, real).frame();
+    let frame = |variables: &[compiler::program::Variable]| Shape::of(variables, real).frame();
     format!(
         "#include \"{stem}.h\"\n#define BLOCK(name) {prefix}_##name\n#define IN_FRAME {}\n#define OUT_FRAME {}\n\
          #define GET_INPUTS{}\n#define PUT_OUTPUTS{}\n",

@@ -1,8 +1,8 @@
 //! The engine `program`: the specialised program, interpreted.
 
 use crate::samples::{Samples, Shape};
+use compiler::interp::Machine;
 use generator::block::Block;
-use generator::interp::Machine;
 
 /// Runs a block.
 pub fn run(block: &Block, inputs: &Samples) -> Samples {

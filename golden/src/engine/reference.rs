@@ -1,8 +1,9 @@
 //! The engine `reference`: the Rust source itself.
 
 use crate::samples::{Samples, Shape};
+use compiler::leaves;
 use generator::axis::Axis;
-use generator::block::{Block, Part, Visitor, leaves, with_part};
+use generator::block::{Block, Part, Visitor, with_part};
 use portable::{Portable, Real, RealKind};
 
 /// Runs a block.

@@ -1,7 +1,7 @@
 //! The three forms of a file: the same block, the same answers, and mistakes at their places in the file.
 
 use crate::support::{answers, block, said, shape};
-use generator::program::Type;
+use compiler::program::Type;
 use golden::engine::st::{Block, Dialect};
 use golden::samples::Samples;
 use portable::{Literal, RealKind};

@@ -14,7 +14,7 @@ fn read(text: &str) {
         for real in [RealKind::F64, RealKind::F32] {
             let Ok(block) = Block::read(dialect, text, "probe", real) else { continue };
             let empty = shape(real, &[]);
-            let mut samples = Samples::with_capacity(shape(real, &[("x", generator::program::Type::Real)]), 1);
+            let mut samples = Samples::with_capacity(shape(real, &[("x", compiler::program::Type::Real)]), 1);
             samples.push(&[match real {
                 RealKind::F64 => portable::Literal::F64(1.0),
                 RealKind::F32 => portable::Literal::F32(1.0),

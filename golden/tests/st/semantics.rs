@@ -1,7 +1,7 @@
 //! What a text does: the same as the Rust beside it, to the last bit.
 
 use crate::support::{answers, block, shape};
-use generator::program::Type;
+use compiler::program::Type;
 use golden::engine::st::Dialect;
 use golden::samples::Samples;
 use portable::{Literal, Real, RealKind};

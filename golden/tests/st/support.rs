@@ -1,6 +1,6 @@
 //! Small blocks and their samples.
 
-use generator::program::Type;
+use compiler::program::Type;
 use golden::engine::st::{Block, Dialect, Mistake};
 use golden::samples::{Samples, Shape, Signal};
 use portable::{Literal, RealKind};

@@ -54,7 +54,7 @@ macro_rules! intrinsic {
     ($name:ident, $intrinsic:ident, ($($param:ident: $type:ty),*) -> $returns:ty) => {
         #[doc(hidden)]
         pub mod $name {
-            use crate::{Block, Body, Fn, Intrinsic, Mode, Param, Portable, Real};
+            use crate::{Body, CodeBlock, Fn, Intrinsic, Mode, Param, Portable, Real};
             use core::marker::PhantomData;
 
             pub struct Ir<R>(PhantomData<R>);
@@ -66,7 +66,7 @@ macro_rules! intrinsic {
                     doc: "",
                     params: &[$(Param { name: stringify!($param), mode: Mode::Value, ty: <$type as Portable>::TY }),*],
                     returns: Some(<$returns as Portable>::TY),
-                    body: Body { intrinsic: Some(Intrinsic::$intrinsic), block: Block { statements: &[], value: None } },
+                    body: Body { intrinsic: Some(Intrinsic::$intrinsic), block: CodeBlock { statements: &[], value: None } },
                 };
             }
         }

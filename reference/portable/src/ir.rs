@@ -28,7 +28,7 @@ pub struct Body {
     /// set where each target prints the function in its own way
     pub intrinsic: Option<Intrinsic>,
     /// the block, empty for an intrinsic
-    pub block: Block,
+    pub block: CodeBlock,
 }
 
 /// An operation that each target prints in its own way.
@@ -72,7 +72,7 @@ pub enum Mode {
 
 /// Statements, then perhaps a value.
 #[derive(Debug)]
-pub struct Block {
+pub struct CodeBlock {
     /// in the order of their execution
     pub statements: &'static [Statement],
     /// the last expression
@@ -114,7 +114,7 @@ pub enum Statement {
         /// one past the last value
         to: &'static Expr,
         /// what is repeated
-        body: Block,
+        body: CodeBlock,
     },
     /// a call, an `if` or a `match` whose value is not used
     Expr {
@@ -164,9 +164,9 @@ pub enum Expr {
         /// decides
         condition: &'static Expr,
         /// if it holds
-        then: Block,
+        then: CodeBlock,
         /// if not
-        otherwise: Block,
+        otherwise: CodeBlock,
     },
     /// `match scrutinee { arms }`
     Match {
@@ -195,7 +195,7 @@ pub struct Arm {
     /// the values that choose it; none: the wildcard
     pub patterns: &'static [fn() -> Literal],
     /// what it does
-    pub body: Block,
+    pub body: CodeBlock,
 }
 
 /// An argument of a call.

@@ -7,15 +7,17 @@
 
 extern crate self as portable;
 
+mod block;
 mod intrinsic;
 mod ir;
 mod literal;
 mod real;
 
+pub use block::Block;
 pub use intrinsic::{from_i32, from_u32, nearest, nearly_half, truncate, usable, within};
 pub use ir::{
-    Argument, Arm, Binary, Block, Body, Expr, Fn, Intrinsic, Mode, Param, Place, Projection, Statement, Unary,
+    Argument, Arm, Binary, Body, CodeBlock, Expr, Fn, Intrinsic, Mode, Param, Place, Projection, Statement, Unary,
 };
 pub use literal::{EnumDef, Field, Literal, Portable, StructDef, Ty, scalar};
 pub use portable_macro::portable;
-pub use real::{Real, RealKind};
+pub use real::{Real, RealKind, is_within_i32};

@@ -133,7 +133,8 @@ impl Real for f32 {
     }
 }
 
-/// Whether the whole part of a number is an i32.
-fn is_within_i32(x: f64) -> bool {
+/// Whether the whole part of a number is an i32: what a truncation may be asked for.
+#[must_use]
+pub fn is_within_i32(x: f64) -> bool {
     -2_147_483_649.0 < x && x < 2_147_483_648.0
 }

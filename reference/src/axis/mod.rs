@@ -16,8 +16,8 @@ mod signals;
 pub use signals::{Inputs, Outputs};
 
 use crate::signal::{error_cycle_time, error_none, error_v_add_master, error_x_actual, error_x_command, sample_limit};
-use crate::{Block, feedforward, ipc, position_control};
-use portable::{Fn, Real, portable, usable, within};
+use crate::{feedforward, ipc, position_control};
+use portable::{Block, Fn, Real, portable, usable, within};
 use position_control::Place;
 
 /// Where the additive velocity comes from.

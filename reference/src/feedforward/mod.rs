@@ -17,8 +17,8 @@ pub use signals::{Inputs, Outputs};
 
 use crate::signal::sample_limit;
 use crate::signal::{error_a_interpolator, error_cycle_time, error_j_interpolator, error_none, error_v_interpolator};
-use crate::{Block, delay, process_data};
-use portable::{Fn, Real, from_i32, portable, usable};
+use crate::{delay, process_data};
+use portable::{Block, Fn, Real, from_i32, portable, usable};
 
 /// The quantities of a sum.
 #[portable]

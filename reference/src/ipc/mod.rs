@@ -18,8 +18,8 @@ pub use signals::{mode_dryrun, mode_off, mode_on};
 
 use crate::signal::{error_cycle_time, error_gantry_slave, error_mode, error_none};
 use crate::signal::{error_v_command, error_v_direct, error_v_motor, sample_limit};
-use crate::{Block, stage};
-use portable::{Fn, Real, from_u32, portable, usable, within};
+use crate::stage;
+use portable::{Block, Fn, Real, from_u32, portable, usable, within};
 
 /// Stages of a block.
 pub const STAGES: usize = 3;

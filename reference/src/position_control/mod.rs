@@ -16,8 +16,8 @@ pub use signals::{Inputs, Outputs};
 
 use crate::signal::{error_cycle_time, error_none, error_v_add, error_v_additive, error_v_feedforward};
 use crate::signal::{error_x_actual, error_x_command, sample_limit};
-use crate::{Block, delay, process_data};
-use portable::{Fn, Real, portable, usable};
+use crate::{delay, process_data};
+use portable::{Block, Fn, Real, portable, usable};
 
 /// Where the position is controlled.
 #[portable]

@@ -92,7 +92,7 @@ fn write_crates(batch: &Batch<'_>, crates: &Path, shards: &[&[usize]]) -> std::i
         format!("{name} = {{ package = \"{package}\", path = {:?} }}\n", path.display().to_string())
     };
     let portable = dependency("portable", "axgen-portable", root.join("reference/portable"))
-        + &dependency("reference", "axgen-reference", root.join("reference"));
+        + &dependency("compiler", "axgen-compiler", root.join("generator/compiler"));
     let dependencies = "axgen_tests = { package = \"kernel\", path = \"../../kernel\" }\n".to_owned() + &portable;
     let package = |name: &str, dependencies: &str| {
         format!(

@@ -1,13 +1,11 @@
-//! The crate that all generated programs depend on: specialiser, passes, interpreter and printers of the generator, file by
-//! file, and what compares them. It is the generator without its front end, whose dependencies take a minute to build.
+//! The crate that all generated programs depend on: the compiler, the generator's printers, file by file, and what compares
+//! them. It is the generator without its front end, whose dependencies take a minute to build.
 
 use std::fmt::Write;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// What is needed of the generator's root.
-const ROOT: [&str; 5] = ["arithmetic", "interp", "pass", "program", "specialise"];
 /// What is left out of the folders for targets: what fills templates.
 const TEMPLATES: [&str; 7] = ["mod.rs", "file.rs", "outline.rs", "block.rs", "plain.rs", "codesys.rs", "scl.rs"];
 
@@ -19,9 +17,8 @@ pub fn source(root: &Path) -> io::Result<String> {
     let (generator, random) = (root.join("generator/src"), root.join("tests/src/random"));
     let target = generator.join("target");
     Ok(format!(
-        "#![allow(warnings)]\n\nextern crate self as generator;\n\n{}\npub mod target {{\n{}\n    pub mod c {{\n{}    }}\n    pub mod st {{\n{}    }}\n}}\n\n\
+        "#![allow(warnings)]\n\nextern crate self as generator;\n\npub mod target {{\n{}\n    pub mod c {{\n{}    }}\n    pub mod st {{\n{}    }}\n}}\n\n\
          pub mod random {{\n{}}}\n",
-        modules("", ROOT.map(|name| file(&generator, name))),
         modules("    ", files(&target)?),
         modules("        ", files(&target.join("c"))?),
         modules("        ", files(&target.join("st"))?),

@@ -2,7 +2,7 @@
 
 use super::compile::Line;
 use super::inside::judge::same;
-use generator::program::Type;
+use compiler::program::Type;
 use golden::engine::st::{Block, Dialect};
 use golden::samples::{Samples, Shape, Signal};
 use portable::{Literal, RealKind};

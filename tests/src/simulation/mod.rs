@@ -17,7 +17,7 @@ use drive::{Drive, Loop};
 use generator::config::{ListOptions, read_with};
 use generator::design;
 use planned::Move;
-use reference::Block;
+use portable::Block;
 use reference::axis::{Axis, Coeffs};
 use std::path::Path;
 

@@ -2,8 +2,8 @@
 
 use super::print::Printer;
 use super::types;
-use crate::pass::typing::type_of;
-use crate::program::{Expr, Type};
+use compiler::pass::typing::type_of;
+use compiler::program::{Expr, Type};
 use portable::{Binary, Intrinsic, Literal, RealKind, Unary};
 
 /// How tightly an expression binds, loosest first.

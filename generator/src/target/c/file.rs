@@ -6,12 +6,12 @@ use super::types;
 use crate::axis::Axis;
 use crate::block::Block;
 use crate::digest::{UNSEALED, digest};
-use crate::program::{Expr, Program, Type, Variable};
 use crate::render::{CBlock, CFile, CHeader, CSelfTest, CSource, Noisy, Switch};
 use crate::target::names::Names;
 use crate::target::outline::{COMMENT_WIDTH, Language};
 use crate::target::{File, VERSION, block_name, comment, sealed, stem};
 use askama::Template;
+use compiler::program::{Expr, Program, Type, Variable};
 use portable::{Intrinsic, Literal, RealKind};
 
 /// The header and the source of an axis.

@@ -2,9 +2,9 @@
 
 use super::names::is_reserved;
 use super::{scope, types};
-use crate::program::{Expr, Program, Statement, Var, Variable};
 use crate::target::names::{Names, identifier};
 use crate::target::{comment, line};
+use compiler::program::{Expr, Program, Statement, Var, Variable};
 use std::fmt::Write;
 
 /// What a long line is broken before.
@@ -118,25 +118,20 @@ impl<'p> Printer<'p> {
     /// An assignment, on more lines where one would be too long.
     fn assignment(&self, target: [&str; 4], value: &Expr, level: usize, text: &mut String) {
         let start = text.len();
-        indent(level, text);
+        line::indent(level, text);
         text.extend(target);
         text.push_str(" =");
         let end_of_target = text.len();
         text.push(' ');
         self.expr(value, text);
         text.push(';');
-        if text.len() - start > line::WIDTH {
-            let mut next_line = "\n".to_owned();
-            indent(level + 1, &mut next_line);
-            text.replace_range(end_of_target..=end_of_target, &next_line);
-            line::fold(text, end_of_target + 1, level + 2, &OPERATORS);
-        }
+        line::fold_assignment(text, start, end_of_target, level, &OPERATORS);
         text.push('\n');
     }
 
     fn question(&self, words: &str, condition: &Expr, level: usize, text: &mut String) {
         let start = text.len();
-        indent(level, text);
+        line::indent(level, text);
         text.push_str(words);
         self.expr(condition, text);
         text.push_str(") {");
@@ -169,13 +164,7 @@ pub fn member(path: &str) -> String {
 }
 
 fn put(text: &mut String, level: usize, content: std::fmt::Arguments<'_>) {
-    indent(level, text);
+    line::indent(level, text);
     text.write_fmt(content).expect("c: a string takes all text");
     text.push('\n');
-}
-
-fn indent(level: usize, text: &mut String) {
-    for _ in 0..level {
-        text.push_str("    ");
-    }
 }

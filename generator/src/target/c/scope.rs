@@ -1,6 +1,6 @@
 //! Where each local is declared: at its only assignment, or just before the branch that first assigns it.
 
-use crate::program::{Expr, Statement, Var};
+use compiler::program::{Expr, Statement, Var};
 
 /// For every statement of a list the locals that are declared with it; those that only one branch of it mentions are left
 /// to that branch. `declared` knows the locals that an outer list declares, and learns those of this one.

@@ -1,7 +1,7 @@
 //! Types and literals of C.
 
-use crate::program::Type;
 use crate::target::number::decimal;
+use compiler::program::Type;
 use portable::{Literal, RealKind};
 
 /// The C name of a type.

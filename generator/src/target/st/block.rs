@@ -6,11 +6,11 @@ use super::{nearest, operands, start, types};
 use crate::axis::Axis;
 use crate::block::Block;
 use crate::digest::{UNSEALED, digest};
-use crate::program::{Program, Type};
 use crate::render::{Group, Member, Origin, StBlock};
 use crate::target::outline::{COMMENT_WIDTH, Language};
 use crate::target::{VERSION, block_name, comment};
 use askama::Template;
+use compiler::program::{Program, Type};
 
 /// The origin and the blocks of a file that has all blocks of an axis, as its template takes them; a dialect puts a prefix
 /// before the blocks' names.
@@ -50,7 +50,7 @@ pub fn listing(name: String, block: &Block, program: Program, dialect: Dialect) 
 
 /// The intermediate values; what they mean is said where they are computed.
 fn locals(program: &Program, names: &[String]) -> Vec<Member> {
-    let member = |(local, name): (&crate::program::Local, &String)| Member {
+    let member = |(local, name): (&compiler::program::Local, &String)| Member {
         ty: type_name(local.ty.expect("st: the typing pass has typed every local"), program.real),
         name: name.clone(),
         doc: String::new(),

@@ -1,6 +1,6 @@
 //! What dialects of Structured Text do differently inside a block. Plain data; their files differ more, and have modules.
 
-use crate::program::Type;
+use compiler::program::Type;
 use portable::{Literal, RealKind};
 
 /// A dialect.

@@ -4,7 +4,7 @@
 use super::dialect::{type_name, usable};
 use super::print::Printer;
 use super::types;
-use crate::program::{Expr, Type};
+use compiler::program::{Expr, Type};
 use portable::{Binary, Intrinsic, Literal, Unary};
 
 /// How tightly an expression binds, loosest first.

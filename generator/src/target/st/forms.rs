@@ -1,7 +1,7 @@
 //! How each number with a name appears in a block, by what the block does with it.
 
 use super::dialect::{Dialect, Form};
-use crate::program::{Expr, Program, Statement, Var};
+use compiler::program::{Expr, Program, Statement, Var};
 use portable::Literal;
 
 /// A form for each constant of a program.

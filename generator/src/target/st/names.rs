@@ -1,8 +1,8 @@
 //! Words that some implementation of Structured Text keeps for itself, which no variable of a block has for a name; and the
 //! names of a block's signals.
 
-use crate::program::{Program, Variable};
 use crate::target::names::Names;
+use compiler::program::{Program, Variable};
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 

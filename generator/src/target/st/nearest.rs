@@ -5,7 +5,7 @@
 //! n := nearest(x);   ->   IF x >= 0.0 THEN n := TRUNC(x + 0.49999999999999994); ELSE n := TRUNC(x - 0.49999999999999994); END_IF;
 //! ```
 
-use crate::program::{Constant, Expr, Origin, Program, Statement, Var};
+use compiler::program::{Constant, Expr, Origin, Program, Statement, Var};
 use portable::{Binary, Intrinsic, Literal, RealKind, nearly_half};
 
 /// The program without that operation.

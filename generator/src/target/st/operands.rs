@@ -1,6 +1,6 @@
 //! Gives every real number that is an operand a name: its digits would be LREAL, and make a whole REAL expression LREAL.
 
-use crate::program::{Constant, Expr, Origin, Program, Var, map_expressions};
+use compiler::program::{Constant, Expr, Origin, Program, Var, map_expressions};
 use portable::Literal;
 
 /// The program with its numbers among the constants; one that is assigned as it is stays where it is.

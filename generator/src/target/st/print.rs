@@ -4,9 +4,9 @@
 use super::dialect::{Dialect, Form};
 use super::names::{is_reserved, signals};
 use super::{forms, types};
-use crate::program::{Constant, Expr, Program, Statement, Var};
 use crate::target::names::Names;
 use crate::target::{comment, line};
+use compiler::program::{Constant, Expr, Program, Statement, Var};
 
 /// What a long line is broken before.
 const OPERATORS: [&str; 4] = [" AND ", " OR ", " + ", " - "];
@@ -97,8 +97,8 @@ impl<'p> Printer<'p> {
             Statement::Note(note) => {
                 let lines = comment::lines(&comment::harmless(note), NOTE_WIDTH);
                 let mut next_line = "\n".to_owned();
-                indent(level, &mut next_line);
-                indent(level, text);
+                line::indent(level, &mut next_line);
+                line::indent(level, text);
                 text.push_str("(* ");
                 text.push_str(&lines.join(&(next_line + "   ")));
                 text.push_str(" *)\n");
@@ -115,11 +115,11 @@ impl<'p> Printer<'p> {
                     rest = otherwise;
                 }
                 if !rest.is_empty() {
-                    indent(level, text);
+                    line::indent(level, text);
                     text.push_str("ELSE\n");
                     self.list(rest, level + 1, text);
                 }
-                indent(level, text);
+                line::indent(level, text);
                 text.push_str("END_IF;\n");
             }
         }
@@ -128,25 +128,20 @@ impl<'p> Printer<'p> {
     /// An assignment, on more lines where one would be too long.
     fn assignment(&self, target: Var, value: &Expr, level: usize, text: &mut String) {
         let start = text.len();
-        indent(level, text);
+        line::indent(level, text);
         text.push_str(self.var(target));
         text.push_str(" :=");
         let end_of_target = text.len();
         text.push(' ');
         self.expr(value, text);
         text.push(';');
-        if text.len() - start > line::WIDTH {
-            let mut next_line = "\n".to_owned();
-            indent(level + 1, &mut next_line);
-            text.replace_range(end_of_target..=end_of_target, &next_line);
-            line::fold(text, end_of_target + 1, level + 2, &OPERATORS);
-        }
+        line::fold_assignment(text, start, end_of_target, level, &OPERATORS);
         text.push('\n');
     }
 
     fn question(&self, word: &str, condition: &Expr, level: usize, text: &mut String) {
         let start = text.len();
-        indent(level, text);
+        line::indent(level, text);
         text.push_str(word);
         self.expr(condition, text);
         text.push_str(" THEN");
@@ -170,10 +165,4 @@ impl<'p> Printer<'p> {
 fn inline(value: &str, name: &str) -> String {
     let is_bare = !value.starts_with(['-', '(']) && !value.contains(" * ");
     if is_bare { format!("{value} (* {name} *)") } else { format!("({value} (* {name} *))") }
-}
-
-fn indent(level: usize, text: &mut String) {
-    for _ in 0..level {
-        text.push_str("    ");
-    }
 }

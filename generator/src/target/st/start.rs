@@ -1,7 +1,7 @@
 //! Moves what `init` does into the first cycle: the memory of an instance is 0 and FALSE everywhere, but nothing else about it
 //! is sure. Where that is all that `init` asks for, nothing is left to do.
 
-use crate::program::{Expr, Program, Statement, Type, Var, Variable};
+use compiler::program::{Expr, Program, Statement, Type, Var, Variable};
 use portable::{Literal, Unary};
 
 /// The program without `init`.

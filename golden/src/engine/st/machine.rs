@@ -162,6 +162,5 @@ fn usable<R: Real>(x: R, limit: R) -> bool {
 
 /// `TRUNC`. Beyond the range of a DINT implementations disagree: then it is what a reference never has by chance.
 fn truncated<R: Real>(x: R) -> i32 {
-    let is_within = -2_147_483_649.0 < x.to_f64() && x.to_f64() < 2_147_483_648.0;
-    if is_within { x.truncated() } else { 0x5555_5555 }
+    if portable::is_within_i32(x.to_f64()) { x.truncated() } else { 0x5555_5555 }
 }

@@ -4,7 +4,7 @@ use super::declarations::{Kind, Role, Variable};
 use super::machine::Slots;
 use super::{Block, Mistake};
 use crate::samples::{Samples, Shape};
-use generator::program::Type;
+use compiler::program::Type;
 use portable::{Literal, Real, RealKind};
 
 impl Block {

@@ -24,7 +24,7 @@ pub fn describe(block: &syn::Block, wants_value: bool, scope: &mut Scope, reject
         }
     }
     scope.leave(outer);
-    quote!(::portable::Block { statements: &[#(#statements),*], value: #value })
+    quote!(::portable::CodeBlock { statements: &[#(#statements),*], value: #value })
 }
 
 fn describe_statement(statement: &Stmt, scope: &mut Scope, rejections: &mut Rejections) -> TokenStream {

@@ -19,7 +19,7 @@ pub fn describe_if(
     scope.leave(outer);
     let otherwise = match &branch.else_branch {
         Some((_, otherwise)) => describe_body(otherwise, wants_value, scope, rejections),
-        None => quote!(::portable::Block { statements: &[], value: None }),
+        None => quote!(::portable::CodeBlock { statements: &[], value: None }),
     };
     quote!(::portable::Expr::If { condition: &#condition, then: #then, otherwise: #otherwise })
 }
@@ -54,11 +54,11 @@ fn describe_body(body: &syn::Expr, wants_value: bool, scope: &mut Scope, rejecti
         }
         _ if wants_value => {
             let value = expr::whole(body, scope, rejections);
-            quote!(::portable::Block { statements: &[], value: Some(&#value) })
+            quote!(::portable::CodeBlock { statements: &[], value: Some(&#value) })
         }
         _ => {
             let statement = block::expression(body, scope, rejections);
-            quote!(::portable::Block { statements: &[#statement], value: None })
+            quote!(::portable::CodeBlock { statements: &[#statement], value: None })
         }
     }
 }

@@ -37,7 +37,7 @@ pub fn describe(function: &syn::ItemFn, rejections: &mut Rejections) -> TokenStr
         (
             TokenStream::new(),
             quote!(None),
-            quote!(::portable::Block { statements: &[], value: None }),
+            quote!(::portable::CodeBlock { statements: &[], value: None }),
             TokenStream::new(),
         )
     };

@@ -2,7 +2,7 @@
 
 use super::emit::{counts, samples};
 use super::judge::Compiled;
-use generator::program::{Expr, Program, Statement, Type, Var, Variable};
+use compiler::program::{Expr, Program, Statement, Type, Var, Variable};
 use generator::target::st::dialect::{Form, PLAIN, type_name};
 use generator::target::st::print::Printer;
 use generator::target::st::{nearest, operands, start, types};

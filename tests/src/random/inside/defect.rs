@@ -1,6 +1,6 @@
 //! Defects that a test plants, to see that they are found: in the programs of the harness, never in the product.
 
-use generator::program::{Expr, Program, Statement, map_expressions};
+use compiler::program::{Expr, Program, Statement, map_expressions};
 use portable::Binary;
 
 /// A defect.

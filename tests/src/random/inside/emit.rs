@@ -1,7 +1,7 @@
 //! The C of a batch of programs: one translation unit for each real type, and the words that its driver reads.
 
 use super::judge::Compiled;
-use generator::program::{Constant, Program, Statement, Type, Var, Variable};
+use compiler::program::{Constant, Program, Statement, Type, Var, Variable};
 use generator::target::c::{print, types};
 use portable::Literal;
 use std::fmt::Write;

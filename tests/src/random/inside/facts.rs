@@ -1,7 +1,7 @@
 //! What a run has in it, beyond what its text shows: so that no engine is compared on zeros alone.
 
 use super::subject::Frame;
-use generator::program::{Program, Statement};
+use compiler::program::{Program, Statement};
 use portable::Literal;
 
 /// Notes what the values of the Rust itself are.

@@ -3,8 +3,8 @@
 //! It does so at every level, -O0 included (GCC 12, x86-64 and ARM), wherever it sees that the subtrahend cannot be -0.0:
 //! a conversion from an integer, alone or after an operation that changes nothing. Clang computes what is written.
 
-use generator::arithmetic;
-use generator::program::{Expr, Program, Statement, Var};
+use compiler::arithmetic;
+use compiler::program::{Expr, Program, Statement, Var};
 use portable::{Binary, Intrinsic, Literal, RealKind, Unary};
 
 /// Whether a program subtracts a converted integer from 0.

@@ -4,9 +4,9 @@
 use super::defect::Defect;
 use super::stimulus;
 use super::subject::{Frame, Instance, unset_leaves};
-use generator::interp::Machine;
-use generator::pass::{PASSES, verify};
-use generator::program::{Expr, Program, Statement, Var};
+use compiler::interp::Machine;
+use compiler::pass::{PASSES, verify};
+use compiler::program::{Expr, Program, Statement, Var};
 use portable::Literal;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 

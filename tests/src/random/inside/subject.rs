@@ -1,9 +1,9 @@
 //! What makes a block of a random program, and of a block something that runs without knowing its types.
 
-use generator::program::Program;
-use generator::specialise;
+use compiler::program::Program;
+use compiler::specialise;
+use portable::Block;
 use portable::{Literal, Portable, Real, RealKind, Ty};
-use reference::Block;
 use std::collections::BTreeMap;
 
 /// A random program as a block.
@@ -18,7 +18,7 @@ macro_rules! subject {
     ($name:literal, $state:ty, $coeffs:ty, $inputs:ty, $outputs:ty, $coefficients:expr) => {
         pub struct Subject;
 
-        impl<R: portable::Real> reference::Block<R> for Subject {
+        impl<R: portable::Real> portable::Block<R> for Subject {
             type Coeffs = $coeffs;
             type State = $state;
             type Inputs = $inputs;

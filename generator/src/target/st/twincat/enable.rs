@@ -1,6 +1,6 @@
 //! Puts the signals around a block that users of PLCopen-style function blocks expect: Enable, Valid, Busy, Error, ErrorID.
 
-use crate::program::{Constant, Expr, Local, Origin, Program, Statement, Type, Var, Variable, rename};
+use compiler::program::{Constant, Expr, Local, Origin, Program, Statement, Type, Var, Variable, rename};
 use portable::{Binary, Literal, Unary};
 
 /// The program with five more signals.

@@ -12,10 +12,10 @@ use super::dialect::{self, TWINCAT, type_name, word_name};
 use crate::axis::Axis;
 use crate::block::Block;
 use crate::digest::UNSEALED;
-use crate::program::Type;
 use crate::render::{TcPou, TcUsable};
 use crate::target::{self, File, VERSION};
 use askama::Template;
+use compiler::program::Type;
 use portable::RealKind;
 
 /// Where the files lie, below the output folder.

@@ -2,12 +2,12 @@
 
 use super::{DUTS, FOLDER, POUS, TESTS, block_name, guid, sealed, suite, usable};
 use crate::digest::UNSEALED;
-use crate::program::Type;
 use crate::render::{Compile, Item, TcEnum, TcGuide, TcProgram, TcProject, TcUnion};
 use crate::target::st::dialect::{type_name, word_name};
 use crate::target::st::real_types;
 use crate::target::{self, File, Unit, VERSION};
 use crate::vector;
+use compiler::program::Type;
 use portable::RealKind;
 use reference::ipc::{mode_dryrun, mode_off, mode_on};
 

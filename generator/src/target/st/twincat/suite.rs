@@ -3,7 +3,6 @@
 use super::{TESTS, guid, sealed};
 use crate::axis::Axis;
 use crate::block::Block;
-use crate::program::{Type, Variable};
 use crate::render::{TcSuite, TcVector, Track};
 use crate::target::File;
 use crate::target::names::Names;
@@ -13,6 +12,7 @@ use crate::target::st::block::origin;
 use crate::target::st::dialect::{type_name, word_name};
 use crate::target::st::names::{is_reserved, signals};
 use crate::target::st::types;
+use compiler::program::{Type, Variable};
 use portable::{Literal, RealKind};
 
 /// The vector and the suite of a block.

@@ -1,6 +1,8 @@
 //! The IR as text, so that a test says in one line what it expects. Constants are evaluated.
 
-use portable::{Argument, Binary, Block, Expr, Fn, Literal, Mode, Place, Projection, RealKind, Statement, Ty, Unary};
+use portable::{
+    Argument, Binary, CodeBlock, Expr, Fn, Literal, Mode, Place, Projection, RealKind, Statement, Ty, Unary,
+};
 
 /// `name(params) -> type { body }`.
 pub fn function(function: &Fn) -> String {
@@ -33,7 +35,7 @@ fn mode(mode: Mode) -> &'static str {
     }
 }
 
-fn block(of: &Block) -> String {
+fn block(of: &CodeBlock) -> String {
     let mut parts: Vec<_> = of.statements.iter().map(statement).collect();
     parts.extend(of.value.map(expr));
     if parts.is_empty() { "{}".into() } else { format!("{{ {} }}", parts.join(" ")) }

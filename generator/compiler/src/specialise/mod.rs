@@ -9,10 +9,11 @@ mod expr;
 mod node;
 mod statement;
 
+use crate::leaves::leaves;
 use crate::program::{Constant, Expr, Local, Origin, Program, Statement, Type, Var, Variable};
 use node::{Cell, Node};
+use portable::Block;
 use portable::{Fn, Literal, Portable, Real, RealKind, Ty};
-use reference::Block;
 use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 
@@ -31,13 +32,6 @@ pub fn block<R: Real, B: Block<R>>(coeffs: &B::Coeffs, notes: &BTreeMap<String, 
     let init = specialiser.function(&B::INIT, vec![state.clone()]);
     let step = specialiser.function(&B::STEP, vec![state, coefficients, inputs, outputs]);
     specialiser.into_program([B::NAME, B::ENABLE], init, step)
-}
-
-/// The scalars of a value, in the order of its type.
-fn leaves<T: Portable>(value: &T) -> Vec<Literal> {
-    let mut leaves = Vec::new();
-    value.visit(&mut |literal| leaves.push(literal));
-    leaves
 }
 
 /// A list of variables of the program.

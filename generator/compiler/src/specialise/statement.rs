@@ -3,12 +3,12 @@
 use super::node::{self, Cell, Node};
 use super::{Specialiser, number};
 use crate::program::{Expr, Statement, Var};
-use portable::{Arm, Binary, Block, Literal};
+use portable::{Arm, Binary, CodeBlock, Literal};
 use std::rc::Rc;
 
 impl Specialiser<'_> {
     /// Runs a block; gives its value. The names that it declares end with it.
-    pub(super) fn block(&mut self, block: &'static Block) -> Option<Expr> {
+    pub(super) fn block(&mut self, block: &'static CodeBlock) -> Option<Expr> {
         let outer = self.frame().names.len();
         for statement in block.statements {
             self.statement(statement);

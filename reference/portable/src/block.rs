@@ -1,6 +1,6 @@
 //! What every block offers: the types around its `step`, and the IR of its two functions. No algorithm.
 
-use portable::{Fn, Portable, Real};
+use crate::{Fn, Portable, Real};
 
 /// A function block: called once per position-controller cycle.
 pub trait Block<R: Real> {
