@@ -1,8 +1,8 @@
 //! The whole way from a set to its files. Each step is one call.
 
-use crate::axis::Axis;
-use crate::block;
-use crate::config::Set;
+use crate::blocks;
+use crate::designed::Designed;
+use crate::pipeline::Set;
 use crate::target::{File, Target, Unit};
 use compiler::pass::Defect;
 use rayon::prelude::*;
@@ -20,9 +20,9 @@ pub fn files<T: Send>(
     targets: &[Target],
     take: impl Fn(File) -> T + Sync,
 ) -> Result<Vec<T>, Defect> {
-    let chosen = set.axes.par_iter().filter(|axis| axes.is_empty() || axes.contains(&axis.name));
+    let chosen = set.axes.par_iter().filter(|of| axes.is_empty() || axes.contains(&of.axis.name));
     let taken: Result<Vec<Vec<T>>, Defect> =
-        chosen.map(|axis| Ok(axis_files(axis, targets)?.into_iter().map(&take).collect())).collect();
+        chosen.map(|designed| Ok(axis_files(designed, targets)?.into_iter().map(&take).collect())).collect();
     let units = units(set);
     let shared = targets.iter().flat_map(|target| (target.shared)(&units)).map(&take).collect();
     Ok(taken?.into_iter().chain([shared]).flatten().collect())
@@ -31,12 +31,12 @@ pub fn files<T: Send>(
 /// What a shared file may know of the axes.
 #[must_use]
 pub fn units<'s>(set: &'s Set) -> Vec<Unit<'s>> {
-    let unit = |axis: &'s Axis| Unit { axis: &axis.name, real: axis.real, blocks: block::names(axis) };
+    let unit = |of: &'s Designed| Unit { axis: &of.axis.name, real: of.axis.real, blocks: blocks::names(&of.axis) };
     set.axes.iter().map(unit).collect()
 }
 
 /// Design, specialise and the passes once; then each target prints.
-fn axis_files(axis: &Axis, targets: &[Target]) -> Result<Vec<File>, Defect> {
-    let blocks = block::blocks(axis)?;
-    Ok(targets.iter().flat_map(|target| (target.files)(axis, &blocks)).collect())
+fn axis_files(designed: &Designed, targets: &[Target]) -> Result<Vec<File>, Defect> {
+    let blocks = blocks::blocks(designed)?;
+    Ok(targets.iter().flat_map(|target| (target.files)(&designed.axis, &blocks)).collect())
 }

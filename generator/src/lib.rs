@@ -1,30 +1,35 @@
 //! From axis parameters to specialised blocks.
 //!
 //! ```text
-//! read -> check -> design -> specialise -> passes -> print -> render -> write
-//! config  check    design    specialise    pass      target   render    write
+//! read -> check -> design -> feasibility -> specialise -> passes -> print -> render -> write
+//! config  check    designed  feasibility    blocks (compiler)       target   render    write
 //! ```
-//! `block` and `generate` are the drivers; `axis` and `program` are the data between the steps.
+//! `pipeline` drives the way to designed axes, `generate` the way from there to files.
 #![forbid(unsafe_code)]
 
 pub mod axis;
-pub mod block;
-pub mod certificate;
-pub mod check;
+pub mod blocks;
+mod check;
 pub mod codes;
 pub mod config;
 pub mod design;
+pub mod designed;
 pub mod diagnostics;
+pub mod diff;
 pub mod digest;
 pub mod exchange;
+mod feasibility;
 pub mod generate;
-pub mod meaning;
-pub mod noise;
+mod noise;
+pub mod number;
 pub mod parameters;
+pub mod pipeline;
 pub mod reference_page;
 pub mod render;
+mod rules;
 pub mod schema;
 pub mod self_test;
+pub mod summary;
 pub mod target;
 pub mod vector;
 pub mod write;

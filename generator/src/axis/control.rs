@@ -1,5 +1,7 @@
 //! What surrounds improved position control: feedforward, position control, gantry. Plain data, as the parameters say it.
 
+use crate::parameters::words::{Motor, Width};
+
 /// Everything of an axis but improved position control.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Control {
@@ -9,12 +11,20 @@ pub struct Control {
     pub position_control: Option<PositionControl>,
     /// logical axis number (P-AXIS-00016)
     pub number: u32,
-    /// whether the axis turns (P-AXIS-00018): its velocities are in 0.001 deg/s, else in um/s
-    pub turns: bool,
+    /// whether it is a rotary axis or a spindle (P-AXIS-00018): its velocities are in 0.001 deg/s, else in um/s
+    pub is_rotary: bool,
     /// on a gantry slave: logical axis number of its master (P-AXIS-00070)
     pub master: Option<u32>,
     /// on a gantry slave whose master is known: largest |v_add| of the master [um/s or 0.001 deg/s]
     pub master_limit: Option<f64>,
+}
+
+impl Control {
+    /// The unit of its velocities.
+    #[must_use]
+    pub fn velocity_unit(&self) -> &'static str {
+        if self.is_rotary { "0.001 deg/s" } else { "um/s" }
+    }
 }
 
 /// A quotient of two parameters, as written.
@@ -109,13 +119,9 @@ pub enum TimeBase {
     Cycle = 2,
 }
 
-/// Integer type of process data.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Width {
-    /// 16 bits
-    Int16,
-    /// 32 bits
-    Int32,
+impl TimeBase {
+    /// All, by their numbers.
+    pub const ALL: [Self; 3] = [Self::Minute, Self::Second, Self::Cycle];
 }
 
 impl Width {
@@ -165,20 +171,11 @@ pub struct Torque {
     pub width: Width,
 }
 
-/// Kind of motor.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Motor {
-    /// torque and inertia
-    Rotary,
-    /// force and mass
-    Linear,
-}
-
 /// Position control.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PositionControl {
     /// where the position is controlled (P-AXIS-00320, P-AXIS-00020)
-    pub place: Place,
+    pub location: Location,
     /// gain of the position controller [0.01/s] (P-AXIS-00099)
     pub kv: u32,
     /// position control in the CNC: value of the drive's velocity command at 1 m/min or 1000 deg/min (P-AXIS-00129/00128)
@@ -195,11 +192,23 @@ pub struct PositionControl {
 
 /// Where the position is controlled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum Location {
     /// in the CNC
     Cnc,
     /// in the drive
     Drive,
     /// in a PROFIdrive drive, which gets the control deviation
     Profidrive,
+}
+
+impl Location {
+    /// In words.
+    #[must_use]
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::Cnc => "in the CNC",
+            Self::Drive => "in the drive",
+            Self::Profidrive => "in the drive (PROFIdrive)",
+        }
+    }
 }

@@ -1,13 +1,13 @@
 //! Gantries: a slave finds its master among the axes of the set. Only what concerns two axes is here.
 
-use crate::axis::{self, Axis, PositionControl, Velocity, Width};
+use crate::axis::{Axis, Location, PositionControl, Velocity};
 use crate::codes;
-use crate::design;
 use crate::diagnostics::{Diagnostic, Place, Report};
+use crate::parameters::words::Words;
 use std::fmt::Write;
 
 /// Couples the slaves of a set to their masters. `places` are those of P-AXIS-00070, axis by axis.
-pub fn couple(axes: &mut [Axis], places: &[Place], report: &mut Report) {
+pub(crate) fn couple(axes: &mut [&mut Axis], places: &[Place], report: &mut Report) {
     for slave in 0..axes.len() {
         let Some(number) = axes[slave].control.master else { continue };
         match master_of(axes, slave, number) {
@@ -16,8 +16,8 @@ pub fn couple(axes: &mut [Axis], places: &[Place], report: &mut Report) {
                 report.push(diagnostic.instead(instead));
             }
             Ok(master) => {
-                compare(&axes[slave], &axes[master], &places[slave], report);
-                way_out(&axes[slave], &axes[master], &places[slave], report);
+                compare(axes[slave], axes[master], &places[slave], report);
+                way_out(axes[slave], axes[master], &places[slave], report);
                 take(axes, slave, master);
             }
         }
@@ -25,7 +25,7 @@ pub fn couple(axes: &mut [Axis], places: &[Place], report: &mut Report) {
 }
 
 /// A slave whose list stands alone has no master beside it.
-pub fn alone(axis: &Axis, place: Place, report: &mut Report) {
+pub(crate) fn alone(axis: &Axis, place: Place, report: &mut Report) {
     let has_a_way_out = axis.control.position_control.is_some();
     if let Some(number) = axis.control.master.filter(|_| has_a_way_out) {
         let found = format!(
@@ -37,7 +37,7 @@ pub fn alone(axis: &Axis, place: Place, report: &mut Report) {
 }
 
 /// The position of the master; else what is wrong and what to write instead.
-fn master_of(axes: &[Axis], slave: usize, number: u32) -> Result<usize, (String, String)> {
+fn master_of(axes: &[&mut Axis], slave: usize, number: u32) -> Result<usize, (String, String)> {
     let named: Vec<usize> = (0..axes.len()).filter(|axis| axes[*axis].control.number == number).collect();
     let name = &axes[slave].name;
     match named[..] {
@@ -71,7 +71,7 @@ fn master_of(axes: &[Axis], slave: usize, number: u32) -> Result<usize, (String,
 }
 
 /// Whether an axis follows another one, by way of any number of masters.
-fn follows(axes: &[Axis], mut axis: usize, wanted: usize) -> bool {
+fn follows(axes: &[&mut Axis], mut axis: usize, wanted: usize) -> bool {
     for _ in 0..axes.len() {
         let master = axes[axis].control.master;
         let Some(next) = axes.iter().position(|next| Some(next.control.number) == master) else { return false };
@@ -88,8 +88,8 @@ fn compare(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
     let (Some(of_slave), Some(of_master)) = (&slave.control.position_control, &master.control.position_control) else {
         return;
     };
-    if slave.control.turns != master.control.turns {
-        let [of_slave, of_master] = [slave, master].map(|axis| if axis.control.turns { "0.001 deg/s" } else { "um/s" });
+    if slave.control.is_rotary != master.control.is_rotary {
+        let [of_slave, of_master] = [slave, master].map(|axis| axis.control.velocity_unit());
         let found = format!(
             "{} has velocities in {of_slave}, and its master {} in {of_master} (P-AXIS-00018): the additive velocity of the one is \
              none of the other",
@@ -99,9 +99,9 @@ fn compare(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
         report.push(Diagnostic::warning(codes::SCALINGS, place.clone(), found).instead(instead));
     }
     // What the other way out would scale does not matter.
-    let scaling = |control: &PositionControl| match control.place {
-        axis::Place::Cnc => (Some(control.multi_gain), None),
-        _ => (None, control.velocity),
+    let scaling = |control: &PositionControl| match control.location {
+        Location::Cnc => (Some(control.multi_gain), None),
+        Location::Drive | Location::Profidrive => (None, control.velocity),
     };
     if scaling(of_slave) != scaling(of_master) {
         let found = format!(
@@ -122,8 +122,8 @@ fn way_out(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
         .control
         .position_control
         .as_ref()
-        .is_some_and(|control| control.place != axis::Place::Cnc && control.velocity.is_none());
-    if is_shut && master.ipc.stage.iter().any(Option::is_some) {
+        .is_some_and(|control| control.location != Location::Cnc && control.velocity.is_none());
+    if is_shut && master.ipc.is_active() {
         let found = format!(
             "{} follows {}, which has improved position control, and its own process data have no additive velocity",
             slave.name, master.name
@@ -137,15 +137,11 @@ fn way_out(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
 }
 
 fn described(control: &PositionControl) -> String {
-    match control.velocity.filter(|_| control.place != axis::Place::Cnc) {
+    match control.velocity.filter(|_| control.location != Location::Cnc) {
         Some(Velocity { reso, time_base, width }) => {
-            let width = match width {
-                Width::Int16 => "INT16",
-                Width::Int32 => "INT32",
-            };
-            format!("v_reso {}/{}, v_time_base {}, {width}", reso.num, reso.denom, time_base as u32)
+            format!("v_reso {}/{}, v_time_base {}, {}", reso.num, reso.denom, time_base as u32, width.name())
         }
-        None if control.place == axis::Place::Cnc => {
+        None if control.location == Location::Cnc => {
             format!("multi_gain {}/{}", control.multi_gain.num, control.multi_gain.denom)
         }
         None => "no additive velocity".to_owned(),
@@ -153,13 +149,13 @@ fn described(control: &PositionControl) -> String {
 }
 
 /// The slave takes over what its block must know of the master.
-fn take(axes: &mut [Axis], slave: usize, master: usize) {
+fn take(axes: &mut [&mut Axis], slave: usize, master: usize) {
     let (number, ipc) = (axes[master].control.number, axes[master].ipc.clone());
-    if ipc.stage.iter().all(Option::is_none) {
+    if !ipc.is_active() {
         return;
     }
     let slave = &mut axes[slave];
-    slave.control.master_limit = Some(design::ipc::limit(&ipc));
+    slave.control.master_limit = Some(ipc.limit());
     // What the slave's block depends on is part of its own parameters.
     let _ = writeln!(slave.canonical, "master {number} v_add_max_fact {} vb_max {}", ipc.v_add_max_fact, ipc.v_max);
 }

@@ -1,20 +1,18 @@
 //! Which gear step of an axis is used, where that may be a surprise: an error where it is not there, else warnings.
 
-use super::advice::warn;
-use super::effective::Effective;
 use crate::axis::Axis;
 use crate::codes;
-use crate::config::Key;
+use crate::config::values::{Key, key};
 use crate::diagnostics::Diagnostic;
-use crate::parameters::{Name, Value, path_with};
+use crate::parameters::{Name, path_with};
+use crate::rules::effective::Effective;
 
 /// The gear step that the set names is one that the axis has, or there are none at all.
-pub fn check(e: &mut Effective<'_>) {
-    let gear_key = (Name::Gear, [0, 0]);
+pub(crate) fn check(e: &mut Effective<'_>) {
+    let gear_key = key(Name::Gear);
     let steps = steps(e);
-    let Some(Value::Integer(gear)) = e.judged(gear_key) else { return };
-    let is_there = steps.iter().any(|step| i64::from(*step) == gear);
-    if steps.is_empty() || is_there || e.given(gear_key).is_none() {
+    let Some(gear) = e.validated_integer(gear_key) else { return };
+    if steps.is_empty() || steps.contains(&gear) || e.given(gear_key).is_none() {
         return;
     }
     let found = format!("`gear` is {gear}, and the axis has {} only", listed(&steps));
@@ -24,20 +22,19 @@ pub fn check(e: &mut Effective<'_>) {
 }
 
 /// What a user would want to know who did not choose the step, or whose step is not complete.
-pub fn advise(axis: &Axis, e: &mut Effective<'_>) {
+pub(crate) fn advise(axis: &Axis, e: &mut Effective<'_>) {
     let steps = steps(e);
-    let gear_key = (Name::Gear, [0, 0]);
-    let Some(Value::Integer(gear)) = e.judged(gear_key) else { return };
-    let Ok(gear) = u32::try_from(gear) else { return };
+    let gear_key = key(Name::Gear);
+    let Some(gear) = e.validated_integer(gear_key) else { return };
     let Some(other) = first_of_another(e, gear) else { return };
     let lacking = lacking(e, gear, axis.control.position_control.is_none());
     if !lacking.is_empty() {
         let found = format!("gear step {gear} is used, and lacks what other steps have: {}", lacking.join("; "));
         let instead = format!("the parameters getriebe[{gear}], or the key `gear` of another step");
-        warn(e, codes::GEAR, other, found, Some(instead));
+        e.warn(codes::GEAR, other, found, Some(instead));
     } else if e.given(gear_key).is_none() {
         let found = format!("{} are given; step {gear} is used", listed(&steps));
-        warn(e, codes::GEAR, other, found, Some("the key `gear` in a set, to choose one".to_owned()));
+        e.warn(codes::GEAR, other, found, Some("the key `gear` in a set, to choose one".to_owned()));
     }
 }
 

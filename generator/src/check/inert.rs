@@ -1,76 +1,17 @@
-//! Feedforward and position control that contribute next to nothing, and parameters that nothing uses: warnings.
+//! Factors that are 0, and parameters that nothing uses: warnings. It looks at all blocks of an axis at once.
 
-use super::control_advice::warn;
-use super::drive::key;
-use super::effective::Effective;
-use super::ipc::rounded;
-use crate::axis::{Axis, Feedforward};
+use crate::axis::Axis;
 use crate::codes;
-use crate::config::Key;
+use crate::config::values::{Key, key};
 use crate::diagnostics::Diagnostic;
+use crate::parameters::words::{ProcessDatum, Words};
 use crate::parameters::{Name, Value};
-
-/// A time constant below this part of a cycle is none that a drive has: a weight was written, or another unit.
-const LEAST_PART_OF_A_CYCLE: f64 = 0.05;
+use crate::rules::effective::Effective;
 
 /// Says what is there and does nothing.
-pub fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
-    if let Some(feedforward) = &axis.control.feedforward {
-        defaults(feedforward, gear, e);
-        time_constant(feedforward, axis.cycle_time_ns, e);
-    }
+pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     zeros(gear, e);
     no_effect(axis, gear, e);
-}
-
-/// Defaults with which a quantity contributes next to nothing.
-fn defaults(feedforward: &Feedforward, gear: u32, e: &mut Effective<'_>) {
-    let sums = [feedforward.conventional, feedforward.additive];
-    let uses_time = sums.iter().any(|sum| sum.acceleration || sum.jerk);
-    if uses_time && e.given(key(Name::VsAFaktor)).is_none() && e.given(key(Name::VsANenner)).is_none() {
-        let found = "the time constant of the acceleration (P-AXIS-00225/00226) has its default, 1 us".to_owned();
-        let instead = "vorsteuer.vs_a_faktor with the drive's time constant in us";
-        warn(e, codes::INERT_DEFAULT, key(Name::FeedforwardMode), found, instead);
-    }
-    let uses_jerk = sums.iter().any(|sum| sum.jerk) || feedforward.torque.jerk;
-    if uses_jerk && e.given(key(Name::JerkFactNum)).is_none() && e.given(key(Name::JerkFactDenom)).is_none() {
-        let (found, instead) = match feedforward.torque.jerk {
-            true => (
-                "the factor of the jerk (P-AXIS-00337/00338) has its default, 1/100, which ADD_JERK takes for 0.01 s",
-                "vorsteuer.jerk_fact_num and jerk_fact_denom: with ADD_JERK the lag of the torque loop in s",
-            ),
-            false => (
-                "the factor of the jerk (P-AXIS-00337/00338) has its default, 1/100",
-                "vorsteuer.jerk_fact_num and jerk_fact_denom: 1/2 for a drive that only delays",
-            ),
-        };
-        warn(e, codes::INERT_DEFAULT, key(Name::FeedforwardMode), found.to_owned(), instead);
-    }
-    if feedforward.torque.any() && e.given((Name::Load, [gear, 0])).is_none() {
-        let found = format!("getriebe[{gear}].load (P-AXIS-00391) has its default, 1e-6");
-        let instead = "the inertia of motor and load in kg m^2, of a linear motor the mass in kg";
-        warn(e, codes::INERT_DEFAULT, key(Name::FeedforwardMode), found, instead);
-    }
-}
-
-/// A time constant that no drive has. Where ADD_ACC takes it for a weight, the two meanings are said.
-fn time_constant(feedforward: &Feedforward, cycle_time_ns: u32, e: &mut Effective<'_>) {
-    let sums = [feedforward.conventional, feedforward.additive];
-    let uses_time = sums.iter().any(|sum| sum.acceleration || sum.jerk);
-    let is_given = [Name::VsAFaktor, Name::VsANenner].into_iter().any(|name| e.given(key(name)).is_some());
-    let ratio = feedforward.acceleration;
-    let cycles = ratio.value() * 1e3 / f64::from(cycle_time_ns);
-    if uses_time && is_given && !feedforward.torque.acceleration && 0.0 < cycles && cycles < LEAST_PART_OF_A_CYCLE {
-        let found = format!(
-            "the time constant of the acceleration is {}/{} = {} us (P-AXIS-00225/00226), {} of a cycle: next to nothing",
-            ratio.num,
-            ratio.denom,
-            rounded(ratio.value()),
-            rounded(cycles)
-        );
-        let instead = "the drive's time constant in us; a plain weight such as 12/10 is for ADD_ACC";
-        warn(e, codes::SHORT_TIME, key(Name::VsAFaktor), found, instead);
-    }
 }
 
 /// Factors that are given as 0: all that they weight is 0.
@@ -90,7 +31,7 @@ fn zeros(gear: u32, e: &mut Effective<'_>) {
         if e.is_used(key) {
             let title = key.0.parameter().title(setting.spelling, key.1);
             let instead = format!("a value above 0, or {}", without(key.0));
-            warn(e, codes::ZERO, key, format!("{title} is 0: {consequence}"), &instead);
+            e.warn(codes::ZERO, key, format!("{title} is 0: {consequence}"), Some(instead));
         }
     }
 }
@@ -133,9 +74,10 @@ fn no_effect(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     let own = [Name::Motor, Name::VelocityCommandData, Name::AdditiveVelocityData, Name::AdditiveTorqueData].map(key);
     let is_controlled = control.feedforward.is_some() || control.position_control.is_some();
     let of_lists = of_gear.into_iter().chain(others).filter(|_| is_controlled);
+    let none = Value::Word(ProcessDatum::None.name());
     let is_idle = |key: &Key| {
         let value = e.given(*key).map(|setting| setting.value.as_ref());
-        value.is_some_and(|value| value != Some(&Value::Word("NONE"))) && !e.is_used(*key)
+        value.is_some_and(|value| value != Some(&none)) && !e.is_used(*key)
     };
     let idle: Vec<Key> = of_lists.chain(own).filter(is_idle).collect();
     let Some(first) = idle.first() else { return };

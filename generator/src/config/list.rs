@@ -9,33 +9,32 @@ use super::values::{self, Setting, Values};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Kind, Name, Scope, Value, path_with};
+use std::sync::Arc;
 
 /// What an axis list holds.
 #[derive(Debug)]
-pub struct List<'a> {
+pub(crate) struct List {
     /// the parameters that are in the table
-    pub values: Values<'a>,
+    pub(crate) values: Values,
     /// how many others were passed over
-    pub foreign: usize,
+    pub(crate) foreign: usize,
     /// what is to be said
-    pub report: Report,
+    pub(crate) report: Report,
     /// false: it is another kind of file, and was not read to its end
-    pub complete: bool,
+    pub(crate) complete: bool,
 }
 
 /// So many lines that are no lines of a list make it another kind of file: the rest is not read.
 const UNREADABLE_LINES: usize = 20;
 
 /// Reads an axis list.
-#[must_use]
-pub fn read<'a>(source: &'a Source<'a>) -> List<'a> {
+pub(crate) fn read(source: &Arc<Source>) -> List {
     read_where(source, |_, _| false)
 }
 
 /// The same for a list whose lines are kept as they are: in the line of a parameter of another function a byte that only a
 /// comment may have is a warning.
-#[must_use]
-pub fn read_to_keep<'a>(source: &'a Source<'a>) -> List<'a> {
+pub(crate) fn read_to_keep(source: &Arc<Source>) -> List {
     read_where(source, |text, bad| {
         let text = text[..bad].trim_ascii_start();
         let path = text.iter().position(|byte| matches!(byte, b' ' | b'\t')).map(|end| &text[..end]);
@@ -47,10 +46,10 @@ pub fn read_to_keep<'a>(source: &'a Source<'a>) -> List<'a> {
 }
 
 /// Reads a list; `tolerated` tells whether a line may have its bad byte, which is at that place.
-fn read_where<'a>(source: &'a Source<'a>, tolerated: impl Fn(&[u8], usize) -> bool) -> List<'a> {
+fn read_where(source: &Arc<Source>, tolerated: impl Fn(&[u8], usize) -> bool) -> List {
     let mut list = List { values: Values::default(), foreign: 0, report: Report::default(), complete: true };
     let mut unreadable = 0;
-    for line in lines::split(source.bytes).1 {
+    for line in lines::split(&source.bytes).1 {
         let readable = match line.content {
             Content::Remark { .. } => true,
             Content::Statement(statement) => list.take(source, line.at, &statement),
@@ -77,9 +76,9 @@ fn read_where<'a>(source: &'a Source<'a>, tolerated: impl Fn(&[u8], usize) -> bo
     list
 }
 
-impl<'a> List<'a> {
+impl List {
     /// Takes what a line says; false if it is no line of a list.
-    fn take(&mut self, source: &'a Source<'a>, start: usize, statement: &Statement<'_>) -> bool {
+    fn take(&mut self, source: &Arc<Source>, start: usize, statement: &Statement<'_>) -> bool {
         let &Statement { path: written, value, .. } = statement;
         let (path_at, value_at) = (statement.path_at(), statement.value_at());
         let place = || source.place(start + path_at);
@@ -101,7 +100,7 @@ impl<'a> List<'a> {
                     .map_err(|refused| refused.diagnostic(name, written, source.place(start + value_at)));
                 let (value, refused) = values::read(can_wait, value, &mut self.report);
                 let (path_at, value_at) = (start + path_at, start + value_at);
-                let setting = Setting { value, refused, spelling, source, path_at, value_at };
+                let setting = Setting { value, refused, spelling, source: Arc::clone(source), path_at, value_at };
                 if let Some(first) = self.values.insert((name, index), setting) {
                     let found = format!("`{written}` is given twice, first in line {}", first.path_place().line);
                     let instead = "one of the two lines";
@@ -176,7 +175,7 @@ pub(super) fn out_of_range(name: Name, written: &str, place: Place) -> Diagnosti
         .allowed(format!("{} with {}", parameter.path, sizes.join(", ")))
 }
 
-fn bad_byte(source: &Source<'_>, at: usize) -> Diagnostic {
+fn bad_byte(source: &Source, at: usize) -> Diagnostic {
     let found = format!("byte 0x{:02X} outside of a comment", source.bytes[at]);
     Diagnostic::error(codes::BYTE, source.place(at), found)
         .allowed("printable ASCII and tabs; any byte in a comment")

@@ -6,30 +6,31 @@ use super::values::{Setting, Values};
 use super::{axis_name, closest, list, value};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
-use crate::parameters::{Kind, Name, Scope, Value, path_with};
+use crate::parameters::{Kind, Name, Scope, path_with};
 use std::collections::HashMap;
 use std::ops::Range;
+use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
 /// What stands at the top of a set.
 #[derive(Debug, Default)]
-pub struct Top<'a> {
+pub(crate) struct Top<'a> {
     /// `cycle_time`, `targets`
-    pub values: Values<'a>,
+    pub(crate) values: Values,
     /// the axes, in the order of the file
-    pub axes: Vec<AxisTable<'a>>,
+    pub(crate) axes: Vec<AxisTable<'a>>,
 }
 
 /// An axis of a set.
 #[derive(Clone, Copy, Debug)]
-pub struct AxisTable<'a> {
+pub(crate) struct AxisTable<'a> {
     /// its name
-    pub name: &'a str,
+    pub(crate) name: &'a str,
     /// where the name stands
-    pub name_at: usize,
+    pub(crate) name_at: usize,
     /// what stands below it
-    pub table: &'a DeTable<'a>,
+    pub(crate) table: &'a DeTable<'a>,
 }
 
 /// More faults of syntax than these are not listed: they follow from the first.
@@ -41,9 +42,9 @@ type Entry<'a> = (&'a Spanned<DeString<'a>>, &'a Spanned<DeValue<'a>>);
 ///
 /// # Errors
 /// If it is no TOML.
-pub fn parse<'a>(source: &Source<'a>) -> Result<Spanned<DeTable<'a>>, Report> {
+pub(crate) fn parse(source: &Source) -> Result<Spanned<DeTable<'_>>, Report> {
     let mut report = Report::default();
-    let text = match str::from_utf8(source.bytes) {
+    let text = match str::from_utf8(&source.bytes) {
         Ok(text) => text,
         Err(error) => {
             let place = source.place(error.valid_up_to());
@@ -63,7 +64,7 @@ pub fn parse<'a>(source: &Source<'a>) -> Result<Spanned<DeTable<'a>>, Report> {
 }
 
 /// Reads the top of a set.
-pub fn top<'a>(source: &'a Source<'a>, table: &'a DeTable<'a>, report: &mut Report) -> Top<'a> {
+pub(crate) fn top<'a>(source: &Arc<Source>, table: &'a DeTable<'a>, report: &mut Report) -> Top<'a> {
     let mut top = Top::default();
     for (key, value) in in_file_order(table) {
         let place = || source.place(key.span().start);
@@ -94,7 +95,7 @@ pub fn top<'a>(source: &'a Source<'a>, table: &'a DeTable<'a>, report: &mut Repo
 }
 
 /// The axes with allowed names, each a table.
-fn axes_of<'a>(source: &'a Source<'a>, axes: &'a DeTable<'a>, report: &mut Report) -> Vec<AxisTable<'a>> {
+fn axes_of<'a>(source: &Source, axes: &'a DeTable<'a>, report: &mut Report) -> Vec<AxisTable<'a>> {
     let mut found = Vec::with_capacity(axes.len());
     let mut lines: HashMap<String, usize> = HashMap::with_capacity(axes.len());
     for (key, value) in in_file_order(axes) {
@@ -118,20 +119,14 @@ fn axes_of<'a>(source: &'a Source<'a>, axes: &'a DeTable<'a>, report: &mut Repor
 }
 
 /// The values that stand below an axis.
-pub fn values_of<'a>(source: &'a Source<'a>, axis: AxisTable<'a>, report: &mut Report) -> Values<'a> {
+pub(crate) fn values_of(source: &Arc<Source>, axis: AxisTable<'_>, report: &mut Report) -> Values {
     let mut values = Values::default();
     let mut path = String::new();
     below(source, axis.table, &mut path, &mut values, report);
     values
 }
 
-fn below<'a>(
-    source: &'a Source<'a>,
-    table: &'a DeTable<'a>,
-    path: &mut String,
-    values: &mut Values<'a>,
-    report: &mut Report,
-) {
+fn below(source: &Arc<Source>, table: &DeTable<'_>, path: &mut String, values: &mut Values, report: &mut Report) {
     let length = path.len();
     for (key, value) in in_file_order(table) {
         path.truncate(length);
@@ -171,13 +166,13 @@ fn below<'a>(
 }
 
 /// What was given for a parameter: its value, unless that is none, which is said.
-fn setting<'a>(
-    source: &'a Source<'a>,
+fn setting(
+    source: &Arc<Source>,
     (name, spelling): (Name, &'static str),
-    key: &Spanned<DeString<'a>>,
-    (written, value): (&str, &Spanned<DeValue<'a>>),
+    key: &Spanned<DeString<'_>>,
+    (written, value): (&str, &Spanned<DeValue<'_>>),
     report: &mut Report,
-) -> Setting<'a> {
+) -> Setting {
     let Range { start: value_at, .. } = value.span();
     let said = |at, refused: value::Refused| refused.diagnostic(name, written, source.place(at));
     let parameter = name.parameter();
@@ -189,7 +184,7 @@ fn setting<'a>(
             .ok(),
         (_, other) => value::of_toml(parameter, other).map_err(|refused| report.push(said(value_at, refused))).ok(),
     };
-    Setting { value, refused: None, spelling, source, path_at: key.span().start, value_at }
+    Setting { value, refused: None, spelling, source: Arc::clone(source), path_at: key.span().start, value_at }
 }
 
 /// A key that is not in the table, or a table or an array where the other is needed.
@@ -229,13 +224,4 @@ fn in_file_order<'a>(table: &'a DeTable<'a>) -> Vec<Entry<'a>> {
     let mut entries: Vec<Entry<'a>> = table.iter().collect();
     entries.sort_by_key(|(key, _)| key.span().start);
     entries
-}
-
-/// The text that was given for a parameter.
-#[must_use]
-pub fn text_of<'v>(values: &'v Values<'_>, name: Name) -> Option<&'v str> {
-    match values.get((name, [0, 0]))?.value.as_ref()? {
-        Value::Text(text) => Some(text),
-        _ => None,
-    }
 }

@@ -1,15 +1,17 @@
 //! A file's bytes with the way from a byte to its line and column; no syntax is known here.
 
 use crate::diagnostics::Place;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// A file that is being read.
 #[derive(Debug)]
-pub struct Source<'a> {
+pub(crate) struct Source {
     /// as the user named it
-    pub name: &'a str,
+    pub(crate) name: String,
     /// its content
-    pub bytes: &'a [u8],
+    pub(crate) bytes: Vec<u8>,
+    /// whether it is an option of the command line, which has no lines
+    is_option: bool,
     /// found when the first message needs them
     lines: OnceLock<Lines>,
 }
@@ -24,28 +26,34 @@ struct Lines {
     continuations: Vec<usize>,
 }
 
-impl<'a> Source<'a> {
+impl Source {
     /// A file and its content.
-    #[must_use]
-    pub fn of(name: &'a str, bytes: &'a [u8]) -> Self {
-        Self { name, bytes, lines: OnceLock::new() }
+    pub(crate) fn of(name: &str, bytes: Vec<u8>) -> Arc<Self> {
+        Arc::new(Self { name: name.to_owned(), bytes, is_option: false, lines: OnceLock::new() })
+    }
+
+    /// An option of the command line and its value.
+    pub(crate) fn option(name: &str, value: &str) -> Arc<Self> {
+        let bytes = value.as_bytes().to_vec();
+        Arc::new(Self { name: name.to_owned(), bytes, is_option: true, lines: OnceLock::new() })
     }
 
     /// The file as a whole.
-    #[must_use]
-    pub fn whole(&self) -> Place {
-        Place { file: self.name.to_owned(), line: 0, column: 0 }
+    pub(crate) fn whole(&self) -> Place {
+        Place { file: self.name.clone(), line: 0, column: 0 }
     }
 
     /// The place of a byte.
-    #[must_use]
-    pub fn place(&self, offset: usize) -> Place {
-        let lines = self.lines.get_or_init(|| Lines::of(self.bytes));
+    pub(crate) fn place(&self, offset: usize) -> Place {
+        if self.is_option {
+            return self.whole();
+        }
+        let lines = self.lines.get_or_init(|| Lines::of(&self.bytes));
         let line = lines.starts.partition_point(|start| *start <= offset);
         let start = lines.starts[line - 1];
-        let characters = offset - start + lines.continuations_before(self.bytes, start)
-            - lines.continuations_before(self.bytes, offset);
-        Place { file: self.name.to_owned(), line, column: characters + 1 }
+        let characters = offset - start + lines.continuations_before(&self.bytes, start)
+            - lines.continuations_before(&self.bytes, offset);
+        Place { file: self.name.clone(), line, column: characters + 1 }
     }
 }
 
@@ -79,7 +87,7 @@ mod tests {
     use super::*;
 
     fn at(bytes: &[u8], offset: usize) -> (usize, usize) {
-        let place = Source::of("x", bytes).place(offset);
+        let place = Source::of("x", bytes.to_vec()).place(offset);
         (place.line, place.column)
     }
 

@@ -2,40 +2,45 @@
 
 use super::source::Source;
 use crate::diagnostics::{Diagnostic, Place, Report, Severity};
+use crate::parameters::words::Words;
 use crate::parameters::{Name, Value};
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
+use std::sync::Arc;
 
 /// A parameter with its indices; an index that the parameter lacks is 0.
-pub type Key = (Name, [u32; 2]);
+pub(crate) type Key = (Name, [u32; 2]);
+
+/// The key of a parameter without indices.
+pub(crate) fn key(name: Name) -> Key {
+    (name, [0, 0])
+}
 
 /// What was given for one parameter.
 #[derive(Clone, Debug)]
-pub struct Setting<'a> {
+pub(crate) struct Setting {
     /// the value; none: it could not be read, and that has been said, or is said where the value is used
-    pub value: Option<Value>,
+    pub(crate) value: Option<Value>,
     /// what is to be said where the value is used
-    pub refused: Option<Diagnostic>,
+    pub(crate) refused: Option<Diagnostic>,
     /// the path template that was used: the parameter's path, or an alias
-    pub spelling: &'static str,
+    pub(crate) spelling: &'static str,
     /// the file
-    pub source: &'a Source<'a>,
+    pub(crate) source: Arc<Source>,
     /// where the path begins
-    pub path_at: usize,
+    pub(crate) path_at: usize,
     /// where the value begins
-    pub value_at: usize,
+    pub(crate) value_at: usize,
 }
 
-impl Setting<'_> {
+impl Setting {
     /// Place of the path.
-    #[must_use]
-    pub fn path_place(&self) -> Place {
+    pub(crate) fn path_place(&self) -> Place {
         self.source.place(self.path_at)
     }
 
     /// Place of the value.
-    #[must_use]
-    pub fn value_place(&self) -> Place {
+    pub(crate) fn value_place(&self) -> Place {
         self.source.place(self.value_at)
     }
 }
@@ -58,19 +63,18 @@ pub(super) fn read(
 
 /// What was given for one axis, in the order of the table.
 #[derive(Clone, Debug, Default)]
-pub struct Values<'a> {
-    settings: BTreeMap<Key, Setting<'a>>,
+pub(crate) struct Values {
+    settings: BTreeMap<Key, Setting>,
 }
 
-impl<'a> Values<'a> {
+impl Values {
     /// What was given for a parameter.
-    #[must_use]
-    pub fn get(&self, key: Key) -> Option<&Setting<'a>> {
+    pub(crate) fn get(&self, key: Key) -> Option<&Setting> {
         self.settings.get(&key)
     }
 
     /// Takes a value, unless there is one: then gives that one.
-    pub fn insert(&mut self, key: Key, setting: Setting<'a>) -> Option<&Setting<'a>> {
+    pub(crate) fn insert(&mut self, key: Key, setting: Setting) -> Option<&Setting> {
         match self.settings.entry(key) {
             Entry::Vacant(vacant) => {
                 vacant.insert(setting);
@@ -82,26 +86,42 @@ impl<'a> Values<'a> {
 
     /// Why values of a list could not be read, but for those of which that has been said as an error where they are used: warnings,
     /// for a real machine's list may have them for other functions.
-    pub fn unread(&self, said: &Report) -> Vec<Diagnostic> {
+    pub(crate) fn unread(&self, said: &Report) -> Vec<Diagnostic> {
         let refusals = self.settings.values().filter_map(|setting| setting.refused.as_ref());
         let unsaid = refusals.filter(|refused| !said.diagnostics.contains(refused));
         unsaid.map(|refused| Diagnostic { severity: Severity::Warning, ..refused.clone() }).collect()
     }
 
     /// The same with those that have been said as errors.
-    pub fn refused(&self, said: &Report) -> Vec<Diagnostic> {
+    pub(crate) fn refused(&self, said: &Report) -> Vec<Diagnostic> {
         let refusals = self.settings.values().filter_map(|setting| setting.refused.clone());
         let of_use = refusals.filter(|refused| said.diagnostics.contains(refused));
         of_use.chain(self.unread(said)).collect()
     }
 
+    /// The word that was given for a parameter without indices.
+    pub(crate) fn word<T: Words>(&self, name: Name) -> Option<T> {
+        match self.get(key(name))?.value {
+            Some(Value::Word(word)) => T::named(word),
+            _ => None,
+        }
+    }
+
+    /// The text that was given for a parameter without indices.
+    pub(crate) fn text(&self, name: Name) -> Option<&str> {
+        match &self.get(key(name))?.value {
+            Some(Value::Text(text)) => Some(text),
+            _ => None,
+        }
+    }
+
     /// Lets the values of a set take the place of those of its list.
-    pub fn override_with(&mut self, other: Self) {
+    pub(crate) fn override_with(&mut self, other: Self) {
         self.settings.extend(other.settings);
     }
 
     /// All that was given.
-    pub fn iter(&self) -> impl Iterator<Item = (Key, &Setting<'a>)> {
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (Key, &Setting)> {
         self.settings.iter().map(|(key, setting)| (*key, setting))
     }
 }

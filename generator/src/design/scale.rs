@@ -1,10 +1,8 @@
 //! Scalings: from path units to what the drive gets, and the ranges of process data. No filter.
 
-use crate::axis::{Axis, Motor, Resolution, TimeBase, Torque, Velocity, Width};
-use crate::parameters::Name;
-use portable::{Real, RealKind};
+use crate::axis::{Motor, Ratio, Resolution, TimeBase, Torque, Velocity, Width};
+use portable::RealKind;
 use reference::process_data;
-use reference::signal::sample_limit;
 
 /// Additive velocity: increments for 1 um/s or 0.001 deg/s,
 ///
@@ -25,7 +23,7 @@ pub fn velocity(velocity: &Velocity, cycle_time_ns: u32) -> f64 {
 
 /// Manipulated variable: increments for 1 um/s or 0.001 deg/s, `60e-6 multi_gain_z / multi_gain_n` (P-AXIS-00129/00128).
 #[must_use]
-pub fn manipulated(multi_gain: crate::axis::Ratio) -> f64 {
+pub fn manipulated(multi_gain: Ratio) -> f64 {
     f64::from(multi_gain.num) * 60.0 / (f64::from(multi_gain.denom) * 1e6)
 }
 
@@ -40,7 +38,7 @@ pub fn manipulated(multi_gain: crate::axis::Ratio) -> f64 {
 #[must_use]
 pub fn resolution(resolution: &Resolution) -> f64 {
     let (wegauf, feed) = (resolution.wegauf, resolution.feed_const);
-    if feed.num == 1 && feed.denom == 1 {
+    if !resolution.has_feed_const() {
         return wegauf.value();
     }
     let num = f64::from(resolution.incr_per_rev) * f64::from(wegauf.num) * f64::from(feed.denom);
@@ -71,68 +69,25 @@ pub fn torque(torque: &Torque) -> f64 {
     per_acceleration / torque.reference * torque.scale.value()
 }
 
-/// The range of a process datum.
+/// The range of a process datum for a block of that real type.
 ///
-/// The limits are the outermost numbers of the real type that are rounded to its ends, so that no number within them is
-/// rounded beyond. In single precision they differ from the ends: 2147483647 itself would become 2^31.
+/// The limits are the outermost numbers of the real type that are rounded to its boundaries, so that no number within them is
+/// rounded beyond. In single precision they differ from the boundaries: 2147483647 itself would become 2^31.
 #[must_use]
-pub fn range<R: Real>(width: Width) -> process_data::Coeffs<R> {
+pub fn range(width: Width, real: RealKind) -> process_data::Coeffs<f64> {
     let [lowest, highest] = width.range();
-    let below = |end: f64| R::per_kind(end.next_down(), single_below(end));
+    let below = |boundary: f64| match real {
+        RealKind::F64 => boundary.next_down(),
+        RealKind::F32 => f64::from(single_below(boundary)),
+    };
     let upper_limit = below(f64::from(highest) + 0.5);
-    let lower_limit = R::ZERO - below(0.5 - f64::from(lowest));
+    let lower_limit = 0.0 - below(0.5 - f64::from(lowest));
     process_data::Coeffs { lowest, highest, lower_limit, upper_limit }
 }
 
 /// The largest number of single precision below another.
 #[expect(clippy::cast_possible_truncation, reason = "what is rounded up is taken back")]
-fn single_below(end: f64) -> f32 {
-    let nearest = end as f32;
-    if f64::from(nearest) < end { nearest } else { nearest.next_down() }
-}
-
-/// A factor that leads beyond the numbers.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Overflow {
-    /// one of the parameters that it is made of
-    pub parameter: Name,
-    /// what it is
-    pub what: &'static str,
-    /// its value
-    pub factor: f64,
-}
-
-/// The first scaling of an axis whose product with the largest usable sample is no number of its real type.
-#[must_use]
-pub fn overflow(axis: &Axis) -> Option<Overflow> {
-    let (sample, largest) = match axis.real {
-        RealKind::F64 => (sample_limit::<f64>(), f64::MAX),
-        RealKind::F32 => (f64::from(sample_limit::<f32>()), f64::from(f32::MAX)),
-    };
-    let mut factors = Vec::new();
-    if let Some(feedforward) = &axis.control.feedforward {
-        let of_acceleration = feedforward.acceleration.value();
-        factors.push((Name::VsVFaktor, "the weight of feedforward", feedforward.weight.value()));
-        if let Some(scale) = &feedforward.torque_scale {
-            let per_acceleration = torque(scale);
-            factors.push((
-                Name::Load,
-                "the scaling of the additive torque",
-                per_acceleration * of_acceleration.max(1.0),
-            ));
-            factors.push((
-                Name::Load,
-                "the scaling of the additive torque",
-                per_acceleration * feedforward.jerk.value(),
-            ));
-        }
-    }
-    let weight = axis.control.feedforward.as_ref().map_or(1.0, |feedforward| feedforward.weight.value().max(1.0));
-    // 16: sums of a few products.
-    let is_beyond = |factor: f64| factor.is_nan() || factor * weight * sample * 16.0 > largest;
-    factors.into_iter().find(|(_, _, factor)| is_beyond(*factor)).map(|(parameter, what, factor)| Overflow {
-        parameter,
-        what,
-        factor,
-    })
+fn single_below(boundary: f64) -> f32 {
+    let nearest = boundary as f32;
+    if f64::from(nearest) < boundary { nearest } else { nearest.next_down() }
 }

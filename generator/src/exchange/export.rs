@@ -6,9 +6,11 @@ use crate::codes;
 use crate::config::file::{self, Load};
 use crate::config::source::Source;
 use crate::config::value::shown;
-use crate::config::{Setting, Values, list, set};
+use crate::config::values::{Setting, Values, key};
+use crate::config::{list, set};
 use crate::diagnostics::{Diagnostic, Place, Report};
-use crate::parameters::{Name, Value};
+use crate::parameters::Name;
+use crate::parameters::words::{LineEnd, ListEncoding};
 use std::path::Path;
 
 /// An axis of a TOML set (`.toml`) as an axis list; without a name the only one. An axis list (any other extension) is
@@ -30,7 +32,7 @@ pub fn export_with(path: &Path, axis: Option<&str>, load: Load<'_>) -> (Option<V
             return (None, report);
         }
     };
-    let source = Source::of(&name, &bytes);
+    let source = Source::of(&name, bytes.clone());
     let list = if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml")) {
         of_set(&source, path, axis, load, &mut report)
     } else {
@@ -41,7 +43,7 @@ pub fn export_with(path: &Path, axis: Option<&str>, load: Load<'_>) -> (Option<V
 }
 
 fn of_set(
-    source: &Source<'_>,
+    source: &std::sync::Arc<Source>,
     path: &Path,
     axis: Option<&str>,
     load: Load<'_>,
@@ -54,15 +56,15 @@ fn of_set(
     if report.has_errors() {
         return None;
     }
-    let Some(file) = set::text_of(&keys, Name::List) else {
+    let Some(file) = keys.text(Name::List) else {
         let base = imported(&keys, report)?;
         return Filling { values: keys, top: top.values, report }.list(base.as_deref());
     };
     let list_path = path.parent().unwrap_or(Path::new("")).join(file);
     let name = list_path.display().to_string();
-    let at = keys.get((Name::List, [0, 0])).map_or(source.whole(), Setting::value_place);
+    let at = keys.get(key(Name::List)).map_or(source.whole(), Setting::value_place);
     let bytes = load(&list_path).map_err(|unreadable| report.push(unreadable.diagnostic(&name, at))).ok()?;
-    let list_source = Source::of(&name, &bytes);
+    let list_source = Source::of(&name, bytes.clone());
     let read = list::read_to_keep(&list_source);
     report.extend(read.report);
     // Their lines stay as they are.
@@ -77,7 +79,7 @@ fn of_set(
 
 /// The axis of that name, or the only one.
 fn named<'a>(
-    source: &Source<'_>,
+    source: &std::sync::Arc<Source>,
     axes: &[set::AxisTable<'a>],
     name: Option<&str>,
     report: &mut Report,
@@ -100,18 +102,14 @@ fn named<'a>(
 
 /// The lines of the list that the axis was imported from, if it was; none within: it was not.
 #[expect(clippy::option_option, reason = "outside: whether they can be read; inside: whether there are any")]
-fn imported(keys: &Values<'_>, report: &mut Report) -> Option<Option<Vec<u8>>> {
-    let Some(text) = set::text_of(keys, Name::ImportedLines) else { return Some(None) };
+fn imported(keys: &Values, report: &mut Report) -> Option<Option<Vec<u8>>> {
+    let Some(text) = keys.text(Name::ImportedLines) else { return Some(None) };
     // An editor, or a version control, may have saved the whole set with other line ends.
-    let setting = keys.get((Name::ImportedLines, [0, 0]));
+    let setting = keys.get(key(Name::ImportedLines));
     let is_saved = setting.is_some_and(|at| at.source.bytes[at.value_at..].starts_with(b"\"\"\"\r\n"));
     let text = if is_saved { text.replace("\r\n", "\n") } else { text.to_owned() };
-    let is = |name, word| {
-        let setting = keys.get((name, [0, 0]));
-        setting.is_some_and(|setting: &Setting<'_>| setting.value == Some(Value::Word(word)))
-    };
-    let latin_1 = is(Name::ImportedEncoding, "latin-1");
-    let crlf = is(Name::ImportedLineEnd, "CRLF");
+    let latin_1 = keys.word(Name::ImportedEncoding) == Some(ListEncoding::Latin1);
+    let crlf = keys.word(Name::ImportedLineEnd) == Some(LineEnd::CrLf);
     let encoded = Encoded { text, latin_1, crlf };
     let refused = |character: char| {
         let place = setting.map(Setting::value_place);

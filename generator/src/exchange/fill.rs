@@ -5,23 +5,25 @@ use super::spelling;
 use crate::codes;
 use crate::config::lines::{self, Content, Line, Statement};
 use crate::config::source::Source;
-use crate::config::{Key, Setting, Values, list, of_text};
+use crate::config::list;
+use crate::config::value::of_text;
+use crate::config::values::{Key, Setting, Values};
 use crate::diagnostics::{Diagnostic, Report, Severity};
 use crate::parameters::{Name, Scope, path_with};
 use std::collections::BTreeSet;
 
 /// What lines are filled with.
 #[derive(Debug)]
-pub struct Filling<'r, 'a> {
+pub struct Filling<'r> {
     /// what the axis was given, its list included
-    pub values: Values<'a>,
+    pub values: Values,
     /// what stands at the top of the set
-    pub top: Values<'a>,
+    pub top: Values,
     /// what is to be said
     pub report: &'r mut Report,
 }
 
-impl Filling<'_, '_> {
+impl Filling<'_> {
     /// The lines of a list with the values that hold now, then lines for the others; without a list all of them. None: a
     /// reader of lists finds errors in that, and they have been said.
     pub fn list(mut self, base: Option<&[u8]>) -> Option<Vec<u8>> {
@@ -133,7 +135,7 @@ impl Filling<'_, '_> {
 
     /// Reads the list as a controller would: errors in its lines are said, and each value must be the one that was given.
     fn prove(&mut self, list: &[u8]) {
-        let source = Source::of("the exported list", list);
+        let source = Source::of("the exported list", list.to_vec());
         let read = list::read_to_keep(&source);
         let errors = read.report.diagnostics.into_iter().filter(|said| said.severity == Severity::Error);
         self.report.diagnostics.extend(errors);
@@ -146,7 +148,7 @@ impl Filling<'_, '_> {
 }
 
 /// The value of a set as a list has it.
-fn text_of(name: Name, setting: &Setting<'_>) -> String {
+fn text_of(name: Name, setting: &Setting) -> String {
     let value = setting.value.as_ref();
     value.map_or_else(String::new, |value| {
         spelling::in_list(name.parameter(), &setting.source.bytes[setting.value_at..], value)

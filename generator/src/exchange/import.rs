@@ -13,7 +13,9 @@ use crate::config::lines::{self, Content, Line};
 use crate::config::list;
 use crate::config::source::Source;
 use crate::config::value::shown;
-use crate::config::{Key, ListOptions, Values, of_text};
+use crate::config::ListOptions;
+use crate::config::value::of_text;
+use crate::config::values::{Key, Values};
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Name, Value};
 use std::collections::BTreeSet;
@@ -52,12 +54,12 @@ pub fn import_with(path: &Path, options: &ListOptions, load: Load<'_>) -> (Optio
             .map_err(|refused| report.push(refused.diagnostic(Name::CycleTime, "--cycle-time", place("--cycle-time"))))
             .is_ok()
     });
-    let source = Source::of(&file, &bytes);
+    let source = Source::of(&file, bytes.clone());
     let list = list::read_to_keep(&source);
     report.extend(list.report);
     // A set without a value that the axis uses would mean something else. What nothing uses is as good as a value of another
     // function: its line is kept.
-    let said = check::axis(&name, Some(cycle_time_or(cycle_time)), &list.values, source.whole()).1;
+    let said = check::axis(&name, Some(cycle_time_or(cycle_time)), &list.values, source.whole()).effective.report;
     report.diagnostics.extend(list.values.refused(&said));
     if report.has_errors() {
         return (None, report);
@@ -90,7 +92,7 @@ struct Taken {
 }
 
 impl Taken {
-    fn of(bytes: &[u8], values: &Values<'_>) -> Self {
+    fn of(bytes: &[u8], values: &Values) -> Self {
         let (mark, lines) = lines::split(bytes);
         let mut left = mark.to_vec();
         let mut tree = Table::default();
@@ -131,7 +133,7 @@ impl Taken {
 }
 
 /// The value that the set takes from a line: that of a parameter, or of the first comment of ours with this key.
-fn value_of(slot: &Slot<'_>, values: &Values<'_>, own: &mut BTreeSet<Key>) -> Option<Value> {
+fn value_of(slot: &Slot<'_>, values: &Values, own: &mut BTreeSet<Key>) -> Option<Value> {
     if !slot.own {
         return values.get(slot.key)?.value.clone();
     }

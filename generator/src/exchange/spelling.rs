@@ -1,7 +1,8 @@
 //! The text of a value in a list, and the same value in TOML, spelled alike wherever both allow it.
 
 use crate::config::source::Source;
-use crate::config::{of_text, set, value};
+use crate::config::value::of_text;
+use crate::config::{set, value};
 use crate::parameters::{Parameter, Value};
 use toml::de::DeValue;
 
@@ -15,7 +16,8 @@ pub fn in_toml(parameter: &Parameter, text: &str, value: &Value) -> String {
     let candidates = of(text).into_iter().chain(of(&canonical)).filter(number);
     let mut same = candidates.filter(|candidate| {
         let line = format!("value = {candidate}\n");
-        let table = set::parse(&Source::of("", line.as_bytes()));
+        let source = Source::of("", line.into_bytes());
+        let table = set::parse(&source);
         table.is_ok_and(|table| {
             let found = table.get_ref().get("value").map(|value| value.get_ref());
             found.is_some_and(|found: &DeValue<'_>| value::of_toml(parameter, found).as_ref() == Ok(value))

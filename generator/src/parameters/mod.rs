@@ -2,6 +2,7 @@
 
 mod table;
 mod text;
+pub mod words;
 
 pub use table::{FILTERS, Name, STAGES, TABLE};
 pub use text::{path_with, real_text, time_text};

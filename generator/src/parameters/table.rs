@@ -3,7 +3,11 @@
 //! The comment above a declaration is the parameter's meaning. Sources: ISG FCT-A12 and the ISG axis parameter list,
 //! Beckhoff TF5200. Parameters without an id are keys of our own, for what no axis list holds.
 
-use super::{Bound, Kind, Parameter, Scope, Word};
+use super::words::{
+    AddJerk, AxisType, Boolean, DirectSource, DriveType, Enable, FeedforwardWord, FilterType, LineEnd, ListEncoding, Motor,
+    OperationMode, ProcessDatum, Prototype, RealType, StageMode, TargetName, Width, Words,
+};
+use super::{Bound, Kind, Parameter, Scope};
 
 /// Stages of improved position control.
 pub const STAGES: u32 = 3;
@@ -18,17 +22,6 @@ const WEIGHT: Kind = Kind::Integer { from: 1, to: u32::MAX - 1 };
 const UNSIGNED: Kind = Kind::Integer { from: 1, to: u32::MAX };
 /// A factor of the vendor's type SGN32; a denominator of 0 takes its term away.
 const SIGNED: Kind = Kind::Integer { from: 0, to: i32::MAX as u32 };
-/// A BOOLEAN.
-const BOOLEAN: Kind = Kind::Word(&[
-    Word { name: "FALSE", number: Some(0), also: &[] },
-    Word { name: "TRUE", number: Some(1), also: &[] },
-]);
-/// Whether there is a process datum, and how wide it is.
-const PROCESS_DATUM: Kind = Kind::Word(&[
-    word("NONE"),
-    Word { name: "INT16", number: None, also: &["INT"] },
-    Word { name: "INT32", number: None, also: &["DINT"] },
-]);
 /// A delay; six cycles end it, which the cycle time says.
 const DELAY: Kind = Kind::Integer { from: 0, to: u16::MAX as u32 };
 /// A finite real number that is not negative.
@@ -73,16 +66,6 @@ macro_rules! ipc {
     };
 }
 
-/// A word without a number or another spelling.
-const fn word(name: &'static str) -> Word {
-    Word { name, number: None, also: &[] }
-}
-
-/// A word with its number.
-const fn numbered(name: &'static str, number: u32) -> Word {
-    Word { name, number: Some(number), also: &[] }
-}
-
 macro_rules! table {
     ($($(#[doc = $meaning:literal])+ $name:ident: $base:ident { $($field:ident: $value:expr),+ $(,)? })+) => {
         /// A parameter, by name; the order is the table's.
@@ -111,7 +94,7 @@ table! {
     /// what `generate` writes when the command line names no target
     Targets: SET_KEY {
         path: "targets",
-        kind: Kind::Words(&[word("c"), word("st"), word("twincat"), word("codesys"), word("scl")]),
+        kind: Kind::Words(TargetName::WORDS),
     }
     /// file of the axis list, relative to the set; keys beside it override the list
     List: AXIS_KEY { path: "list" }
@@ -120,22 +103,19 @@ table! {
     /// what a character of these lines stands for: its bytes in UTF-8, or the one byte of its number
     ImportedEncoding: AXIS_KEY {
         path: "imported_list.encoding",
-        kind: Kind::Word(&[word("utf-8"), word("latin-1")]),
+        kind: Kind::Word(ListEncoding::WORDS),
         default: &["utf-8"],
     }
     /// how every one of these lines ends
     ImportedLineEnd: AXIS_KEY {
         path: "imported_list.line_end",
-        kind: Kind::Word(&[word("LF"), word("CRLF")]),
+        kind: Kind::Word(LineEnd::WORDS),
         default: &["LF"],
     }
     /// real type of the generated blocks: double or single precision
     RealType: AXIS_KEY {
         path: "real",
-        kind: Kind::Word(&[
-            Word { name: "f64", number: None, also: &["LREAL"] },
-            Word { name: "f32", number: None, also: &["REAL"] },
-        ]),
+        kind: Kind::Word(RealType::WORDS),
         default: &["f64"],
     }
     /// gear step whose parameters (`getriebe[i]`) are used
@@ -145,26 +125,23 @@ table! {
     /// velocity command of the drive: its type in the process data; for position control in the CNC
     VelocityCommandData: AXIS_KEY {
         path: "process_data.velocity_command",
-        kind: Kind::Word(&[
-            Word { name: "INT16", number: None, also: &["INT"] },
-            Word { name: "INT32", number: None, also: &["DINT"] },
-        ]),
+        kind: Kind::Word(Width::WORDS),
         default: &["INT32"],
     }
     /// additive velocity command of the drive: its type in the process data, SERCOS S-0-0037, CANopen 60B1h, PROFIdrive NSOLL_B
     AdditiveVelocityData: AXIS_KEY {
         path: "process_data.additive_velocity",
-        kind: PROCESS_DATUM,
+        kind: Kind::Word(ProcessDatum::WORDS),
         default: &["NONE"],
     }
     /// additive torque or current command of the drive: its type in the process data, SERCOS S-0-0081, CANopen 60B2h
-    AdditiveTorqueData: AXIS_KEY { path: "process_data.additive_torque", kind: PROCESS_DATUM, default: &["NONE"] }
+    AdditiveTorqueData: AXIS_KEY { path: "process_data.additive_torque", kind: Kind::Word(ProcessDatum::WORDS), default: &["NONE"] }
     /// motor: a rotary one has a torque and an inertia, a linear one a force and a mass
-    Motor: AXIS_KEY { path: "motor", kind: Kind::Word(&[word("rotary"), word("linear")]), default: &["rotary"] }
+    Motor: AXIS_KEY { path: "motor", kind: Kind::Word(Motor::WORDS), default: &["rotary"] }
     /// whether ADD_JERK of P-AXIS-00223 is generated: its formula is inferred from units, not documented
     AddJerk: AXIS_KEY {
         path: "add_jerk",
-        kind: Kind::Word(&[word("refused"), word("experimental")]),
+        kind: Kind::Word(AddJerk::WORDS),
         default: &["refused"],
     }
     /// logical axis number
@@ -178,29 +155,14 @@ table! {
     AxisType: VENDOR {
         id: Some("P-AXIS-00018"),
         path: "kenngr.achs_typ",
-        kind: Kind::Word(&[
-            numbered("ACHSTYP_TRANSLATOR", 1),
-            numbered("ACHSTYP_ROTATOR", 2),
-            numbered("ACHSTYP_SPINDEL", 4),
-        ]),
+        kind: Kind::Word(AxisType::WORDS),
         default: &["ACHSTYP_TRANSLATOR"],
     }
     /// drive type; it decides where the position is controlled, unless P-AXIS-00320 does
     DriveType: SHARED {
         id: Some("P-AXIS-00020"),
         path: "kenngr.antr_typ",
-        kind: Kind::Word(&[
-            Word { name: "CONVENTIONAL", number: Some(1), also: &["ANTR_TYP_KONV"] },
-            Word { name: "SERCOS", number: Some(2), also: &["ANTR_TYP_SERCOS"] },
-            Word { name: "PROFIDRIVE", number: Some(3), also: &["ANTR_TYP_PROFIDRIVE"] },
-            Word { name: "SIMULATION", number: Some(4), also: &["ANTR_TYP_SIMU"] },
-            Word { name: "LIGHTBUS", number: Some(5), also: &["ANTR_TYP_LIGHTBUS"] },
-            Word { name: "TERMINAL", number: Some(6), also: &["ANTR_TYP_TERM"] },
-            Word { name: "RT_ETHERNET", number: Some(7), also: &["ANTR_TYP_ETHERNET"] },
-            Word { name: "CANOPEN", number: Some(8), also: &["ANTR_TYP_CANOPEN"] },
-            Word { name: "VIRTUAL", number: Some(16), also: &["ANTR_TYP_VIRTUELL"] },
-            Word { name: "CAN_BUS", number: Some(32), also: &["ANTR_TYP_CAN"] },
-        ]),
+        kind: Kind::Word(DriveType::WORDS),
         default: &["SIMULATION"],
     }
     /// on a gantry slave: logical axis number of its master
@@ -301,7 +263,7 @@ table! {
     OperationMode: SHARED {
         id: Some("P-AXIS-00320"),
         path: "antr.operation_mode",
-        kind: Kind::Word(&[word("DRIVE_DEFAULT"), word("DRIVE_POSITION_CONTROL"), word("CNC_POSITION_CONTROL")]),
+        kind: Kind::Word(OperationMode::WORDS),
         default: &["DRIVE_DEFAULT"],
     }
     /// cycles between sending a command and receiving the actual value that it caused
@@ -347,15 +309,7 @@ table! {
         id: Some("P-AXIS-00223"),
         path: "vorsteuer.vorsteuerung",
         data_type: "STRING, before the words UNS16",
-        kind: Kind::Flags(&[
-            numbered("NONE", 0x000),
-            numbered("VEL", 0x001),
-            numbered("ACC", 0x002),
-            numbered("JERK", 0x004),
-            numbered("ADD_VEL", 0x101),
-            numbered("ADD_ACC", 0x202),
-            numbered("ADD_JERK", 0x804),
-        ]),
+        kind: Kind::Flags(FeedforwardWord::WORDS),
         default: &["NONE"],
         since: "words: V2.11.2034.6, V2.11.2808.03, V3.1.3065.04, V3.1.3102.00",
         drives: "----",
@@ -401,14 +355,14 @@ table! {
     DefaultActive: SHARED {
         id: Some("P-AXIS-00255"),
         path: "vorsteuer.default_active",
-        kind: BOOLEAN,
+        kind: Kind::Word(Boolean::WORDS),
         default: &["FALSE"],
     }
     /// feedforward is inactive despite G135, and despite P-AXIS-00255
     GlobalDisable: SHARED {
         id: Some("P-AXIS-00256"),
         path: "vorsteuer.global_disable",
-        kind: BOOLEAN,
+        kind: Kind::Word(Boolean::WORDS),
         default: &["FALSE"],
     }
     /// feedforward of the jerk: numerator of its factor
@@ -463,7 +417,7 @@ table! {
     FeedforwardWithoutDelay: SHARED {
         id: Some("P-AXIS-00566"),
         path: "vorsteuer.feedforward_without_delay",
-        kind: BOOLEAN,
+        kind: Kind::Word(Boolean::WORDS),
         default: &["FALSE"],
     }
     /// PROFIdrive: cycles by which the feedforward leads the position
@@ -553,11 +507,7 @@ table! {
         id: Some("P-AXIS-00758"),
         path: ipc!("enable"),
         data_type: "STRING, before V3.1.3132.0 BOOLEAN",
-        kind: Kind::Word(&[
-            Word { name: "OFF", number: Some(0), also: &["FALSE"] },
-            Word { name: "ON", number: Some(1), also: &["TRUE"] },
-            word("DRYRUN"),
-        ]),
+        kind: Kind::Word(Enable::WORDS),
         default: &["OFF"],
         since: "V3.1.3077.08; words: V3.1.3132.0",
         drives: "SERCOS, PROFIdrive, CANopen",
@@ -580,12 +530,7 @@ table! {
         path: ipc!("stage[i].mode"),
         data_type: "UNS32",
         indices: &[STAGES],
-        kind: Kind::Word(&[
-            numbered("NOT_ACTIVE", 0),
-            numbered("DIRECT", 1),
-            numbered("INDIRECT", 2),
-            numbered("SET_POINT", 3),
-        ]),
+        kind: Kind::Word(StageMode::WORDS),
         default: &["NOT_ACTIVE"],
         since: IPC,
         drives: "SERCOS, PROFIdrive, CANopen",
@@ -594,7 +539,7 @@ table! {
     DirectSource: AXIS_KEY {
         path: ipc!("stage[i].direct_source"),
         indices: &[STAGES],
-        kind: Kind::Word(&[word("v_motor"), word("v_direct")]),
+        kind: Kind::Word(DirectSource::WORDS),
         default: &["v_motor"],
     }
     /// weight of the stage: numerator; a weight above 7 is capped
@@ -650,7 +595,7 @@ table! {
         data_type: "STRING",
         aliases: &[ipc!("stage[i].filter.type")],
         indices: &[STAGES, FILTERS],
-        kind: Kind::Word(&[word("NO_FILTER"), word("BANDPASS"), word("ALLPASS")]),
+        kind: Kind::Word(FilterType::WORDS),
         default: &["BANDPASS", "NO_FILTER"],
         since: IPC_FILTERS,
         drives: "SERCOS, PROFIdrive, CANopen",
@@ -662,7 +607,7 @@ table! {
         data_type: "STRING",
         aliases: &[ipc!("stage[i].filter.prototype")],
         indices: &[STAGES, FILTERS],
-        kind: Kind::Word(&[word("CRIT_DAMPING"), word("BUTTERWORTH"), word("BESSEL")]),
+        kind: Kind::Word(Prototype::WORDS),
         default: &["CRIT_DAMPING"],
         since: IPC_FILTERS,
         drives: "SERCOS, PROFIdrive, CANopen",

@@ -9,7 +9,7 @@ pub mod outline;
 pub mod st;
 
 use crate::axis::Axis;
-use crate::block::Block;
+use crate::blocks::Block;
 use crate::digest::seal;
 use askama::Template;
 use portable::RealKind;

@@ -2,7 +2,7 @@
 //! together. How a type, a number or a comment looks is the language's business.
 
 use super::comment;
-use crate::block::Block;
+use crate::blocks::Block;
 use crate::render::{ConstantText, Group, Member};
 use compiler::program::{Expr, Origin, Program, Type, Var, Variable};
 use portable::Literal;

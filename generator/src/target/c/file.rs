@@ -4,7 +4,7 @@ use super::names::is_reserved;
 use super::print::{self, Printer, member};
 use super::types;
 use crate::axis::Axis;
-use crate::block::Block;
+use crate::blocks::Block;
 use crate::digest::{UNSEALED, digest};
 use crate::render::{CBlock, CFile, CHeader, CSelfTest, CSource, Noisy, Switch};
 use crate::target::names::Names;

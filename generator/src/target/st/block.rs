@@ -4,7 +4,7 @@ use super::dialect::{Dialect, Form, type_name};
 use super::print::Printer;
 use super::{nearest, operands, start, types};
 use crate::axis::Axis;
-use crate::block::Block;
+use crate::blocks::Block;
 use crate::digest::{UNSEALED, digest};
 use crate::render::{Group, Member, Origin, StBlock};
 use crate::target::outline::{COMMENT_WIDTH, Language};

@@ -4,7 +4,7 @@ use super::block::listings;
 use super::dialect::CODESYS;
 use super::{real_types, twincat};
 use crate::axis::Axis;
-use crate::block::Block;
+use crate::blocks::Block;
 use crate::digest::UNSEALED;
 use crate::render::{CodesysFile, CodesysUsable};
 use crate::target::{File, Unit, VERSION, sealed, stem};

@@ -3,7 +3,7 @@
 use super::block::listings;
 use super::dialect::PLAIN;
 use crate::axis::Axis;
-use crate::block::Block;
+use crate::blocks::Block;
 use crate::render::PlainFile;
 use crate::target::{File, sealed, stem};
 

@@ -10,7 +10,7 @@ pub use project::shared;
 use super::block::{listing, origin};
 use super::dialect::{self, TWINCAT, type_name, word_name};
 use crate::axis::Axis;
-use crate::block::Block;
+use crate::blocks::Block;
 use crate::digest::UNSEALED;
 use crate::render::{TcPou, TcUsable};
 use crate::target::{self, File, VERSION};

@@ -2,7 +2,7 @@
 
 use super::{TESTS, guid, sealed};
 use crate::axis::Axis;
-use crate::block::Block;
+use crate::blocks::Block;
 use crate::render::{TcSuite, TcVector, Track};
 use crate::target::File;
 use crate::target::names::Names;

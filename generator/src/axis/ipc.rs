@@ -1,0 +1,174 @@
+//! Improved position control of one axis after the check: plain data. No spans, no coefficients.
+
+use crate::parameters::words::{DirectSource, Enable, FilterType, Prototype, StageMode, Words};
+
+/// Improved position control (`lr_param.improved_position_control`).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ipc {
+    /// mode at start (P-AXIS-00758)
+    pub enable: Enable,
+    /// largest |v_add| as a fraction of `v_max` [0.1 %] (P-AXIS-00757)
+    pub v_add_max_fact: u32,
+    /// largest velocity of the axis [um/s or 0.001 deg/s] (P-AXIS-00212)
+    pub v_max: f64,
+    /// time of the fade [s], before it is raised to one period of the lowest f0
+    pub fade: f64,
+    /// the stages; an inactive one is `None`
+    pub stage: [Option<Stage>; 3],
+}
+
+impl Ipc {
+    /// The longest fade in cycles: all whole numbers up to 2^24 are exact in f32.
+    pub const MAX_FADE_CYCLES: f64 = 16_777_216.0;
+
+    /// Whether a stage is active.
+    #[must_use]
+    pub fn is_active(&self) -> bool {
+        self.stage.iter().any(Option::is_some)
+    }
+
+    /// Largest |v_add| = v_add_max_fact / 1000 * v_max, in the unit of v_max (P-AXIS-00757, P-AXIS-00212). The product is exact
+    /// for every whole v_max, so that there is one rounding.
+    #[must_use]
+    pub fn limit(&self) -> f64 {
+        f64::from(self.v_add_max_fact) * self.v_max / 1000.0
+    }
+
+    /// Time of the whole fade [s]: the key `fade`, at least one period of the lowest f0 of all active filters. It is not rounded
+    /// up to whole cycles.
+    #[must_use]
+    pub fn fade_time(&self) -> f64 {
+        let filters = self.stage.iter().flatten().flat_map(|stage| &stage.filter);
+        let lowest = filters.filter_map(Filter::f0).min_by(f64::total_cmp);
+        lowest.map_or(self.fade, |f0| self.fade.max(1.0 / f0))
+    }
+}
+
+/// An active stage.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stage {
+    /// where its vibration comes from (P-AXIS-00753)
+    pub mode: Mode,
+    /// weight, as written: numerator (P-AXIS-00754)
+    pub weight_fact_num: u32,
+    /// weight, as written: denominator (P-AXIS-00755)
+    pub weight_fact_denom: u32,
+    /// the filters in the order of their execution; at least one is a band-pass
+    pub filter: [Filter; 2],
+}
+
+impl Stage {
+    /// The largest weight; a larger one is capped without a message (P-AXIS-00754).
+    pub const MAX_WEIGHT: f64 = 7.0;
+
+    /// weight = min(num / denom, 7).
+    #[must_use]
+    pub fn weight(&self) -> f64 {
+        (f64::from(self.weight_fact_num) / f64::from(self.weight_fact_denom)).min(Self::MAX_WEIGHT)
+    }
+
+    /// Index of its first band-pass; 0 where it has none.
+    #[must_use]
+    pub fn first_bandpass(&self) -> u32 {
+        let mut filters = (0..).zip(&self.filter);
+        filters.find(|(_, filter)| filter.kind() == FilterType::Bandpass).map_or(0, |(k, _)| k)
+    }
+
+    /// Centre frequency of the stage's first band-pass [Hz]; the simulated oscillation has it too.
+    ///
+    /// # Panics
+    /// If there is no band-pass, which the check excludes.
+    #[must_use]
+    pub fn f0(&self) -> f64 {
+        let bandpass = self.filter.iter().find(|filter| filter.kind() == FilterType::Bandpass);
+        bandpass.and_then(Filter::f0).expect("check: an active stage has a band-pass")
+    }
+}
+
+/// Mode of an active stage (P-AXIS-00753).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Mode {
+    /// a measured velocity
+    Direct {
+        /// which one
+        source: DirectSource,
+    },
+    /// the oscillation simulated from the motor's velocity
+    Indirect {
+        /// damping ratio D of the simulated oscillation (P-AXIS-00850, formerly P-AXIS-00756)
+        osc_damping: f64,
+    },
+    /// the oscillation simulated from the command velocity
+    SetPoint {
+        /// damping ratio D of the simulated oscillation (P-AXIS-00850, formerly P-AXIS-00756)
+        osc_damping: f64,
+    },
+}
+
+impl Mode {
+    /// Damping ratio of the simulated oscillation (P-AXIS-00850) where the mode has one.
+    #[must_use]
+    pub fn osc_damping(self) -> Option<f64> {
+        match self {
+            Self::Direct { .. } => None,
+            Self::Indirect { osc_damping } | Self::SetPoint { osc_damping } => Some(osc_damping),
+        }
+    }
+
+    /// Its word (P-AXIS-00753) and the velocity that it looks at: `DIRECT from v_motor`.
+    #[must_use]
+    pub fn text(self) -> String {
+        let (word, source) = match self {
+            Self::Direct { source } => (StageMode::Direct, source.name()),
+            Self::Indirect { .. } => (StageMode::Indirect, DirectSource::Motor.name()),
+            Self::SetPoint { .. } => (StageMode::SetPoint, "v_command"),
+        };
+        format!("{} from {source}", word.name())
+    }
+}
+
+/// A filter of a stage (P-AXIS-00849).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Filter {
+    /// the input passes unchanged
+    NoFilter,
+    /// band-pass
+    Bandpass {
+        /// P-AXIS-00848
+        prototype: Prototype,
+        /// number of sections, 1 to 3 (P-AXIS-00750)
+        order: usize,
+        /// centre frequency [Hz] (P-AXIS-00751)
+        f0: f64,
+        /// quality factor: centre frequency / bandwidth (P-AXIS-00752)
+        q_factor: f64,
+    },
+    /// all-pass
+    Allpass {
+        /// frequency of -180 degrees [Hz] (P-AXIS-00751)
+        f0: f64,
+        /// quality factor (P-AXIS-00752)
+        q_factor: f64,
+    },
+}
+
+impl Filter {
+    /// Centre frequency [Hz] (P-AXIS-00751).
+    #[must_use]
+    pub fn f0(&self) -> Option<f64> {
+        match *self {
+            Self::NoFilter => None,
+            Self::Bandpass { f0, .. } | Self::Allpass { f0, .. } => Some(f0),
+        }
+    }
+
+    /// Its type (P-AXIS-00849).
+    #[must_use]
+    pub fn kind(&self) -> FilterType {
+        match self {
+            Self::NoFilter => FilterType::NoFilter,
+            Self::Bandpass { .. } => FilterType::Bandpass,
+            Self::Allpass { .. } => FilterType::Allpass,
+        }
+    }
+}

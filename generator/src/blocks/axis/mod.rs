@@ -1,0 +1,79 @@
+//! The block `axis`: feedforward, position control and improved position control in their order; and gantry slaves.
+
+use super::feedforward::notes as feedforward_notes;
+use super::ipc::notes::{self as ipc_notes, cycle_time, note};
+use super::part::{Part, Summary};
+use super::position_control::design::addition;
+use super::position_control::notes as position_control_notes;
+use super::values::{self, Value, Values};
+use crate::designed::Designed;
+use crate::number::digits;
+use reference::axis::{Axis, Coeffs};
+use reference::feedforward::Feedforward;
+use reference::ipc::Ipc;
+
+impl Part for Axis {
+    fn is_asked_for(axis: &crate::axis::Axis) -> bool {
+        axis.control.position_control.is_some()
+    }
+
+    fn coefficients(designed: &Designed) -> Coeffs<f64> {
+        let axis = &designed.axis;
+        let limit = axis.control.master_limit.unwrap_or(0.0);
+        Coeffs {
+            cycle_time_ns: axis.cycle_time_ns,
+            addition: addition(axis),
+            has_feedforward: axis.control.feedforward.is_some(),
+            master_limit: limit,
+            master_lower_limit: 0.0 - limit, // not `-limit`: 0 stays +0
+            feedforward: designed.feedforward,
+            ipc: designed.ipc.coeffs,
+            position_control: designed.position_control,
+        }
+    }
+
+    /// Its own, and those of its parts.
+    fn notes(designed: &Designed) -> Vec<(String, String)> {
+        let axis = &designed.axis;
+        let within = |part: &'static str, notes: Vec<(String, String)>| {
+            notes.into_iter().map(move |(path, text)| (format!("{part}.{path}"), text))
+        };
+        let mut notes = vec![note("cycle_time_ns", cycle_time(axis))];
+        if let Some(limit) = axis.control.master_limit {
+            let text = format!("largest |v_add| = {} of the gantry's master (P-AXIS-00070, 00757, 00212)", digits(limit));
+            notes.push(note("master_limit", text));
+        }
+        notes.extend(within("feedforward", feedforward_notes::notes(axis)));
+        notes.extend(within("ipc", ipc_notes::notes(designed)));
+        notes.extend(within("position_control", position_control_notes::notes(axis)));
+        notes
+    }
+
+    fn ranges(designed: &Designed) -> [f64; 2] {
+        let [quiet, loud] = Ipc::ranges(designed);
+        let [other_quiet, other_loud] = Feedforward::ranges(designed);
+        [quiet.min(other_quiet), loud.max(other_loud)]
+    }
+
+    fn summary(designed: &Designed) -> Summary {
+        let control = &designed.axis.control;
+        let line = control.master.map(|master| match control.master_limit {
+            Some(limit) => format!("gantry slave of axis {master}: puts out its v_add, |v_add| <= {}", digits(limit)),
+            None => format!("gantry slave of axis {master}"),
+        });
+        Summary { head: String::new(), lines: line.into_iter().collect() }
+    }
+
+    fn differences(old: &Designed, new: &Designed) -> Vec<String> {
+        values::differences(&of_gantry(old), &of_gantry(new))
+    }
+
+    fn description(designed: &Designed) -> Vec<String> {
+        values::description(&of_gantry(designed))
+    }
+}
+
+fn of_gantry(designed: &Designed) -> Values {
+    let limit = designed.axis.control.master_limit;
+    limit.map(|limit| ("gantry: limit of the master".to_owned(), Value::Number(limit, ""))).into_iter().collect()
+}

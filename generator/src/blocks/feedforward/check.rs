@@ -1,0 +1,219 @@
+//! The rules of feedforward: which quantities there are, which way they go, and what is corrected.
+
+use crate::axis::{Feedforward, Location, Quantities, Ratio, Torque};
+use crate::codes;
+use crate::config::values::key;
+use crate::diagnostics::Diagnostic;
+use crate::parameters::words::{AddJerk, AxisType, Boolean, FeedforwardWord, Motor, Words};
+use crate::parameters::{Name, Value};
+use crate::rules::corrected;
+use crate::rules::drive::{self, Drive};
+use crate::rules::effective::Effective;
+
+/// Feedforward of one axis; outer none: an error, which has been said; inner none: there is none.
+pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Drive) -> Option<Option<Feedforward>> {
+    let words: Vec<FeedforwardWord> = e.validated_words(key(Name::FeedforwardMode))?;
+    let has = |word| words.contains(&word);
+    if has(FeedforwardWord::None) || words.is_empty() {
+        return Some(None);
+    }
+    e.note(key(Name::FeedforwardMode), &Value::Words(words.iter().map(|word| word.name()).collect()));
+    refuse_jerk(e, has(FeedforwardWord::AddJerk))?;
+    let Ways { mut conventional, mut additive, mut torque } = ways(&words);
+    if drive.location == Location::Profidrive && has(FeedforwardWord::AddVel) {
+        // NSOLL_B takes the whole feedforward, not its velocity alone.
+        additive = Quantities { velocity: true, ..conventional };
+        conventional = Quantities::default();
+    }
+    if additive.any() && drive.velocity.is_none() {
+        corrected::no_datum(e, "ADD_VEL", Name::AdditiveVelocityData, (codes::NO_VELOCITY_DATA, 70350));
+        additive = Quantities::default();
+    }
+    if torque.any() && drive.torque.is_none() {
+        let found = if torque.acceleration { "ADD_ACC" } else { "ADD_JERK" };
+        corrected::no_datum(e, found, Name::AdditiveTorqueData, (codes::NO_TORQUE_DATA, 70351));
+        torque = Quantities::default();
+    }
+    without_delay(e, &words)?;
+    let default_active = e.word(key(Name::DefaultActive)).map(is_true);
+    let global_disable = e.word(key(Name::GlobalDisable)).map(is_true);
+    let weight =
+        corrected::ratio(e, [Name::VsVFaktor, Name::VsVNenner], codes::DENOMINATOR, ("feedforward is left out", None));
+    let sums = [conventional, additive];
+    let uses_time = sums.iter().any(|sum| sum.acceleration || sum.jerk);
+    let acceleration = if uses_time || torque.acceleration {
+        let acceleration = torque.acceleration || sums.iter().any(|sum| sum.acceleration);
+        let jerk = sums.iter().any(|sum| sum.jerk);
+        let consequence = format!("{} left out", sharing(acceleration, jerk, ["is", "are"]));
+        corrected::ratio(e, [Name::VsAFaktor, Name::VsANenner], codes::DENOMINATOR, (&consequence, None))
+    } else {
+        Some(Ratio::ZERO)
+    };
+    let is_out = |ratio: Option<Ratio>| ratio.is_some_and(|ratio| ratio.num == 0);
+    if is_out(acceleration) {
+        // With the time constant goes all that it weights; inputs that nothing else reads are not judged either.
+        for sum in [&mut conventional, &mut additive] {
+            *sum = Quantities { velocity: sum.velocity, ..Quantities::default() };
+        }
+        torque.acceleration = false;
+    }
+    if is_out(weight) {
+        [conventional, additive, torque] = [Quantities::default(); 3];
+    }
+    let jerk = if [conventional, additive, torque].iter().any(|sum| sum.jerk) {
+        let consequence = ("error 110473 of the controller; it is corrected to 100", Some(100));
+        corrected::ratio(e, [Name::JerkFactNum, Name::JerkFactDenom], codes::JERK_FACT, consequence)
+    } else {
+        Some(Ratio::ZERO)
+    };
+    let mut delay = |is_used: bool, name, code| match is_used {
+        true => corrected::delay(e, name, cycle_time, code),
+        false => Some(0),
+    };
+    let velocity_delay = delay(additive.any(), Name::VelocityDelayTime, (codes::VELOCITY_DELAY, 70349));
+    let acceleration_delay = delay(torque.acceleration, Name::AccelerationDelayTime, (codes::TORQUE_DELAY, 70348));
+    let jerk_delay = delay(torque.jerk, Name::JerkDelayTime, (codes::TORQUE_DELAY, 70348));
+    let velocity = match drive.velocity.filter(|_| additive.any()) {
+        Some(width) => Some(drive::velocity(e, width)?),
+        None => None,
+    };
+    let torque_scale = if torque.any() { torque_of(e, drive)? } else { None };
+    if torque_scale.is_none() {
+        torque = Quantities::default();
+    }
+    Some(Some(Feedforward {
+        conventional,
+        additive,
+        torque,
+        default_active: default_active?,
+        global_disable: global_disable?,
+        weight: weight?,
+        acceleration: acceleration?,
+        jerk: jerk?,
+        velocity_delay: velocity_delay?,
+        acceleration_delay: acceleration_delay?,
+        jerk_delay: jerk_delay?,
+        velocity,
+        torque_scale,
+    }))
+}
+
+/// Which quantities go which way.
+#[derive(Default)]
+struct Ways {
+    conventional: Quantities,
+    additive: Quantities,
+    torque: Quantities,
+}
+
+/// Each quantity goes one way: an additive output takes it away from the position controller.
+fn ways(words: &[FeedforwardWord]) -> Ways {
+    let mut ways = Ways::default();
+    for word in words {
+        match word {
+            FeedforwardWord::None => {}
+            FeedforwardWord::Vel => ways.conventional.velocity = true,
+            FeedforwardWord::Acc => ways.conventional.acceleration = true,
+            FeedforwardWord::Jerk => ways.conventional.jerk = true,
+            FeedforwardWord::AddVel => ways.additive.velocity = true,
+            FeedforwardWord::AddAcc => ways.torque.acceleration = true,
+            FeedforwardWord::AddJerk => ways.torque.jerk = true,
+        }
+    }
+    ways.conventional.velocity &= !ways.additive.velocity;
+    ways.conventional.acceleration &= !ways.torque.acceleration;
+    ways.conventional.jerk &= !ways.torque.jerk;
+    ways
+}
+
+fn is_true(word: Boolean) -> bool {
+    match word {
+        Boolean::False => false,
+        Boolean::True => true,
+    }
+}
+
+/// What P-AXIS-00225/00226 weights, with the verb that follows: ADD_JERK does not use them.
+fn sharing(acceleration: bool, jerk: bool, [is, are]: [&str; 2]) -> String {
+    match (acceleration, jerk) {
+        (true, true) => format!("the acceleration, and the jerk that shares its time constant, {are}"),
+        (false, true) => format!("the jerk, which has the time constant of the acceleration, {is}"),
+        _ => format!("the acceleration {is}"),
+    }
+}
+
+/// ADD_JERK only where it is asked for by name.
+fn refuse_jerk(e: &mut Effective<'_>, has_jerk: bool) -> Option<()> {
+    if !has_jerk {
+        return Some(());
+    }
+    match e.word(key(Name::AddJerk))? {
+        AddJerk::Experimental => return Some(()),
+        AddJerk::Refused => {}
+    }
+    let found = format!("{} has ADD_JERK, whose formula no document gives", e.title(key(Name::FeedforwardMode)));
+    let place = e.place_of(key(Name::FeedforwardMode));
+    e.report.push(
+        Diagnostic::error(codes::ADD_JERK, place, found)
+            .allowed("VEL, ACC, JERK, ADD_VEL, ADD_ACC")
+            .instead("JERK, or add_jerk = \"experimental\" in a set, to try a formula that is inferred from units"),
+    );
+    None
+}
+
+/// P-AXIS-00566 holds for VEL alone (110624).
+fn without_delay(e: &mut Effective<'_>, words: &[FeedforwardWord]) -> Option<()> {
+    let is_on = is_true(e.word(key(Name::FeedforwardWithoutDelay))?);
+    if !is_on || words == [FeedforwardWord::Vel] {
+        return Some(());
+    }
+    let found = format!(
+        "{} is TRUE beside {}: error 110624 of the controller",
+        e.title(key(Name::FeedforwardWithoutDelay)),
+        words.iter().map(|word| word.name()).collect::<Vec<_>>().join(" ")
+    );
+    let place = e.place_of(key(Name::FeedforwardWithoutDelay));
+    e.report.push(
+        Diagnostic::error(codes::WITHOUT_DELAY, place, found)
+            .allowed("VEL alone in vorsteuer.vorsteuerung (P-AXIS-00223)")
+            .instead("feedforward_without_delay FALSE, or VEL alone"),
+    );
+    None
+}
+
+/// Scaling of the additive torque; inner none: a correction has switched it off.
+fn torque_of(e: &mut Effective<'_>, drive: &Drive) -> Option<Option<Torque>> {
+    let motor: Option<Motor> = e.word(key(Name::Motor));
+    let load = e.real((Name::Load, [drive.gear, 0]));
+    let reference = e.real(key(Name::AccReferenceValue));
+    let consequence = ("error 110465 of the controller; the additive torque is switched off", None);
+    let scale = corrected::ratio(e, [Name::TorqueScaleNum, Name::TorqueScaleDenom], codes::TORQUE_SCALE, consequence);
+    let resolution = drive::resolution(e, drive.gear);
+    let axis_type: Option<AxisType> = e.word(key(Name::AxisType));
+    drive::note(e, &[Name::AdditiveTorqueData]);
+    let (motor, load, reference, scale, resolution) = (motor?, load?, reference?, scale?, resolution?);
+    if motor == Motor::Linear && axis_type? != AxisType::Translator {
+        let found = "`motor` is linear, and the axis turns (P-AXIS-00018)";
+        let place = e.place_of(key(Name::Motor));
+        e.report.push(Diagnostic::error(codes::LINEAR_MOTOR, place, found).instead("motor = \"rotary\""));
+        return None;
+    }
+    let incr_key = (Name::IncrPerRev, [drive.gear, 0]);
+    if motor == Motor::Rotary && resolution.incr_per_rev == 0 {
+        let found = format!("{} is 0, and the additive torque needs it", e.title(incr_key));
+        let diagnostic = Diagnostic::error(codes::RESOLUTION, e.place_of(incr_key), found);
+        e.report.push(diagnostic.allowed("1 <= incr_per_rev [increments/revolution]"));
+        return None;
+    }
+    if reference <= 0.0 {
+        let found = format!("{} is 0: the additive torque is switched off", e.title(key(Name::AccReferenceValue)));
+        let diagnostic = Diagnostic::warning(codes::NO_REFERENCE, e.place_of(key(Name::AccReferenceValue)), found);
+        e.report.push(diagnostic.instead("the nominal torque of the motor, from its data sheet"));
+        return Some(None);
+    }
+    if scale.num == 0 {
+        return Some(None);
+    }
+    let width = drive.torque?;
+    Some(Some(Torque { resolution, motor, load, reference, scale, width }))
+}

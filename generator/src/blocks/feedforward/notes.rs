@@ -1,0 +1,93 @@
+//! What each coefficient of feedforward means physically. No design.
+
+use super::super::ipc::notes::{cycle_time, note};
+use super::design::time_constant;
+use crate::axis::{Axis, Feedforward, Motor, TimeBase, Torque, Velocity, Width};
+use crate::design::scale;
+use crate::number::digits;
+
+/// Notes on feedforward.
+pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
+    let Some(of) = &axis.control.feedforward else { return Vec::new() };
+    let mut notes = vec![note("cycle_time_ns", cycle_time(axis))];
+    notes.push(note("weight", of_weight(of)));
+    notes.push(note("t_a", of_time(of)));
+    notes.push(note("t_j", of_jerk(of)));
+    for (path, us, id) in [
+        ("velocity_delay", of.velocity_delay, "00389"),
+        ("acceleration_delay", of.acceleration_delay, "00390"),
+        ("jerk_delay", of.jerk_delay, "00547"),
+    ] {
+        let cycles = f64::from(us) * 1000.0 / f64::from(axis.cycle_time_ns);
+        notes.push(note(path, format!("delay of {us} us = {} cycles (P-AXIS-{id})", digits(cycles))));
+    }
+    if let Some(velocity) = &of.velocity {
+        notes.push(note("velocity_scale", of_velocity(velocity, axis.cycle_time_ns)));
+        notes.push(note("velocity_range", of_width(velocity.width)));
+    }
+    if let Some(torque) = &of.torque_scale {
+        notes.push(note("torque_acceleration", of_torque(torque, of)));
+        notes.push(note(
+            "torque_jerk",
+            "inferred from units: the jerk factor (P-AXIS-00337/00338) read in seconds".to_owned(),
+        ));
+        notes.push(note("torque_range", of_width(torque.width)));
+    }
+    notes
+}
+
+fn of_weight(of: &Feedforward) -> String {
+    format!(
+        "weight of the whole feedforward {}/{} = {} (P-AXIS-00228/00229)",
+        of.weight.num,
+        of.weight.denom,
+        digits(of.weight.value())
+    )
+}
+
+fn of_time(of: &Feedforward) -> String {
+    format!("time constant Ta = {} ms (P-AXIS-00225/00226)", digits(time_constant(of) * 1e3))
+}
+
+fn of_jerk(of: &Feedforward) -> String {
+    format!("jerk factor {}/{} (P-AXIS-00337/00338) times Ta^2", of.jerk.num, of.jerk.denom)
+}
+
+/// Scaling of the additive velocity.
+pub(crate) fn of_velocity(velocity: &Velocity, cycle_time_ns: u32) -> String {
+    let time = match velocity.time_base {
+        TimeBase::Minute => "minute",
+        TimeBase::Second => "second",
+        TimeBase::Cycle => "cycle",
+    };
+    format!(
+        "additive velocity: {} increments at {} um or 0.001 deg per {time} (P-AXIS-00206/00205, 00207): {} for 1 m/min or 1000 deg/min",
+        velocity.reso.num,
+        velocity.reso.denom,
+        digits(scale::velocity(velocity, cycle_time_ns) * 1e6 / 60.0)
+    )
+}
+
+fn of_torque(torque: &Torque, of: &Feedforward) -> String {
+    let nominal = digits(torque.scale.value());
+    let (load, unit, reference) = match torque.motor {
+        Motor::Rotary => ("kg m^2", "Nm", "nominal torque"),
+        Motor::Linear => ("kg", "N", "nominal force"),
+    };
+    let weight = digits(of.acceleration.value());
+    format!(
+        "additive torque: load {} {load} (P-AXIS-00391), {nominal} increments (P-AXIS-00325/00326) at the {reference} {} {unit} \
+         (P-AXIS-00392), weight {weight} (P-AXIS-00225/00226)",
+        digits(torque.load),
+        digits(torque.reference)
+    )
+}
+
+/// A process datum.
+pub(crate) fn of_width(width: Width) -> String {
+    let bits = match width {
+        Width::Int16 => 16,
+        Width::Int32 => 32,
+    };
+    format!("process data of {bits} bits")
+}

@@ -1,0 +1,212 @@
+//! What is legal, but inert, out of date or dangerous: warnings about an axis that is valid. Nothing here is an error.
+
+use super::check::{damping_given, is_gantry_slave};
+use super::design::StageDesign;
+use super::phase;
+use crate::axis::{Axis, Filter, Mode, Stage};
+use crate::codes;
+use crate::config::values::{Key, Setting, key};
+use crate::designed::Designed;
+use crate::diagnostics::Diagnostic;
+use crate::number::rounded;
+use crate::parameters::words::{Enable, FilterType, StageMode, Words};
+use crate::parameters::{FILTERS, Name, STAGES, Value, path_with, real_text};
+use crate::rules::effective::{Effective, as_written};
+
+/// Above this f0 * Ts the upper skirt of a band-pass is squeezed against half the sampling frequency.
+const NEAR_NYQUIST: f64 = 0.35;
+/// Twice the weight at which the controller caps: a usual damping ratio does not lead there with any weight.
+const MUCH_GAIN: f64 = 2.0 * Stage::MAX_WEIGHT;
+
+/// Says what a user would want to know before the block acts.
+pub(crate) fn advise(designed: &Designed, e: &mut Effective<'_>) {
+    let axis = &designed.axis;
+    whole(axis, e);
+    for ((i, stage), design) in (0..STAGES).zip(&axis.ipc.stage).zip(&designed.ipc.stage) {
+        inert_source(e, i, stage.as_ref());
+        if let (Some(stage), Some(design)) = (stage, design) {
+            damping_generations(e, i, stage);
+            filter_without_type(e, i, stage);
+            weight(e, i, stage);
+            resonance(e, i, stage);
+            near_nyquist(e, i, stage, axis);
+            phase::advise(e, i, stage, design, axis.cycle_time());
+        }
+    }
+    overlaps(designed, e);
+}
+
+fn whole(axis: &Axis, e: &mut Effective<'_>) {
+    let active = axis.ipc.stage.iter().flatten().count();
+    let slave = is_gantry_slave(e);
+    if slave && active > 0 && axis.ipc.enable == Enable::Off {
+        let found =
+            "the axis is a gantry slave with active stages: its input `mode` must stay OFF (error 70600)".to_owned();
+        let instead = Some("the stages in the list of the master".to_owned());
+        e.warn(codes::SLAVE_STAGES, key(Name::GantryMaster), found, instead);
+    }
+    let control = &axis.control;
+    let does_nothing = control.feedforward.is_none() && control.position_control.is_none();
+    if active == 0 && !slave && (does_nothing || axis.ipc.enable != Enable::Off) {
+        let found = match does_nothing {
+            true => "no stage is active: the block puts out 0".to_owned(),
+            false => format!(
+                "improved position control is {}, and no stage is active: it adds nothing",
+                axis.ipc.enable.name()
+            ),
+        };
+        let is_about_it = |name: Name| name.parameter().path.contains("improved_position_control");
+        let place = e.place_near(key(Name::Enable), is_about_it);
+        let [direct, indirect, set_point] = [StageMode::Direct, StageMode::Indirect, StageMode::SetPoint].map(Words::name);
+        let path = path_with(Name::Mode.parameter().path, [0, 0]);
+        let instead = format!("{path} with {direct}, {indirect} or {set_point}");
+        e.report.push(Diagnostic::warning(codes::NO_STAGE, place, found).instead(instead));
+    }
+    if active > 0 && axis.ipc.v_add_max_fact == 0 {
+        let how = if e.given(key(Name::VAddMaxFact)).is_some() { "is" } else { "has the default" };
+        let found = format!(
+            "`{}` (P-AXIS-00757) {how} 0: the limit is 0, the block puts out 0",
+            Name::VAddMaxFact.parameter().path
+        );
+        e.warn(
+            codes::MUTED,
+            key(Name::VAddMaxFact),
+            found,
+            Some("a limit above 0, in 0.1 % of vb_max".to_owned()),
+        );
+    }
+}
+
+/// P-AXIS-00756 should not stand beside the parameters that came with its successor.
+fn damping_generations(e: &mut Effective<'_>, i: u32, stage: &Stage) {
+    let old_key = (Name::FilterDamping, [i, 0]);
+    let uses_damping = stage.mode.osc_damping().is_some();
+    let is_set = |setting: &Setting| matches!(setting.value, Some(Value::Real(x)) if x > 0.0);
+    if !uses_damping || !e.given(old_key).is_some_and(is_set) {
+        return;
+    }
+    let is_new = |(name, [stage, _]): Key, setting: &Setting| {
+        let path = name.parameter().path;
+        let of_filter = path.contains("filter[k]") && setting.spelling == path;
+        stage == i && (of_filter || name == Name::OscDamping && is_set(setting))
+    };
+    let newer = e.all_given().find(|(key, setting)| is_new(*key, setting));
+    if let Some(((_, index), setting)) = newer {
+        let beside = path_with(setting.spelling, index);
+        let found =
+            format!("stage[{i}].filter.damping (P-AXIS-00756) stands beside `{beside}` of the newer parameters");
+        let instead = format!("{} (P-AXIS-00850) alone", path_with(Name::OscDamping.parameter().path, [i, 0]));
+        e.warn(codes::GENERATIONS, old_key, found, Some(instead));
+    }
+}
+
+/// A filter that was described and is not there.
+fn filter_without_type(e: &mut Effective<'_>, i: u32, stage: &Stage) {
+    for k in (0..FILTERS).filter(|k| stage.filter[*k as usize].kind() == FilterType::NoFilter) {
+        let described = [Name::FilterOrder, Name::FilterF0, Name::FilterQ, Name::FilterPrototype]
+            .into_iter()
+            .find(|name| e.given((*name, [i, k])).is_some());
+        let typed = e.given((Name::FilterType, [i, k])).is_some();
+        if let Some(name) = described.filter(|_| !typed) {
+            let found = format!("stage[{i}].filter[{k}] has parameters and no type: it is NO_FILTER (P-AXIS-00849)");
+            let place = e.place_of((name, [i, k]));
+            let instead = as_written(&place, (Name::FilterType, [i, k]), &[FilterType::Bandpass.name(), FilterType::Allpass.name()]);
+            e.report.push(Diagnostic::warning(codes::NO_TYPE, place, found).instead(instead));
+        }
+    }
+}
+
+/// SET_POINT is an open-loop pre-filter 1 - w H: above twice its best weight it amplifies.
+fn weight(e: &mut Effective<'_>, i: u32, stage: &Stage) {
+    let Mode::SetPoint { osc_damping } = stage.mode else { return };
+    let four_d_squared = 4.0 * osc_damping * osc_damping;
+    let best = four_d_squared / (four_d_squared + 1.0);
+    if stage.weight() > 2.0 * best {
+        let found = format!(
+            "stage[{i}] is SET_POINT with the weight {}: above {} it amplifies what it is to damp",
+            rounded(stage.weight()),
+            rounded(2.0 * best)
+        );
+        let instead = Some(format!("about {}, the best weight at this damping", rounded(best)));
+        e.warn(codes::SET_POINT, (Name::WeightFactNum, [i, 0]), found, instead);
+    }
+}
+
+/// The simulated oscillation multiplies the weight, which is capped for a reason: |H(f0)| = sqrt(1 + 1 / (4 D^2)).
+fn resonance(e: &mut Effective<'_>, i: u32, stage: &Stage) {
+    let Mode::Indirect { osc_damping } = stage.mode else { return };
+    let peak = libm::sqrt(1.0 + 0.25 / (osc_damping * osc_damping));
+    let gain = stage.weight() * peak;
+    if gain > MUCH_GAIN {
+        let found = format!(
+            "stage[{i}] is INDIRECT with the damping ratio {}: its simulated oscillation has {} times the motor's velocity at f0, \
+             with the weight {} {} times",
+            real_text(osc_damping),
+            rounded(peak),
+            rounded(stage.weight()),
+            rounded(gain)
+        );
+        let instead = Some("a larger damping ratio or a smaller weight, and DRYRUN first".to_owned());
+        e.warn(codes::RESONANCE, (damping_given(e, i), [i, 0]), found, instead);
+    }
+}
+
+/// A source that no stage takes.
+fn inert_source(e: &mut Effective<'_>, i: u32, stage: Option<&Stage>) {
+    let key = (Name::DirectSource, [i, 0]);
+    let is_direct = stage.is_some_and(|stage| matches!(stage.mode, Mode::Direct { .. }));
+    if !is_direct && e.given(key).is_some() {
+        let found = format!("stage[{i}].direct_source has no effect: the stage is not DIRECT");
+        e.warn(codes::INERT, key, found, None);
+    }
+}
+
+fn near_nyquist(e: &mut Effective<'_>, i: u32, stage: &Stage, axis: &Axis) {
+    for (k, filter) in (0..FILTERS).zip(&stage.filter) {
+        let Some(f0) = filter.f0() else { continue };
+        let f0_ts = f0 * f64::from(axis.cycle_time_ns) / 1e9;
+        if f0_ts > NEAR_NYQUIST {
+            let what = match filter {
+                Filter::Allpass { .. } => "phase above it",
+                Filter::Bandpass { .. } | Filter::NoFilter => "upper skirt",
+            };
+            let found = format!(
+                "stage[{i}].filter[{k}] lies at {} of the sampling frequency: its {what} is squeezed against one half",
+                rounded(f0_ts)
+            );
+            let instead =
+                Some(format!("a shorter cycle time, or fg_f0 below {NEAR_NYQUIST} of the sampling frequency"));
+            e.warn(codes::SQUEEZED, (Name::FilterF0, [i, k]), found, instead);
+        }
+    }
+}
+
+/// Stages whose bands intersect influence each other.
+fn overlaps(designed: &Designed, e: &mut Effective<'_>) {
+    let stages = (0..STAGES).zip(designed.axis.ipc.stage.iter().zip(&designed.ipc.stage));
+    let bands: Vec<(u32, &Stage, [f64; 2])> =
+        stages.filter_map(|(i, (stage, design))| Some((i, stage.as_ref()?, band_of(stage.as_ref()?, design.as_ref()?)))).collect();
+    for (n, (i, _, [low, high])) in bands.iter().enumerate() {
+        for (j, other, [other_low, other_high]) in &bands[n + 1..] {
+            if low.max(*other_low) < high.min(*other_high) {
+                let found = format!(
+                    "stage[{i}] ({} to {} Hz) and stage[{j}] ({} to {} Hz) overlap, and influence each other",
+                    rounded(*low),
+                    rounded(*high),
+                    rounded(*other_low),
+                    rounded(*other_high)
+                );
+                let key = (Name::FilterF0, [*j, other.first_bandpass()]);
+                e.warn(codes::OVERLAP, key, found, Some("a higher q_factor, or other frequencies".to_owned()));
+            }
+        }
+    }
+}
+
+/// The band in which all band-passes of a stage lose at most 3 dB, in Hz.
+fn band_of(stage: &Stage, design: &StageDesign) -> [f64; 2] {
+    let filters = stage.filter.iter().zip(&design.passband).filter(|(filter, _)| filter.kind() == FilterType::Bandpass);
+    filters.filter_map(|(_, passband)| *passband).fold([0.0, f64::INFINITY], |[low, high], passband| {
+        [passband.edges[0].max(low), passband.edges[1].min(high)]
+    })
+}

@@ -1,0 +1,272 @@
+//! The rules of improved position control that are errors: a block that breaks one must not act on a machine.
+
+use crate::axis::{Filter, Ipc, Mode, Stage};
+use crate::codes;
+use crate::config::values::key;
+use crate::diagnostics::Diagnostic;
+use crate::number::rounded;
+use crate::parameters::words::{Enable, FilterType, Prototype, StageMode, Words};
+use crate::parameters::{FILTERS, Name, STAGES, Value, path_with, real_text, time_text};
+use crate::rules::effective::{Effective, as_written};
+use portable::{Real, RealKind};
+use reference::signal::sample_limit;
+
+/// The highest f0 * Ts: above, the tangent that the design is made of runs into its pole.
+const MAX_F0_TS: f64 = 0.45;
+
+/// The lowest f0 Ts of a filter. Measured against extended precision with a third-order Butterworth band-pass, Q 10, a
+/// vibration of 1 on a velocity of 500: double keeps 98 dB at 1e-6 (125 dB at 6e-6, 73 dB at 3e-7), single 80 dB at 0.01
+/// (39 dB at 7e-4). Below, what a biquad adds is more and more its own rounding.
+#[must_use]
+pub fn lowest_f0_ts(real: RealKind) -> f64 {
+    match real {
+        RealKind::F64 => 1e-6,
+        RealKind::F32 => 0.01,
+    }
+}
+
+/// Improved position control of one axis; none: an error, which has been said.
+pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option<RealKind>) -> Option<Ipc> {
+    let enable = e.word(key(Name::Enable));
+    gantry(e, enable);
+    let v_add_max_fact = e.integer(key(Name::VAddMaxFact));
+    let v_max = v_max(e, real);
+    let fade = e.duration(key(Name::Fade));
+    // Every stage is judged, so that all errors of all stages are told.
+    let stages: [Option<Option<Stage>>; STAGES as usize] =
+        std::array::from_fn(|i| u32::try_from(i).ok().and_then(|i| stage(e, i, cycle_time, real)));
+    if stages.iter().any(|stage| !matches!(stage, Some(None))) {
+        delay_cycles(e);
+    }
+    let [first, second, third] = stages;
+    #[expect(clippy::cast_precision_loss, reason = "at most 1e12 ns")]
+    let fade = fade? as f64 / 1e9;
+    let ipc =
+        Ipc { enable: enable?, v_add_max_fact: v_add_max_fact?, v_max: v_max?, fade, stage: [first?, second?, third?] };
+    fade_cycles(e, &ipc, cycle_time)?;
+    Some(ipc)
+}
+
+/// Cycles between a command and the actual value that it caused (P-AXIS-00191), where they are given. They tell how much of the
+/// phase a loop loses; nothing in a block is made of them.
+pub(crate) fn delay_cycles(e: &mut Effective<'_>) -> Option<u32> {
+    let key = key(Name::NbrDelayCycles);
+    e.given(key)?;
+    e.validated_integer(key)
+}
+
+/// A gantry slave gets the master's additive velocity: of its own it must have none (70600).
+fn gantry(e: &mut Effective<'_>, enable: Option<Enable>) {
+    let enabled = enable.is_some_and(|enable| enable != Enable::Off);
+    if !is_gantry_slave(e) || !enabled {
+        return;
+    }
+    let master = e.given(key(Name::GantryMaster)).and_then(|setting| setting.value.as_ref());
+    let master = master.map(Value::text).unwrap_or_default();
+    let found = format!(
+        "improved position control is enabled on a gantry slave, whose master is axis {master} (P-AXIS-00070): error \
+         70600 of the controller"
+    );
+    let place = e.place_of(key(Name::Enable));
+    let off = as_written(&place, key(Name::Enable), &[Enable::Off.name()]);
+    let instead = format!("{off} here, and the stages in the list of axis {master}");
+    e.report.push(Diagnostic::error(codes::GANTRY_SLAVE, place, found).instead(instead));
+}
+
+/// Whether the axis follows another one.
+pub(crate) fn is_gantry_slave(e: &mut Effective<'_>) -> bool {
+    master(e).is_some()
+}
+
+/// The logical number of the axis that this one follows.
+pub(crate) fn master(e: &mut Effective<'_>) -> Option<u32> {
+    let own = e.validated_integer(key(Name::AxisNumber));
+    e.validated_integer(key(Name::GantryMaster)).filter(|master| *master > 0 && own != Some(*master))
+}
+
+/// The largest velocity, of the gear step that is used. The block must take it, and twice it, for a usable sample.
+fn v_max(e: &mut Effective<'_>, real: Option<RealKind>) -> Option<f64> {
+    let key = (Name::VbMax, [e.validated_integer(key(Name::Gear))?, 0]);
+    let v_max = e.integer(key).map(f64::from)?;
+    let largest = sample_limit::<f32>().to_f64() / 2.0;
+    if real? == RealKind::F32 && v_max > largest {
+        let found = format!(
+            "`{}` (P-AXIS-00212) is {v_max}: in single precision the block takes more than {} for a bad sample",
+            path_with(key.0.parameter().path, key.1),
+            2.0 * largest
+        );
+        e.report.push(
+            Diagnostic::error(codes::TOO_FAST, e.place_of(key), found)
+                .allowed(format!("vb_max <= {largest} in single precision"))
+                .instead("real = \"f64\" for this axis"),
+        );
+        return None;
+    }
+    Some(v_max)
+}
+
+/// A stage; outer none: an error, which has been said; inner none: it is not active.
+fn stage(e: &mut Effective<'_>, i: u32, cycle_time: Option<u32>, real: Option<RealKind>) -> Option<Option<Stage>> {
+    let word: StageMode = e.word((Name::Mode, [i, 0]))?;
+    let mode = match word {
+        StageMode::NotActive => return Some(None),
+        StageMode::Direct => e.word((Name::DirectSource, [i, 0])).map(|source| Mode::Direct { source }),
+        StageMode::Indirect => osc_damping(e, i).map(|osc_damping| Mode::Indirect { osc_damping }),
+        StageMode::SetPoint => osc_damping(e, i).map(|osc_damping| Mode::SetPoint { osc_damping }),
+    };
+    let weight_fact_num = e.integer((Name::WeightFactNum, [i, 0]));
+    let weight_fact_denom = e.integer((Name::WeightFactDenom, [i, 0]));
+    let filters: [Option<Filter>; FILTERS as usize] =
+        std::array::from_fn(|k| u32::try_from(k).ok().and_then(|k| filter(e, [i, k], cycle_time, real)));
+    let [first, second] = filters;
+    let filter = [first?, second?];
+    if filter.iter().all(|filter| filter.kind() != FilterType::Bandpass) {
+        let place = e.place_of((Name::FilterType, [i, 0]));
+        let found = format!("stage[{i}] is {} and has no band-pass", word.name());
+        let instead = as_written(&place, (Name::FilterType, [i, 0]), &[FilterType::Bandpass.name()]);
+        e.report.push(
+            Diagnostic::error(codes::NO_BANDPASS, place, found)
+                .allowed("at least one BANDPASS in every active stage (P-AXIS-00849)")
+                .instead(instead),
+        );
+        return None;
+    }
+    Some(Some(Stage { mode: mode?, weight_fact_num: weight_fact_num?, weight_fact_denom: weight_fact_denom?, filter }))
+}
+
+/// Damping ratio from P-AXIS-00850 or its predecessor P-AXIS-00756; both with different values: an error.
+fn osc_damping(e: &mut Effective<'_>, i: u32) -> Option<f64> {
+    let keys = [(Name::OscDamping, [i, 0]), (Name::FilterDamping, [i, 0])];
+    let [new, old] = keys.map(|key| e.given(key));
+    if [new, old].into_iter().flatten().any(|setting| setting.value.is_none()) {
+        return None;
+    }
+    let [new_value, old_value] = [new, old].map(|setting| match setting.and_then(|setting| setting.value.as_ref()) {
+        Some(Value::Real(x)) if *x > 0.0 => Some(*x),
+        _ => None,
+    });
+    if let (Some(new_value), Some(old_value), Some(old)) = (new_value, old_value, old)
+        && new_value.to_bits() != old_value.to_bits()
+    {
+        let found = format!(
+            "{} is {}, and its predecessor {} is {}",
+            Name::OscDamping.parameter().title(Name::OscDamping.parameter().path, keys[0].1),
+            real_text(new_value),
+            Name::FilterDamping.parameter().title(old.spelling, keys[1].1),
+            real_text(old_value)
+        );
+        let diagnostic = Diagnostic::error(codes::DAMPING, e.place_of(keys[0]), found);
+        e.report.push(diagnostic.allowed("one of the two, or equal values").instead("only P-AXIS-00850"));
+        return None;
+    }
+    // What was given is judged: of two that are none, the newer one.
+    let key =
+        if new_value.is_none() && (old_value.is_some() || new.is_none() && old.is_some()) { keys[1] } else { keys[0] };
+    let value = e.validated(key)?;
+    // Which of the two it came from changes nothing in the block.
+    e.note(keys[0], &value);
+    match value {
+        Value::Real(damping) => Some(damping),
+        _ => None,
+    }
+}
+
+/// Which of the two parameters the damping of a stage comes from.
+pub(crate) fn damping_given(e: &Effective<'_>, i: u32) -> Name {
+    let is_new = e.given((Name::OscDamping, [i, 0])).is_some();
+    if !is_new && e.given((Name::FilterDamping, [i, 0])).is_some() { Name::FilterDamping } else { Name::OscDamping }
+}
+
+fn filter(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u32>, real: Option<RealKind>) -> Option<Filter> {
+    match e.word((Name::FilterType, index))? {
+        FilterType::NoFilter => Some(Filter::NoFilter),
+        FilterType::Bandpass => {
+            let prototype = prototype(e, index);
+            let order = e.integer((Name::FilterOrder, index));
+            let f0 = f0(e, index, cycle_time, real);
+            let q_factor = e.real((Name::FilterQ, index));
+            let order = usize::try_from(order?).ok()?;
+            Some(Filter::Bandpass { prototype: prototype?, order, f0: f0?, q_factor: q_factor? })
+        }
+        FilterType::Allpass => {
+            let f0 = f0(e, index, cycle_time, real);
+            let q_factor = e.real((Name::FilterQ, index));
+            Some(Filter::Allpass { f0: f0?, q_factor: q_factor? })
+        }
+    }
+}
+
+/// The prototype; behind the first filter it has no default.
+fn prototype(e: &mut Effective<'_>, index: [u32; 2]) -> Option<Prototype> {
+    let key = (Name::FilterPrototype, index);
+    let parameter = key.0.parameter();
+    if index[1] > 0 && e.given(key).is_none() {
+        let found = format!(
+            "{} is missing: the band-pass in filter[{}] needs it in writing",
+            parameter.title(parameter.path, index),
+            index[1]
+        );
+        let place = e.place_of((Name::FilterType, index));
+        let instead = as_written(&place, key, &[Prototype::CritDamping.name()]);
+        let diagnostic = Diagnostic::error(codes::PROTOTYPE, place, found);
+        e.report.push(diagnostic.allowed(parameter.allowed()).instead(instead));
+        return None;
+    }
+    e.word(key)
+}
+
+/// The frequency, which the cycle time bounds from above and single precision from below.
+fn f0(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u32>, real: Option<RealKind>) -> Option<f64> {
+    let key = (Name::FilterF0, index);
+    let f0 = e.real(key)?;
+    let Some(ns) = cycle_time else { return Some(f0) };
+    // In nanoseconds, where 450 Hz and 1 ms make exactly 0.45.
+    let f0_ts = f0 * f64::from(ns) / 1e9;
+    let time = time_text(u64::from(ns));
+    if f0_ts > MAX_F0_TS {
+        let highest = (MAX_F0_TS * 1e9 / f64::from(ns) * 1e3).floor() / 1e3;
+        let found = format!("{} is {} Hz, {} of the sampling frequency", e.title(key), real_text(f0), rounded(f0_ts));
+        let allowed =
+            format!("fg_f0 <= {highest} Hz at a cycle time of {time} ({MAX_F0_TS} of the sampling frequency)");
+        e.report.push(Diagnostic::error(codes::NYQUIST, e.place_of(key), found).allowed(allowed));
+        return None;
+    }
+    let Some(real) = real else { return Some(f0) };
+    if f0_ts < lowest_f0_ts(real) {
+        let (precision, instead) = match real {
+            RealKind::F32 => ("single precision", "real = \"f64\" for this axis"),
+            RealKind::F64 => ("double precision", "a longer cycle time, or a higher frequency"),
+        };
+        let least = (lowest_f0_ts(real) * 1e9 / f64::from(ns) * 1e6).ceil() / 1e6;
+        let found = format!(
+            "{} is {} Hz, {} of the sampling frequency: {precision} loses so narrow and low a filter; it needs another \
+             structure, which this version does not have",
+            e.title(key),
+            real_text(f0),
+            real_text(rounded(f0_ts))
+        );
+        let allowed = format!("fg_f0 >= {least} Hz in {precision} at a cycle time of {time}");
+        let diagnostic = Diagnostic::error(codes::TOO_LOW, e.place_of(key), found);
+        e.report.push(diagnostic.allowed(allowed).instead(instead));
+        return None;
+    }
+    Some(f0)
+}
+
+/// The fade is counted in cycles, which single precision must count too.
+fn fade_cycles(e: &mut Effective<'_>, ipc: &Ipc, cycle_time: Option<u32>) -> Option<()> {
+    let ns = cycle_time?;
+    let cycles = ipc.fade_time() * 1e9 / f64::from(ns);
+    if cycles <= Ipc::MAX_FADE_CYCLES {
+        return Some(());
+    }
+    let key = key(Name::Fade);
+    let longest = Ipc::MAX_FADE_CYCLES * f64::from(ns) / 1e9;
+    let time = time_text(u64::from(ns));
+    let how = if e.given(key).is_some() { "is" } else { "has the default, or one period of the lowest fg_f0:" };
+    let found = format!("`fade` {how} {} s, {} cycles", real_text(ipc.fade_time()), cycles.ceil());
+    let allowed = format!("{} cycles: {} s at a cycle time of {time}", Ipc::MAX_FADE_CYCLES, real_text(longest));
+    let instead = format!("fade = \"{}s\" at the most, or a longer cycle time", real_text(longest));
+    e.report.push(Diagnostic::error(codes::FADE, e.place_of(key), found).allowed(allowed).instead(instead));
+    None
+}

@@ -1,0 +1,134 @@
+//! What each coefficient means physically, one line each, for the reviewer of a generated block. No design.
+
+use super::design::{Element, Passband, Section, StageDesign};
+use crate::axis::{Axis, Filter, Mode, Stage};
+use crate::design::band::{frequency, warped};
+use crate::design::response;
+use crate::designed::Designed;
+use crate::number::digits;
+use crate::parameters::words::Words;
+use portable::RealKind;
+
+/// Path prefixes in the tree of coefficients (`stage[0].filter[1]`, `limit`) and what stands there, in the order of the
+/// tree; what is not there, or says all in its doc comment, has no note. ASCII; a parameter as the user wrote it, a computed number with seven digits.
+pub(crate) fn notes(designed: &Designed) -> Vec<(String, String)> {
+    let axis = &designed.axis;
+    let enable = format!("mode at start: {} (P-AXIS-00758)", axis.ipc.enable.name());
+    let mut notes = vec![note("cycle_time_ns", cycle_time(axis)), note("enable", enable)];
+    for (i, (stage, design)) in axis.ipc.stage.iter().zip(&designed.ipc.stage).enumerate() {
+        if let (Some(stage), Some(design)) = (stage, design) {
+            notes.extend(of_stage(&format!("stage[{i}]"), stage, design, axis.cycle_time()));
+            notes.push((format!("stage[{i}].gain"), of_gain(i, stage, designed)));
+        }
+    }
+    notes.push(note("limit", of_limit(axis)));
+    notes.push(note("rest", of_rest(axis.real)));
+    notes.push(note("fade_cycles", of_fade(axis)));
+    notes
+}
+
+/// What holds for every block.
+pub(crate) fn cycle_time(axis: &Axis) -> String {
+    format!("cycle time {} us, the coefficients hold for no other", digits(f64::from(axis.cycle_time_ns) / 1000.0))
+}
+
+fn of_stage(path: &str, stage: &Stage, design: &StageDesign, cycle_time: f64) -> Vec<(String, String)> {
+    let mut notes = vec![note(path, format!("{}, {}", of_mode(stage.mode), of_weight(stage)))];
+    for (k, (filter, passband)) in stage.filter.iter().zip(&design.passband).enumerate() {
+        notes.extend(of_filter(filter, passband.as_ref()).map(|text| (format!("{path}.filter[{k}]"), text)));
+    }
+    notes.extend(design.section.iter().filter_map(|section| {
+        Some((section.element.to_string(), of_section(section, stage, cycle_time)?))
+    }));
+    notes
+}
+
+fn of_mode(mode: Mode) -> String {
+    let text = mode.text();
+    let (word, source) = text.split_once(' ').unwrap_or((&text, ""));
+    format!("{word} (P-AXIS-00753) {source}")
+}
+
+fn of_weight(stage: &Stage) -> String {
+    let (num, denom) = (stage.weight_fact_num, stage.weight_fact_denom);
+    let written = f64::from(num) / f64::from(denom);
+    let cap = if written > Stage::MAX_WEIGHT { format!(", capped at {}", Stage::MAX_WEIGHT) } else { String::new() };
+    format!("weight {num}/{denom} = {} (P-AXIS-00754/00755){cap}", digits(written))
+}
+
+fn of_oscillation(f0: f64, damping: f64) -> String {
+    let lag = 1.0 / (2.0 * damping); // H(f0) = 1 - j lag
+    let gain = digits(libm::sqrt(1.0 + lag * lag));
+    let phase = digits(-libm::atan(lag).to_degrees());
+    format!(
+        "simulated oscillation of the load, f0 of the first BANDPASS {f0} Hz (P-AXIS-00751), damping ratio {damping} \
+         (P-AXIS-00850): gain 1 at DC, {gain} and {phase} deg at f0"
+    )
+}
+
+fn of_filter(filter: &Filter, passband: Option<&Passband>) -> Option<String> {
+    let [lower, upper] = passband?.edges.map(digits);
+    let kind = filter.kind().name();
+    match filter {
+        Filter::NoFilter => None,
+        Filter::Bandpass { prototype, order, f0, q_factor } => Some(format!(
+            "{kind} {} order {order} (P-AXIS-00849, 00848, 00750): centre frequency {f0} Hz (P-AXIS-00751), quality factor \
+             {q_factor} (P-AXIS-00752), -3 dB at {lower} and {upper} Hz",
+            prototype.name()
+        )),
+        Filter::Allpass { f0, q_factor } => Some(format!(
+            "{kind} (P-AXIS-00849): -180 deg at {f0} Hz (P-AXIS-00751), quality factor {q_factor} (P-AXIS-00752), -90 deg at \
+             {lower} and -270 deg at {upper} Hz"
+        )),
+    }
+}
+
+/// An all-pass says all in the note on its filter.
+fn of_section(section: &Section, stage: &Stage, cycle_time: f64) -> Option<String> {
+    match section.element {
+        Element::Oscillation { .. } => Some(of_oscillation(stage.f0(), stage.mode.osc_damping()?)),
+        Element::Allpass { .. } => None,
+        Element::Bandpass { filter, section: j, .. } => {
+            let Filter::Bandpass { order, f0, .. } = stage.filter[filter] else { return None };
+            let centre = digits(frequency(section.g, cycle_time));
+            let [quality, gain] = [1.0 / section.k, section.c].map(digits);
+            Some(format!(
+                "section {} of {order}: centre frequency {centre} Hz, quality factor {quality}, gain {gain} there and 1 at {f0} Hz",
+                j + 1
+            ))
+        }
+    }
+}
+
+fn of_gain(index: usize, stage: &Stage, designed: &Designed) -> String {
+    let f0 = stage.f0();
+    let h = response::of_stage(&designed.ipc.coeffs.stage[index], warped(f0, designed.axis.cycle_time()));
+    let magnitude = digits(response::magnitude(h));
+    let phase = response::phase(h);
+    let phase = digits(if phase < -179.9999999 { phase + 360.0 } else { phase });
+    format!("-weight, against the vibration; at {f0} Hz the stage adds {magnitude} times its source at {phase} deg")
+}
+
+fn of_limit(axis: &Axis) -> String {
+    let (fact, v_max) = (axis.ipc.v_add_max_fact, axis.ipc.v_max);
+    let limit = digits(axis.ipc.limit());
+    format!("largest |v_add| = {limit}: {fact} * 0.1 % (P-AXIS-00757) of {v_max} (P-AXIS-00212)")
+}
+
+fn of_rest(real: RealKind) -> String {
+    let exponent = match real {
+        RealKind::F64 => -60,
+        RealKind::F32 => -40,
+    };
+    format!("P-AXIS-00212 * 2^{exponent}: a sum below it is exactly 0")
+}
+
+fn of_fade(axis: &Axis) -> String {
+    let fade = axis.ipc.fade_time();
+    let reason = if fade > axis.ipc.fade { "one period of the lowest f0" } else { "key fade" };
+    format!("OFF to ON takes {} s ({reason}), in cycles", digits(fade))
+}
+
+pub(crate) fn note(path: &str, text: String) -> (String, String) {
+    (path.to_owned(), text)
+}

@@ -1,0 +1,93 @@
+//! What turns the phase of a stage: the delay of its loop, the load, an all-pass. Warnings about an axis that is valid.
+
+use super::check::delay_cycles;
+use super::design::StageDesign;
+use crate::axis::{Filter, Mode, Stage};
+use crate::codes;
+use crate::design::band::{Band, warped};
+use crate::number::rounded;
+use crate::parameters::words::{DirectSource, FilterType};
+use crate::parameters::{FILTERS, Name, real_text};
+use crate::rules::effective::Effective;
+
+/// A loop through the measured velocity costs one cycle of transport at the least.
+const LEAST_DELAY_CYCLES: f64 = 1.0;
+/// The hold of the command costs half a cycle.
+const HOLD_CYCLES: f64 = 0.5;
+/// Beyond this lag of the delay alone, in degrees, what drive and mechanics add will soon make it 90.
+const MUCH_DELAY: f64 = 60.0;
+/// An all-pass that turns by 180 degrees, but for so many, inverts.
+const NEARLY_INVERTED: f64 = 10.0;
+
+/// Says where the phase of an active stage may be another than its user thinks.
+pub(crate) fn advise(e: &mut Effective<'_>, i: u32, stage: &Stage, design: &StageDesign, cycle_time: f64) {
+    direct_source(e, i, stage);
+    delay(e, i, stage, cycle_time);
+    polarity(e, i, stage, design, cycle_time);
+}
+
+/// What is fed back from the load lags more than what is fed back from the motor.
+fn direct_source(e: &mut Effective<'_>, i: u32, stage: &Stage) {
+    let from_load = stage.mode == Mode::Direct { source: DirectSource::Direct };
+    if from_load && !(has_allpass(stage) && stage.weight() <= 1.0) {
+        let found = format!(
+            "stage[{i}] feeds back v_direct, which lags by the drive, the mechanics and the delay: beyond 90 degrees at \
+             f0 an all-pass is mandatory, or the loop is unstable"
+        );
+        let instead = match has_allpass(stage) {
+            true => "a weight of at most 1".to_owned(),
+            false => format!("an ALLPASS in filter[{}], and a weight of at most 1", 1 - stage.first_bandpass()),
+        };
+        e.warn(codes::LAG, (Name::DirectSource, [i, 0]), found, Some(instead));
+    }
+}
+
+/// The delay of the loop turns the phase, which an all-pass turns back. A pre-filter (SET_POINT) has no loop.
+fn delay(e: &mut Effective<'_>, i: u32, stage: &Stage, cycle_time: f64) {
+    let given = delay_cycles(e);
+    let cycles = given.map_or(LEAST_DELAY_CYCLES, f64::from) + HOLD_CYCLES;
+    let lag = 360.0 * stage.f0() * cycle_time * cycles;
+    if lag > MUCH_DELAY && !has_allpass(stage) && !matches!(stage.mode, Mode::SetPoint { .. }) {
+        let k = stage.first_bandpass();
+        let how = match given {
+            Some(given) => format!("{given} cycles (P-AXIS-00191) and half a cycle of the hold"),
+            None => format!("{cycles} cycles at the least"),
+        };
+        let found = format!(
+            "stage[{i}] at {} Hz: the delay of the loop alone, {how}, costs {} degrees; beyond 90 degrees in all it excites \
+             what it is to damp",
+            real_text(stage.f0()),
+            rounded(lag)
+        );
+        let instead = Some("an ALLPASS in the other filter, SET_POINT, or a shorter cycle time".to_owned());
+        e.warn(codes::DELAY, (Name::FilterF0, [i, k]), found, instead);
+    }
+}
+
+/// An all-pass at the frequency of the band-pass, or nearly there, turns by 180 degrees.
+fn polarity(e: &mut Effective<'_>, i: u32, stage: &Stage, design: &StageDesign, cycle_time: f64) {
+    for ((k, filter), passband) in (0..FILTERS).zip(&stage.filter).zip(&design.passband) {
+        let (Filter::Allpass { f0, .. }, Some(passband)) = (*filter, passband) else { continue };
+        let turn = turn(&passband.band, warped(stage.f0(), cycle_time));
+        if (turn + 180.0).abs() > NEARLY_INVERTED {
+            continue;
+        }
+        let what = match f0.to_bits() == stage.f0().to_bits() {
+            true => "is an all-pass at the f0 of the band-pass".to_owned(),
+            false => format!("is an all-pass that turns by {} degrees at the f0 of the band-pass", rounded(turn)),
+        };
+        let found = format!("stage[{i}].filter[{k}] {what}: it inverts the stage's polarity");
+        let instead = Some("an fg_f0 farther from it, unless the inversion is meant".to_owned());
+        e.warn(codes::POLARITY, (Name::FilterF0, [i, k]), found, instead);
+    }
+}
+
+/// Phase of an all-pass in degrees at a point t = tan(pi f Ts) of the warped axis, 0 to -360:
+/// H(j t) = (Omega0^2 - t^2 - j B t) / (Omega0^2 - t^2 + j B t).
+fn turn(band: &Band, t: f64) -> f64 {
+    -2.0 * libm::atan2(band.bandwidth * t, (band.omega0 - t) * (band.omega0 + t)).to_degrees()
+}
+
+fn has_allpass(stage: &Stage) -> bool {
+    stage.filter.iter().any(|filter| filter.kind() == FilterType::Allpass)
+}

@@ -1,0 +1,184 @@
+//! Two versions of a stage beside each other: what was set, and what it does at the centre frequencies.
+
+use super::super::values::is_same;
+use super::design::StageDesign;
+use crate::axis::{Filter, Stage};
+use crate::design::response::{magnitude, of_stage, phase};
+use crate::design::band::warped;
+use crate::designed::Designed;
+use crate::number::{decibels, decimals, pair, percent, significant};
+use crate::parameters::words::{FilterType, StageMode, Words};
+use reference::stage::Coeffs;
+
+/// A stage of a version of an axis, with what design made of it.
+pub(crate) struct Version<'d> {
+    stage: &'d Stage,
+    design: &'d StageDesign,
+    coeffs: &'d Coeffs<f64>,
+    cycle_time: f64,
+}
+
+impl<'d> Version<'d> {
+    /// The stage of that index, if it is active.
+    pub(crate) fn of(of: &'d Designed, index: usize) -> Option<Self> {
+        let (stage, design) = (of.axis.ipc.stage[index].as_ref()?, of.ipc.stage[index].as_ref()?);
+        Some(Self { stage, design, coeffs: &of.ipc.coeffs.stage[index], cycle_time: of.axis.cycle_time() })
+    }
+}
+
+/// What differs, in one line; none: nothing.
+pub(crate) fn difference(old: Option<&Version<'_>>, new: Option<&Version<'_>>) -> Option<String> {
+    match (old, new) {
+        (None, None) => None,
+        (Some(old), None) => Some(format!("{} -> {}", description(old), StageMode::NotActive.name())),
+        (None, Some(new)) => Some(format!("{} -> {}", StageMode::NotActive.name(), description(new))),
+        (Some(old), Some(new)) => between(old, new),
+    }
+}
+
+/// A stage that has no older version.
+pub(crate) fn description(of: &Version<'_>) -> String {
+    let stage = of.stage;
+    let weight = stage.weight();
+    let mut parts =
+        vec![stage.mode.text(), format!("weight {} ({} dB)", significant(weight, 7), decimals(decibels(weight), 2))];
+    parts.extend(stage.mode.osc_damping().map(|damping| format!("damping {damping}")));
+    let filters = (0..stage.filter.len()).filter(|index| stage.filter[*index].kind() != FilterType::NoFilter);
+    parts.extend(filters.map(|index| filter(of, index)));
+    parts.join(", ")
+}
+
+fn between(old: &Version<'_>, new: &Version<'_>) -> Option<String> {
+    let mut parts = Vec::new();
+    let [source_old, source_new] = [old, new].map(|of| of.stage.mode.text());
+    if source_old != source_new {
+        parts.push(format!("{source_old} -> {source_new}"));
+    }
+    let [weight_old, weight_new] = [old, new].map(|of| of.stage.weight());
+    if !is_same(weight_old, weight_new) {
+        let [a, b] = [weight_old, weight_new].map(|weight| decimals(decibels(weight), 2));
+        parts.push(format!("weight {} ({a} -> {b} dB)", pair(weight_old, weight_new, 4)));
+    }
+    match [old, new].map(|of| of.stage.mode.osc_damping()) {
+        [Some(a), Some(b)] if !is_same(a, b) => parts.push(format!("damping {}", pair(a, b, 4))),
+        [Some(a), None] => parts.push(format!("damping {a} -> none")),
+        [None, Some(b)] => parts.push(format!("damping none -> {b}")),
+        _ => {}
+    }
+    let several = [old, new].iter().any(|of| !of.stage.filter.contains(&Filter::NoFilter));
+    for index in 0..old.stage.filter.len() {
+        let prefix = if several { format!("filter[{index}]: ") } else { String::new() };
+        let differs = filters(old, new, index);
+        parts.extend(differs.map(|differs| format!("{prefix}{differs}")));
+    }
+    parts.extend(effects(old, new));
+    let [decay_old, decay_new] = [old, new].map(decay);
+    if significant(decay_old, 4) != significant(decay_new, 4) {
+        parts.push(format!("slowest decay to 1/e {} s", pair(decay_old, decay_new, 4)));
+    }
+    (!parts.is_empty()).then(|| parts.join("; "))
+}
+
+fn filter(of: &Version<'_>, index: usize) -> String {
+    let filter = &of.stage.filter[index];
+    let (kind, edges) = (filter.kind().name(), edges_of(of, index));
+    match *filter {
+        Filter::NoFilter => kind.to_owned(),
+        Filter::Bandpass { prototype, order, f0, .. } => {
+            format!("{kind} {} order {order} at {f0} Hz, edges {} Hz", prototype.name(), range(edges, 4))
+        }
+        Filter::Allpass { f0, .. } => {
+            let [lower, upper] = edges.map(|edge| significant(edge, 4));
+            format!("{kind} with -180 deg at {f0} Hz, -90 at {lower} and -270 at {upper} Hz")
+        }
+    }
+}
+
+fn filters(old: &Version<'_>, new: &Version<'_>, index: usize) -> Option<String> {
+    let edges = [old, new].map(|of| edges_of(of, index));
+    match (old.stage.filter[index], new.stage.filter[index]) {
+        (Filter::NoFilter, Filter::NoFilter) => None,
+        (
+            Filter::Bandpass { prototype: from, order: order_old, f0: f0_old, q_factor: q_old },
+            Filter::Bandpass { prototype: to, order: order_new, f0: f0_new, q_factor: q_new },
+        ) => {
+            let mut parts = bands([f0_old, f0_new], [q_old, q_new], edges);
+            if order_old != order_new {
+                parts.push(format!("order {order_old} -> {order_new}"));
+            }
+            // All prototypes of order 1 are the same filter.
+            if from != to && order_old.max(order_new) > 1 {
+                parts.push(format!("{} -> {}", from.name(), to.name()));
+            }
+            (!parts.is_empty()).then(|| parts.join(", "))
+        }
+        (Filter::Allpass { f0: f0_old, q_factor: q_old }, Filter::Allpass { f0: f0_new, q_factor: q_new }) => {
+            let parts = bands([f0_old, f0_new], [q_old, q_new], edges);
+            (!parts.is_empty()).then(|| format!("{} {}", FilterType::Allpass.name(), parts.join(", ")))
+        }
+        _ => Some(format!("{} -> {}", filter(old, index), filter(new, index))),
+    }
+}
+
+/// Centre, quality factor and edges; the edges move with the cycle time too, by the warping of the frequency axis.
+fn bands([f0_old, f0_new]: [f64; 2], [q_old, q_new]: [f64; 2], edges: [[f64; 2]; 2]) -> Vec<String> {
+    let mut parts = Vec::new();
+    if !is_same(f0_old, f0_new) {
+        parts.push(format!("centre frequency {} Hz{}", pair(f0_old, f0_new, 4), percent(f0_old, f0_new)));
+    }
+    if !is_same(q_old, q_new) {
+        let bandwidth = pair(f0_old / q_old, f0_new / q_new, 4);
+        parts.push(format!("quality factor {}, bandwidth {bandwidth} Hz", pair(q_old, q_new, 4)));
+    }
+    let text = |digits| edges.map(|edges| range(edges, digits));
+    if !parts.is_empty() || text(7)[0] != text(7)[1] {
+        let apart = (4..10).map(text).find(|[a, b]| a != b).unwrap_or_else(|| text(4));
+        parts.push(format!("edges {} Hz", apart.join(" -> ")));
+    }
+    parts
+}
+
+/// The edges of a filter; 0 where there is none.
+fn edges_of(of: &Version<'_>, index: usize) -> [f64; 2] {
+    of.design.passband[index].map_or([0.0; 2], |passband| passband.edges)
+}
+
+/// What the whole stage does at the old and at the new centre frequency, before and after; what stays is left out.
+fn effects(old: &Version<'_>, new: &Version<'_>) -> Vec<String> {
+    let [f0_old, f0_new] = [old, new].map(|of| of.stage.f0());
+    let second = (!is_same(f0_old, f0_new)).then_some(f0_new);
+    [Some(f0_old), second].into_iter().flatten().filter_map(|f0| effect(old, new, f0)).collect()
+}
+
+fn effect(old: &Version<'_>, new: &Version<'_>, f0: f64) -> Option<String> {
+    // Beyond half the sampling frequency there is nothing to see.
+    if [old, new].iter().any(|of| f0 * of.cycle_time >= 0.5) {
+        return None;
+    }
+    let [before, after] = [old, new].map(|of| of_stage(of.coeffs, warped(f0, of.cycle_time)));
+    let gains = [before, after].map(|h| decimals(decibels(magnitude(h)), 2));
+    let from = phase(before);
+    let from = if from < -179.95 { from + 360.0 } else { from };
+    // The shorter way round.
+    let turn = phase(after) - from;
+    let phases = [from, from + turn - 360.0 * libm::round(turn / 360.0)].map(|degrees| decimals(degrees, 1));
+    if gains[0] == gains[1] && phases[0] == phases[1] {
+        return None;
+    }
+    let text = |[a, b]: [String; 2]| if a == b { a } else { format!("{a} -> {b}") };
+    Some(format!("at {} Hz: {} dB, {} deg", significant(f0, 7), text(gains), text(phases)))
+}
+
+/// Time in which the slowest pole of a stage decays to 1/e [s]: -Ts / ln r, r its distance from the origin.
+fn decay(of: &Version<'_>) -> f64 {
+    let logarithm = |[a1, a2]: [f64; 2]| {
+        let square = a1 * a1 / 4.0 - a2;
+        if square < 0.0 { libm::log1p(a2 - 1.0) / 2.0 } else { libm::log(a1.abs() / 2.0 + libm::sqrt(square)) }
+    };
+    let poles = of.design.section.iter().map(|section| logarithm([section.a1, section.a2]));
+    -of.cycle_time / poles.fold(f64::NEG_INFINITY, f64::max)
+}
+
+fn range(edges: [f64; 2], digits: usize) -> String {
+    edges.map(|edge| significant(edge, digits)).join("..")
+}

@@ -1,0 +1,39 @@
+//! What improved position control of an axis does, in a few lines.
+
+use super::super::part::Summary;
+use crate::axis::{Filter, Stage};
+use crate::designed::Designed;
+use crate::parameters::words::{StageMode, Words};
+
+/// How it starts, its limit and its fade; a line for each stage.
+pub(crate) fn summary(designed: &Designed) -> Summary {
+    let ipc = &designed.axis.ipc;
+    let head = format!(
+        ", starts {}, |v_add| <= {}, fades in {} cycles",
+        ipc.enable.name(),
+        ipc.limit(),
+        designed.ipc.coeffs.fade_cycles
+    );
+    let line = |(index, stage): (usize, &Option<Stage>)| {
+        let what = stage.as_ref().map_or_else(|| StageMode::NotActive.name().to_owned(), of_stage);
+        format!("stage[{index}] {what}")
+    };
+    Summary { head, lines: ipc.stage.iter().enumerate().map(line).collect() }
+}
+
+fn of_stage(stage: &Stage) -> String {
+    let damping = stage.mode.osc_damping().map_or_else(String::new, |damping| format!(", damping {damping}"));
+    let filters: Vec<String> = stage.filter.iter().filter_map(of_filter).collect();
+    format!("{}{damping}: {}, weight {}", stage.mode.text(), filters.join(", "), stage.weight())
+}
+
+fn of_filter(filter: &Filter) -> Option<String> {
+    let kind = filter.kind().name();
+    match filter {
+        Filter::NoFilter => None,
+        Filter::Bandpass { prototype, order, f0, q_factor } => {
+            Some(format!("{kind} {} order {order} at {f0} Hz, Q {q_factor}", prototype.name()))
+        }
+        Filter::Allpass { f0, q_factor } => Some(format!("{kind} at {f0} Hz, Q {q_factor}")),
+    }
+}

@@ -1,0 +1,59 @@
+//! The function blocks that an axis may have, a folder each, and their registry.
+//!
+//! ```text
+//! part    what a block's folder says of it             build   design -> verified program, self-test, recorded run
+//! kind    a block as the registry has it               values  named values beside each other, for the semantic diff
+//! ```
+//! A folder: `check` (rules), `design` (coefficients), `notes` (what each number means), `diff`, `summary`, and what the block
+//! needs beside them.
+
+pub(crate) mod axis;
+pub mod build;
+pub(crate) mod feedforward;
+pub mod ipc;
+pub mod kind;
+pub(crate) mod part;
+pub(crate) mod position_control;
+mod values;
+
+
+pub use build::Block;
+pub use kind::{Kind, Run};
+pub(crate) use values::is_same;
+
+use crate::axis::Axis;
+use crate::designed::Designed;
+use compiler::pass::Defect;
+
+/// All blocks, in the order in which an axis needs them.
+pub const BLOCKS: [&dyn Kind; 4] = [
+    &reference::ipc::Ipc,
+    &reference::feedforward::Feedforward,
+    &reference::position_control::PositionControl,
+    &reference::axis::Axis,
+];
+
+/// The blocks that the parameters of an axis ask for.
+pub fn of_axis(axis: &Axis) -> impl Iterator<Item = &'static dyn Kind> {
+    BLOCKS.into_iter().filter(|kind| kind.is_asked_for(axis))
+}
+
+/// Their names.
+#[must_use]
+pub fn names(axis: &Axis) -> Vec<&'static str> {
+    of_axis(axis).map(Kind::name).collect()
+}
+
+/// The block of that name.
+#[must_use]
+pub fn named(name: &str) -> Option<&'static dyn Kind> {
+    BLOCKS.into_iter().find(|kind| kind.name() == name)
+}
+
+/// The blocks of an axis, ready to be printed.
+///
+/// # Errors
+/// A defect of a block or of a pass.
+pub fn blocks(designed: &Designed) -> Result<Vec<Block>, Defect> {
+    of_axis(&designed.axis).map(|kind| kind.block(designed)).collect()
+}

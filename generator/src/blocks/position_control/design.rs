@@ -1,0 +1,61 @@
+//! Position control: gain, lag, scalings.
+
+use crate::axis::{Axis, Location, PositionControl, Width};
+use crate::design::{delay, scale};
+use reference::{axis, position_control};
+
+/// Coefficients of position control for one axis; of an axis without it all zero.
+///
+/// - kv = getriebe.kv * 0.01 1/s (P-AXIS-00099); lag = 1 / kv.
+/// - manipulated_scale = [`scale::manipulated`].
+/// - velocity_scale = [`scale::velocity`].
+/// - xerr_scale = 10 R, in increments per um or 0.001 deg, R as in [`scale::resolution`].
+#[must_use]
+pub fn coefficients(axis: &Axis) -> position_control::Coeffs<f64> {
+    let Some(of) = &axis.control.position_control else { return position_control::Coeffs::default() };
+    let quantities = axis.control.feedforward.as_ref();
+    let velocity = of.velocity.as_ref();
+    position_control::Coeffs {
+        cycle_time_ns: axis.cycle_time_ns,
+        place: match of.location {
+            Location::Cnc => position_control::Place::Cnc,
+            Location::Drive => position_control::Place::Drive,
+            Location::Profidrive => position_control::Place::Profidrive,
+        },
+        feedforward: quantities.is_some_and(|feedforward| feedforward.conventional.any()),
+        additive: quantities.is_some_and(|feedforward| feedforward.additive.any()),
+        adds: adds(axis, of),
+        torque: quantities.is_some_and(|feedforward| feedforward.torque.any()),
+        kv: kv(of),
+        lag: if of.kv > 0 { 100.0 / f64::from(of.kv) } else { 0.0 },
+        manipulated_scale: scale::manipulated(of.multi_gain),
+        manipulated_range: scale::range(of.command, axis.real),
+        shift: delay::whole(of.shift_time),
+        xerr_scale: of.resolution.as_ref().map_or(0.0, |resolution| 10.0 * scale::resolution(resolution)),
+        xerr_range: scale::range(Width::Int32, axis.real),
+        velocity_scale: velocity.map_or(0.0, |velocity| scale::velocity(velocity, axis.cycle_time_ns)),
+        velocity_range: scale::range(velocity.map_or(Width::Int32, |velocity| velocity.width), axis.real),
+    }
+}
+
+/// Gain of the position controller Kv [1/s].
+pub(crate) fn kv(of: &PositionControl) -> f64 {
+    f64::from(of.kv) / 100.0
+}
+
+/// Whether an additive velocity of improved position control goes out: its own, or the gantry master's.
+fn adds(axis: &Axis, of: &PositionControl) -> bool {
+    addition(axis) != axis::Addition::None && (of.location == Location::Cnc || of.velocity.is_some())
+}
+
+/// Where the additive velocity comes from.
+pub(crate) fn addition(axis: &Axis) -> axis::Addition {
+    let control = &axis.control;
+    if control.master.is_some() {
+        control.master_limit.map_or(axis::Addition::None, |_| axis::Addition::Master)
+    } else if axis.ipc.is_active() {
+        axis::Addition::Ipc
+    } else {
+        axis::Addition::None
+    }
+}

@@ -1,0 +1,42 @@
+//! What each coefficient of position control means physically. No design.
+
+use super::super::feedforward::notes::{of_velocity, of_width};
+use super::super::ipc::notes::{cycle_time, note};
+use super::design::kv;
+use crate::axis::{Axis, Location, PositionControl};
+use crate::design::scale;
+use crate::number::digits;
+
+/// Notes on position control.
+pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
+    let Some(of) = &axis.control.position_control else { return Vec::new() };
+    let mut notes = vec![note("cycle_time_ns", cycle_time(axis))];
+    let kv = digits(kv(of));
+    match of.location {
+        Location::Cnc => {
+            notes.push(note("kv", format!("position control in the CNC: Kv = {kv}/s (P-AXIS-00099)")));
+            notes.push(note("manipulated_scale", of_gain(of)));
+            notes.push(note("manipulated_range", of_width(of.command)));
+        }
+        Location::Drive | Location::Profidrive => {
+            let check = "the drive must have the same (SERCOS S-0-0104, CANopen 30C0h:01)";
+            notes.push(note("lag", format!("1/Kv, Kv = {kv}/s (P-AXIS-00099): {check}")));
+        }
+    }
+    if let Some(resolution) = &of.resolution {
+        let increments = digits(scale::resolution(resolution));
+        let text = format!(
+            "path resolution R = {increments} increments per 0.1 um or 0.0001 deg (P-AXIS-00092, 00233, 00234, 00362, 00363)"
+        );
+        notes.push(note("xerr_scale", text));
+    }
+    if let Some(velocity) = &of.velocity {
+        notes.push(note("velocity_scale", of_velocity(velocity, axis.cycle_time_ns)));
+        notes.push(note("velocity_range", of_width(velocity.width)));
+    }
+    notes
+}
+
+fn of_gain(of: &PositionControl) -> String {
+    format!("{}/{} increments at 1 m/min or 1000 deg/min (P-AXIS-00129/00128)", of.multi_gain.num, of.multi_gain.denom)
+}

@@ -1,0 +1,27 @@
+//! Coefficients of double precision in the real type of a block.
+
+use portable::{Literal, Portable, Real, RealKind};
+
+/// The value with every real rounded once to the real type of `To`: [`Real::lit`]. Both types are one portable type of two real
+/// types.
+#[must_use]
+pub fn rounded<From: Portable, To: Portable>(value: &From, real: RealKind) -> To {
+    let mut leaves = Vec::new();
+    value.visit(&mut |leaf| {
+        leaves.push(match (leaf, real) {
+            (Literal::F64(value), RealKind::F32) => Literal::F32(f32::lit(value)),
+            (leaf, _) => leaf,
+        });
+    });
+    let mut leaves = leaves.into_iter();
+    To::build(&mut || leaves.next().expect("design: both types have the same scalars"))
+}
+
+/// A number of double precision as its real type has it.
+#[must_use]
+pub fn in_precision(value: f64, real: RealKind) -> f64 {
+    match real {
+        RealKind::F64 => value,
+        RealKind::F32 => f64::from(f32::lit(value)),
+    }
+}

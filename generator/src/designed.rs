@@ -1,0 +1,38 @@
+//! An axis with everything that design makes of it, made once: what blocks, notes, certificates, summaries and the semantic diff
+//! are made of. No text, no program.
+
+use crate::axis::Axis;
+use crate::blocks::feedforward::design as feedforward;
+use crate::blocks::ipc::design as ipc;
+use crate::blocks::position_control::design as position_control;
+
+/// An axis as it is designed. All coefficients are in double precision; `axis.real` says what they are rounded to.
+#[derive(Clone, Debug)]
+pub struct Designed {
+    /// the axis
+    pub axis: Axis,
+    /// improved position control
+    pub ipc: ipc::Design,
+    /// feedforward; all 0 where there is none
+    pub feedforward: reference::feedforward::Coeffs<f64>,
+    /// position control; all 0 where there is none
+    pub position_control: reference::position_control::Coeffs<f64>,
+}
+
+/// The axis decides all of it.
+impl PartialEq for Designed {
+    fn eq(&self, other: &Self) -> bool {
+        self.axis == other.axis
+    }
+}
+
+impl Designed {
+    /// Designs an axis.
+    #[must_use]
+    pub fn of(axis: Axis) -> Self {
+        let ipc = ipc::design(&axis);
+        let feedforward = feedforward::coefficients(&axis);
+        let position_control = position_control::coefficients(&axis);
+        Self { axis, ipc, feedforward, position_control }
+    }
+}

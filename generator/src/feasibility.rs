@@ -1,0 +1,54 @@
+//! What a designed axis must not do on a machine, and what its user should know before it acts: errors, then advice. Nothing is
+//! designed here.
+
+use crate::blocks::feedforward::advice as feedforward;
+use crate::blocks::ipc::{advice as ipc, feasibility as sections};
+use crate::blocks::position_control::advice as position_control;
+use crate::check::{gear, inert};
+use crate::codes;
+use crate::config::values::key;
+use crate::design::scale;
+use crate::designed::Designed;
+use crate::parameters::Name;
+use crate::rules::effective::Effective;
+use portable::RealKind;
+use reference::signal::sample_limit;
+
+/// Says what is wrong; where nothing is, what a user would want to know.
+pub(crate) fn validate(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
+    let axis = &designed.axis;
+    sections::validate(designed, e);
+    if !e.report.has_errors() {
+        overflow(designed, gear, e);
+    }
+    if !e.report.has_errors() {
+        gear::advise(axis, e);
+        ipc::advise(designed, e);
+        feedforward::inert(axis, gear, e);
+        inert::advise(axis, gear, e);
+        feedforward::advise(axis, e);
+        position_control::advise(axis, gear, e);
+    }
+}
+
+/// A scaling whose product with the largest usable sample is no number of the axis's real type.
+fn overflow(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
+    let (sample, largest) = match designed.axis.real {
+        RealKind::F64 => (sample_limit::<f64>(), f64::MAX),
+        RealKind::F32 => (f64::from(sample_limit::<f32>()), f64::from(f32::MAX)),
+    };
+    let Some(feedforward) = &designed.axis.control.feedforward else { return };
+    let weight = feedforward.weight.value();
+    let mut factors = vec![(key(Name::VsVFaktor), "the weight of feedforward", weight)];
+    if let Some(torque) = feedforward.torque_scale.as_ref().map(scale::torque) {
+        let of_torque = |factor: f64| ((Name::Load, [gear, 0]), "the scaling of the additive torque", torque * factor);
+        factors.push(of_torque(feedforward.acceleration.value().max(1.0)));
+        factors.push(of_torque(feedforward.jerk.value()));
+    }
+    // 16: sums of a few products.
+    let is_beyond = |factor: f64| factor.is_nan() || factor * weight.max(1.0) * sample * 16.0 > largest;
+    if let Some((key, what, factor)) = factors.into_iter().find(|(.., factor)| is_beyond(*factor)) {
+        let found = format!("{what} is {factor:e}: a usable sample times it is beyond the numbers of this axis");
+        e.refuse(codes::SCALE, key, found, [None, Some("the scaling of the drive's manual".to_owned())]);
+    }
+}

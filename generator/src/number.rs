@@ -1,0 +1,44 @@
+//! Numbers as text for people: short, the same on every host, and never the same text for two different numbers.
+
+/// `old -> new`, both with at least `digits` significant digits and as many more as tell them apart.
+pub(crate) fn pair(old: f64, new: f64, digits: usize) -> String {
+    let text = |digits| [old, new].map(|value| significant(value, digits));
+    let apart = (digits..17).map(text).find(|[a, b]| a != b).unwrap_or_else(|| text(digits));
+    apart.join(" -> ")
+}
+
+/// A number with so many significant digits, no trailing zeros.
+pub(crate) fn significant(value: f64, digits: usize) -> String {
+    let text = format!("{value:.*e}", digits.saturating_sub(1));
+    let rounded: f64 = text.parse().expect("number: a formatted number is a number");
+    if rounded != 0.0 && !(1e-4..1e12).contains(&rounded.abs()) { format!("{rounded:e}") } else { format!("{rounded}") }
+}
+
+/// A number with so many decimals at the most, no trailing zeros, no -0.
+pub(crate) fn decimals(value: f64, decimals: usize) -> String {
+    let rounded: f64 = format!("{value:.decimals$}").parse().expect("number: a formatted number is a number");
+    format!("{}", rounded + 0.0)
+}
+
+/// A change in per cent with its sign: ` (-1.9 %)`.
+pub(crate) fn percent(old: f64, new: f64) -> String {
+    let part = (new - old) / old * 100.0;
+    let sign = if part > 0.0 { "+" } else { "" };
+    let text = if part.abs() < 0.05 { significant(part, 2) } else { decimals(part, 1) };
+    format!(" ({sign}{text} %)")
+}
+
+/// A factor in decibels: 20 log10(factor).
+pub(crate) fn decibels(factor: f64) -> f64 {
+    20.0 * libm::log10(factor)
+}
+
+/// Seven significant digits, no trailing zeros, the same on every host.
+pub fn digits(value: f64) -> String {
+    significant(value, 7)
+}
+
+/// Six significant digits, for a message.
+pub(crate) fn rounded(x: f64) -> f64 {
+    format!("{x:.5e}").parse().unwrap_or(x)
+}

@@ -1,0 +1,142 @@
+//! The words of enumerations: each set once, as a Rust enum with its spellings and numbers. Which parameter has which words is
+//! said in `table.rs`; what a word means for an axis is said where it is matched.
+
+use super::Word;
+
+/// An enumeration of the table.
+pub trait Words: Copy + Eq + 'static {
+    /// All words, in their order.
+    const ALL: &'static [Self];
+    /// How each of them is written, in the same order.
+    const WORDS: &'static [Word];
+
+    /// How it is written.
+    fn name(self) -> &'static str {
+        let position = Self::ALL.iter().position(|word| *word == self);
+        position.map_or("", |position| Self::WORDS[position].name)
+    }
+
+    /// The word of a [`super::Value`], which a reader has found in [`Self::WORDS`].
+    fn named(name: &str) -> Option<Self> {
+        let position = Self::WORDS.iter().position(|word| word.name == name);
+        position.map(|position| Self::ALL[position])
+    }
+}
+
+/// Declares enumerations: `Variant "WORD" = number | "another spelling"`.
+macro_rules! words {
+    ($($(#[$doc:meta])+ $name:ident { $(
+        $(#[$variant_doc:meta])* $variant:ident $word:literal $(= $number:literal)? $(| $also:literal)*
+    ),+ $(,)? })+) => {$(
+        $(#[$doc])+
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum $name { $(
+            #[doc = concat!("`", $word, "`")]
+            $(#[$variant_doc])*
+            $variant
+        ),+ }
+
+        impl Words for $name {
+            const ALL: &'static [Self] = &[$(Self::$variant),+];
+            const WORDS: &'static [Word] = &[$(
+                Word { name: $word, number: number!($($number)?), also: &[$($also),*] }
+            ),+];
+        }
+    )+};
+}
+
+macro_rules! number {
+    () => {
+        None
+    };
+    ($number:literal) => {
+        Some($number)
+    };
+}
+
+words! {
+    /// A BOOLEAN.
+    Boolean { False "FALSE" = 0, True "TRUE" = 1 }
+    /// Target languages.
+    TargetName { C "c", St "st", TwinCat "twincat", Codesys "codesys", Scl "scl" }
+    /// What a character of imported lines stands for.
+    ListEncoding { Utf8 "utf-8", Latin1 "latin-1" }
+    /// How imported lines end.
+    LineEnd { Lf "LF", CrLf "CRLF" }
+    /// Real type of the blocks.
+    RealType { F64 "f64" | "LREAL", F32 "f32" | "REAL" }
+    /// Integer type of process data.
+    Width { Int16 "INT16" | "INT", Int32 "INT32" | "DINT" }
+    /// Process data that a drive may lack.
+    ProcessDatum { None "NONE", Int16 "INT16" | "INT", Int32 "INT32" | "DINT" }
+    /// Kind of motor.
+    Motor {
+        /// torque and inertia
+        Rotary "rotary",
+        /// force and mass
+        Linear "linear",
+    }
+    /// Whether the inferred formula of ADD_JERK is generated.
+    AddJerk { Refused "refused", Experimental "experimental" }
+    /// Axis type (P-AXIS-00018).
+    AxisType { Translator "ACHSTYP_TRANSLATOR" = 1, Rotator "ACHSTYP_ROTATOR" = 2, Spindle "ACHSTYP_SPINDEL" = 4 }
+    /// Drive type (P-AXIS-00020).
+    DriveType {
+        Conventional "CONVENTIONAL" = 1 | "ANTR_TYP_KONV",
+        Sercos "SERCOS" = 2 | "ANTR_TYP_SERCOS",
+        Profidrive "PROFIDRIVE" = 3 | "ANTR_TYP_PROFIDRIVE",
+        Simulation "SIMULATION" = 4 | "ANTR_TYP_SIMU",
+        Lightbus "LIGHTBUS" = 5 | "ANTR_TYP_LIGHTBUS",
+        Terminal "TERMINAL" = 6 | "ANTR_TYP_TERM",
+        RtEthernet "RT_ETHERNET" = 7 | "ANTR_TYP_ETHERNET",
+        CanOpen "CANOPEN" = 8 | "ANTR_TYP_CANOPEN",
+        Virtual "VIRTUAL" = 16 | "ANTR_TYP_VIRTUELL",
+        CanBus "CAN_BUS" = 32 | "ANTR_TYP_CAN",
+    }
+    /// Where the position is controlled (P-AXIS-00320).
+    OperationMode {
+        /// as the drive type says
+        DriveDefault "DRIVE_DEFAULT",
+        DrivePositionControl "DRIVE_POSITION_CONTROL",
+        CncPositionControl "CNC_POSITION_CONTROL",
+    }
+    /// Feedforward (P-AXIS-00223): quantities, and whether they are additive commands.
+    FeedforwardWord {
+        None "NONE" = 0x000,
+        Vel "VEL" = 0x001,
+        Acc "ACC" = 0x002,
+        Jerk "JERK" = 0x004,
+        AddVel "ADD_VEL" = 0x101,
+        AddAcc "ADD_ACC" = 0x202,
+        AddJerk "ADD_JERK" = 0x804,
+    }
+    /// Mode of improved position control at start (P-AXIS-00758). As a number it is the input `mode`.
+    Enable {
+        /// the block is off
+        Off "OFF" = 0 | "FALSE",
+        /// the block acts
+        On "ON" = 1 | "TRUE",
+        /// the block calculates and does not act
+        DryRun "DRYRUN",
+    }
+    /// Mode of a stage (P-AXIS-00753).
+    StageMode { NotActive "NOT_ACTIVE" = 0, Direct "DIRECT" = 1, Indirect "INDIRECT" = 2, SetPoint "SET_POINT" = 3 }
+    /// Which measured velocity a DIRECT stage takes (key `direct_source`).
+    DirectSource {
+        /// the motor encoder (v_ist1)
+        Motor "v_motor",
+        /// the direct measuring system (v_ist2)
+        Direct "v_direct",
+    }
+    /// Type of a filter (P-AXIS-00849).
+    FilterType { NoFilter "NO_FILTER", Bandpass "BANDPASS", Allpass "ALLPASS" }
+    /// Low-pass prototype of a band-pass (P-AXIS-00848).
+    Prototype {
+        /// all poles in one place
+        CritDamping "CRIT_DAMPING",
+        /// flattest amplitude
+        Butterworth "BUTTERWORTH",
+        /// flattest delay
+        Bessel "BESSEL",
+    }
+}

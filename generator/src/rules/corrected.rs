@@ -1,0 +1,74 @@
+//! The conditions that the controller reports and corrects: a warning with its number, and the corrected value.
+
+use super::effective::Effective;
+use crate::axis::Ratio;
+use crate::config::values::key;
+use crate::diagnostics::Diagnostic;
+use crate::parameters::{Name, Value, path_with, time_text};
+
+/// Cycles that end every delay.
+pub(crate) const DELAY_CYCLES: u64 = 6;
+
+/// A delay in us; outside of 0 to below six cycles it is 0 (70348, 70349).
+pub(crate) fn delay(
+    e: &mut Effective<'_>,
+    name: Name,
+    cycle_time: Option<u32>,
+    (code, id): (&'static str, u32),
+) -> Option<u32> {
+    let given = match e.given(key(name)).map(|setting| setting.value.clone()) {
+        // What is no number at all is an error like any other.
+        Some(None) | None => e.validated(key(name))?,
+        Some(Some(value)) => value,
+    };
+    let Value::Integer(us) = given else { return None };
+    let end = cycle_time.map_or(u64::MAX, |ns| DELAY_CYCLES * u64::from(ns));
+    let within =
+        u64::try_from(us).ok().filter(|us| us.saturating_mul(1000) < end).and_then(|us| u32::try_from(us).ok());
+    let delay = within.unwrap_or_else(|| {
+        let cycle = cycle_time.map_or(String::new(), |ns| format!(", {} each", time_text(u64::from(ns))));
+        let found =
+            format!("{} is {us} us: error {id} of the controller; the delay is corrected to 0", e.title(key(name)));
+        let allowed = format!("0 <= {} < {DELAY_CYCLES} cycles{cycle} [us]", name.parameter().short());
+        e.report.push(Diagnostic::warning(code, e.place_of(key(name)), found).allowed(allowed));
+        0
+    });
+    if delay > u32::from(u16::MAX) {
+        // Six long cycles are more than the parameter's own range, which the controller does not correct.
+        return e.validated(key(name)).and(None);
+    }
+    e.note(key(name), &Value::Integer(i64::from(delay)));
+    Some(delay)
+}
+
+/// A quotient whose denominator may be 0: then `consequence` says what becomes of it.
+pub(crate) fn ratio(
+    e: &mut Effective<'_>,
+    [num, denom]: [Name; 2],
+    code: &'static str,
+    (consequence, corrected): (&str, Option<u32>),
+) -> Option<Ratio> {
+    let numerator = e.integer(key(num));
+    let given = e.given(key(denom)).and_then(|setting| setting.value.clone());
+    if given != Some(Value::Integer(0)) {
+        let denominator = e.integer(key(denom));
+        return Some(Ratio { num: numerator?, denom: denominator? });
+    }
+    let found = format!("{} is 0: {consequence}", e.title(key(denom)));
+    let allowed = format!("1 <= {}", denom.parameter().short());
+    e.report.push(Diagnostic::warning(code, e.place_of(key(denom)), found).allowed(allowed));
+    e.note(key(denom), &Value::Integer(i64::from(corrected.unwrap_or(0))));
+    Some(corrected.map_or(Ratio::ZERO, |denom| Ratio { num: numerator.unwrap_or(0), denom }))
+}
+
+/// An additive output that the process data do not have: it is off (70350, 70351).
+pub(crate) fn no_datum(e: &mut Effective<'_>, words: &str, datum: Name, (code, id): (&'static str, u32)) {
+    let found = format!(
+        "{} has {words}, and the process data have no such command: error {id} of the controller; the output is switched off",
+        e.title(key(Name::FeedforwardMode))
+    );
+    let instead =
+        format!("{} = \"INT32\" or \"INT16\" in a set, if the drive has it", path_with(datum.parameter().path, [0, 0]));
+    let place = e.place_of(key(Name::FeedforwardMode));
+    e.report.push(Diagnostic::warning(code, place, found).instead(instead));
+}

@@ -1,0 +1,98 @@
+//! Where the position is controlled, and what the drive's process data hold. No feedforward here.
+
+use super::effective::Effective;
+use crate::axis::{Location, Ratio, Resolution, TimeBase, Velocity, Width};
+use crate::config::values::{Key, key};
+use crate::parameters::Name;
+use crate::parameters::words::{DriveType, OperationMode, ProcessDatum};
+
+/// The drive, as far as every part of the axis needs it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Drive {
+    /// where the position is controlled
+    pub(crate) location: Location,
+    /// the gear step whose parameters are used
+    pub(crate) gear: u32,
+    /// the additive velocity in the process data
+    pub(crate) velocity: Option<Width>,
+    /// the additive torque in the process data
+    pub(crate) torque: Option<Width>,
+}
+
+impl Drive {
+    /// What is assumed where the drive could not be validated.
+    pub(crate) const UNKNOWN: Self = Self { location: Location::Cnc, gear: 0, velocity: None, torque: None };
+}
+
+/// Where the position is controlled (P-AXIS-00320), by default as the drive type says (P-AXIS-00020); none: an error, which has
+/// been said.
+pub(crate) fn check(e: &mut Effective<'_>) -> Option<Drive> {
+    let gear = e.validated_integer(key(Name::Gear))?;
+    let drive_type = e.validated_word(key(Name::DriveType))?;
+    let in_drive = match e.validated_word(key(Name::OperationMode))? {
+        OperationMode::DrivePositionControl => true,
+        OperationMode::CncPositionControl => false,
+        OperationMode::DriveDefault => controls_position(drive_type),
+    };
+    let location = match (in_drive, drive_type) {
+        (false, _) => Location::Cnc,
+        (true, DriveType::Profidrive) => Location::Profidrive,
+        (true, _) => Location::Drive,
+    };
+    let velocity = datum(e, Name::AdditiveVelocityData);
+    Some(Drive { location, gear, velocity, torque: datum(e, Name::AdditiveTorqueData) })
+}
+
+/// Whether DRIVE_DEFAULT means that the drive controls the position.
+fn controls_position(drive_type: DriveType) -> bool {
+    match drive_type {
+        DriveType::Sercos | DriveType::Profidrive | DriveType::CanOpen => true,
+        DriveType::Conventional
+        | DriveType::Simulation
+        | DriveType::Lightbus
+        | DriveType::Terminal
+        | DriveType::RtEthernet
+        | DriveType::Virtual
+        | DriveType::CanBus => false,
+    }
+}
+
+/// A process datum; none: the drive does not have it.
+fn datum(e: &mut Effective<'_>, name: Name) -> Option<Width> {
+    match e.validated_word(key(name))? {
+        ProcessDatum::None => None,
+        ProcessDatum::Int16 => Some(Width::Int16),
+        ProcessDatum::Int32 => Some(Width::Int32),
+    }
+}
+
+/// Takes parameters without indices that decide something in a block into the canonical form.
+pub(crate) fn note(e: &mut Effective<'_>, names: &[Name]) {
+    for name in names {
+        if let Some(value) = e.validated(key(*name)) {
+            e.note(key(*name), &value);
+        }
+    }
+}
+
+/// Scaling of the additive velocity (P-AXIS-00205 to 00207).
+pub(crate) fn velocity(e: &mut Effective<'_>, width: Width) -> Option<Velocity> {
+    let reso = ratio(e, key(Name::VResoNum), key(Name::VResoDenom));
+    let time_base = e.integer(key(Name::VTimeBase)).and_then(|base| TimeBase::ALL.get(base as usize).copied());
+    note(e, &[Name::AdditiveVelocityData]);
+    Some(Velocity { reso: reso?, time_base: time_base?, width })
+}
+
+/// Path resolution (P-AXIS-00092, 00233, 00234, 00362, 00363).
+pub(crate) fn resolution(e: &mut Effective<'_>, gear: u32) -> Option<Resolution> {
+    let incr_per_rev = e.integer((Name::IncrPerRev, [gear, 0]));
+    let wegauf = ratio(e, (Name::WegaufZ, [gear, 0]), (Name::WegaufN, [gear, 0]));
+    let feed_const = ratio(e, key(Name::FeedConstNum), key(Name::FeedConstDenom));
+    Some(Resolution { incr_per_rev: incr_per_rev?, wegauf: wegauf?, feed_const: feed_const? })
+}
+
+/// Two parameters as a quotient; the range keeps the denominator above 0.
+pub(crate) fn ratio(e: &mut Effective<'_>, num: Key, denom: Key) -> Option<Ratio> {
+    let (num, denom) = (e.integer(num), e.integer(denom));
+    Some(Ratio { num: num?, denom: denom? })
+}

@@ -1,0 +1,223 @@
+//! The effective value of a parameter: what was given, else its default; within its range, else a message. No rule
+//! that connects two parameters.
+
+use crate::codes;
+use crate::config::value;
+use crate::config::values::{Key, Setting, Values};
+use crate::diagnostics::{Diagnostic, Place, Report};
+use crate::parameters::words::Words;
+use crate::parameters::{Name, Value, path_with};
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::path::Path;
+
+/// What an axis was given, what was said about it, and what of it its block uses.
+#[derive(Debug)]
+pub(crate) struct Effective<'a> {
+    values: &'a Values,
+    home: Place,
+    /// what was said so far
+    pub(crate) report: Report,
+    used: BTreeMap<Key, String>,
+}
+
+impl<'a> Effective<'a> {
+    /// Nothing said, nothing used yet.
+    pub(crate) fn of(values: &'a Values, home: Place) -> Self {
+        Self { values, home, report: Report::default(), used: BTreeMap::new() }
+    }
+
+    /// What was given, as it was given.
+    pub(crate) fn given(&self, key: Key) -> Option<&'a Setting> {
+        self.values.get(key)
+    }
+
+    /// All that was given.
+    pub(crate) fn all_given(&self) -> impl Iterator<Item = (Key, &'a Setting)> + use<'a> {
+        self.values.iter()
+    }
+
+    /// Where a parameter was given; else where its stage was; else where the axis is named.
+    pub(crate) fn place_of(&self, key: Key) -> Place {
+        let (name, [i, _]) = key;
+        let of_stage = || self.given((Name::Mode, [i, 0])).filter(|_| name.parameter().path.contains("stage[i]"));
+        match self.given(key) {
+            Some(setting) => setting.value_place(),
+            None => of_stage().map_or_else(|| self.home.clone(), Setting::path_place),
+        }
+    }
+
+    /// The place of a parameter; of one that is not given in a list, whose home is the whole file, the first of those that are
+    /// about the same.
+    pub(crate) fn place_near(&self, key: Key, is_about_it: impl Fn(Name) -> bool) -> Place {
+        let place = self.place_of(key);
+        if place.line > 0 {
+            return place;
+        }
+        let near = self.all_given().find(|((name, _), _)| is_about_it(*name));
+        near.map_or(place, |(_, setting)| setting.path_place())
+    }
+
+    /// The value that holds, validated; it does not go into the canonical form.
+    pub(crate) fn validated(&mut self, key: Key) -> Option<Value> {
+        let (name, index) = key;
+        let parameter = name.parameter();
+        if let Some(setting) = self.given(key) {
+            let Some(value) = setting.value.clone() else {
+                self.say_once(setting.refused.as_ref());
+                return None;
+            };
+            if parameter.contains(&value) {
+                return Some(value);
+            }
+            let found = format!("{} is {}", parameter.title(setting.spelling, index), value.text());
+            let diagnostic = Diagnostic::error(codes::RANGE, setting.value_place(), found);
+            self.say_once(Some(&diagnostic.allowed(parameter.allowed())));
+            return None;
+        }
+        let text = parameter.default_at(index).unwrap_or_default();
+        match value::of_text(parameter, text) {
+            Ok(value) if parameter.contains(&value) => Some(value),
+            _ => {
+                let title = parameter.title(parameter.path, index);
+                let found = format!("{title} is missing; its default {text} is outside of its range");
+                let diagnostic = Diagnostic::error(codes::MISSING, self.place_of(key), found);
+                let instead = format!("{} with a value", path_with(parameter.path, index));
+                self.say_once(Some(&diagnostic.allowed(parameter.allowed()).instead(instead)));
+                None
+            }
+        }
+    }
+
+    /// Says why a value cannot be used, however often it is asked for.
+    fn say_once(&mut self, refused: Option<&Diagnostic>) {
+        if let Some(refused) = refused.filter(|refused| !self.report.diagnostics.contains(refused)) {
+            self.report.push((*refused).clone());
+        }
+    }
+
+    /// The word that holds, validated; it does not go into the canonical form.
+    pub(crate) fn validated_word<T: Words>(&mut self, key: Key) -> Option<T> {
+        self.validated(key).map(|value| word_of(key, &value))
+    }
+
+    /// The words that hold, validated.
+    pub(crate) fn validated_words<T: Words>(&mut self, key: Key) -> Option<Vec<T>> {
+        match self.validated(key)? {
+            Value::Words(words) => Some(words.into_iter().map(|word| word_named(key, word)).collect()),
+            other => wrong_kind(key, &other),
+        }
+    }
+
+    /// The whole number that holds, validated.
+    pub(crate) fn validated_integer(&mut self, key: Key) -> Option<u32> {
+        match self.validated(key)? {
+            Value::Integer(n) => u32::try_from(n).ok(),
+            other => wrong_kind(key, &other),
+        }
+    }
+
+    /// The word that holds, validated and used.
+    pub(crate) fn word<T: Words>(&mut self, key: Key) -> Option<T> {
+        self.used_value(key).map(|value| word_of(key, &value))
+    }
+
+    /// The whole number that holds, validated and used.
+    pub(crate) fn integer(&mut self, key: Key) -> Option<u32> {
+        match self.used_value(key)? {
+            Value::Integer(n) => u32::try_from(n).ok(),
+            other => wrong_kind(key, &other),
+        }
+    }
+
+    /// The real number that holds, validated and used.
+    pub(crate) fn real(&mut self, key: Key) -> Option<f64> {
+        match self.used_value(key)? {
+            Value::Real(x) => Some(x),
+            other => wrong_kind(key, &other),
+        }
+    }
+
+    /// The time that holds, in ns, validated and used.
+    pub(crate) fn duration(&mut self, key: Key) -> Option<u64> {
+        match self.used_value(key)? {
+            Value::Duration(ns) => Some(ns),
+            other => wrong_kind(key, &other),
+        }
+    }
+
+    fn used_value(&mut self, key: Key) -> Option<Value> {
+        let value = self.validated(key)?;
+        self.note(key, &value);
+        Some(value)
+    }
+
+    /// A warning about a parameter.
+    pub(crate) fn warn(&mut self, code: &'static str, key: Key, found: String, instead: Option<String>) {
+        let diagnostic = Diagnostic::warning(code, self.place_of(key), found);
+        self.report.push(Diagnostic { instead, ..diagnostic });
+    }
+
+    /// An error of a parameter, with what is allowed and what to write instead.
+    pub(crate) fn refuse(&mut self, code: &'static str, key: Key, found: String, [allowed, instead]: [Option<String>; 2]) {
+        let diagnostic = Diagnostic::error(code, self.place_of(key), found);
+        self.report.push(Diagnostic { allowed, instead, ..diagnostic });
+    }
+
+    /// Path and id of a parameter as it was given.
+    pub(crate) fn title(&self, key: Key) -> String {
+        let spelling = self.given(key).map_or(key.0.parameter().path, |setting| setting.spelling);
+        key.0.parameter().title(spelling, key.1)
+    }
+
+    /// Whether a block uses a parameter.
+    pub(crate) fn is_used(&self, key: Key) -> bool {
+        self.used.contains_key(&key)
+    }
+
+    /// Takes a value that a block uses into the canonical form.
+    pub(crate) fn note(&mut self, key: Key, value: &Value) {
+        self.used.insert(key, value.text());
+    }
+
+    /// What the block uses: one `path value` a line, in the order of the table, independent of how it was written.
+    pub(crate) fn canonical(&self) -> String {
+        let mut lines = String::with_capacity(2048);
+        for ((name, index), text) in &self.used {
+            // Writing to a String cannot fail.
+            let _ = writeln!(lines, "{} {text}", path_with(name.parameter().path, *index));
+        }
+        lines
+    }
+}
+
+/// How the word of a parameter is written in the file of a message: as a line of a list, or as a key of a set.
+pub(crate) fn as_written(place: &Place, (name, index): Key, words: &[&str]) -> String {
+    let path = path_with(name.parameter().path, index);
+    let is_set = Path::new(&place.file).extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"));
+    if !is_set {
+        return format!("{path} {}", words.join(" or "));
+    }
+    let words = words.iter().map(|word| format!("\"{word}\"")).collect::<Vec<_>>().join(" or ");
+    match path.split_once("improved_position_control.stage").and(path.rsplit_once('.')) {
+        // Stages and filters are tables.
+        Some((table, short)) => format!("{short} = {words} in {table}"),
+        None => format!("{path} = {words}"),
+    }
+}
+
+fn word_of<T: Words>(key: Key, value: &Value) -> T {
+    match value {
+        Value::Word(word) => word_named(key, word),
+        other => wrong_kind(key, other),
+    }
+}
+
+fn word_named<T: Words>(key: Key, word: &'static str) -> T {
+    T::named(word).unwrap_or_else(|| wrong_kind(key, &Value::Word(word)))
+}
+
+/// A rule asks for a value of another kind than the table declares.
+fn wrong_kind(key: Key, value: &Value) -> ! {
+    panic!("check: {key:?} is {value:?}, another kind than the rule expects")
+}

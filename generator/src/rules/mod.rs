@@ -1,0 +1,5 @@
+//! What the rules of several blocks need: effective values, the drive, corrections of the controller. No rule of one block.
+
+pub(crate) mod corrected;
+pub(crate) mod drive;
+pub(crate) mod effective;

@@ -1,0 +1,24 @@
+//! What an axis's blocks do, in a few lines for the user.
+
+use crate::blocks::{self, part::Summary};
+use crate::designed::Designed;
+use portable::RealKind;
+
+/// The lines for an axis.
+#[must_use]
+pub fn text(designed: &Designed) -> String {
+    let axis = &designed.axis;
+    let real = match axis.real {
+        RealKind::F64 => "f64",
+        RealKind::F32 => "f32",
+    };
+    let cycle = f64::from(axis.cycle_time_ns) / 1000.0;
+    let summaries: Vec<Summary> = blocks::of_axis(axis).map(|kind| kind.summary(designed)).collect();
+    let heads: String = summaries.iter().map(|summary| summary.head.as_str()).collect();
+    let names = blocks::names(axis).join(", ");
+    let mut text = format!("axis {}: {names}, {real}, cycle {cycle} us{heads}\n", axis.name);
+    for line in summaries.iter().flat_map(|summary| &summary.lines) {
+        text.extend(["  ", line, "\n"]);
+    }
+    text
+}
