@@ -101,7 +101,8 @@ fn of_axis(old: &Designed, new: &Designed) -> Vec<String> {
 /// An axis that has no older version.
 fn description(of: &Designed) -> Vec<String> {
     let cycle_time = significant(cycle_time(of), 7);
-    let mut lines = vec![format!("{}, cycle time {cycle_time} us, blocks {}", real(of), blocks::names(&of.axis).join(", "))];
+    let mut lines =
+        vec![format!("{}, cycle time {cycle_time} us, blocks {}", real(of), blocks::names(&of.axis).join(", "))];
     lines.extend(blocks::BLOCKS.into_iter().flat_map(|kind| kind.description(of)));
     lines
 }

@@ -108,8 +108,7 @@ fn couple(axes: &mut [Axis<'_>], is_list: bool, report: &Report) -> Report {
         return coupling;
     }
     let places: Vec<Place> = axes.iter().map(Axis::place_of_master).collect();
-    let mut checked: Vec<_> =
-        axes.iter_mut().filter_map(|axis| axis.checked.as_mut()?.axis.as_mut()).collect();
+    let mut checked: Vec<_> = axes.iter_mut().filter_map(|axis| axis.checked.as_mut()?.axis.as_mut()).collect();
     match checked.as_mut_slice() {
         [axis] if is_list => gantry::alone(axis, places[0].clone(), &mut coupling),
         axes => gantry::couple(axes, &places, &mut coupling),

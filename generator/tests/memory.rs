@@ -3,7 +3,8 @@
 #![cfg(target_os = "linux")]
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
-use generator::config::{ListOptions, read_with};
+use generator::config::ListOptions;
+use generator::pipeline::read_with;
 use std::fs;
 use std::path::Path;
 use std::process::Command;

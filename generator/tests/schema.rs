@@ -3,9 +3,10 @@
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
-use generator::config::{ListOptions, Unreadable, read_with};
+use generator::config::{ListOptions, Unreadable};
 use generator::diagnostics::Report;
 use generator::exchange::import;
+use generator::pipeline::read_with;
 use generator::schema;
 use jsonschema::Validator;
 use serde_json::Value;

@@ -16,10 +16,11 @@ use crate::engine::{self, Engine};
 use crate::samples::{Samples, Shape};
 use crate::shows::shown;
 use crate::stimulus::{self, Stimulus};
-use generator::axis::Axis;
-use generator::block::{self, Block};
-use generator::config::{self, ListOptions};
+use generator::blocks::{self, Block};
+use generator::config::ListOptions;
+use generator::designed::Designed;
 use generator::digest::digest;
+use generator::pipeline;
 use generator::target::{File, TARGETS};
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
@@ -42,7 +43,7 @@ pub struct Case {
     /// what the recorded samples or the axis must have in them, in the words of [`shown`]
     pub shows: Vec<String>,
     /// the axis
-    pub axis: Axis,
+    pub axis: Designed,
     /// the block
     pub block: Block,
     /// what its inputs do
@@ -77,9 +78,9 @@ pub fn read(folder: &Path) -> Result<Case, String> {
     let text = std::fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
     let description: Description = toml::from_str(&text).map_err(|error| format!("{}: {error}", path.display()))?;
     let options = ListOptions { cycle_time: description.cycle_time, name: None };
-    let (set, report) = config::read(&folder.join(&description.set), &options);
+    let (set, report) = pipeline::read(&folder.join(&description.set), &options);
     let set = set.ok_or_else(|| report.to_string())?;
-    let axis = set.axes.into_iter().find(|axis| axis.name == description.axis);
+    let axis = set.axes.into_iter().find(|of| of.axis.name == description.axis);
     let axis = axis.ok_or_else(|| format!("{}: no axis `{}`", path.display(), description.axis))?;
     Ok(Case {
         folder: folder.to_owned(),
@@ -95,8 +96,8 @@ pub fn read(folder: &Path) -> Result<Case, String> {
 ///
 /// # Errors
 /// The axis has none of that name; the text lists those it has.
-pub fn named_block(axis: &Axis, name: &str) -> Result<Block, String> {
-    let blocks = block::blocks(axis).map_err(|defect| defect.to_string())?;
+pub fn named_block(designed: &Designed, name: &str) -> Result<Block, String> {
+    let blocks = blocks::blocks(designed).map_err(|defect| defect.to_string())?;
     let names: Vec<&str> = blocks.iter().map(|block| block.program.block).collect();
     let position = names.iter().position(|known| *known == name);
     let position = position.ok_or_else(|| format!("no block `{name}`; this axis has: {}", names.join(", ")))?;
@@ -108,7 +109,7 @@ pub fn named_block(axis: &Axis, name: &str) -> Result<Block, String> {
 /// # Errors
 /// The stimulus does not fit the block.
 pub fn inputs(case: &Case, count: usize) -> Result<Samples, String> {
-    let shape = Shape::of(&case.block.program.inputs, case.axis.real);
+    let shape = Shape::of(&case.block.program.inputs, case.axis.axis.real);
     stimulus::samples(&case.stimulus, &shape, count)
         .map_err(|mistake| format!("{}: {mistake}", case.folder.join("case.toml").display()))
 }
@@ -126,7 +127,7 @@ fn recording(case: &Case) -> Result<Recording, String> {
     let outputs =
         engine::run(Engine::Reference, &case.axis, &case.block, &inputs).map_err(|failure| failure.to_string())?;
     let (first, answers) = (inputs.first(VECTOR_SAMPLES), outputs.first(VECTOR_SAMPLES));
-    let shown = shown(&case.axis, &first, &answers);
+    let shown = shown(&case.axis.axis, &first, &answers);
     let digests =
         format!("samples {DIGEST_SAMPLES}\ninputs {}\noutputs {}\n", digest(&inputs.bytes), digest(&outputs.bytes));
     let texts = [
@@ -135,7 +136,7 @@ fn recording(case: &Case) -> Result<Recording, String> {
         ("digest", digests),
     ];
     let blocks = std::slice::from_ref(&case.block);
-    let emitted = TARGETS.iter().flat_map(|target| (target.files)(&case.axis, blocks));
+    let emitted = TARGETS.iter().flat_map(|target| (target.files)(&case.axis.axis, blocks));
     let emitted = emitted.map(|file| File { name: format!("{EMITTED}/{}", file.name), text: file.text });
     let texts = texts.into_iter().map(|(name, text)| File { name: name.to_owned(), text });
     Ok(Recording {

@@ -1,7 +1,9 @@
 //! The golden cases, and each of them in the other real type as well, where its filters bear it.
 
-use generator::axis::Axis;
-use generator::design::unusable;
+use generator::axis::{Axis, Filter};
+use generator::blocks::ipc::check::lowest_f0_ts;
+use generator::blocks::ipc::feasibility::refusals;
+use generator::designed::Designed;
 use golden::case::{self, Case};
 use portable::RealKind;
 use std::path::{Path, PathBuf};
@@ -31,7 +33,7 @@ pub fn in_both_real_types() -> Vec<Case> {
 #[must_use]
 pub fn title(case: &Case) -> String {
     let name = case.folder.file_name().unwrap_or_default().to_string_lossy();
-    let real = match case.axis.real {
+    let real = match case.axis.axis.real {
         RealKind::F64 => "f64",
         RealKind::F32 => "f32",
     };
@@ -40,12 +42,14 @@ pub fn title(case: &Case) -> String {
 
 /// The case in the other real type.
 fn twin(case: &Case) -> Option<Case> {
-    let real = match case.axis.real {
+    let real = match case.axis.axis.real {
         RealKind::F64 => RealKind::F32,
         RealKind::F32 => RealKind::F64,
     };
-    let axis = Axis { real, ..case.axis.clone() };
-    if !unusable(&axis).is_empty() {
+    let axis = Designed::of(Axis { real, ..case.axis.axis.clone() });
+    let filters = axis.axis.ipc.stage.iter().flatten().flat_map(|stage| &stage.filter);
+    let is_too_low = |f0: f64| f0 * f64::from(axis.axis.cycle_time_ns) / 1e9 < lowest_f0_ts(real);
+    if filters.filter_map(Filter::f0).any(is_too_low) || !refusals(&axis).is_empty() {
         return None;
     }
     let block = case::named_block(&axis, case.block.program.block).unwrap_or_else(|error| panic!("{error}"));

@@ -3,14 +3,12 @@
 
 use axgen_tests::cases::{in_both_real_types, title};
 use axgen_tests::environment::is_exhaustive;
-use compiler::leaves;
 use generator::axis::{Axis, DirectSource, Enable, Filter, Ipc as IpcAxis, Mode, Prototype, Stage};
-use generator::block::{Part, Visitor, with_part};
-use generator::design;
+use generator::blocks;
+use generator::designed::Designed;
 use golden::case::{self, Case};
-use golden::samples::Samples;
 use portable::Block;
-use portable::{Literal, Portable, Real, RealKind};
+use portable::{Literal, RealKind};
 use rayon::prelude::*;
 use reference::ipc::Ipc;
 
@@ -51,47 +49,23 @@ fn a_constant_velocity_gives_next_to_nothing_behind_an_all_pass_or_an_oscillatio
 /// On a PLC a subnormal number can cost a hundred times the time of another.
 #[test]
 fn no_state_of_a_golden_case_is_ever_subnormal_or_no_number() {
-    in_both_real_types().par_iter().for_each(|case| match case.axis.real {
-        RealKind::F64 => assert_normal::<f64>(case),
-        RealKind::F32 => assert_normal::<f32>(case),
-    });
+    in_both_real_types().par_iter().for_each(assert_states_normal);
 }
 
-fn assert_normal<R: Real>(case: &Case) {
+fn assert_states_normal(case: &Case) {
     let count = if is_exhaustive() { case::DIGEST_SAMPLES } else { 50_000 };
     let samples = case::inputs(case, count).unwrap_or_else(|mistake| panic!("{mistake}"));
-    with_part::<R, _>(case.block.program.block, States { case, samples: &samples, count });
-}
-
-/// A run whose states are looked at.
-struct States<'a> {
-    case: &'a Case,
-    samples: &'a Samples,
-    count: usize,
-}
-
-impl<R: Real> Visitor<R> for States<'_> {
-    type Value = ();
-
-    fn visit<P: Part<R>>(self) {
-        assert_states_normal::<R, P>(self.case, self.samples, self.count);
-    }
-}
-
-fn assert_states_normal<R: Real, P: Part<R>>(case: &Case, samples: &Samples, count: usize) {
-    let coeffs = P::coefficients(&case.axis);
-    let (mut state, mut outputs, mut values) = (P::state(), P::outputs(), Vec::new());
+    let kind = blocks::named(case.block.program.block).expect("the registry has the block");
+    let (mut reference, mut values, mut outputs) = (kind.start(&case.axis), Vec::new(), Vec::new());
     for sample in 0..count {
         samples.read(sample, &mut values);
-        let mut next = values.iter().copied();
-        let inputs = P::Inputs::build(&mut || next.next().expect("a value for each input"));
-        P::step(&mut state, &coeffs, &inputs, &mut outputs);
+        reference.step(&values, &mut outputs);
         let is_bad = |leaf: &Literal| match *leaf {
             Literal::F64(value) => value != 0.0 && !value.is_normal(),
             Literal::F32(value) => value != 0.0 && !value.is_normal(),
             _ => false,
         };
-        let bad = leaves(&state).into_iter().find(is_bad);
+        let bad = reference.state().into_iter().find(is_bad);
         assert_eq!(bad, None, "{}: sample {sample}", title(case));
     }
 }
@@ -129,7 +103,7 @@ fn largest(mode: Mode, filter: [Filter; 2]) -> f64 {
         control: generator::axis::Control::default(),
         canonical: String::new(),
     };
-    let coeffs = design::ipc::<f64>(&axis);
+    let coeffs = Designed::of(axis).ipc.coeffs;
     let (mut state, mut outputs) = (<Ipc as Block<f64>>::state(), <Ipc as Block<f64>>::outputs());
     let mut inputs = <Ipc as Block<f64>>::inputs(&coeffs);
     inputs.v_motor = 123_456.789;

@@ -147,7 +147,7 @@ fn the_cases_together_claim_to_show_everything() {
 fn every_case_shows_what_it_claims() {
     for case in all() {
         let inputs = inputs(&case, VECTOR_SAMPLES);
-        let shown = shown(&case.axis, &inputs, &run(&case, Engine::Reference, &inputs));
+        let shown = shown(&case.axis.axis, &inputs, &run(&case, Engine::Reference, &inputs));
         let missing: Vec<&String> = case.shows.iter().filter(|word| !shown.contains(*word)).collect();
         assert!(missing.is_empty(), "{}: {missing:?}", title(&case));
         assert!(!case.shows.is_empty() && !case.purpose.is_empty(), "{}: what is it for?", title(&case));
@@ -172,7 +172,7 @@ fn all_engines_give_the_same_bits() {
 fn the_recorded_inputs_alone_give_the_recorded_outputs() {
     all().par_iter().for_each(|case| {
         let file = |name| std::fs::read_to_string(case.folder.join(name)).unwrap();
-        let shape = |variables| Shape::of(variables, case.axis.real);
+        let shape = |variables| Shape::of(variables, case.axis.axis.real);
         let inputs = csv::read(&file("inputs.csv"), &shape(&case.block.program.inputs)).unwrap();
         let expected = csv::read(&file("outputs.csv"), &shape(&case.block.program.outputs)).unwrap();
         assert_eq!(expected.len(), VECTOR_SAMPLES);
@@ -245,8 +245,8 @@ fn a_coefficient_that_is_off_by_one_bit_is_found() {
         let inputs = inputs(&case, VECTOR_SAMPLES);
         let expected = run(&case, Engine::Reference, &inputs);
         // A limit of 0 lets nothing through in which a difference could show, and an additive torque is an integer.
-        let is_muted = case.block.program.block == "ipc" && case.axis.ipc.v_add_max_fact == 0;
-        let is_rounded = case.axis.control.feedforward.as_ref().is_some_and(|feedforward| {
+        let is_muted = case.block.program.block == "ipc" && case.axis.axis.ipc.v_add_max_fact == 0;
+        let is_rounded = case.axis.axis.control.feedforward.as_ref().is_some_and(|feedforward| {
             case.block.program.block == "feedforward" && !feedforward.conventional.any() && !feedforward.additive.any()
         });
         if !is_muted && !is_rounded {

@@ -5,15 +5,14 @@ use crate::exit::Exit;
 use crate::input::{self, counted};
 use crate::messages::Format;
 use crate::output;
-use crate::summary;
-use generator::block;
+use generator::{blocks, summary};
 
 /// Runs the command.
 pub fn run(arguments: &SetArguments, format: Format) -> Result<Exit, Exit> {
     let (set, warnings) = input::read(arguments, format)?;
-    for axis in &set.axes {
-        output::print(summary::of(axis))?;
-        for block in block::blocks(axis).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}")) {
+    for designed in &set.axes {
+        output::print(summary::text(designed))?;
+        for block in blocks::blocks(designed).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}")) {
             block.certificate.iter().try_for_each(|line| output::line(format!("  {line}")))?;
         }
     }

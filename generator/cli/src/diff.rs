@@ -4,8 +4,9 @@ use crate::exit::Exit;
 use crate::input::said;
 use crate::messages::Format;
 use crate::output;
-use generator::config::{self, ListOptions, Set};
-use generator::meaning;
+use generator::config::ListOptions;
+use generator::diff;
+use generator::pipeline::{self, Set};
 use std::path::Path;
 
 /// Runs the command. `options` are for the axis lists among the two; two lists are versions of one axis, whatever the files'
@@ -24,18 +25,18 @@ pub fn run(old: &Path, new: &Path, options: &ListOptions, format: Format) -> Res
     if let ([before], [after], false, false) =
         (before.axes.as_mut_slice(), after.axes.as_slice(), is_set(old), is_set(new))
     {
-        before.name.clone_from(&after.name);
+        before.axis.name.clone_from(&after.axis.name);
     }
-    let changes = meaning::changes(&before.axes, &after.axes);
-    for line in meaning::lines(&changes) {
+    let changes = diff::changes(&before.axes, &after.axes);
+    for line in diff::lines(&changes) {
         output::line(line)?;
     }
-    Ok(if meaning::differ(&changes) { Exit::Different } else { Exit::Done })
+    Ok(if diff::differ(&changes) { Exit::Different } else { Exit::Done })
 }
 
 /// A set; of one that can be compared only the differences are of interest, not the warnings.
 fn read(path: &Path, options: &ListOptions, format: Format) -> Result<Set, Exit> {
-    let (set, report) = config::read(path, options);
+    let (set, report) = pipeline::read(path, options);
     set.map_or_else(|| said(None, &report, format), Ok)
 }
 

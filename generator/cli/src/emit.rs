@@ -3,8 +3,8 @@
 use crate::exit::Exit;
 use crate::output;
 use compiler::pass;
-use generator::axis::Axis;
-use generator::block;
+use generator::blocks;
+use generator::designed::Designed;
 
 /// The stages, in the order of the pipeline.
 fn stages() -> Vec<&'static str> {
@@ -17,28 +17,28 @@ pub fn help() -> String {
 }
 
 /// Prints a stage of every axis.
-pub fn run<'a>(axes: impl Iterator<Item = &'a Axis>, stage: &str) -> Result<Exit, Exit> {
+pub fn run<'a>(axes: impl Iterator<Item = &'a Designed>, stage: &str) -> Result<Exit, Exit> {
     if !stages().contains(&stage) {
         return Err(Exit::no_such("--emit", "stage", stage, &stages()));
     }
-    for axis in axes {
+    for designed in axes {
         match stage {
             "parameters" => {
-                let (name, parameters) = (&axis.name, axis.canonical.trim_end());
+                let (name, parameters) = (&designed.axis.name, designed.axis.canonical.trim_end());
                 output::line(format!("# axis {name}: every effective parameter\n{parameters}"))?;
             }
-            "program" => print(axis, None)?,
-            pass => print(axis, Some(pass))?,
+            "program" => print(designed, None)?,
+            pass => print(designed, Some(pass))?,
         }
     }
     Ok(Exit::Done)
 }
 
 /// Prints the programs of an axis after a pass; none: as the specialiser gives them.
-fn print(axis: &Axis, last: Option<&str>) -> Result<(), Exit> {
-    let programs = block::programs(axis, last).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
-    for program in programs {
-        let (name, text) = (&axis.name, compiler::dump::text(&program));
+fn print(designed: &Designed, last: Option<&str>) -> Result<(), Exit> {
+    for kind in blocks::of_axis(&designed.axis) {
+        let program = kind.program(designed, last).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
+        let (name, text) = (&designed.axis.name, compiler::dump::text(&program));
         output::line(format!("# axis {name}: {}\n{}", program.block, text.trim_end()))?;
     }
     Ok(())

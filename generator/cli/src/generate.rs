@@ -8,12 +8,11 @@ use crate::input::{self, counted};
 use crate::messages::Format;
 use crate::output;
 use crate::shared;
-use crate::summary;
 use compiler::pass::Defect;
-use generator::config::Set;
-use generator::generate;
+use generator::pipeline::Set;
 use generator::target::{self, DEFAULT_TARGETS, File, TARGETS, Target};
 use generator::write::{self, Refusal, Written};
+use generator::{generate, summary};
 use std::borrow::Cow;
 use std::path::PathBuf;
 use std::slice;
@@ -46,7 +45,7 @@ pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Resul
     }
     let targets = chosen(&request.targets, &set)?;
     if let Some(stage) = &request.emit {
-        return emit::run(set.axes.iter().filter(|axis| axes.is_empty() || axes.contains(&axis.name)), stage);
+        return emit::run(set.axes.iter().filter(|of| axes.is_empty() || axes.contains(&of.axis.name)), stage);
     }
     if let Some(show) = request.compare {
         let named = shared::named(&set, axes, &targets, out);
@@ -60,7 +59,7 @@ pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Resul
     let written = write::commit(folder, staged, request.force).map_err(refused)?;
     let left_out = named.iter().zip(&targets).filter_map(|(named, target)| shared::left_out(&set, named, target, out));
     let left_out: String = left_out.collect();
-    set.axes.retain(|axis| axes.is_empty() || axes.contains(&axis.name));
+    set.axes.retain(|of| axes.is_empty() || axes.contains(&of.axis.name));
     say(&set, &paths, written, warnings)?;
     output::print(left_out)?;
     Ok(Exit::Done)
@@ -117,8 +116,8 @@ fn chosen(named: &[String], set: &Set) -> Result<Vec<Target>, Exit> {
 
 fn say(set: &Set, paths: &[PathBuf], written: Written, warnings: usize) -> Result<(), Exit> {
     if set.axes.len() <= DESCRIBED_AXES {
-        for axis in &set.axes {
-            output::print(summary::of(axis))?;
+        for designed in &set.axes {
+            output::print(summary::text(designed))?;
         }
         for path in paths {
             output::line(path.display())?;

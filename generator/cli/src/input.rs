@@ -4,15 +4,16 @@ use crate::arguments::SetArguments;
 use crate::exit::Exit;
 use crate::messages::{self, Format};
 use crate::output;
-use generator::axis::Axis;
 use generator::codes;
-use generator::config::{self, ListOptions, Set};
+use generator::config::ListOptions;
+use generator::designed::Designed;
 use generator::diagnostics::{Diagnostic, Place, Report};
+use generator::pipeline::{self, Set};
 
 /// Reads and checks the set; says all messages. With an error the command ends here.
 pub fn read(arguments: &SetArguments, format: Format) -> Result<(Set, usize), Exit> {
     let options = ListOptions { cycle_time: arguments.cycle_time.clone(), name: arguments.name.clone() };
-    let (set, report) = config::read(&arguments.set, &options);
+    let (set, report) = pipeline::read(&arguments.set, &options);
     Ok((said(set, &report, format)?, report.warnings()))
 }
 
@@ -29,9 +30,9 @@ pub fn said<T>(result: Option<T>, report: &Report, format: Format) -> Result<T, 
 }
 
 /// The axis of that name, or the only one.
-pub fn axis<'s>(set: &'s Set, name: Option<&str>) -> Result<&'s Axis, Exit> {
+pub fn axis<'s>(set: &'s Set, name: Option<&str>) -> Result<&'s Designed, Exit> {
     const OPTION: &str = "--axis";
-    let names: Vec<&str> = set.axes.iter().map(|axis| axis.name.as_str()).collect();
+    let names: Vec<&str> = set.axes.iter().map(|of| of.axis.name.as_str()).collect();
     match (name, set.axes.as_slice()) {
         (None, [axis]) => Ok(axis),
         (None, _) => {
@@ -39,7 +40,7 @@ pub fn axis<'s>(set: &'s Set, name: Option<&str>) -> Result<&'s Axis, Exit> {
             Err(Exit::Input(which.allowed(names.join(", ")).into()))
         }
         (Some(name), axes) => {
-            axes.iter().find(|axis| axis.name == name).ok_or_else(|| Exit::no_such(OPTION, "axis", name, &names))
+            axes.iter().find(|of| of.axis.name == name).ok_or_else(|| Exit::no_such(OPTION, "axis", name, &names))
         }
     }
 }

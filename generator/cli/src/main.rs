@@ -26,7 +26,6 @@ mod run;
 mod schema;
 mod shared;
 mod shell;
-mod summary;
 mod verify;
 
 use arguments::{Cli, Command, Golden, OneFile};

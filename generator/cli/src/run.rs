@@ -6,9 +6,9 @@ use crate::input::{self, counted};
 use crate::messages::Format;
 use crate::one_file;
 use crate::output;
-use generator::axis::Axis;
-use generator::block::{self, Block};
+use generator::blocks::{self, Block};
 use generator::codes;
+use generator::designed::Designed;
 use generator::diagnostics::{Diagnostic, Place, Report};
 use golden::case::named_block;
 use golden::compare::{self, Difference, compare};
@@ -40,19 +40,20 @@ pub struct Request {
 /// Runs the command.
 pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Result<Exit, Exit> {
     let (set, _) = input::read(arguments, format)?;
-    let axis = input::axis(&set, request.axis.as_deref())?;
-    let block = block_of(axis, &request.block)?;
+    let designed = input::axis(&set, request.axis.as_deref())?;
+    let block = block_of(designed, &request.block)?;
     let engine = named_engine(&request.engine)?;
     let out = request.out.as_deref().filter(|out| !is_standard(out));
     if let Some(out) = out {
         let inputs = [Some(arguments.set.as_path()), request.stimulus.as_deref(), request.compare.as_deref()];
         one_file::kept_apart(out, inputs.into_iter().flatten())?;
     }
-    let shape = |variables| Shape::of(variables, axis.real);
+    let shape = |variables| Shape::of(variables, designed.axis.real);
     let (inputs, outputs) = (shape(&block.program.inputs), shape(&block.program.outputs));
     let recording = request.compare.as_deref().map(|file| {
         // Beside a stimulus the recording has only outputs.
-        let of = if request.stimulus.is_some() { &Shape { real: axis.real, signals: Vec::new() } } else { &inputs };
+        let of =
+            if request.stimulus.is_some() { &Shape { real: designed.axis.real, signals: Vec::new() } } else { &inputs };
         csv::read_recording(&read(file)?, of, &outputs).map_err(|mistakes| wrong(file, &mistakes))
     });
     let recording = recording.transpose()?;
@@ -64,7 +65,7 @@ pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Resul
             return Err(Exit::input(codes::USAGE, "--stimulus", found));
         }
     };
-    let found = engine::run(engine, axis, &block, &inputs)
+    let found = engine::run(engine, designed, &block, &inputs)
         .map_err(|failure| Exit::environment(codes::NO_ENGINE, format!("engine {engine}"), failure))?;
     let text = || csv::write(&[&found], if request.hex { Reals::Hexadecimal } else { Reals::Decimal });
     match out {
@@ -109,12 +110,12 @@ fn wrong(file: &Path, mistakes: &[csv::Mistake]) -> Exit {
 }
 
 /// The block of that name.
-fn block_of(axis: &Axis, name: &str) -> Result<Block, Exit> {
-    let names = block::names(axis);
+fn block_of(designed: &Designed, name: &str) -> Result<Block, Exit> {
+    let names = blocks::names(&designed.axis);
     if !names.contains(&name) {
         return Err(Exit::no_such("--block", "block", name, &names));
     }
-    Ok(named_block(axis, name).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}")))
+    Ok(named_block(designed, name).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}")))
 }
 
 fn named_engine(name: &str) -> Result<Engine, Exit> {

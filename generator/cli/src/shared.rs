@@ -3,10 +3,10 @@
 //! They name the axes that are written, and those whose files are in the folder already: what TwinCAT's project file names is
 //! there, whichever axes were written one by one, and writing one anew takes none out: docs/decisions/0017-single-axes.md.
 
-use generator::axis::Axis;
-use generator::block;
-use generator::config::Set;
+use generator::blocks;
+use generator::designed::Designed;
 use generator::generate::units;
+use generator::pipeline::Set;
 use generator::target::{self, Target};
 use rayon::prelude::*;
 use std::borrow::Cow;
@@ -29,8 +29,8 @@ pub fn named<'s>(set: &'s Set, axes: &[String], targets: &[Target], out: &Path) 
         if axes.is_empty() || !has_shared {
             return Cow::Borrowed(set);
         }
-        let is_named = |axis: &&Axis| axes.contains(&axis.name) || is_there(axis, target, out, &files);
-        let named: Vec<&Axis> = set.axes.par_iter().filter(is_named).collect();
+        let is_named = |of: &&Designed| axes.contains(&of.axis.name) || is_there(of, target, out, &files);
+        let named: Vec<&Designed> = set.axes.par_iter().filter(is_named).collect();
         if named.len() == set.axes.len() {
             return Cow::Borrowed(set);
         }
@@ -53,17 +53,17 @@ pub fn left_out(set: &Set, named: &Set, target: &Target, out: &Path) -> Option<S
 }
 
 fn names(set: &Set) -> impl Iterator<Item = &str> {
-    set.axes.iter().map(|axis| axis.name.as_str())
+    set.axes.iter().map(|of| of.axis.name.as_str())
 }
 
 /// Whether the folder has all files of an axis, as they are now or were once.
-fn is_there(axis: &Axis, target: &Target, out: &Path, files: &str) -> bool {
+fn is_there(designed: &Designed, target: &Target, out: &Path, files: &str) -> bool {
     // To make an axis only for the names of its files takes its time.
-    if !files.contains(&target::stem(&axis.name)) {
+    if !files.contains(&target::stem(&designed.axis.name)) {
         return false;
     }
-    let blocks = block::blocks(axis).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
-    let files = (target.files)(axis, &blocks);
+    let blocks = blocks::blocks(designed).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
+    let files = (target.files)(&designed.axis, &blocks);
     !files.is_empty() && files.iter().all(|file| out.join(&file.name).is_file())
 }
 

@@ -7,9 +7,9 @@ use crate::input;
 use crate::messages::Format;
 use crate::output;
 use crate::results::{Files, Outcome};
-use generator::axis::Axis;
-use generator::block::{self, Block};
+use generator::blocks::{self, Block};
 use generator::codes;
+use generator::designed::Designed;
 use golden::compare::{Place, compare};
 use golden::engine::{self, ENGINES, Engine, Failure};
 use golden::samples::{Samples, Shape};
@@ -30,16 +30,17 @@ pub fn run(arguments: &SetArguments, format: Format, samples: usize, files: &Fil
         "{:<20} {:<16} {:<10} {:>10} {:>15}  first difference",
         "axis", "block", "engine", "samples", "differing bits"
     ))?;
-    let blocks = set.axes.iter().map(|axis| block::names(axis).len()).sum();
+    let blocks = set.axes.iter().map(|of| blocks::names(&of.axis).len()).sum();
     // Machines have nothing but objects on standard error.
     let bar = if format == Format::Json { ProgressBar::hidden() } else { progress(blocks) };
-    for axis in &set.axes {
-        let blocks = block::blocks(axis).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
+    for designed in &set.axes {
+        let axis = &designed.axis;
+        let blocks = blocks::blocks(designed).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
         for (which, block) in blocks.iter().enumerate() {
             let shape = Shape::of(&block.program.inputs, axis.real);
             let inputs = stimulus::samples(&exercise::stimulus(axis, &block.program), &shape, samples)
                 .unwrap_or_else(|mistake| panic!("a defect of axgen: {mistake}"));
-            every_engine(axis, &blocks, which, &inputs, &bar, &mut outcomes)?;
+            every_engine(designed, &blocks, which, &inputs, &bar, &mut outcomes)?;
         }
     }
     bar.finish_and_clear();
@@ -57,18 +58,18 @@ fn progress(blocks: usize) -> ProgressBar {
 
 /// Prints a line for each engine, and notes what came of it.
 fn every_engine(
-    axis: &Axis,
+    designed: &Designed,
     blocks: &[Block],
     which: usize,
     inputs: &Samples,
     bar: &ProgressBar,
     outcomes: &mut Vec<Outcome>,
 ) -> Result<(), Exit> {
-    let block = &blocks[which];
+    let (axis, block) = (&designed.axis, &blocks[which]);
     let mut expected: Option<Samples> = None;
     for engine in ENGINES {
         bar.set_message(format!("{} {} {engine}", axis.name, block.program.block));
-        let (bits, first) = match engine::run_among(engine, axis, blocks, which, inputs) {
+        let (bits, first) = match engine::run_among(engine, designed, blocks, which, inputs) {
             Ok(found) => {
                 let difference = compare(expected.as_ref().unwrap_or(&found), &found);
                 expected.get_or_insert(found);

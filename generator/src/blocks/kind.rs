@@ -36,6 +36,9 @@ pub trait Kind: Sync {
     /// All its coefficients, in its own real type.
     fn coefficients(&self, designed: &Designed) -> Vec<Literal>;
 
+    /// What its coefficients mean: a path among them, or the beginning of one, and a text.
+    fn notes(&self, designed: &Designed) -> Vec<(String, String)>;
+
     /// What it does, for the summary of an axis.
     fn summary(&self, designed: &Designed) -> Summary;
 
@@ -91,6 +94,10 @@ impl<P: Part + 'static> Kind for P {
             RealKind::F64 => leaves(&coeffs),
             RealKind::F32 => leaves(&rounded::<_, <P as Reference<f32>>::Coeffs>(&coeffs, RealKind::F32)),
         }
+    }
+
+    fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
+        P::notes(designed)
     }
 
     fn summary(&self, designed: &Designed) -> Summary {

@@ -16,7 +16,6 @@ pub(crate) mod part;
 pub(crate) mod position_control;
 mod values;
 
-
 pub use build::Block;
 pub use kind::{Kind, Run};
 pub(crate) use values::is_same;

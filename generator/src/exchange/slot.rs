@@ -1,9 +1,9 @@
 //! Which part of a line is the value of a parameter that the set holds; the value is not read.
 
 use crate::config::lines::{Content, Line};
+use crate::config::path::{self, Path};
 use crate::config::value::of_text;
 use crate::config::values::Key;
-use crate::config::path::{self, Path};
 use crate::parameters::{Name, Scope, Value};
 use std::ops::Range;
 

@@ -4,8 +4,8 @@
 //! Beckhoff TF5200. Parameters without an id are keys of our own, for what no axis list holds.
 
 use super::words::{
-    AddJerk, AxisType, Boolean, DirectSource, DriveType, Enable, FeedforwardWord, FilterType, LineEnd, ListEncoding, Motor,
-    OperationMode, ProcessDatum, Prototype, RealType, StageMode, TargetName, Width, Words,
+    AddJerk, AxisType, Boolean, DirectSource, DriveType, Enable, FeedforwardWord, FilterType, LineEnd, ListEncoding,
+    Motor, OperationMode, ProcessDatum, Prototype, RealType, StageMode, TargetName, Width, Words,
 };
 use super::{Bound, Kind, Parameter, Scope};
 

@@ -159,7 +159,13 @@ impl<'a> Effective<'a> {
     }
 
     /// An error of a parameter, with what is allowed and what to write instead.
-    pub(crate) fn refuse(&mut self, code: &'static str, key: Key, found: String, [allowed, instead]: [Option<String>; 2]) {
+    pub(crate) fn refuse(
+        &mut self,
+        code: &'static str,
+        key: Key,
+        found: String,
+        [allowed, instead]: [Option<String>; 2],
+    ) {
         let diagnostic = Diagnostic::error(code, self.place_of(key), found);
         self.report.push(Diagnostic { allowed, instead, ..diagnostic });
     }

@@ -2,7 +2,8 @@
 
 use super::{block, one_band_pass, rack_and_pinion, sets};
 use generator::axis::Prototype;
-use generator::certificate::certify;
+use generator::blocks::ipc::certificate::certify;
+use generator::designed::Designed;
 use portable::RealKind;
 use std::time::Instant;
 
@@ -12,10 +13,10 @@ fn it_is_bounded_at_the_lowest_frequency_too() {
     let slow = one_band_pass(RealKind::F64, 62_500, Prototype::Butterworth, 3, 0.016, 10.0);
     let most = sets::axes(200, RealKind::F64).max_by_key(|axis| block(axis).program.state.len()).expect("one");
     for (name, axis) in [("usual", rack_and_pinion(RealKind::F64)), ("slow", slow), ("most", most)] {
-        let block = block(&axis);
+        let (designed, block) = (Designed::of(axis.clone()), block(&axis));
         let once = |_| {
             let start = Instant::now();
-            std::hint::black_box(certify(&axis, &block));
+            std::hint::black_box(certify(&designed, &block.program));
             start.elapsed()
         };
         let each = (0..100).map(once).min().expect("100 runs"); // what else the host does only adds

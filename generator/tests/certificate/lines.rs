@@ -1,14 +1,14 @@
 //! The certificate in words.
 
-use super::{block, rack_and_pinion};
+use super::{certified, rack_and_pinion};
 use generator::axis::Mode;
-use generator::certificate::{certify, lines};
+use generator::blocks::ipc::certificate::lines;
 use portable::RealKind;
 
 #[test]
 fn of_the_rack_and_pinion_example() {
     let axis = rack_and_pinion(RealKind::F64);
-    let lines = lines(&certify(&axis, &block(&axis)));
+    let lines = lines(&certified(&axis));
     assert_eq!(
         lines,
         [
@@ -27,7 +27,7 @@ fn of_the_rack_and_pinion_example() {
 #[test]
 fn of_single_precision() {
     let axis = rack_and_pinion(RealKind::F32);
-    let lines = lines(&certify(&axis, &block(&axis)));
+    let lines = lines(&certified(&axis));
     assert!(lines[0].ends_with("within single precision"), "{}", lines[0]);
 }
 
@@ -38,6 +38,6 @@ fn where_nothing_is_certain_that_is_said() {
     if let Some(stage) = &mut axis.ipc.stage[1] {
         stage.mode = Mode::Indirect { osc_damping: 1e-5 };
     }
-    let lines = lines(&certify(&axis, &block(&axis)));
+    let lines = lines(&certified(&axis));
     assert_eq!(lines[0], "range: no bound is certain, a section is so weakly damped that its roundings may add up");
 }

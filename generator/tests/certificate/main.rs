@@ -10,12 +10,19 @@ mod range;
 mod response;
 
 use generator::axis::{Axis, DirectSource, Enable, Filter, Ipc, Mode, Prototype, Stage};
-use generator::block::{Block, blocks};
+use generator::blocks::ipc::certificate::{Certificate, certify};
+use generator::blocks::{Block, blocks};
+use generator::designed::Designed;
 use portable::RealKind;
 
 /// The one block of an axis.
 fn block(axis: &Axis) -> Block {
-    blocks(axis).expect("no defect").remove(0)
+    blocks(&Designed::of(axis.clone())).expect("no defect").remove(0)
+}
+
+/// What is certain of it.
+fn certified(axis: &Axis) -> Certificate {
+    certify(&Designed::of(axis.clone()), &block(axis).program)
 }
 
 /// The rack-and-pinion example: 53 Hz DIRECT with weight 3, 11 Hz INDIRECT with weight 1.9, cycle 1 ms.

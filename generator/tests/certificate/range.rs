@@ -1,17 +1,17 @@
 //! The bounds against brute force: impulse responses that are added up to the end, and the inputs that are the worst.
 
-use super::{block, one_band_pass, rack_and_pinion, sets};
+use super::{block, certified, one_band_pass, rack_and_pinion, sets};
 use compiler::interp::Machine;
 use compiler::program::{Program, Type};
 use generator::axis::{Axis, Prototype};
-use generator::certificate::{Bound, certify};
+use generator::blocks::ipc::certificate::Bound;
 use portable::{Literal, RealKind};
 use proptest::prelude::*;
 
 /// A block whose limit never acts, and its bound for inputs within +-1.
 fn unlimited(axis: &Axis) -> (Program, Bound) {
     let block = block(axis);
-    let bound = certify(axis, &block).bound;
+    let bound = certified(axis).bound;
     let mut program = block.program;
     for constant in &mut program.constants {
         let value = match constant.path.as_str() {
@@ -147,7 +147,7 @@ proptest! {
 #[test]
 fn the_lowest_frequency_has_a_bound_too() {
     let axis = one_band_pass(RealKind::F64, 62_500, Prototype::Butterworth, 3, 0.016, 10.0);
-    let bound = certify(&axis, &block(&axis)).bound;
+    let bound = certified(&axis).bound;
     // Sections of quality factor 10, 20 and 20, each at most 4/pi times its quality's build-up: far below this.
     assert!(bound.v_sum.is_finite() && bound.v_sum < 100.0 && bound.state < 100.0, "{bound:?}");
     assert!(bound.v_sum > 1.0);

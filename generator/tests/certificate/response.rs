@@ -1,9 +1,10 @@
 //! The measured response against the designed one, and what it sees of a wrong block.
 
-use super::{block, one_band_pass, rack_and_pinion, sets};
+use super::{block, certified, one_band_pass, rack_and_pinion, sets};
 use generator::axis::{Axis, Prototype};
-use generator::certificate::{Certificate, certify, certify_program};
+use generator::blocks::ipc::certificate::{Certificate, certify};
 use generator::design::response::Complex;
+use generator::designed::Designed;
 use portable::{Literal, RealKind};
 use proptest::prelude::*;
 
@@ -15,7 +16,7 @@ fn measured(certificate: &Certificate, stage: usize, point: usize) -> Complex {
 #[test]
 fn the_stages_of_the_rack_and_pinion_example_do_what_they_should() {
     let axis = rack_and_pinion(RealKind::F64);
-    let certificate = certify(&axis, &block(&axis));
+    let certificate = certified(&axis);
     let [direct, indirect] = [measured(&certificate, 0, 0), measured(&certificate, 1, 0)];
     assert!((direct.re + 3.0).abs() < 1e-12 && direct.im.abs() < 1e-12, "{direct:?}");
     assert!((indirect.re + 1.9).abs() < 1e-12 && (indirect.im - 1.1875).abs() < 1e-12, "{indirect:?}");
@@ -31,7 +32,7 @@ fn the_stages_of_the_rack_and_pinion_example_do_what_they_should() {
 fn in_double_precision_measured_is_designed() {
     for set in sets::sets(400) {
         let axis = one_band_pass(RealKind::F64, set.cycle_time_ns, set.prototype, set.order, set.f0, set.q_factor);
-        let found = certify(&axis, &block(&axis)).deviation().expect("measured");
+        let found = certified(&axis).deviation().expect("measured");
         let allowed = match set.product {
             product if product >= 6e-4 => 1e-9,
             product if product >= 6e-5 => 1e-7,
@@ -47,7 +48,7 @@ fn in_double_precision_measured_is_designed() {
 fn of_whole_blocks_too() {
     for (real, allowed) in [(RealKind::F64, 1e-11), (RealKind::F32, 1e-3)] {
         for axis in sets::axes(150, real).filter(|axis| axis.ipc.v_add_max_fact > 0) {
-            let certificate = certify(&axis, &block(&axis));
+            let certificate = certified(&axis);
             let found = certificate.deviation().expect("measured");
             assert!(found <= allowed, "{found:e}: {axis:?}");
             let rounding = if real == RealKind::F64 { 1e-12 } else { 1e-4 };
@@ -70,7 +71,7 @@ fn a_coefficient_that_is_off_by_one_per_cent_is_seen() {
         }
         let mut wrong = program.clone();
         wrong.constants[index].value = Literal::F64(value * 1.01);
-        let deviation = certify_program(&axis, &wrong).deviation().expect("measured");
+        let deviation = certify(&Designed::of(axis.clone()), &wrong).deviation().expect("measured");
         assert!(deviation > 1e-3, "{}: {deviation:e}", program.constants[index].path);
         changed += 1;
     }
@@ -81,10 +82,10 @@ fn a_coefficient_that_is_off_by_one_per_cent_is_seen() {
 fn a_limit_of_0_is_said_and_nothing_is_measured() {
     let mut axis = rack_and_pinion(RealKind::F64);
     axis.ipc.v_add_max_fact = 0;
-    let certificate = certify(&axis, &block(&axis));
+    let certificate = certified(&axis);
     assert_eq!(certificate.deviation(), None);
     assert!(certificate.bound.state > 1.0);
-    let lines = generator::certificate::lines(&certificate);
+    let lines = generator::blocks::ipc::certificate::lines(&certificate);
     assert!(lines[0].starts_with("range: the limit is 0, v_add is always 0; |v| <= 530000 gives no |state| above "));
     assert_eq!(lines[1], "response: not measured, a limit of 0 mutes the block (P-AXIS-00757)");
 }
@@ -102,7 +103,7 @@ proptest! {
             axis.ipc.v_max = v_max;
             axis
         };
-        let of = |axis: Axis| certify(&axis, &block(&axis)).deviation().expect("measured");
+        let of = |axis: Axis| certified(&axis).deviation().expect("measured");
         let [found, usual] = [of(axis(v_add_max_fact, v_max)), of(axis(1000, 530_000.0))];
         let allowed = if single { 1e-6 } else { 1e-14 };
         prop_assert!((found - usual).abs() <= allowed, "{found:e} {usual:e}");

@@ -5,7 +5,7 @@ use generator::config::ListOptions;
 
 fn canonical(list: &str) -> String {
     let (set, report) = read_list(list.replace("ipc.", IPC));
-    set.unwrap_or_else(|| panic!("{report}")).axes.remove(0).canonical
+    set.unwrap_or_else(|| panic!("{report}")).axes.remove(0).axis.canonical
 }
 
 #[test]
@@ -102,7 +102,7 @@ fn moving_an_axis_or_writing_it_as_toml_changes_nothing() {
         let files = [("set.toml", form.as_bytes()), ("x.lis", list.as_bytes())];
         let (set, report) = read("set.toml", &files, &ListOptions::default());
         let set = set.unwrap_or_else(|| panic!("{report}"));
-        let axis = set.axes.iter().find(|axis| axis.name == "X").unwrap();
+        let axis = &set.axes.iter().find(|of| of.axis.name == "X").unwrap().axis;
         assert_eq!(axis.canonical, canonical(&direct("")), "{form}");
     }
 }
@@ -113,6 +113,6 @@ fn durations() {
         [("100ms", "100ms"), ("0.25s", "250ms"), ("1500ms", "1.5s"), ("1us", "1us"), ("999ns", "999ns"), ("0s", "0s")]
     {
         let (set, _) = read_set(format!("cycle_time = \"1ms\"\n[axis.X]\nfade = \"{text}\""));
-        assert!(set.unwrap().axes[0].canonical.contains(&format!("\nfade {canonical}\n")), "{text}");
+        assert!(set.unwrap().axes[0].axis.canonical.contains(&format!("\nfade {canonical}\n")), "{text}");
     }
 }

@@ -356,7 +356,7 @@ fn every_spelling_of_the_mode() {
     let canonical = |mode: &str| {
         let (set, report) =
             read_list(format!("vorsteuer.vorsteuerung {mode}\nvorsteuer.vs_a_faktor 4000\ngetriebe[0].kv 2000"));
-        set.unwrap_or_else(|| panic!("{mode}: {report}")).axes[0].canonical.clone()
+        set.unwrap_or_else(|| panic!("{mode}: {report}")).axes[0].axis.canonical.clone()
     };
     for mode in ["VEL|ACC", "ACC VEL", "acc | vel", "3", "0x3", "0x0003", "NONE VEL ACC"] {
         assert_eq!(canonical(mode), canonical("VEL ACC"), "{mode}");

@@ -5,7 +5,7 @@ use super::{IPC, assert_transcript, direct, indirect, read_list, said, said_of_a
 fn canonical(list: &str) -> String {
     let (set, report) = read_list(list.replace("ipc.", IPC));
     let set = set.unwrap_or_else(|| panic!("{list}\n{report}"));
-    set.axes[0].canonical.replace(IPC, "ipc.")
+    set.axes[0].axis.canonical.replace(IPC, "ipc.")
 }
 
 /// What is said about a set with a valid stage.

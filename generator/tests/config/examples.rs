@@ -1,7 +1,8 @@
 //! The examples of the repository: they load, and say nothing but what they should.
 
 use generator::axis::{DirectSource, Enable, Filter, Mode, Prototype, Stage};
-use generator::config::{ListOptions, Set, read};
+use generator::config::ListOptions;
+use generator::pipeline::{Set, read};
 use portable::RealKind;
 use std::path::Path;
 
@@ -20,7 +21,7 @@ fn rack_and_pinion() {
     let (set, said) = example("rack-and-pinion.lis", &at_1ms());
     assert_eq!(said, "");
     assert_eq!((set.axes.len(), set.foreign), (1, 0));
-    let axis = &set.axes[0];
+    let axis = &set.axes[0].axis;
     assert_eq!((axis.name.as_str(), axis.real, axis.cycle_time_ns), ("rack_and_pinion", RealKind::F64, 1_000_000));
     assert_eq!((axis.ipc.enable, axis.ipc.v_add_max_fact), (Enable::On, 1000));
     assert_eq!((axis.ipc.v_max.to_bits(), axis.ipc.fade.to_bits()), (530_000f64.to_bits(), 0.1f64.to_bits()));
@@ -46,7 +47,7 @@ fn rack_and_pinion() {
 fn two_frequencies() {
     let (set, said) = example("two-frequencies.lis", &at_1ms());
     assert_eq!(said, "");
-    assert_eq!(set.axes[0].ipc.stage.iter().flatten().map(Stage::f0).collect::<Vec<_>>(), [53.0, 90.0]);
+    assert_eq!(set.axes[0].axis.ipc.stage.iter().flatten().map(Stage::f0).collect::<Vec<_>>(), [53.0, 90.0]);
 }
 
 #[test]
@@ -54,8 +55,9 @@ fn machine() {
     let (set, said) = example("machine.toml", &ListOptions::default());
     assert_eq!(said, "");
     assert_eq!(set.targets, ["c"]);
-    assert_eq!(set.axes.iter().map(|axis| axis.name.as_str()).collect::<Vec<_>>(), ["X", "Y", "C"]);
+    assert_eq!(set.axes.iter().map(|of| of.axis.name.as_str()).collect::<Vec<_>>(), ["X", "Y", "C"]);
     let [x, y, c] = &set.axes[..] else { panic!() };
+    let [x, y, c] = [x, y, c].map(|of| &of.axis);
     assert_eq!(x.ipc.fade.to_bits(), 0.2f64.to_bits());
     let allpass = Filter::Allpass { f0: 28.1, q_factor: 2.0 };
     assert_eq!(y.ipc.stage[0].as_ref().unwrap().filter[1], allpass);

@@ -2,7 +2,8 @@
 
 use super::{IPC, assert_said, direct, read, short};
 use generator::axis::{Filter, Prototype};
-use generator::config::{ListOptions, Unreadable, read_with};
+use generator::config::{ListOptions, Unreadable};
+use generator::pipeline::read_with;
 use std::path::Path;
 
 fn options(cycle_time: Option<&str>, name: Option<&str>) -> ListOptions {
@@ -19,7 +20,7 @@ fn no_such_file() {
 fn files_of_the_system() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
     let said = |path: &Path| {
-        let (_, report) = generator::config::read(path, &options(Some("1ms"), None));
+        let (_, report) = generator::pipeline::read(path, &options(Some("1ms"), None));
         report.diagnostics[0].found.rsplit(": ").next().unwrap().to_owned()
     };
     assert_eq!(said(&folder.join("none.lis")), "there is no such file");
@@ -83,7 +84,7 @@ fn keys_of_a_set_override_its_list() {
     let files = [("set.toml", set.as_bytes()), ("x.lis", list.as_bytes())];
     let (set, report) = read("set.toml", &files, &ListOptions::default());
     assert_eq!(report.to_string(), "");
-    let axis = set.unwrap().axes.remove(0);
+    let axis = set.unwrap().axes.remove(0).axis;
     assert_eq!(axis.ipc.v_add_max_fact, 7);
     let filter = Filter::Bandpass { prototype: Prototype::Bessel, order: 3, f0: 53.0, q_factor: 10.0 };
     assert_eq!(axis.ipc.stage[0].as_ref().unwrap().filter[0], filter);
@@ -135,7 +136,7 @@ fn a_set_has_a_cycle_time_and_names_of_its_own() {
 fn names_of_lists() {
     let name = |path: &str, name| {
         let (set, report) = read(path, &[(path, b"")], &options(Some("1ms"), name));
-        set.map(|set| set.axes[0].name.clone()).ok_or_else(|| report.diagnostics[0].to_string())
+        set.map(|set| set.axes[0].axis.name.clone()).ok_or_else(|| report.diagnostics[0].to_string())
     };
     assert_eq!(name("lists/rack-and-pinion.lis", None).unwrap(), "rack_and_pinion");
     assert_eq!(name("X", None).unwrap(), "X");

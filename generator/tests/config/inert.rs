@@ -189,7 +189,7 @@ set.toml:4:32: warning[AX426]: nothing of what this axis does uses process_data.
 fn what_is_left_out_is_no_part_of_the_axis() {
     let control = |lines: &str| -> Control {
         let (set, _) = read_set(format!("cycle_time = \"1ms\"\n[axis.X]\ngetriebe = [{{ kv = 2000 }}]\n{lines}"));
-        set.expect("a warning is no error").axes.remove(0).control
+        set.expect("a warning is no error").axes.remove(0).axis.control
     };
     let sums = |lines: &str| {
         let feedforward = control(lines).feedforward.expect("it has feedforward");
@@ -219,7 +219,7 @@ fn a_position_waits_for_no_feedforward_that_is_off() {
              vorsteuer.vorsteuerung = 'ADD_VEL'\ngetriebe = [{{ kv = 2000, incr_per_rev = 1000 }}]\n"
         );
         let (set, _) = read_set(lines);
-        let control = set.expect("a warning is no error").axes.remove(0).control;
+        let control = set.expect("a warning is no error").axes.remove(0).axis.control;
         control.position_control.expect("the drive controls the position").shift_time
     };
     assert_eq!([shift("INT32"), shift("NONE")], [3, 0]);

@@ -17,8 +17,9 @@ mod set;
 mod values;
 mod wording;
 
-use generator::config::{ListOptions, Set, Unreadable, read_with};
+use generator::config::{ListOptions, Unreadable};
 use generator::diagnostics::Report;
+use generator::pipeline::{Set, read_with};
 use std::path::Path;
 
 /// One axis list `x.lis` at a cycle time of 1 ms.

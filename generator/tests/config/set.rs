@@ -711,6 +711,6 @@ fn axes_keep_the_order_of_the_file() {
     let (set, _) = read_set("targets = [\"ST\", \"C\"]\ncycle_time = \"62.5us\"\n[axis.Z]\n[axis.A]\n[axis.m]\n");
     let set = set.unwrap();
     assert_eq!(set.targets, ["st", "c"]);
-    let names: Vec<_> = set.axes.iter().map(|axis| (axis.name.as_str(), axis.cycle_time_ns)).collect();
+    let names: Vec<_> = set.axes.iter().map(|of| (of.axis.name.as_str(), of.axis.cycle_time_ns)).collect();
     assert_eq!(names, [("Z", 62_500), ("A", 62_500), ("m", 62_500)]);
 }

@@ -1,10 +1,10 @@
 //! All-passes: what the coefficients of 12,000 random ones do.
 
 use super::rounding::{demanded, of_section};
+use super::sets::filter as coefficients_of;
 use super::sets::sets;
 use generator::axis::{Filter, Prototype};
 use generator::design::band::{band, edges, warped};
-use generator::design::filter;
 use generator::design::response::{Complex, magnitude, of_allpass, of_biquad};
 use reference::biquad;
 
@@ -16,7 +16,7 @@ fn phase_is_a_quarter_turn_at_each_edge_and_a_half_at_the_centre() {
     for set in sets(12_000) {
         let band = band(set.f0, set.q_factor, set.cycle_time());
         let filter = Filter::Allpass { f0: set.f0, q_factor: set.q_factor };
-        let coeffs = filter::coefficients::<f64>(&filter, set.cycle_time()).allpass;
+        let coeffs = coefficients_of(&filter, set.cycle_time()).allpass;
         let [lower, upper] = edges(&band);
         for (t, re, im) in [(lower, 0.0, -1.0), (warped(set.f0, set.cycle_time()), -1.0, 0.0), (upper, 0.0, 1.0)] {
             let h = of_allpass(&coeffs, t);
@@ -34,7 +34,7 @@ fn phase_is_a_quarter_turn_at_each_edge_and_a_half_at_the_centre() {
 fn gain_is_1_at_every_frequency() {
     for set in sets(12_000) {
         let filter = Filter::Allpass { f0: set.f0, q_factor: set.q_factor };
-        let coeffs = filter::coefficients::<f64>(&filter, set.cycle_time()).allpass;
+        let coeffs = coefficients_of(&filter, set.cycle_time()).allpass;
         let (a1, a2) = (coeffs.a1, coeffs.a2);
         let general = biquad::Coeffs { b0: a2, b1: a1, b2: 1.0, a1, a2, ..biquad::Coeffs::default() };
         for i in -8..=8 {
@@ -51,8 +51,8 @@ fn it_has_the_poles_of_the_first_order_band_pass() {
     for set in sets(1_000) {
         let all = Filter::Allpass { f0: set.f0, q_factor: set.q_factor };
         let band = Filter::Bandpass { prototype: Prototype::Bessel, order: 1, f0: set.f0, q_factor: set.q_factor };
-        let all = filter::coefficients::<f64>(&all, set.cycle_time()).allpass;
-        let band = filter::coefficients::<f64>(&band, set.cycle_time()).bandpass[0];
+        let all = coefficients_of(&all, set.cycle_time()).allpass;
+        let band = coefficients_of(&band, set.cycle_time()).bandpass[0];
         assert!((all.a1 - band.a1).abs() <= 2.0 * f64::EPSILON);
         assert!((all.a2 - band.a2).abs() <= f64::EPSILON);
         assert_eq!(all.settled.to_bits(), (1.0 - all.a2).to_bits());

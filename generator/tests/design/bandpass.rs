@@ -1,11 +1,12 @@
 //! Band-passes: what the coefficients of 12,000 random ones do, against the closed forms of their prototypes.
 
 use super::rounding::{demanded, of_sections};
+use super::sets::filter as coefficients_of;
 use super::sets::{Set, sets};
 use generator::axis::{Filter, Prototype};
 use generator::design::band::{Band, band, edges, frequency, warped};
+use generator::design::bandpass;
 use generator::design::response::{magnitude, of_bandpass, of_filter, phase};
-use generator::design::{bandpass, filter};
 use reference::filter::Coeffs;
 
 const COUNT: usize = 12_000;
@@ -13,7 +14,7 @@ const COUNT: usize = 12_000;
 fn design(set: &Set) -> (Band, Coeffs<f64>) {
     let Set { prototype, order, f0, q_factor, .. } = *set;
     let filter = Filter::Bandpass { prototype, order, f0, q_factor };
-    (band(f0, q_factor, set.cycle_time()), filter::coefficients(&filter, set.cycle_time()))
+    (band(f0, q_factor, set.cycle_time()), coefficients_of(&filter, set.cycle_time()))
 }
 
 /// Over all sets: no deviation may be larger than rounding explains, nor larger than is demanded.

@@ -2,11 +2,14 @@
 //! last digit that they are printed with; what the drive gets is an integer and compared as one.
 
 use generator::axis::{Axis, Enable, Motor, Ratio, Resolution, TimeBase, Torque, Velocity, Width};
-use generator::block::blocks;
-use generator::config::{ListOptions, read};
-use generator::design;
+use generator::blocks::blocks;
+use generator::config::ListOptions;
+use generator::design::delay::delay as design_delay;
+use generator::design::rounding::rounded;
 use generator::design::scale::{self, angular_acceleration};
-use portable::Block;
+use generator::designed::Designed;
+use generator::pipeline::read;
+use portable::{Block, RealKind};
 use reference::feedforward::{Feedforward, Inputs};
 use reference::ipc::{Ipc, mode_dryrun, mode_off, mode_on};
 use reference::position_control::PositionControl;
@@ -17,12 +20,12 @@ fn example(name: &str) -> Axis {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/feedforward.toml");
     let (set, report) = read(&path, &ListOptions::default());
     let axes = set.unwrap_or_else(|| panic!("{report}")).axes;
-    axes.into_iter().find(|axis| axis.name == name).expect("an axis of the example")
+    axes.into_iter().find(|of| of.axis.name == name).expect("an axis of the example").axis
 }
 
 /// What the drive of an axis gets for a constant input, after the delays have run full.
 fn steady(axis: &Axis, inputs: Inputs<f64>) -> [i32; 2] {
-    let coeffs = design::feedforward::coefficients::<f64>(axis);
+    let coeffs = Designed::of(axis.clone()).feedforward;
     let inputs = Inputs { feedforward_active: true, feedforward_percentage: 100, position_controlled: true, ..inputs };
     let (mut state, mut outputs) = (<Feedforward as Block<f64>>::state(), <Feedforward as Block<f64>>::outputs());
     for _ in 0..10 {
@@ -120,7 +123,7 @@ fn linear_motor() {
 #[test]
 fn position_controller() {
     let axis = example("X");
-    let coeffs = design::position_control::coefficients::<f64>(&axis);
+    let coeffs = Designed::of(axis).position_control;
     assert_eq!((coeffs.kv, coeffs.lag), (20.0, 0.05));
     let mut inputs = <PositionControl as Block<f64>>::inputs(&coeffs);
     inputs.x_command = 1e6 / 60.0 / 20.0; // a lag that is 1 m/min at 20/s
@@ -134,7 +137,7 @@ fn position_controller() {
 #[test]
 fn ramps() {
     for (us, cycles) in [(0, 0.0), (150, 0.15), (1000, 1.0), (2500, 2.5), (5999, 5.999)] {
-        let coeffs = design::feedforward::delay::<f64>(us, 1_000_000);
+        let coeffs = design_delay(us, 1_000_000);
         let mut state = delay::State::default();
         delay::settle(&mut state, 0.0);
         for n in 0..100 {
@@ -175,7 +178,7 @@ fn halves_and_ends() {
         (Width::Int32, -1e300, (-2_147_483_648, true)),
     ] {
         let mut datum = process_data::Datum::default();
-        process_data::round(&mut datum, &scale::range::<f64>(width), x);
+        process_data::round(&mut datum, &scale::range(width, RealKind::F64), x);
         assert_eq!((datum.value, datum.limited), expected, "{x:?} in {width:?}");
     }
     for (width, x, expected) in [
@@ -196,7 +199,7 @@ fn halves_and_ends() {
         (Width::Int16, -32_768.5, (-32_768, true)),
     ] {
         let mut datum = process_data::Datum::default();
-        process_data::round(&mut datum, &scale::range::<f32>(width), x);
+        process_data::round(&mut datum, &rounded(&scale::range(width, RealKind::F32), RealKind::F32), x);
         assert_eq!((datum.value, datum.limited), expected, "{x:?} in {width:?}");
     }
 }
@@ -207,8 +210,8 @@ fn a_gantry_slave_refuses_its_mode() {
     let mut axis = example("Y1");
     axis.control.master = Some(9);
     axis.ipc.enable = Enable::Off;
-    assert_eq!(blocks(&axis).expect("a slave has blocks").len(), 3);
-    let coeffs = design::ipc::<f64>(&axis);
+    assert_eq!(blocks(&Designed::of(axis.clone())).expect("a slave has blocks").len(), 3);
+    let coeffs = Designed::of(axis).ipc.coeffs;
     let (mut state, mut outputs) = (<Ipc as Block<f64>>::state(), <Ipc as Block<f64>>::outputs());
     for (mode, expected) in [(mode_off(), 0), (mode_on(), 70_600), (mode_dryrun(), 70_600), (7, 2), (mode_off(), 0)] {
         let inputs = reference::ipc::Inputs { mode, ..<Ipc as Block<f64>>::inputs(&coeffs) };

@@ -6,6 +6,7 @@ use generator::design::band::{Band, band, warped};
 use generator::design::bandpass::{self, Section};
 use generator::design::response::{of_allpass, of_bandpass, of_biquad, of_stage};
 use generator::design::{allpass, oscillation};
+use generator::designed::Designed;
 use portable::RealKind;
 use reference::stage;
 
@@ -116,7 +117,7 @@ fn rack_and_pinion() -> Axis {
 
 #[test]
 fn stages_of_the_rack_and_pinion_example() {
-    let coeffs = design::ipc::<f64>(&rack_and_pinion());
+    let coeffs = Designed::of(rack_and_pinion()).ipc.coeffs;
     let direct = of_stage(&coeffs.stage[0], warped(53.0, TS));
     same(direct.re, -3.0);
     assert!(direct.im.abs() < 3e-13);

@@ -2,10 +2,11 @@
 //! how they were made: by its own methods, from the edges of the band, and not from our sections.
 
 use super::rounding::of_section;
+use super::sets::filter as coefficients_of;
 use generator::axis::{Filter, Prototype};
 use generator::design::band::warped;
+use generator::design::oscillation;
 use generator::design::response::{Complex, magnitude, of_biquad, of_filter};
-use generator::design::{filter, oscillation};
 use reference::biquad;
 
 const DATA: &str = include_str!("../data/scipy_designs.csv");
@@ -72,7 +73,7 @@ fn ours(kind: &str, order: usize, f0: f64, q_or_d: f64, cycle_time: f64) -> Ours
         "BESSEL" => Filter::Bandpass { prototype: Prototype::Bessel, order, f0, q_factor: q_or_d },
         other => panic!("{other}"),
     };
-    let coeffs = filter::coefficients::<f64>(&filter, cycle_time);
+    let coeffs = coefficients_of(&filter, cycle_time);
     let sections = &coeffs.bandpass[..coeffs.order];
     let (denominators, gain) = match filter {
         Filter::Bandpass { .. } => {

@@ -126,3 +126,8 @@ impl Random {
         usize::try_from(self.next() >> 33).expect("31 bits") % count
     }
 }
+
+/// Coefficients of a filter at the cycle time [s].
+pub fn filter(filter: &Filter, cycle_time: f64) -> reference::filter::Coeffs<f64> {
+    generator::blocks::ipc::design::filter_of([0, 0], filter, cycle_time, &mut Vec::new())
+}

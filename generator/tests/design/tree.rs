@@ -2,12 +2,23 @@
 
 use super::sets::axes;
 use generator::axis::{Axis, Filter, Mode, Prototype};
-use generator::design::ipc::fade_cycles;
-use generator::design::{ipc, notes};
+use generator::blocks::ipc::design::{design, fade_cycles};
+use generator::blocks::named;
+use generator::design::rounding::rounded;
+use generator::designed::Designed;
 use portable::{Literal, Portable, RealKind, Ty};
+use reference::ipc::Coeffs;
 
 fn axis() -> Axis {
     axes(1, RealKind::F64).next().expect("one axis")
+}
+
+fn notes(axis: Axis) -> Vec<(String, String)> {
+    named("ipc").expect("the registry has it").notes(&Designed::of(axis))
+}
+
+fn ipc(axis: &Axis) -> Coeffs<f64> {
+    design(axis).coeffs
 }
 
 /// Each scalar with its path.
@@ -37,8 +48,8 @@ fn walk(ty: &Ty, path: &str, paths: &mut Vec<String>) {
 #[expect(clippy::cast_possible_truncation, reason = "this is the rounding that is tested")]
 fn single_precision_is_double_precision_rounded_once() {
     for axis in axes(500, RealKind::F32) {
-        let double = leaves(&ipc::<f64>(&axis));
-        let single = leaves(&ipc::<f32>(&axis));
+        let double = leaves(&ipc(&Axis { real: RealKind::F64, ..axis.clone() }));
+        let single = leaves(&rounded::<_, Coeffs<f32>>(&ipc(&axis), RealKind::F32));
         assert_eq!(double.len(), single.len());
         for ((path, double), (_, single)) in double.into_iter().zip(single) {
             let expected = match double {
@@ -55,7 +66,7 @@ fn single_precision_is_double_precision_rounded_once() {
 #[test]
 fn what_is_not_used_is_0() {
     for axis in axes(500, RealKind::F64) {
-        let coeffs = ipc::<f64>(&axis);
+        let coeffs = ipc(&axis);
         for (stage, coeffs) in axis.ipc.stage.iter().zip(&coeffs.stage) {
             let Some(stage) = stage else {
                 assert!(leaves(coeffs).iter().all(|(_, literal)| is_zero(*literal)));
@@ -83,7 +94,7 @@ fn is_zero(literal: Literal) -> bool {
 #[test]
 fn what_is_given_is_copied() {
     for axis in axes(200, RealKind::F64) {
-        let coeffs = ipc::<f64>(&axis);
+        let coeffs = ipc(&axis);
         assert_eq!(coeffs.cycle_time_ns, axis.cycle_time_ns);
         assert_eq!(coeffs.enable, axis.ipc.enable as i32);
         for (stage, coeffs) in axis.ipc.stage.iter().zip(&coeffs.stage) {
@@ -98,12 +109,13 @@ fn limit_and_rest() {
     let mut axis = axis();
     axis.ipc.v_max = 200_000.0;
     axis.ipc.v_add_max_fact = 333;
-    let coeffs = ipc::<f64>(&axis);
+    let coeffs = ipc(&axis);
     assert_eq!([coeffs.limit, coeffs.lower_limit].map(f64::to_bits), [66_600.0, -66_600.0_f64].map(f64::to_bits));
     assert_eq!(coeffs.rest.to_bits(), (200_000.0 / 1_152_921_504_606_846_976.0_f64).to_bits());
-    assert_eq!(ipc::<f32>(&axis).rest.to_bits(), (200_000.0 / 1_099_511_627_776.0_f32).to_bits());
+    let single = Axis { real: RealKind::F32, ..axis.clone() };
+    assert_eq!(ipc(&single).rest.to_bits(), (200_000.0 / 1_099_511_627_776.0_f64).to_bits());
     axis.ipc.v_add_max_fact = 0;
-    let coeffs = ipc::<f64>(&axis);
+    let coeffs = ipc(&axis);
     assert_eq!([coeffs.limit, coeffs.lower_limit].map(f64::to_bits), [0, 0]); // both are +0
 }
 
@@ -125,7 +137,7 @@ fn fade_is_rounded_up_to_whole_cycles() {
         axis.ipc.fade = fade;
         axis.cycle_time_ns = ns;
         assert_eq!(fade_cycles(&axis), cycles, "{fade} s, {ns} ns");
-        let coeffs = ipc::<f64>(&axis);
+        let coeffs = ipc(&axis);
         assert_eq!(coeffs.fade_cycles, cycles);
         assert_eq!(coeffs.fade_step.to_bits(), (1.0 / f64::from(cycles)).to_bits());
     }
@@ -160,9 +172,9 @@ fn fade_lasts_at_least_one_period_of_the_lowest_filter() {
 #[test]
 fn notes_name_paths_of_the_tree_in_its_order() {
     for axis in axes(300, RealKind::F64) {
-        let paths: Vec<_> = leaves(&ipc::<f64>(&axis)).into_iter().map(|(path, _)| path).collect();
+        let paths: Vec<_> = leaves(&ipc(&axis)).into_iter().map(|(path, _)| path).collect();
         let mut last = 0;
-        for (prefix, text) in notes(&axis) {
+        for (prefix, text) in notes(axis.clone()) {
             let place = paths.iter().position(|path| {
                 path.strip_prefix(prefix.as_str()).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
             });
@@ -186,7 +198,7 @@ fn a_note_says_what_a_filter_is() {
     ];
     (stage.weight_fact_num, stage.weight_fact_denom) = (900, 100);
     axis.ipc.stage = [Some(stage), None, None];
-    let notes = notes(&axis);
+    let notes = notes(axis);
     let of = |path: &str| notes.iter().find(|(found, _)| found == path).expect("the path has a note").1.as_str();
     assert_eq!(
         of("stage[0]"),

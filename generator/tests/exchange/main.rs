@@ -8,9 +8,10 @@ mod large;
 mod random;
 mod unread;
 
-use generator::config::{ListOptions, Unreadable, read_with};
+use generator::config::{ListOptions, Unreadable};
 use generator::diagnostics::Report;
 use generator::exchange::{export_with, import_with};
+use generator::pipeline::read_with;
 use std::path::Path;
 
 const IPC: &str = "lr_param.improved_position_control.";
@@ -69,7 +70,7 @@ fn meaning(name: &str, bytes: &[u8]) -> Result<String, Vec<(&'static str, String
     let files: [File<'_>; 1] = [(name, bytes)];
     let (set, report) = read_with(Path::new(name), &options, &|path| load(&files, path));
     let said = || report.diagnostics.iter().map(|said| (said.code, said.found.clone())).collect();
-    set.map(|mut set| set.axes.remove(0).canonical).ok_or_else(said)
+    set.map(|mut set| set.axes.remove(0).axis.canonical).ok_or_else(said)
 }
 
 /// Imports and exports a list: the same bytes; the set says what the list said, to the reader and about the same axis.

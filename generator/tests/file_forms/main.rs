@@ -16,7 +16,8 @@ mod twincat;
 mod vector;
 mod xml;
 
-use generator::config::{ListOptions, Set, Unreadable, read, read_with};
+use generator::config::{ListOptions, Unreadable};
+use generator::pipeline::{Set, read, read_with};
 use generator::target::{File, TARGETS};
 use std::collections::BTreeMap;
 use std::path::Path;

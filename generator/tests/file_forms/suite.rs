@@ -3,7 +3,7 @@
 use crate::twincat::{code, object};
 use crate::{CASES, xml};
 use compiler::program::Type;
-use generator::block::blocks;
+use generator::blocks::blocks;
 use generator::target::names::identifier;
 use generator::target::outline::is_read;
 use portable::RealKind;
@@ -63,12 +63,12 @@ fn a_suite_gives_every_input_and_compares_every_output() {
         for axis in &case.set.axes {
             for block in blocks(axis).unwrap() {
                 let program = &block.program;
-                let stem = format!("axis_{}_{}", axis.name.to_ascii_lowercase(), program.block);
+                let stem = format!("axis_{}_{}", axis.axis.name.to_ascii_lowercase(), program.block);
                 let suite = object(&case.files[&format!("twincat/Tests/FB_{stem}_Test.TcPOU")]);
                 let method = suite.at("Method");
                 let (declaration, body) = (&method.at("Declaration").text, &method.at("Implementation/ST").text);
                 let (real, list) =
-                    (if axis.real == RealKind::F64 { "LREAL" } else { "REAL" }, format!("GVL_{stem}_vector"));
+                    (if axis.axis.real == RealKind::F64 { "LREAL" } else { "REAL" }, format!("GVL_{stem}_vector"));
                 assert!(declaration.contains(&format!("    block : FB_{stem};\n")), "{stem}");
                 assert!(declaration.contains(&format!("    view : U_axgen_{real};\n")), "{stem}");
                 let call = body.split_once("    block(").unwrap().1.split_once(");").unwrap().0;

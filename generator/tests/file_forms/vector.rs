@@ -4,8 +4,8 @@ use crate::twincat::{code, object};
 use crate::{CASES, Case};
 use compiler::interp::Machine;
 use compiler::program::{Type, Variable};
-use generator::axis::Axis;
-use generator::block::{Block, blocks};
+use generator::blocks::{Block, blocks};
+use generator::designed::Designed;
 use generator::target::names::identifier;
 use portable::{Literal, RealKind};
 use std::collections::BTreeMap;
@@ -78,11 +78,11 @@ fn samples(variables: &[Variable], real: RealKind, tracks: &Tracks, count: usize
 }
 
 /// Every block of a set with what its list holds.
-fn each(mut visit: impl FnMut(&Case, &Axis, &Block, &Tracks)) {
+fn each(mut visit: impl FnMut(&Case, &Designed, &Block, &Tracks)) {
     for case in CASES.iter() {
         for axis in &case.set.axes {
             for block in blocks(axis).unwrap() {
-                let stem = format!("axis_{}_{}", axis.name.to_ascii_lowercase(), block.program.block);
+                let stem = format!("axis_{}_{}", axis.axis.name.to_ascii_lowercase(), block.program.block);
                 let tracks = tracks(&case.files[&format!("twincat/Tests/GVL_{stem}_vector.TcGVL")]);
                 visit(case, axis, &block, &tracks);
             }
@@ -105,8 +105,8 @@ fn the_block_gives_what_the_list_holds() {
     each(|case, axis, block, tracks| {
         let program = &block.program;
         let count = tracks.values().next().unwrap().1.len();
-        let inputs = samples(&program.inputs, axis.real, tracks, count);
-        let outputs = samples(&program.outputs, axis.real, tracks, count);
+        let inputs = samples(&program.inputs, axis.axis.real, tracks, count);
+        let outputs = samples(&program.outputs, axis.axis.real, tracks, count);
         for output in &program.outputs {
             assert!(tracks.contains_key(&identifier(&output.path)), "{}: {}", case.name, output.path);
         }
@@ -115,10 +115,10 @@ fn the_block_gives_what_the_list_holds() {
         assert!(tracks.keys().all(|name| names.contains(name)), "{}: {names:?}", case.name);
         let (mut machine, mut found) = (Machine::start(program), Vec::new());
         for (sample, (inputs, expected)) in inputs.iter().zip(&outputs).enumerate() {
-            assert!(inputs.iter().chain(expected).all(is_number), "{}: {}: sample {sample}", case.name, axis.name);
+            assert!(inputs.iter().chain(expected).all(is_number), "{}: {}: sample {sample}", case.name, axis.axis.name);
             machine.step(inputs, &mut found);
             let bits = |values: &[Literal]| -> Vec<String> { values.iter().map(bits_of).collect() };
-            assert_eq!(bits(&found), bits(expected), "{}: {}: sample {sample}", case.name, axis.name);
+            assert_eq!(bits(&found), bits(expected), "{}: {}: sample {sample}", case.name, axis.axis.name);
             values += found.len();
         }
     });
@@ -139,10 +139,10 @@ fn a_list_shows_a_fault_a_dry_run_and_a_movement() {
     let mut shown = 0;
     each(|case, axis, block, tracks| {
         // Other blocks have no mode.
-        if block.program.block != "ipc" || generator::design::ipc::limit(&axis.ipc) == 0.0 {
+        if block.program.block != "ipc" || axis.axis.ipc.limit() == 0.0 {
             return;
         }
-        let name = format!("{}: {}", case.name, axis.name);
+        let name = format!("{}: {}", case.name, axis.axis.name);
         let values = |signal: &str| &tracks[signal].1;
         assert!(values("fault").iter().any(|value| value == "TRUE"), "{name}: a fault");
         assert!(values("fault").iter().any(|value| value == "FALSE"), "{name}: no fault");

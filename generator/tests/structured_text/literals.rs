@@ -105,9 +105,9 @@ fn every_constant_of_the_example_is_in_its_files_with_its_bits() {
     let files = files(MACHINE);
     let mut constants = 0;
     for axis in super::set(MACHINE).axes {
-        let name = axis.name.to_ascii_lowercase();
+        let name = axis.axis.name.to_ascii_lowercase();
         let text = &files[&format!("axis_{name}.st")];
-        for constant in &generator::block::blocks(&axis).unwrap()[0].program.constants {
+        for constant in &generator::blocks::blocks(&axis).unwrap()[0].program.constants {
             if let value @ (Literal::F64(_) | Literal::F32(_)) = constant.value {
                 constants += 1;
                 assert!(text.contains(&literal(value)), "{name}: {}", constant.path);

@@ -8,7 +8,8 @@ mod literals;
 mod programs;
 mod targets;
 
-use generator::config::{ListOptions, Set, Unreadable, read_with};
+use generator::config::{ListOptions, Unreadable};
+use generator::pipeline::{Set, read_with};
 use generator::target::{File, TARGETS};
 use std::collections::BTreeMap;
 use std::path::Path;

@@ -3,7 +3,7 @@
 use super::{MACHINE, set};
 use compiler::interp::Machine;
 use compiler::program::{Expr, Program, Statement, Type, Var};
-use generator::block::{Block, blocks};
+use generator::blocks::{Block, blocks};
 use generator::target::st::{operands, start, twincat::enable};
 use portable::Literal;
 

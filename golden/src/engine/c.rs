@@ -3,8 +3,8 @@
 use super::{Compiler, Failure};
 use crate::samples::{Samples, Shape};
 use compiler::program::Type;
-use generator::axis::Axis;
-use generator::block::Block;
+use generator::blocks::Block;
+use generator::designed::Designed;
 use generator::target::c::{files, types};
 use generator::target::names;
 use std::fmt::Write as _;
@@ -25,22 +25,22 @@ impl Harness {
     ///
     /// # Errors
     /// The compiler is not there, or there is no room.
-    pub fn of(axis: &Axis, block: &Block, compiler: &Compiler) -> Result<Self, Failure> {
-        Self::among(axis, std::slice::from_ref(block), 0, compiler)
+    pub fn of(designed: &Designed, block: &Block, compiler: &Compiler) -> Result<Self, Failure> {
+        Self::among(designed, std::slice::from_ref(block), 0, compiler)
     }
 
     /// Writes the files of an axis and compiles the program around one of its blocks.
     ///
     /// # Errors
     /// The compiler is not there, or there is no room.
-    pub fn among(axis: &Axis, blocks: &[Block], which: usize, compiler: &Compiler) -> Result<Self, Failure> {
+    pub fn among(designed: &Designed, blocks: &[Block], which: usize, compiler: &Compiler) -> Result<Self, Failure> {
         let block = &blocks[which];
         let folder = new_folder()?;
         let write = |name: &str, text: &str| {
             let written = std::fs::write(folder.path().join(name), text);
             written.map_err(|error| Failure::Environment(format!("{name}: {error}")))
         };
-        let emitted = files(axis, blocks);
+        let emitted = files(&designed.axis, blocks);
         for file in &emitted {
             write(&file.name, &file.text)?;
         }

@@ -3,8 +3,8 @@
 use super::Failure;
 use super::st::{self, Dialect, Mistake};
 use crate::samples::{Samples, Shape};
-use generator::axis::Axis;
-use generator::block::Block;
+use generator::blocks::Block;
+use generator::designed::Designed;
 use generator::target::names::Names;
 use generator::target::st::names::{is_reserved, signals};
 use generator::target::st::{codesys, plain, twincat};
@@ -13,12 +13,12 @@ use generator::target::{File, block_name};
 /// Runs one of an axis's blocks from the file that the target of a dialect emits.
 pub fn run(
     dialect: Dialect,
-    axis: &Axis,
+    designed: &Designed,
     blocks: &[Block],
     which: usize,
     inputs: &Samples,
 ) -> Result<Samples, Failure> {
-    let block = &blocks[which];
+    let (axis, block) = (&designed.axis, &blocks[which]);
     let (files, name, enable): (Vec<File>, _, &[(&str, bool)]) = match dialect {
         Dialect::Plain => (plain::files(axis, blocks), block_name(&axis.name, block.program.block), &[]),
         Dialect::TwinCat => {

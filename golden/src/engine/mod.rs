@@ -11,8 +11,8 @@ pub use c::Harness;
 pub use compiler::Compiler;
 
 use crate::samples::Samples;
-use generator::axis::Axis;
-use generator::block::Block;
+use generator::blocks::Block;
+use generator::designed::Designed;
 use st::Dialect;
 use std::fmt;
 
@@ -80,8 +80,8 @@ impl std::error::Error for Failure {}
 ///
 /// # Errors
 /// The engine `c` needs a compiler; the engines of Structured Text refuse a text that implementations could disagree on.
-pub fn run(engine: Engine, axis: &Axis, block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
-    run_among(engine, axis, std::slice::from_ref(block), 0, inputs)
+pub fn run(engine: Engine, designed: &Designed, block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
+    run_among(engine, designed, std::slice::from_ref(block), 0, inputs)
 }
 
 /// Runs one of an axis's blocks from its start, from the files that the axis gets.
@@ -90,19 +90,19 @@ pub fn run(engine: Engine, axis: &Axis, block: &Block, inputs: &Samples) -> Resu
 /// As [`run`].
 pub fn run_among(
     engine: Engine,
-    axis: &Axis,
+    designed: &Designed,
     blocks: &[Block],
     which: usize,
     inputs: &Samples,
 ) -> Result<Samples, Failure> {
     let compiler = Compiler::host;
     match engine {
-        Engine::Reference => Ok(reference::run(axis, &blocks[which], inputs)),
+        Engine::Reference => Ok(reference::run(designed, &blocks[which], inputs)),
         Engine::Program => Ok(program::run(&blocks[which], inputs)),
-        Engine::C => Harness::among(axis, blocks, which, &compiler())?.run(inputs, &compiler()),
-        Engine::St => emitted::run(Dialect::Plain, axis, blocks, which, inputs),
-        Engine::TwinCat => emitted::run(Dialect::TwinCat, axis, blocks, which, inputs),
-        Engine::Codesys => emitted::run(Dialect::Codesys, axis, blocks, which, inputs),
+        Engine::C => Harness::among(designed, blocks, which, &compiler())?.run(inputs, &compiler()),
+        Engine::St => emitted::run(Dialect::Plain, designed, blocks, which, inputs),
+        Engine::TwinCat => emitted::run(Dialect::TwinCat, designed, blocks, which, inputs),
+        Engine::Codesys => emitted::run(Dialect::Codesys, designed, blocks, which, inputs),
     }
 }
 
@@ -110,6 +110,6 @@ pub fn run_among(
 ///
 /// # Errors
 /// The compiler is not there, refuses, or the block does not pass its self-test.
-pub fn run_c(axis: &Axis, block: &Block, inputs: &Samples, compiler: &Compiler) -> Result<Samples, Failure> {
-    Harness::of(axis, block, compiler)?.run(inputs, compiler)
+pub fn run_c(designed: &Designed, block: &Block, inputs: &Samples, compiler: &Compiler) -> Result<Samples, Failure> {
+    Harness::of(designed, block, compiler)?.run(inputs, compiler)
 }

@@ -2,7 +2,7 @@
 
 use crate::samples::{Samples, Shape};
 use compiler::interp::Machine;
-use generator::block::Block;
+use generator::blocks::Block;
 
 /// Runs a block.
 pub fn run(block: &Block, inputs: &Samples) -> Samples {

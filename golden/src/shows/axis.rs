@@ -1,7 +1,8 @@
 //! The constructs of an axis, in words.
 
-use generator::axis::{Axis, DirectSource, Enable, Filter, Mode, Prototype, Stage};
-use generator::design::unusable;
+use generator::axis::{Axis, Enable, Filter, Mode, Stage};
+use generator::blocks::ipc::check::lowest_f0_ts;
+use generator::parameters::words::{StageMode, Words};
 use portable::RealKind;
 use std::collections::BTreeSet;
 
@@ -34,8 +35,8 @@ pub fn shown(axis: &Axis) -> BTreeSet<String> {
         shown.insert("three full stages".to_owned());
     }
     for stage in stages {
-        shown.insert(mode(stage.mode).to_owned());
-        shown.insert(stage.filter.map(|filter| kind(&filter)).join(" + "));
+        shown.insert(mode(stage.mode));
+        shown.insert(stage.filter.map(|filter| filter.kind().name()).join(" + "));
         if f64::from(stage.weight_fact_num) > Stage::MAX_WEIGHT * f64::from(stage.weight_fact_denom) {
             shown.insert("weight above the cap".to_owned());
         }
@@ -50,17 +51,10 @@ fn of_filter(filter: &Filter, axis: &Axis) -> Vec<String> {
     let (f0, mut shown) = match *filter {
         Filter::NoFilter => return Vec::new(),
         Filter::Allpass { f0, .. } => (f0, Vec::new()),
-        Filter::Bandpass { prototype, order, f0, .. } => {
-            let prototype = match prototype {
-                Prototype::CritDamping => "CRIT_DAMPING",
-                Prototype::Butterworth => "BUTTERWORTH",
-                Prototype::Bessel => "BESSEL",
-            };
-            (f0, vec![format!("{prototype} order {order}")])
-        }
+        Filter::Bandpass { prototype, order, f0, .. } => (f0, vec![format!("{} order {order}", prototype.name())]),
     };
     let cycles = f0 * f64::from(axis.cycle_time_ns) / 1e9;
-    for (limit, end) in [(unusable::lowest(axis.real), "lowest"), (HIGHEST, "highest")] {
+    for (limit, end) in [(lowest_f0_ts(axis.real), "lowest"), (HIGHEST, "highest")] {
         if (cycles - limit).abs() < 1e-9 * limit {
             shown.push(format!("{end} f0"));
         }
@@ -68,19 +62,10 @@ fn of_filter(filter: &Filter, axis: &Axis) -> Vec<String> {
     shown
 }
 
-fn mode(mode: Mode) -> &'static str {
+fn mode(mode: Mode) -> String {
     match mode {
-        Mode::Direct { source: DirectSource::Motor } => "DIRECT from v_motor",
-        Mode::Direct { source: DirectSource::Direct } => "DIRECT from v_direct",
-        Mode::Indirect { .. } => "INDIRECT",
-        Mode::SetPoint { .. } => "SET_POINT",
-    }
-}
-
-fn kind(filter: &Filter) -> &'static str {
-    match filter {
-        Filter::NoFilter => "NO_FILTER",
-        Filter::Bandpass { .. } => "BANDPASS",
-        Filter::Allpass { .. } => "ALLPASS",
+        Mode::Direct { .. } => mode.text(),
+        Mode::Indirect { .. } => StageMode::Indirect.name().to_owned(),
+        Mode::SetPoint { .. } => StageMode::SetPoint.name().to_owned(),
     }
 }

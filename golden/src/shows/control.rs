@@ -1,7 +1,7 @@
 //! The constructs of feedforward, position control and gantries, and the events of their runs, in words.
 
 use crate::samples::Samples;
-use generator::axis::{Axis, Place, Quantities};
+use generator::axis::{Axis, Location, Quantities};
 use portable::Literal;
 use std::collections::BTreeSet;
 
@@ -22,10 +22,10 @@ pub fn constructs(axis: &Axis) -> BTreeSet<String> {
         }
     }
     if let Some(control) = &axis.control.position_control {
-        let place = match control.place {
-            Place::Cnc => "position control in the CNC",
-            Place::Drive => "position control in the drive",
-            Place::Profidrive => "PROFIdrive",
+        let place = match control.location {
+            Location::Cnc => "position control in the CNC",
+            Location::Drive => "position control in the drive",
+            Location::Profidrive => "PROFIdrive",
         };
         shown.insert(place.to_owned());
     }

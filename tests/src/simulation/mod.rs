@@ -14,10 +14,11 @@ pub mod drive;
 pub mod planned;
 
 use drive::{Drive, Loop};
-use generator::config::{ListOptions, read_with};
-use generator::design;
+use generator::blocks;
+use generator::config::ListOptions;
+use generator::pipeline::read_with;
 use planned::Move;
-use portable::Block;
+use portable::{Block, Portable};
 use reference::axis::{Axis, Coeffs};
 use std::path::Path;
 
@@ -105,5 +106,7 @@ fn coefficients(bench: &Bench<'_>) -> Coeffs<f64> {
     let load = |_: &Path| Ok(set.clone().into_bytes());
     let (read, report) = read_with(Path::new("simulation.toml"), &ListOptions::default(), &load);
     let read = read.unwrap_or_else(|| panic!("simulation: {set}{report:#?}"));
-    design::position_control::of_axis(&read.axes[0])
+    let axis = blocks::named("axis").expect("the registry has it");
+    let mut leaves = axis.coefficients(&read.axes[0]).into_iter();
+    Coeffs::build(&mut || leaves.next().expect("all coefficients"))
 }

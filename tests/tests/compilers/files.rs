@@ -41,13 +41,13 @@ fn strict_compilers_have_nothing_to_say() {
 #[test]
 fn all_blocks_of_an_axis_fit_into_a_file() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/feedforward.toml");
-    let (set, report) = generator::config::read(&path, &generator::config::ListOptions::default());
+    let (set, report) = generator::pipeline::read(&path, &generator::config::ListOptions::default());
     let axes = set.unwrap_or_else(|| panic!("{report}")).axes;
-    assert!(axes.iter().any(|axis| generator::block::names(axis).len() == 4));
+    assert!(axes.iter().any(|of| generator::blocks::names(&of.axis).len() == 4));
     let tools = tools();
     for (tool, axis) in tools.iter().flat_map(|tool| axes.iter().map(move |axis| (tool, axis))) {
         let folder = tempfile::tempdir().unwrap();
-        let files = c::files(axis, &generator::block::blocks(axis).unwrap());
+        let files = c::files(&axis.axis, &generator::blocks::blocks(axis).unwrap());
         for File { name, text } in &files {
             std::fs::write(folder.path().join(name), text).unwrap();
         }
@@ -115,7 +115,7 @@ fn symbols(folder: &Path, options: &[&str]) -> String {
 /// The emitted files in a folder, and what their names begin with.
 fn written(case: &Case) -> (TempDir, String) {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let files = c::files(&case.axis, std::slice::from_ref(&case.block));
+    let files = c::files(&case.axis.axis, std::slice::from_ref(&case.block));
     for File { name, text } in &files {
         std::fs::write(folder.path().join(name), text).expect("room in it");
     }

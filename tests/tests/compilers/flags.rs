@@ -180,8 +180,8 @@ fn is_right(outcome: &Outcome, row: &Row, ready: &Ready, is_measured: bool) -> b
         (Outcome::Unnoticed(_), _) => false,
         _ if !is_measured => true,
         (Outcome::Refused, Refused) | (Outcome::Caught, Caught) | (Outcome::SameBits, SameBits) => true,
-        (Outcome::Caught, CaughtInDouble) => ready.case.axis.real == RealKind::F64,
-        (Outcome::SameBits, CaughtInDouble) => ready.case.axis.real == RealKind::F32,
+        (Outcome::Caught, CaughtInDouble) => ready.case.axis.axis.real == RealKind::F64,
+        (Outcome::SameBits, CaughtInDouble) => ready.case.axis.axis.real == RealKind::F32,
         (Outcome::Caught | Outcome::SameBits, CaughtOrSameBits) => true,
         _ => false,
     }

@@ -40,7 +40,8 @@ impl Part for Axis {
         };
         let mut notes = vec![note("cycle_time_ns", cycle_time(axis))];
         if let Some(limit) = axis.control.master_limit {
-            let text = format!("largest |v_add| = {} of the gantry's master (P-AXIS-00070, 00757, 00212)", digits(limit));
+            let text =
+                format!("largest |v_add| = {} of the gantry's master (P-AXIS-00070, 00757, 00212)", digits(limit));
             notes.push(note("master_limit", text));
         }
         notes.extend(within("feedforward", feedforward_notes::notes(axis)));

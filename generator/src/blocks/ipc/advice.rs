@@ -57,7 +57,8 @@ fn whole(axis: &Axis, e: &mut Effective<'_>) {
         };
         let is_about_it = |name: Name| name.parameter().path.contains("improved_position_control");
         let place = e.place_near(key(Name::Enable), is_about_it);
-        let [direct, indirect, set_point] = [StageMode::Direct, StageMode::Indirect, StageMode::SetPoint].map(Words::name);
+        let [direct, indirect, set_point] =
+            [StageMode::Direct, StageMode::Indirect, StageMode::SetPoint].map(Words::name);
         let path = path_with(Name::Mode.parameter().path, [0, 0]);
         let instead = format!("{path} with {direct}, {indirect} or {set_point}");
         e.report.push(Diagnostic::warning(codes::NO_STAGE, place, found).instead(instead));
@@ -68,12 +69,7 @@ fn whole(axis: &Axis, e: &mut Effective<'_>) {
             "`{}` (P-AXIS-00757) {how} 0: the limit is 0, the block puts out 0",
             Name::VAddMaxFact.parameter().path
         );
-        e.warn(
-            codes::MUTED,
-            key(Name::VAddMaxFact),
-            found,
-            Some("a limit above 0, in 0.1 % of vb_max".to_owned()),
-        );
+        e.warn(codes::MUTED, key(Name::VAddMaxFact), found, Some("a limit above 0, in 0.1 % of vb_max".to_owned()));
     }
 }
 
@@ -110,7 +106,11 @@ fn filter_without_type(e: &mut Effective<'_>, i: u32, stage: &Stage) {
         if let Some(name) = described.filter(|_| !typed) {
             let found = format!("stage[{i}].filter[{k}] has parameters and no type: it is NO_FILTER (P-AXIS-00849)");
             let place = e.place_of((name, [i, k]));
-            let instead = as_written(&place, (Name::FilterType, [i, k]), &[FilterType::Bandpass.name(), FilterType::Allpass.name()]);
+            let instead = as_written(
+                &place,
+                (Name::FilterType, [i, k]),
+                &[FilterType::Bandpass.name(), FilterType::Allpass.name()],
+            );
             e.report.push(Diagnostic::warning(codes::NO_TYPE, place, found).instead(instead));
         }
     }
@@ -184,8 +184,9 @@ fn near_nyquist(e: &mut Effective<'_>, i: u32, stage: &Stage, axis: &Axis) {
 /// Stages whose bands intersect influence each other.
 fn overlaps(designed: &Designed, e: &mut Effective<'_>) {
     let stages = (0..STAGES).zip(designed.axis.ipc.stage.iter().zip(&designed.ipc.stage));
-    let bands: Vec<(u32, &Stage, [f64; 2])> =
-        stages.filter_map(|(i, (stage, design))| Some((i, stage.as_ref()?, band_of(stage.as_ref()?, design.as_ref()?)))).collect();
+    let bands: Vec<(u32, &Stage, [f64; 2])> = stages
+        .filter_map(|(i, (stage, design))| Some((i, stage.as_ref()?, band_of(stage.as_ref()?, design.as_ref()?))))
+        .collect();
     for (n, (i, _, [low, high])) in bands.iter().enumerate() {
         for (j, other, [other_low, other_high]) in &bands[n + 1..] {
             if low.max(*other_low) < high.min(*other_high) {
@@ -206,7 +207,7 @@ fn overlaps(designed: &Designed, e: &mut Effective<'_>) {
 /// The band in which all band-passes of a stage lose at most 3 dB, in Hz.
 fn band_of(stage: &Stage, design: &StageDesign) -> [f64; 2] {
     let filters = stage.filter.iter().zip(&design.passband).filter(|(filter, _)| filter.kind() == FilterType::Bandpass);
-    filters.filter_map(|(_, passband)| *passband).fold([0.0, f64::INFINITY], |[low, high], passband| {
-        [passband.edges[0].max(low), passband.edges[1].min(high)]
-    })
+    filters
+        .filter_map(|(_, passband)| *passband)
+        .fold([0.0, f64::INFINITY], |[low, high], passband| [passband.edges[0].max(low), passband.edges[1].min(high)])
 }

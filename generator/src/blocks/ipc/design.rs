@@ -84,7 +84,9 @@ impl fmt::Display for Element {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Oscillation { stage } => write!(f, "stage[{stage}].oscillation"),
-            Self::Bandpass { stage, filter, section } => write!(f, "stage[{stage}].filter[{filter}].bandpass[{section}]"),
+            Self::Bandpass { stage, filter, section } => {
+                write!(f, "stage[{stage}].filter[{filter}].bandpass[{section}]")
+            }
             Self::Allpass { stage, filter } => write!(f, "stage[{stage}].filter[{filter}].allpass"),
         }
     }

@@ -37,9 +37,12 @@ fn of_stage(path: &str, stage: &Stage, design: &StageDesign, cycle_time: f64) ->
     for (k, (filter, passband)) in stage.filter.iter().zip(&design.passband).enumerate() {
         notes.extend(of_filter(filter, passband.as_ref()).map(|text| (format!("{path}.filter[{k}]"), text)));
     }
-    notes.extend(design.section.iter().filter_map(|section| {
-        Some((section.element.to_string(), of_section(section, stage, cycle_time)?))
-    }));
+    notes.extend(
+        design
+            .section
+            .iter()
+            .filter_map(|section| Some((section.element.to_string(), of_section(section, stage, cycle_time)?))),
+    );
     notes
 }
 

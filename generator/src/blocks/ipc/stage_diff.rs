@@ -3,8 +3,8 @@
 use super::super::values::is_same;
 use super::design::StageDesign;
 use crate::axis::{Filter, Stage};
-use crate::design::response::{magnitude, of_stage, phase};
 use crate::design::band::warped;
+use crate::design::response::{magnitude, of_stage, phase};
 use crate::designed::Designed;
 use crate::number::{decibels, decimals, pair, percent, significant};
 use crate::parameters::words::{FilterType, StageMode, Words};

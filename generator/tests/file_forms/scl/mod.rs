@@ -23,8 +23,9 @@ fn every_source_passes_the_checker() {
         for (name, text) in case.with(&[".scl"]) {
             let blocks = check(text).unwrap_or_else(|fault| panic!("{}: {name}: {fault}", case.name));
             let stem = name.strip_suffix(".scl").unwrap();
-            let axis = case.set.axes.iter().find(|axis| stem == format!("axis_{}", axis.name.to_ascii_lowercase()));
-            let expected = generator::block::names(axis.unwrap());
+            let axis =
+                case.set.axes.iter().find(|axis| stem == format!("axis_{}", axis.axis.name.to_ascii_lowercase()));
+            let expected = generator::blocks::names(&axis.unwrap().axis);
             let expected: Vec<String> = expected.iter().map(|block| format!("FB_{stem}_{block}")).collect();
             let names: Vec<&str> = blocks.iter().map(|block| block.name.as_str()).collect();
             assert_eq!(names, expected, "{}", case.name);

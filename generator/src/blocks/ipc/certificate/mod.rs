@@ -67,8 +67,12 @@ pub struct StageCertificate {
 pub fn certify(designed: &Designed, program: &Program) -> Certificate {
     let axis = &designed.axis;
     let limit = axis.ipc.limit();
-    let stages: Vec<&[Section]> =
-        designed.ipc.stage.iter().map(|stage| stage.as_ref().map_or(&[][..], |stage| stage.section.as_slice())).collect();
+    let stages: Vec<&[Section]> = designed
+        .ipc
+        .stage
+        .iter()
+        .map(|stage| stage.as_ref().map_or(&[][..], |stage| stage.section.as_slice()))
+        .collect();
     let (chains, chain_error) = chain::measure(program, &stages, limit);
     let (bound, of_stages) = norm::bounds(&chains, axis.real);
     let stage = chains.iter().zip(of_stages).map(|(chain, bound)| {

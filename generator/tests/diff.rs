@@ -1,7 +1,8 @@
 //! What a change between two sets means, in exact texts.
 
-use generator::config::{ListOptions, Set, read_with};
-use generator::meaning::{changes, differ, lines};
+use generator::config::ListOptions;
+use generator::diff::{changes, differ, lines};
+use generator::pipeline::{Set, read_with};
 use std::path::Path;
 
 const LIST: &str = include_str!("../../examples/rack-and-pinion.lis");
