@@ -3,7 +3,7 @@
 //! Two axes do the same where all coefficients of their blocks are the same, however their parameters are written.
 
 use crate::blocks::{self, Kind};
-use crate::designed::Designed;
+use crate::blocks::designed::Designed;
 use crate::number::{pair, significant};
 use portable::{Literal, RealKind};
 

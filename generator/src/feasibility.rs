@@ -8,7 +8,7 @@ use crate::check::{gear, inert};
 use crate::codes;
 use crate::config::values::key;
 use crate::design::scale;
-use crate::designed::Designed;
+use crate::blocks::designed::Designed;
 use crate::parameters::Name;
 use crate::rules::effective::Effective;
 use portable::RealKind;

@@ -1,7 +1,7 @@
 //! The whole way from a set to its files. Each step is one call.
 
 use crate::blocks;
-use crate::designed::Designed;
+use crate::blocks::designed::Designed;
 use crate::pipeline::Set;
 use crate::target::{File, Target, Unit};
 use compiler::pass::Defect;

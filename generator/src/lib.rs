@@ -13,7 +13,6 @@ mod check;
 pub mod codes;
 pub mod config;
 pub mod design;
-pub mod designed;
 pub mod diagnostics;
 pub mod diff;
 pub mod digest;

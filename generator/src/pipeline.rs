@@ -4,7 +4,7 @@ use crate::check::{self, Checked, gantry};
 use crate::config::given::{self, GivenAxis};
 use crate::config::values::{Setting, key};
 use crate::config::{ListOptions, Load, file};
-use crate::designed::Designed;
+use crate::blocks::designed::Designed;
 use crate::diagnostics::{Place, Report, Severity};
 use crate::feasibility;
 use crate::parameters::Name;

@@ -18,7 +18,7 @@ use crate::shows::shown;
 use crate::stimulus::{self, Stimulus};
 use generator::blocks::{self, Block};
 use generator::config::ListOptions;
-use generator::designed::Designed;
+use generator::blocks::Designed;
 use generator::digest::digest;
 use generator::pipeline;
 use generator::target::{File, TARGETS};

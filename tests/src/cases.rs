@@ -3,7 +3,7 @@
 use generator::axis::{Axis, Filter};
 use generator::blocks::ipc::check::lowest_f0_ts;
 use generator::blocks::ipc::feasibility::refusals;
-use generator::designed::Designed;
+use generator::blocks::Designed;
 use golden::case::{self, Case};
 use portable::RealKind;
 use std::path::{Path, PathBuf};

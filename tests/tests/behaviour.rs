@@ -5,7 +5,7 @@ use axgen_tests::cases::{in_both_real_types, title};
 use axgen_tests::environment::is_exhaustive;
 use generator::axis::{Axis, DirectSource, Enable, Filter, Ipc as IpcAxis, Mode, Prototype, Stage};
 use generator::blocks;
-use generator::designed::Designed;
+use generator::blocks::Designed;
 use golden::case::{self, Case};
 use portable::Block;
 use portable::{Literal, RealKind};

@@ -4,7 +4,7 @@ use crate::exit::Exit;
 use crate::output;
 use compiler::pass;
 use generator::blocks;
-use generator::designed::Designed;
+use generator::blocks::Designed;
 
 /// The stages, in the order of the pipeline.
 fn stages() -> Vec<&'static str> {

@@ -6,7 +6,7 @@ use crate::messages::{self, Format};
 use crate::output;
 use generator::codes;
 use generator::config::ListOptions;
-use generator::designed::Designed;
+use generator::blocks::Designed;
 use generator::diagnostics::{Diagnostic, Place, Report};
 use generator::pipeline::{self, Set};
 

@@ -8,7 +8,7 @@ use crate::one_file;
 use crate::output;
 use generator::blocks::{self, Block};
 use generator::codes;
-use generator::designed::Designed;
+use generator::blocks::Designed;
 use generator::diagnostics::{Diagnostic, Place, Report};
 use golden::case::named_block;
 use golden::compare::{self, Difference, compare};

@@ -4,7 +4,7 @@
 //! there, whichever axes were written one by one, and writing one anew takes none out: docs/decisions/0017-single-axes.md.
 
 use generator::blocks;
-use generator::designed::Designed;
+use generator::blocks::Designed;
 use generator::generate::units;
 use generator::pipeline::Set;
 use generator::target::{self, Target};

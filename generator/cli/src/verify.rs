@@ -9,7 +9,7 @@ use crate::output;
 use crate::results::{Files, Outcome};
 use generator::blocks::{self, Block};
 use generator::codes;
-use generator::designed::Designed;
+use generator::blocks::Designed;
 use golden::compare::{Place, compare};
 use golden::engine::{self, ENGINES, Engine, Failure};
 use golden::samples::{Samples, Shape};

@@ -2,7 +2,7 @@
 
 use super::part::Part;
 use crate::design::rounding::rounded;
-use crate::designed::Designed;
+use crate::blocks::designed::Designed;
 use crate::self_test::{self, SelfTest};
 use crate::vector::{self, Vector};
 use compiler::pass::{self, Defect};

@@ -4,7 +4,7 @@ use super::build::{self, Block};
 use super::part::{Part, Summary};
 use crate::axis::Axis;
 use crate::design::rounding::rounded;
-use crate::designed::Designed;
+use crate::blocks::designed::Designed;
 use compiler::leaves;
 use compiler::pass::Defect;
 use compiler::program::Program;

@@ -1,6 +1,7 @@
 //! The function blocks that an axis may have, a folder each, and their registry.
 //!
 //! ```text
+//! designed  an axis with everything that design makes of it, once
 //! part    what a block's folder says of it             build   design -> verified program, self-test, recorded run
 //! kind    a block as the registry has it               values  named values beside each other, for the semantic diff
 //! ```
@@ -9,6 +10,7 @@
 
 pub(crate) mod axis;
 pub mod build;
+pub(crate) mod designed;
 pub(crate) mod feedforward;
 pub mod ipc;
 pub mod kind;
@@ -17,11 +19,11 @@ pub(crate) mod position_control;
 mod values;
 
 pub use build::Block;
+pub use designed::Designed;
 pub use kind::{Kind, Run};
 pub(crate) use values::is_same;
 
 use crate::axis::Axis;
-use crate::designed::Designed;
 use compiler::pass::Defect;
 
 /// All blocks, in the order in which an axis needs them.

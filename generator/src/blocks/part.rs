@@ -1,7 +1,7 @@
 //! What a block's folder says of it. Nothing is done here.
 
 use crate::axis::Axis;
-use crate::designed::Designed;
+use crate::blocks::designed::Designed;
 use compiler::program::Program;
 use portable::Block;
 

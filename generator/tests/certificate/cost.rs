@@ -3,7 +3,7 @@
 use super::{block, one_band_pass, rack_and_pinion, sets};
 use generator::axis::Prototype;
 use generator::blocks::ipc::certificate::certify;
-use generator::designed::Designed;
+use generator::blocks::Designed;
 use portable::RealKind;
 use std::time::Instant;
 

@@ -12,7 +12,7 @@ mod response;
 use generator::axis::{Axis, DirectSource, Enable, Filter, Ipc, Mode, Prototype, Stage};
 use generator::blocks::ipc::certificate::{Certificate, certify};
 use generator::blocks::{Block, blocks};
-use generator::designed::Designed;
+use generator::blocks::Designed;
 use portable::RealKind;
 
 /// The one block of an axis.

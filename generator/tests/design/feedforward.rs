@@ -7,7 +7,7 @@ use generator::config::ListOptions;
 use generator::design::delay::delay as design_delay;
 use generator::design::rounding::rounded;
 use generator::design::scale::{self, angular_acceleration};
-use generator::designed::Designed;
+use generator::blocks::Designed;
 use generator::pipeline::read;
 use portable::{Block, RealKind};
 use reference::feedforward::{Feedforward, Inputs};

@@ -6,7 +6,7 @@ use generator::design::band::{Band, band, warped};
 use generator::design::bandpass::{self, Section};
 use generator::design::response::{of_allpass, of_bandpass, of_biquad, of_stage};
 use generator::design::{allpass, oscillation};
-use generator::designed::Designed;
+use generator::blocks::Designed;
 use portable::RealKind;
 use reference::stage;
 

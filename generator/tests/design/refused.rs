@@ -3,7 +3,7 @@
 use super::sets::axes;
 use generator::axis::{Axis, Filter, Mode, Prototype};
 use generator::blocks::ipc::feasibility::{Refusal, refusals};
-use generator::designed::Designed;
+use generator::blocks::Designed;
 use portable::RealKind;
 
 /// An axis with one INDIRECT stage: 62.5 us, Q 10, and an all-pass beside a band-pass of order 3.
@@ -42,11 +42,10 @@ fn a_centre_that_rounding_moves_is_refused() {
     assert!(moved.iter().any(|refusal| refusal.element.to_string() == "stage[1].filter[1].bandpass[2]"), "{moved:?}");
 }
 
+/// In double precision no fade that single precision can count is long enough for that.
 #[test]
 fn an_unstable_section_is_refused() {
-    for (f0, real) in [(1e-3, RealKind::F32), (1e-7, RealKind::F64)] {
-        let axis = axis(f0, real);
-        let found = refused(&axis).into_iter().filter(|refusal| refusal.found.starts_with("unstable")).count();
-        assert!(found >= 1, "{:?}", refused(&axis));
-    }
+    let axis = axis(1e-3, RealKind::F32);
+    let found = refused(&axis).into_iter().filter(|refusal| refusal.found.starts_with("unstable")).count();
+    assert!(found >= 1, "{:?}", refused(&axis));
 }

@@ -5,7 +5,7 @@ use generator::axis::{Axis, Filter, Mode, Prototype};
 use generator::blocks::ipc::design::{design, fade_cycles};
 use generator::blocks::named;
 use generator::design::rounding::rounded;
-use generator::designed::Designed;
+use generator::blocks::Designed;
 use portable::{Literal, Portable, RealKind, Ty};
 use reference::ipc::Coeffs;
 

@@ -5,7 +5,7 @@ use crate::{CASES, Case};
 use compiler::interp::Machine;
 use compiler::program::{Type, Variable};
 use generator::blocks::{Block, blocks};
-use generator::designed::Designed;
+use generator::blocks::Designed;
 use generator::target::names::identifier;
 use portable::{Literal, RealKind};
 use std::collections::BTreeMap;

@@ -4,7 +4,7 @@ use super::{Compiler, Failure};
 use crate::samples::{Samples, Shape};
 use compiler::program::Type;
 use generator::blocks::Block;
-use generator::designed::Designed;
+use generator::blocks::Designed;
 use generator::target::c::{files, types};
 use generator::target::names;
 use std::fmt::Write as _;

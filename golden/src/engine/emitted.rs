@@ -4,7 +4,7 @@ use super::Failure;
 use super::st::{self, Dialect, Mistake};
 use crate::samples::{Samples, Shape};
 use generator::blocks::Block;
-use generator::designed::Designed;
+use generator::blocks::Designed;
 use generator::target::names::Names;
 use generator::target::st::names::{is_reserved, signals};
 use generator::target::st::{codesys, plain, twincat};

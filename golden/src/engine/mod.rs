@@ -12,7 +12,7 @@ pub use compiler::Compiler;
 
 use crate::samples::Samples;
 use generator::blocks::Block;
-use generator::designed::Designed;
+use generator::blocks::Designed;
 use st::Dialect;
 use std::fmt;
 

@@ -2,7 +2,7 @@
 
 use crate::samples::{Samples, Shape};
 use generator::blocks::{self, Block};
-use generator::designed::Designed;
+use generator::blocks::Designed;
 
 /// Runs a block.
 pub fn run(designed: &Designed, block: &Block, inputs: &Samples) -> Samples {

@@ -6,7 +6,7 @@ use super::part::{Part, Summary};
 use super::position_control::design::addition;
 use super::position_control::notes as position_control_notes;
 use super::values::{self, Value, Values};
-use crate::designed::Designed;
+use crate::blocks::designed::Designed;
 use crate::number::digits;
 use reference::axis::{Axis, Coeffs};
 use reference::feedforward::Feedforward;

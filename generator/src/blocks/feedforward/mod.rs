@@ -10,7 +10,7 @@ mod summary;
 use super::part::{Part, Summary};
 use super::values;
 use crate::axis::Axis;
-use crate::designed::Designed;
+use crate::blocks::designed::Designed;
 use reference::feedforward::{Coeffs, Feedforward};
 
 impl Part for Feedforward {

@@ -6,7 +6,7 @@ use super::phase;
 use crate::axis::{Axis, Filter, Mode, Stage};
 use crate::codes;
 use crate::config::values::{Key, Setting, key};
-use crate::designed::Designed;
+use crate::blocks::designed::Designed;
 use crate::diagnostics::Diagnostic;
 use crate::number::rounded;
 use crate::parameters::words::{Enable, FilterType, StageMode, Words};

@@ -93,6 +93,14 @@ impl fmt::Display for Element {
 }
 
 impl Element {
+    /// The filter that it is part of.
+    pub(crate) fn filter(self) -> Option<usize> {
+        match self {
+            Self::Oscillation { .. } => None,
+            Self::Bandpass { filter, .. } | Self::Allpass { filter, .. } => Some(filter),
+        }
+    }
+
     /// Among the state: `stage[0].filter[1].section[2]`.
     pub(crate) fn in_state(self) -> String {
         match self {

@@ -2,7 +2,7 @@
 
 use super::super::values::is_same;
 use super::stage_diff::{self, Version};
-use crate::designed::Designed;
+use crate::blocks::designed::Designed;
 use crate::number::{pair, significant};
 use crate::parameters::words::Words;
 

@@ -6,7 +6,7 @@ use crate::codes;
 use crate::design::band::frequency;
 use crate::design::denominator::at_dc_and_nyquist;
 use crate::design::rounding::in_precision;
-use crate::designed::Designed;
+use crate::blocks::designed::Designed;
 use crate::parameters::Name;
 use crate::rules::effective::Effective;
 use portable::RealKind;

@@ -13,7 +13,7 @@ mod summary;
 
 use super::part::{Part, Summary};
 use crate::axis::Axis;
-use crate::designed::Designed;
+use crate::blocks::designed::Designed;
 use compiler::program::Program;
 use reference::ipc::{Coeffs, Ipc};
 

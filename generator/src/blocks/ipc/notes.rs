@@ -4,7 +4,7 @@ use super::design::{Element, Passband, Section, StageDesign};
 use crate::axis::{Axis, Filter, Mode, Stage};
 use crate::design::band::{frequency, warped};
 use crate::design::response;
-use crate::designed::Designed;
+use crate::blocks::designed::Designed;
 use crate::number::digits;
 use crate::parameters::words::Words;
 use portable::RealKind;
@@ -34,15 +34,15 @@ pub(crate) fn cycle_time(axis: &Axis) -> String {
 
 fn of_stage(path: &str, stage: &Stage, design: &StageDesign, cycle_time: f64) -> Vec<(String, String)> {
     let mut notes = vec![note(path, format!("{}, {}", of_mode(stage.mode), of_weight(stage)))];
+    let sections = |of: Option<usize>| {
+        let of_filter = design.section.iter().filter(move |section| section.element.filter() == of);
+        of_filter.filter_map(|section| Some((section.element.to_string(), of_section(section, stage, cycle_time)?)))
+    };
+    notes.extend(sections(None));
     for (k, (filter, passband)) in stage.filter.iter().zip(&design.passband).enumerate() {
         notes.extend(of_filter(filter, passband.as_ref()).map(|text| (format!("{path}.filter[{k}]"), text)));
+        notes.extend(sections(Some(k)));
     }
-    notes.extend(
-        design
-            .section
-            .iter()
-            .filter_map(|section| Some((section.element.to_string(), of_section(section, stage, cycle_time)?))),
-    );
     notes
 }
 

@@ -2,7 +2,7 @@
 
 use super::super::part::Summary;
 use crate::axis::{Filter, Stage};
-use crate::designed::Designed;
+use crate::blocks::designed::Designed;
 use crate::parameters::words::{StageMode, Words};
 
 /// How it starts, its limit and its fade; a line for each stage.

@@ -10,7 +10,7 @@ mod saturation;
 use super::part::{Part, Summary};
 use super::values;
 use crate::axis::Axis;
-use crate::designed::Designed;
+use crate::blocks::designed::Designed;
 use crate::number::digits;
 use reference::position_control::{Coeffs, PositionControl};
 

@@ -22,7 +22,7 @@ pub use norm::Bound;
 pub use response::{Band, Point};
 
 use super::design::Section;
-use crate::designed::Designed;
+use crate::blocks::designed::Designed;
 use compiler::program::Program;
 use portable::RealKind;
 

@@ -1,10 +1,10 @@
 //! An axis with everything that design makes of it, made once: what blocks, notes, certificates, summaries and the semantic diff
 //! are made of. No text, no program.
 
+use super::feedforward::design as feedforward;
+use super::ipc::design as ipc;
+use super::position_control::design as position_control;
 use crate::axis::Axis;
-use crate::blocks::feedforward::design as feedforward;
-use crate::blocks::ipc::design as ipc;
-use crate::blocks::position_control::design as position_control;
 
 /// An axis as it is designed. All coefficients are in double precision; `axis.real` says what they are rounded to.
 #[derive(Clone, Debug)]
