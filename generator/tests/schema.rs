@@ -5,7 +5,7 @@
 
 use generator::config::{ListOptions, Unreadable, read_with};
 use generator::diagnostics::Report;
-use generator::exchange::import;
+use generator::import_export::import;
 use generator::schema;
 use jsonschema::Validator;
 use serde_json::Value;

@@ -10,7 +10,7 @@ mod unread;
 
 use generator::config::{ListOptions, Unreadable, read_with};
 use generator::diagnostics::Report;
-use generator::exchange::{export_with, import_with};
+use generator::import_export::{export_with, import_with};
 use std::path::Path;
 
 const IPC: &str = "lr_param.improved_position_control.";

@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 
 /// What lines are filled with.
 #[derive(Debug)]
-pub struct Filling<'r, 'a> {
+pub(super) struct Filling<'r, 'a> {
     /// what the axis was given, its list included
     pub values: Values<'a>,
     /// what stands at the top of the set
@@ -24,7 +24,7 @@ pub struct Filling<'r, 'a> {
 impl Filling<'_, '_> {
     /// The lines of a list with the values that hold now, then lines for the others; without a list all of them. None: a
     /// reader of lists finds errors in that, and they have been said.
-    pub fn list(mut self, base: Option<&[u8]>) -> Option<Vec<u8>> {
+    pub(super) fn list(mut self, base: Option<&[u8]>) -> Option<Vec<u8>> {
         let (mark, lines) = lines::split(base.unwrap_or_default());
         let mut list = mark.to_vec();
         let mut written = BTreeSet::new();
