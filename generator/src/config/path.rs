@@ -1,12 +1,11 @@
 //! From a path as written (`stage[0].filter.order`) to the parameter and its indices; no value and no message is here.
 
 use crate::parameters::{Name, Scope, TABLE};
-use std::collections::HashMap;
 use std::sync::LazyLock;
 
 /// What a path names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Path {
+pub(crate) enum Path {
     /// a parameter of the table
     Known {
         /// which one
@@ -31,27 +30,46 @@ pub enum Path {
     Malformed,
 }
 
-/// The longest template has 68 bytes; what is longer is foreign.
-const LONGEST: usize = 128;
-
 struct Spelling {
     name: Name,
     template: &'static str,
     misprint: bool,
+    /// the template with `[]` for an index
+    plain: String,
 }
 
-/// Every spelling of every parameter, with `[]` for an index.
-static SPELLINGS: LazyLock<HashMap<Vec<u8>, Spelling>> = LazyLock::new(|| {
-    let mut spellings = HashMap::new();
-    for name in Name::ALL {
+/// Every spelling of every parameter, by the length of its path with `[]` for an index.
+static SPELLINGS: LazyLock<Vec<Vec<Spelling>>> = LazyLock::new(|| {
+    let spellings = Name::ALL.into_iter().flat_map(|name| {
         let parameter = name.parameter();
         let proper = std::iter::once(&parameter.path).chain(parameter.aliases).map(|template| (template, false));
-        for (template, misprint) in proper.chain(parameter.misprints.iter().map(|template| (template, true))) {
-            spellings.insert(without_indices(template).into_bytes(), Spelling { name, template, misprint });
-        }
-    }
-    spellings
+        let misprints = parameter.misprints.iter().map(|template| (template, true));
+        proper.chain(misprints).map(move |(template, misprint)| {
+            let plain = without_indices(template);
+            (plain.len(), Spelling { name, template, misprint, plain })
+        })
+    });
+    by_length(spellings)
 });
+
+/// The vendor's paths and aliases, by the length of their last part; each without its indices: `getriebe.kv`. The first of
+/// equals is a path.
+static BARE: LazyLock<Vec<Vec<(String, &'static str)>>> = LazyLock::new(|| {
+    let vendors = Name::ALL.map(Name::parameter).into_iter().filter(|parameter| parameter.scope == Scope::List);
+    let templates = vendors.flat_map(|parameter| std::iter::once(&parameter.path).chain(parameter.aliases));
+    by_length(
+        templates.map(|template| (last_name(template).len(), (without_indices(template).replace("[]", ""), *template))),
+    )
+});
+
+fn by_length<T>(all: impl Iterator<Item = (usize, T)>) -> Vec<Vec<T>> {
+    let mut by_length = Vec::new();
+    for (length, one) in all {
+        by_length.resize_with(by_length.len().max(length + 1), Vec::new);
+        by_length[length].push(one);
+    }
+    by_length
+}
 
 /// Every prefix of a path below an axis that ends before a point: the structures of a set's tables, with `[]` for an
 /// index.
@@ -67,83 +85,73 @@ static STRUCTURES: LazyLock<Vec<String>> = LazyLock::new(|| {
     structures
 });
 
-/// Every path and alias without its indices, in small letters: `getriebe.kv`. The first of equals is a path.
-static BARE: LazyLock<HashMap<Vec<u8>, &'static str>> = LazyLock::new(|| {
-    let vendors = Name::ALL.map(Name::parameter).into_iter().filter(|parameter| parameter.scope == Scope::List);
-    let mut bare = HashMap::new();
-    for template in vendors.flat_map(|parameter| std::iter::once(&parameter.path).chain(parameter.aliases)) {
-        bare.entry(without_brackets(template, &mut [0; LONGEST]).to_vec()).or_insert(*template);
-    }
-    bare
-});
-
 /// The template that a path would name with other indices, in other letters: `getriebe[i].kv` for `getriebe.kv`.
-#[must_use]
-pub fn with_other_indices(path: &str) -> Option<&'static str> {
-    if path.len() > LONGEST { None } else { BARE.get(without_brackets(path, &mut [0; LONGEST])).copied() }
+pub(super) fn with_other_indices(path: &str) -> Option<&'static str> {
+    let end = last_name(path);
+    let alike = BARE.get(end.len())?.iter().filter(|(bare, _)| {
+        let (_, last) = bare.split_at(bare.len() - end.len());
+        last.eq_ignore_ascii_case(end)
+    });
+    let small = |bare: &str| outside_brackets(path).map(|byte| byte.to_ascii_lowercase()).eq(bare.bytes());
+    alike.into_iter().find(|(bare, _)| small(bare)).map(|(_, template)| *template)
 }
 
-/// Without allocating: a real machine's list has hundreds of paths to ask for.
-fn without_brackets<'b>(path: &str, bare: &'b mut [u8; LONGEST]) -> &'b [u8] {
-    let mut length = 0;
-    let mut within = false;
-    for byte in path.bytes() {
-        within = within || byte == b'[';
-        if let Some(place) = bare.get_mut(length).filter(|_| !within) {
-            *place = byte.to_ascii_lowercase();
-            length += 1;
-        }
-        within = within && byte != b']';
-    }
-    &bare[..length]
+/// The last part of a path without its index.
+fn last_name(path: &str) -> &str {
+    let last = memchr::memrchr(b'.', path.as_bytes()).map_or(path, |dot| &path[dot + 1..]);
+    memchr::memchr(b'[', last.as_bytes()).map_or(last, |bracket| &last[..bracket])
+}
+
+/// The bytes of a path without its indices and their brackets.
+fn outside_brackets(path: &str) -> impl Iterator<Item = u8> {
+    let mut is_inside = false;
+    path.bytes().filter(move |byte| {
+        is_inside |= *byte == b'[';
+        let is_outside = !is_inside;
+        is_inside &= *byte != b']';
+        is_outside
+    })
 }
 
 /// Finds what a path names.
-#[must_use]
-pub fn find(path: &str) -> Path {
-    let mut plain = [0; LONGEST];
-    let mut length = 0;
-    let mut index = [0; 2];
-    let mut indices = 0;
-    let mut put = |byte: u8| {
-        if let Some(place) = plain.get_mut(length) {
-            *place = byte;
-        }
-        length += 1;
-    };
+pub(crate) fn find(path: &str) -> Path {
     let bytes = path.as_bytes();
+    let (mut index, mut indices) = ([0; 2], 0);
+    // The length with `[]` for an index.
+    let mut length = bytes.len();
     let mut at = 0;
     let mut before = b'.';
-    while let Some(&byte) = bytes.get(at) {
-        at += 1;
-        match byte {
-            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'_' => put(byte),
-            b'.' if before != b'.' => put(byte),
-            b'[' if before != b'.' => {
-                let digits = bytes[at..].iter().take_while(|byte| byte.is_ascii_digit()).count();
-                // Empty brackets mean 0; an index beyond u32 exists in no structure.
-                let number = if digits == 0 { 0 } else { path[at..at + digits].parse().unwrap_or(u32::MAX) };
-                at += digits;
-                if bytes.get(at) != Some(&b']') {
+    loop {
+        let name = bytes[at..].iter().position(|byte| !is_of_name(*byte)).unwrap_or(bytes.len() - at);
+        at += name;
+        before = if name > 0 { b'_' } else { before };
+        match bytes.get(at) {
+            None => break,
+            Some(b'.') if before != b'.' => before = b'.',
+            Some(b'[') if before != b'.' => {
+                let digits = bytes[at + 1..].iter().take_while(|byte| byte.is_ascii_digit()).count();
+                if bytes.get(at + 1 + digits) != Some(&b']') {
                     return Path::Malformed;
                 }
-                at += 1;
+                // Empty brackets mean 0; an index beyond u32 exists in no structure.
+                let number = if digits == 0 { 0 } else { path[at + 1..][..digits].parse().unwrap_or(u32::MAX) };
                 if let Some(place) = index.get_mut(indices) {
                     *place = number;
                 }
                 indices += 1;
-                put(b'[');
-                put(b']');
+                length -= digits;
+                at += digits + 1;
+                before = b']';
             }
             _ => return Path::Malformed,
         }
-        before = byte;
+        at += 1;
     }
     if before == b'.' || bytes[0].is_ascii_digit() {
         return Path::Malformed;
     }
-    let Some(&Spelling { name, template, misprint }) = plain.get(..length).and_then(|plain| SPELLINGS.get(plain))
-    else {
+    let mut alike = SPELLINGS.get(length).into_iter().flatten();
+    let Some(&Spelling { name, template, misprint, .. }) = alike.find(|spelling| is(path, &spelling.plain)) else {
         return Path::Foreign;
     };
     let within = name.parameter().indices.iter().zip(index).all(|(size, index)| index < *size);
@@ -154,27 +162,55 @@ pub fn find(path: &str) -> Path {
     }
 }
 
+/// Whether a byte is one of a name.
+fn is_of_name(byte: u8) -> bool {
+    static OF_NAME: [bool; 256] = {
+        let mut is = [false; 256];
+        let mut byte = 0;
+        while byte < 128u8 {
+            is[byte as usize] = byte.is_ascii_alphanumeric() || byte == b'_';
+            byte += 1;
+        }
+        is
+    };
+    OF_NAME[usize::from(byte)]
+}
+
+/// Whether a path is `plain` but for the digits in its brackets.
+fn is(path: &str, plain: &str) -> bool {
+    // Paths differ at their ends, mostly.
+    let end = memchr::memrchr(b']', plain.as_bytes()).map_or(plain, |bracket| &plain[bracket..]);
+    path.ends_with(end) && {
+        let mut is_inside = false;
+        let without_digits = path.bytes().filter(|byte| {
+            is_inside &= *byte != b']';
+            let is_outside = !is_inside;
+            is_inside |= *byte == b'[';
+            is_outside
+        });
+        without_digits.eq(plain.bytes())
+    }
+}
+
 /// Whether parameters stand below this path in a set: `lr_param`, `lr_param.improved_position_control.stage[0]`.
-#[must_use]
-pub fn is_structure(path: &str) -> bool {
+pub(crate) fn is_structure(path: &str) -> bool {
     let plain = without_indices(path);
     STRUCTURES.binary_search(&plain).is_ok()
 }
 
 /// All structures, with `[]` for an index.
-pub fn structures() -> impl Iterator<Item = &'static str> {
+pub(crate) fn structures() -> impl Iterator<Item = &'static str> {
     STRUCTURES.iter().map(String::as_str)
 }
 
 /// All templates that may stand below an axis.
-pub fn templates() -> impl Iterator<Item = &'static str> {
+pub(crate) fn templates() -> impl Iterator<Item = &'static str> {
     let below_an_axis = TABLE.iter().filter(|parameter| parameter.scope != Scope::Set);
     below_an_axis.flat_map(|parameter| std::iter::once(&parameter.path).chain(parameter.aliases)).copied()
 }
 
 /// `stage[0].mode` and `stage[i].mode` as `stage[].mode`.
-#[must_use]
-pub fn without_indices(path: &str) -> String {
+pub(crate) fn without_indices(path: &str) -> String {
     let mut plain = String::with_capacity(path.len());
     let mut within = false;
     for character in path.chars() {
@@ -207,6 +243,7 @@ mod tests {
         assert_eq!(known(&format!("{ipc}.stage[1]osc_damping")), (Name::OscDamping, [1, 0], true));
         assert_eq!(known(&format!("{ipc}.stage[1].filter[0].damping")), (Name::FilterDamping, [1, 0], false));
         assert_eq!(known("getriebe[15].dynamik.vb_max"), (Name::VbMax, [15, 0], false));
+        assert_eq!(known("getriebe[000].dynamik.vb_max"), (Name::VbMax, [0, 0], false));
     }
 
     #[test]
@@ -242,8 +279,9 @@ mod tests {
 
     #[test]
     fn no_spelling_belongs_to_two_parameters() {
-        let all: usize = TABLE.iter().map(|p| 1 + p.aliases.len() + p.misprints.len()).sum();
-        assert_eq!(SPELLINGS.len(), all);
-        assert!(SPELLINGS.keys().all(|spelling| spelling.len() < LONGEST));
+        let mut all: Vec<&String> = SPELLINGS.iter().flatten().map(|spelling| &spelling.plain).collect();
+        all.sort_unstable();
+        assert!(all.windows(2).all(|pair| pair[0] != pair[1]));
+        assert_eq!(all.len(), TABLE.iter().map(|p| 1 + p.aliases.len() + p.misprints.len()).sum::<usize>());
     }
 }
