@@ -6,15 +6,14 @@ use std::fmt::Write;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Encoded {
     /// the lines, with `\n` where a line ends
-    pub text: String,
+    pub(super) text: String,
     /// a character stands for the byte of its number (latin-1); else for its bytes in UTF-8
-    pub latin_1: bool,
+    pub(super) latin_1: bool,
     /// a `\n` stands for `\r\n`
-    pub crlf: bool,
+    pub(super) crlf: bool,
 }
 
 /// Bytes as text: in UTF-8 if they are that.
-#[must_use]
 pub(super) fn encoded(bytes: &[u8]) -> Encoded {
     let (text, latin_1) = match str::from_utf8(bytes) {
         Ok(text) => (text.to_owned(), false),
@@ -26,16 +25,12 @@ pub(super) fn encoded(bytes: &[u8]) -> Encoded {
 }
 
 /// Each byte as the character of its number.
-#[must_use]
 pub(super) fn latin_1(bytes: &[u8]) -> String {
     bytes.iter().copied().map(char::from).collect()
 }
 
 impl Encoded {
-    /// The bytes.
-    ///
-    /// # Errors
-    /// The first character that is none of latin-1.
+    /// The bytes, or the first character that is none of latin-1.
     pub(super) fn bytes(&self) -> Result<Vec<u8>, char> {
         let text = if self.crlf { self.text.replace('\n', "\r\n") } else { self.text.clone() };
         if self.latin_1 {
@@ -48,7 +43,6 @@ impl Encoded {
 
 /// A text as a string of TOML over several lines. What an editor could change unseen is written as an escape: control
 /// characters, a byte order mark, a blank at the end of a line.
-#[must_use]
 pub(super) fn toml_string(text: &str) -> String {
     let mut string = String::with_capacity(text.len() + text.len() / 8 + 8);
     string.push_str("\"\"\"\n");

@@ -14,11 +14,11 @@ use std::collections::BTreeSet;
 #[derive(Debug)]
 pub(super) struct Filling<'r, 'a> {
     /// what the axis was given, its list included
-    pub values: Values<'a>,
+    pub(super) values: Values<'a>,
     /// what stands at the top of the set
-    pub top: Values<'a>,
+    pub(super) top: Values<'a>,
     /// what is to be said
-    pub report: &'r mut Report,
+    pub(super) report: &'r mut Report,
 }
 
 impl Filling<'_, '_> {

@@ -16,22 +16,19 @@ pub(super) const HOLE: char = '=';
 /// The place of a value in a line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Slot<'a> {
-    /// the parameter
-    pub key: Key,
+    pub(super) key: Key,
     /// the path template by which it was found, a misprint included
-    pub spelling: &'static str,
+    pub(super) spelling: &'static str,
     /// whether a manual misprints the path so
-    pub misprint: bool,
-    /// the text of the value
-    pub text: &'a str,
+    pub(super) misprint: bool,
+    pub(super) text: &'a str,
     /// where it stands in the line's bytes
-    pub range: Range<usize>,
+    pub(super) range: Range<usize>,
     /// whether it is a key of our own, in a comment
-    pub own: bool,
+    pub(super) own: bool,
 }
 
 /// The place of a value in a line that has one.
-#[must_use]
 pub(super) fn of<'a>(line: &Line<'a>) -> Option<Slot<'a>> {
     match line.content {
         Content::Statement(statement) => {
@@ -55,7 +52,6 @@ pub(super) fn of<'a>(line: &Line<'a>) -> Option<Slot<'a>> {
 }
 
 /// Whether a list can hold the key in a comment only: the keys of our own, but for those that say where an axis comes from.
-#[must_use]
 pub(super) fn is_own(name: Name) -> bool {
     match name {
         Name::List | Name::ImportedLines | Name::ImportedEncoding | Name::ImportedLineEnd => false,
@@ -65,7 +61,6 @@ pub(super) fn is_own(name: Name) -> bool {
 }
 
 /// The value that a comment of ours holds; none: it holds none, and is a comment like any other.
-#[must_use]
 pub(super) fn own_value(key: Key, text: &str) -> Option<Value> {
     let parameter = key.0.parameter();
     of_text(parameter, text).ok().filter(|value| parameter.contains(value))

@@ -26,7 +26,6 @@ pub(super) fn in_toml(parameter: &Parameter, text: &str, value: &Value) -> toml_
 
 /// The value that begins these bytes of a set, as a list has it: as it is spelled there if a list reads that as the same
 /// value, else as the canonical form.
-#[must_use]
 pub(super) fn in_list(parameter: &Parameter, toml: &[u8], value: &Value) -> String {
     let spelled = match toml.first() {
         Some(quote @ (b'"' | b'\'')) => toml[1..].split(|byte| byte == quote).next().unwrap_or_default(),

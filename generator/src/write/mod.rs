@@ -76,7 +76,6 @@ impl Refusal {
     }
 }
 
-/// What is said of a file that is kept as it is.
 fn kept(path: &Path, owner: Owner) -> Diagnostic {
     let (code, found) = match owner {
         Owner::Other => (codes::NOT_OURS, "was not generated, or its line `body` was taken out"),
@@ -95,9 +94,7 @@ impl fmt::Display for Refusal {
 /// A file on its way into a folder. What was staged is gone when this is, whatever happens in between.
 #[derive(Debug)]
 pub struct Staged {
-    /// where it goes
-    pub path: PathBuf,
-    /// what has to be done for that
+    path: PathBuf,
     kind: Kind,
 }
 
