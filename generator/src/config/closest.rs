@@ -10,7 +10,8 @@ const LONGEST: usize = 128;
 /// The candidate with the fewest letters that differ, if they are few.
 pub(crate) fn of<'c>(name: &str, candidates: impl Iterator<Item = &'c str>) -> Option<&'c str> {
     let few = 1 + name.len() / 4;
-    let near = candidates.filter_map(|candidate| distance(name, candidate, few).map(|distance| (distance, candidate)));
+    let name = Letters::of(name);
+    let near = candidates.filter_map(|candidate| Some((distance(name, Letters::of(candidate), few)?, candidate)));
     // The first of equals: the order of the candidates is the same on every host.
     near.min_by_key(|(distance, _)| *distance).map(|(_, name)| name)
 }
@@ -40,25 +41,25 @@ pub(crate) fn first_below(written: &str) -> Option<String> {
     below.map(|template| path_with(template, indices(written)))
 }
 
-/// The structures that are ours: which part of a path names each, the letters in it, and how many of them may differ.
-const OURS: [(usize, &str, u32, usize); 3] =
-    [of_ours(0, "vorsteuer", 2), of_ours(1, "improved_position_control", 3), of_ours(1, "sai_op_mode_change", 3)];
-
-const fn of_ours(part: usize, name: &str, most: usize) -> (usize, &str, u32, usize) {
-    (part, name, letters(name.as_bytes()), most)
-}
+/// The structures that are ours: which part of a path names each, and how many letters may differ.
+const OURS: [(usize, Letters<'_>, usize); 3] = [
+    (0, Letters::of("vorsteuer"), 2),
+    (1, Letters::of("improved_position_control"), 3),
+    (1, Letters::of("sai_op_mode_change"), 3),
+];
 
 /// Whether a path lies in a structure that is ours, or nearly.
 pub(crate) fn is_ours(path: &str) -> bool {
     let Some(dot) = memchr::memchr(b'.', path.as_bytes()) else { return false };
     let (first, rest) = (&path[..dot], &path[dot + 1..]);
     let parts = [first, memchr::memchr(b'.', rest.as_bytes()).map_or(rest, |dot| &rest[..dot])];
-    // Most paths of a real list are told by their lengths and letters.
-    OURS.into_iter().any(|(part, name, letters_of_name, most)| {
+    OURS.into_iter().any(|(part, name, most)| {
         let written = parts[part];
-        written.len().abs_diff(name.len()) <= most
-            && at_least(letters(written.as_bytes()), letters_of_name) <= most
-            && distance(written, name, most).is_some()
+        // Most paths of a real list are told by their lengths, or by their first letters.
+        let strange = written.bytes().filter(|byte| name.set & bit(*byte) == 0);
+        written.len().abs_diff(name.text.len()) <= most
+            && strange.take(most + 1).count() <= most
+            && distance(Letters::of(written), name, most).is_some()
     })
 }
 
@@ -67,23 +68,33 @@ struct Candidate {
     template: &'static str,
     /// the template with `[]` for an index
     plain: String,
+    /// the letters of that
+    set: u32,
+    /// its last part
+    end: Letters<'static>,
 }
 
 static TEMPLATES: LazyLock<Vec<Candidate>> = LazyLock::new(|| candidates(path::templates()));
 static STRUCTURES: LazyLock<Vec<Candidate>> = LazyLock::new(|| candidates(path::structures()));
 
 fn candidates(templates: impl Iterator<Item = &'static str>) -> Vec<Candidate> {
-    templates.map(|template| Candidate { template, plain: path::without_indices(template) }).collect()
+    let of = |template| {
+        let plain = path::without_indices(template);
+        Candidate { template, set: Letters::of(&plain).set, plain, end: Letters::of(last(template)) }
+    };
+    templates.map(of).collect()
 }
 
 fn among(written: &str, candidates: &'static [Candidate]) -> Option<String> {
     let plain = path::without_indices(written);
     let typo = 3.min(1 + plain.len() / 4);
-    let end = last(&plain);
+    let end = Letters::of(last(&plain));
+    let whole = Letters::of(&plain);
     let score = |candidate: &'static Candidate| {
-        let of_end = distance(end, last(candidate.template), 1 + end.len() / 4);
-        let whole = distance(&plain, &candidate.plain, typo);
-        (whole.is_some() || of_end.is_some()).then_some(((whole.unwrap_or(usize::MAX), of_end), candidate.template))
+        let of_end = distance(end, candidate.end, 1 + end.text.len() / 4);
+        let of_whole = distance(whole, Letters { text: &candidate.plain, set: candidate.set }, typo);
+        let is_near = of_whole.is_some() || of_end.is_some();
+        is_near.then_some(((of_whole.unwrap_or(usize::MAX), of_end), candidate.template))
     };
     // The first of equals, which is a path rather than its aliases.
     let best = candidates.iter().filter_map(score).min_by_key(|(score, _)| *score);
@@ -101,38 +112,45 @@ fn indices(path: &str) -> [u32; 2] {
     std::array::from_fn(|_| numbers.next().unwrap_or(0))
 }
 
+/// A name with the set of its letters, whatever their case.
+#[derive(Clone, Copy)]
+struct Letters<'n> {
+    text: &'n str,
+    set: u32,
+}
+
+impl<'n> Letters<'n> {
+    const fn of(text: &'n str) -> Self {
+        let (bytes, mut set, mut at) = (text.as_bytes(), 0, 0);
+        while at < bytes.len() {
+            set |= bit(bytes[at]);
+            at += 1;
+        }
+        Self { text, set }
+    }
+}
+
+/// The bit of a letter in a set. Digits and signs share the bits of letters.
+const fn bit(letter: u8) -> u32 {
+    1 << (letter & 31)
+}
+
 /// How many letters must be changed, added or left out (Levenshtein), whatever their case; none: more than `most`.
-fn distance(a: &str, b: &str, most: usize) -> Option<usize> {
-    let (mut a, mut b) = (a.as_bytes(), b.as_bytes());
-    if a.len() > LONGEST || b.len() > LONGEST || a.len().abs_diff(b.len()) > most {
+fn distance(a: Letters<'_>, b: Letters<'_>, most: usize) -> Option<usize> {
+    let lengths = [a.text.len(), b.text.len()];
+    // Each letter that only one of the two has takes a change of its own.
+    let at_least = (a.set & !b.set).count_ones().max((b.set & !a.set).count_ones()) as usize;
+    if lengths[0].abs_diff(lengths[1]) > most || at_least > most || lengths.iter().any(|length| *length > LONGEST) {
         return None;
     }
     // What both begin and end with needs no comparing.
+    let (a, b) = (a.text.as_bytes(), b.text.as_bytes());
     let is_alike = |(x, y): &(&u8, &u8)| x.eq_ignore_ascii_case(y);
     let start = a.iter().zip(b).take_while(is_alike).count();
-    (a, b) = (&a[start..], &b[start..]);
+    let (a, b) = (&a[start..], &b[start..]);
     let end = a.iter().rev().zip(b.iter().rev()).take_while(is_alike).count();
-    (a, b) = (&a[..a.len() - end], &b[..b.len() - end]);
-    if at_least(letters(a), letters(b)) > most {
-        return None;
-    }
-    let distance = strsim::generic_levenshtein(&a.to_ascii_lowercase(), &b.to_ascii_lowercase());
-    Some(distance).filter(|distance| *distance <= most)
-}
-
-/// The letters of a name, a bit each, whatever their case. Digits and signs share the bits of letters.
-const fn letters(name: &[u8]) -> u32 {
-    let (mut letters, mut at) = (0, 0);
-    while at < name.len() {
-        letters |= 1 << (name[at] & 31);
-        at += 1;
-    }
-    letters
-}
-
-/// So many letters differ at least: each that only one of two names has takes a change of its own.
-fn at_least(a: u32, b: u32) -> usize {
-    (a & !b).count_ones().max((b & !a).count_ones()) as usize
+    let rest = |name: &[u8]| name[..name.len() - end].to_ascii_lowercase();
+    Some(strsim::generic_levenshtein(&rest(a), &rest(b))).filter(|distance| *distance <= most)
 }
 
 #[cfg(test)]
@@ -173,7 +191,11 @@ mod tests {
             let (a, b) = (String::from_utf8(name()).unwrap(), String::from_utf8(name()).unwrap());
             let expected = of(a.to_ascii_lowercase().as_bytes(), b.to_ascii_lowercase().as_bytes());
             for most in 0..9 {
-                assert_eq!(distance(&a, &b, most), Some(expected).filter(|d| *d <= most), "{a} {b} {most}");
+                assert_eq!(
+                    distance(Letters::of(&a), Letters::of(&b), most),
+                    Some(expected).filter(|d| *d <= most),
+                    "{a} {b} {most}"
+                );
             }
         }
     }

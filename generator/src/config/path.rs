@@ -38,7 +38,7 @@ struct Spelling {
     plain: String,
 }
 
-/// Every spelling of every parameter, by the length of its path with `[]` for an index.
+/// Every spelling of every parameter, by its path with `[]` for an index.
 static SPELLINGS: LazyLock<Vec<Vec<Spelling>>> = LazyLock::new(|| {
     let spellings = Name::ALL.into_iter().flat_map(|name| {
         let parameter = name.parameter();
@@ -46,29 +46,34 @@ static SPELLINGS: LazyLock<Vec<Vec<Spelling>>> = LazyLock::new(|| {
         let misprints = parameter.misprints.iter().map(|template| (template, true));
         proper.chain(misprints).map(move |(template, misprint)| {
             let plain = without_indices(template);
-            (plain.len(), Spelling { name, template, misprint, plain })
+            (drawer(plain.len(), &plain), Spelling { name, template, misprint, plain })
         })
     });
-    by_length(spellings)
+    in_drawers(spellings)
 });
 
-/// The vendor's paths and aliases, by the length of their last part; each without its indices: `getriebe.kv`. The first of
-/// equals is a path.
+/// The vendor's paths and aliases, by their last parts; each without its indices: `getriebe.kv`. The first of equals is a path.
 static BARE: LazyLock<Vec<Vec<(String, &'static str)>>> = LazyLock::new(|| {
     let vendors = Name::ALL.map(Name::parameter).into_iter().filter(|parameter| parameter.scope == Scope::List);
     let templates = vendors.flat_map(|parameter| std::iter::once(&parameter.path).chain(parameter.aliases));
-    by_length(
-        templates.map(|template| (last_name(template).len(), (without_indices(template).replace("[]", ""), *template))),
-    )
+    in_drawers(templates.map(|template| {
+        let end = last_name(template);
+        (drawer(end.len(), end), (without_indices(template).replace("[]", ""), *template))
+    }))
 });
 
-fn by_length<T>(all: impl Iterator<Item = (usize, T)>) -> Vec<Vec<T>> {
-    let mut by_length = Vec::new();
-    for (length, one) in all {
-        by_length.resize_with(by_length.len().max(length + 1), Vec::new);
-        by_length[length].push(one);
+/// Where a name is looked for: its length and its last letter, small or capital, tell most names apart.
+fn drawer(length: usize, name: &str) -> usize {
+    length * 32 + usize::from(name.as_bytes().last().unwrap_or(&0) & 31)
+}
+
+fn in_drawers<T>(all: impl Iterator<Item = (usize, T)>) -> Vec<Vec<T>> {
+    let mut drawers = Vec::new();
+    for (drawer, one) in all {
+        drawers.resize_with(drawers.len().max(drawer + 1), Vec::new);
+        drawers[drawer].push(one);
     }
-    by_length
+    drawers
 }
 
 /// Every prefix of a path below an axis that ends before a point: the structures of a set's tables, with `[]` for an
@@ -88,12 +93,9 @@ static STRUCTURES: LazyLock<Vec<String>> = LazyLock::new(|| {
 /// The template that a path would name with other indices, in other letters: `getriebe[i].kv` for `getriebe.kv`.
 pub(super) fn with_other_indices(path: &str) -> Option<&'static str> {
     let end = last_name(path);
-    let alike = BARE.get(end.len())?.iter().filter(|(bare, _)| {
-        let (_, last) = bare.split_at(bare.len() - end.len());
-        last.eq_ignore_ascii_case(end)
-    });
-    let small = |bare: &str| outside_brackets(path).map(|byte| byte.to_ascii_lowercase()).eq(bare.bytes());
-    alike.into_iter().find(|(bare, _)| small(bare)).map(|(_, template)| *template)
+    let small = || outside_brackets(path).map(|byte| byte.to_ascii_lowercase());
+    let mut alike = BARE.get(drawer(end.len(), end))?.iter();
+    alike.find(|(bare, _)| small().eq(bare.bytes())).map(|(_, template)| *template)
 }
 
 /// The last part of a path without its index.
@@ -150,7 +152,7 @@ pub(crate) fn find(path: &str) -> Path {
     if before == b'.' || bytes[0].is_ascii_digit() {
         return Path::Malformed;
     }
-    let mut alike = SPELLINGS.get(length).into_iter().flatten();
+    let mut alike = SPELLINGS.get(drawer(length, path)).into_iter().flatten();
     let Some(&Spelling { name, template, misprint, .. }) = alike.find(|spelling| is(path, &spelling.plain)) else {
         return Path::Foreign;
     };
@@ -178,18 +180,14 @@ fn is_of_name(byte: u8) -> bool {
 
 /// Whether a path is `plain` but for the digits in its brackets.
 fn is(path: &str, plain: &str) -> bool {
-    // Paths differ at their ends, mostly.
-    let end = memchr::memrchr(b']', plain.as_bytes()).map_or(plain, |bracket| &plain[bracket..]);
-    path.ends_with(end) && {
-        let mut is_inside = false;
-        let without_digits = path.bytes().filter(|byte| {
-            is_inside &= *byte != b']';
-            let is_outside = !is_inside;
-            is_inside |= *byte == b'[';
-            is_outside
-        });
-        without_digits.eq(plain.bytes())
-    }
+    let mut is_inside = false;
+    let without_digits = path.bytes().filter(|byte| {
+        is_inside &= *byte != b']';
+        let is_outside = !is_inside;
+        is_inside |= *byte == b'[';
+        is_outside
+    });
+    without_digits.eq(plain.bytes())
 }
 
 /// Whether parameters stand below this path in a set: `lr_param`, `lr_param.improved_position_control.stage[0]`.
