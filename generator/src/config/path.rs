@@ -8,9 +8,7 @@ use std::sync::LazyLock;
 pub(crate) enum Path {
     /// a parameter of the table
     Known {
-        /// which one
         name: Name,
-        /// its indices
         index: [u32; 2],
         /// the template that it was found by
         spelling: &'static str,
@@ -19,7 +17,6 @@ pub(crate) enum Path {
     },
     /// a parameter of the table with an index that does not exist
     OutOfRange {
-        /// which one
         name: Name,
         /// the template that it was found by
         spelling: &'static str,
@@ -58,7 +55,7 @@ static BARE: LazyLock<Vec<Vec<(String, &'static str)>>> = LazyLock::new(|| {
     let templates = vendors.flat_map(|parameter| std::iter::once(&parameter.path).chain(parameter.aliases));
     in_drawers(templates.map(|template| {
         let end = last_name(template);
-        (drawer(end.len(), end), (without_indices(template).replace("[]", ""), *template))
+        (drawer(end.len(), end), (letters(&template.to_ascii_lowercase(), false).collect(), *template))
     }))
 });
 
@@ -93,9 +90,9 @@ static STRUCTURES: LazyLock<Vec<String>> = LazyLock::new(|| {
 /// The template that a path would name with other indices, in other letters: `getriebe[i].kv` for `getriebe.kv`.
 pub(super) fn with_other_indices(path: &str) -> Option<&'static str> {
     let end = last_name(path);
-    let small = || outside_brackets(path).map(|byte| byte.to_ascii_lowercase());
+    let small = || letters(path, false).map(|letter| letter.to_ascii_lowercase());
     let mut alike = BARE.get(drawer(end.len(), end))?.iter();
-    alike.find(|(bare, _)| small().eq(bare.bytes())).map(|(_, template)| *template)
+    alike.find(|(bare, _)| small().eq(bare.chars())).map(|(_, template)| *template)
 }
 
 /// The last part of a path without its index.
@@ -104,14 +101,14 @@ fn last_name(path: &str) -> &str {
     memchr::memchr(b'[', last.as_bytes()).map_or(last, |bracket| &last[..bracket])
 }
 
-/// The bytes of a path without its indices and their brackets.
-fn outside_brackets(path: &str) -> impl Iterator<Item = u8> {
+/// The letters of a path without its indices, with or without their brackets.
+fn letters(path: &str, brackets: bool) -> impl Iterator<Item = char> {
     let mut is_inside = false;
-    path.bytes().filter(move |byte| {
-        is_inside |= *byte == b'[';
-        let is_outside = !is_inside;
-        is_inside &= *byte != b']';
-        is_outside
+    path.chars().filter(move |letter| {
+        is_inside &= *letter != ']';
+        let is_kept = !is_inside && (brackets || !matches!(letter, '[' | ']'));
+        is_inside |= *letter == '[';
+        is_kept
     })
 }
 
@@ -153,7 +150,9 @@ pub(crate) fn find(path: &str) -> Path {
         return Path::Malformed;
     }
     let mut alike = SPELLINGS.get(drawer(length, path)).into_iter().flatten();
-    let Some(&Spelling { name, template, misprint, .. }) = alike.find(|spelling| is(path, &spelling.plain)) else {
+    let Some(&Spelling { name, template, misprint, .. }) =
+        alike.find(|spelling| letters(path, true).eq(spelling.plain.chars()))
+    else {
         return Path::Foreign;
     };
     let within = name.parameter().indices.iter().zip(index).all(|(size, index)| index < *size);
@@ -178,18 +177,6 @@ fn is_of_name(byte: u8) -> bool {
     OF_NAME[usize::from(byte)]
 }
 
-/// Whether a path is `plain` but for the digits in its brackets.
-fn is(path: &str, plain: &str) -> bool {
-    let mut is_inside = false;
-    let without_digits = path.bytes().filter(|byte| {
-        is_inside &= *byte != b']';
-        let is_outside = !is_inside;
-        is_inside |= *byte == b'[';
-        is_outside
-    });
-    without_digits.eq(plain.bytes())
-}
-
 /// Whether parameters stand below this path in a set: `lr_param`, `lr_param.improved_position_control.stage[0]`.
 pub(crate) fn is_structure(path: &str) -> bool {
     let plain = without_indices(path);
@@ -209,16 +196,7 @@ pub(crate) fn templates() -> impl Iterator<Item = &'static str> {
 
 /// `stage[0].mode` and `stage[i].mode` as `stage[].mode`.
 pub(crate) fn without_indices(path: &str) -> String {
-    let mut plain = String::with_capacity(path.len());
-    let mut within = false;
-    for character in path.chars() {
-        within = within && character != ']';
-        if !within {
-            plain.push(character);
-        }
-        within = within || character == '[';
-    }
-    plain
+    letters(path, true).collect()
 }
 
 #[cfg(test)]

@@ -94,7 +94,8 @@ impl fmt::Display for Refusal {
 /// A file on its way into a folder. What was staged is gone when this is, whatever happens in between.
 #[derive(Debug)]
 pub struct Staged {
-    path: PathBuf,
+    /// where it goes
+    pub path: PathBuf,
     kind: Kind,
 }
 
