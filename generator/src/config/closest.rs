@@ -121,13 +121,17 @@ struct Letters<'n> {
 
 impl<'n> Letters<'n> {
     const fn of(text: &'n str) -> Self {
-        let (bytes, mut set, mut at) = (text.as_bytes(), 0, 0);
-        while at < bytes.len() {
-            set |= bit(bytes[at]);
-            at += 1;
-        }
-        Self { text, set }
+        Self { text, set: set(text.as_bytes()) }
     }
+}
+
+const fn set(name: &[u8]) -> u32 {
+    let (mut set, mut at) = (0, 0);
+    while at < name.len() {
+        set |= bit(name[at]);
+        at += 1;
+    }
+    set
 }
 
 /// The bit of a letter in a set. Digits and signs share the bits of letters.
@@ -138,9 +142,8 @@ const fn bit(letter: u8) -> u32 {
 /// How many letters must be changed, added or left out (Levenshtein), whatever their case; none: more than `most`.
 fn distance(a: Letters<'_>, b: Letters<'_>, most: usize) -> Option<usize> {
     let lengths = [a.text.len(), b.text.len()];
-    // Each letter that only one of the two has takes a change of its own.
-    let at_least = (a.set & !b.set).count_ones().max((b.set & !a.set).count_ones()) as usize;
-    if lengths[0].abs_diff(lengths[1]) > most || at_least > most || lengths.iter().any(|length| *length > LONGEST) {
+    let is_far = lengths[0].abs_diff(lengths[1]) > most || lengths.iter().any(|length| *length > LONGEST);
+    if is_far || at_least(a.set, b.set) > most {
         return None;
     }
     // What both begin and end with needs no comparing.
@@ -149,8 +152,17 @@ fn distance(a: Letters<'_>, b: Letters<'_>, most: usize) -> Option<usize> {
     let start = a.iter().zip(b).take_while(is_alike).count();
     let (a, b) = (&a[start..], &b[start..]);
     let end = a.iter().rev().zip(b.iter().rev()).take_while(is_alike).count();
-    let rest = |name: &[u8]| name[..name.len() - end].to_ascii_lowercase();
-    Some(strsim::generic_levenshtein(&rest(a), &rest(b))).filter(|distance| *distance <= most)
+    let (a, b) = (&a[..a.len() - end], &b[..b.len() - end]);
+    if at_least(set(a), set(b)) > most {
+        return None;
+    }
+    let distance = strsim::generic_levenshtein(&a.to_ascii_lowercase(), &b.to_ascii_lowercase());
+    Some(distance).filter(|distance| *distance <= most)
+}
+
+/// So many letters differ at least: each that only one of two names has takes a change of its own.
+fn at_least(a: u32, b: u32) -> usize {
+    (a & !b).count_ones().max((b & !a).count_ones()) as usize
 }
 
 #[cfg(test)]
