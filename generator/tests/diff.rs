@@ -199,7 +199,8 @@ fn axes_that_came_and_went() {
         [
             "axis A: removed",
             "axis B: the same",
-            "axis C: added: f64, cycle time 1000 us, limit 0 (0 % of v_max), starts OFF, fade 0.1 s",
+            "axis C: added: f64, cycle time 1000 us, blocks ipc",
+            "axis C: added: limit 0 (0 % of v_max), starts OFF, fade 0.1 s",
             "axis C: added: stage[0]: DIRECT from v_motor, weight 1 (0 dB), BANDPASS CRIT_DAMPING order 1 at 20 Hz, \
              edges 19.02..21.02 Hz"
         ]

@@ -5,7 +5,7 @@
 
 use generator::config::{ListOptions, Unreadable};
 use generator::diagnostics::Report;
-use generator::exchange::import;
+use generator::import_export::import;
 use generator::pipeline::read_with;
 use generator::schema;
 use jsonschema::Validator;

@@ -37,17 +37,11 @@ impl Files {
 
     /// Writes the files that were asked for.
     pub fn write(&self, suite: &str, outcomes: &[Outcome]) -> Result<(), Exit> {
-        let save = |path: &Option<PathBuf>, text: &dyn Fn() -> String| match path {
-            Some(path) => write(path, &text()),
-            None => Ok(()),
-        };
-        save(&self.junit, &|| junit(suite, outcomes))?;
-        save(&self.json, &|| as_json(suite, outcomes))
+        let forms: [(_, fn(&str, &[Outcome]) -> String); 2] = [(&self.junit, junit), (&self.json, as_json)];
+        forms.into_iter().filter_map(|(path, text)| Some((path.as_ref()?, text))).try_for_each(|(path, text)| {
+            std::fs::write(path, text(suite, outcomes)).map_err(|error| Exit::unwritable(path.display(), error))
+        })
     }
-}
-
-fn write(path: &Path, text: &str) -> Result<(), Exit> {
-    std::fs::write(path, text).map_err(|error| Exit::unwritable(path.display(), error))
 }
 
 fn failures(outcomes: &[Outcome]) -> usize {

@@ -2,27 +2,27 @@
 
 use super::path;
 use crate::parameters::path_with;
+use std::sync::LazyLock;
 
 /// Longer names are not compared: the cost grows with the square.
 const LONGEST: usize = 128;
 
 /// The candidate with the fewest letters that differ, if they are few.
-pub fn of<'c>(name: &str, candidates: impl Iterator<Item = &'c str>) -> Option<&'c str> {
+pub(crate) fn of<'c>(name: &str, candidates: impl Iterator<Item = &'c str>) -> Option<&'c str> {
     let few = 1 + name.len() / 4;
-    let near = candidates.filter_map(|candidate| distance(name, candidate, few).map(|distance| (distance, candidate)));
+    let name = Letters::of(name);
+    let near = candidates.filter_map(|candidate| Some((distance(name, Letters::of(candidate), few)?, candidate)));
     // The first of equals: the order of the candidates is the same on every host.
     near.min_by_key(|(distance, _)| *distance).map(|(_, name)| name)
 }
 
 /// The path that a path was probably meant to be: one that differs in a few letters, or ends alike.
-#[must_use]
-pub fn path(path: &str) -> Option<String> {
-    among(path, path::templates()).or_else(|| among(path, path::structures()))
+pub(crate) fn path(path: &str) -> Option<String> {
+    among(path, &TEMPLATES).or_else(|| among(path, &STRUCTURES))
 }
 
 /// A template with the indices that a path has at the same parts.
-#[must_use]
-pub fn with_indices_of(template: &str, written: &str) -> String {
+pub(crate) fn with_indices_of(template: &str, written: &str) -> String {
     let parts = template.split('.').zip(written.split('.'));
     let numbers = parts.filter(|(part, _)| part.contains('[')).map(|(_, written)| indices(written)[0]);
     let mut numbers = numbers.chain([0, 0]);
@@ -30,44 +30,74 @@ pub fn with_indices_of(template: &str, written: &str) -> String {
 }
 
 /// The structure that the name of a table was probably meant to be.
-#[must_use]
-pub fn structure(path: &str) -> Option<String> {
-    among(path, path::structures())
+pub(crate) fn structure(path: &str) -> Option<String> {
+    among(path, &STRUCTURES)
 }
 
 /// The first parameter below a structure, with the indices that the structure is written with.
-#[must_use]
-pub fn first_below(written: &str) -> Option<String> {
+pub(crate) fn first_below(written: &str) -> Option<String> {
     let start = path::without_indices(written) + ".";
     let below = path::templates().find(|template| path::without_indices(template).starts_with(&start));
     below.map(|template| path_with(template, indices(written)))
 }
 
 /// The structures that are ours: which part of a path names each, and how many letters may differ.
-const OURS: [(usize, &str, usize); 3] =
-    [(0, "vorsteuer", 2), (1, "improved_position_control", 3), (1, "sai_op_mode_change", 3)];
+const OURS: [(usize, Letters<'_>, usize); 3] = [
+    (0, Letters::of("vorsteuer"), 2),
+    (1, Letters::of("improved_position_control"), 3),
+    (1, Letters::of("sai_op_mode_change"), 3),
+];
 
 /// Whether a path lies in a structure that is ours, or nearly.
-#[must_use]
-pub fn is_ours(path: &str) -> bool {
-    let is = |(part, name, most): (usize, &str, usize)| {
-        let written = path.split('.').nth(part).unwrap_or("");
-        path.contains('.') && distance(written, name, most).is_some()
-    };
-    OURS.into_iter().any(is)
+pub(crate) fn is_ours(path: &str) -> bool {
+    let Some(dot) = memchr::memchr(b'.', path.as_bytes()) else { return false };
+    let (first, rest) = (&path[..dot], &path[dot + 1..]);
+    let parts = [first, memchr::memchr(b'.', rest.as_bytes()).map_or(rest, |dot| &rest[..dot])];
+    OURS.into_iter().any(|(part, name, most)| {
+        let written = parts[part];
+        // Most paths of a real list are told by their lengths, or by their first letters.
+        let strange = written.bytes().filter(|byte| name.set & bit(*byte) == 0);
+        written.len().abs_diff(name.text.len()) <= most
+            && strange.take(most + 1).count() <= most
+            && distance(Letters::of(written), name, most).is_some()
+    })
 }
 
-fn among(written: &str, candidates: impl Iterator<Item = &'static str>) -> Option<String> {
+/// A name that may have been meant.
+struct Candidate {
+    template: &'static str,
+    /// the template with `[]` for an index
+    plain: String,
+    /// the letters of that
+    set: u32,
+    /// its last part
+    end: Letters<'static>,
+}
+
+static TEMPLATES: LazyLock<Vec<Candidate>> = LazyLock::new(|| candidates(path::templates()));
+static STRUCTURES: LazyLock<Vec<Candidate>> = LazyLock::new(|| candidates(path::structures()));
+
+fn candidates(templates: impl Iterator<Item = &'static str>) -> Vec<Candidate> {
+    let of = |template| {
+        let plain = path::without_indices(template);
+        Candidate { template, set: Letters::of(&plain).set, plain, end: Letters::of(last(template)) }
+    };
+    templates.map(of).collect()
+}
+
+fn among(written: &str, candidates: &'static [Candidate]) -> Option<String> {
     let plain = path::without_indices(written);
     let typo = 3.min(1 + plain.len() / 4);
-    let end = last(&plain);
-    let score = |template: &'static str| {
-        let of_end = distance(end, last(template), 1 + end.len() / 4);
-        let whole = distance(&plain, &path::without_indices(template), typo);
-        (whole.is_some() || of_end.is_some()).then_some(((whole.unwrap_or(usize::MAX), of_end), template))
+    let end = Letters::of(last(&plain));
+    let whole = Letters::of(&plain);
+    let score = |candidate: &'static Candidate| {
+        let of_end = distance(end, candidate.end, 1 + end.text.len() / 4);
+        let of_whole = distance(whole, Letters { text: &candidate.plain, set: candidate.set }, typo);
+        let is_near = of_whole.is_some() || of_end.is_some();
+        is_near.then_some(((of_whole.unwrap_or(usize::MAX), of_end), candidate.template))
     };
     // The first of equals, which is a path rather than its aliases.
-    let best = candidates.filter_map(score).min_by_key(|(score, _)| *score);
+    let best = candidates.iter().filter_map(score).min_by_key(|(score, _)| *score);
     best.map(|(_, template)| path_with(template, indices(written)))
 }
 
@@ -82,25 +112,57 @@ fn indices(path: &str) -> [u32; 2] {
     std::array::from_fn(|_| numbers.next().unwrap_or(0))
 }
 
+/// A name with the set of its letters, whatever their case.
+#[derive(Clone, Copy)]
+struct Letters<'n> {
+    text: &'n str,
+    set: u32,
+}
+
+impl<'n> Letters<'n> {
+    const fn of(text: &'n str) -> Self {
+        Self { text, set: set(text.as_bytes()) }
+    }
+}
+
+const fn set(name: &[u8]) -> u32 {
+    let (mut set, mut at) = (0, 0);
+    while at < name.len() {
+        set |= bit(name[at]);
+        at += 1;
+    }
+    set
+}
+
+/// The bit of a letter in a set. Digits and signs share the bits of letters.
+const fn bit(letter: u8) -> u32 {
+    1 << (letter & 31)
+}
+
 /// How many letters must be changed, added or left out (Levenshtein), whatever their case; none: more than `most`.
-fn distance(a: &str, b: &str, most: usize) -> Option<usize> {
-    if a.len() > LONGEST || b.len() > LONGEST || a.len().abs_diff(b.len()) > most {
+fn distance(a: Letters<'_>, b: Letters<'_>, most: usize) -> Option<usize> {
+    let lengths = [a.text.len(), b.text.len()];
+    let is_far = lengths[0].abs_diff(lengths[1]) > most || lengths.iter().any(|length| *length > LONGEST);
+    if is_far || at_least(a.set, b.set) > most {
         return None;
     }
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, x) in a.bytes().enumerate() {
-        if row.iter().all(|distance| *distance > most) {
-            return None;
-        }
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, y) in b.bytes().enumerate() {
-            let changed = diagonal + usize::from(!x.eq_ignore_ascii_case(&y));
-            diagonal = row[j + 1];
-            row[j + 1] = changed.min(diagonal + 1).min(row[j] + 1);
-        }
+    // What both begin and end with needs no comparing.
+    let (a, b) = (a.text.as_bytes(), b.text.as_bytes());
+    let is_alike = |(x, y): &(&u8, &u8)| x.eq_ignore_ascii_case(y);
+    let start = a.iter().zip(b).take_while(is_alike).count();
+    let (a, b) = (&a[start..], &b[start..]);
+    let end = a.iter().rev().zip(b.iter().rev()).take_while(is_alike).count();
+    let (a, b) = (&a[..a.len() - end], &b[..b.len() - end]);
+    if at_least(set(a), set(b)) > most {
+        return None;
     }
-    row.last().copied().filter(|distance| *distance <= most)
+    let distance = strsim::generic_levenshtein(&a.to_ascii_lowercase(), &b.to_ascii_lowercase());
+    Some(distance).filter(|distance| *distance <= most)
+}
+
+/// So many letters differ at least: each that only one of two names has takes a change of its own.
+fn at_least(a: u32, b: u32) -> usize {
+    (a & !b).count_ones().max((b & !a).count_ones()) as usize
 }
 
 #[cfg(test)]
@@ -124,6 +186,30 @@ mod tests {
         close(&format!("{ipc}.stage[1].filter[1].qfactor"), "stage[1].filter[1].q_factor");
         assert_eq!(path(&format!("{ipc}.stage[0].colour")), None);
         assert_eq!(path(&"x".repeat(10_000)), None);
+        assert!(TEMPLATES.iter().all(|candidate| candidate.plain.len() < LONGEST));
+    }
+
+    /// Beside the definition: no filter refuses what is near.
+    #[test]
+    fn distances() {
+        let of = |a: &[u8], b: &[u8]| strsim::generic_levenshtein(&a.to_vec(), &b.to_vec());
+        let mut random = 1u64;
+        let mut draw = |below: u64| {
+            random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (random >> 33) % below
+        };
+        for _ in 0..20_000 {
+            let mut name = || (0..draw(9)).map(|_| b"abAB_1q"[usize::try_from(draw(7)).unwrap()]).collect::<Vec<_>>();
+            let (a, b) = (String::from_utf8(name()).unwrap(), String::from_utf8(name()).unwrap());
+            let expected = of(a.to_ascii_lowercase().as_bytes(), b.to_ascii_lowercase().as_bytes());
+            for most in 0..9 {
+                assert_eq!(
+                    distance(Letters::of(&a), Letters::of(&b), most),
+                    Some(expected).filter(|d| *d <= most),
+                    "{a} {b} {most}"
+                );
+            }
+        }
     }
 
     #[test]

@@ -20,13 +20,10 @@ pub enum Unreadable {
 }
 
 /// A set of 10,000 axes that are written out in full has 20 MB; what is larger is something else.
-pub const LARGEST: u64 = 64 << 20;
+const LARGEST: u64 = 64 << 20;
 
 /// Reads a file.
-///
-/// # Errors
-/// If the system does not let us, or the file is too large.
-pub fn load(path: &Path) -> Result<Vec<u8>, Unreadable> {
+pub(crate) fn load(path: &Path) -> Result<Vec<u8>, Unreadable> {
     // Opening a pipe waits for somebody to write into it, a device never ends: both are told before.
     let metadata = fs::metadata(path).map_err(of_system)?;
     if metadata.is_dir() {

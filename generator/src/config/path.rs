@@ -1,17 +1,14 @@
 //! From a path as written (`stage[0].filter.order`) to the parameter and its indices; no value and no message is here.
 
 use crate::parameters::{Name, Scope, TABLE};
-use std::collections::HashMap;
 use std::sync::LazyLock;
 
 /// What a path names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Path {
+pub(crate) enum Path {
     /// a parameter of the table
     Known {
-        /// which one
         name: Name,
-        /// its indices
         index: [u32; 2],
         /// the template that it was found by
         spelling: &'static str,
@@ -20,7 +17,6 @@ pub enum Path {
     },
     /// a parameter of the table with an index that does not exist
     OutOfRange {
-        /// which one
         name: Name,
         /// the template that it was found by
         spelling: &'static str,
@@ -31,27 +27,51 @@ pub enum Path {
     Malformed,
 }
 
-/// The longest template has 68 bytes; what is longer is foreign.
-const LONGEST: usize = 128;
-
 struct Spelling {
     name: Name,
     template: &'static str,
     misprint: bool,
+    /// the template with `[]` for an index
+    plain: String,
 }
 
-/// Every spelling of every parameter, with `[]` for an index.
-static SPELLINGS: LazyLock<HashMap<Vec<u8>, Spelling>> = LazyLock::new(|| {
-    let mut spellings = HashMap::new();
-    for name in Name::ALL {
+/// Every spelling of every parameter, by its path with `[]` for an index.
+static SPELLINGS: LazyLock<Vec<Vec<Spelling>>> = LazyLock::new(|| {
+    let spellings = Name::ALL.into_iter().flat_map(|name| {
         let parameter = name.parameter();
         let proper = std::iter::once(&parameter.path).chain(parameter.aliases).map(|template| (template, false));
-        for (template, misprint) in proper.chain(parameter.misprints.iter().map(|template| (template, true))) {
-            spellings.insert(without_indices(template).into_bytes(), Spelling { name, template, misprint });
-        }
-    }
-    spellings
+        let misprints = parameter.misprints.iter().map(|template| (template, true));
+        proper.chain(misprints).map(move |(template, misprint)| {
+            let plain = without_indices(template);
+            (drawer(plain.len(), &plain), Spelling { name, template, misprint, plain })
+        })
+    });
+    in_drawers(spellings)
 });
+
+/// The vendor's paths and aliases, by their last parts; each without its indices: `getriebe.kv`. The first of equals is a path.
+static BARE: LazyLock<Vec<Vec<(String, &'static str)>>> = LazyLock::new(|| {
+    let vendors = Name::ALL.map(Name::parameter).into_iter().filter(|parameter| parameter.scope == Scope::List);
+    let templates = vendors.flat_map(|parameter| std::iter::once(&parameter.path).chain(parameter.aliases));
+    in_drawers(templates.map(|template| {
+        let end = last_name(template);
+        (drawer(end.len(), end), (letters(&template.to_ascii_lowercase(), false).collect(), *template))
+    }))
+});
+
+/// Where a name is looked for: its length and its last letter, small or capital, tell most names apart.
+fn drawer(length: usize, name: &str) -> usize {
+    length * 32 + usize::from(name.as_bytes().last().unwrap_or(&0) & 31)
+}
+
+fn in_drawers<T>(all: impl Iterator<Item = (usize, T)>) -> Vec<Vec<T>> {
+    let mut drawers = Vec::new();
+    for (drawer, one) in all {
+        drawers.resize_with(drawers.len().max(drawer + 1), Vec::new);
+        drawers[drawer].push(one);
+    }
+    drawers
+}
 
 /// Every prefix of a path below an axis that ends before a point: the structures of a set's tables, with `[]` for an
 /// index.
@@ -67,82 +87,71 @@ static STRUCTURES: LazyLock<Vec<String>> = LazyLock::new(|| {
     structures
 });
 
-/// Every path and alias without its indices, in small letters: `getriebe.kv`. The first of equals is a path.
-static BARE: LazyLock<HashMap<Vec<u8>, &'static str>> = LazyLock::new(|| {
-    let vendors = Name::ALL.map(Name::parameter).into_iter().filter(|parameter| parameter.scope == Scope::List);
-    let mut bare = HashMap::new();
-    for template in vendors.flat_map(|parameter| std::iter::once(&parameter.path).chain(parameter.aliases)) {
-        bare.entry(without_brackets(template, &mut [0; LONGEST]).to_vec()).or_insert(*template);
-    }
-    bare
-});
-
 /// The template that a path would name with other indices, in other letters: `getriebe[i].kv` for `getriebe.kv`.
-#[must_use]
-pub fn with_other_indices(path: &str) -> Option<&'static str> {
-    if path.len() > LONGEST { None } else { BARE.get(without_brackets(path, &mut [0; LONGEST])).copied() }
+pub(super) fn with_other_indices(path: &str) -> Option<&'static str> {
+    let end = last_name(path);
+    let small = || letters(path, false).map(|letter| letter.to_ascii_lowercase());
+    let mut alike = BARE.get(drawer(end.len(), end))?.iter();
+    alike.find(|(bare, _)| small().eq(bare.chars())).map(|(_, template)| *template)
 }
 
-/// Without allocating: a real machine's list has hundreds of paths to ask for.
-fn without_brackets<'b>(path: &str, bare: &'b mut [u8; LONGEST]) -> &'b [u8] {
-    let mut length = 0;
-    let mut within = false;
-    for byte in path.bytes() {
-        within = within || byte == b'[';
-        if let Some(place) = bare.get_mut(length).filter(|_| !within) {
-            *place = byte.to_ascii_lowercase();
-            length += 1;
-        }
-        within = within && byte != b']';
-    }
-    &bare[..length]
+/// The last part of a path without its index.
+fn last_name(path: &str) -> &str {
+    let last = memchr::memrchr(b'.', path.as_bytes()).map_or(path, |dot| &path[dot + 1..]);
+    memchr::memchr(b'[', last.as_bytes()).map_or(last, |bracket| &last[..bracket])
+}
+
+/// The letters of a path without its indices, with or without their brackets.
+fn letters(path: &str, brackets: bool) -> impl Iterator<Item = char> {
+    let mut is_inside = false;
+    path.chars().filter(move |letter| {
+        is_inside &= *letter != ']';
+        let is_kept = !is_inside && (brackets || !matches!(letter, '[' | ']'));
+        is_inside |= *letter == '[';
+        is_kept
+    })
 }
 
 /// Finds what a path names.
-#[must_use]
-pub fn find(path: &str) -> Path {
-    let mut plain = [0; LONGEST];
-    let mut length = 0;
-    let mut index = [0; 2];
-    let mut indices = 0;
-    let mut put = |byte: u8| {
-        if let Some(place) = plain.get_mut(length) {
-            *place = byte;
-        }
-        length += 1;
-    };
+pub(crate) fn find(path: &str) -> Path {
     let bytes = path.as_bytes();
+    let (mut index, mut indices) = ([0; 2], 0);
+    // The length with `[]` for an index.
+    let mut length = bytes.len();
     let mut at = 0;
     let mut before = b'.';
-    while let Some(&byte) = bytes.get(at) {
-        at += 1;
-        match byte {
-            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'_' => put(byte),
-            b'.' if before != b'.' => put(byte),
-            b'[' if before != b'.' => {
-                let digits = bytes[at..].iter().take_while(|byte| byte.is_ascii_digit()).count();
-                // Empty brackets mean 0; an index beyond u32 exists in no structure.
-                let number = if digits == 0 { 0 } else { path[at..at + digits].parse().unwrap_or(u32::MAX) };
-                at += digits;
-                if bytes.get(at) != Some(&b']') {
+    loop {
+        let name = bytes[at..].iter().position(|byte| !is_of_name(*byte)).unwrap_or(bytes.len() - at);
+        at += name;
+        before = if name > 0 { b'_' } else { before };
+        match bytes.get(at) {
+            None => break,
+            Some(b'.') if before != b'.' => before = b'.',
+            Some(b'[') if before != b'.' => {
+                let digits = bytes[at + 1..].iter().take_while(|byte| byte.is_ascii_digit()).count();
+                if bytes.get(at + 1 + digits) != Some(&b']') {
                     return Path::Malformed;
                 }
-                at += 1;
+                // Empty brackets mean 0; an index beyond u32 exists in no structure.
+                let number = if digits == 0 { 0 } else { path[at + 1..][..digits].parse().unwrap_or(u32::MAX) };
                 if let Some(place) = index.get_mut(indices) {
                     *place = number;
                 }
                 indices += 1;
-                put(b'[');
-                put(b']');
+                length -= digits;
+                at += digits + 1;
+                before = b']';
             }
             _ => return Path::Malformed,
         }
-        before = byte;
+        at += 1;
     }
     if before == b'.' || bytes[0].is_ascii_digit() {
         return Path::Malformed;
     }
-    let Some(&Spelling { name, template, misprint }) = plain.get(..length).and_then(|plain| SPELLINGS.get(plain))
+    let mut alike = SPELLINGS.get(drawer(length, path)).into_iter().flatten();
+    let Some(&Spelling { name, template, misprint, .. }) =
+        alike.find(|spelling| letters(path, true).eq(spelling.plain.chars()))
     else {
         return Path::Foreign;
     };
@@ -154,37 +163,40 @@ pub fn find(path: &str) -> Path {
     }
 }
 
+/// Whether a byte is one of a name.
+fn is_of_name(byte: u8) -> bool {
+    static OF_NAME: [bool; 256] = {
+        let mut is = [false; 256];
+        let mut byte = 0;
+        while byte < 128u8 {
+            is[byte as usize] = byte.is_ascii_alphanumeric() || byte == b'_';
+            byte += 1;
+        }
+        is
+    };
+    OF_NAME[usize::from(byte)]
+}
+
 /// Whether parameters stand below this path in a set: `lr_param`, `lr_param.improved_position_control.stage[0]`.
-#[must_use]
-pub fn is_structure(path: &str) -> bool {
+pub(crate) fn is_structure(path: &str) -> bool {
     let plain = without_indices(path);
     STRUCTURES.binary_search(&plain).is_ok()
 }
 
 /// All structures, with `[]` for an index.
-pub fn structures() -> impl Iterator<Item = &'static str> {
+pub(crate) fn structures() -> impl Iterator<Item = &'static str> {
     STRUCTURES.iter().map(String::as_str)
 }
 
 /// All templates that may stand below an axis.
-pub fn templates() -> impl Iterator<Item = &'static str> {
+pub(crate) fn templates() -> impl Iterator<Item = &'static str> {
     let below_an_axis = TABLE.iter().filter(|parameter| parameter.scope != Scope::Set);
     below_an_axis.flat_map(|parameter| std::iter::once(&parameter.path).chain(parameter.aliases)).copied()
 }
 
 /// `stage[0].mode` and `stage[i].mode` as `stage[].mode`.
-#[must_use]
-pub fn without_indices(path: &str) -> String {
-    let mut plain = String::with_capacity(path.len());
-    let mut within = false;
-    for character in path.chars() {
-        within = within && character != ']';
-        if !within {
-            plain.push(character);
-        }
-        within = within || character == '[';
-    }
-    plain
+pub(crate) fn without_indices(path: &str) -> String {
+    letters(path, true).collect()
 }
 
 #[cfg(test)]
@@ -207,6 +219,7 @@ mod tests {
         assert_eq!(known(&format!("{ipc}.stage[1]osc_damping")), (Name::OscDamping, [1, 0], true));
         assert_eq!(known(&format!("{ipc}.stage[1].filter[0].damping")), (Name::FilterDamping, [1, 0], false));
         assert_eq!(known("getriebe[15].dynamik.vb_max"), (Name::VbMax, [15, 0], false));
+        assert_eq!(known("getriebe[000].dynamik.vb_max"), (Name::VbMax, [0, 0], false));
     }
 
     #[test]
@@ -242,8 +255,9 @@ mod tests {
 
     #[test]
     fn no_spelling_belongs_to_two_parameters() {
-        let all: usize = TABLE.iter().map(|p| 1 + p.aliases.len() + p.misprints.len()).sum();
-        assert_eq!(SPELLINGS.len(), all);
-        assert!(SPELLINGS.keys().all(|spelling| spelling.len() < LONGEST));
+        let mut all: Vec<&String> = SPELLINGS.iter().flatten().map(|spelling| &spelling.plain).collect();
+        all.sort_unstable();
+        assert!(all.windows(2).all(|pair| pair[0] != pair[1]));
+        assert_eq!(all.len(), TABLE.iter().map(|p| 1 + p.aliases.len() + p.misprints.len()).sum::<usize>());
     }
 }

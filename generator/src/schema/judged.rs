@@ -6,8 +6,7 @@ use crate::parameters::{Kind, Name};
 use serde_json::{Value, json};
 
 /// What an axis obeys beside the types of its values.
-#[must_use]
-pub fn rules() -> Value {
+pub(super) fn rules() -> Value {
     let stages = json!({ "lr_param": { "properties": { "improved_position_control": { "properties": {
         "stage": { "items": stage() },
     } } } } });

@@ -43,7 +43,6 @@ struct Node {
 }
 
 impl Node {
-    /// The tree of the parameters that are chosen.
     fn of(chosen: impl Fn(&Parameter) -> bool) -> Self {
         let mut root = Self::default();
         for parameter in Name::ALL.map(Name::parameter).into_iter().filter(|parameter| chosen(parameter)) {
@@ -54,7 +53,6 @@ impl Node {
         root
     }
 
-    /// Enters a parameter at a path.
     fn enter(&mut self, path: &str, parameter: &Parameter) {
         let (mut node, mut indices) = (self, parameter.indices.iter());
         for part in path.split('.') {

@@ -3,14 +3,12 @@
 use crate::parameters::Word;
 
 /// A word in any of its spellings and cases, or the number that stands for it.
-#[must_use]
-pub fn of_words<'w>(words: impl IntoIterator<Item = &'w Word>) -> String {
+pub(super) fn of_words<'w>(words: impl IntoIterator<Item = &'w Word>) -> String {
     format!("^(?:{})$", alternatives(words))
 }
 
 /// Several words, with blanks or `|` between, in any case; or the number that their bits make.
-#[must_use]
-pub fn of_flags(words: &[Word]) -> String {
+pub(super) fn of_flags(words: &[Word]) -> String {
     let word = alternatives(words);
     let sums = sums(words).into_iter().map(number).collect::<Vec<_>>().join("|");
     format!("^(?:{sums}|{GAP}*(?:(?:{word})(?:{GAP}+(?:{word}))*{GAP}*)?)$")
@@ -20,8 +18,7 @@ pub fn of_flags(words: &[Word]) -> String {
 const GAP: &str = r"[ \t\n\f\r|]";
 
 /// Every number that bits of these words make.
-#[must_use]
-pub fn sums(words: &[Word]) -> Vec<u32> {
+pub(super) fn sums(words: &[Word]) -> Vec<u32> {
     let mut sums = vec![0];
     for bits in words.iter().filter_map(|word| word.number) {
         sums.extend(sums.clone().into_iter().map(|sum| sum | bits));
@@ -32,8 +29,7 @@ pub fn sums(words: &[Word]) -> Vec<u32> {
 }
 
 /// A time of at least `from` and about at most `to` ns: the whole part of the number decides.
-#[must_use]
-pub fn of_duration(from: u64, to: u64) -> String {
+pub(super) fn of_duration(from: u64, to: u64) -> String {
     let of_unit = |(unit, ns, digits): (&str, u64, u32)| {
         let fraction = if digits == 0 { r"(?:\.0*)?".to_owned() } else { format!(r"(?:\.[0-9]{{0,{digits}}}0*)?") };
         let whole = at_most(to / ns);

@@ -3,16 +3,15 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Between the target's name and the rest.
 const MARK: &str = ".axgen-";
 
 /// The new content, on its way.
-pub fn staged(path: &Path) -> PathBuf {
+pub(super) fn staged(path: &Path) -> PathBuf {
     beside(path, "staged")
 }
 
 /// The old content, until all files have their new one.
-pub fn kept(path: &Path) -> PathBuf {
+pub(super) fn kept(path: &Path) -> PathBuf {
     beside(path, "kept")
 }
 
@@ -24,15 +23,14 @@ fn beside(path: &Path, what: &str) -> PathBuf {
 
 /// What a process that was killed left behind.
 #[derive(Debug, PartialEq, Eq)]
-pub enum LeftOver<'n> {
+pub(super) enum LeftOver<'n> {
     /// new content
     Staged,
     /// old content of the target of that name
     Kept(&'n str),
 }
 
-/// What a file's name says.
-pub fn left_over(name: &str) -> Option<LeftOver<'_>> {
+pub(super) fn left_over(name: &str) -> Option<LeftOver<'_>> {
     let (target, rest) = name.rsplit_once(MARK)?;
     let (what, process) = rest.split_once('-')?;
     let is_number = !process.is_empty() && process.bytes().all(|byte| byte.is_ascii_digit());
@@ -44,7 +42,7 @@ pub fn left_over(name: &str) -> Option<LeftOver<'_>> {
 }
 
 /// Removes a file of ours. That it may not be there, or cannot be removed, changes nothing for the caller.
-pub fn remove(path: &Path) {
+pub(super) fn remove(path: &Path) {
     let _ = fs::remove_file(path);
 }
 

@@ -70,7 +70,7 @@ pub fn open(path: &Path) -> Result<Folder, Refusal> {
 }
 
 /// Where a file of that name goes; its folder is there afterwards.
-pub fn path_in(folder: &Folder, name: &str) -> Result<PathBuf, Refusal> {
+pub(super) fn path_in(folder: &Folder, name: &str) -> Result<PathBuf, Refusal> {
     let path = folder.path.join(name);
     if name.contains('/')
         && let Some(parent) = path.parent()

@@ -76,7 +76,6 @@ impl Refusal {
     }
 }
 
-/// What is said of a file that is kept as it is.
 fn kept(path: &Path, owner: Owner) -> Diagnostic {
     let (code, found) = match owner {
         Owner::Other => (codes::NOT_OURS, "was not generated, or its line `body` was taken out"),
@@ -97,7 +96,6 @@ impl fmt::Display for Refusal {
 pub struct Staged {
     /// where it goes
     pub path: PathBuf,
-    /// what has to be done for that
     kind: Kind,
 }
 

@@ -7,7 +7,7 @@ use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 /// Renames every staged file; on a failure puts back what was there.
-pub fn all(files: &[Staged]) -> Result<(), Refusal> {
+pub(super) fn all(files: &[Staged]) -> Result<(), Refusal> {
     let mut replaced: Vec<Replaced<'_>> = Vec::with_capacity(files.len());
     for Staged { path, .. } in files {
         if let Err(error) = one(path, &mut replaced) {

@@ -34,14 +34,14 @@ const RULES: [Rule; 8] = [
 
 const DECLARATION: Inside = Inside::Elements(&[(&["Declaration"], Times::Once)]);
 
-/// A GUID of RFC 9562 in braces, lower case: version 8, variant 10.
+/// A GUID of RFC 9562 in braces, lower case: version 5 (derived from a name), variant 10.
 fn is_guid(text: &str) -> bool {
     let Some(inside) = text.strip_prefix('{').and_then(|text| text.strip_suffix('}')) else { return false };
     let parts: Vec<&str> = inside.split('-').collect();
     let is_hex = |part: &&str| part.bytes().all(|digit| matches!(digit, b'0'..=b'9' | b'a'..=b'f'));
     parts.iter().map(|part| part.len()).eq([8, 4, 4, 4, 12])
         && parts.iter().all(is_hex)
-        && parts[2].starts_with('8')
+        && parts[2].starts_with('5')
         && parts[3].starts_with(['8', '9', 'a', 'b'])
 }
 
@@ -158,15 +158,15 @@ fn every_object_has_its_own_guid_and_keeps_it() {
 
 #[test]
 fn what_is_no_guid_is_refused() {
-    assert!(is_guid("{01234567-89ab-8def-8123-456789abcdef}"));
+    assert!(is_guid("{01234567-89ab-5def-8123-456789abcdef}"));
     for broken in [
-        "01234567-89ab-8def-8123-456789abcdef",
-        "{01234567-89AB-8def-8123-456789abcdef}",
+        "01234567-89ab-5def-8123-456789abcdef",
+        "{01234567-89AB-5def-8123-456789abcdef}",
         "{01234567-89ab-4def-8123-456789abcdef}",
-        "{01234567-89ab-8def-c123-456789abcdef}",
-        "{0123456-789ab-8def-8123-456789abcdef}",
-        "{01234567-89ab-8def-8123-456789abcdeg}",
-        "{01234567-89ab-8def-8123}",
+        "{01234567-89ab-5def-c123-456789abcdef}",
+        "{0123456-789ab-5def-8123-456789abcdef}",
+        "{01234567-89ab-5def-8123-456789abcdeg}",
+        "{01234567-89ab-5def-8123}",
     ] {
         assert!(!is_guid(broken), "{broken}");
     }

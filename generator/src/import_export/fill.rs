@@ -14,19 +14,19 @@ use std::collections::BTreeSet;
 
 /// What lines are filled with.
 #[derive(Debug)]
-pub struct Filling<'r> {
+pub(super) struct Filling<'r> {
     /// what the axis was given, its list included
-    pub values: Values,
+    pub(super) values: Values,
     /// what stands at the top of the set
-    pub top: Values,
+    pub(super) top: Values,
     /// what is to be said
-    pub report: &'r mut Report,
+    pub(super) report: &'r mut Report,
 }
 
 impl Filling<'_> {
     /// The lines of a list with the values that hold now, then lines for the others; without a list all of them. None: a
     /// reader of lists finds errors in that, and they have been said.
-    pub fn list(mut self, base: Option<&[u8]>) -> Option<Vec<u8>> {
+    pub(super) fn list(mut self, base: Option<&[u8]>) -> Option<Vec<u8>> {
         let (mark, lines) = lines::split(base.unwrap_or_default());
         let mut list = mark.to_vec();
         let mut written = BTreeSet::new();

@@ -8,31 +8,28 @@ use crate::parameters::{Name, Scope, Value};
 use std::ops::Range;
 
 /// A comment that begins so holds a key of our own, which no controller knows: `# axgen: fade 200ms`.
-pub const OWN: &str = "# axgen: ";
+pub(super) const OWN: &str = "# axgen: ";
 
 /// What stands for a value that the set has: `=`, or `=` and the spelling that the list had.
-pub const HOLE: char = '=';
+pub(super) const HOLE: char = '=';
 
 /// The place of a value in a line.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Slot<'a> {
-    /// the parameter
-    pub key: Key,
+pub(super) struct Slot<'a> {
+    pub(super) key: Key,
     /// the path template by which it was found, a misprint included
-    pub spelling: &'static str,
+    pub(super) spelling: &'static str,
     /// whether a manual misprints the path so
-    pub misprint: bool,
-    /// the text of the value
-    pub text: &'a str,
+    pub(super) misprint: bool,
+    pub(super) text: &'a str,
     /// where it stands in the line's bytes
-    pub range: Range<usize>,
+    pub(super) range: Range<usize>,
     /// whether it is a key of our own, in a comment
-    pub own: bool,
+    pub(super) own: bool,
 }
 
 /// The place of a value in a line that has one.
-#[must_use]
-pub fn of<'a>(line: &Line<'a>) -> Option<Slot<'a>> {
+pub(super) fn of<'a>(line: &Line<'a>) -> Option<Slot<'a>> {
     match line.content {
         Content::Statement(statement) => {
             let Path::Known { name, index, spelling, misprint } = path::find(statement.path) else { return None };
@@ -55,8 +52,7 @@ pub fn of<'a>(line: &Line<'a>) -> Option<Slot<'a>> {
 }
 
 /// Whether a list can hold the key in a comment only: the keys of our own, but for those that say where an axis comes from.
-#[must_use]
-pub fn is_own(name: Name) -> bool {
+pub(super) fn is_own(name: Name) -> bool {
     match name {
         Name::List | Name::ImportedLines | Name::ImportedEncoding | Name::ImportedLineEnd => false,
         Name::CycleTime => true,
@@ -65,8 +61,7 @@ pub fn is_own(name: Name) -> bool {
 }
 
 /// The value that a comment of ours holds; none: it holds none, and is a comment like any other.
-#[must_use]
-pub fn own_value(key: Key, text: &str) -> Option<Value> {
+pub(super) fn own_value(key: Key, text: &str) -> Option<Value> {
     let parameter = key.0.parameter();
     of_text(parameter, text).ok().filter(|value| parameter.contains(value))
 }

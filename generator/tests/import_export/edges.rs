@@ -1,7 +1,7 @@
 //! Bytes that neither a list nor TOML takes lightly.
 
 use generator::config::ListOptions;
-use generator::exchange::import_with;
+use generator::import_export::import_with;
 use std::path::Path;
 
 use super::{import, import_at, meaning, round_trip};

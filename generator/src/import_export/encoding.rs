@@ -4,18 +4,17 @@ use std::fmt::Write;
 
 /// Lines that a text of TOML can hold.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Encoded {
+pub(super) struct Encoded {
     /// the lines, with `\n` where a line ends
-    pub text: String,
+    pub(super) text: String,
     /// a character stands for the byte of its number (latin-1); else for its bytes in UTF-8
-    pub latin_1: bool,
+    pub(super) latin_1: bool,
     /// a `\n` stands for `\r\n`
-    pub crlf: bool,
+    pub(super) crlf: bool,
 }
 
 /// Bytes as text: in UTF-8 if they are that.
-#[must_use]
-pub fn encoded(bytes: &[u8]) -> Encoded {
+pub(super) fn encoded(bytes: &[u8]) -> Encoded {
     let (text, latin_1) = match str::from_utf8(bytes) {
         Ok(text) => (text.to_owned(), false),
         Err(_) => (latin_1(bytes), true),
@@ -26,17 +25,13 @@ pub fn encoded(bytes: &[u8]) -> Encoded {
 }
 
 /// Each byte as the character of its number.
-#[must_use]
-pub fn latin_1(bytes: &[u8]) -> String {
+pub(super) fn latin_1(bytes: &[u8]) -> String {
     bytes.iter().copied().map(char::from).collect()
 }
 
 impl Encoded {
-    /// The bytes.
-    ///
-    /// # Errors
-    /// The first character that is none of latin-1.
-    pub fn bytes(&self) -> Result<Vec<u8>, char> {
+    /// The bytes, or the first character that is none of latin-1.
+    pub(super) fn bytes(&self) -> Result<Vec<u8>, char> {
         let text = if self.crlf { self.text.replace('\n', "\r\n") } else { self.text.clone() };
         if self.latin_1 {
             text.chars().map(|character| u8::try_from(u32::from(character)).map_err(|_| character)).collect()
@@ -48,8 +43,7 @@ impl Encoded {
 
 /// A text as a string of TOML over several lines. What an editor could change unseen is written as an escape: control
 /// characters, a byte order mark, a blank at the end of a line.
-#[must_use]
-pub fn toml_string(text: &str) -> String {
+pub(super) fn toml_string(text: &str) -> String {
     let mut string = String::with_capacity(text.len() + text.len() / 8 + 8);
     string.push_str("\"\"\"\n");
     let mut characters = text.chars().peekable();

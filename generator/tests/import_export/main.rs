@@ -10,7 +10,7 @@ mod unread;
 
 use generator::config::{ListOptions, Unreadable};
 use generator::diagnostics::Report;
-use generator::exchange::{export_with, import_with};
+use generator::import_export::{export_with, import_with};
 use generator::pipeline::read_with;
 use std::path::Path;
 

@@ -1,10 +1,8 @@
 //! An axis list as a TOML set: each known value once, as TOML, with its comments; the lines themselves for the way back.
 
 use super::encoding::{Encoded, encoded, latin_1, toml_string};
-use super::print;
 use super::slot::{self, HOLE, Slot};
-use super::spelling;
-use super::tree::{Leaf, Table};
+use super::{spelling, tables};
 use crate::check;
 use crate::codes;
 use crate::config::ListOptions;
@@ -20,6 +18,7 @@ use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Name, Value};
 use std::collections::BTreeSet;
 use std::path::Path;
+use toml_edit::Table;
 
 /// The axis list of a file as a TOML set. The set is there if, and only if, no message is an error. It has no cycle time
 /// unless the options, or a list that [`super::export`] wrote, give one.
@@ -66,10 +65,8 @@ pub fn import_with(path: &Path, options: &ListOptions, load: Load<'_>) -> (Optio
     }
     let taken = Taken::of(&bytes, &list.values);
     let file_name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    (
-        Some(set(&name, &file_name, cycle_time.map(str::to_owned).or(taken.cycle_time.clone()).as_deref(), &taken)),
-        report,
-    )
+    let cycle_time = cycle_time.map(str::to_owned).or_else(|| taken.cycle_time.clone());
+    (Some(set(&name, &file_name, cycle_time.as_deref(), taken)), report)
 }
 
 /// The cycle time in ns; without one a usual one, for what is asked of it does not depend on it in a list without errors.
@@ -84,7 +81,7 @@ fn cycle_time_or(given: Option<&str>) -> u32 {
 /// A list, taken apart.
 struct Taken {
     /// the known values and their comments
-    tree: Table,
+    axis: Table,
     /// the lines, with a hole for each known value
     lines: Encoded,
     /// what a comment of ours says
@@ -95,7 +92,7 @@ impl Taken {
     fn of(bytes: &[u8], values: &Values) -> Self {
         let (mark, lines) = lines::split(bytes);
         let mut left = mark.to_vec();
-        let mut tree = Table::default();
+        let mut axis = Table::new();
         let mut cycle_time = None;
         let mut above = Vec::new();
         let mut own = BTreeSet::new();
@@ -108,7 +105,7 @@ impl Taken {
                 (Some(slot), Some(value)) => {
                     let parameter = slot.key.0.parameter();
                     let toml = spelling::in_toml(parameter, slot.text, &value);
-                    let same = spelling::in_list(parameter, toml.as_bytes(), &value) == slot.text;
+                    let same = spelling::in_list(parameter, toml.to_string().as_bytes(), &value) == slot.text;
                     let hole = format!("{HOLE}{}", if same { "" } else { slot.text });
                     left.splice(start + slot.range.start..start + slot.range.end, hole.bytes());
                     if slot.key.0 == Name::CycleTime {
@@ -116,7 +113,14 @@ impl Taken {
                         continue;
                     }
                     let template = if slot.misprint { parameter.path } else { slot.spelling };
-                    tree.insert(template, slot.key.1, leaf(toml, std::mem::take(&mut above), &line));
+                    tables::insert(
+                        &mut axis,
+                        template,
+                        slot.key.1,
+                        toml,
+                        &comments_above(std::mem::take(&mut above)),
+                        &comment_beside(&line),
+                    );
                 }
                 (Some(slot), None) if slot.own && slot.text.starts_with(HOLE) => {
                     // A comment that only looks like a hole: a second sign tells.
@@ -128,7 +132,7 @@ impl Taken {
                 },
             }
         }
-        Self { tree, lines: encoded(&left), cycle_time }
+        Self { axis, lines: encoded(&left), cycle_time }
     }
 }
 
@@ -141,19 +145,25 @@ fn value_of(slot: &Slot<'_>, values: &Values, own: &mut BTreeSet<Key>) -> Option
     own.insert(slot.key).then_some(value)
 }
 
-/// A value with the comments above it and behind it.
-fn leaf(value: String, mut above: Vec<String>, line: &Line<'_>) -> Leaf {
-    let before = above.len();
-    let text = above.iter().position(|comment| !comment.is_empty()).unwrap_or(before);
-    above.drain(..text);
-    let apart = before > above.len() && before > 0;
+/// The comments above a value, a line each; a blank line where one stood before them.
+fn comments_above(mut comments: Vec<String>) -> String {
+    let text = comments.iter().position(|comment| !comment.is_empty()).unwrap_or(comments.len());
+    let is_apart = text > 0;
+    comments.drain(..text);
     // A blank line between the comments and the value, or two between comments, are one.
-    above.dedup_by(|next, last| next.is_empty() && last.is_empty());
-    let beside = match line.content {
-        Content::Statement(statement) if !statement.comment.is_empty() => Some(comment_text(statement.comment)),
-        _ => None,
-    };
-    Leaf { value, above, apart, beside }
+    comments.dedup_by(|next, last| next.is_empty() && last.is_empty());
+    let lines = comments.into_iter().map(|comment| comment + "\n");
+    std::iter::once("\n".to_owned()).filter(|_| is_apart).chain(lines).collect()
+}
+
+/// The comment behind a value.
+fn comment_beside(line: &Line<'_>) -> String {
+    match line.content {
+        Content::Statement(statement) if !statement.comment.is_empty() => {
+            format!(" {}", comment_text(statement.comment))
+        }
+        _ => String::new(),
+    }
 }
 
 /// A comment as one of TOML: `(` gets a `#`, bytes that are no UTF-8 are latin-1, control characters cannot stand there.
@@ -165,21 +175,21 @@ fn comment_text(comment: &[u8]) -> String {
     format!("{sign}{}", text.trim_end())
 }
 
-fn set(name: &str, file: &str, cycle_time: Option<&str>, taken: &Taken) -> String {
+fn set(name: &str, file: &str, cycle_time: Option<&str>, taken: Taken) -> String {
     let cycle_time = match cycle_time {
         Some(text) => {
-            let quoted = text.replace('\\', "\\\\").replace('"', "\\\"");
-            format!("# Cycle of the position controller; no axis list holds it.\ncycle_time = \"{quoted}\"\n")
+            let text = toml_edit::Value::from(text);
+            format!("# Cycle of the position controller; no axis list holds it.\ncycle_time = {text}\n")
         }
         None => "# Cycle of the position controller: no axis list holds it. Write yours, without the first `#`.\n\
                  # cycle_time = \"1ms\"\n"
             .to_owned(),
     };
-    let axis = print::axis(name, &taken.tree);
-    let Encoded { text, latin_1, crlf } = &taken.lines;
-    let encoding = if *latin_1 { "encoding = \"latin-1\" # a character is the byte of its number\n" } else { "" };
-    let line_end = if *crlf { "line_end = \"CRLF\"\n" } else { "" };
-    let lines = toml_string(text);
+    let Encoded { text, latin_1, crlf } = taken.lines;
+    let axis = tables::text(name, taken.axis);
+    let encoding = if latin_1 { "encoding = \"latin-1\" # a character is the byte of its number\n" } else { "" };
+    let line_end = if crlf { "line_end = \"CRLF\"\n" } else { "" };
+    let lines = toml_string(&text);
     let file = comment_text(format!("# {file}").as_bytes());
     format!(
         "{file}, imported by axgen\n{cycle_time}\n{axis}\n\

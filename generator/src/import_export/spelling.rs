@@ -7,14 +7,14 @@ use crate::parameters::{Parameter, Value};
 use toml::de::DeValue;
 
 /// The value of a list as TOML: as it is spelled there if TOML reads that as the same value, else as the canonical form.
-#[must_use]
-pub fn in_toml(parameter: &Parameter, text: &str, value: &Value) -> String {
+pub(super) fn in_toml(parameter: &Parameter, text: &str, value: &Value) -> toml_edit::Value {
     let canonical = value.text();
-    let of = |text: &str| [text.to_owned(), quoted(text), array(text)];
-    let number =
-        |text: &String| !text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) || is_number(text);
-    let candidates = of(text).into_iter().chain(of(&canonical)).filter(number);
-    let mut same = candidates.filter(|candidate| {
+    let of = |text: &str| {
+        let bare = Some(text).filter(|text| is_bare(text)).and_then(|text| text.parse().ok());
+        let words = text.split_ascii_whitespace().collect();
+        bare.into_iter().chain([toml_edit::Value::from(text), words])
+    };
+    let mut same = of(text).chain(of(&canonical)).filter(|candidate| {
         let line = format!("value = {candidate}\n");
         let source = Source::of("", line.into_bytes());
         let table = set::parse(&source);
@@ -23,13 +23,12 @@ pub fn in_toml(parameter: &Parameter, text: &str, value: &Value) -> String {
             found.is_some_and(|found: &DeValue<'_>| value::of_toml(parameter, found).as_ref() == Ok(value))
         })
     });
-    same.next().unwrap_or_else(|| quoted(&canonical))
+    same.next().unwrap_or_else(|| canonical.as_str().into())
 }
 
 /// The value that begins these bytes of a set, as a list has it: as it is spelled there if a list reads that as the same
 /// value, else as the canonical form.
-#[must_use]
-pub fn in_list(parameter: &Parameter, toml: &[u8], value: &Value) -> String {
+pub(super) fn in_list(parameter: &Parameter, toml: &[u8], value: &Value) -> String {
     let spelled = match toml.first() {
         Some(quote @ (b'"' | b'\'')) => toml[1..].split(|byte| byte == quote).next().unwrap_or_default(),
         _ => toml.split(|byte| !byte.is_ascii_alphanumeric() && !b"+-._".contains(byte)).next().unwrap_or_default(),
@@ -44,20 +43,13 @@ pub fn in_list(parameter: &Parameter, toml: &[u8], value: &Value) -> String {
     if same { spelled.to_owned() } else { value.text() }
 }
 
-/// Whether every reader of TOML takes the text for a number.
-fn is_number(text: &str) -> bool {
+/// Whether every reader of TOML takes the text for what it is without quotes: a number beyond 64 bits is none for some.
+fn is_bare(text: &str) -> bool {
     let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
     let whole = unsigned.split(['.', 'e', 'E']).next().unwrap_or_default();
-    let is_decimal = !whole.is_empty() && whole.bytes().all(|byte| byte.is_ascii_digit());
-    whole.len() < unsigned.len() || !is_decimal || text.parse::<i64>().is_ok()
-}
-
-fn quoted(text: &str) -> String {
-    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
-}
-
-fn array(text: &str) -> String {
-    format!("[{}]", text.split_ascii_whitespace().map(quoted).collect::<Vec<_>>().join(", "))
+    let is_whole =
+        whole.len() == unsigned.len() && !whole.is_empty() && whole.bytes().all(|byte| byte.is_ascii_digit());
+    !is_whole || text.parse::<i64>().is_ok()
 }
 
 #[cfg(test)]
@@ -87,7 +79,7 @@ mod tests {
         ] {
             let parameter = name.parameter();
             let value = of_text(parameter, text).unwrap();
-            assert_eq!(in_toml(parameter, text, &value), toml, "{text}");
+            assert_eq!(in_toml(parameter, text, &value).to_string(), toml, "{text}");
         }
     }
 

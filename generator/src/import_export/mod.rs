@@ -1,0 +1,21 @@
+//! An axis list to a TOML set (import) and back (export), nothing lost. The lines of a list are split in `config/lines.rs`.
+//!
+//! ```text
+//! import    list -> set: values to tables, lines with holes        tables    parameters by their paths, with the comments
+//! export    set -> which lines, which values                       encoding  lines as a text of TOML, and back
+//! fill      values -> the holes of the lines                       spelling  a value's text in a list <-> in TOML
+//! slot      where the value stands in a line
+//! ```
+//! The set has each value once, where a reader of TOML looks for it. The lines of the list stay in the set too, with `=`
+//! where a value was: they give order, blanks, comments and the parameters of other functions back.
+
+mod encoding;
+mod export;
+mod fill;
+mod import;
+mod slot;
+mod spelling;
+mod tables;
+
+pub use export::{export, export_with};
+pub use import::{import, import_with};
