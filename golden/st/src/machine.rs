@@ -4,7 +4,7 @@ use portable::Real;
 
 /// What is done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Code {
+pub(crate) enum Code {
     /// real := real
     MoveReal,
     /// real := -real
@@ -75,37 +75,37 @@ pub enum Code {
 
 /// An operation. `to`, `a` and `b` are slots of the types that its code has; `b` is 0 where there is none.
 #[derive(Clone, Copy, Debug)]
-pub struct Op {
+pub(crate) struct Op {
     /// what is done
-    pub code: Code,
+    pub(crate) code: Code,
     /// where the result goes
-    pub to: u32,
+    pub(crate) to: u32,
     /// the first operand
-    pub a: u32,
+    pub(crate) a: u32,
     /// the second operand
-    pub b: u32,
+    pub(crate) b: u32,
 }
 
 /// What the slots hold: variables, numbers of the text, and parts of expressions.
 #[derive(Clone, Debug, Default)]
-pub struct Slots<R> {
+pub(crate) struct Slots<R> {
     /// REAL or LREAL
-    pub reals: Vec<R>,
+    pub(crate) reals: Vec<R>,
     /// BOOL
-    pub bools: Vec<bool>,
+    pub(crate) bools: Vec<bool>,
     /// DINT and UDINT
-    pub words: Vec<u32>,
+    pub(crate) words: Vec<u32>,
 }
 
 impl<R: Real> Slots<R> {
     /// A fresh instance.
-    pub fn start(from: &Slots<f64>) -> Self {
+    pub(crate) fn start(from: &Slots<f64>) -> Self {
         let reals = from.reals.iter().map(|&value| R::lit(value)).collect();
         Self { reals, bools: from.bools.clone(), words: from.words.clone() }
     }
 
     /// One cycle. Every jump goes forward.
-    pub fn cycle(&mut self, ops: &[Op]) {
+    pub(crate) fn cycle(&mut self, ops: &[Op]) {
         let Self { reals, bools, words } = self;
         let mut next = 0;
         while let Some(op) = ops.get(next) {

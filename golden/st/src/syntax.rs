@@ -10,7 +10,7 @@ use tree_sitter::{Node, ParseOptions, ParseState, Parser, Tree};
 const PATIENCE: (usize, usize) = (1, 10_000);
 
 /// Parses a text; `None`: it was given up.
-pub fn parse(text: &str) -> Option<Tree> {
+pub(crate) fn parse(text: &str) -> Option<Tree> {
     let mut parser = Parser::new();
     parser.set_language(&tree_sitter_iec61131_3_st::LANGUAGE.into()).expect("engine: grammar and parser fit");
     let mut left = PATIENCE.1 + PATIENCE.0 * text.len();
@@ -24,7 +24,7 @@ pub fn parse(text: &str) -> Option<Tree> {
 }
 
 /// Says what the grammar does not take. A place where the letters are wrong already is not named twice.
-pub fn check(tree: &Tree, text: &str, letters: &Letters, mistakes: &mut Mistakes<'_>) {
+pub(crate) fn check(tree: &Tree, text: &str, letters: &Letters, mistakes: &mut Mistakes<'_>) {
     let broken_off = if letters.end < text.len() { text[..letters.end].trim_end().len() } else { usize::MAX };
     let mut cursor = tree.walk();
     loop {
@@ -67,7 +67,7 @@ fn say(node: Node<'_>, text: &str, mistakes: &mut Mistakes<'_>) {
 }
 
 /// What a node says, shortened to a part of a line.
-pub fn shown(node: Node<'_>, text: &str) -> String {
+pub(crate) fn shown(node: Node<'_>, text: &str) -> String {
     let whole = text.get(node.byte_range()).unwrap_or_default();
     let line = whole.lines().next().unwrap_or_default();
     let part: String = line.chars().take(40).collect();
@@ -75,12 +75,12 @@ pub fn shown(node: Node<'_>, text: &str) -> String {
 }
 
 /// What a node says.
-pub fn said<'t>(node: Node<'_>, text: &'t str) -> &'t str {
+pub(crate) fn said<'t>(node: Node<'_>, text: &'t str) -> &'t str {
     text.get(node.byte_range()).unwrap_or_default()
 }
 
 /// The children of a node with the names of their fields, without comments.
-pub fn children<'n>(node: Node<'n>) -> Vec<(Node<'n>, Option<&'n str>)> {
+pub(crate) fn children<'n>(node: Node<'n>) -> Vec<(Node<'n>, Option<&'n str>)> {
     let (mut cursor, mut list) = (node.walk(), Vec::new());
     let mut more = cursor.goto_first_child();
     while more {
@@ -93,7 +93,7 @@ pub fn children<'n>(node: Node<'n>) -> Vec<(Node<'n>, Option<&'n str>)> {
 }
 
 /// Says where a plus stands before an operand; the grammar puts that of a number into the number.
-pub fn plus(tree: &Tree, text: &str, mistakes: &mut Mistakes<'_>) {
+pub(crate) fn plus(tree: &Tree, text: &str, mistakes: &mut Mistakes<'_>) {
     let mut cursor = tree.walk();
     loop {
         let node = cursor.node();

@@ -4,15 +4,15 @@ use super::mistake::Mistakes;
 use super::{Dialect, number};
 
 /// What the parser has to know.
-pub struct Letters {
+pub(crate) struct Letters {
     /// where a mistake was said that may put the parser off
-    pub places: Vec<usize>,
+    pub(crate) places: Vec<usize>,
     /// where the text ends: before a comment that does not end, for whose end the parser would look again and again
-    pub end: usize,
+    pub(crate) end: usize,
 }
 
 /// Says what is wrong.
-pub fn check(dialect: Dialect, text: &str, mistakes: &mut Mistakes<'_>) -> Letters {
+pub(crate) fn check(dialect: Dialect, text: &str, mistakes: &mut Mistakes<'_>) -> Letters {
     letters(dialect, text, mistakes);
     let mut scan = Scan { dialect, text, at: 0, mistakes, places: Vec::new(), end: text.len() };
     while scan.at < text.len() {
@@ -26,6 +26,7 @@ fn letters(dialect: Dialect, text: &str, mistakes: &mut Mistakes<'_>) {
     let foreign = |letter: char| match dialect {
         Dialect::Plain => !letter.is_ascii() || control(letter),
         Dialect::TwinCat | Dialect::Codesys => control(letter),
+        Dialect::Scl => !letter.is_ascii() || letter.is_control() && letter != '\n',
     };
     let mut rest = text;
     while let Some(start) = rest.find(foreign) {

@@ -1,8 +1,8 @@
 //! Refused: several things of a file at once, each at its place, in the order of the file.
 
 use crate::support::said;
-use golden::engine::st::Dialect;
 use portable::RealKind;
+use st::Dialect;
 
 const TEXT: &str = "FUNCTION_BLOCK probe
 VAR_INPUT

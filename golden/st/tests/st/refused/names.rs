@@ -2,8 +2,8 @@
 
 use super::{Place, file};
 use crate::support::said;
-use golden::engine::st::Dialect;
 use portable::RealKind;
+use st::Dialect;
 
 /// Words that some compiler takes for its own, in whatever case.
 const AVOIDED: &str = "

@@ -1,5 +1,7 @@
 //! Names that some compiler takes for something of its own.
 
+use super::Dialect;
+
 /// Keywords, operators and the names of types.
 const KEYWORDS: &str = "
     abstract access action and any any_bit any_char any_chars any_date any_derived any_elementary any_int any_magnitude any_num
@@ -20,15 +22,28 @@ const FUNCTIONS: &str = "
     r_trig ramp replace right rol ror round rs rtc sel sema shl shr sin sizeof split_date split_dt split_tod sqrt sr sub tan
     tof ton tp trunc upper_bound";
 
+/// What only SCL keeps for itself: keywords and instructions.
+const SCL: &str = "
+    attach author begin blkmov block_db block_fb block_fc block_sdb const counter data_block db_any deco demux dis_airt dtl
+    en_airt enco end_const end_data_block end_label end_organization_block end_region extern external family fill fill_blk
+    frac get_err_id get_error geterrorid hw_any instance is_array know_how_protect label max_len move_blk move_blk_variant
+    name neg nil norm_x ok ok_flag organization_block peek peek_bool poke poke_blk rd_loc_t rd_sys_t region runtime s5time
+    s_move scale scale_x scatter serialize sqr stp strg_val swap t_add t_comp t_conv t_diff t_sub timer title tonr typeof
+    typeofelements uble ufill_blk umove umove_blk unlinked val_strg var_static variant variantget variantput version void
+    wait wr_sys_t";
+
+/// The longest name that TIA takes.
+const LONGEST: usize = 125;
+
 /// Whether a name is one of them, in whatever case.
-pub fn taken(name: &str) -> bool {
+pub(crate) fn taken(name: &str) -> bool {
     let lower = name.to_ascii_lowercase();
     let is = |list: &str| list.split_ascii_whitespace().any(|word| word == lower);
     is(KEYWORDS) || is(FUNCTIONS) || conversion(&lower)
 }
 
 /// Whether it is a standard function.
-pub fn function(name: &str) -> bool {
+pub(crate) fn function(name: &str) -> bool {
     let lower = name.to_ascii_lowercase();
     FUNCTIONS.split_ascii_whitespace().any(|word| word == lower) || conversion(&lower)
 }
@@ -44,10 +59,14 @@ fn conversion(lower: &str) -> bool {
 }
 
 /// What is wrong with a name, and what to write instead.
-pub fn mistake(name: &str) -> Option<(String, String)> {
+pub(crate) fn mistake(dialect: Dialect, name: &str) -> Option<(String, String)> {
     let found = format!("the name `{name}`");
-    if taken(name) {
+    let is_of_scl = |word: &str| word.eq_ignore_ascii_case(name);
+    let is_scl = dialect == Dialect::Scl;
+    if taken(name) || is_scl && SCL.split_ascii_whitespace().any(is_of_scl) {
         Some((format!("{found}, which some compiler takes for its own"), "another name".to_owned()))
+    } else if is_scl && name.len() > LONGEST {
+        Some((found, format!("a name of at most {LONGEST} characters")))
     } else if name.ends_with('_') || name.contains("__") {
         Some((found, "a name without `__` and without `_` at its end".to_owned()))
     } else {

@@ -12,8 +12,8 @@ mod statements;
 mod types;
 
 use crate::support::said;
-use golden::engine::st::Dialect;
 use portable::RealKind;
+use st::Dialect;
 
 /// Where the text of a row stands.
 #[derive(Clone, Copy)]

@@ -10,7 +10,7 @@ use super::syntax::{children, said, shown};
 use tree_sitter::Node;
 
 /// Lowers a call; `None`: a mistake was said.
-pub fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
+pub(crate) fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
     let text = lowering.text;
     let function = node.child_by_field_name("function")?;
     let name = said(function, text).to_ascii_uppercase();
@@ -27,7 +27,7 @@ pub fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand>
     if name == "TRUNC" {
         return truncation(lowering, node, &arguments);
     }
-    if lowering.dialect != Dialect::Plain && name == format!("F_AXGEN_USABLE_{real}") {
+    if matches!(lowering.dialect, Dialect::TwinCat | Dialect::Codesys) && name == format!("F_AXGEN_USABLE_{real}") {
         return usable(lowering, node, &arguments);
     }
     let instead = match name.as_str() {

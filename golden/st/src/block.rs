@@ -6,8 +6,9 @@ use super::machine::Op;
 use super::mistake::{Lines, Mistakes};
 use super::source::Source;
 use super::syntax::{children, said, shown};
-use super::{Dialect, Mistake, lexical, names, plcopen, syntax, twincat};
+use super::{Dialect, Mistake, lexical, names, plcopen, scl, syntax, twincat};
 use portable::RealKind;
+use std::collections::BTreeSet;
 use tree_sitter::{Node, Tree};
 
 /// A text above this length is none of ours; the parser counts bytes in 32 bits.
@@ -36,6 +37,7 @@ impl Block {
             Dialect::Plain => Source::plain(text),
             Dialect::TwinCat => twincat::read(text)?,
             Dialect::Codesys => plcopen::read(text)?,
+            Dialect::Scl => scl::read(text)?,
         };
         let mut mistakes = Mistakes::new(&source, text);
         let letters = lexical::check(dialect, &source.text, &mut mistakes);
@@ -97,7 +99,7 @@ fn block(node: Node<'_>, source: &Source, dialect: Dialect, real: RealKind, mist
             ("identifier", Some("name")) => {
                 said(part, text).clone_into(&mut name);
                 place = part;
-                if let Some((found, instead)) = names::mistake(&name) {
+                if let Some((found, instead)) = names::mistake(dialect, &name) {
                     mistakes.push(at, found, instead);
                 }
                 if let Some(outside) = source.name.as_ref().filter(|outside| **outside != name) {
@@ -140,6 +142,7 @@ fn block(node: Node<'_>, source: &Source, dialect: Dialect, real: RealKind, mist
         mistakes,
         ops: Vec::new(),
         free,
+        assigned: BTreeSet::new(),
         depth: 0,
         too_deep: false,
         all_declared,

@@ -1,7 +1,8 @@
 //! Expressions -> operations: every part gets a slot of its type.
 
+use super::Dialect;
 use super::constant::{operator, word};
-use super::declarations::{Kind, Value};
+use super::declarations::{Kind, Role, Value};
 use super::lower::Lowering;
 use super::machine::{Code, Op};
 use super::syntax::{children, said, shown};
@@ -11,7 +12,7 @@ use tree_sitter::Node;
 
 /// Where the value of an expression is.
 #[derive(Clone, Copy, Debug)]
-pub enum Operand {
+pub(crate) enum Operand {
     /// in a slot
     Slot {
         /// its type
@@ -26,10 +27,10 @@ pub enum Operand {
 }
 
 /// An operand of a known type: its type, its slot, and whether the slot is free again once the value was used.
-pub type Typed = (Kind, u32, bool);
+pub(crate) type Typed = (Kind, u32, bool);
 
 /// Lowers an expression; `None`: a mistake was said.
-pub fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
+pub(crate) fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
     if node.has_error() {
         return None;
     }
@@ -45,6 +46,11 @@ fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
                 lowering.undeclared(node);
                 return None;
             };
+            if variable.role == Role::Temporary && !lowering.assigned.contains(&(variable.kind as usize, variable.slot))
+            {
+                lowering.say(node, format!("`{name}`, which has no value here on some way"), "an assignment before it");
+                return None;
+            }
             let operand = Operand::Slot { kind: variable.kind, slot: variable.slot, passing: false };
             variable.known.then_some(operand)
         }
@@ -92,9 +98,13 @@ const SMALLEST_DINT: i64 = -2_147_483_648;
 
 fn real(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
     let text = lowering.text;
-    if lowering.variables.real == RealKind::F32 {
-        let found = format!("{}, which is LREAL, in an expression of REAL", shown(node, text));
-        lowering.say(node, found, "a REAL variable that was assigned it");
+    if lowering.has_named_reals() {
+        let name = lowering.name(Kind::Real);
+        let found = match lowering.variables.real {
+            RealKind::F32 => format!("{}, which is LREAL, in an expression of REAL", shown(node, text)),
+            RealKind::F64 => format!("{} in an expression", shown(node, text)),
+        };
+        lowering.say(node, found, format!("a {name} variable that was assigned it"));
         return None;
     }
     let value = said(node, text).parse().ok()?;
@@ -102,7 +112,12 @@ fn real(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
 }
 
 fn unary(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
-    let operand = lower(lowering, node.child_by_field_name("operand")?)?;
+    let inside = node.child_by_field_name("operand")?;
+    if lowering.dialect == Dialect::Scl && said(inside, lowering.text).starts_with('-') {
+        lowering.say(node, "two signs before an operand", "one sign, or parentheses");
+        return None;
+    }
+    let operand = lower(lowering, inside)?;
     let operator = operator(node, lowering.text);
     let code = match (operator.to_ascii_uppercase().as_str(), operand) {
         ("-", Operand::Integer(value)) => return value.checked_neg().map(Operand::Integer),
@@ -217,7 +232,7 @@ fn code(operator: &str, kind: Kind) -> Option<(Code, Kind, bool)> {
 
 impl Lowering<'_, '_> {
     /// The name of an operand's type.
-    pub fn kind_name(&self, operand: Operand) -> &'static str {
+    pub(crate) fn kind_name(&self, operand: Operand) -> &'static str {
         match operand {
             Operand::Slot { kind, .. } => self.name(kind),
             Operand::Integer(_) => "an integer literal",
@@ -225,17 +240,17 @@ impl Lowering<'_, '_> {
     }
 
     /// The name of a type.
-    pub fn name(&self, kind: Kind) -> &'static str {
+    pub(crate) fn name(&self, kind: Kind) -> &'static str {
         kind.name(self.variables.real)
     }
 
     /// A slot for a number of the text.
-    pub fn literal(&mut self, kind: Kind, value: Value) -> Operand {
+    pub(crate) fn literal(&mut self, kind: Kind, value: Value) -> Operand {
         Operand::Slot { kind, slot: self.variables.slot(kind, Some(value)), passing: false }
     }
 
     /// An operand, of which a literal takes the wanted type if it fits.
-    pub fn typed(&mut self, operand: Operand, wanted: Kind, node: Node<'_>) -> Option<Typed> {
+    pub(crate) fn typed(&mut self, operand: Operand, wanted: Kind, node: Node<'_>) -> Option<Typed> {
         match (operand, wanted) {
             (Operand::Slot { kind, slot, passing }, _) => Some((kind, slot, passing)),
             (Operand::Integer(value), Kind::Dint | Kind::Udint) => {
@@ -257,7 +272,7 @@ impl Lowering<'_, '_> {
     }
 
     /// Appends an operation whose result goes into a slot of its own.
-    pub fn emit(&mut self, code: Code, result: Kind, operands: &[Typed]) -> Operand {
+    pub(crate) fn emit(&mut self, code: Code, result: Kind, operands: &[Typed]) -> Operand {
         for &(kind, slot, passing) in operands {
             if passing {
                 self.free[kind as usize].push(slot);

@@ -7,7 +7,7 @@ const SMALLEST: f64 = 1.18e-38;
 const LARGEST: f64 = 3.4e38;
 
 /// What is wrong with an unsigned number, and what to write instead.
-pub fn mistake(text: &str) -> Option<(String, String)> {
+pub(crate) fn mistake(text: &str) -> Option<(String, String)> {
     let found = format!("`{text}`");
     if let Some((base, digits)) = text.split_once('#') {
         let good = base == "16" && !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_hexdigit());
@@ -34,7 +34,7 @@ fn real_form(text: &str) -> bool {
 }
 
 /// The integer that a literal is, if it is small enough to be one of any type.
-pub fn integer(text: &str) -> Option<i64> {
+pub(crate) fn integer(text: &str) -> Option<i64> {
     let (negative, digits) = text.strip_prefix('-').map_or((false, text), |rest| (true, rest));
     let value = match digits.split_once('#') {
         Some((_, digits)) => i64::from_str_radix(digits, 16),
@@ -45,7 +45,7 @@ pub fn integer(text: &str) -> Option<i64> {
 
 /// A real number that stands alone, in both ways in which a compiler may take it where it goes into a REAL.
 #[derive(Clone, Copy, Debug)]
-pub struct Constant {
+pub(crate) struct Constant {
     double: f64,
     single: f32,
     /// whether every part of it is the same in both ways
@@ -54,17 +54,17 @@ pub struct Constant {
 
 impl Constant {
     /// A literal.
-    pub fn literal(text: &str) -> Option<Self> {
+    pub(crate) fn literal(text: &str) -> Option<Self> {
         Some(Self { double: text.parse().ok()?, single: text.parse().ok()?, same: true }.checked())
     }
 
     /// `-x`
-    pub fn negated(self) -> Self {
+    pub(crate) fn negated(self) -> Self {
         Self { double: -self.double, single: -self.single, ..self }
     }
 
     /// `x * y`
-    pub fn times(self, other: Self) -> Self {
+    pub(crate) fn times(self, other: Self) -> Self {
         let (double, single) = (self.double * other.double, self.single * other.single);
         Self { double, single, same: self.same && other.same }.checked()
     }
@@ -74,7 +74,7 @@ impl Constant {
     }
 
     /// Its value in a real type, as a double; `None`: it depends on the compiler, or it is no finite number.
-    pub fn value(self, real: RealKind) -> Option<f64> {
+    pub(crate) fn value(self, real: RealKind) -> Option<f64> {
         match real {
             RealKind::F64 => self.double.is_finite().then_some(self.double),
             RealKind::F32 => (self.same && self.single.is_finite()).then(|| f64::from(self.single)),

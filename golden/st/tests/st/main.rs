@@ -6,4 +6,5 @@ mod support;
 mod forms;
 mod garbage;
 mod refused;
+mod scl;
 mod semantics;

@@ -8,45 +8,48 @@ use super::mistake::Mistakes;
 use super::syntax::{children, said, shown};
 use super::{DEPTH, Dialect};
 use portable::RealKind;
+use std::collections::BTreeSet;
 use tree_sitter::Node;
 
 /// A block while it is lowered.
-pub struct Lowering<'a, 't> {
+pub(crate) struct Lowering<'a, 't> {
     /// the text
-    pub text: &'a str,
+    pub(crate) text: &'a str,
     /// which file form
-    pub dialect: Dialect,
+    pub(crate) dialect: Dialect,
     /// the variables, and the slots of numbers and of parts of expressions
-    pub variables: &'a mut Variables,
+    pub(crate) variables: &'a mut Variables,
     /// what is wrong
-    pub mistakes: &'a mut Mistakes<'t>,
+    pub(crate) mistakes: &'a mut Mistakes<'t>,
     /// the operations so far
-    pub ops: Vec<Op>,
+    pub(crate) ops: Vec<Op>,
     /// slots of parts of expressions that are free again, by their types
-    pub free: [Vec<u32>; 4],
+    pub(crate) free: [Vec<u32>; 4],
+    /// the temporaries that have a value here on every way, by type and slot
+    pub(crate) assigned: BTreeSet<(usize, u32)>,
     /// how many levels this place is inside others
-    pub depth: usize,
+    pub(crate) depth: usize,
     /// whether too many were said of
-    pub too_deep: bool,
+    pub(crate) too_deep: bool,
     /// whether all declarations can be read
-    pub all_declared: bool,
+    pub(crate) all_declared: bool,
 }
 
 impl Lowering<'_, '_> {
     /// A mistake at a node.
-    pub fn say(&mut self, node: Node<'_>, found: impl Into<String>, instead: impl Into<String>) {
+    pub(crate) fn say(&mut self, node: Node<'_>, found: impl Into<String>, instead: impl Into<String>) {
         self.mistakes.push(node.start_byte(), found, instead);
     }
 
     /// A name that is not declared; it may be where a declaration cannot be read.
-    pub fn undeclared(&mut self, node: Node<'_>) {
+    pub(crate) fn undeclared(&mut self, node: Node<'_>) {
         if self.all_declared {
             self.say(node, format!("{}, which is not declared", shown(node, self.text)), "a declared variable");
         }
     }
 
     /// Goes on one level deeper; `None`: that is too deep.
-    pub fn deeper<T>(&mut self, node: Node<'_>, inside: impl FnOnce(&mut Self) -> T) -> Option<T> {
+    pub(crate) fn deeper<T>(&mut self, node: Node<'_>, inside: impl FnOnce(&mut Self) -> T) -> Option<T> {
         if self.depth == DEPTH {
             if !self.too_deep {
                 self.say(node, format!("more than {DEPTH} levels inside each other"), "a part of it by itself");
@@ -61,7 +64,7 @@ impl Lowering<'_, '_> {
     }
 
     /// Lowers a list of statements, of which there has to be one.
-    pub fn statements(&mut self, list: &[Node<'_>], place: Node<'_>, what: &str) {
+    pub(crate) fn statements(&mut self, list: &[Node<'_>], place: Node<'_>, what: &str) {
         let (mut real, mut taken) = (0, false);
         for (at, &node) in list.iter().enumerate() {
             if node.kind() == "empty_statement" {
@@ -120,10 +123,10 @@ impl Lowering<'_, '_> {
         let (left, right) = (node.child_by_field_name("left")?, node.child_by_field_name("right")?);
         let target = self.target(left);
         let kind = target.map(|(kind, _)| kind);
-        if self.variables.real == RealKind::F32
-            && let Some(product) = constant::product(right, self.text, DEPTH - self.depth)
+        if self.has_named_reals()
+            && let Some(product) = constant::product(self.dialect, right, self.text, DEPTH - self.depth)
         {
-            let value = constant::value(product, right, self.text, RealKind::F32, self.mistakes)?;
+            let value = constant::value(product, right, self.text, self.variables.real, self.mistakes)?;
             let Operand::Slot { kind: Kind::Real, slot, .. } = self.literal(Kind::Real, Value::Real(value)) else {
                 return None;
             };
@@ -146,7 +149,9 @@ impl Lowering<'_, '_> {
             return None;
         };
         match variable.role {
-            Role::Output | Role::Local => return variable.known.then_some((variable.kind, variable.slot)),
+            Role::Output | Role::Local | Role::Temporary => {
+                return variable.known.then_some((variable.kind, variable.slot));
+            }
             Role::Input => self.say(node, format!("the input `{name}` left of `:=`"), "a variable of its own"),
             Role::Constant => self.say(node, format!("the constant `{name}` left of `:=`"), "a variable of its own"),
         }
@@ -179,11 +184,21 @@ impl Lowering<'_, '_> {
                 self.ops.push(Op { code, to, a: slot, b: 0 });
             }
         }
+        if self.dialect == Dialect::Scl {
+            self.assigned.insert((kind as usize, to));
+        }
         Some(())
+    }
+
+    /// Whether a real that is not alone right of `:=` needs a name: digits are LREAL to some compilers, and REAL to none.
+    pub(crate) fn has_named_reals(&self) -> bool {
+        self.variables.real == RealKind::F32 || self.dialect == Dialect::Scl
     }
 
     fn choice(&mut self, node: Node<'_>) {
         let mut ends = Vec::new();
+        // What has a value behind the question has one behind each of its arms, and without an ELSE before it too.
+        let mut behind: Option<BTreeSet<(usize, u32)>> = None;
         let mut arms = vec![node];
         arms.extend(children(node).into_iter().map(|(part, _)| part).filter(|part| part.kind().ends_with("_clause")));
         for (at, &arm) in arms.iter().enumerate() {
@@ -193,14 +208,19 @@ impl Lowering<'_, '_> {
                 _ => "`IF`",
             };
             let skip = arm.child_by_field_name("condition").map(|condition| self.condition(condition));
-            let body: Vec<Node<'_>> = body(arm);
-            self.statements(&body, arm, what);
+            let before = self.assigned.clone();
+            self.statements(&body(arm), arm, what);
+            let own = std::mem::replace(&mut self.assigned, before);
+            behind = Some(behind.map_or_else(|| own.clone(), |others| others.intersection(&own).copied().collect()));
             if at + 1 < arms.len() {
                 ends.push(self.jump(Code::Jump, 0));
             }
             if let Some(skip) = skip {
                 self.land(skip);
             }
+        }
+        if arms.last().is_some_and(|arm| arm.kind() == "else_clause") {
+            self.assigned = behind.unwrap_or_default();
         }
         for end in ends {
             self.land(end);

@@ -1,10 +1,8 @@
-//! The three forms of a file: the same block, the same answers, and mistakes at their places in the file.
+//! The forms of a file: the same block, the same answers, and mistakes at their places in the file.
 
-use crate::support::{answers, block, said, shape};
-use compiler::program::Type;
-use golden::engine::st::{Block, Dialect};
-use golden::samples::Samples;
+use crate::support::{LREAL, answers, block, said};
 use portable::{Literal, RealKind};
+use st::{Dialect, Signal};
 
 /// The text itself.
 pub const PLAIN: &str = "(* probe.st *)
@@ -118,21 +116,53 @@ END_IF;</xhtml>
 </project>
 "#;
 
+/// An external source of SCL.
+pub const SCL: &str = "(* probe.scl *)
+FUNCTION_BLOCK \"probe\"
+{ S7_Optimized_Access := 'TRUE' }
+VERSION : 0.1
+VAR_INPUT
+    x : LREAL := 1.0; (* the input *)
+    Enable : BOOL := TRUE;
+END_VAR
+VAR_OUTPUT
+    y : LREAL;
+END_VAR
+VAR
+    n : UDINT;
+END_VAR
+VAR_TEMP
+    sum : LREAL;
+END_VAR
+VAR CONSTANT
+    share : LREAL := 0.5;
+    limit_of_x : LREAL := 10.0;
+END_VAR
+BEGIN
+IF #Enable AND (#x < #limit_of_x) THEN
+    #n := #n + 1;
+    #sum := #y + #x;
+    #y := #sum * #share;
+ELSE
+    #y := UDINT_TO_LREAL(#n);
+END_IF;
+END_FUNCTION_BLOCK
+";
+
 /// What the block answers to some inputs.
 fn found(dialect: Dialect, text: &str, set: &[(&str, bool)]) -> Vec<Literal> {
     let block = block(dialect, text, "probe", RealKind::F64);
     let inputs = [1.0, 4.0, f64::NAN, 3.0, 10.0, f64::INFINITY, -10.0];
-    let mut samples = Samples::with_capacity(shape(RealKind::F64, &[("x", Type::Real)]), inputs.len());
-    inputs.iter().for_each(|&x| samples.push(&[Literal::F64(x)]));
-    answers(&block, &samples, &shape(RealKind::F64, &[("y", Type::Real)]), set).into_iter().flatten().collect()
+    answers(&block, &[("x", LREAL)], &inputs.map(|x| vec![Literal::F64(x)]), &[("y", LREAL)], set).concat()
 }
 
 #[test]
-fn the_three_forms_answer_alike() {
+fn the_forms_answer_alike() {
     let expected = [0.5, 2.25, 2.0, 2.5, 3.0, 3.0, -3.5].map(Literal::F64);
     assert_eq!(found(Dialect::Plain, PLAIN, &[("ENABLE", true)]), expected);
     assert_eq!(found(Dialect::TwinCat, TWINCAT, &[("Enable", true)]), expected);
     assert_eq!(found(Dialect::Codesys, CODESYS, &[]), expected);
+    assert_eq!(found(Dialect::Scl, SCL, &[]), expected);
     assert_eq!(found(Dialect::TwinCat, &format!("\u{feff}{TWINCAT}"), &[]), expected);
     assert_eq!(found(Dialect::TwinCat, &TWINCAT.replace('\n', "\r\n"), &[]), expected);
 }
@@ -142,6 +172,7 @@ fn only_the_tools_honour_initial_values() {
     let zero = [0.0; 7].map(Literal::F64);
     assert_eq!(found(Dialect::Plain, PLAIN, &[]), zero);
     assert_eq!(found(Dialect::TwinCat, TWINCAT, &[("Enable", false)]), zero);
+    assert_eq!(found(Dialect::Scl, SCL, &[("Enable", false)]), zero);
 }
 
 #[test]
@@ -180,9 +211,14 @@ fn what_the_forms_may_not_hold() {
             Dialect::TwinCat,
             "TcPlcObject",
             "TcObject",
-            "29:1: found XML that is broken (ill-formed document: expected `</TcObject>`, but `</TcPlcObject>` was found); write well-formed XML",
+            "29:1: found XML that is broken (expected 'TcObject' tag, not 'TcPlcObject' at 29:1); write well-formed XML",
         ),
-        (Dialect::TwinCat, "</TcPlcObject>", "", "2:1: found `<TcPlcObject>` without its end; write its end"),
+        (
+            Dialect::TwinCat,
+            "</TcPlcObject>",
+            "",
+            "1:1: found XML that is broken (the root node was opened but never closed); write well-formed XML",
+        ),
         (
             Dialect::TwinCat,
             "<POU Name=\"probe\"",
@@ -194,19 +230,19 @@ fn what_the_forms_may_not_hold() {
             Dialect::TwinCat,
             "POU",
             "ITF",
-            "28:3: found XML that is broken (ill-formed document: expected `</ITF>`, but `</POU>` was found); write well-formed XML",
+            "28:3: found XML that is broken (expected 'ITF' tag, not 'POU' at 28:3); write well-formed XML",
         ),
         (
             Dialect::TwinCat,
             "Declaration>",
             "Decl>",
-            "19:11: found XML that is broken (ill-formed document: expected `</Decl>`, but `</Declaration>` was found); write well-formed XML",
+            "19:11: found XML that is broken (expected 'Decl' tag, not 'Declaration' at 19:11); write well-formed XML",
         ),
         (
             Dialect::TwinCat,
             "<ST>",
             "<LD>",
-            "26:11: found XML that is broken (ill-formed document: expected `</LD>`, but `</ST>` was found); write well-formed XML",
+            "26:11: found XML that is broken (expected 'LD' tag, not 'ST' at 26:11); write well-formed XML",
         ),
         (
             Dialect::TwinCat,
@@ -290,7 +326,7 @@ fn what_the_forms_may_not_hold() {
             Dialect::Codesys,
             "localVars>",
             "tempVars>",
-            "29:11: found XML that is broken (ill-formed document: expected `</tempVars>`, but `</localVars>` was found); write well-formed XML",
+            "29:11: found XML that is broken (expected 'tempVars' tag, not 'localVars' at 29:11); write well-formed XML",
         ),
         (Dialect::Codesys, "constant=\"true\"", "retain=\"true\"", "30:11: found `RETAIN`; write the block without it"),
         (
@@ -317,7 +353,12 @@ fn what_the_forms_may_not_hold() {
             "value=\"0.5; z : BOOL\"",
             "33:15: found this initial value; write `<simpleValue value=\"...\"/>` with a literal",
         ),
-        (Dialect::Codesys, "&lt;", "&less;", "43:134: found `&less;`; write the letter itself"),
+        (
+            Dialect::Codesys,
+            "&lt;",
+            "&less;",
+            "43:134: found XML that is broken (unknown entity reference 'less' at 43:134); write well-formed XML",
+        ),
         (Dialect::Codesys, "n := n + 1;", "n := n + 1; // count", "44:17: found `//`; write `(* *)`"),
         (
             Dialect::Codesys,
@@ -333,17 +374,15 @@ fn what_the_forms_may_not_hold() {
 }
 
 #[test]
-fn a_run_asks_for_signals_that_are_there() {
-    let block = Block::read(Dialect::Plain, PLAIN, "probe", RealKind::F64).unwrap();
-    let run = |real, signals: &[(&str, Type)], results: &[(&str, Type)], set: &[(&str, bool)]| {
-        let (inputs, outputs) = (shape(real, signals), shape(real, results));
-        let names = |list: &[(&str, Type)]| list.iter().map(|(name, _)| (*name).to_owned()).collect::<Vec<_>>();
-        let run = block.run(&Samples::with_capacity(inputs, 0), &names(signals), &outputs, &names(results), set);
-        run.err().unwrap_or_default().iter().map(ToString::to_string).collect::<Vec<_>>()
+fn an_instance_asks_for_signals_that_are_there() {
+    let block = block(Dialect::Plain, PLAIN, "probe", RealKind::F64);
+    let start = |inputs: &[Signal<'_>], outputs: &[Signal<'_>], set: &[(&str, bool)]| {
+        let mistakes = block.start(inputs, outputs, set).err().unwrap_or_default();
+        mistakes.iter().map(ToString::to_string).collect::<Vec<_>>()
     };
-    assert_eq!(run(RealKind::F64, &[("X", Type::Real)], &[("Y", Type::Real)], &[("enable", true)]), [""; 0]);
+    assert_eq!(start(&[("X", LREAL)], &[("Y", LREAL)], &[("enable", true)]), [""; 0]);
     assert_eq!(
-        run(RealKind::F64, &[("x", Type::U32), ("y", Type::Real)], &[("x", Type::Real)], &[("x", true)]),
+        start(&[("x", Literal::U32(0)), ("y", LREAL)], &[("x", LREAL)], &[("x", true)]),
         [
             "2:16: found no `x : UDINT` in `VAR_INPUT`; write its declaration",
             "2:16: found no `y : LREAL` in `VAR_INPUT`; write its declaration",
@@ -351,6 +390,6 @@ fn a_run_asks_for_signals_that_are_there() {
             "2:16: found no `x : BOOL` in `VAR_INPUT`; write its declaration",
         ]
     );
-    let said = run(RealKind::F32, &[], &[], &[]);
-    assert_eq!(said, ["2:16: found signals of another real type; write LREAL"; 2]);
+    let said = start(&[("x", Literal::F32(0.0))], &[], &[]);
+    assert_eq!(said, ["2:16: found no `x : REAL` in `VAR_INPUT`; write its declaration"]);
 }

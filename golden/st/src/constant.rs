@@ -1,5 +1,6 @@
 //! Values that are known from the text: initial values, and what a REAL variable is assigned from literals.
 
+use super::Dialect;
 use super::declarations::{Kind, Value};
 use super::mistake::Mistakes;
 use super::number::{self, Constant};
@@ -7,18 +8,24 @@ use super::syntax::{said, shown};
 use portable::RealKind;
 use tree_sitter::Node;
 
-/// A real literal, `-`, `*` and parentheses of such; `None`: it is something else.
-pub fn product(node: Node<'_>, text: &str, depth: usize) -> Option<Constant> {
+/// A real literal, `-`, `*` and parentheses of such, in SCL a literal and its sign; `None`: it is something else.
+pub(crate) fn product(dialect: Dialect, node: Node<'_>, text: &str, depth: usize) -> Option<Constant> {
     let depth = depth.checked_sub(1)?;
     match node.kind() {
         "real_literal" => Constant::literal(said(node, text)),
-        "parenthesized_expression" => product(node.named_children(&mut node.walk()).find(no_comment)?, text, depth),
-        "unary_expression" if operator(node, text) == "-" => {
-            Some(product(node.child_by_field_name("operand")?, text, depth)?.negated())
+        "parenthesized_expression" => {
+            product(dialect, node.named_children(&mut node.walk()).find(no_comment)?, text, depth)
         }
-        "binary_expression" if operator(node, text) == "*" => {
-            let left = product(node.child_by_field_name("left")?, text, depth)?;
-            Some(left.times(product(node.child_by_field_name("right")?, text, depth)?))
+        "unary_expression" if operator(node, text) == "-" => {
+            let operand = node.child_by_field_name("operand")?;
+            if dialect == Dialect::Scl && said(operand, text).starts_with('-') {
+                return None;
+            }
+            Some(product(dialect, operand, text, depth)?.negated())
+        }
+        "binary_expression" if operator(node, text) == "*" && dialect != Dialect::Scl => {
+            let left = product(dialect, node.child_by_field_name("left")?, text, depth)?;
+            Some(left.times(product(dialect, node.child_by_field_name("right")?, text, depth)?))
         }
         _ => None,
     }
@@ -29,12 +36,12 @@ fn no_comment(node: &Node<'_>) -> bool {
 }
 
 /// The operator of an expression.
-pub fn operator<'t>(node: Node<'_>, text: &'t str) -> &'t str {
+pub(crate) fn operator<'t>(node: Node<'_>, text: &'t str) -> &'t str {
     node.child_by_field_name("operator").map_or("", |operator| said(operator, text))
 }
 
 /// The value of a product in a block's real type; says so if compilers do not agree on it.
-pub fn value(
+pub(crate) fn value(
     constant: Constant,
     node: Node<'_>,
     text: &str,
@@ -55,10 +62,16 @@ pub fn value(
 }
 
 /// An initial value.
-pub fn initial(node: Node<'_>, text: &str, kind: Kind, real: RealKind, mistakes: &mut Mistakes<'_>) -> Option<Value> {
+pub(crate) fn initial(
+    (dialect, real): (Dialect, RealKind),
+    node: Node<'_>,
+    text: &str,
+    kind: Kind,
+    mistakes: &mut Mistakes<'_>,
+) -> Option<Value> {
     let found = match (kind, node.kind()) {
         (Kind::Real, _) => {
-            if let Some(constant) = product(node, text, super::DEPTH) {
+            if let Some(constant) = product(dialect, node, text, super::DEPTH) {
                 return value(constant, node, text, real, mistakes).map(Value::Real);
             }
             None
@@ -81,7 +94,7 @@ pub fn initial(node: Node<'_>, text: &str, kind: Kind, real: RealKind, mistakes:
 }
 
 /// The bits of an integer, if it is one of the type.
-pub fn word(value: i64, kind: Kind) -> Option<u32> {
+pub(crate) fn word(value: i64, kind: Kind) -> Option<u32> {
     match kind {
         Kind::Dint => i32::try_from(value).ok().map(i32::cast_unsigned),
         Kind::Udint => u32::try_from(value).ok(),

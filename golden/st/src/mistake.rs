@@ -25,20 +25,20 @@ impl fmt::Display for Mistake {
 impl std::error::Error for Mistake {}
 
 /// Where each line of a file begins.
-pub struct Lines<'t> {
+pub(crate) struct Lines<'t> {
     file: &'t str,
     starts: Vec<usize>,
 }
 
 impl<'t> Lines<'t> {
     /// Finds them.
-    pub fn of(file: &'t str) -> Self {
+    pub(crate) fn of(file: &'t str) -> Self {
         let after = file.bytes().enumerate().filter(|&(_, byte)| byte == b'\n').map(|(at, _)| at + 1);
         Self { file, starts: std::iter::once(0).chain(after).collect() }
     }
 
     /// Line and column of a byte, both from 1.
-    pub fn place(&self, at: usize) -> (usize, usize) {
+    pub(crate) fn place(&self, at: usize) -> (usize, usize) {
         let line = self.starts.partition_point(|&start| start <= at).max(1);
         let start = self.starts[line - 1];
         let before = self.file.get(start..at.min(self.file.len())).unwrap_or_default();
@@ -46,7 +46,7 @@ impl<'t> Lines<'t> {
     }
 
     /// A mistake at a byte of the file.
-    pub fn mistake(&self, at: usize, found: impl Into<String>, instead: impl Into<String>) -> Mistake {
+    pub(crate) fn mistake(&self, at: usize, found: impl Into<String>, instead: impl Into<String>) -> Mistake {
         let (line, column) = self.place(at);
         Mistake { line, column, found: found.into(), instead: instead.into() }
     }
@@ -56,7 +56,7 @@ impl<'t> Lines<'t> {
 const MOST: usize = 1000;
 
 /// The mistakes of a text as they are found.
-pub struct Mistakes<'t> {
+pub(crate) struct Mistakes<'t> {
     source: &'t Source,
     lines: Lines<'t>,
     list: Vec<Mistake>,
@@ -64,24 +64,24 @@ pub struct Mistakes<'t> {
 
 impl<'t> Mistakes<'t> {
     /// None yet.
-    pub fn new(source: &'t Source, file: &'t str) -> Self {
+    pub(crate) fn new(source: &'t Source, file: &'t str) -> Self {
         Self { source, lines: Lines::of(file), list: Vec::new() }
     }
 
     /// One at a byte of the source.
-    pub fn push(&mut self, at: usize, found: impl Into<String>, instead: impl Into<String>) {
+    pub(crate) fn push(&mut self, at: usize, found: impl Into<String>, instead: impl Into<String>) {
         if self.list.len() < MOST {
             self.list.push(self.lines.mistake(self.source.origin(at), found, instead));
         }
     }
 
     /// Whether there are none.
-    pub fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.list.is_empty()
     }
 
     /// All, in the order of the file, each once.
-    pub fn sorted(mut self) -> Vec<Mistake> {
+    pub(crate) fn sorted(mut self) -> Vec<Mistake> {
         self.list.sort();
         self.list.dedup();
         self.list

@@ -1,25 +1,23 @@
 //! Texts that are none: whatever a file holds, reading it ends, and nothing panics.
 
-use crate::support::{names, shape};
-use golden::engine::st::{Block, Dialect};
-use golden::samples::Samples;
-use portable::RealKind;
+use portable::{Literal, RealKind};
 use proptest::prelude::*;
+use st::{Block, Dialect};
 
-const DIALECTS: [Dialect; 3] = [Dialect::Plain, Dialect::TwinCat, Dialect::Codesys];
+const DIALECTS: [Dialect; 4] = [Dialect::Plain, Dialect::TwinCat, Dialect::Codesys, Dialect::Scl];
 
 /// Reads a text in each form, and runs what can be read.
 fn read(text: &str) {
     for dialect in DIALECTS {
         for real in [RealKind::F64, RealKind::F32] {
             let Ok(block) = Block::read(dialect, text, "probe", real) else { continue };
-            let empty = shape(real, &[]);
-            let mut samples = Samples::with_capacity(shape(real, &[("x", compiler::program::Type::Real)]), 1);
-            samples.push(&[match real {
-                RealKind::F64 => portable::Literal::F64(1.0),
-                RealKind::F32 => portable::Literal::F32(1.0),
-            }]);
-            drop(block.run(&samples, &names(&samples.shape), &empty, &[], &[]));
+            let x = match real {
+                RealKind::F64 => Literal::F64(1.0),
+                RealKind::F32 => Literal::F32(1.0),
+            };
+            if let Ok(mut instance) = block.start(&[("x", x)], &[], &[]) {
+                instance.cycle(&[x], &mut Vec::new());
+            }
         }
     }
 }
@@ -28,7 +26,7 @@ fn read(text: &str) {
 fn piece() -> impl Strategy<Value = String> {
     let words = "FUNCTION_BLOCK END_FUNCTION_BLOCK probe VAR VAR_INPUT VAR_OUTPUT END_VAR CONSTANT x : LREAL REAL ; := 1.0 1 ( ) + - * /
         IF THEN ELSIF ELSE END_IF FOR TO DO END_FOR CASE OF AND OR NOT < <= = <> MOD ** (* *) // { } ' \" # 16#FF .. . [ ] ^ % & é
-        DINT_TO_LREAL F_axgen_usable_LREAL <POU Name=\"probe\"> </POU> <![CDATA[ ]]> <ST> </ST> &lt; &#0; &x; <!-- -->";
+        DINT_TO_LREAL F_axgen_usable_LREAL <POU Name=\"probe\"> </POU> <![CDATA[ ]]> <ST> </ST> &lt; &#0; &x; <!-- --> BEGIN VERSION 0.1 { S7_Optimized_Access := 'TRUE' } #x \"probe\" VAR_TEMP";
     let words: Vec<String> = words.split_ascii_whitespace().map(str::to_owned).collect();
     prop_oneof![8 => proptest::sample::select(words), 1 => any::<String>(), 1 => "[ -~]{0,8}"]
 }
@@ -53,9 +51,9 @@ proptest! {
 
     #[test]
     fn a_text_with_a_part_replaced(
-        form in 0usize..3, from in any::<prop::sample::Index>(), length in 0usize..40, put in piece(),
+        form in 0usize..4, from in any::<prop::sample::Index>(), length in 0usize..40, put in piece(),
     ) {
-        let text = [crate::forms::PLAIN, crate::forms::TWINCAT, crate::forms::CODESYS][form];
+        let text = [crate::forms::PLAIN, crate::forms::TWINCAT, crate::forms::CODESYS, crate::forms::SCL][form];
         let from = from.index(text.len());
         let end = (from + length).min(text.len());
         read(&format!("{}{put}{}", &text[..from], &text[end..]));

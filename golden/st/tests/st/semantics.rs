@@ -1,10 +1,8 @@
 //! What a text does: the same as the Rust beside it, to the last bit.
 
-use crate::support::{answers, block, shape};
-use compiler::program::Type;
-use golden::engine::st::Dialect;
-use golden::samples::Samples;
+use crate::support::{LREAL, answers, block};
 use portable::{Literal, Real, RealKind};
+use st::{Dialect, Signal};
 
 const BIQUAD: &str = "
 FUNCTION_BLOCK biquad
@@ -76,9 +74,10 @@ fn is_nan(literal: Literal) -> bool {
 
 fn biquad<R: Real>(text: &str, [b0, b1, a1, a2]: [R; 4], inputs: &[R]) {
     let block = block(Dialect::Plain, text, "biquad", R::KIND);
-    let mut samples = Samples::with_capacity(shape(R::KIND, &[("x", Type::Real)]), inputs.len());
-    inputs.iter().for_each(|&x| x.visit(&mut |literal| samples.push(&[literal])));
-    let answers = answers(&block, &samples, &shape(R::KIND, &[("y", Type::Real)]), &[]);
+    let (mut samples, mut zero) = (Vec::new(), LREAL);
+    inputs.iter().for_each(|&x| x.visit(&mut |literal| samples.push(vec![literal])));
+    R::ZERO.visit(&mut |literal| zero = literal);
+    let answers = answers(&block, &[("x", zero)], &samples, &[("y", zero)], &[]);
     let (mut s1, mut s2) = (R::ZERO, R::ZERO);
     for (&x, answer) in inputs.iter().zip(&answers) {
         let y = b0 * x + s1;
@@ -110,27 +109,20 @@ fn a_biquad_in_both_precisions() {
     biquad(BIQUAD_SINGLE, coefficients, &singles);
 }
 
-/// What each expression gives for the inputs, as outputs of one type.
-fn values(ty: Type, expressions: &[&str], inputs: &[Literal]) -> Vec<Literal> {
-    let real = RealKind::F64;
-    let name = |ty| match ty {
-        Type::Bool => "BOOL",
-        Type::I32 => "DINT",
-        Type::U32 => "UDINT",
-        Type::Real => "LREAL",
-    };
-    let ty_of = |literal: &Literal| match literal {
-        Literal::Bool(_) => Type::Bool,
-        Literal::I32(_) => Type::I32,
-        Literal::U32(_) => Type::U32,
-        _ => Type::Real,
+/// What each expression gives for the inputs, as outputs of the type of a value.
+fn values(of: Literal, expressions: &[&str], inputs: &[Literal]) -> Vec<Literal> {
+    let name = |value| match value {
+        Literal::Bool(_) => "BOOL",
+        Literal::I32(_) => "DINT",
+        Literal::U32(_) => "UDINT",
+        _ => "LREAL",
     };
     let names = ["a", "b", "c"];
-    let signals: Vec<(&str, Type)> = names.into_iter().zip(inputs.iter().map(ty_of)).collect();
+    let signals: Vec<Signal<'_>> = names.into_iter().zip(inputs.iter().copied()).collect();
     let results: Vec<String> = (0..expressions.len()).map(|at| format!("y{at}")).collect();
-    let outputs: Vec<(&str, Type)> = results.iter().map(|result| (result.as_str(), ty)).collect();
-    let declared = |list: &[(&str, Type)]| -> String {
-        list.iter().map(|&(signal, ty)| format!("    {signal} : {};\n", name(ty))).collect()
+    let outputs: Vec<Signal<'_>> = results.iter().map(|result| (result.as_str(), of)).collect();
+    let declared = |list: &[Signal<'_>]| -> String {
+        list.iter().map(|&(signal, value)| format!("    {signal} : {};\n", name(value))).collect()
     };
     let body: String = results.iter().zip(expressions).map(|(y, x)| format!("{y} := {x};\n")).collect();
     let text = format!(
@@ -138,10 +130,8 @@ fn values(ty: Type, expressions: &[&str], inputs: &[Literal]) -> Vec<Literal> {
         declared(&signals),
         declared(&outputs),
     );
-    let block = block(Dialect::Plain, &text, "probe", real);
-    let mut samples = Samples::with_capacity(shape(real, &signals), 1);
-    samples.push(inputs);
-    answers(&block, &samples, &shape(real, &outputs), &[]).remove(0)
+    let block = block(Dialect::Plain, &text, "probe", RealKind::F64);
+    answers(&block, &signals, &[inputs.to_vec()], &outputs, &[]).remove(0)
 }
 
 #[test]
@@ -169,7 +159,7 @@ fn operators_of_reals_group_as_in_the_standard() {
         ("0.1 + 0.2", 0.1 + 0.2),
     ];
     let expected: Vec<Literal> = list.iter().map(|&(_, value)| Literal::F64(value)).collect();
-    let found = values(Type::Real, &list.map(|(text, _)| text), &[a, b, c].map(Literal::F64));
+    let found = values(LREAL, &list.map(|(text, _)| text), &[a, b, c].map(Literal::F64));
     assert_eq!(found, expected);
 }
 
@@ -189,7 +179,7 @@ fn operators_of_bools_group_as_in_the_standard() {
             ("TRUE AND a OR FALSE", a),
         ];
         let expected: Vec<Literal> = list.iter().map(|&(_, value)| Literal::Bool(value)).collect();
-        assert_eq!(values(Type::Bool, &list.map(|(text, _)| text), &[a, b, c].map(Literal::Bool)), expected);
+        assert_eq!(values(Literal::Bool(false), &list.map(|(text, _)| text), &[a, b, c].map(Literal::Bool)), expected);
     }
 }
 
@@ -204,7 +194,7 @@ fn comparisons_with_a_nan_are_false() {
         [(f64::NAN, 1.0), (1.0, f64::NAN), (f64::NAN, f64::NAN), (0.0, -0.0), (1.0, 2.0), (f64::INFINITY, 2.0)]
     {
         let expected = compare(a, b).map(Literal::Bool);
-        assert_eq!(values(Type::Bool, &list, &[a, b].map(Literal::F64)), expected, "{a} {b}");
+        assert_eq!(values(Literal::Bool(false), &list, &[a, b].map(Literal::F64)), expected, "{a} {b}");
     }
 }
 
@@ -222,13 +212,13 @@ fn integers_wrap_around() {
             i32::MAX.wrapping_add(a),
             (i32::MIN + 1).wrapping_sub(a),
         ];
-        assert_eq!(values(Type::I32, &list, &[a, b].map(Literal::I32)), expected.map(Literal::I32));
+        assert_eq!(values(Literal::I32(0), &list, &[a, b].map(Literal::I32)), expected.map(Literal::I32));
         let list = ["a < b", "a <= b", "a > b", "a >= b", "a = b", "a <> b", "a < 0"];
         let expected = [a < b, a <= b, a > b, a >= b, a == b, a != b, a < 0];
-        assert_eq!(values(Type::Bool, &list, &[a, b].map(Literal::I32)), expected.map(Literal::Bool));
+        assert_eq!(values(Literal::Bool(false), &list, &[a, b].map(Literal::I32)), expected.map(Literal::Bool));
         let list = ["DINT_TO_LREAL(a)", "DINT_TO_LREAL(a * b) * 0.1"];
         let expected = [f64::from(a), f64::from(a.wrapping_mul(b)) * 0.1];
-        assert_eq!(values(Type::Real, &list, &[a, b].map(Literal::I32)), expected.map(Literal::F64));
+        assert_eq!(values(LREAL, &list, &[a, b].map(Literal::I32)), expected.map(Literal::F64));
     }
     for (a, b) in [(u32::MAX, 1), (0, 1), (65_536, 65_536), (7, 3)] {
         let list = ["a + b", "a - b", "a * b", "a + 4294967295", "16#FFFFFFFF - b"];
@@ -239,11 +229,11 @@ fn integers_wrap_around() {
             a.wrapping_add(u32::MAX),
             u32::MAX.wrapping_sub(b),
         ];
-        assert_eq!(values(Type::U32, &list, &[a, b].map(Literal::U32)), expected.map(Literal::U32));
+        assert_eq!(values(Literal::U32(0), &list, &[a, b].map(Literal::U32)), expected.map(Literal::U32));
         let list = ["a < b", "a <= b", "a > b", "a >= b", "a = b", "a <> b", "a > 2147483648"];
         let expected = [a < b, a <= b, a > b, a >= b, a == b, a != b, a > 1 << 31];
-        assert_eq!(values(Type::Bool, &list, &[a, b].map(Literal::U32)), expected.map(Literal::Bool));
-        let found = values(Type::Real, &["UDINT_TO_LREAL(a - b)"], &[a, b].map(Literal::U32));
+        assert_eq!(values(Literal::Bool(false), &list, &[a, b].map(Literal::U32)), expected.map(Literal::Bool));
+        let found = values(LREAL, &["UDINT_TO_LREAL(a - b)"], &[a, b].map(Literal::U32));
         assert_eq!(found, [Literal::F64(f64::from(a.wrapping_sub(b)))]);
     }
 }
@@ -280,10 +270,9 @@ END_FUNCTION_BLOCK
 ";
     let block = block(Dialect::Plain, text, "COUNTER", RealKind::F64);
     let inputs = [3, 4, -2, 0, 5];
-    let mut samples = Samples::with_capacity(shape(RealKind::F64, &[("N", Type::I32)]), inputs.len());
-    inputs.iter().for_each(|&n| samples.push(&[Literal::I32(n)]));
-    let outputs = shape(RealKind::F64, &[("y", Type::I32)]);
-    let found = |set| answers(&block, &samples, &outputs, set).into_iter().flatten().collect::<Vec<_>>();
+    let samples = inputs.map(|n| vec![Literal::I32(n)]);
+    let whole = Literal::I32(0);
+    let found = |set| answers(&block, &[("N", whole)], &samples, &[("y", whole)], set).concat();
     assert_eq!(found(&[("up", true)]), [3, 7, -1, 7, 12].map(Literal::I32));
     // No initial value of a plain file counts: `up` is FALSE.
     assert_eq!(found(&[]), [5, 5, -1, 0, 5].map(Literal::I32));
@@ -294,8 +283,9 @@ fn a_conversion_to_single_precision_rounds_once() {
     let text = "FUNCTION_BLOCK probe\nVAR_INPUT\n    n : DINT;\n    u : UDINT;\nEND_VAR\nVAR_OUTPUT\n    y : REAL;\n    z : REAL;\n\
                 END_VAR\ny := DINT_TO_REAL(n);\nz := UDINT_TO_REAL(u);\nEND_FUNCTION_BLOCK\n";
     let block = block(Dialect::Plain, text, "probe", RealKind::F32);
-    let mut samples = Samples::with_capacity(shape(RealKind::F32, &[("n", Type::I32), ("u", Type::U32)]), 1);
-    samples.push(&[Literal::I32(-16_777_217), Literal::U32(4_294_967_167)]);
-    let found = answers(&block, &samples, &shape(RealKind::F32, &[("y", Type::Real), ("z", Type::Real)]), &[]);
+    let inputs = [("n", Literal::I32(-16_777_217)), ("u", Literal::U32(4_294_967_167))];
+    let single = Literal::F32(0.0);
+    let found =
+        answers(&block, &inputs, &[inputs.map(|(_, value)| value).to_vec()], &[("y", single), ("z", single)], &[]);
     assert_eq!(found, [[Literal::F32(-16_777_216.0), Literal::F32(4_294_967_040.0)]]);
 }

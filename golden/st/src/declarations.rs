@@ -11,7 +11,7 @@ use tree_sitter::Node;
 
 /// The type of a variable or an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub(crate) enum Kind {
     /// REAL or LREAL, as the block says
     Real,
     /// BOOL
@@ -24,7 +24,7 @@ pub enum Kind {
 
 impl Kind {
     /// Its name in the text.
-    pub fn name(self, real: RealKind) -> &'static str {
+    pub(crate) fn name(self, real: RealKind) -> &'static str {
         match (self, real) {
             (Self::Real, RealKind::F64) => "LREAL",
             (Self::Real, RealKind::F32) => "REAL",
@@ -43,33 +43,35 @@ impl Kind {
 
 /// Who writes a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Role {
+pub(crate) enum Role {
     /// the caller
     Input,
     /// the block, for the caller
     Output,
     /// the block
     Local,
+    /// the block; the value does not outlive the cycle
+    Temporary,
     /// nobody
     Constant,
 }
 
 /// A variable.
 #[derive(Clone, Copy, Debug)]
-pub struct Variable {
+pub(crate) struct Variable {
     /// its type
-    pub kind: Kind,
+    pub(crate) kind: Kind,
     /// who writes it
-    pub role: Role,
+    pub(crate) role: Role,
     /// its slot, among those of its type
-    pub slot: u32,
+    pub(crate) slot: u32,
     /// whether its type is one of ours; if not, its uses are no further mistakes by themselves
-    pub known: bool,
+    pub(crate) known: bool,
 }
 
 /// A value at the start.
 #[derive(Clone, Copy, Debug)]
-pub enum Value {
+pub(crate) enum Value {
     /// REAL or LREAL
     Real(f64),
     /// BOOL
@@ -80,28 +82,28 @@ pub enum Value {
 
 /// The variables of a block.
 #[derive(Clone, Debug)]
-pub struct Variables {
+pub(crate) struct Variables {
     /// what a real is
-    pub real: RealKind,
+    pub(crate) real: RealKind,
     /// by their names in lower case
     by_name: HashMap<String, Variable>,
     /// what the slots hold at the start
-    pub slots: Slots<f64>,
+    pub(crate) slots: Slots<f64>,
 }
 
 impl Variables {
     /// None yet.
-    pub fn new(real: RealKind) -> Self {
+    pub(crate) fn new(real: RealKind) -> Self {
         Self { real, by_name: HashMap::new(), slots: Slots::default() }
     }
 
     /// A variable by its name.
-    pub fn find(&self, name: &str) -> Option<Variable> {
+    pub(crate) fn find(&self, name: &str) -> Option<Variable> {
         self.by_name.get(&name.to_ascii_lowercase()).copied()
     }
 
     /// Another slot.
-    pub fn slot(&mut self, kind: Kind, value: Option<Value>) -> u32 {
+    pub(crate) fn slot(&mut self, kind: Kind, value: Option<Value>) -> u32 {
         let slots = &mut self.slots;
         let slot = match kind {
             Kind::Real => {
@@ -122,7 +124,7 @@ impl Variables {
 }
 
 /// Declares what a `VAR` block holds.
-pub fn declare(node: Node<'_>, text: &str, dialect: Dialect, all: &mut Variables, mistakes: &mut Mistakes<'_>) {
+pub(crate) fn declare(node: Node<'_>, text: &str, dialect: Dialect, all: &mut Variables, mistakes: &mut Mistakes<'_>) {
     let parts = children(node);
     let Some(role) = role(node, text, dialect, mistakes) else { return };
     let declarations = parts.iter().filter(|(part, _)| part.kind() == "variable_declaration");
@@ -149,6 +151,7 @@ fn role(node: Node<'_>, text: &str, dialect: Dialect, mistakes: &mut Mistakes<'_
             return None;
         }
         "var_block" => Role::Local,
+        "var_temp" if dialect == Dialect::Scl => Role::Temporary,
         other => {
             let name = other.to_ascii_uppercase();
             mistakes.push(at, format!("`{name}`"), "`VAR_INPUT`, `VAR_OUTPUT` or `VAR`");
@@ -198,14 +201,21 @@ fn variable(
             let found = "an initial value, which some compiler drops";
             mistakes.push(start.start_byte(), found, "an assignment in the first cycle");
         }
+        (Some(start), Role::Temporary, _) => {
+            mistakes.push(start.start_byte(), "an initial value of a temporary", "an assignment in each cycle");
+        }
         (None, Role::Constant, _) => {
             mistakes.push(node.start_byte(), "a constant without a value", "`:=` and its value");
         }
         _ => {}
     }
-    let value = start.zip(kind).and_then(|(start, kind)| constant::initial(start, text, kind, all.real, mistakes));
+    let value =
+        start.zip(kind).and_then(|(start, kind)| constant::initial((dialect, all.real), start, text, kind, mistakes));
     let value = value.filter(|_| dialect != Dialect::Plain);
     for name in names {
+        if let Some((found, instead)) = names::mistake(dialect, said(name, text)) {
+            mistakes.push(name.start_byte(), found, instead);
+        }
         add(name, text, kind, role, value, all, mistakes);
     }
 }
@@ -220,9 +230,6 @@ fn add(
     mistakes: &mut Mistakes<'_>,
 ) {
     let name = said(node, text);
-    if let Some((found, instead)) = names::mistake(name) {
-        mistakes.push(node.start_byte(), found, instead);
-    }
     let lower = name.to_ascii_lowercase();
     if all.by_name.contains_key(&lower) {
         mistakes.push(node.start_byte(), format!("`{name}`, which is declared already"), "another name");
