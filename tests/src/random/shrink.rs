@@ -49,6 +49,9 @@ pub fn shrink(
     }
 }
 
+/// The place of a choice that differs, and what it is now; `None`: it is left out.
+type Change = (u64, Option<u32>);
+
 /// A number that was drawn already.
 #[derive(Debug)]
 struct Recorded(u32);
@@ -81,7 +84,7 @@ impl Candidate {
     }
 
     /// The first choice in which two differ, as it is in the second.
-    fn change(&self, other: &Self) -> Option<(u64, Option<u32>)> {
+    fn change(&self, other: &Self) -> Option<Change> {
         let mut theirs = other.choices.iter().peekable();
         self.choices.iter().find_map(|own| match theirs.next_if(|their| their.0 == own.0) {
             Some(their) if their.1 == own.1 => None,
@@ -98,7 +101,7 @@ struct Search<D> {
     /// what was said of a text
     verdicts: HashMap<String, bool>,
     /// what was said of a change the last time
-    alone: HashMap<(u64, Option<u32>), bool>,
+    alone: HashMap<Change, bool>,
 }
 
 impl<D: FnMut(&[Program]) -> Result<Vec<bool>, String>> Search<D> {
@@ -143,7 +146,7 @@ impl<D: FnMut(&[Program]) -> Result<Vec<bool>, String>> Search<D> {
     /// Builds the tree's candidate, and those that come after it if each change does again what it did alone.
     fn build(&mut self, mut tree: impl ValueTree<Value = Vec<Choice>>) -> Result<(), String> {
         let mut best = self.best.clone();
-        let mut asked: Vec<(Candidate, Option<(u64, Option<u32>)>)> = Vec::new();
+        let mut asked: Vec<(Candidate, Option<Change>)> = Vec::new();
         for _ in 0..AHEAD {
             let candidate = Candidate::of(&tree.current());
             let verdict = self.known(&best, &candidate).unwrap_or_else(|| {
