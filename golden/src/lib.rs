@@ -3,7 +3,7 @@
 //! ```text
 //! stimulus   what the inputs do, sample by sample; waveform: the forms that it is made of, from integers and libm
 //! samples    the values of all signals of a run, packed; csv: the same as text
-//! engine     four ways to run a block: reference, program, c (and, later, st)
+//! engine     the ways to run a block: reference, program, c, and the emitted Structured Text
 //! compare    how many bits of two runs differ, and where first
 //! exercise   the stimulus for a user's own axes; ends: the events at the ends of its process data
 //! case       a folder with an axis set, a stimulus and the answers that were recorded

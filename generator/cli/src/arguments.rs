@@ -63,7 +63,7 @@ pub enum Command {
         /// The block
         #[arg(long, value_name = "B", default_value = "ipc")]
         block: String,
-        /// reference, program, c, st, twincat or codesys
+        /// reference, program, c, st, twincat, codesys or scl
         #[arg(long, value_name = "E", default_value = "reference")]
         engine: String,
         /// CSV file with the inputs, `-`: standard input

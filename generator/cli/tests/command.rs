@@ -232,7 +232,7 @@ fn verify_counts_no_differing_bit() {
     let run = axgen(folder.path(), &["verify", "machine.toml", "--samples", "5000"]);
     assert_eq!(run.code, 0, "{}", run.err);
     let rows: Vec<Vec<&str>> = run.out.lines().skip(1).map(|line| line.split_whitespace().collect()).collect();
-    assert_eq!(rows.len(), 3 * 6, "three axes, six engines");
+    assert_eq!(rows.len(), 3 * 7, "three axes, seven engines");
     for row in rows {
         assert_eq!(row[3], "5000");
         assert_eq!(row[4], if row[2] == "reference" { "(reference)" } else { "0" });
@@ -256,7 +256,7 @@ fn a_recording_is_compared_through_any_engine() {
     let folder = folder();
     let rows = recording(folder.path());
     fs::write(folder.path().join("recorded.csv"), rows.join("\n")).unwrap();
-    for engine in ["reference", "program", "c", "st", "twincat", "codesys"] {
+    for engine in ["reference", "program", "c", "st", "twincat", "codesys", "scl"] {
         let run = axgen(folder.path(), &[&RACK[..], &["--engine", engine, "--compare", "recorded.csv"]].concat());
         let expected = format!(
             "v_add, v_add_calculated, limited, fault, error_id against engine {engine}, 400 samples: 0 differing bits\n"

@@ -1,14 +1,14 @@
-//! The engines `st`, `twincat` and `codesys`: the emitted Structured Text, read by a grammar that is not ours, and run.
+//! The engines `st`, `twincat`, `codesys` and `scl`: the emitted Structured Text, read by a grammar that is not ours, and run.
 
 use super::Failure;
-use super::st::{self, Dialect, Mistake};
 use crate::samples::{Samples, Shape};
 use generator::blocks::Block;
 use generator::blocks::Designed;
 use generator::target::names::Names;
 use generator::target::st::names::{is_reserved, signals};
-use generator::target::st::{codesys, plain, twincat};
+use generator::target::st::{codesys, plain, scl, twincat};
 use generator::target::{File, block_name};
+use st::{Dialect, Mistake, Signal};
 
 /// Runs one of an axis's blocks from the file that the target of a dialect emits.
 pub fn run(
@@ -27,6 +27,8 @@ pub fn run(
             (twincat::files(axis, std::slice::from_ref(block)), name, &[("Enable", true)])
         }
         Dialect::Codesys => (codesys::files(axis, blocks), block_name(&axis.name, block.program.block), &[]),
+        // The blocks of Siemens's files have the names of TwinCAT's.
+        Dialect::Scl => (scl::files(axis, blocks), twincat::block_name(&axis.name, block.program.block), &[]),
     };
     let file = files.first().expect("engine: every target emits the block first");
     let broken = |mistakes: Vec<Mistake>| {
@@ -36,5 +38,20 @@ pub fn run(
     let [input_names, output_names] = signals(&block.program, &mut Names::without(is_reserved));
     let outputs = Shape::of(&block.program.outputs, block.program.real);
     let read = st::Block::read(dialect, &file.text, &name, block.program.real).map_err(broken)?;
-    read.run(inputs, &input_names, &outputs, &output_names, enable).map_err(broken)
+    let mut instance = read
+        .start(&signals_of(&inputs.shape, &input_names), &signals_of(&outputs, &output_names), enable)
+        .map_err(broken)?;
+    let mut answers = Samples::with_capacity(outputs, inputs.len());
+    let (mut values, mut results) = (Vec::new(), Vec::new());
+    for sample in 0..inputs.len() {
+        inputs.read(sample, &mut values);
+        instance.cycle(&values, &mut results);
+        answers.push(&results);
+    }
+    Ok(answers)
+}
+
+/// The signals of a shape under the names that they have in the text.
+fn signals_of<'n>(shape: &Shape, names: &'n [String]) -> Vec<Signal<'n>> {
+    shape.signals.iter().zip(names).map(|(signal, name)| (name.as_str(), signal.start)).collect()
 }

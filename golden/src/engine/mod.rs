@@ -5,7 +5,6 @@ mod compiler;
 mod emitted;
 mod program;
 mod reference;
-pub mod st;
 
 pub use c::Harness;
 pub use compiler::Compiler;
@@ -31,11 +30,13 @@ pub enum Engine {
     TwinCat,
     /// the Structured Text in the files of the target `codesys`
     Codesys,
+    /// the SCL of the target `scl`
+    Scl,
 }
 
 /// All engines; the first one is right.
-pub const ENGINES: [Engine; 6] =
-    [Engine::Reference, Engine::Program, Engine::C, Engine::St, Engine::TwinCat, Engine::Codesys];
+pub const ENGINES: [Engine; 7] =
+    [Engine::Reference, Engine::Program, Engine::C, Engine::St, Engine::TwinCat, Engine::Codesys, Engine::Scl];
 
 impl fmt::Display for Engine {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -46,6 +47,7 @@ impl fmt::Display for Engine {
             Self::St => "st",
             Self::TwinCat => "twincat",
             Self::Codesys => "codesys",
+            Self::Scl => "scl",
         })
     }
 }
@@ -103,6 +105,7 @@ pub fn run_among(
         Engine::St => emitted::run(Dialect::Plain, designed, blocks, which, inputs),
         Engine::TwinCat => emitted::run(Dialect::TwinCat, designed, blocks, which, inputs),
         Engine::Codesys => emitted::run(Dialect::Codesys, designed, blocks, which, inputs),
+        Engine::Scl => emitted::run(Dialect::Scl, designed, blocks, which, inputs),
     }
 }
 

@@ -1,6 +1,7 @@
 //! Many random programs at once: made, run, counted; the first that differs is shrunk and shown.
 
 use super::batch::{self, Answer, Batch, Difference};
+use super::choices::Choices;
 use super::coverage;
 use super::inside::defect::Defect;
 use super::inside::judge::INVALID;
@@ -83,7 +84,7 @@ pub fn run(settings: &Settings<'_>) -> Result<Report, String> {
     let numbers: Vec<usize> = (0..settings.programs).collect();
     for numbers in numbers.chunks(TOGETHER) {
         let programs: Vec<Program> =
-            numbers.iter().map(|number| generate::program(Rng::of(settings.seed, *number))).collect();
+            numbers.iter().map(|number| generate::program(&mut choices(settings, *number))).collect();
         let answers = batch::run(&together(settings, numbers, &programs))?;
         report.programs += programs.len();
         let mut different = Vec::new();
@@ -93,12 +94,12 @@ pub fn run(settings: &Settings<'_>) -> Result<Report, String> {
                 *report.shares.entry(occurs).or_default() += 1;
             }
             if let Some(difference) = answer.differences.first() {
-                different.push((print::lines(program), *number, program, difference.clone()));
+                different.push((print::lines(program), *number, difference.clone()));
             }
         }
         report.different.extend(different.iter().map(|(_, number, ..)| *number));
-        if let Some((_, number, program, difference)) = different.into_iter().min_by_key(|(lines, ..)| *lines) {
-            report.shrunk = Some(small(settings, number, program, &difference)?);
+        if let Some((_, number, difference)) = different.into_iter().min_by_key(|(lines, ..)| *lines) {
+            report.shrunk = Some(small(settings, number, &difference)?);
             return Ok(report);
         }
     }
@@ -117,6 +118,11 @@ fn together<'p>(settings: &Settings<'p>, numbers: &[usize], programs: &'p [Progr
     }
 }
 
+/// What a program is made of.
+fn choices(settings: &Settings<'_>, number: usize) -> Choices {
+    Choices::by_chance(Rng::of(settings.seed, number))
+}
+
 fn name(number: usize) -> String {
     format!("program{number}")
 }
@@ -131,7 +137,9 @@ fn refuse(number: usize, program: &Program, answer: &Answer) -> Result<(), Strin
 }
 
 /// Shrinks a program that differs, in the one engine and the one real type that differ.
-fn small(settings: &Settings<'_>, number: usize, program: &Program, difference: &Difference) -> Result<Shrunk, String> {
+fn small(settings: &Settings<'_>, number: usize, difference: &Difference) -> Result<Shrunk, String> {
+    let mut made = choices(settings, number);
+    generate::program(&mut made);
     let reals: &[&str] = if difference.real == "f64" { &["f64"] } else { &["f32"] };
     let crates = format!("{}-shrink", settings.name);
     let is_c = |difference: &Difference| difference.engine.starts_with("c ");
@@ -141,7 +149,7 @@ fn small(settings: &Settings<'_>, number: usize, program: &Program, difference: 
         batch::run(&Batch { folder, name: &crates, programs, reals, defect, with_text: is_text(difference) })
     };
     let same = |found: &Difference| found.engine == difference.engine || is_c(found) && is_c(difference);
-    let shrunk = shrink::shrink(program, |candidates| {
+    let shrunk = shrink::shrink(&made.made(), |candidates| {
         let candidates = candidates.iter().map(|candidate| (name(number), candidate)).collect();
         Ok(batch(candidates)?.iter().map(|answer| answer.differences.iter().any(same)).collect())
     })?;

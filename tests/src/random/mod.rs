@@ -2,8 +2,9 @@
 //! each pass, the emitted C, the emitted Structured Text.
 //!
 //! ```text
-//! rng, syntax, types, visit   the source of chance; the syntax tree and what can be asked of it
-//! generate                    a random program from a seed
+//! rng, choices                the source of chance; what is chosen from it, and can be given back
+//! syntax, types, visit        the syntax tree and what can be asked of it
+//! generate                    the program that choices make
 //! print                       its Rust text
 //! coverage                    which constructs it has
 //! batch, kernel               many programs as crates of their own
@@ -15,6 +16,7 @@
 
 pub mod batch;
 pub mod campaign;
+pub mod choices;
 pub mod compile;
 pub mod coverage;
 pub mod generate;

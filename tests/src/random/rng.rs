@@ -34,11 +34,6 @@ impl Rng {
         (self.word() % bound as u64) as usize
     }
 
-    /// A number from the first to the last, both included.
-    pub fn between(&mut self, first: usize, last: usize) -> usize {
-        first + self.below(last - first + 1)
-    }
-
     /// True in so many of 100 cases.
     pub fn chance(&mut self, percent: usize) -> bool {
         self.below(100) < percent
@@ -47,17 +42,5 @@ impl Rng {
     /// One of the items.
     pub fn pick<'i, T>(&mut self, items: &'i [T]) -> &'i T {
         &items[self.below(items.len())]
-    }
-
-    /// One of the items that the weights stand for; an item without weight is never taken.
-    pub fn weighted(&mut self, weights: &[usize]) -> usize {
-        let mut rest = self.below(weights.iter().sum());
-        for (item, weight) in weights.iter().enumerate() {
-            if rest < *weight {
-                return item;
-            }
-            rest -= weight;
-        }
-        unreachable!("rng: the weights have a sum")
     }
 }

@@ -2,11 +2,9 @@
 
 use super::compile::Line;
 use super::inside::judge::same;
-use compiler::program::Type;
-use golden::engine::st::{Block, Dialect};
-use golden::samples::{Samples, Shape, Signal};
 use portable::{Literal, RealKind};
 use rayon::prelude::*;
+use st::{Block, Dialect, Signal};
 use std::fs;
 use std::path::Path;
 
@@ -46,77 +44,75 @@ fn file(folder: &Path, real: &'static str, first: usize) -> Result<Vec<Line>, St
 struct Subject {
     number: usize,
     real: RealKind,
-    inputs: Shape,
-    outputs: Shape,
+    inputs: Vec<(String, Literal)>,
+    outputs: Vec<(String, Literal)>,
 }
 
 impl Subject {
     fn of(line: &str, real: &str) -> Option<Self> {
         let [number, inputs, outputs] = line.split(';').collect::<Vec<_>>().try_into().ok()?;
         let real = if real == "f64" { RealKind::F64 } else { RealKind::F32 };
-        let shape = |list: &str| {
-            let signals: Option<Vec<Signal>> = list.split_whitespace().map(|signal| of_signal(signal, real)).collect();
-            Some(Shape { real, signals: signals? })
-        };
-        Some(Self { number: number.parse().ok()?, real, inputs: shape(inputs)?, outputs: shape(outputs)? })
+        let signals = |list: &str| list.split_whitespace().map(|text| signal(text, real)).collect::<Option<Vec<_>>>();
+        Some(Self { number: number.parse().ok()?, real, inputs: signals(inputs)?, outputs: signals(outputs)? })
     }
 
     /// Runs all runs; tells where the block's answers are not those of the words.
     fn differs(&self, block: &str, words: &mut impl Iterator<Item = u64>) -> Option<String> {
         let mut next = || words.next().unwrap_or_default();
         let (runs, samples) = (next(), next());
-        let names = |shape: &Shape| shape.signals.iter().map(|signal| signal.name.clone()).collect::<Vec<_>>();
         let read = Block::read(Dialect::Plain, block, &format!("p{}", self.number), self.real);
-        let mut difference = read.as_ref().err().map(|mistakes| mistakes.iter().map(|it| format!("{it}; ")).collect());
+        let (inputs, outputs) = (signals(&self.inputs), signals(&self.outputs));
+        let start = || read.as_ref().map_err(Clone::clone).and_then(|block| block.start(&inputs, &outputs, &[]));
+        let mut difference = start().err().map(|mistakes| mistakes.iter().map(|it| format!("{it}; ")).collect());
         for run in 0..runs {
-            let (mut inputs, mut answers) = (Samples::with_capacity(self.inputs.clone(), 0), Vec::new());
-            for _ in 0..samples {
-                inputs.push(&self.inputs.signals.iter().map(|signal| value(next(), signal)).collect::<Vec<_>>());
-                answers.push(self.outputs.signals.iter().map(|signal| value(next(), signal)).collect::<Vec<_>>());
-            }
-            let Ok(block) = &read else { continue };
-            // A block without inputs has no samples that say how many there are.
-            if difference.is_some() || self.inputs.signals.is_empty() {
-                continue;
-            }
-            match block.run(&inputs, &names(&self.inputs), &self.outputs, &names(&self.outputs), &[]) {
-                Ok(found) => difference = self.first(run, &answers, &found),
-                Err(mistakes) => difference = Some(format!("{mistakes:?}")),
+            let (mut instance, mut found) = (start().ok(), Vec::new());
+            for sample in 0..samples {
+                let mut values = |signals: &[(String, Literal)]| -> Vec<Literal> {
+                    signals.iter().map(|(_, of)| value(next(), *of)).collect()
+                };
+                let (inputs, answers) = (values(&self.inputs), values(&self.outputs));
+                let Some(instance) = &mut instance else { continue };
+                instance.cycle(&inputs, &mut found);
+                if difference.is_none() {
+                    difference = self.first((run, sample), &answers, &found);
+                }
             }
         }
         difference
     }
 
     /// The first value that differs.
-    fn first(&self, run: u64, answers: &[Vec<Literal>], found: &Samples) -> Option<String> {
-        let mut values = Vec::new();
-        answers.iter().enumerate().find_map(|(sample, answer)| {
-            found.read(sample, &mut values);
-            let at = values.iter().zip(answer).position(|(found, expected)| !same(*found, *expected))?;
-            let name = &self.outputs.signals[at].name;
-            Some(format!("run {run}, sample {sample}: {name} is {:?}, in Rust it is {:?}", values[at], answer[at]))
-        })
+    fn first(&self, (run, sample): (u64, u64), answers: &[Literal], found: &[Literal]) -> Option<String> {
+        let at = found.iter().zip(answers).position(|(found, expected)| !same(*found, *expected))?;
+        let (name, _) = &self.outputs[at];
+        Some(format!("run {run}, sample {sample}: {name} is {:?}, in Rust it is {:?}", found[at], answers[at]))
     }
 }
 
-fn of_signal(text: &str, real: RealKind) -> Option<Signal> {
-    let (name, ty) = text.split_once(':')?;
-    let (ty, start) = match (ty, real) {
-        ("Bool", _) => (Type::Bool, Literal::Bool(false)),
-        ("I32", _) => (Type::I32, Literal::I32(0)),
-        ("U32", _) => (Type::U32, Literal::U32(0)),
-        ("Real", RealKind::F64) => (Type::Real, Literal::F64(0.0)),
-        ("Real", RealKind::F32) => (Type::Real, Literal::F32(0.0)),
-        _ => return None,
-    };
-    Some(Signal { name: name.to_owned(), ty, start })
+/// Signals as the engine takes them.
+fn signals(list: &[(String, Literal)]) -> Vec<Signal<'_>> {
+    list.iter().map(|(name, of)| (name.as_str(), *of)).collect()
 }
 
-/// The value of a word.
-fn value(word: u64, signal: &Signal) -> Literal {
+/// A signal: its name, and a value of its type.
+fn signal(text: &str, real: RealKind) -> Option<(String, Literal)> {
+    let (name, ty) = text.split_once(':')?;
+    let of = match (ty, real) {
+        ("Bool", _) => Literal::Bool(false),
+        ("I32", _) => Literal::I32(0),
+        ("U32", _) => Literal::U32(0),
+        ("Real", RealKind::F64) => Literal::F64(0.0),
+        ("Real", RealKind::F32) => Literal::F32(0.0),
+        _ => return None,
+    };
+    Some((name.to_owned(), of))
+}
+
+/// What a word is in the type of a value.
+fn value(word: u64, of: Literal) -> Literal {
     let [a, b, c, d, ..] = word.to_le_bytes();
     let half = u32::from_le_bytes([a, b, c, d]);
-    match signal.start {
+    match of {
         Literal::Bool(_) => Literal::Bool(word != 0),
         Literal::I32(_) => Literal::I32(half.cast_signed()),
         Literal::F64(_) => Literal::F64(f64::from_bits(word)),

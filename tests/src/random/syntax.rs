@@ -122,8 +122,6 @@ pub struct Function {
     pub name: String,
     /// whether it stands in the inner module
     pub inner: bool,
-    /// whether the shrinker has taken it away
-    pub removed: bool,
     /// its parameters
     pub params: Vec<Param>,
     /// the type of its value, if it has one

@@ -17,19 +17,6 @@ impl Value {
             Self::Variant(which, _) => Scalar::Enum(which),
         }
     }
-
-    /// The plainest value of a type.
-    #[must_use]
-    pub fn plain(scalar: Scalar) -> Self {
-        match scalar {
-            Scalar::Real => Self::Zero,
-            Scalar::Bool => Self::Bool(false),
-            Scalar::I32 => Self::I32(0),
-            Scalar::U32 => Self::U32(0),
-            Scalar::Usize => Self::Usize(0),
-            Scalar::Enum(which) => Self::Variant(which, 0),
-        }
-    }
 }
 
 impl Expr {
@@ -129,6 +116,16 @@ impl Program {
             generic.push(of_block || signature || mentions_real(&function.body, &generic));
         }
         generic
+    }
+
+    /// Whether a value of the type has any part at all.
+    #[must_use]
+    pub fn has_scalar(&self, ty: &Type) -> bool {
+        match ty {
+            Type::Scalar(_) => true,
+            Type::Array(element, _) => self.has_scalar(element),
+            Type::Struct(which) => self.structs[*which].fields.iter().any(|(_, field)| self.has_scalar(field)),
+        }
     }
 
     /// Whether a value of the type has a part of that scalar type.

@@ -57,7 +57,7 @@ const ENDS: &[(&str, i32, &str)] = &[
     (
         "run axes.toml --stimulus in.csv --engine q",
         2,
-        "--engine: error[AX012]: no engine `q`\n    allowed: reference, program, c, st, twincat, codesys\n",
+        "--engine: error[AX012]: no engine `q`\n    allowed: reference, program, c, st, twincat, codesys, scl\n",
     ),
     ("run axes.toml --stimulus in.csv --block q", 2, "--block: error[AX012]: no block `q`\n    allowed: ipc\n"),
     (

@@ -8,7 +8,7 @@ use crate::random::syntax::{
 /// `init`: writes parts of the state and looks at none, as nothing has a value before it.
 pub fn init(writer: &mut Writer<'_>, function: &mut Function) {
     writer.scope[0].readable = false;
-    let count = writer.rng.between(0, 2);
+    let count = writer.choices.between(0, 2);
     function.body = writer.block(count, None, 1);
 }
 
@@ -19,28 +19,34 @@ pub fn step(writer: &mut Writer<'_>, function: &mut Function) {
     let mut statements = Vec::new();
     let leaves = leaves(&Place::root("outputs"), &Type::Struct(OUTPUTS), writer.program);
     for (place, scalar) in &leaves {
-        let value = if writer.rng.chance(50) { writer.leaf(*scalar) } else { writer.whole(*scalar, 1) };
+        writer.choices.enter_named(&format!("{place:?}"));
+        let value = if writer.choices.chance(50) { writer.leaf(*scalar) } else { writer.whole(*scalar, 1) };
         statements.push(Statement::Assign { place: place.clone(), value });
         writer.spend(1);
+        writer.choices.leave();
     }
     writer.scope[outputs].readable = true;
-    for _ in 0..writer.rng.between(1, 3) {
+    for _ in 0..writer.choices.between(1, 3) {
         writer.statement(3, &mut statements);
     }
     for which in 0..writer.program.functions.len() {
         let called = statements.iter().any(|statement| calls(statement, which));
         let is_init = which + 1 == writer.program.functions.len();
-        if !called && writer.rng.chance(if is_init { 10 } else { 80 }) {
+        writer.choices.enter();
+        if !called && writer.choices.chance(if is_init { 10 } else { 80 }) {
             call_once(writer, which, &mut statements);
         }
+        writer.choices.leave();
     }
     let remembered = self::leaves(&Place::root("state"), &Type::Struct(STATE), writer.program);
     for (place, scalar) in remembered.into_iter().chain(leaves) {
         let weight = if place.root == "outputs" { 70 } else { 30 };
-        if writer.rng.chance(weight) {
-            let value = if writer.rng.chance(50) { writer.whole(scalar, 1) } else { writer.expr(scalar, 3) };
+        writer.choices.enter_named(&format!("{place:?} at last"));
+        if writer.choices.chance(weight) {
+            let value = if writer.choices.chance(50) { writer.whole(scalar, 1) } else { writer.expr(scalar, 3) };
             statements.push(Statement::Assign { place, value });
         }
+        writer.choices.leave();
     }
     function.body = Block { statements, value: None };
 }
@@ -57,7 +63,7 @@ fn call_once(writer: &mut Writer<'_>, which: usize, statements: &mut Vec<Stateme
         statements.push(Statement::Call(call));
         return;
     };
-    let target = if writer.rng.chance(50) { writer.writable(Some(scalar)) } else { None };
+    let target = if writer.choices.chance(50) { writer.writable(Some(scalar)) } else { None };
     statements.push(match target {
         Some((place, _)) => Statement::Assign { place, value: Expr::Call(call) },
         None => {

@@ -7,8 +7,8 @@ impl Writer<'_> {
     /// A condition; one in five is known when the program is specialised.
     pub fn condition(&mut self) -> Expr {
         let outside = self.known;
-        self.known = outside || (self.knows() && self.rng.chance(25));
-        let depth = self.rng.between(1, 2);
+        self.known = outside || (self.knows() && self.choices.chance(25));
+        let depth = self.choices.between(1, 2);
         let condition = self.expr(Scalar::Bool, depth);
         self.known = outside;
         condition
@@ -25,14 +25,14 @@ impl Writer<'_> {
         let then = self.branch(value, depth);
         let otherwise = match value {
             // A chain of questions.
-            _ if depth > 0 && self.rng.chance(20) => {
+            _ if depth > 0 && self.choices.chance(20) => {
                 let next = self.choice(value, depth - 1);
                 Some(match value {
                     Some(_) => Block { statements: Vec::new(), value: Some(Box::new(Expr::If(Box::new(next)))) },
                     None => Block { statements: vec![Statement::If(next)], value: None },
                 })
             }
-            None if self.rng.chance(40) => None,
+            None if !self.choices.chance(60) => None,
             _ => Some(self.branch(value, depth)),
         };
         Choice { condition, then, otherwise }
@@ -41,7 +41,7 @@ impl Writer<'_> {
     /// A `match`; with a value, if its type is given.
     pub fn selection(&mut self, value: Option<Scalar>, depth: usize) -> Selection {
         let outside = self.known;
-        self.known = outside || (self.knows() && self.rng.chance(20));
+        self.known = outside || (self.knows() && self.choices.chance(20));
         let scrutinee = self.scrutinee();
         self.known = outside;
         let patterns = self.patterns(scrutinee.scalar());
@@ -61,13 +61,13 @@ impl Writer<'_> {
             Scalar::Usize => [0, 1, 2].map(Value::Usize).into(),
             Scalar::Real => unreachable!("generate: a real chooses no arm"),
         };
-        let complete = matches!(scalar, Scalar::Enum(_) | Scalar::Bool) && self.rng.chance(50);
-        let count = if complete { values.len() } else { self.rng.between(1, values.len().min(3)) };
+        let complete = matches!(scalar, Scalar::Enum(_) | Scalar::Bool) && self.choices.chance(50);
+        let count = if complete { values.len() } else { self.choices.between(1, values.len().min(3)) };
         let mut arms: Vec<Vec<Value>> = Vec::new();
         for _ in 0..count {
-            let value = values.remove(self.rng.below(values.len()));
+            let value = values.remove(self.choices.below(values.len()));
             match arms.last_mut() {
-                Some(last) if self.rng.chance(35) => last.push(value),
+                Some(last) if self.choices.chance(35) => last.push(value),
                 _ => arms.push(vec![value]),
             }
         }
@@ -75,8 +75,8 @@ impl Writer<'_> {
             arms.push(Vec::new());
         }
         // Rarely, what stands after the wildcard is never reached.
-        if self.rng.chance(4) {
-            arms.insert(self.rng.below(arms.len()), Vec::new());
+        if self.choices.chance(4) {
+            arms.insert(self.choices.below(arms.len()), Vec::new());
         }
         arms
     }
@@ -84,8 +84,8 @@ impl Writer<'_> {
     /// The inside of a branch.
     fn branch(&mut self, value: Option<Scalar>, depth: usize) -> Block {
         let count = match value {
-            Some(_) => self.rng.weighted(&[70, 25, 5]),
-            None => self.rng.weighted(&[0, 70, 30]),
+            Some(_) => self.choices.weighted(&[70, 25, 5]),
+            None => self.choices.weighted(&[0, 70, 30]),
         };
         self.block(count, value, depth)
     }

@@ -1,7 +1,7 @@
 //! Random calls: which function fits, and what it is called with.
 
 use super::scope::Writer;
-use crate::random::syntax::{Argument, Call, Callee, Function, Mode, Scalar, Type};
+use crate::random::syntax::{Argument, Call, Callee, Function, Mode, Param, Scalar, Type};
 
 impl Writer<'_> {
     /// A call without effect that gives a value of a type: it may stand inside an expression.
@@ -36,7 +36,7 @@ impl Writer<'_> {
         if candidates.is_empty() {
             return None;
         }
-        let which = *self.rng.pick(&candidates);
+        let which = *self.choices.pick(&candidates);
         self.call_of(which)
     }
 
@@ -57,19 +57,26 @@ impl Writer<'_> {
         let program = self.program;
         let mut arguments = Vec::new();
         for param in &program.functions[which].params {
-            arguments.push(match param.mode {
-                Mode::Value => {
-                    let Type::Scalar(scalar) = param.ty else { unreachable!("generate: only scalars go by value") };
-                    let depth = self.rng.below(3);
-                    Argument::Value(self.expr(scalar, depth))
-                }
-                mode => {
-                    let place = self.borrowable(&param.ty, mode)?;
-                    self.lent.push((place.clone(), mode));
-                    if mode == Mode::Shared { Argument::Shared(place) } else { Argument::Mutable(place) }
-                }
-            });
+            self.choices.enter_named(&param.name);
+            let argument = self.argument(param);
+            self.choices.leave();
+            arguments.push(argument?);
         }
         Some(arguments)
+    }
+
+    fn argument(&mut self, param: &Param) -> Option<Argument> {
+        Some(match param.mode {
+            Mode::Value => {
+                let Type::Scalar(scalar) = param.ty else { unreachable!("generate: only scalars go by value") };
+                let depth = self.choices.below(3);
+                Argument::Value(self.expr(scalar, depth))
+            }
+            mode => {
+                let place = self.borrowable(&param.ty, mode)?;
+                self.lent.push((place.clone(), mode));
+                if mode == Mode::Shared { Argument::Shared(place) } else { Argument::Mutable(place) }
+            }
+        })
     }
 }

@@ -17,12 +17,12 @@ impl Writer<'_> {
         let read = Expr::Read(place.clone(), scalar);
         self.enter(&kept, Type::Scalar(scalar), Access::Read);
         statements.push(Statement::Let { name: kept.clone(), mutable: false, value: read.clone() });
-        let call = if self.rng.chance(50) { self.mutating_call() } else { None };
+        let call = if self.choices.chance(50) { self.mutating_call() } else { None };
         let change = match call {
             Some(call) => Statement::Call(call),
             None => Statement::Assign { place: place.clone(), value: self.expr(scalar, 2) },
         };
-        statements.push(if depth > 0 && self.rng.chance(40) {
+        statements.push(if depth > 0 && self.choices.chance(40) {
             let condition = self.condition();
             let then = Block { statements: vec![change], value: None };
             Statement::If(Choice { condition, then, otherwise: None })
@@ -32,7 +32,8 @@ impl Writer<'_> {
         let both = match scalar {
             Scalar::Real | Scalar::I32 | Scalar::U32 => {
                 let kept = Expr::Read(Place::root(&kept), scalar);
-                let (operator, swapped) = (*self.rng.pick(&[Binary::Subtract, Binary::Multiply]), self.rng.chance(50));
+                let (operator, swapped) =
+                    (*self.choices.pick(&[Binary::Subtract, Binary::Multiply]), self.choices.chance(50));
                 if swapped { operation(operator, kept, read) } else { operation(operator, read, kept) }
             }
             other => Expr::Read(Place::root(&kept), other),
@@ -44,18 +45,19 @@ impl Writer<'_> {
 
     /// A local that is assigned in some branches, perhaps within a loop, and in others not.
     pub fn assigned_on_some_ways(&mut self, depth: usize, statements: &mut Vec<Statement>) {
-        let scalar = if self.rng.chance(60) { Scalar::Real } else { shape::scalar(false, self.program, self.rng) };
+        let scalar =
+            if self.choices.chance(60) { Scalar::Real } else { shape::scalar(false, self.program, self.choices) };
         let (name, value) = (self.fresh(), self.leaf(scalar));
         statements.push(Statement::Let { name: name.clone(), mutable: true, value });
         self.enter(&name, Type::Scalar(scalar), Access::Local);
         let mut change = self.assignment_to(&name, scalar);
-        for _ in 0..self.rng.between(1, 2) {
-            let otherwise = if self.rng.chance(40) { Some(self.assignment_to(&name, scalar)) } else { None };
+        for _ in 0..self.choices.between(1, 2) {
+            let otherwise = if self.choices.chance(40) { Some(self.assignment_to(&name, scalar)) } else { None };
             let condition = self.condition();
             let alone = |statement| Block { statements: vec![statement], value: None };
             change = Statement::If(Choice { condition, then: alone(change), otherwise: otherwise.map(alone) });
         }
-        let repeated = if self.rng.chance(30) { self.repetition(depth - 1) } else { None };
+        let repeated = if self.choices.chance(30) { self.repetition(depth - 1, true) } else { None };
         statements.push(match repeated {
             Some(Statement::For { variable, from, to, mut body }) => {
                 body.statements.push(change);

@@ -1,7 +1,8 @@
 //! Random programs of the portable subset: the order in which the parts of one are made.
 //!
 //! Every program compiles, ends, and stays within its arrays by construction: an index is a number, a loop variable or a
-//! coefficient whose bound is known, integers wrap, and a call lends no part twice.
+//! coefficient whose bound is known, integers wrap, and a call lends no part twice. That holds for any choices: a smaller program
+//! is made of fewer and smaller ones.
 
 mod block;
 mod branch;
@@ -15,13 +16,12 @@ mod scope;
 mod shape;
 mod statement;
 
-use super::rng::Rng;
+use super::choices::Choices;
 use super::syntax::Program;
 
-/// The program that a source of random numbers stands for.
-#[must_use]
-pub fn program(mut rng: Rng) -> Program {
-    let mut program = shape::types(&mut rng);
-    function::add_all(&mut program, &mut rng);
+/// The program that choices make.
+pub fn program(choices: &mut Choices) -> Program {
+    let mut program = shape::types(choices);
+    function::add_all(&mut program, choices);
     program
 }

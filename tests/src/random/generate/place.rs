@@ -34,7 +34,8 @@ impl Writer<'_> {
             usize::from(self.sees(binding) && self.program.contains(&binding.ty, scalar)) * weight
         };
         let weights: Vec<usize> = self.scope.iter().map(weigh).collect();
-        let chosen = self.rng.weighted(&weights);
+        let names = self.scope.iter().map(|binding| binding.name.as_str());
+        let chosen = self.choices.named(names.zip(weights));
         let binding = self.scope[chosen].clone();
         let place = self.inside(&binding, |ty, program| program.contains(ty, scalar));
         let hidden = self.lent.iter().any(|(lent, mode)| *mode == Mode::Mutable && lent.overlaps(&place));
@@ -44,7 +45,9 @@ impl Writer<'_> {
 
     /// A scalar that can be assigned; of one type, if it is given.
     pub fn writable(&mut self, only: Option<Scalar>) -> Option<(Place, Scalar)> {
-        let holds = |ty: &Type, program: &Program| only.is_none_or(|scalar| program.contains(ty, scalar));
+        let holds = |ty: &Type, program: &Program| {
+            only.map_or_else(|| program.has_scalar(ty), |scalar| program.contains(ty, scalar))
+        };
         let fits = |binding: &&Binding| {
             matches!(binding.access, Access::Local | Access::Mutable) && holds(&binding.ty, self.program)
         };
@@ -54,8 +57,8 @@ impl Writer<'_> {
         }
         // Most locals would be assigned nowhere: there are many of them, and few statements after each.
         let weigh = |binding: &Binding| if binding.access == Access::Local { 3 } else { 1 };
-        let weights: Vec<usize> = candidates.iter().map(weigh).collect();
-        let binding = candidates[self.rng.weighted(&weights)].clone();
+        let named = candidates.iter().map(|binding| (binding.name.as_str(), weigh(binding)));
+        let binding = candidates[self.choices.named(named)].clone();
         let place = self.inside(&binding, holds);
         match place.ty(&binding.ty, self.program) {
             Some(Type::Scalar(scalar)) => Some((place, *scalar)),
@@ -69,7 +72,9 @@ impl Writer<'_> {
         for binding in self.scope.clone() {
             let writable = matches!(binding.access, Access::Local | Access::Mutable);
             if binding.readable && (writable || mode == Mode::Shared) {
+                self.choices.enter_named(&binding.name);
                 self.parts(&Place::root(&binding.name), &binding.ty, ty, &mut found);
+                self.choices.leave();
             }
         }
         found.retain(|place| {
@@ -78,7 +83,9 @@ impl Writer<'_> {
             };
             !self.lent.iter().any(in_the_way)
         });
-        if found.is_empty() { None } else { Some(self.rng.pick(&found).clone()) }
+        let names: Vec<String> = found.iter().map(|place| format!("{place:?}")).collect();
+        let chosen = self.choices.named(names.iter().map(|name| (name.as_str(), 1)));
+        found.get(chosen).cloned()
     }
 
     /// The parts of a place that have a type.
@@ -103,6 +110,13 @@ impl Writer<'_> {
 
     /// A scalar of a local or parameter, on a way on which every type holds what is wanted.
     fn inside(&mut self, binding: &Binding, holds: impl Fn(&Type, &Program) -> bool) -> Place {
+        self.choices.enter();
+        let place = self.inside_here(binding, holds);
+        self.choices.leave();
+        place
+    }
+
+    fn inside_here(&mut self, binding: &Binding, holds: impl Fn(&Type, &Program) -> bool) -> Place {
         let (program, mut place, mut ty) = (self.program, Place::root(&binding.name), &binding.ty);
         loop {
             match ty {
@@ -113,7 +127,8 @@ impl Writer<'_> {
                 }
                 Type::Struct(which) => {
                     let fields = program.structs[*which].fields.iter().filter(|(_, field)| holds(field, program));
-                    let (name, field) = *self.rng.pick(&fields.collect::<Vec<_>>());
+                    let fields: Vec<&(String, Type)> = fields.collect();
+                    let (name, field) = fields[self.choices.named(fields.iter().map(|(name, _)| (name.as_str(), 1)))];
                     place.steps.push(Step::Field(name.clone()));
                     ty = field;
                 }
@@ -123,7 +138,7 @@ impl Writer<'_> {
 
     /// An index below a length.
     pub fn index(&mut self, length: Length) -> Expr {
-        let mut options = vec![Expr::Literal(Value::Usize(self.rng.below(length.count)))];
+        let mut options = vec![Expr::Literal(Value::Usize(self.choices.below(length.count)))];
         let last = match length.named {
             Some(named) => operation(Binary::Subtract, Expr::Literal(Value::Length(named)), usize_literal(1)),
             None => usize_literal(length.count - 1),
@@ -138,7 +153,7 @@ impl Writer<'_> {
                 options.push(operation(Binary::Add, read, usize_literal(1)));
             }
         }
-        self.rng.pick(&options).clone()
+        self.choices.pick(&options).clone()
     }
 
     /// The whole numbers that are known and visible, each with a number that it is below.

@@ -1,6 +1,6 @@
 //! What is visible at a point of a function that is being written: locals, parameters, loop variables.
 
-use crate::random::rng::Rng;
+use crate::random::choices::Choices;
 use crate::random::syntax::{COEFFS, Mode, Place, Program, Scalar, Type};
 
 /// A local, a parameter or a loop variable.
@@ -35,8 +35,8 @@ pub enum Access {
 
 /// The function that is being written, as far as it has come.
 pub struct Writer<'g> {
-    /// the source of random numbers
-    pub rng: &'g mut Rng,
+    /// what decides
+    pub choices: &'g mut Choices,
     /// the types, and the functions that may be called
     pub program: &'g Program,
     /// what each of those functions costs: statements once it is specialised
@@ -76,7 +76,7 @@ impl Writer<'_> {
         const NAMES: [&str; 14] =
             ["t", "p", "q", "r", "v", "next", "y_2", "old", "int", "short", "value", "choice", "acc", "signed"];
         let taken = |name: &str, scope: &[Binding]| scope.iter().any(|binding| binding.name == name);
-        let plain = *self.rng.pick(&NAMES);
+        let plain = NAMES[self.choices.of_place(NAMES.len())];
         if !taken(plain, &self.scope) {
             return plain.to_owned();
         }

@@ -11,22 +11,24 @@ use std::fmt::Write;
 pub fn module(program: &Program, name: &str) -> String {
     let mut text =
         Text { program, generic: program.generic(), function: 0, inner: false, level: 0, text: String::new() };
-    text.line("use portable::{Real, from_i32, from_u32, nearest, portable, truncate, usable, within};\n");
-    for (position, count) in program.lengths.iter().enumerate() {
-        text.line(&format!("pub const LEN{position}: usize = {count};\n"));
-    }
-    for (position, variants) in program.enums.iter().enumerate() {
-        let variants: Vec<String> = (0..*variants).map(|variant| format!("V{variant}")).collect();
-        text.line("#[portable]\n#[derive(Clone, Copy, PartialEq)]");
-        text.line(&format!("pub enum E{position} {{ {} }}\n", variants.join(", ")));
-    }
     let (used, cloned) = (used_structs(program), parts(program, &[INPUTS]));
     for which in used {
         text.structure(which, cloned.contains(&which));
     }
     text.functions();
     text.subject(name);
-    text.text
+    let items = std::mem::take(&mut text.text);
+    text.line("use portable::{Real, from_i32, from_u32, nearest, portable, truncate, usable, within};\n");
+    let is_named = |name: &str| items.split(|c: char| !c.is_ascii_alphanumeric()).any(|word| word == name);
+    for (position, count) in program.lengths.iter().enumerate().filter(|(at, _)| is_named(&format!("LEN{at}"))) {
+        text.line(&format!("pub const LEN{position}: usize = {count};\n"));
+    }
+    for (position, variants) in program.enums.iter().enumerate().filter(|(at, _)| is_named(&format!("E{at}"))) {
+        let variants: Vec<String> = (0..*variants).map(|variant| format!("V{variant}")).collect();
+        text.line("#[portable]\n#[derive(Clone, Copy, PartialEq)]");
+        text.line(&format!("pub enum E{position} {{ {} }}\n", variants.join(", ")));
+    }
+    text.text + &items
 }
 
 /// How many lines of a module are written by its author: all but the blank ones and what makes a block of it.

@@ -1,0 +1,120 @@
+//! Calls of functions: the conversions on which all compilers agree, and the function that the emitted files bring along.
+
+use super::Dialect;
+use super::declarations::Kind;
+use super::expression::{self, Operand};
+use super::lower::Lowering;
+use super::machine::Code;
+use super::names;
+use super::syntax::{children, said, shown};
+use tree_sitter::Node;
+
+/// Lowers a call; `None`: a mistake was said.
+pub(crate) fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
+    let text = lowering.text;
+    let function = node.child_by_field_name("function")?;
+    let name = said(function, text).to_ascii_uppercase();
+    let arguments = node.child_by_field_name("arguments")?;
+    let arguments: Vec<Node<'_>> =
+        children(arguments).into_iter().map(|(part, _)| part).filter(Node::is_named).collect();
+    let real = lowering.name(Kind::Real);
+    if name == format!("DINT_TO_{real}") {
+        return conversion(lowering, node, &arguments, (Kind::Dint, Code::RealOfDint));
+    }
+    if name == format!("UDINT_TO_{real}") {
+        return conversion(lowering, node, &arguments, (Kind::Udint, Code::RealOfUdint));
+    }
+    if name == "TRUNC" {
+        return truncation(lowering, node, &arguments);
+    }
+    if matches!(lowering.dialect, Dialect::TwinCat | Dialect::Codesys) && name == format!("F_AXGEN_USABLE_{real}") {
+        return usable(lowering, node, &arguments);
+    }
+    let instead = match name.as_str() {
+        "DINT_TO_LREAL" | "DINT_TO_REAL" | "UDINT_TO_LREAL" | "UDINT_TO_REAL" => {
+            format!("a conversion to {real}, the type of this block")
+        }
+        "MIN" | "MAX" | "LIMIT" | "ABS" | "SEL" | "MUX" => "`IF`".to_owned(),
+        _ => "what it computes, in operators".to_owned(),
+    };
+    let what = if names::function(&name) { "the standard function" } else { "a call of" };
+    lowering.say(function, format!("{what} {}", shown(function, text)), instead);
+    None
+}
+
+fn conversion(
+    lowering: &mut Lowering<'_, '_>,
+    node: Node<'_>,
+    arguments: &[Node<'_>],
+    (from, code): (Kind, Code),
+) -> Option<Operand> {
+    let name = lowering.name(from);
+    let [argument] = arguments else {
+        lowering.say(node, format!("a conversion of {} values", arguments.len()), "one value in the parentheses");
+        return None;
+    };
+    if argument.kind() == "named_argument" {
+        lowering.say(*argument, "a named argument of a conversion", "its value alone");
+        return None;
+    }
+    match expression::lower(lowering, *argument)? {
+        Operand::Slot { kind, slot, passing } if kind == from => {
+            Some(lowering.emit(code, Kind::Real, &[(kind, slot, passing)]))
+        }
+        Operand::Integer(value) => {
+            lowering.say(*argument, format!("a conversion of `{value}`"), format!("`{value}.0`"));
+            None
+        }
+        other => {
+            let found = format!("a {} where a {name} belongs", lowering.kind_name(other));
+            lowering.say(*argument, found, "the conversion from its type");
+            None
+        }
+    }
+}
+
+/// `TRUNC` of a real, alone right of `:=`: some compilers take its type from the variable that gets it.
+fn truncation(lowering: &mut Lowering<'_, '_>, node: Node<'_>, arguments: &[Node<'_>]) -> Option<Operand> {
+    let [argument] = arguments else {
+        lowering.say(node, format!("TRUNC of {} values", arguments.len()), "one value in the parentheses");
+        return None;
+    };
+    if node.parent().is_none_or(|parent| parent.kind() != "assignment_statement") {
+        lowering.say(node, "TRUNC inside an expression", "a DINT of its own that it is assigned to");
+        return None;
+    }
+    let x = real(lowering, *argument)?;
+    Some(lowering.emit(Code::Truncate, Kind::Dint, &[x]))
+}
+
+fn usable(lowering: &mut Lowering<'_, '_>, node: Node<'_>, arguments: &[Node<'_>]) -> Option<Operand> {
+    let (mut values, text) = ([None, None], lowering.text);
+    for argument in arguments {
+        let name = argument.child_by_field_name("name").map_or("", |name| said(name, text)).to_ascii_lowercase();
+        let assigned = children(*argument).iter().any(|(part, _)| part.kind() == ":=");
+        let position = ["value", "largest"].iter().position(|wanted| assigned && name == *wanted);
+        let Some(position) = position.filter(|&at| values[at].is_none()) else {
+            lowering.say(*argument, format!("the argument {}", shown(*argument, text)), "`value := x, largest := y`");
+            return None;
+        };
+        values[position] = argument.child_by_field_name("value");
+    }
+    let [Some(value), Some(limit)] = values else {
+        lowering.say(node, shown(node, text), "`value := x, largest := y` in the parentheses");
+        return None;
+    };
+    let (a, b) = (real(lowering, value), real(lowering, limit));
+    Some(lowering.emit(Code::Usable, Kind::Bool, &[a?, b?]))
+}
+
+fn real(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<expression::Typed> {
+    let operand = expression::lower(lowering, node)?;
+    let typed = lowering.typed(operand, Kind::Real, node)?;
+    if typed.0 == Kind::Real {
+        return Some(typed);
+    }
+    let name = lowering.name(Kind::Real);
+    let found = format!("a {} where a {name} belongs", lowering.name(typed.0));
+    lowering.say(node, found, format!("a {name}"));
+    None
+}

@@ -1,0 +1,52 @@
+//! Structured Text, read, held against the portable subset, and run bit by bit as a controller would: the crate's parts and what
+//! other crates see of them. It knows no generator, no axis, and no file but the one that it reads.
+//!
+//! ```text
+//! source         file -> text, and where each part of it comes from; twincat, plcopen, scl: the forms around it; xml: for two of them
+//! lexical        letters, comments, pragmas, numbers; number: the forms and values of numbers; names: those to avoid
+//! syntax         text -> tree, by a grammar that is not ours
+//! declarations   VAR blocks -> typed slots; constant: values that the text has
+//! lower          statements -> operations on slots; expression, call: their parts
+//! machine        the operations; run: an instance of a block, cycle by cycle
+//! mistake        what is wrong, and where
+//! ```
+#![forbid(unsafe_code)]
+
+mod block;
+mod call;
+mod constant;
+mod declarations;
+mod expression;
+mod lexical;
+mod lower;
+mod machine;
+mod mistake;
+mod names;
+mod number;
+mod plcopen;
+mod run;
+mod scl;
+mod source;
+mod syntax;
+mod twincat;
+mod xml;
+
+pub use block::Block;
+pub use mistake::Mistake;
+pub use run::{Instance, Signal};
+
+/// Expressions and statements inside each other, at most: more would be no emitted text, but the end of the stack.
+const DEPTH: usize = 500;
+
+/// Which form a file has, and which compilers have to take it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dialect {
+    /// the text itself, for every compiler
+    Plain,
+    /// a `.TcPOU`
+    TwinCat,
+    /// PLCopen XML, `tc6_0200`
+    Codesys,
+    /// an external source of Siemens S7-1200 and S7-1500
+    Scl,
+}

@@ -1,0 +1,166 @@
+//! A lowered block: numbered, typed slots and operations on them; and what runs it.
+
+use portable::Real;
+
+/// What is done.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Code {
+    /// real := real
+    MoveReal,
+    /// real := -real
+    NegateReal,
+    /// real := real + real
+    AddReal,
+    /// real := real - real
+    SubtractReal,
+    /// real := real * real
+    MultiplyReal,
+    /// real := real / real
+    DivideReal,
+    /// bool := real < real
+    LessReal,
+    /// bool := real <= real
+    AtMostReal,
+    /// bool := real = real
+    EqualReal,
+    /// bool := real <> real
+    UnequalReal,
+    /// bool := bool
+    MoveBool,
+    /// bool := NOT bool
+    Not,
+    /// bool := bool AND bool
+    And,
+    /// bool := bool OR bool
+    Or,
+    /// bool := bool = bool
+    EqualBool,
+    /// bool := bool <> bool
+    UnequalBool,
+    /// word := word
+    MoveWord,
+    /// word := -word
+    NegateWord,
+    /// word := word + word; a DINT and a UDINT have the same bits
+    AddWord,
+    /// word := word - word
+    SubtractWord,
+    /// word := word * word
+    MultiplyWord,
+    /// bool := word = word
+    EqualWord,
+    /// bool := word <> word
+    UnequalWord,
+    /// bool := DINT < DINT
+    LessDint,
+    /// bool := DINT <= DINT
+    AtMostDint,
+    /// bool := UDINT < UDINT
+    LessUdint,
+    /// bool := UDINT <= UDINT
+    AtMostUdint,
+    /// real := DINT
+    RealOfDint,
+    /// real := UDINT
+    RealOfUdint,
+    /// DINT := whole part of real
+    Truncate,
+    /// bool := real is finite, and between -real and real
+    Usable,
+    /// on to operation `to`
+    Jump,
+    /// on to operation `to`, unless bool `a`
+    JumpUnless,
+}
+
+/// An operation. `to`, `a` and `b` are slots of the types that its code has; `b` is 0 where there is none.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Op {
+    /// what is done
+    pub(crate) code: Code,
+    /// where the result goes
+    pub(crate) to: u32,
+    /// the first operand
+    pub(crate) a: u32,
+    /// the second operand
+    pub(crate) b: u32,
+}
+
+/// What the slots hold: variables, numbers of the text, and parts of expressions.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Slots<R> {
+    /// REAL or LREAL
+    pub(crate) reals: Vec<R>,
+    /// BOOL
+    pub(crate) bools: Vec<bool>,
+    /// DINT and UDINT
+    pub(crate) words: Vec<u32>,
+}
+
+impl<R: Real> Slots<R> {
+    /// A fresh instance.
+    pub(crate) fn start(from: &Slots<f64>) -> Self {
+        let reals = from.reals.iter().map(|&value| R::lit(value)).collect();
+        Self { reals, bools: from.bools.clone(), words: from.words.clone() }
+    }
+
+    /// One cycle. Every jump goes forward.
+    pub(crate) fn cycle(&mut self, ops: &[Op]) {
+        let Self { reals, bools, words } = self;
+        let mut next = 0;
+        while let Some(op) = ops.get(next) {
+            next += 1;
+            let (to, a, b) = (op.to as usize, op.a as usize, op.b as usize);
+            match op.code {
+                Code::MoveReal => reals[to] = reals[a],
+                Code::NegateReal => reals[to] = -reals[a],
+                Code::AddReal => reals[to] = reals[a] + reals[b],
+                Code::SubtractReal => reals[to] = reals[a] - reals[b],
+                Code::MultiplyReal => reals[to] = reals[a] * reals[b],
+                Code::DivideReal => reals[to] = reals[a] / reals[b],
+                Code::LessReal => bools[to] = reals[a] < reals[b],
+                Code::AtMostReal => bools[to] = reals[a] <= reals[b],
+                Code::EqualReal => bools[to] = reals[a] == reals[b],
+                Code::UnequalReal => bools[to] = reals[a] != reals[b],
+                Code::MoveBool => bools[to] = bools[a],
+                Code::Not => bools[to] = !bools[a],
+                Code::And => bools[to] = bools[a] & bools[b],
+                Code::Or => bools[to] = bools[a] | bools[b],
+                Code::EqualBool => bools[to] = bools[a] == bools[b],
+                Code::UnequalBool => bools[to] = bools[a] != bools[b],
+                Code::MoveWord => words[to] = words[a],
+                Code::NegateWord => words[to] = words[a].wrapping_neg(),
+                Code::AddWord => words[to] = words[a].wrapping_add(words[b]),
+                Code::SubtractWord => words[to] = words[a].wrapping_sub(words[b]),
+                Code::MultiplyWord => words[to] = words[a].wrapping_mul(words[b]),
+                Code::EqualWord => bools[to] = words[a] == words[b],
+                Code::UnequalWord => bools[to] = words[a] != words[b],
+                Code::LessDint => bools[to] = words[a].cast_signed() < words[b].cast_signed(),
+                Code::AtMostDint => bools[to] = words[a].cast_signed() <= words[b].cast_signed(),
+                Code::LessUdint => bools[to] = words[a] < words[b],
+                Code::AtMostUdint => bools[to] = words[a] <= words[b],
+                // Every DINT is a double: the only rounding is the one to the real type.
+                Code::RealOfDint => reals[to] = R::lit(f64::from(words[a].cast_signed())),
+                Code::RealOfUdint => reals[to] = R::from_u32(words[a]),
+                Code::Truncate => words[to] = truncated(reals[a]).cast_unsigned(),
+                Code::Usable => bools[to] = usable(reals[a], reals[b]),
+                Code::Jump => next = to,
+                Code::JumpUnless => {
+                    if !bools[a] {
+                        next = to;
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// What the function `F_axgen_usable` of the emitted files says.
+fn usable<R: Real>(x: R, limit: R) -> bool {
+    x.to_f64().is_finite() && -limit <= x && x <= limit
+}
+
+/// `TRUNC`. Beyond the range of a DINT implementations disagree: then it is what a reference never has by chance.
+fn truncated<R: Real>(x: R) -> i32 {
+    if portable::is_within_i32(x.to_f64()) { x.truncated() } else { 0x5555_5555 }
+}

@@ -1,0 +1,112 @@
+//! PLCopen XML -> its text: each function block as a declaration would say it.
+
+use super::Mistake;
+use super::mistake::Lines;
+use super::source::Source;
+use super::xml::{self, append_text, child};
+use roxmltree::Node;
+
+const SPACE: &str = "http://www.plcopen.org/xml/tc6_0200";
+
+/// Reads the file: all its function blocks, one after another.
+pub(crate) fn read(file: &str) -> Result<Source, Vec<Mistake>> {
+    let lines = Lines::of(file);
+    let document = xml::read(file)?;
+    let root = document.root_element();
+    if !root.has_tag_name((SPACE, "project")) {
+        let found = format!("`<{}>`", root.tag_name().name());
+        return Err(vec![lines.mistake(root.range().start, found, format!("`<project xmlns=\"{SPACE}\">`"))]);
+    }
+    let (mut source, mut mistakes) = (Source::default(), Vec::new());
+    for pou in root.descendants().filter(|node| node.tag_name().name() == "pou") {
+        // A function that comes along is known by its name, and not read.
+        if pou.attribute("pouType") != Some("function") {
+            block(pou, &mut source, &lines, &mut mistakes);
+        }
+    }
+    if mistakes.is_empty() { Ok(source) } else { Err(mistakes) }
+}
+
+fn block(pou: Node<'_, '_>, source: &mut Source, lines: &Lines<'_>, mistakes: &mut Vec<Mistake>) {
+    if pou.attribute("pouType") != Some("functionBlock") {
+        mistakes.push(lines.mistake(pou.range().start, "a `<pou>` of another type", "`pouType=\"functionBlock\"`"));
+        return;
+    }
+    let name = word(pou, pou.attribute("name"), lines, mistakes);
+    source.make(&format!("FUNCTION_BLOCK {name}\n"), pou.range().start);
+    for part in child(pou, "interface").into_iter().flat_map(|interface| interface.children()).filter(Node::is_element)
+    {
+        let header = match part.tag_name().name() {
+            "inputVars" => "VAR_INPUT",
+            "outputVars" => "VAR_OUTPUT",
+            "localVars" => "VAR",
+            "inOutVars" => "VAR_IN_OUT",
+            "tempVars" => "VAR_TEMP",
+            "externalVars" => "VAR_EXTERNAL",
+            "globalVars" => "VAR_GLOBAL",
+            "documentation" | "addData" => continue,
+            other => {
+                mistakes.push(lines.mistake(
+                    part.range().start,
+                    format!("`<{other}>`"),
+                    "`<inputVars>`, `<outputVars>` or `<localVars>`",
+                ));
+                continue;
+            }
+        };
+        let is = |name: &str| part.attribute(name) == Some("true");
+        let qualifier = match (is("constant"), is("retain"), is("nonretain")) {
+            (false, false, false) => "",
+            (true, false, false) => " CONSTANT",
+            (_, true, _) => " RETAIN",
+            (_, _, true) => " NON_RETAIN",
+        };
+        source.make(&format!("{header}{qualifier}\n"), part.range().start);
+        for variable in part.children().filter(|child| child.tag_name().name() == "variable") {
+            declaration(variable, source, lines, mistakes);
+        }
+        source.make("END_VAR\n", part.range().start);
+    }
+    let body = child(pou, "body").and_then(|body| child(body, "ST")).and_then(|body| child(body, "xhtml"));
+    match body {
+        Some(body) => append_text(body, source),
+        None => mistakes.push(lines.mistake(pou.range().start, "no `<body><ST><xhtml>`", "`<body><ST><xhtml>`")),
+    }
+    source.make("\nEND_FUNCTION_BLOCK\n", pou.range().start);
+}
+
+fn declaration(variable: Node<'_, '_>, source: &mut Source, lines: &Lines<'_>, mistakes: &mut Vec<Mistake>) {
+    let name = word(variable, variable.attribute("name"), lines, mistakes);
+    if variable.attribute("address").is_some() {
+        mistakes.push(lines.mistake(variable.range().start, "`address`", "a variable without an address"));
+    }
+    let ty = child(variable, "type").and_then(|ty| ty.first_element_child());
+    let ty = word(variable, ty.map(|ty| ty.attribute("name").unwrap_or(ty.tag_name().name())), lines, mistakes);
+    source.make(&format!("{name} : {ty}"), variable.range().start);
+    if let Some(initial) = child(variable, "initialValue") {
+        let value = child(initial, "simpleValue").and_then(|value| value.attribute("value"));
+        let letter = |letter: char| letter.is_ascii_alphanumeric() || "+-*.#_() ".contains(letter);
+        match value.filter(|value| !value.is_empty() && value.chars().all(letter)) {
+            Some(value) => source.make(&format!(" := {value}"), initial.range().start),
+            None => mistakes.push(lines.mistake(
+                initial.range().start,
+                "this initial value",
+                "`<simpleValue value=\"...\"/>` with a literal",
+            )),
+        }
+    }
+    source.make(";\n", variable.range().start);
+}
+
+/// A word that may stand in the text; anything else would be more than a word there.
+fn word<'e>(at: Node<'_, '_>, word: Option<&'e str>, lines: &Lines<'_>, mistakes: &mut Vec<Mistake>) -> &'e str {
+    let good = |word: &&str| !word.is_empty() && word.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
+    word.filter(good).unwrap_or_else(|| {
+        mistakes.push(lines.mistake(
+            at.range().start,
+            format!("`<{}>` without a name or a type", at.tag_name().name()),
+            "a word",
+        ));
+        "none"
+    })
+}

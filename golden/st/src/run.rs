@@ -1,0 +1,130 @@
+//! An instance of a block: signals by their names, and one cycle after another.
+
+use super::declarations::{Kind, Role, Variable};
+use super::machine::Slots;
+use super::{Block, Mistake};
+use portable::{Literal, Real, RealKind};
+
+/// A signal: its name, in whatever case, and a value of its type.
+pub type Signal<'n> = (&'n str, Literal);
+
+/// A block that runs.
+#[derive(Clone, Debug)]
+pub struct Instance<'b> {
+    block: &'b Block,
+    inputs: Vec<Variable>,
+    outputs: Vec<Variable>,
+    slots: Memory,
+}
+
+/// The slots in the real type of the block.
+#[derive(Clone, Debug)]
+enum Memory {
+    Double(Slots<f64>),
+    Single(Slots<f32>),
+}
+
+impl Block {
+    /// A fresh instance. `set` gives further inputs of type BOOL a value for all cycles. Every other input keeps its value at
+    /// the start.
+    ///
+    /// # Errors
+    /// A name is not that of an input or output of the signal's type.
+    pub fn start(
+        &self,
+        inputs: &[Signal<'_>],
+        outputs: &[Signal<'_>],
+        set: &[(&str, bool)],
+    ) -> Result<Instance<'_>, Vec<Mistake>> {
+        let mut mistakes = Vec::new();
+        let mut all = |signals: &[Signal<'_>], role| -> Vec<Variable> {
+            signals.iter().filter_map(|signal| self.signal(*signal, role, &mut mistakes)).collect()
+        };
+        let (inputs, outputs) = (all(inputs, Role::Input), all(outputs, Role::Output));
+        let mut start = self.variables.slots.clone();
+        for &(name, value) in set {
+            if let Some(variable) = self.signal((name, Literal::Bool(value)), Role::Input, &mut mistakes) {
+                start.bools[variable.slot as usize] = value;
+            }
+        }
+        if !mistakes.is_empty() {
+            return Err(mistakes);
+        }
+        let slots = match self.variables.real {
+            RealKind::F64 => Memory::Double(Slots::start(&start)),
+            RealKind::F32 => Memory::Single(Slots::start(&start)),
+        };
+        Ok(Instance { block: self, inputs, outputs, slots })
+    }
+
+    fn signal(&self, (name, value): Signal<'_>, role: Role, mistakes: &mut Vec<Mistake>) -> Option<Variable> {
+        let (kind, ty) = match value {
+            Literal::Bool(_) => (Some(Kind::Bool), "BOOL"),
+            Literal::I32(_) => (Some(Kind::Dint), "DINT"),
+            Literal::U32(_) => (Some(Kind::Udint), "UDINT"),
+            Literal::F64(_) => ((self.variables.real == RealKind::F64).then_some(Kind::Real), "LREAL"),
+            Literal::F32(_) => ((self.variables.real == RealKind::F32).then_some(Kind::Real), "REAL"),
+            Literal::Usize(_) | Literal::Variant(_) => (None, "a type"),
+        };
+        let fits = |variable: &Variable| Some(variable.kind) == kind && variable.role == role;
+        let found = self.variables.find(name).filter(fits);
+        if found.is_none() {
+            let place = if role == Role::Input { "VAR_INPUT" } else { "VAR_OUTPUT" };
+            let (line, column) = self.place;
+            let found = format!("no `{name} : {ty}` in `{place}`");
+            mistakes.push(Mistake { line, column, found, instead: "its declaration".to_owned() });
+        }
+        found
+    }
+}
+
+impl Instance<'_> {
+    /// One cycle: the values of the inputs in the order of the signals, then those of the outputs.
+    pub fn cycle(&mut self, inputs: &[Literal], outputs: &mut Vec<Literal>) {
+        match &mut self.slots {
+            Memory::Double(slots) => cycle(self.block, slots, (&self.inputs, inputs), (&self.outputs, outputs)),
+            Memory::Single(slots) => cycle(self.block, slots, (&self.inputs, inputs), (&self.outputs, outputs)),
+        }
+    }
+}
+
+fn cycle<R: Real>(
+    block: &Block,
+    slots: &mut Slots<R>,
+    (inputs, values): (&[Variable], &[Literal]),
+    (outputs, results): (&[Variable], &mut Vec<Literal>),
+) {
+    for (variable, &value) in inputs.iter().zip(values) {
+        write(slots, *variable, value);
+    }
+    slots.cycle(&block.ops);
+    results.clear();
+    results.extend(outputs.iter().map(|variable| read(slots, *variable)));
+}
+
+fn write<R: Real>(slots: &mut Slots<R>, variable: Variable, value: Literal) {
+    let slot = variable.slot as usize;
+    match value {
+        Literal::Bool(value) => slots.bools[slot] = value,
+        Literal::I32(value) => slots.words[slot] = value.cast_unsigned(),
+        Literal::U32(value) => slots.words[slot] = value,
+        real => slots.reals[slot] = R::from_literal(real),
+    }
+}
+
+fn read<R: Real>(slots: &Slots<R>, variable: Variable) -> Literal {
+    let slot = variable.slot as usize;
+    match variable.kind {
+        Kind::Real => literal(slots.reals[slot]),
+        Kind::Bool => Literal::Bool(slots.bools[slot]),
+        Kind::Dint => Literal::I32(slots.words[slot].cast_signed()),
+        Kind::Udint => Literal::U32(slots.words[slot]),
+    }
+}
+
+/// The value with all its bits, a NaN's too.
+fn literal<R: Real>(value: R) -> Literal {
+    let mut literal = Literal::F64(0.0);
+    value.visit(&mut |own| literal = own);
+    literal
+}

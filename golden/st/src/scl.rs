@@ -1,0 +1,166 @@
+//! An external source of SCL -> the text that the grammar takes: the header of a block, the quotes around its name, `BEGIN` and
+//! each `#` become blanks, so that every place stays where it is. What only SCL asks for is asked for here.
+
+use super::mistake::{Lines, Mistake};
+use super::names;
+use super::source::Source;
+
+/// What stands between the name of a block and its sections.
+const HEADER: [&str; 9] = ["{", "S7_Optimized_Access", ":", "=", "'TRUE'", "}", "VERSION", ":", "0.1"];
+
+/// The sections in the order in which TIA writes them; each is there once at most.
+const SECTIONS: [&str; 5] = ["VAR_INPUT", "VAR_OUTPUT", "VAR", "VAR_TEMP", "VAR CONSTANT"];
+
+/// Reads the file.
+pub(crate) fn read(file: &str) -> Result<Source, Vec<Mistake>> {
+    let mut blank = Vec::new();
+    let mut reading = Reading { file, tokens: tokens(file), next: 0, blank: &mut blank };
+    let mut mistake = None;
+    while mistake.is_none() && reading.next < reading.tokens.len() {
+        mistake = reading.block().err();
+    }
+    if let Some((at, found, instead)) = mistake {
+        return Err(vec![Lines::of(file).mistake(at, found, instead)]);
+    }
+    let mut bytes = file.as_bytes().to_vec();
+    for at in blank {
+        bytes[at] = b' ';
+    }
+    let text = String::from_utf8(bytes).expect("engine: only ASCII became blank");
+    Ok(Source::plain(&text))
+}
+
+/// A word with its `#`, a text in quotes with them, or a mark; and its first byte. Comments are none.
+fn tokens(file: &str) -> Vec<(usize, &str)> {
+    let (mut tokens, mut at) = (Vec::new(), 0);
+    while let Some(first) = file[at..].chars().next() {
+        let rest = &file[at..];
+        let word = |text: &str| {
+            text.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_' || c == '.')).unwrap_or(text.len())
+        };
+        let length = match first {
+            ' ' | '\n' => 0,
+            '(' if rest.starts_with("(*") => {
+                at += rest[2..].find("*)").map_or(rest.len(), |end| end + 4);
+                continue;
+            }
+            '"' | '\'' => rest[1..].find([first, '\n']).map_or(1, |end| end + 2),
+            '#' => 1 + word(&rest[1..]),
+            _ => word(rest).max(first.len_utf8()),
+        };
+        if length > 0 {
+            tokens.push((at, &rest[..length]));
+        }
+        at += length.max(1);
+    }
+    tokens
+}
+
+/// A mistake: its place, what was found, what to write instead.
+type Found = (usize, String, String);
+
+struct Reading<'f, 'b> {
+    file: &'f str,
+    tokens: Vec<(usize, &'f str)>,
+    next: usize,
+    blank: &'b mut Vec<usize>,
+}
+
+impl<'f> Reading<'f, '_> {
+    /// The next token; behind the last one, an empty one.
+    fn peek(&self) -> (usize, &'f str) {
+        self.tokens.get(self.next).copied().unwrap_or((self.file.len(), ""))
+    }
+
+    fn take(&mut self, wanted: &str) -> Result<usize, Found> {
+        let (at, token) = self.peek();
+        if token != wanted {
+            return Err(self.wrong(wanted));
+        }
+        self.next += 1;
+        Ok(at)
+    }
+
+    fn wrong(&self, wanted: &str) -> Found {
+        let (at, token) = self.peek();
+        let shown = token.lines().next().map_or_else(|| "the end".to_owned(), |line| format!("`{line}`"));
+        (at, shown, format!("`{wanted}`"))
+    }
+
+    fn block(&mut self) -> Result<(), Found> {
+        self.take("FUNCTION_BLOCK")?;
+        let (at, name) = self.peek();
+        let inside = name.strip_prefix('"').and_then(|rest| rest.strip_suffix('"'));
+        if inside.is_none_or(|inside| inside.contains(['"', '\n'])) {
+            return Err(self.wrong("\"name\""));
+        }
+        self.next += 1;
+        self.blank.extend([at, at + name.len() - 1]);
+        for wanted in HEADER {
+            let at = self.take(wanted)?;
+            self.blank.extend(at..at + wanted.len());
+        }
+        let mut last = None;
+        while self.peek().1 != "BEGIN" {
+            let section = self.section(last)?;
+            last = Some(section);
+        }
+        let begin = self.take("BEGIN")?;
+        self.blank.extend(begin..begin + "BEGIN".len());
+        self.body()
+    }
+
+    /// A section behind another one; which it is.
+    fn section(&mut self, last: Option<usize>) -> Result<usize, Found> {
+        let (_, first) = self.peek();
+        let is_constant = first == "VAR" && self.tokens.get(self.next + 1).is_some_and(|(_, word)| *word == "CONSTANT");
+        let header = if is_constant { "VAR CONSTANT" } else { first };
+        let Some(section) = SECTIONS.iter().position(|known| *known == header) else { return Err(self.wrong("BEGIN")) };
+        if last.is_some_and(|last| section <= last) {
+            return Err(self.wrong("BEGIN"));
+        }
+        let mut before = "";
+        while self.peek().1 != "END_VAR" {
+            if before == ":" {
+                self.capitals()?;
+            }
+            before = self.any("END_VAR")?;
+        }
+        self.take("END_VAR")?;
+        Ok(section)
+    }
+
+    fn body(&mut self) -> Result<(), Found> {
+        while self.peek().1 != "END_FUNCTION_BLOCK" {
+            let (at, token) = self.peek();
+            if token.starts_with('#') && token.len() > 1 {
+                self.blank.push(at);
+            }
+            let is_call = self.tokens.get(self.next + 1).is_some_and(|(_, next)| *next == "(");
+            let is_word = token.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
+            if is_word && !is_call && !names::taken(token) {
+                return Err(self.wrong(&format!("#{token}")));
+            }
+            self.capitals()?;
+            self.any("END_FUNCTION_BLOCK")?;
+        }
+        self.take("END_FUNCTION_BLOCK").map(|_| ())
+    }
+
+    /// The next token, unless it is the end.
+    fn any(&mut self, wanted: &str) -> Result<&'f str, Found> {
+        let (_, token) = self.peek();
+        if token.is_empty() {
+            return Err(self.wrong(wanted));
+        }
+        self.next += 1;
+        Ok(token)
+    }
+
+    /// Keywords, types and functions are in capital letters.
+    fn capitals(&self) -> Result<(), Found> {
+        let (_, token) = self.peek();
+        let capitals = token.to_ascii_uppercase();
+        if token != capitals && names::taken(token) { Err(self.wrong(&capitals)) } else { Ok(()) }
+    }
+}

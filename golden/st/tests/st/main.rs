@@ -1,0 +1,10 @@
+//! The engine `st`: what a text does, and what is refused.
+#![forbid(unsafe_code)]
+
+mod support;
+
+mod forms;
+mod garbage;
+mod refused;
+mod scl;
+mod semantics;

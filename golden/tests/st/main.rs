@@ -1,9 +1,0 @@
-//! The engine `st`: what a text does, and what is refused.
-#![forbid(unsafe_code)]
-
-mod support;
-
-mod forms;
-mod garbage;
-mod refused;
-mod semantics;
