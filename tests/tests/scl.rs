@@ -15,7 +15,7 @@ use std::collections::BTreeSet;
 /// What a text of a case's block answers.
 fn answers(case: &Case, text: &str, inputs: &Samples, outputs: &Shape) -> Samples {
     let program = &case.block.program;
-    let name = twincat::block_name(&case.axis.name, program.block);
+    let name = twincat::block_name(&case.axis.axis.name, program.block);
     let block = Block::read(Dialect::Scl, text, &name, program.real).unwrap_or_else(|mistakes| panic!("{mistakes:?}"));
     let names = signals(program, &mut Names::without(is_reserved));
     let [inputs_of, outputs_of] = [(&inputs.shape, &names[0]), (outputs, &names[1])].map(|(shape, names)| {
@@ -58,7 +58,7 @@ fn a_zero_of_the_other_sign_is_seen_in_the_outputs() {
             let inputs = case::inputs(case, VECTOR_SAMPLES).unwrap_or_else(|mistake| panic!("{mistake}"));
             let expected = engine::run(Engine::Reference, &case.axis, &case.block, &inputs)
                 .unwrap_or_else(|failure| panic!("{}: {failure}", title(case)));
-            let text = scl::files(&case.axis, std::slice::from_ref(&case.block)).remove(0).text;
+            let text = scl::files(&case.axis.axis, std::slice::from_ref(&case.block)).remove(0).text;
             assert!(answers(case, &text, &inputs, &expected.shape) == expected, "{}", title(case));
             let [_, outputs] = signals(&case.block.program, &mut Names::without(is_reserved));
             let (mut planted, mut seen) = (BTreeSet::new(), BTreeSet::new());
