@@ -51,7 +51,7 @@ impl Axis {
         };
         let added = match &c.slave {
             _ if !acts || ipc_fault != 0 => self.ipc.stop(),
-            Some(limit) => ipc::follow(limit.near(), inputs.v_add_master),
+            Some(limit) => ipc::follow(c, limit, inputs.v_add_master),
             None if c.runs_stages => self.ipc.cycle(c, inputs, command),
             None => ipc::NOTHING,
         };
@@ -59,7 +59,9 @@ impl Axis {
         let sent = sent(c, &controlled, &planned.v_additive, &v_add, acts);
         let torque: Data = data(&planned.torque, c.u, c.torque_bits.unwrap_or(32));
         let data_limited = [sent.manipulated, sent.xerr, sent.velocity, torque].map(|data| data.limited);
+        // Of a part that is stopped nothing is told.
         let error_id = match (fault, planned.bad, ipc_fault) {
+            (0, ..) if !acts => 0,
             (0, bad, 0) => bad,
             (0, _, of_ipc) => of_ipc,
             (fault, ..) => fault,

@@ -78,7 +78,8 @@ impl Coefficients {
         let torque = of_load(ways.torque_of_a_load(p));
         let weight_of_acceleration = quotient(p.vs_a);
         let jerk = quotient(jerk_fact(p));
-        let has_feedforward = [&ways.conventional, &ways.additive, &ways.torque].iter().any(|way| way.contains(&true));
+        // A torque alone leads nothing that the position could come after.
+        let leads = [&ways.conventional, &ways.additive].iter().any(|way| way.contains(&true));
         Self {
             u: if p.single { f64::from(f32::EPSILON) / 2.0 } else { f64::EPSILON / 2.0 },
             largest: if p.single { 1e9 } else { 1e15 },
@@ -101,7 +102,7 @@ impl Coefficients {
             manipulated: (Exact::ratio(60, 1_000_000).times(&quotient(p.multi_gain)), p.command_bits),
             increments: Exact::given(10.0).times(&resolution(p)),
             shift: match p.shift_time {
-                _ if place != Place::Profidrive || !has_feedforward => 0,
+                _ if place != Place::Profidrive || !leads => 0,
                 given => given.unwrap_or(3) as usize,
             },
             has_v_add: match p.master {
@@ -145,14 +146,14 @@ impl Ways {
         let has = |bit: u32| p.word & bit != 0;
         let is = |pair: Pair| pair[0] != 0 && pair[1] != 0;
         let weighted = is(p.vs_v);
-        let has_torque = weighted && p.torque_bits.is_some() && p.torque_scale[1] != 0 && p.reference != 0 && p.load != 0;
-        // What a time constant of 0 weights is left out, and so is a jerk that has the time constant.
-        let jerk = is(jerk_fact(p));
+        let has_torque = weighted && p.torque_bits.is_some() && p.torque_scale[1] != 0 && p.reference != 0;
+        // What a weight or a time constant of 0 weights is left out, and so is a jerk that has the time constant. A jerk
+        // factor of 0, a load of 0 and v_reso_num 0 leave the quantity in: it is read, and what comes of it is 0.
         let asked = [has(VELOCITY), has(ACCELERATION), has(JERK)];
         let to_torque = [false, has(ADDITIVE_TORQUE), has(JERK_TORQUE)];
-        let usable = [weighted, weighted && is(p.vs_a), weighted && is(p.vs_a) && jerk];
+        let usable = [weighted, weighted && is(p.vs_a), weighted && is(p.vs_a)];
         let all_additive = p.place() == Place::Profidrive;
-        let additive_is_on = p.velocity_bits.is_some() && p.v_reso[0] != 0;
+        let additive_is_on = p.velocity_bits.is_some();
         let goes_additive = |i: usize| has(ADDITIVE_VELOCITY) && (i == 0 || all_additive);
         let along = |i: usize| asked[i] && usable[i] && !to_torque[i];
         Self {
@@ -161,7 +162,7 @@ impl Ways {
             torque: [
                 false,
                 to_torque[1] && has_torque && is(p.vs_a),
-                to_torque[2] && has_torque && jerk,
+                to_torque[2] && has_torque,
             ],
         }
     }

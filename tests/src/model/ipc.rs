@@ -2,9 +2,10 @@
 //! The filters stand in `sections`.
 
 use super::coefficients::Coefficients;
+use super::exact::Exact;
 use super::feedforward::is_usable;
 use super::history::Inputs;
-use super::parameters::{Mode, Parameters, Place};
+use super::parameters::{Mode, Parameters, Place, Stage};
 use super::rounding::{Interval, flags};
 use super::sections::Filters;
 
@@ -25,6 +26,8 @@ pub struct Ipc {
     /// largest contribution of an input since the stages settled
     largest: f64,
     relative: f64,
+    /// a sum of at most this is 0
+    nothing: f64,
 }
 
 /// What it puts out.
@@ -46,13 +49,15 @@ impl Ipc {
     #[must_use]
     pub fn of(p: &Parameters) -> Self {
         let ts = f64::from(p.cycle_ns) * 1e-9;
-        let lowest = p.stages.iter().map(|stage| stage.band_pass.2).fold(f64::INFINITY, f64::min);
+        let frequencies = |stage: &Stage| [Some(stage.band_pass.2), stage.all_pass.map(|(f0, _)| f0)];
+        let lowest = p.stages.iter().flat_map(frequencies).flatten().fold(f64::INFINITY, f64::min);
         let fade = (f64::from(p.fade_ns) * 1e-9).max(if lowest.is_finite() { 1.0 / lowest } else { 0.0 });
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 1000 cycles")]
         let fade_cycles = (fade / ts - 1e-9).ceil().max(1.0) as u32;
         let stages = p.stages.iter().map(|stage| Filters::of(stage, ts)).collect();
+        let nothing = f64::from(p.vb_max) * 2f64.powi(if p.single { -40 } else { -60 });
         let relative = if p.single { OF_SINGLES } else { OF_DOUBLES };
-        Self { stages, fade_cycles, open: 0, runs: false, largest: 0.0, relative }
+        Self { stages, fade_cycles, open: 0, runs: false, largest: 0.0, relative, nothing }
     }
 
     /// The reason why it cannot act, the first in the order 2, 11, 12, 13; 0: none. `v_command` is what SET_POINT reads.
@@ -94,19 +99,21 @@ impl Ipc {
         self.largest = self.largest.max(here);
         let v_sum: f64 = self.stages.iter_mut().map(|stage| stage.run(x(stage.mode))).sum();
         let limit = c.limit.near();
-        let off = self.relative * self.largest + limit * c.u * 4.0;
-        let sums = [v_sum - off, v_sum + off];
-        let calculated = sums.map(|sum| sum.clamp(-limit, limit));
+        let off = self.relative * self.largest;
+        let calculated = [v_sum - off, v_sum + off].map(|sum| sum.clamp(-limit, limit));
         self.open = if inputs.mode == 1 { (self.open + 1).min(self.fade_cycles) } else { self.open.saturating_sub(1) };
         let gate = f64::from(self.open) / f64::from(self.fade_cycles);
         if inputs.mode == 0 && self.open == 0 {
             self.runs = false;
         }
-        let may_be = |off: f64| v_sum.abs() + off > limit;
+        // Rounding of the limit, of the gate and of their product.
+        let rounded = |[from, to]: Interval| [from - 4.0 * c.u * from.abs(), to + 4.0 * c.u * to.abs()];
+        // With the limit 0 the flag sees the states' constant, before a sum of next to nothing becomes 0.
+        let off = off.max(4.0 * c.u * limit).max(self.nothing);
         Added {
-            v_add: [gate * calculated[0] - off * c.u, gate * calculated[1] + off * c.u],
-            calculated: if inputs.mode == 0 { [0.0; 2] } else { calculated },
-            limited: flags([may_be(-off), may_be(off)]),
+            v_add: rounded(calculated.map(|v| gate * v)),
+            calculated: if inputs.mode == 0 { [0.0; 2] } else { rounded(calculated) },
+            limited: flags([v_sum.abs() - off > limit, v_sum.abs() + off > limit]),
         }
     }
 }
@@ -117,9 +124,12 @@ pub fn command(c: &Coefficients, inputs: &Inputs, v_command: f64) -> f64 {
     if c.place == Place::Cnc { v_command } else { inputs.v_interpolator }
 }
 
-/// A gantry slave: the master's value within the master's limit.
+/// A gantry slave: the master's value within the master's limit, which is rounded once.
 #[must_use]
-pub fn follow(limit: f64, v_add_master: f64) -> Added {
-    let v_add = v_add_master.clamp(-limit, limit);
-    Added { v_add: [v_add; 2], calculated: [v_add; 2], limited: flags([v_add_master.abs() > limit; 2]) }
+pub fn follow(c: &Coefficients, limit: &Exact, v_add_master: f64) -> Added {
+    let limits = limit.range(c.u);
+    let within = limits.map(|limit| v_add_master.clamp(-limit, limit));
+    let v_add = [within[0].min(within[1]), within[0].max(within[1])];
+    let beyond = limits.map(|limit| v_add_master.abs() > limit);
+    Added { v_add, calculated: v_add, limited: flags(beyond) }
 }
