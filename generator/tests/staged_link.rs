@@ -30,7 +30,11 @@ fn a_link_that_appears_after_the_folder_was_opened_is_not_followed() {
             if *path == folder.path().join("a") && error.kind() == std::io::ErrorKind::AlreadyExists);
         assert!(is_refused, "{target}: {result:?}");
         commit(held, vec![result], true).unwrap_err();
-        assert_eq!(fs::read_to_string(folder.path().join("precious")).unwrap(), "mine", "nothing went through the link");
+        assert_eq!(
+            fs::read_to_string(folder.path().join("precious")).unwrap(),
+            "mine",
+            "nothing went through the link"
+        );
         assert!(!folder.path().join("nothing").exists(), "nothing was made behind the link");
         assert!(!folder.path().join("a").exists());
     }

@@ -43,7 +43,8 @@ impl AddAssign for Tally {
 pub fn set(seed: u64, index: usize, cycles: usize) -> Result<Tally, String> {
     let mut rng = Rng::of(seed, index);
     let parameters = random::parameters(&mut rng);
-    compare(&parameters, &rng, cycles).map_err(|text| format!("set {index} of seed {seed}: {text}\n{}", parameters.set()))
+    compare(&parameters, &rng, cycles)
+        .map_err(|text| format!("set {index} of seed {seed}: {text}\n{}", parameters.set()))
 }
 
 fn compare(p: &Parameters, rng: &Rng, cycles: usize) -> Result<Tally, String> {
@@ -73,10 +74,8 @@ fn compare(p: &Parameters, rng: &Rng, cycles: usize) -> Result<Tally, String> {
 /// Which of the three blocks an axis has (docs/position-control.md, "Which blocks an axis gets").
 fn asked(p: &Parameters) -> [bool; 3] {
     use super::parameters::Place;
-    let has_control = p.kv.is_some()
-        || p.word != 0
-        || p.place() != Place::Cnc && !p.stages.is_empty()
-        || p.master.is_some();
+    let has_control =
+        p.kv.is_some() || p.word != 0 || p.place() != Place::Cnc && !p.stages.is_empty() || p.master.is_some();
     [p.word != 0, has_control, has_control]
 }
 

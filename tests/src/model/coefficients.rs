@@ -159,11 +159,7 @@ impl Ways {
         Self {
             conventional: [0, 1, 2].map(|i| along(i) && !goes_additive(i)),
             additive: [0, 1, 2].map(|i| along(i) && goes_additive(i) && additive_is_on),
-            torque: [
-                false,
-                to_torque[1] && has_torque && is(p.vs_a),
-                to_torque[2] && has_torque,
-            ],
+            torque: [false, to_torque[1] && has_torque && is(p.vs_a), to_torque[2] && has_torque],
         }
     }
 

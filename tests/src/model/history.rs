@@ -27,6 +27,30 @@ pub struct Inputs {
     pub task_cycle_ns: u32,
 }
 
+impl Inputs {
+    /// At rest at 0, with everything on.
+    pub const USUAL: Self = Self {
+        x_command: 0.0,
+        x_actual: 0.0,
+        v_interpolator: 0.0,
+        a_interpolator: 0.0,
+        j_interpolator: 0.0,
+        v_motor: 0.0,
+        v_direct: 0.0,
+        v_add_master: 0.0,
+        v_feedforward: 0.0,
+        v_additive: 0.0,
+        v_add: 0.0,
+        torque_feedforward: 0,
+        mode: 1,
+        feedforward_active: true,
+        feedforward_percentage: 100,
+        position_controlled: true,
+        reset: false,
+        task_cycle_ns: 0,
+    };
+}
+
 /// How many reals there are.
 const REALS: usize = 11;
 
@@ -58,26 +82,7 @@ impl History {
     #[must_use]
     pub fn of(p: &Parameters, mut rng: Rng) -> Self {
         let events = *rng.pick(&[0, 2, 10, 60]);
-        let switches = Inputs {
-            x_command: 0.0,
-            x_actual: 0.0,
-            v_interpolator: 0.0,
-            a_interpolator: 0.0,
-            j_interpolator: 0.0,
-            v_motor: 0.0,
-            v_direct: 0.0,
-            v_add_master: 0.0,
-            v_feedforward: 0.0,
-            v_additive: 0.0,
-            v_add: 0.0,
-            torque_feedforward: 0,
-            mode: 1,
-            feedforward_active: true,
-            feedforward_percentage: 100,
-            position_controlled: true,
-            reset: false,
-            task_cycle_ns: 0,
-        };
+        let switches = Inputs::USUAL;
         let motions = [Motion::Rest; REALS];
         Self { rng, single: p.single, cycle_ns: p.cycle_ns, events, motions, left: 0, switches }
     }

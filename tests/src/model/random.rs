@@ -21,12 +21,21 @@ pub fn parameters(rng: &mut Rng) -> Parameters {
         cycle_ns,
         kind,
         drive: *rng.pick(&[1, 2, 3, 3, 4, 8]),
-        operation_mode: *rng.pick::<&str>(&["DRIVE_DEFAULT", "DRIVE_DEFAULT", "DRIVE_POSITION_CONTROL", "CNC_POSITION_CONTROL"]),
+        operation_mode: *rng.pick::<&str>(&[
+            "DRIVE_DEFAULT",
+            "DRIVE_DEFAULT",
+            "DRIVE_POSITION_CONTROL",
+            "CNC_POSITION_CONTROL",
+        ]),
         kv: (!rng.chance(5)).then(|| number(rng, 6000)),
         multi_gain: [number(rng, 20_000), number(rng, 40)],
         incr_per_rev: *rng.pick(&[1024, 1_048_576, 3600, 65536, 7]),
         wegauf: [number(rng, 40), number(rng, 40)],
-        feed_const: if rng.chance(40) { *rng.pick(&[[1, 1], [1, 7], [7, 1]]) } else { [number(rng, 100_000), number(rng, 9)] },
+        feed_const: if rng.chance(40) {
+            *rng.pick(&[[1, 1], [1, 7], [7, 1]])
+        } else {
+            [number(rng, 100_000), number(rng, 9)]
+        },
         load: zero(rng, 4, 1_000_000),
         reference: zero(rng, 4, 30_000),
         torque_scale: [number(rng, 1000), zero(rng, 4, 9)],

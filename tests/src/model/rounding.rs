@@ -42,10 +42,7 @@ pub fn data(value: &Exact, u: f64, bits: u32) -> Data {
     let end = 2f64.powi(i32::try_from(bits).expect("16 or 32") - 1);
     let rounded = value.range(u).map(f64::round);
     let is_beyond = rounded.map(|number| !(-end..end).contains(&number));
-    Data {
-        value: rounded.map(|number| number.clamp(-end, end - 1.0)),
-        limited: flags(is_beyond),
-    }
+    Data { value: rounded.map(|number| number.clamp(-end, end - 1.0)), limited: flags(is_beyond) }
 }
 
 /// A flag that two ends of an interval may have.
