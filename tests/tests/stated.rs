@@ -182,3 +182,86 @@ fn a_slave_keeps_its_masters_limit() {
         assert!((found.of("manipulated_variable") - expected * 60e-6 * 2000.0).abs() <= 0.5, "{given}");
     }
 }
+
+/// x_drive = x_command + v_feedforward / Kv, kept as it was put out where there is no usable command.
+#[test]
+fn a_drive_keeps_its_position_without_a_usable_command() {
+    let lines = "kenngr.antr_typ = \"SERCOS\"\nvorsteuer.vorsteuerung = \"VEL\"\ngetriebe = [{ kv = 3000 }]";
+    let mut block = Block::of(2, lines);
+    let at = |x_command: f64| Inputs { x_command, ..at(30_000.0) };
+    let drive = [f64::NAN, 1000.0, f64::NAN, f64::INFINITY, 500.0].map(|x| block.step(&at(x)).of("x_drive"));
+    // 30000 um/s at 30/s are 1000 um; before the first usable command there is nothing to keep.
+    assert_eq!(drive, [0.0, 2000.0, 2000.0, 2000.0, 1500.0]);
+    let loose = block.step(&Inputs { position_controlled: false, ..at(700.0) }).of("x_drive");
+    assert_eq!([loose, block.step(&at(f64::NAN)).of("x_drive")], [700.0; 2]);
+}
+
+/// A torque is limited where the number is rounded beyond INT16, not before. A kilogram, a newton at 1000 increments: 1000 um/s^2 an
+/// increment.
+#[test]
+fn a_torque_is_limited_where_its_integer_ends() {
+    let lines = "motor = \"linear\"\nkenngr.antr_typ = \"SERCOS\"\nprocess_data.additive_torque = \"INT16\"\n\
+                 getriebe = [{ kv = 2000, load = 1 }]\nantr.torque_scale_num = 1000\nvorsteuer.vorsteuerung = \"ADD_ACC\"";
+    for (which, limited) in [(0, "torque_limited"), (2, "limited")] {
+        let mut block = Block::of(which, lines);
+        for (increments, expected, is_limited) in [
+            (32_767.4, 32_767.0, 0.0),
+            (32_767.6, 32_767.0, 1.0),
+            (-32_768.4, -32_768.0, 0.0),
+            (-32_768.6, -32_768.0, 1.0),
+            (1e9, 32_767.0, 1.0),
+        ] {
+            let found = block.step(&Inputs { a_interpolator: 1000.0 * increments, ..Inputs::USUAL });
+            assert_eq!([found.of("additive_torque"), found.of(limited)], [expected, is_limited], "{increments}");
+        }
+    }
+}
+
+/// A stage at 50 Hz, where the band-pass passes as it is; 20 cycles of fading.
+fn stage(mode: &str) -> String {
+    format!(
+        "lr_param.improved_position_control.v_add_max_fact = 2000\nfade = \"20ms\"\n\
+         lr_param.improved_position_control.stage = [{{ {mode}, filter = [{{ order = 1, fg_f0 = 50, q_factor = 1 }}] }}]"
+    )
+}
+
+/// A sine at 50 Hz.
+fn sine(cycle: i32) -> f64 {
+    1000.0 * (std::f64::consts::TAU * 0.05 * f64::from(cycle)).sin()
+}
+
+/// Lost position control: 0 at once, then 0 of settled filters, then the gate opens by a twentieth a cycle.
+#[test]
+fn improved_position_control_starts_anew_after_a_loss_of_position_control() {
+    let lines = format!("getriebe = [{{ kv = 2000 }}]\n{}", stage("mode = \"DIRECT\""));
+    let mut block = Block::of(2, &lines);
+    let mut step = |cycle: i32, position_controlled| {
+        let found = block.step(&Inputs { v_motor: 5000.0 + sine(cycle), position_controlled, ..Inputs::USUAL });
+        [found.of("v_add"), found.of("v_add_calculated")]
+    };
+    (0..205).for_each(|cycle| _ = step(cycle, true));
+    let [v_add, calculated] = step(205, true);
+    assert!(v_add == calculated && v_add.abs() > 500.0, "{v_add}");
+    assert_eq!(step(206, false), [0.0; 2]);
+    assert_eq!(step(207, true), [0.0; 2]);
+    for cycle in 208..240 {
+        let [v_add, calculated] = step(cycle, true);
+        let gate = f64::from((cycle - 207).min(20)) / 20.0;
+        assert!((v_add - gate * calculated).abs() < 1e-9 && calculated.abs() > 1e-3, "{cycle}: {v_add}, {calculated}");
+    }
+}
+
+/// At f0 the simulated oscillation is 1 + 1/(2 j D), of the interpolator's velocity where the drive controls the position.
+#[test]
+fn set_point_in_a_drive_reads_the_interpolator() {
+    let lines = format!("{DRIVE}\ngetriebe = [{{ kv = 2000 }}]\n{}", stage("mode = \"SET_POINT\", osc_damping = 0.5"));
+    let mut block = Block::of(2, &lines);
+    for cycle in 0..600 {
+        let found = block.step(&Inputs { x_command: 1e6 + 3.0 * sine(7 * cycle), v_motor: 1e5, ..at(sine(cycle)) });
+        // -(1 - j) sin = -(sin - cos), with the cosine a quarter of a period, 5 cycles, before the sine
+        let expected = -(sine(cycle) - sine(cycle + 5));
+        if cycle > 300 {
+            assert!((found.of("v_add") - expected).abs() < 1.0, "{cycle}: {} instead of {expected}", found.of("v_add"));
+        }
+    }
+}
