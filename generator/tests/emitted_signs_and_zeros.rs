@@ -3,8 +3,11 @@
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
+use compiler::program::{Expr, Statement, Type, Var};
+use generator::block::blocks;
 use generator::config::{ListOptions, Set, read, read_with};
 use generator::target::{File, TARGETS};
+use portable::{Binary, Literal, RealKind, Unary};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
@@ -86,7 +89,9 @@ fn before_signs(code: &str) -> Vec<&str> {
 #[test]
 fn a_sign_stands_in_parentheses() {
     let (mut texts, mut in_parentheses) = (0, 0);
-    for (name, text) in sets().iter().flat_map(files) {
+    let of_sets = sets();
+    let full = of_sets.iter().rev().take(2).flat_map(full_of_signs);
+    for (name, text) in of_sets.iter().flat_map(files).chain(full) {
         let Some(code) = code(&name, &text) else { continue };
         texts += 1;
         for before in before_signs(&code) {
@@ -96,6 +101,33 @@ fn a_sign_stands_in_parentheses() {
         }
     }
     assert!(texts > 100 && in_parentheses > 50, "{texts}, {in_parentheses}");
+}
+
+/// A block with a negation and a negative number on either side of every operator; real blocks have few of them.
+fn full_of_signs(set: &Set) -> Vec<(String, String)> {
+    let axis = &set.axes[0];
+    let mut block = blocks(axis).unwrap().remove(0);
+    let reals: Vec<usize> =
+        (0..block.program.inputs.len()).filter(|input| block.program.inputs[*input].ty == Type::Real).collect();
+    let at = |path: &str| Var::Output(block.program.outputs.iter().position(|output| output.path == path).unwrap());
+    let (v_add, limited) = (at("v_add"), at("limited"));
+    let input = |index: usize| Expr::Var(Var::Input(reals[index]));
+    let negated = |expr: Expr| Expr::Unary(Unary::Negate, Box::new(expr));
+    let number = Expr::Literal(match axis.real {
+        RealKind::F64 => Literal::F64(-0.375),
+        RealKind::F32 => Literal::F32(-0.375),
+    });
+    let operands = [negated(input(0)), number, input(1), negated(negated(input(0)))];
+    let sums = [Binary::Add, Binary::Subtract, Binary::Multiply, Binary::Divide];
+    let comparisons = [Binary::Less, Binary::LessEqual, Binary::Greater, Binary::GreaterEqual];
+    for (left, right) in operands.iter().flat_map(|left| operands.iter().map(move |right| (left, right))) {
+        let both = |operator| Expr::Binary(operator, Box::new(left.clone()), Box::new(right.clone()));
+        let of_sum = |operator| Statement::Assign { target: v_add, value: both(operator) };
+        let of_comparison = |operator| Statement::Assign { target: limited, value: both(operator) };
+        block.program.step.extend(sums.map(of_sum).into_iter().chain(comparisons.map(of_comparison)));
+    }
+    let files = TARGETS.iter().flat_map(|target| (target.files)(axis, std::slice::from_ref(&block)));
+    files.map(|file| (file.name, file.text)).collect()
 }
 
 /// The real literals of a text.

@@ -3,6 +3,8 @@
 
 use axgen_tests::model::history::Inputs;
 use axgen_tests::model::subject::{Run, blocks, read};
+use generator::config::{ListOptions, read_with};
+use std::path::Path;
 
 /// The outputs of one cycle, by name.
 struct Found(Vec<(&'static str, f64)>);
@@ -81,6 +83,22 @@ fn a_feed_constant_is_given_by_either_of_its_parameters() {
         let found = torque.step(&Inputs { a_interpolator: a, ..Inputs::USUAL });
         assert!((found.of("additive_torque") - 0.25 * alpha * a).abs() <= 0.5, "{num}/{denom}");
     }
+}
+
+/// Without increments per revolution, XERR is always 0 where there is a feed constant: an error, whichever parameter gives it.
+#[test]
+fn a_feed_constant_needs_increments() {
+    let is_taken = |num: u32, denom: u32| {
+        let set = format!(
+            "cycle_time = \"1ms\"\n[axis.X]\nkenngr.antr_typ = \"PROFIDRIVE\"\n\
+             getriebe = [{{ kv = 2000, incr_per_rev = 0 }}]\nvorsteuer.vorsteuerung = \"VEL\"\n\
+             antr.feed_const_num = {num}\nantr.feed_const_denom = {denom}\n"
+        );
+        let load = |_: &Path| Ok(set.clone().into_bytes());
+        read_with(Path::new("set.toml"), &ListOptions::default(), &load).0.is_some()
+    };
+    let taken = [(1, 1), (1, 7), (7, 1), (7, 7)].map(|(num, denom)| is_taken(num, denom));
+    assert_eq!(taken, [true, false, false, false]);
 }
 
 /// A ramp comes later by exactly the delay, to the microsecond.
