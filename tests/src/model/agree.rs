@@ -95,7 +95,7 @@ fn one(
     let mut before = None;
     tally.runs += 1;
     for cycle in 0..cycles {
-        let inputs = history.next();
+        let inputs = history.advance();
         block(&inputs, &mut outputs);
         let output = |name: &str| outputs.iter().find(|(signal, _)| *signal == name).map_or(0.0, |(_, value)| *value);
         let found = Found { held, v_command: output("v_command"), v_add: output("v_add") };

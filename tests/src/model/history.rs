@@ -88,7 +88,7 @@ impl History {
     }
 
     /// The next cycle.
-    pub fn next(&mut self) -> Inputs {
+    pub fn advance(&mut self) -> Inputs {
         if self.left == 0 {
             self.begin_phase();
         }
@@ -168,7 +168,7 @@ impl History {
             };
         }
         let switches = &mut self.switches;
-        switches.torque_feedforward = i32::from_le_bytes((rng.word() as u32).to_le_bytes()) >> rng.below(20);
+        switches.torque_feedforward = (i32::try_from(rng.word() >> 33).expect("31 bits") - (1 << 30)) >> rng.below(20);
         // A mode lasts longer than the gate needs in some phases, and shorter in others.
         if rng.chance(40) {
             switches.mode = *rng.pick(&[0, 1, 1, 1, 2]);
@@ -194,6 +194,6 @@ fn uniform(rng: &mut Rng) -> f64 {
 /// A number that is none, or the last one that is.
 fn bad(rng: &mut Rng, single: bool) -> f64 {
     let largest = if single { 1e9 } else { 1e15 };
-    let beyond = if single { 1_000_000_064.0 } else { 1_000_000_000_000_000.125 };
+    let beyond = if single { 1_000_000_064.0 } else { 1_000_000_000_000_000.1 };
     *rng.pick(&[f64::NAN, f64::INFINITY, f64::NEG_INFINITY, beyond, -beyond, 1e30, largest, -largest])
 }

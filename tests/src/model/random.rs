@@ -7,6 +7,11 @@ use super::parameters::{
 };
 use crate::random::rng::Rng;
 
+/// P-AXIS-00320; the default decides by the drive.
+const MODES: [&str; 4] = ["DRIVE_DEFAULT", "DRIVE_DEFAULT", "DRIVE_POSITION_CONTROL", "CNC_POSITION_CONTROL"];
+/// P-AXIS-00848.
+const PROTOTYPES: [&str; 3] = ["CRIT_DAMPING", "BUTTERWORTH", "BESSEL"];
+
 /// An axis.
 #[must_use]
 pub fn parameters(rng: &mut Rng) -> Parameters {
@@ -21,12 +26,7 @@ pub fn parameters(rng: &mut Rng) -> Parameters {
         cycle_ns,
         kind,
         drive: *rng.pick(&[1, 2, 3, 3, 4, 8]),
-        operation_mode: *rng.pick::<&str>(&[
-            "DRIVE_DEFAULT",
-            "DRIVE_DEFAULT",
-            "DRIVE_POSITION_CONTROL",
-            "CNC_POSITION_CONTROL",
-        ]),
+        operation_mode: rng.pick(&MODES),
         kv: (!rng.chance(5)).then(|| number(rng, 6000)),
         multi_gain: [number(rng, 20_000), number(rng, 40)],
         incr_per_rev: *rng.pick(&[1024, 1_048_576, 3600, 65536, 7]),
@@ -124,7 +124,7 @@ fn stage(rng: &mut Rng, p: &Parameters) -> Stage {
     let frequency = |rng: &mut Rng| ((part(rng) / ts).min(500.0) * 1000.0).round() / 1000.0;
     let q = |rng: &mut Rng| f64::from(u32::try_from(rng.between(100, 1000)).expect("small")) / 100.0;
     let order = rng.between(1, 3);
-    let prototype = *rng.pick::<&str>(&["CRIT_DAMPING", "BUTTERWORTH", "BESSEL"]);
+    let prototype = rng.pick(&PROTOTYPES);
     Stage {
         mode: *rng.pick(&[Mode::DirectMotor, Mode::DirectLoad, Mode::Indirect, Mode::SetPoint]),
         weight: weight(rng),
