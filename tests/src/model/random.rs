@@ -26,7 +26,7 @@ pub fn parameters(rng: &mut Rng) -> Parameters {
         cycle_ns,
         kind,
         drive: *rng.pick(&[1, 2, 3, 3, 4, 8]),
-        operation_mode: rng.pick(&MODES),
+        operation_mode: MODES[rng.below(MODES.len())],
         kv: (!rng.chance(5)).then(|| number(rng, 6000)),
         multi_gain: [number(rng, 20_000), number(rng, 40)],
         incr_per_rev: *rng.pick(&[1024, 1_048_576, 3600, 65536, 7]),
@@ -124,7 +124,7 @@ fn stage(rng: &mut Rng, p: &Parameters) -> Stage {
     let frequency = |rng: &mut Rng| ((part(rng) / ts).min(500.0) * 1000.0).round() / 1000.0;
     let q = |rng: &mut Rng| f64::from(u32::try_from(rng.between(100, 1000)).expect("small")) / 100.0;
     let order = rng.between(1, 3);
-    let prototype = rng.pick(&PROTOTYPES);
+    let prototype = PROTOTYPES[rng.below(PROTOTYPES.len())];
     Stage {
         mode: *rng.pick(&[Mode::DirectMotor, Mode::DirectLoad, Mode::Indirect, Mode::SetPoint]),
         weight: weight(rng),
