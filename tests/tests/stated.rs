@@ -1,6 +1,8 @@
 //! What documents state in numbers, against the reference as `axgen` designs it: formulas by hand, no recording. All engines
 //! share a wrong coefficient, so that comparing them finds none of this.
 
+#![expect(clippy::float_cmp, reason = "what is copied, held or a whole number is that number")]
+
 use axgen_tests::model::history::Inputs;
 use axgen_tests::model::subject::{Run, blocks, read};
 use generator::config::{ListOptions, read_with};
@@ -139,7 +141,8 @@ fn a_percentage_is_within_0_and_100() {
 #[test]
 fn delays_are_filled_anew() {
     let lines = format!("{DRIVE}\n{MANUAL}\nvorsteuer.velocity_delay_time = 4500\ngetriebe = [{{ kv = 2000 }}]");
-    let off: [(&str, fn(&mut Inputs)); 5] = [
+    type Off = (&'static str, fn(&mut Inputs));
+    let off: [Off; 5] = [
         ("reset", |inputs| inputs.reset = true),
         ("not controlled", |inputs| inputs.position_controlled = false),
         ("wrong cycle", |inputs| inputs.task_cycle_ns = 2_000_000),
