@@ -34,6 +34,11 @@ impl Rng {
         (self.word() % bound as u64) as usize
     }
 
+    /// A number from the first to the last, both included.
+    pub fn between(&mut self, first: usize, last: usize) -> usize {
+        first + self.below(last - first + 1)
+    }
+
     /// True in so many of 100 cases.
     pub fn chance(&mut self, percent: usize) -> bool {
         self.below(100) < percent

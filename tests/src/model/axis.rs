@@ -1,0 +1,85 @@
+//! The block `axis`: feedforward, position control and improved position control in the order in which they need each other,
+//! and which fault stops what.
+
+use super::coefficients::Coefficients;
+use super::exact::Exact;
+use super::feedforward::{Feedforward, is_usable};
+use super::history::Inputs;
+use super::ipc::{self, Ipc};
+use super::parameters::{Parameters, Place};
+use super::position_control::{PositionControl, sent, x_drive};
+use super::rounding::{Data, Expected, data, either, flag, id, real};
+
+/// What it remembers.
+#[derive(Clone, Debug)]
+pub struct Axis {
+    feedforward: Feedforward,
+    control: PositionControl,
+    ipc: Ipc,
+}
+
+/// What the block put out, as far as the model goes on from it: each is compared before it is used.
+#[derive(Clone, Copy, Debug)]
+pub struct Found {
+    /// `x_drive` of the cycle before
+    pub held: f64,
+    /// `v_command` of this cycle, which SET_POINT reads
+    pub v_command: f64,
+    /// `v_add` of this cycle, which goes into the integers
+    pub v_add: f64,
+}
+
+impl Axis {
+    /// Before the first cycle.
+    #[must_use]
+    pub fn of(p: &Parameters) -> Self {
+        Self { feedforward: Feedforward::default(), control: PositionControl::default(), ipc: Ipc::of(p) }
+    }
+
+    /// One cycle: what each output may be.
+    pub fn cycle(&mut self, p: &Parameters, c: &Coefficients, inputs: &Inputs, found: Found) -> Expected {
+        let fault = PositionControl::fault(c, inputs);
+        let acts = fault == 0 && inputs.position_controlled && !inputs.reset;
+        let planned = self.feedforward.cycle(c, inputs, !acts);
+        let controlled =
+            if acts { self.control.act(c, inputs, &planned.v_feedforward) } else { self.control.stop(c, inputs) };
+        let command = ipc::command(c, inputs, found.v_command);
+        let ipc_fault = match &c.slave {
+            Some(_) if !is_usable(c, inputs.v_add_master) => 22,
+            Some(_) => 0,
+            None => Ipc::fault(p, c, inputs, command),
+        };
+        let added = match &c.slave {
+            _ if !acts || ipc_fault != 0 => self.ipc.stop(),
+            Some(limit) => ipc::follow(c, limit, inputs.v_add_master),
+            None if c.runs_stages => self.ipc.cycle(c, inputs, command),
+            None => ipc::NOTHING,
+        };
+        let v_add = if found.v_add.is_finite() { Exact::given(found.v_add) } else { Exact::zero() };
+        let sent = sent(c, &controlled, &planned.v_additive, &v_add, acts);
+        let torque: Data = data(&planned.torque, c.u, c.torque_bits.unwrap_or(32));
+        let data_limited = [sent.manipulated, sent.xerr, sent.velocity, torque].map(|data| data.limited);
+        // Of a part that is stopped nothing is told.
+        let error_id = match (fault, planned.bad, ipc_fault) {
+            (0, ..) if !acts => 0,
+            (0, bad, 0) => bad,
+            (0, _, of_ipc) => of_ipc,
+            (fault, ..) => fault,
+        };
+        debug_assert!(c.place == Place::Cnc || controlled.v_command.is_zero());
+        vec![
+            ("v_command", real(&controlled.v_command, c.u)),
+            ("v_feedforward", real(&planned.v_feedforward, c.u)),
+            ("v_add", added.v_add),
+            ("v_add_calculated", added.calculated),
+            ("x_drive", x_drive(c, &controlled, found.held)),
+            ("manipulated_variable", sent.manipulated.value),
+            ("xerr", sent.xerr.value),
+            ("additive_torque", torque.value),
+            ("additive_velocity", sent.velocity.value),
+            ("error_id", id(error_id)),
+            ("limited", data_limited.into_iter().fold(added.limited, either)),
+            ("fault", flag(error_id != 0)),
+        ]
+    }
+}

@@ -1,0 +1,135 @@
+//! Improved position control inside `axis`: which inputs are read, when the stages rest, settle and run, the limit, the gate.
+//! The filters stand in `sections`.
+
+use super::coefficients::Coefficients;
+use super::exact::Exact;
+use super::feedforward::is_usable;
+use super::history::Inputs;
+use super::parameters::{Mode, Parameters, Place, Stage};
+use super::rounding::{Interval, flags};
+use super::sections::Filters;
+
+/// Relative to the largest input since the stages settled: two realisations of one filter round differently.
+const OF_DOUBLES: f64 = 1e-10;
+/// The same in single precision.
+const OF_SINGLES: f64 = 4e-6;
+
+/// What it remembers.
+#[derive(Clone, Debug)]
+pub struct Ipc {
+    stages: Vec<Filters>,
+    /// cycles in which the gate opens
+    fade_cycles: u32,
+    /// open so far, in cycles
+    open: u32,
+    runs: bool,
+    /// largest contribution of an input since the stages settled
+    largest: f64,
+    relative: f64,
+    /// a sum of at most this is 0
+    nothing: f64,
+}
+
+/// What it puts out.
+#[derive(Clone, Copy, Debug)]
+pub struct Added {
+    /// `v_add`
+    pub v_add: Interval,
+    /// `v_add_calculated`
+    pub calculated: Interval,
+    /// whether the limit acts
+    pub limited: Interval,
+}
+
+/// Nothing is added.
+pub const NOTHING: Added = Added { v_add: [0.0; 2], calculated: [0.0; 2], limited: [0.0; 2] };
+
+impl Ipc {
+    /// Of an axis.
+    #[must_use]
+    pub fn of(p: &Parameters) -> Self {
+        let ts = f64::from(p.cycle_ns) * 1e-9;
+        let frequencies = |stage: &Stage| [Some(stage.band_pass.2), stage.all_pass.map(|(f0, _)| f0)];
+        let lowest = p.stages.iter().flat_map(frequencies).flatten().fold(f64::INFINITY, f64::min);
+        let fade = (f64::from(p.fade_ns) * 1e-9).max(if lowest.is_finite() { 1.0 / lowest } else { 0.0 });
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 1000 cycles")]
+        let fade_cycles = (fade / ts - 1e-9).ceil().max(1.0) as u32;
+        let stages = p.stages.iter().map(|stage| Filters::of(stage, ts)).collect();
+        let nothing = f64::from(p.vb_max) * 2f64.powi(if p.single { -40 } else { -60 });
+        let relative = if p.single { OF_SINGLES } else { OF_DOUBLES };
+        Self { stages, fade_cycles, open: 0, runs: false, largest: 0.0, relative, nothing }
+    }
+
+    /// The reason why it cannot act, the first in the order 2, 11, 12, 13; 0: none. `v_command` is what SET_POINT reads.
+    #[must_use]
+    pub fn fault(p: &Parameters, c: &Coefficients, inputs: &Inputs, v_command: f64) -> u32 {
+        let bad = |modes: &[Mode], value: f64| Coefficients::reads(p, modes) && !is_usable(c, value);
+        match () {
+            () if !c.runs_stages => 0,
+            () if !(0..=2).contains(&inputs.mode) => 2,
+            () if bad(&[Mode::SetPoint], v_command) => 11,
+            () if bad(&[Mode::Indirect, Mode::DirectMotor], inputs.v_motor) => 12,
+            () if bad(&[Mode::DirectLoad], inputs.v_direct) => 13,
+            () => 0,
+        }
+    }
+
+    /// At once to 0; the stages settle anew afterwards.
+    pub fn stop(&mut self) -> Added {
+        (self.open, self.runs) = (0, false);
+        NOTHING
+    }
+
+    /// A cycle without a fault. `mode`: 0 OFF, 1 ON, 2 DRYRUN.
+    pub fn cycle(&mut self, c: &Coefficients, inputs: &Inputs, v_command: f64) -> Added {
+        let x = |mode: Mode| match mode {
+            Mode::SetPoint => v_command,
+            Mode::Indirect | Mode::DirectMotor => inputs.v_motor,
+            Mode::DirectLoad => inputs.v_direct,
+        };
+        let here: f64 = self.stages.iter().map(|stage| stage.gain * x(stage.mode).abs()).sum();
+        if !self.runs {
+            if inputs.mode == 0 {
+                return NOTHING;
+            }
+            self.stages.iter_mut().for_each(|stage| stage.settle(x(stage.mode)));
+            (self.runs, self.largest) = (true, here);
+            return NOTHING;
+        }
+        self.largest = self.largest.max(here);
+        let v_sum: f64 = self.stages.iter_mut().map(|stage| stage.run(x(stage.mode))).sum();
+        let limit = c.limit.near();
+        let off = self.relative * self.largest;
+        let calculated = [v_sum - off, v_sum + off].map(|sum| sum.clamp(-limit, limit));
+        self.open = if inputs.mode == 1 { (self.open + 1).min(self.fade_cycles) } else { self.open.saturating_sub(1) };
+        let gate = f64::from(self.open) / f64::from(self.fade_cycles);
+        if inputs.mode == 0 && self.open == 0 {
+            self.runs = false;
+        }
+        // Rounding of the limit, of the gate and of their product.
+        let rounded = |[from, to]: Interval| [from - 4.0 * c.u * from.abs(), to + 4.0 * c.u * to.abs()];
+        // With the limit 0 the flag sees the states' constant, before a sum of next to nothing becomes 0.
+        let off = off.max(4.0 * c.u * limit).max(self.nothing);
+        Added {
+            v_add: rounded(calculated.map(|v| gate * v)),
+            calculated: if inputs.mode == 0 { [0.0; 2] } else { rounded(calculated) },
+            limited: flags([v_sum.abs() - off > limit, v_sum.abs() + off > limit]),
+        }
+    }
+}
+
+/// What SET_POINT reads: the controller's output of this cycle, with a drive that controls the position the interpolator's.
+#[must_use]
+pub fn command(c: &Coefficients, inputs: &Inputs, v_command: f64) -> f64 {
+    if c.place == Place::Cnc { v_command } else { inputs.v_interpolator }
+}
+
+/// A gantry slave: the master's value within the master's limit, which is rounded once.
+#[must_use]
+pub fn follow(c: &Coefficients, limit: &Exact, v_add_master: f64) -> Added {
+    let limits = limit.range(c.u);
+    let within = limits.map(|limit| v_add_master.clamp(-limit, limit));
+    let v_add = [within[0].min(within[1]), within[0].max(within[1])];
+    let beyond = limits.map(|limit| v_add_master.abs() > limit);
+    Added { v_add, calculated: v_add, limited: flags(beyond) }
+}

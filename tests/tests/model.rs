@@ -1,0 +1,28 @@
+//! The reference against the independent model, on random axes and random histories.
+
+use axgen_tests::model::agree::{self, Tally};
+use rayon::prelude::*;
+
+/// Sets, and cycles of each.
+const SETS: usize = 1000;
+const CYCLES: usize = 1000;
+const SEED: u64 = 20_261_122;
+
+#[test]
+fn the_reference_agrees_with_the_model_on_1000_random_sets_of_1000_cycles() {
+    let number = |name: &str, usual: u64| std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(usual);
+    let seed = number("AXGEN_MODEL_SEED", SEED);
+    let sets = usize::try_from(number("AXGEN_MODEL_SETS", SETS as u64)).expect("a number of sets");
+    let run = |index| agree::set(seed, index, CYCLES);
+    let (told, wrong): (Vec<_>, Vec<_>) = (0..sets).into_par_iter().map(run).partition(Result::is_ok);
+    let told_of = wrong.iter().take(3).filter_map(|result| result.as_ref().err());
+    let first: Vec<&str> = told_of.map(String::as_str).collect();
+    assert!(wrong.is_empty(), "{} of {sets} sets disagree\n{}", wrong.len(), first.join("\n\n"));
+    let mut tally = Tally::default();
+    told.into_iter().flatten().for_each(|of_set| tally += of_set);
+    eprintln!("{tally:?}");
+    // Rounding must hardly ever leave a choice, else integers are not compared.
+    assert!(tally.choices * 1000 < tally.integers, "{tally:?}");
+    assert!(tally.choices_in_single * 20 < tally.integers_in_single, "{tally:?}");
+    assert!(tally.runs > 2 * sets as u64, "{tally:?}");
+}
