@@ -20,6 +20,7 @@ use generator::axis::Axis;
 use generator::block::{self, Block};
 use generator::config::{self, ListOptions};
 use generator::digest::digest;
+use generator::generate::header;
 use generator::target::{File, TARGETS};
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
@@ -135,8 +136,12 @@ fn recording(case: &Case) -> Result<Recording, String> {
         ("digest", digests),
     ];
     let blocks = std::slice::from_ref(&case.block);
-    let emitted = TARGETS.iter().flat_map(|target| (target.files)(&case.axis, blocks));
-    let emitted = emitted.map(|file| File { name: format!("{EMITTED}/{}", file.name), text: file.text });
+    let mut emitted = Vec::new();
+    for target in TARGETS {
+        let files = target.files(&header(&case.axis), blocks);
+        emitted.extend(files.map_err(|defect| defect.to_string())?);
+    }
+    let emitted = emitted.into_iter().map(|file| File { name: format!("{EMITTED}/{}", file.name), text: file.text });
     let texts = texts.into_iter().map(|(name, text)| File { name: name.to_owned(), text });
     Ok(Recording {
         files: texts.chain(emitted).collect(),

@@ -6,7 +6,7 @@
 use generator::axis::Axis;
 use generator::block;
 use generator::config::Set;
-use generator::generate::units;
+use generator::generate::{header, units};
 use generator::target::{self, Target};
 use rayon::prelude::*;
 use std::borrow::Cow;
@@ -62,8 +62,8 @@ fn is_there(axis: &Axis, target: &Target, out: &Path, files: &str) -> bool {
     if !files.contains(&target::stem(&axis.name)) {
         return false;
     }
-    let blocks = block::blocks(axis).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
-    let files = (target.files)(axis, &blocks);
+    let files = block::blocks(axis).and_then(|blocks| target.files(&header(axis), &blocks));
+    let files = files.unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
     !files.is_empty() && files.iter().all(|file| out.join(&file.name).is_file())
 }
 

@@ -13,6 +13,8 @@ pub use compiler::Compiler;
 use crate::samples::Samples;
 use generator::axis::Axis;
 use generator::block::Block;
+use generator::generate::header;
+use generator::target::{self, File};
 use st::Dialect;
 use std::fmt;
 
@@ -104,6 +106,12 @@ pub fn run_among(
         Engine::TwinCat => emitted::run(Dialect::TwinCat, axis, blocks, which, inputs),
         Engine::Codesys => emitted::run(Dialect::Codesys, axis, blocks, which, inputs),
     }
+}
+
+/// The files of an axis in a target.
+fn files(target: &str, axis: &Axis, blocks: &[Block]) -> Result<Vec<File>, Failure> {
+    let target = target::named(target).expect("engine: there is such a target");
+    target.files(&header(axis), blocks).map_err(|defect| Failure::Broken(defect.to_string()))
 }
 
 /// Runs a block through the emitted C and a compiler of one's choice.

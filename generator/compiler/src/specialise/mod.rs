@@ -10,10 +10,9 @@ mod node;
 mod statement;
 
 use crate::leaves::leaves;
-use crate::program::{Constant, Expr, Local, Origin, Program, Statement, Type, Var, Variable};
+use crate::program::{Constant, Expr, Local, Origin, Program, Statement, Switch, Type, Var, Variable};
 use node::{Cell, Node};
-use portable::Block;
-use portable::{Fn, Literal, Portable, Real, RealKind, Ty};
+use portable::{Block, Enable, Fn, Literal, Portable, Real, RealKind, Ty};
 use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 
@@ -31,7 +30,8 @@ pub fn block<R: Real, B: Block<R>>(coeffs: &B::Coeffs, notes: &BTreeMap<String, 
     let outputs = specialiser.enter_variables(<B::Outputs as Portable>::TY, &leaves(&B::outputs()), Space::Output);
     let init = specialiser.function(&B::INIT, vec![state.clone()]);
     let step = specialiser.function(&B::STEP, vec![state, coefficients, inputs, outputs]);
-    specialiser.into_program([B::NAME, B::ENABLE], init, step)
+    let switch = B::ENABLE.map(|enable| specialiser.switch(enable));
+    specialiser.into_program(B::NAME, switch, init, step)
 }
 
 /// A list of variables of the program.
@@ -129,9 +129,28 @@ impl<'n> Specialiser<'n> {
         std::mem::take(&mut self.statements)
     }
 
-    fn into_program(self, [block, enable]: [&'static str; 2], init: Vec<Statement>, step: Vec<Statement>) -> Program {
+    /// What turns the block off. The number of its mode OFF is named as where the block asks for it.
+    fn switch(&mut self, enable: Enable) -> Switch {
+        let find = |list: &[Variable], path: &str| list.iter().position(|variable| variable.path == path);
+        let input = find(&self.inputs, enable.input).expect("specialise: the block has the input that turns it off");
+        let Some((off, busy)) = enable.mode else { return Switch { input, off: None, busy: None } };
+        let value = match off.body.block.value {
+            Some(portable::Expr::Constant { value }) => value(),
+            _ => panic!("specialise: {} is no number", off.name),
+        };
+        let off = Constant { path: off.name.to_owned(), doc: off.doc, value, origin: Origin::Function };
+        Switch { input, off: Some(off), busy: find(&self.state, busy).map(Var::State) }
+    }
+
+    fn into_program(
+        self,
+        block: &'static str,
+        switch: Option<Switch>,
+        init: Vec<Statement>,
+        step: Vec<Statement>,
+    ) -> Program {
         let Self { real, inputs, outputs, state, constants, locals, .. } = self;
-        Program { block, enable, real, inputs, outputs, state, constants, locals, init, step }
+        Program { block, switch, real, inputs, outputs, state, constants, locals, init, step }
     }
 
     /// The coefficient as a named number, entered where it is first met.
