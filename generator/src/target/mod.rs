@@ -35,12 +35,7 @@ pub struct Target {
 pub const TARGETS: [Target; 5] = [
     Target { name: "c", passes: &[], files: c::files, shared: nothing },
     Target { name: "st", passes: legalise::WITH_DIGITS, files: st::plain::files, shared: nothing },
-    Target {
-        name: "twincat",
-        passes: legalise::WITH_ENABLE,
-        files: st::twincat::files,
-        shared: st::twincat::shared,
-    },
+    Target { name: "twincat", passes: legalise::WITH_ENABLE, files: st::twincat::files, shared: st::twincat::shared },
     Target {
         name: "codesys",
         passes: legalise::STRUCTURED_TEXT,

@@ -3,10 +3,10 @@
 use crate::twincat::{code, object};
 use crate::{CASES, Case};
 use compiler::interp::Machine;
+use compiler::print::identifier;
 use compiler::program::{Type, Variable};
 use generator::axis::Axis;
 use generator::block::{Block, blocks};
-use generator::target::names::identifier;
 use portable::{Literal, RealKind};
 use std::collections::BTreeMap;
 

@@ -284,8 +284,7 @@ impl<R: Real> Block<R> for Ipc {
     type Outputs = Outputs<R>;
 
     const NAME: &'static str = "ipc";
-    const ENABLE: Option<Enable> =
-        Some(Enable { input: "mode", mode: Some((&mode_off::Ir::<R>::IR, "settled")) });
+    const ENABLE: Option<Enable> = Some(Enable { input: "mode", mode: Some((&mode_off::Ir::<R>::IR, "settled")) });
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
 

@@ -1,10 +1,10 @@
 //! The Structured Text of a batch: each block read and run by the engine `st`, several files at a time.
 
 use super::compile::Line;
-use super::inside::judge::same;
 use compiler::program::Type;
 use golden::engine::st::{Block, Dialect};
 use golden::samples::{Samples, Shape, Signal};
+use inside::judge::same;
 use portable::{Literal, RealKind};
 use rayon::prelude::*;
 use std::fs;

@@ -111,7 +111,9 @@ fn go(list: &mut Vec<Statement>, way: Way) {
     rewrite(list, &mut |statement, list| match statement {
         Statement::Assign { target, value } if target == Var::Local(way.local) => match (way.value, value) {
             (None, value) => list.push(assign(value)),
-            (Some(set), Expr::Literal(Literal::Bool(raised))) => list.extend(raised.then(|| assign(Expr::Literal(set)))),
+            (Some(set), Expr::Literal(Literal::Bool(raised))) => {
+                list.extend(raised.then(|| assign(Expr::Literal(set))))
+            }
             (Some(set), condition) => {
                 let then = vec![assign(Expr::Literal(set))];
                 list.push(Statement::If { condition, then, otherwise: Vec::new() });

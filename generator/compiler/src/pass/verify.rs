@@ -35,7 +35,8 @@ struct Written {
 impl Written {
     /// What has a value on two ways.
     fn and(self, other: &Self) -> Self {
-        let both = |one: Vec<bool>, other: &[bool]| one.into_iter().zip(other).map(|(one, other)| one && *other).collect();
+        let both =
+            |one: Vec<bool>, other: &[bool]| one.into_iter().zip(other).map(|(one, other)| one && *other).collect();
         Self { locals: both(self.locals, &other.locals), outputs: both(self.outputs, &other.outputs) }
     }
 }

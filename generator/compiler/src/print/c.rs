@@ -80,9 +80,10 @@ fn is_negative(value: Literal) -> bool {
 
 fn form(operation: Operation, ty: Type, real: RealKind) -> Form {
     match operation {
-        Operation::Unary(Unary::Negate) if ty == Type::I32 => {
-            Form::Pieces(SIGN, &[Piece::Text("(int32_t)(0u - (uint32_t)"), Piece::Operand(0, PRIMARY), Piece::Text(")")])
-        }
+        Operation::Unary(Unary::Negate) if ty == Type::I32 => Form::Pieces(
+            SIGN,
+            &[Piece::Text("(int32_t)(0u - (uint32_t)"), Piece::Operand(0, PRIMARY), Piece::Text(")")],
+        ),
         // `PRIMARY`: no `--x`, and the reader sees what the sign belongs to.
         Operation::Unary(Unary::Negate) => Form::Pieces(SIGN, const { &cast("-") }),
         Operation::Unary(Unary::Not) => Form::Pieces(SIGN, const { &cast("!") }),

@@ -109,7 +109,8 @@ impl<'p> Printer<'p> {
         };
         for (index, appearance) in appearances.iter().enumerate() {
             if *appearance == Appearance::Inline {
-                let ((digits, level), name) = ((language.operand)(program.constants[index].value), &names.constants[index]);
+                let ((digits, level), name) =
+                    ((language.operand)(program.constants[index].value), &names.constants[index]);
                 let [open, _, close] = language.comment;
                 let text = format!("{digits} {open}{name}{close}");
                 texts.constants[index] = if level == language::PRIMARY { text } else { format!("({text})") };
