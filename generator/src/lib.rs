@@ -1,8 +1,8 @@
 //! From axis parameters to specialised blocks.
 //!
 //! ```text
-//! read -> check -> design -> specialise -> passes -> print -> render -> write
-//! config  check    design    specialise    pass      target   render    write
+//! read -> check -> design -> (compiler: specialise -> passes -> legalise -> verify -> print) -> render -> write
+//! config  check    design                                                            target    render    write
 //! ```
 //! `block` and `generate` are the drivers; `axis` and `program` are the data between the steps.
 #![forbid(unsafe_code)]
@@ -19,10 +19,10 @@ pub mod digest;
 pub mod exchange;
 pub mod generate;
 pub mod meaning;
-pub mod noise;
+mod noise;
 pub mod parameters;
 pub mod reference_page;
-pub mod render;
+mod render;
 pub mod schema;
 pub mod self_test;
 pub mod target;

@@ -11,7 +11,7 @@ use compiler::program::{Expr, Program, Type, Variable};
 use portable::{Intrinsic, Literal, RealKind};
 
 /// The header and the source of an axis.
-pub fn files(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
+pub(super) fn files(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
     let stem = stem(&axis.axis);
     let (header, source) = (format!("{stem}.h"), format!("{stem}.c"));
     // A source file is one scope: where several blocks share it, the numbers of each have its name before theirs.

@@ -1,8 +1,8 @@
 //! The target languages: each turns verified programs into files. A target never looks at a parameter.
 
-pub mod c;
+mod c;
 mod outline;
-pub mod st;
+mod st;
 
 pub use outline::is_read;
 

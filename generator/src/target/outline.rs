@@ -9,20 +9,20 @@ use compiler::program::{Expr, Origin, Program, Type, Var, Variable};
 use std::fmt::Write;
 
 /// Characters in a line of a comment, without the marks around it.
-pub const COMMENT_WIDTH: usize = 110;
+pub(super) const COMMENT_WIDTH: usize = 110;
 
 /// What is listed of a block, in a language.
-pub struct Outline<'l> {
-    pub block: &'l Legal<'l>,
-    pub language: &'static Language,
-    pub printer: &'l Printer<'l>,
+pub(super) struct Outline<'l> {
+    pub(super) block: &'l Legal<'l>,
+    pub(super) language: &'static Language,
+    pub(super) printer: &'l Printer<'l>,
     /// between two lines of a comment at the left
-    pub next_line: &'static str,
+    pub(super) next_line: &'static str,
 }
 
 impl Outline<'_> {
     /// The inputs; those that this axis does not need say so.
-    pub fn inputs(&self) -> Vec<Member> {
+    pub(super) fn inputs(&self) -> Vec<Member> {
         let program = &*self.block.program;
         let mut members = self.members(&program.inputs, &self.printer.names().inputs);
         for (member, _) in members.iter_mut().zip(is_read(program)).filter(|(_, is_read)| !is_read) {
@@ -32,7 +32,7 @@ impl Outline<'_> {
     }
 
     /// The outputs; those that this axis does not have say so.
-    pub fn outputs(&self) -> Vec<Member> {
+    pub(super) fn outputs(&self) -> Vec<Member> {
         let program = &*self.block.program;
         let mut members = self.members(&program.outputs, &self.printer.names().outputs);
         for (member, _) in members.iter_mut().zip(is_constant(program)).filter(|(_, is_constant)| *is_constant) {
@@ -42,12 +42,12 @@ impl Outline<'_> {
     }
 
     /// The state.
-    pub fn state(&self) -> Vec<Member> {
+    pub(super) fn state(&self) -> Vec<Member> {
         self.members(&self.block.program.state, &self.printer.names().state)
     }
 
     /// The intermediate values; what they mean is said where they are computed.
-    pub fn locals(&self) -> Vec<Member> {
+    pub(super) fn locals(&self) -> Vec<Member> {
         let (program, names) = (&*self.block.program, &self.printer.names().locals);
         let of = |(local, name): (&compiler::program::Local, &String)| Member {
             ty: self.ty(local.ty.expect("outline: the typing pass has typed every local")),
@@ -73,7 +73,7 @@ impl Outline<'_> {
     }
 
     /// The constants that appear in this way, in their order, a new group where another note of the block begins.
-    pub fn groups(&self, wanted: Appearance) -> Vec<Group> {
+    pub(super) fn groups(&self, wanted: Appearance) -> Vec<Group> {
         let mut groups: Vec<Group> = Vec::new();
         let mut said = Vec::new();
         let (constants, names) = (&self.block.program.constants, &self.printer.names().constants);

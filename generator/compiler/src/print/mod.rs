@@ -99,7 +99,7 @@ impl<'p> Printer<'p> {
         };
         let appearances = (language.appearances)(program);
         let [input, output, state, constant, local] = language.before;
-        let behind = |before: &str, names: &[String]| names.iter().map(|name| format!("{before}{name}")).collect();
+        let behind = |before: &str, names: &[String]| names.iter().map(|name| [before, name].concat()).collect();
         let mut texts = Scope {
             inputs: behind(input, &names.inputs),
             outputs: behind(output, &names.outputs),

@@ -6,7 +6,7 @@ use std::fmt::Write;
 use std::rc::Rc;
 
 /// A local, a parameter, or a part of one.
-pub enum Node {
+pub(super) enum Node {
     /// a scalar, by its position among the cells
     Leaf(usize),
     /// a struct
@@ -27,7 +27,7 @@ pub enum Node {
 
 /// What is known of a scalar.
 #[derive(Clone, Copy, PartialEq)]
-pub enum Cell {
+pub(super) enum Cell {
     /// a coefficient, by its position among their leaves
     Coefficient(usize),
     /// a value that is known
@@ -40,7 +40,7 @@ pub enum Cell {
 
 impl Node {
     /// Where the aggregate stands; empty for a leaf.
-    pub fn path(&self) -> Rc<str> {
+    pub(super) fn path(&self) -> Rc<str> {
         match self {
             Self::Leaf(_) => "".into(),
             Self::Struct { path, .. } | Self::Array { path, .. } => Rc::clone(path),
@@ -49,7 +49,7 @@ impl Node {
 }
 
 /// Builds the tree of a type; `leaf` enters each scalar and gives its cell. `path` is the same afterwards.
-pub fn build(
+pub(super) fn build(
     ty: Ty,
     path: &mut String,
     doc: &'static str,
@@ -79,7 +79,7 @@ pub fn build(
 }
 
 /// The path and the doc comment of a leaf, by its position among the leaves of a type.
-pub fn leaf_at(ty: Ty, position: usize) -> (String, &'static str) {
+pub(super) fn leaf_at(ty: Ty, position: usize) -> (String, &'static str) {
     let (mut ty, mut position, mut path, mut doc) = (ty, position, String::new(), "");
     loop {
         match ty {
@@ -118,7 +118,7 @@ fn leaves(ty: Ty) -> usize {
 }
 
 /// Builds the tree of a type whose parts need no names.
-pub fn build_unnamed(ty: Ty, leaf: &mut dyn FnMut() -> usize) -> Rc<Node> {
+pub(super) fn build_unnamed(ty: Ty, leaf: &mut dyn FnMut() -> usize) -> Rc<Node> {
     let nowhere: Rc<str> = "".into();
     build_at(ty, &nowhere, leaf)
 }

@@ -11,7 +11,7 @@ use compiler::program::Type;
 
 /// The origin and the blocks of a file that has all blocks of an axis, as its template takes them; a dialect puts a prefix
 /// before the blocks' names.
-pub fn listings(
+pub(crate) fn listings(
     axis: &Header,
     file: &str,
     blocks: &[Legal<'_>],
@@ -26,7 +26,7 @@ pub fn listings(
 }
 
 /// A block with the name that a file gives it.
-pub fn listing(name: String, block: &Legal<'_>, dialect: &'static Language) -> StBlock {
+pub(crate) fn listing(name: String, block: &Legal<'_>, dialect: &'static Language) -> StBlock {
     let printer = &Printer::new(&block.program, dialect);
     let outline = Outline { block, language: dialect, printer, next_line: "\n       " };
     StBlock {
@@ -43,7 +43,7 @@ pub fn listing(name: String, block: &Legal<'_>, dialect: &'static Language) -> S
 }
 
 /// The comment at the top of an axis's file, which holds these blocks.
-pub fn origin(axis: &Header, file: &str, blocks: &[Legal<'_>]) -> String {
+pub(crate) fn origin(axis: &Header, file: &str, blocks: &[Legal<'_>]) -> String {
     let certificates: Vec<&String> = blocks.iter().flat_map(|block| &block.block.certificate).collect();
     let origin = Origin {
         file,

@@ -8,7 +8,7 @@ use crate::target::{File, Header, Legal, Unit, VERSION, sealed, stem};
 use compiler::print::st::CODESYS;
 
 /// The file of an axis.
-pub fn files(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
+pub(crate) fn files(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
     let stem = stem(&axis.axis);
     let name = format!("{stem}.xml");
     let (origin, blocks) = listings(axis, &name, blocks, "", &CODESYS);
@@ -16,7 +16,7 @@ pub fn files(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
 }
 
 /// The file that all axes share.
-pub fn shared(units: &[Unit<'_>]) -> Vec<File> {
+pub(crate) fn shared(units: &[Unit<'_>]) -> Vec<File> {
     let functions: Vec<_> = real_types(units).map(twincat::usable).collect();
     let name = "axgen_shared";
     let file = CodesysUsable { version: VERSION, name, body_digest: UNSEALED, functions: &functions };

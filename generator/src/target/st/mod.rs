@@ -3,10 +3,10 @@
 //! Whatever implementations disagree on is not printed: see `docs/structured-text.md`.
 
 mod block;
-pub mod codesys;
-pub mod plain;
-pub mod scl;
-pub mod twincat;
+pub(super) mod codesys;
+pub(super) mod plain;
+pub(super) mod scl;
+pub(super) mod twincat;
 
 use super::Unit;
 use portable::RealKind;

@@ -6,7 +6,7 @@ use crate::target::{File, Header, Legal, sealed, stem};
 use compiler::print::st::PLAIN;
 
 /// The file of an axis.
-pub fn files(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
+pub(crate) fn files(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
     let name = format!("{}.st", stem(&axis.axis));
     let (origin, blocks) = listings(axis, &name, blocks, "", &PLAIN);
     vec![sealed(name, "", &PlainFile { origin: &origin, blocks: &blocks })]

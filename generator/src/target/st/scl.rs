@@ -6,7 +6,7 @@ use crate::target::{File, Header, Legal, sealed, stem};
 use compiler::print::st::SCL;
 
 /// The file of an axis.
-pub fn files(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
+pub(crate) fn files(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
     let name = format!("{}.scl", stem(&axis.axis));
     let (origin, blocks) = listings(axis, &name, blocks, "FB_", &SCL);
     vec![sealed(name, "", &SclFile { origin: &origin, blocks: &blocks })]

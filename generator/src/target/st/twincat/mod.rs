@@ -4,7 +4,7 @@ mod guid;
 mod project;
 mod suite;
 
-pub use project::shared;
+pub(crate) use project::shared;
 
 use super::block::{listing, origin};
 use crate::digest::UNSEALED;
@@ -28,7 +28,7 @@ const TESTS: &str = "Tests";
 const BYTE_ORDER_MARK: &str = "\u{feff}";
 
 /// The files of an axis: for each block the function block, and a suite with its vector.
-pub fn files(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
+pub(crate) fn files(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
     blocks
         .iter()
         .flat_map(|block| {
@@ -51,8 +51,7 @@ fn function_block(axis: &Header, block: &Legal<'_>, name: &str) -> File {
 }
 
 /// The name of the function block of a block of an axis.
-#[must_use]
-pub fn block_name(axis: &str, block: &str) -> String {
+pub(crate) fn block_name(axis: &str, block: &str) -> String {
     format!("FB_{}", target::block_name(axis, block))
 }
 
@@ -65,8 +64,7 @@ fn word_name(real: RealKind) -> &'static str {
 }
 
 /// The function that looks at a sample's exponent bits before it compares it.
-#[must_use]
-pub fn usable(real: RealKind) -> TcUsable<'static> {
+pub(crate) fn usable(real: RealKind) -> TcUsable<'static> {
     let name = st::usable(real);
     let exponent = match real {
         RealKind::F64 => "16#7FF0000000000000",

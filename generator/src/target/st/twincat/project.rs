@@ -12,8 +12,7 @@ use portable::RealKind;
 use reference::ipc::{mode_dryrun, mode_off, mode_on};
 
 /// The shared files.
-#[must_use]
-pub fn shared(units: &[Unit<'_>]) -> Vec<File> {
+pub(crate) fn shared(units: &[Unit<'_>]) -> Vec<File> {
     let mut blocks: Vec<String> =
         units.iter().flat_map(|unit| unit.blocks.iter().map(|block| block_name(unit.axis, block))).collect();
     // By name, so that an axis can move in the set.

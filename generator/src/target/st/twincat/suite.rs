@@ -12,7 +12,7 @@ use compiler::program::{Type, Variable};
 use portable::{Literal, RealKind};
 
 /// The vector and the suite of a block.
-pub fn files(axis: &Header, block: &Legal<'_>, name: &str) -> [File; 2] {
+pub(crate) fn files(axis: &Header, block: &Legal<'_>, name: &str) -> [File; 2] {
     let list = vector_name(name);
     let vector = &block.block.vector;
     let program = &block.block.program;
@@ -57,12 +57,12 @@ pub fn files(axis: &Header, block: &Legal<'_>, name: &str) -> [File; 2] {
 }
 
 /// The name of the suite of a function block.
-pub fn suite_name(block: &str) -> String {
+pub(crate) fn suite_name(block: &str) -> String {
     format!("{block}_Test")
 }
 
 /// The name of the list with the vector of a function block.
-pub fn vector_name(block: &str) -> String {
+pub(crate) fn vector_name(block: &str) -> String {
     format!("GVL_{}_vector", &block["FB_".len()..])
 }
 
