@@ -9,6 +9,9 @@ pub type Level = u8;
 /// The level of a name, a number and a call: they never need parentheses.
 pub const PRIMARY: Level = Level::MAX;
 
+/// Writes the declaration of a local from its type and its name.
+pub type Declaration = fn(&str, &str) -> String;
+
 /// A language, or a dialect of one.
 #[derive(Clone, Copy, Debug)]
 pub struct Language {
@@ -31,7 +34,7 @@ pub struct Language {
     /// whether inputs, outputs and state are three structs, each with names of its own, instead of one scope
     pub has_structs: bool,
     /// how a local is declared among the statements: with its value, and without; `None`: elsewhere
-    pub declaration: Option<[fn(&str, &str) -> String; 2]>,
+    pub declaration: Option<[Declaration; 2]>,
     /// between a target and its value
     pub assign: &'static str,
     /// what stands around conditions and lists
