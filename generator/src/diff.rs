@@ -2,8 +2,8 @@
 //!
 //! Two axes do the same where all coefficients of their blocks are the same, however their parameters are written.
 
-use crate::blocks::{self, Kind};
 use crate::blocks::designed::Designed;
+use crate::blocks::{self, Kind};
 use crate::number::{pair, significant};
 use portable::{Literal, RealKind};
 

@@ -1,6 +1,7 @@
 //! What a designed axis must not do on a machine, and what its user should know before it acts: errors, then advice. Nothing is
 //! designed here.
 
+use crate::blocks::designed::Designed;
 use crate::blocks::feedforward::advice as feedforward;
 use crate::blocks::ipc::{advice as ipc, feasibility as sections};
 use crate::blocks::position_control::advice as position_control;
@@ -8,7 +9,6 @@ use crate::check::{gear, inert};
 use crate::codes;
 use crate::config::values::key;
 use crate::design::scale;
-use crate::blocks::designed::Designed;
 use crate::parameters::Name;
 use crate::rules::effective::Effective;
 use portable::RealKind;

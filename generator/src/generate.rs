@@ -1,9 +1,10 @@
 //! The whole way from a set to its files. Each step is one call.
 
-use crate::blocks;
-use crate::blocks::designed::Designed;
+use crate::axis::Axis;
+use crate::blocks::{self, Designed};
+use crate::digest::digest;
 use crate::pipeline::Set;
-use crate::target::{File, Target, Unit};
+use crate::target::{File, Header, Target, Unit};
 use compiler::pass::Defect;
 use rayon::prelude::*;
 
@@ -35,8 +36,20 @@ pub fn units<'s>(set: &'s Set) -> Vec<Unit<'s>> {
     set.axes.iter().map(unit).collect()
 }
 
+/// What the head of a file says of an axis.
+#[must_use]
+pub fn header(axis: &Axis) -> Header {
+    Header {
+        axis: axis.name.clone(),
+        real: axis.real,
+        cycle_time_ns: axis.cycle_time_ns,
+        parameters_digest: digest(axis.canonical.as_bytes()),
+    }
+}
+
 /// Design, specialise and the passes once; then each target prints.
 fn axis_files(designed: &Designed, targets: &[Target]) -> Result<Vec<File>, Defect> {
-    let blocks = blocks::blocks(designed)?;
-    Ok(targets.iter().flat_map(|target| (target.files)(&designed.axis, &blocks)).collect())
+    let (header, blocks) = (header(&designed.axis), blocks::blocks(designed)?);
+    let files: Result<Vec<Vec<File>>, Defect> = targets.iter().map(|target| target.files(&header, &blocks)).collect();
+    Ok(files?.into_iter().flatten().collect())
 }

@@ -1,8 +1,8 @@
 //! From axis parameters to specialised blocks.
 //!
 //! ```text
-//! read -> check -> design -> feasibility -> specialise -> passes -> print -> render -> write
-//! config  check    designed  feasibility    blocks (compiler)       target   render    write
+//! read -> check -> design -> feasibility -> (compiler: specialise -> passes -> legalise -> verify -> print) -> render -> write
+//! config  check    designed  feasibility     blocks                                             target     render    write
 //! ```
 //! `pipeline` drives the way to designed axes, `generate` the way from there to files.
 #![forbid(unsafe_code)]
@@ -24,7 +24,7 @@ pub mod number;
 pub mod parameters;
 pub mod pipeline;
 pub mod reference_page;
-pub mod render;
+mod render;
 mod rules;
 pub mod schema;
 pub mod self_test;

@@ -5,7 +5,7 @@ use portable::{Literal, Real};
 use std::marker::PhantomData;
 
 /// The generator of the self-test's and the vector's noise: scale * (integer of 24 bits - 2^23).
-pub struct Noise<R> {
+pub(crate) struct Noise<R> {
     random: u32,
     scales: [Literal; 2],
     real: PhantomData<R>,
@@ -13,19 +13,17 @@ pub struct Noise<R> {
 
 impl<R: Real> Noise<R> {
     /// Noise of two ranges, each above 0.
-    #[must_use]
-    pub fn within(ranges: [f64; 2]) -> Self {
+    pub(crate) fn within(ranges: [f64; 2]) -> Self {
         Self { random: 1, scales: ranges.map(|range| leaf(Self::scale(range))), real: PhantomData }
     }
 
     /// The two factors.
-    #[must_use]
-    pub fn scales(&self) -> [Literal; 2] {
+    pub(crate) fn scales(&self) -> [Literal; 2] {
         self.scales
     }
 
     /// The next number, of the first or the second range.
-    pub fn next(&mut self, is_loud: bool) -> Literal {
+    pub(crate) fn next(&mut self, is_loud: bool) -> Literal {
         self.random = self.random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
         let scale: R = portable::Portable::build(&mut || self.scales[usize::from(is_loud)]);
         leaf((R::from_u32(self.random >> 8) - R::lit(8_388_608.0)) * scale)

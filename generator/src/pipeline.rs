@@ -1,10 +1,10 @@
 //! From a file to its designed axes: read, check, design, feasibility. The one place that drives these steps.
 
+use crate::blocks::designed::Designed;
 use crate::check::{self, Checked, gantry};
 use crate::config::given::{self, GivenAxis};
 use crate::config::values::{Setting, key};
 use crate::config::{ListOptions, Load, file};
-use crate::blocks::designed::Designed;
 use crate::diagnostics::{Place, Report, Severity};
 use crate::feasibility;
 use crate::parameters::Name;

@@ -1,7 +1,7 @@
 //! What an axis's blocks do, in a few lines for the user.
 
-use crate::blocks::{self, part::Summary};
 use crate::blocks::designed::Designed;
+use crate::blocks::{self, part::Summary};
 use portable::RealKind;
 
 /// The lines for an axis.

@@ -64,7 +64,9 @@ pub fn record<R: Real, B: Reference<R>>(coeffs: &B::Coeffs, program: &Program, r
         let input = B::Inputs::build(&mut || values.next().expect("vector: as many values as inputs"));
         B::step(&mut state, coeffs, &input, &mut outputs);
         vector.inputs.push(inputs);
-        vector.outputs.push(leaves(&outputs));
+        let mut found = Vec::with_capacity(program.outputs.len());
+        outputs.visit(&mut |leaf| found.push(leaf));
+        vector.outputs.push(found);
     }
     vector
 }

@@ -6,6 +6,7 @@
 use compiler::program::{Expr, Statement, Type, Var};
 use generator::blocks::blocks;
 use generator::config::ListOptions;
+use generator::generate::header;
 use generator::pipeline::{Set, read, read_with};
 use generator::target::{File, TARGETS};
 use portable::{Binary, Literal, RealKind, Unary};
@@ -127,7 +128,8 @@ fn full_of_signs(set: &Set) -> Vec<(String, String)> {
         let of_comparison = |operator| Statement::Assign { target: limited, value: both(operator) };
         block.program.step.extend(sums.map(of_sum).into_iter().chain(comparisons.map(of_comparison)));
     }
-    let files = TARGETS.iter().flat_map(|target| (target.files)(&axis.axis, std::slice::from_ref(&block)));
+    let files =
+        TARGETS.iter().flat_map(|target| target.files(&header(&axis.axis), std::slice::from_ref(&block)).unwrap());
     files.map(|file| (file.name, file.text)).collect()
 }
 

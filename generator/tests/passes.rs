@@ -13,7 +13,7 @@ fn variable(path: &str, ty: Type, start: Literal) -> Variable {
 fn program(locals: usize, step: Vec<Statement>) -> Program {
     Program {
         block: "small",
-        enable: "mode",
+        switch: None,
         real: RealKind::F64,
         inputs: vec![variable("x", Type::Real, Literal::F64(0.0)), variable("on", Type::Bool, Literal::Bool(false))],
         outputs: vec![variable("y", Type::Real, Literal::F64(0.0))],

@@ -16,10 +16,11 @@ use crate::engine::{self, Engine};
 use crate::samples::{Samples, Shape};
 use crate::shows::shown;
 use crate::stimulus::{self, Stimulus};
+use generator::blocks::Designed;
 use generator::blocks::{self, Block};
 use generator::config::ListOptions;
-use generator::blocks::Designed;
 use generator::digest::digest;
+use generator::generate::header;
 use generator::pipeline;
 use generator::target::{File, TARGETS};
 use serde::Deserialize;
@@ -136,8 +137,12 @@ fn recording(case: &Case) -> Result<Recording, String> {
         ("digest", digests),
     ];
     let blocks = std::slice::from_ref(&case.block);
-    let emitted = TARGETS.iter().flat_map(|target| (target.files)(&case.axis.axis, blocks));
-    let emitted = emitted.map(|file| File { name: format!("{EMITTED}/{}", file.name), text: file.text });
+    let mut emitted = Vec::new();
+    for target in TARGETS {
+        let files = target.files(&header(&case.axis.axis), blocks);
+        emitted.extend(files.map_err(|defect| defect.to_string())?);
+    }
+    let emitted = emitted.into_iter().map(|file| File { name: format!("{EMITTED}/{}", file.name), text: file.text });
     let texts = texts.into_iter().map(|(name, text)| File { name: name.to_owned(), text });
     Ok(Recording {
         files: texts.chain(emitted).collect(),

@@ -64,7 +64,9 @@ fn uses(file: &Path, module: &str) -> Vec<Vec<String>> {
             paths(&line.tree, &[], &mut of_line);
             let hands_on = !matches!(line.vis, syn::Visibility::Inherited);
             let is_own = |path: &Vec<String>| !["crate", "super"].contains(&path[0].as_str());
-            found.extend(of_line.into_iter().filter(|path| !(hands_on && is_own(path))).map(|path| absolute(path, module)));
+            found.extend(
+                of_line.into_iter().filter(|path| !(hands_on && is_own(path))).map(|path| absolute(path, module)),
+            );
         }
     }
     found

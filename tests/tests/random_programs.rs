@@ -5,8 +5,8 @@
 #![expect(clippy::print_stdout, reason = "what the run has covered")]
 
 use axgen_tests::random::campaign::{self, Settings};
-use axgen_tests::random::inside::defect::Defect;
 use axgen_tests::random::print;
+use inside::defect::Defect;
 use std::path::PathBuf;
 
 /// Where crates and C are built.

@@ -2,9 +2,10 @@
 //! golden cases.
 
 use axgen_tests::cases::{all, title};
-use generator::target::names::Names;
-use generator::target::st::names::{is_reserved, signals};
-use generator::target::st::{scl, twincat};
+use compiler::print::signals;
+use compiler::print::st::SCL;
+use generator::generate::header;
+use generator::target::{block_name, named};
 use golden::case::{self, Case, VECTOR_SAMPLES};
 use golden::engine::{self, Engine};
 use golden::samples::{Samples, Shape};
@@ -15,9 +16,9 @@ use std::collections::BTreeSet;
 /// What a text of a case's block answers.
 fn answers(case: &Case, text: &str, inputs: &Samples, outputs: &Shape) -> Samples {
     let program = &case.block.program;
-    let name = twincat::block_name(&case.axis.axis.name, program.block);
+    let name = format!("FB_{}", block_name(&case.axis.axis.name, program.block));
     let block = Block::read(Dialect::Scl, text, &name, program.real).unwrap_or_else(|mistakes| panic!("{mistakes:?}"));
-    let names = signals(program, &mut Names::without(is_reserved));
+    let names = signals(program, &SCL);
     let [inputs_of, outputs_of] = [(&inputs.shape, &names[0]), (outputs, &names[1])].map(|(shape, names)| {
         let signals = shape.signals.iter().zip(names).map(|(signal, name)| (name.as_str(), signal.start));
         signals.collect::<Vec<Signal<'_>>>()
@@ -58,9 +59,10 @@ fn a_zero_of_the_other_sign_is_seen_in_the_outputs() {
             let inputs = case::inputs(case, VECTOR_SAMPLES).unwrap_or_else(|mistake| panic!("{mistake}"));
             let expected = engine::run(Engine::Reference, &case.axis, &case.block, &inputs)
                 .unwrap_or_else(|failure| panic!("{}: {failure}", title(case)));
-            let text = scl::files(&case.axis.axis, std::slice::from_ref(&case.block)).remove(0).text;
+            let scl = named("scl").unwrap();
+            let text = scl.files(&header(&case.axis.axis), std::slice::from_ref(&case.block)).unwrap().remove(0).text;
             assert!(answers(case, &text, &inputs, &expected.shape) == expected, "{}", title(case));
-            let [_, outputs] = signals(&case.block.program, &mut Names::without(is_reserved));
+            let [_, outputs] = signals(&case.block.program, &SCL);
             let (mut planted, mut seen) = (BTreeSet::new(), BTreeSet::new());
             for (at, line) in zeros(&text, &outputs) {
                 let mut changed = text.clone();

@@ -2,13 +2,15 @@
 
 use crate::exit::Exit;
 use crate::output;
-use compiler::pass;
-use generator::blocks;
-use generator::blocks::Designed;
+use compiler::legalise;
+use compiler::pass::{self, Defect};
+use generator::blocks::{self, Designed};
+use generator::target::{self, TARGETS};
 
-/// The stages, in the order of the pipeline.
+/// The stages, in the order of the pipeline; at last the programs as the targets with passes of their own print them.
 fn stages() -> Vec<&'static str> {
-    ["parameters", "program"].into_iter().chain(pass::PASSES.map(|(name, _)| name)).collect()
+    let targets = TARGETS.iter().filter(|target| !target.passes.is_empty()).map(|target| target.name);
+    ["parameters", "program"].into_iter().chain(pass::PASSES.map(|(name, _)| name)).chain(targets).collect()
 }
 
 /// What the help says of the option.
@@ -34,12 +36,19 @@ pub fn run<'a>(axes: impl Iterator<Item = &'a Designed>, stage: &str) -> Result<
     Ok(Exit::Done)
 }
 
-/// Prints the programs of an axis after a pass; none: as the specialiser gives them.
+/// Prints the programs of an axis after a pass, or for a target; none: as the specialiser gives them.
 fn print(designed: &Designed, last: Option<&str>) -> Result<(), Exit> {
+    let passes = last.and_then(target::named).map_or(&[][..], |target| target.passes);
+    let last = if passes.is_empty() { last } else { Some("verified") };
     for kind in blocks::of_axis(&designed.axis) {
-        let program = kind.program(designed, last).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
-        let (name, text) = (&designed.axis.name, compiler::dump::text(&program));
+        let program = kind.program(designed, last).unwrap_or_else(|defect| broken(&defect));
+        let legal = legalise::run(&program, passes).unwrap_or_else(|defect| broken(&defect));
+        let (name, text) = (&designed.axis.name, compiler::dump::text(&legal));
         output::line(format!("# axis {name}: {}\n{}", program.block, text.trim_end()))?;
     }
     Ok(())
+}
+
+fn broken(defect: &Defect) -> ! {
+    panic!("a defect of axgen: {defect}")
 }

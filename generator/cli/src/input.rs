@@ -4,9 +4,9 @@ use crate::arguments::SetArguments;
 use crate::exit::Exit;
 use crate::messages::{self, Format};
 use crate::output;
+use generator::blocks::Designed;
 use generator::codes;
 use generator::config::ListOptions;
-use generator::blocks::Designed;
 use generator::diagnostics::{Diagnostic, Place, Report};
 use generator::pipeline::{self, Set};
 

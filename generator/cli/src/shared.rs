@@ -3,9 +3,8 @@
 //! They name the axes that are written, and those whose files are in the folder already: what TwinCAT's project file names is
 //! there, whichever axes were written one by one, and writing one anew takes none out: docs/decisions/0017-single-axes.md.
 
-use generator::blocks;
-use generator::blocks::Designed;
-use generator::generate::units;
+use generator::blocks::{self, Designed};
+use generator::generate::{header, units};
 use generator::pipeline::Set;
 use generator::target::{self, Target};
 use rayon::prelude::*;
@@ -62,8 +61,8 @@ fn is_there(designed: &Designed, target: &Target, out: &Path, files: &str) -> bo
     if !files.contains(&target::stem(&designed.axis.name)) {
         return false;
     }
-    let blocks = blocks::blocks(designed).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
-    let files = (target.files)(&designed.axis, &blocks);
+    let files = blocks::blocks(designed).and_then(|blocks| target.files(&header(&designed.axis), &blocks));
+    let files = files.unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
     !files.is_empty() && files.iter().all(|file| out.join(&file.name).is_file())
 }
 

@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! specialise -> pass -> interp, dump
+//!                    -> legalise -> print
 //! ```
 //! `program` is the data between the steps, `arithmetic` what folding and the interpreter agree on.
 #![forbid(unsafe_code)]
@@ -10,7 +11,9 @@ pub mod arithmetic;
 pub mod dump;
 pub mod interp;
 mod leaves;
+pub mod legalise;
 pub mod pass;
+pub mod print;
 pub mod program;
 pub mod specialise;
 

@@ -1,8 +1,8 @@
 //! From a designed axis to one of its blocks: specialise, the passes, the self-test, the recorded run. No target here.
 
 use super::part::Part;
-use crate::design::rounding::rounded;
 use crate::blocks::designed::Designed;
+use crate::design::rounding::rounded;
 use crate::self_test::{self, SelfTest};
 use crate::vector::{self, Vector};
 use compiler::pass::{self, Defect};

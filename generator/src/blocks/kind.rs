@@ -3,8 +3,8 @@
 use super::build::{self, Block};
 use super::part::{Part, Summary};
 use crate::axis::Axis;
-use crate::design::rounding::rounded;
 use crate::blocks::designed::Designed;
+use crate::design::rounding::rounded;
 use compiler::leaves;
 use compiler::pass::Defect;
 use compiler::program::Program;

@@ -5,44 +5,38 @@ mod cdata;
 mod st;
 mod twincat;
 
-pub use c::{CBlock, CFile, CHeader, CSelfTest, CSource, Noisy, Switch};
-pub use cdata::Cdata;
-pub use st::{CodesysFile, CodesysUsable, Origin, PlainFile, SclFile, StBlock};
-pub use twincat::{
+pub(crate) use c::{CBlock, CFile, CHeader, CSelfTest, CSource, Noisy, Switch};
+pub(crate) use cdata::Cdata;
+pub(crate) use st::{CodesysFile, CodesysUsable, Origin, PlainFile, SclFile, StBlock};
+pub(crate) use twincat::{
     Compile, Item, TcEnum, TcGuide, TcPou, TcProgram, TcProject, TcSuite, TcUnion, TcUsable, TcVector, Track,
 };
 
 /// A variable that is declared.
 #[derive(Clone, Debug)]
-pub struct Member {
-    /// its type
-    pub ty: &'static str,
-    /// its name
-    pub name: String,
+pub(crate) struct Member {
+    pub(crate) ty: &'static str,
+    pub(crate) name: String,
     /// its meaning
-    pub doc: String,
+    pub(crate) doc: String,
     /// its first value
-    pub start: String,
+    pub(crate) start: String,
 }
 
 /// Constants that belong together.
 #[derive(Clone, Debug)]
-pub struct Group {
+pub(crate) struct Group {
     /// what they belong to; empty: said already
-    pub note: String,
-    /// the constants
-    pub constants: Vec<ConstantText>,
+    pub(crate) note: String,
+    pub(crate) constants: Vec<ConstantText>,
 }
 
 /// A named number.
 #[derive(Clone, Debug)]
-pub struct ConstantText {
-    /// its type
-    pub ty: &'static str,
-    /// its name
-    pub name: String,
-    /// its value
-    pub value: String,
+pub(crate) struct ConstantText {
+    pub(crate) ty: &'static str,
+    pub(crate) name: String,
+    pub(crate) value: String,
     /// its meaning
-    pub doc: String,
+    pub(crate) doc: String,
 }

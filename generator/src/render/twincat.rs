@@ -6,175 +6,132 @@ use askama::Template;
 /// A function block.
 #[derive(Template)]
 #[template(path = "twincat/block.TcPOU")]
-pub struct TcPou<'a> {
-    /// the comment at the top
-    pub origin: &'a str,
-    /// the object's GUID
-    pub id: &'a str,
-    /// the block
-    pub block: &'a StBlock,
+pub(crate) struct TcPou<'a> {
+    pub(crate) origin: &'a str,
+    pub(crate) id: &'a str,
+    pub(crate) block: &'a StBlock,
 }
 
 /// The function that looks at a sample's exponent bits.
 #[derive(Template)]
 #[template(path = "twincat/usable.TcPOU")]
-pub struct TcUsable<'a> {
-    /// the tool's version
-    pub version: &'a str,
-    /// digest of the file
-    pub body_digest: &'a str,
-    /// the object's GUID
-    pub id: String,
-    /// the function's name
-    pub name: &'a str,
-    /// name of the real type
-    pub real: &'a str,
+pub(crate) struct TcUsable<'a> {
+    pub(crate) version: &'a str,
+    pub(crate) body_digest: &'a str,
+    pub(crate) id: String,
+    pub(crate) name: &'a str,
+    pub(crate) real: &'a str,
     /// the bit string of the same size
-    pub word: &'a str,
+    pub(crate) word: &'a str,
     /// the exponent's bits
-    pub exponent: &'a str,
+    pub(crate) exponent: &'a str,
 }
 
 /// The enumeration of the modes.
 #[derive(Template)]
 #[template(path = "twincat/mode.TcDUT")]
-pub struct TcEnum<'a> {
-    /// the tool's version
-    pub version: &'a str,
-    /// digest of the file
-    pub body_digest: &'a str,
-    /// the object's GUID
-    pub id: String,
-    /// the modes
-    pub items: &'a [Item],
+pub(crate) struct TcEnum<'a> {
+    pub(crate) version: &'a str,
+    pub(crate) body_digest: &'a str,
+    pub(crate) id: String,
+    pub(crate) items: &'a [Item],
 }
 
 /// A value of an enumeration.
-pub struct Item {
-    /// its name
-    pub name: &'static str,
-    /// its number
-    pub value: i32,
+pub(crate) struct Item {
+    pub(crate) name: &'static str,
+    pub(crate) value: i32,
 }
 
 /// The union of a real and its bits.
 #[derive(Template)]
 #[template(path = "twincat/bits.TcDUT")]
-pub struct TcUnion<'a> {
-    /// the tool's version
-    pub version: &'a str,
-    /// digest of the file
-    pub body_digest: &'a str,
-    /// the object's GUID
-    pub id: String,
-    /// name of the real type
-    pub real: &'a str,
+pub(crate) struct TcUnion<'a> {
+    pub(crate) version: &'a str,
+    pub(crate) body_digest: &'a str,
+    pub(crate) id: String,
+    pub(crate) real: &'a str,
     /// the bit string of the same size
-    pub word: &'a str,
+    pub(crate) word: &'a str,
 }
 
 /// A recorded run of a block.
 #[derive(Template)]
 #[template(path = "twincat/vector.TcGVL")]
-pub struct TcVector<'a> {
-    /// the comment at the top
-    pub origin: &'a str,
-    /// the object's GUID
-    pub id: &'a str,
-    /// the list's name
-    pub name: &'a str,
-    /// the last sample
-    pub last: usize,
+pub(crate) struct TcVector<'a> {
+    pub(crate) origin: &'a str,
+    pub(crate) id: &'a str,
+    pub(crate) name: &'a str,
+    pub(crate) last: usize,
     /// inputs and outputs
-    pub tracks: &'a [Track],
+    pub(crate) tracks: &'a [Track],
 }
 
 /// A signal of a recorded run.
-pub struct Track {
-    /// its name
-    pub name: String,
+pub(crate) struct Track {
+    pub(crate) name: String,
     /// the type of its values
-    pub ty: &'static str,
+    pub(crate) ty: &'static str,
     /// whether the values are the bits of reals
-    pub is_bits: bool,
-    /// the values
-    pub values: String,
+    pub(crate) is_bits: bool,
+    pub(crate) values: String,
 }
 
 /// The suite that runs a block with its vector.
 #[derive(Template)]
 #[template(path = "twincat/suite.TcPOU")]
-pub struct TcSuite<'a> {
-    /// the comment at the top
-    pub origin: &'a str,
-    /// the object's GUID
-    pub id: &'a str,
-    /// the method's GUID
-    pub method_id: &'a str,
-    /// the suite's name
-    pub name: &'a str,
-    /// the function block
-    pub block: &'a str,
-    /// the list with the vector
-    pub vector: &'a str,
-    /// how many samples
-    pub samples: usize,
-    /// name of the real type
-    pub real: &'a str,
+pub(crate) struct TcSuite<'a> {
+    pub(crate) origin: &'a str,
+    pub(crate) id: &'a str,
+    pub(crate) method_id: &'a str,
+    pub(crate) name: &'a str,
+    pub(crate) block: &'a str,
+    pub(crate) vector: &'a str,
+    pub(crate) samples: usize,
+    pub(crate) real: &'a str,
     /// what is read from the vector
-    pub inputs: &'a [Track],
+    pub(crate) inputs: &'a [Track],
     /// what is compared with it
-    pub outputs: &'a [Track],
+    pub(crate) outputs: &'a [Track],
 }
 
 /// The program that runs all suites.
 #[derive(Template)]
 #[template(path = "twincat/tests.TcPOU")]
-pub struct TcProgram<'a> {
-    /// the tool's version
-    pub version: &'a str,
-    /// digest of the file
-    pub body_digest: &'a str,
-    /// the object's GUID
-    pub id: String,
-    /// the suites
-    pub suites: &'a [String],
+pub(crate) struct TcProgram<'a> {
+    pub(crate) version: &'a str,
+    pub(crate) body_digest: &'a str,
+    pub(crate) id: String,
+    pub(crate) suites: &'a [String],
 }
 
 /// What a project file has to name.
 #[derive(Template)]
 #[template(path = "twincat/axgen.plcproj")]
-pub struct TcProject<'a> {
-    /// the tool's version
-    pub version: &'a str,
-    /// digest of the file
-    pub body_digest: &'a str,
+pub(crate) struct TcProject<'a> {
+    pub(crate) version: &'a str,
+    pub(crate) body_digest: &'a str,
     /// what the machine runs
-    pub objects: &'a [Compile],
+    pub(crate) objects: &'a [Compile],
     /// what only the tests need
-    pub tests: &'a [Compile],
+    pub(crate) tests: &'a [Compile],
 }
 
 /// An entry of a project.
-pub struct Compile {
-    /// the folder
-    pub folder: &'static str,
-    /// the file in it
-    pub file: String,
+pub(crate) struct Compile {
+    pub(crate) folder: &'static str,
+    pub(crate) file: String,
 }
 
 /// The guide beside the files.
 #[derive(Template)]
 #[template(path = "twincat/IMPORT.md")]
-pub struct TcGuide<'a> {
-    /// the tool's version
-    pub version: &'a str,
-    /// digest of the file
-    pub body_digest: &'a str,
+pub(crate) struct TcGuide<'a> {
+    pub(crate) version: &'a str,
+    pub(crate) body_digest: &'a str,
     /// a block `ipc`, for the example of a call; empty: there is none
-    pub damping: &'a str,
+    pub(crate) damping: &'a str,
     /// a block `axis`, for the example of a call; empty: there is none
-    pub axis: &'a str,
-    /// of a recorded run
-    pub samples: usize,
+    pub(crate) axis: &'a str,
+    pub(crate) samples: usize,
 }

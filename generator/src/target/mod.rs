@@ -1,18 +1,19 @@
 //! The target languages: each turns verified programs into files. A target never looks at a parameter.
 
-pub mod c;
-pub mod comment;
-pub mod line;
-pub mod names;
-pub mod number;
-pub mod outline;
-pub mod st;
+mod c;
+mod outline;
+mod st;
 
-use crate::axis::Axis;
+pub use outline::is_read;
+
 use crate::blocks::Block;
 use crate::digest::seal;
 use askama::Template;
+use compiler::legalise;
+use compiler::pass::{Defect, Stage};
+use compiler::program::Program;
 use portable::RealKind;
+use std::borrow::Cow;
 
 /// The tool's version, which every generated file names.
 const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -22,19 +23,26 @@ const VERSION: &str = env!("CARGO_PKG_VERSION");
 pub struct Target {
     /// the name on the command line and in a set
     pub name: &'static str,
-    /// the files of an axis
-    pub files: fn(&Axis, &[Block]) -> Vec<File>,
+    /// the passes that make a program one that the language can say
+    pub passes: &'static [Stage],
+    /// the files of an axis, from its blocks after these passes
+    files: fn(&Header, &[Legal<'_>]) -> Vec<File>,
     /// the files that all axes of a set share
     pub shared: fn(&[Unit<'_>]) -> Vec<File>,
 }
 
 /// All targets.
 pub const TARGETS: [Target; 5] = [
-    Target { name: "c", files: c::files, shared: nothing },
-    Target { name: "st", files: st::plain::files, shared: nothing },
-    Target { name: "twincat", files: st::twincat::files, shared: st::twincat::shared },
-    Target { name: "codesys", files: st::codesys::files, shared: st::codesys::shared },
-    Target { name: "scl", files: st::scl::files, shared: nothing },
+    Target { name: "c", passes: &[], files: c::files, shared: nothing },
+    Target { name: "st", passes: legalise::WITH_DIGITS, files: st::plain::files, shared: nothing },
+    Target { name: "twincat", passes: legalise::WITH_ENABLE, files: st::twincat::files, shared: st::twincat::shared },
+    Target {
+        name: "codesys",
+        passes: legalise::STRUCTURED_TEXT,
+        files: st::codesys::files,
+        shared: st::codesys::shared,
+    },
+    Target { name: "scl", passes: legalise::STRUCTURED_TEXT, files: st::scl::files, shared: nothing },
 ];
 
 /// The targets of a set that names none.
@@ -44,6 +52,38 @@ pub const DEFAULT_TARGETS: [&str; 2] = ["c", "st"];
 #[must_use]
 pub fn named(name: &str) -> Option<Target> {
     TARGETS.into_iter().find(|target| target.name == name)
+}
+
+impl Target {
+    /// The files of an axis that has these blocks.
+    ///
+    /// # Errors
+    /// A defect of a legalising pass.
+    pub fn files<'b>(&self, header: &Header, blocks: &'b [Block]) -> Result<Vec<File>, Defect> {
+        let legal = |block: &'b Block| Ok(Legal { program: legalise::run(&block.program, self.passes)?, block });
+        let blocks: Result<Vec<Legal<'b>>, Defect> = blocks.iter().map(legal).collect();
+        Ok((self.files)(header, &blocks?))
+    }
+}
+
+/// What the head of a file says of an axis.
+#[derive(Clone, Debug)]
+pub struct Header {
+    /// its name
+    pub axis: String,
+    /// its real type
+    pub real: RealKind,
+    /// the cycle of its position controller
+    pub cycle_time_ns: u32,
+    /// the digest of its effective parameters
+    pub parameters_digest: String,
+}
+
+/// A block with its program as the language of a target can say it.
+#[derive(Clone, Debug)]
+pub struct Legal<'b> {
+    block: &'b Block,
+    program: Cow<'b, Program>,
 }
 
 /// What a shared file may know of an axis: nothing that changes with a parameter other than the real type.

@@ -1,90 +1,110 @@
 //! What the files of every language list of a block: its signals with their meaning, and its numbers in groups that belong
 //! together. How a type, a number or a comment looks is the language's business.
 
-use super::comment;
-use crate::blocks::Block;
+use super::Legal;
 use crate::render::{ConstantText, Group, Member};
+use compiler::print::comment;
+use compiler::print::{Appearance, Language, Printer};
 use compiler::program::{Expr, Origin, Program, Type, Var, Variable};
-use portable::Literal;
 use std::fmt::Write;
 
 /// Characters in a line of a comment, without the marks around it.
-pub const COMMENT_WIDTH: usize = 110;
+pub(super) const COMMENT_WIDTH: usize = 110;
 
-/// How a language writes what is listed.
-pub struct Language<'l> {
-    /// the name of a type
-    pub ty: &'l dyn Fn(Type) -> &'static str,
-    /// the text of a value
-    pub literal: &'l dyn Fn(Literal) -> String,
-    /// between two lines of a comment
-    pub next_line: &'static str,
+/// What is listed of a block, in a language.
+pub(super) struct Outline<'l> {
+    pub(super) block: &'l Legal<'l>,
+    pub(super) language: &'static Language,
+    pub(super) printer: &'l Printer<'l>,
+    /// between two lines of a comment at the left
+    pub(super) next_line: &'static str,
 }
 
-impl Language<'_> {
-    /// The inputs of a program; those that this axis does not need say so.
-    #[must_use]
-    pub fn inputs(&self, program: &Program, names: &[String]) -> Vec<Member> {
-        let mut members = self.members(&program.inputs, names);
+impl Outline<'_> {
+    /// The inputs; those that this axis does not need say so.
+    pub(super) fn inputs(&self) -> Vec<Member> {
+        let program = &*self.block.program;
+        let mut members = self.members(&program.inputs, &self.printer.names().inputs);
         for (member, _) in members.iter_mut().zip(is_read(program)).filter(|(_, is_read)| !is_read) {
             member.doc.push_str("; not read for this axis");
         }
         members
     }
 
-    /// The outputs of a program; those that this axis does not have say so.
-    #[must_use]
-    pub fn outputs(&self, program: &Program, names: &[String]) -> Vec<Member> {
-        let mut members = self.members(&program.outputs, names);
+    /// The outputs; those that this axis does not have say so.
+    pub(super) fn outputs(&self) -> Vec<Member> {
+        let program = &*self.block.program;
+        let mut members = self.members(&program.outputs, &self.printer.names().outputs);
         for (member, _) in members.iter_mut().zip(is_constant(program)).filter(|(_, is_constant)| *is_constant) {
             let _ = write!(member.doc, "; always {} for this axis", member.start);
         }
         members
     }
 
-    /// Inputs, outputs or state.
-    #[must_use]
-    pub fn members(&self, variables: &[Variable], names: &[String]) -> Vec<Member> {
+    /// The state.
+    pub(super) fn state(&self) -> Vec<Member> {
+        self.members(&self.block.program.state, &self.printer.names().state)
+    }
+
+    /// The intermediate values; what they mean is said where they are computed.
+    pub(super) fn locals(&self) -> Vec<Member> {
+        let (program, names) = (&*self.block.program, &self.printer.names().locals);
+        let of = |(local, name): (&compiler::program::Local, &String)| Member {
+            ty: self.ty(local.ty.expect("outline: the typing pass has typed every local")),
+            name: name.clone(),
+            doc: String::new(),
+            start: String::new(),
+        };
+        program.locals.iter().zip(names).map(of).collect()
+    }
+
+    fn members(&self, variables: &[Variable], names: &[String]) -> Vec<Member> {
         let member = |(variable, name): (&Variable, &String)| Member {
-            ty: (self.ty)(variable.ty),
+            ty: self.ty(variable.ty),
             name: name.clone(),
             doc: comment::harmless(variable.doc).into_owned(),
-            start: (self.literal)(variable.start),
+            start: (self.language.literal)(variable.start),
         };
         variables.iter().zip(names).map(member).collect()
     }
 
-    /// The constants of a program in their order, a new group where another note of the block begins.
-    #[must_use]
-    pub fn groups(&self, block: &Block, program: &Program, names: &[String]) -> Vec<Group> {
+    fn ty(&self, ty: Type) -> &'static str {
+        (self.language.ty)(ty, self.block.program.real)
+    }
+
+    /// The constants that appear in this way, in their order, a new group where another note of the block begins.
+    pub(super) fn groups(&self, wanted: Appearance) -> Vec<Group> {
         let mut groups: Vec<Group> = Vec::new();
         let mut said = Vec::new();
-        for (constant, name) in program.constants.iter().zip(names) {
+        let (constants, names) = (&self.block.program.constants, &self.printer.names().constants);
+        for ((constant, name), appearance) in constants.iter().zip(names).zip(self.printer.appearances()) {
             let notes: Vec<&str> = match constant.origin {
                 Origin::Coefficient(_) => {
-                    notes_of(&constant.path).filter_map(|path| block.notes.get(path)).map(String::as_str).collect()
+                    let notes = &self.block.block.notes;
+                    notes_of(&constant.path).filter_map(|path| notes.get(path)).map(String::as_str).collect()
                 }
                 Origin::Function => vec!["the same for every axis"],
             };
             let fresh: Vec<&str> = notes.iter().copied().filter(|note| !said.contains(note)).collect();
-            let text = ConstantText {
-                ty: (self.ty)(Type::of(constant.value).expect("outline: the passes leave what exists at run time")),
-                name: name.clone(),
-                value: (self.literal)(constant.value),
-                doc: comment::harmless(constant.doc).into_owned(),
-            };
-            match groups.last_mut() {
-                Some(last) if fresh.is_empty() => last.constants.push(text),
-                _ => groups.push(Group { note: self.note(&fresh), constants: vec![text] }),
+            if groups.is_empty() || !fresh.is_empty() {
+                let note = comment::wrapped(&fresh, COMMENT_WIDTH, self.next_line);
+                groups.push(Group { note, constants: Vec::new() });
             }
-            said.extend(notes);
+            if let (Some(group), true) = (groups.last_mut(), *appearance == wanted) {
+                group.constants.push(ConstantText {
+                    ty: self.ty(Type::of(constant.value).expect("outline: the passes leave what exists at run time")),
+                    name: name.clone(),
+                    value: match wanted {
+                        Appearance::Assigned => (self.language.operand)(constant.value).0,
+                        Appearance::Inline | Appearance::Declared => (self.language.literal)(constant.value),
+                    },
+                    doc: comment::harmless(constant.doc).into_owned(),
+                });
+            }
+            said.extend(fresh);
         }
+        groups.retain(|group| !group.constants.is_empty());
         groups
-    }
-
-    /// Notes as the inside of one comment.
-    fn note(&self, notes: &[&str]) -> String {
-        comment::wrapped(notes, COMMENT_WIDTH, self.next_line)
     }
 }
 
@@ -93,12 +113,10 @@ impl Language<'_> {
 pub fn is_read(program: &Program) -> Vec<bool> {
     let mut read = vec![false; program.inputs.len()];
     for statement in &program.step {
-        statement.expressions(&mut |expr| {
-            expr.variables(&mut |var| {
-                if let Var::Input(index) = var {
-                    read[index] = true;
-                }
-            });
+        statement.reads(&mut |var| {
+            if let Var::Input(index) = var {
+                read[index] = true;
+            }
         });
     }
     read

@@ -2,8 +2,8 @@
 
 use super::{block, one_band_pass, rack_and_pinion, sets};
 use generator::axis::Prototype;
-use generator::blocks::ipc::certificate::certify;
 use generator::blocks::Designed;
+use generator::blocks::ipc::certificate::certify;
 use portable::RealKind;
 use std::time::Instant;
 

@@ -10,9 +10,9 @@ mod range;
 mod response;
 
 use generator::axis::{Axis, DirectSource, Enable, Filter, Ipc, Mode, Prototype, Stage};
+use generator::blocks::Designed;
 use generator::blocks::ipc::certificate::{Certificate, certify};
 use generator::blocks::{Block, blocks};
-use generator::blocks::Designed;
 use portable::RealKind;
 
 /// The one block of an axis.

@@ -2,9 +2,9 @@
 
 use super::{block, certified, one_band_pass, rack_and_pinion, sets};
 use generator::axis::{Axis, Prototype};
+use generator::blocks::Designed;
 use generator::blocks::ipc::certificate::{Certificate, certify};
 use generator::design::response::Complex;
-use generator::blocks::Designed;
 use portable::{Literal, RealKind};
 use proptest::prelude::*;
 

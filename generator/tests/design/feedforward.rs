@@ -2,12 +2,12 @@
 //! last digit that they are printed with; what the drive gets is an integer and compared as one.
 
 use generator::axis::{Axis, Enable, Motor, Ratio, Resolution, TimeBase, Torque, Velocity, Width};
+use generator::blocks::Designed;
 use generator::blocks::blocks;
 use generator::config::ListOptions;
 use generator::design::delay::delay as design_delay;
 use generator::design::rounding::rounded;
 use generator::design::scale::{self, angular_acceleration};
-use generator::blocks::Designed;
 use generator::pipeline::read;
 use portable::{Block, RealKind};
 use reference::feedforward::{Feedforward, Inputs};

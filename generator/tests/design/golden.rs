@@ -1,12 +1,12 @@
 //! Numbers of designs that were computed elsewhere, kept to 1e-13.
 
 use generator::axis::{Axis, DirectSource, Enable, Filter, Ipc, Mode, Prototype, Stage};
+use generator::blocks::Designed;
 use generator::design;
 use generator::design::band::{Band, band, warped};
 use generator::design::bandpass::{self, Section};
 use generator::design::response::{of_allpass, of_bandpass, of_biquad, of_stage};
 use generator::design::{allpass, oscillation};
-use generator::blocks::Designed;
 use portable::RealKind;
 use reference::stage;
 

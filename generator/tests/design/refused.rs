@@ -2,8 +2,8 @@
 
 use super::sets::axes;
 use generator::axis::{Axis, Filter, Mode, Prototype};
-use generator::blocks::ipc::feasibility::{Refusal, refusals};
 use generator::blocks::Designed;
+use generator::blocks::ipc::feasibility::{Refusal, refusals};
 use portable::RealKind;
 
 /// An axis with one INDIRECT stage: 62.5 us, Q 10, and an all-pass beside a band-pass of order 3.

@@ -2,10 +2,10 @@
 
 use super::sets::axes;
 use generator::axis::{Axis, Filter, Mode, Prototype};
+use generator::blocks::Designed;
 use generator::blocks::ipc::design::{design, fade_cycles};
 use generator::blocks::named;
 use generator::design::rounding::rounded;
-use generator::blocks::Designed;
 use portable::{Literal, Portable, RealKind, Ty};
 use reference::ipc::Coeffs;
 

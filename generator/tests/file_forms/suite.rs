@@ -2,10 +2,10 @@
 
 use crate::twincat::{code, object};
 use crate::{CASES, xml};
+use compiler::print::identifier;
 use compiler::program::Type;
 use generator::blocks::blocks;
-use generator::target::names::identifier;
-use generator::target::outline::is_read;
+use generator::target::is_read;
 use portable::RealKind;
 
 /// What TcUnit takes of one suite unless its library is built for more.

@@ -3,10 +3,9 @@
 use crate::twincat::{code, object};
 use crate::{CASES, Case};
 use compiler::interp::Machine;
+use compiler::print::identifier;
 use compiler::program::{Type, Variable};
-use generator::blocks::{Block, blocks};
-use generator::blocks::Designed;
-use generator::target::names::identifier;
+use generator::blocks::{Block, Designed, blocks};
 use portable::{Literal, RealKind};
 use std::collections::BTreeMap;
 

@@ -1,7 +1,7 @@
 //! Every number that is printed reads back to the same bits, the way in which each implementation reads it.
 
 use super::{MACHINE, files};
-use generator::target::st::types::literal;
+use compiler::print::st::literal;
 use portable::Literal;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};

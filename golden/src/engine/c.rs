@@ -2,11 +2,10 @@
 
 use super::{Compiler, Failure};
 use crate::samples::{Samples, Shape};
-use compiler::program::Type;
-use generator::blocks::Block;
-use generator::blocks::Designed;
-use generator::target::c::{files, types};
-use generator::target::names;
+use compiler::print::c::LANGUAGE;
+use compiler::print::signals;
+use compiler::program::{Type, Variable};
+use generator::blocks::{Block, Designed};
 use std::fmt::Write as _;
 use std::io::{Read, Write};
 use std::process::{Command, Stdio};
@@ -40,7 +39,7 @@ impl Harness {
             let written = std::fs::write(folder.path().join(name), text);
             written.map_err(|error| Failure::Environment(format!("{name}: {error}")))
         };
-        let emitted = files(&designed.axis, blocks);
+        let emitted = super::files("c", designed, blocks)?;
         for file in &emitted {
             write(&file.name, &file.text)?;
         }
@@ -79,25 +78,25 @@ fn new_folder() -> Result<TempDir, Failure> {
 fn layout(stem: &str, block: &Block) -> String {
     let program = &block.program;
     let (prefix, real) = (format!("{stem}_{}", program.block), program.real);
-    let access = |verb: &str, variables: &[compiler::program::Variable]| {
-        variables.iter().fold(String::new(), |mut text, variable| {
-            let name = names::identifier(&variable.path);
+    let [inputs, outputs] = signals(program, &LANGUAGE);
+    let access = |verb: &str, variables: &[Variable], names: &[String]| {
+        variables.iter().zip(names).fold(String::new(), |mut text, (variable, name)| {
             let written = match variable.ty {
                 Type::Bool => write!(text, " {verb}_BOOL({name})"),
-                ty => write!(text, " {verb}({}, {name})", types::name(ty, real)),
+                ty => write!(text, " {verb}({}, {name})", (LANGUAGE.ty)(ty, real)),
             };
             written.expect("engine: a string takes all text");
             text
         })
     };
-    let frame = |variables: &[compiler::program::Variable]| Shape::of(variables, real).frame();
+    let frame = |variables: &[Variable]| Shape::of(variables, real).frame();
     format!(
         "#include \"{stem}.h\"\n#define BLOCK(name) {prefix}_##name\n#define IN_FRAME {}\n#define OUT_FRAME {}\n\
          #define GET_INPUTS{}\n#define PUT_OUTPUTS{}\n",
         frame(&program.inputs),
         frame(&program.outputs),
-        access("GET", &program.inputs),
-        access("PUT", &program.outputs),
+        access("GET", &program.inputs, &inputs),
+        access("PUT", &program.outputs, &outputs),
     )
 }
 

@@ -2,12 +2,9 @@
 
 use super::Failure;
 use crate::samples::{Samples, Shape};
-use generator::blocks::Block;
-use generator::blocks::Designed;
-use generator::target::names::Names;
-use generator::target::st::names::{is_reserved, signals};
-use generator::target::st::{codesys, plain, scl, twincat};
-use generator::target::{File, block_name};
+use compiler::print::{signals, st::PLAIN};
+use generator::blocks::{Block, Designed};
+use generator::target::block_name;
 use st::{Dialect, Mistake, Signal};
 
 /// Runs one of an axis's blocks from the file that the target of a dialect emits.
@@ -18,24 +15,23 @@ pub fn run(
     which: usize,
     inputs: &Samples,
 ) -> Result<Samples, Failure> {
-    let (axis, block) = (&designed.axis, &blocks[which]);
-    let (files, name, enable): (Vec<File>, _, &[(&str, bool)]) = match dialect {
-        Dialect::Plain => (plain::files(axis, blocks), block_name(&axis.name, block.program.block), &[]),
-        Dialect::TwinCat => {
-            let name = twincat::block_name(&axis.name, block.program.block);
-            // A file for each block.
-            (twincat::files(axis, std::slice::from_ref(block)), name, &[("Enable", true)])
-        }
-        Dialect::Codesys => (codesys::files(axis, blocks), block_name(&axis.name, block.program.block), &[]),
+    let block = &blocks[which];
+    let name = block_name(&designed.axis.name, block.program.block);
+    let (target, blocks, name, enable): (_, _, _, &[(&str, bool)]) = match dialect {
+        Dialect::Plain => ("st", blocks, name, &[]),
+        // A file for each block.
+        Dialect::TwinCat => ("twincat", std::slice::from_ref(block), format!("FB_{name}"), &[("Enable", true)]),
+        Dialect::Codesys => ("codesys", blocks, name, &[]),
         // The blocks of Siemens's files have the names of TwinCAT's.
-        Dialect::Scl => (scl::files(axis, blocks), twincat::block_name(&axis.name, block.program.block), &[]),
+        Dialect::Scl => ("scl", blocks, format!("FB_{name}"), &[]),
     };
+    let files = super::files(target, designed, blocks)?;
     let file = files.first().expect("engine: every target emits the block first");
     let broken = |mistakes: Vec<Mistake>| {
         let lines: Vec<String> = mistakes.iter().map(|mistake| format!("{}:{mistake}", file.name)).collect();
         Failure::Broken(lines.join("\n"))
     };
-    let [input_names, output_names] = signals(&block.program, &mut Names::without(is_reserved));
+    let [input_names, output_names] = signals(&block.program, &PLAIN);
     let outputs = Shape::of(&block.program.outputs, block.program.real);
     let read = st::Block::read(dialect, &file.text, &name, block.program.real).map_err(broken)?;
     let mut instance = read

@@ -10,8 +10,9 @@ pub use c::Harness;
 pub use compiler::Compiler;
 
 use crate::samples::Samples;
-use generator::blocks::Block;
-use generator::blocks::Designed;
+use generator::blocks::{Block, Designed};
+use generator::generate::header;
+use generator::target::{self, File};
 use st::Dialect;
 use std::fmt;
 
@@ -107,6 +108,12 @@ pub fn run_among(
         Engine::Codesys => emitted::run(Dialect::Codesys, designed, blocks, which, inputs),
         Engine::Scl => emitted::run(Dialect::Scl, designed, blocks, which, inputs),
     }
+}
+
+/// The files of an axis in a target.
+fn files(target: &str, designed: &Designed, blocks: &[Block]) -> Result<Vec<File>, Failure> {
+    let target = target::named(target).expect("engine: there is such a target");
+    target.files(&header(&designed.axis), blocks).map_err(|defect| Failure::Broken(defect.to_string()))
 }
 
 /// Runs a block through the emitted C and a compiler of one's choice.

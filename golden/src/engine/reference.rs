@@ -1,8 +1,8 @@
 //! The engine `reference`: the Rust source itself.
 
 use crate::samples::{Samples, Shape};
-use generator::blocks::{self, Block};
 use generator::blocks::Designed;
+use generator::blocks::{self, Block};
 
 /// Runs a block.
 pub fn run(designed: &Designed, block: &Block, inputs: &Samples) -> Samples {

@@ -2,6 +2,16 @@
 
 use crate::{Fn, Portable, Real};
 
+/// An input that turns a block off.
+#[derive(Clone, Copy, Debug)]
+pub struct Enable {
+    /// the input
+    pub input: &'static str,
+    /// of a mode: the function that gives its number OFF, and the part of the state that is true until the block has faded
+    /// out; `None`: the input is a bool, and false turns the block off at once
+    pub mode: Option<(&'static Fn, &'static str)>,
+}
+
 /// A function block: called once per position-controller cycle.
 pub trait Block<R: Real> {
     /// Constants of the block, designed from the parameters.
@@ -15,8 +25,8 @@ pub trait Block<R: Real> {
 
     /// The name in files and on the command line.
     const NAME: &'static str;
-    /// The input that turns the block off: a mode at 0, a switch at FALSE.
-    const ENABLE: &'static str;
+    /// What turns the block off from outside; `None`: nothing does.
+    const ENABLE: Option<Enable>;
     /// `init(state)`: before the first cycle.
     const INIT: Fn;
     /// `step(state, coeffs, inputs, outputs)`: one cycle.

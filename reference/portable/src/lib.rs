@@ -13,7 +13,7 @@ mod ir;
 mod literal;
 mod real;
 
-pub use block::Block;
+pub use block::{Block, Enable};
 pub use intrinsic::{from_i32, from_u32, nearest, nearly_half, truncate, usable, within};
 pub use ir::{
     Argument, Arm, Binary, Body, CodeBlock, Expr, Fn, Intrinsic, Mode, Param, Place, Projection, Statement, Unary,

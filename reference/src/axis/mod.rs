@@ -17,7 +17,7 @@ pub use signals::{Inputs, Outputs};
 
 use crate::signal::{error_cycle_time, error_none, error_v_add_master, error_x_actual, error_x_command, sample_limit};
 use crate::{feedforward, ipc, position_control};
-use portable::{Block, Fn, Real, portable, usable, within};
+use portable::{Block, Enable, Fn, Real, portable, usable, within};
 use position_control::Place;
 
 /// Where the additive velocity comes from.
@@ -367,7 +367,7 @@ impl<R: Real> Block<R> for Axis {
     type Outputs = Outputs<R>;
 
     const NAME: &'static str = "axis";
-    const ENABLE: &'static str = "position_controlled";
+    const ENABLE: Option<Enable> = Some(Enable { input: "position_controlled", mode: None });
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
 

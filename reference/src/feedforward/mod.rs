@@ -18,7 +18,7 @@ pub use signals::{Inputs, Outputs};
 use crate::signal::sample_limit;
 use crate::signal::{error_a_interpolator, error_cycle_time, error_j_interpolator, error_none, error_v_interpolator};
 use crate::{delay, process_data};
-use portable::{Block, Fn, Real, from_i32, portable, usable};
+use portable::{Block, Enable, Fn, Real, from_i32, portable, usable};
 
 /// The quantities of a sum.
 #[portable]
@@ -288,7 +288,7 @@ impl<R: Real> Block<R> for Feedforward {
     type Outputs = Outputs<R>;
 
     const NAME: &'static str = "feedforward";
-    const ENABLE: &'static str = "position_controlled";
+    const ENABLE: Option<Enable> = Some(Enable { input: "position_controlled", mode: None });
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
 

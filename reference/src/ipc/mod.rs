@@ -19,7 +19,7 @@ pub use signals::{mode_dryrun, mode_off, mode_on};
 use crate::signal::{error_cycle_time, error_gantry_slave, error_mode, error_none};
 use crate::signal::{error_v_command, error_v_direct, error_v_motor, sample_limit};
 use crate::stage;
-use portable::{Block, Fn, Real, from_u32, portable, usable, within};
+use portable::{Block, Enable, Fn, Real, from_u32, portable, usable, within};
 
 /// Stages of a block.
 pub const STAGES: usize = 3;
@@ -284,7 +284,7 @@ impl<R: Real> Block<R> for Ipc {
     type Outputs = Outputs<R>;
 
     const NAME: &'static str = "ipc";
-    const ENABLE: &'static str = "mode";
+    const ENABLE: Option<Enable> = Some(Enable { input: "mode", mode: Some((&mode_off::Ir::<R>::IR, "settled")) });
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
 

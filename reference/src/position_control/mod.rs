@@ -17,7 +17,7 @@ pub use signals::{Inputs, Outputs};
 use crate::signal::{error_cycle_time, error_none, error_v_add, error_v_additive, error_v_feedforward};
 use crate::signal::{error_x_actual, error_x_command, sample_limit};
 use crate::{delay, process_data};
-use portable::{Block, Fn, Real, portable, usable};
+use portable::{Block, Enable, Fn, Real, portable, usable};
 
 /// Where the position is controlled.
 #[portable]
@@ -255,7 +255,7 @@ impl<R: Real> Block<R> for PositionControl {
     type Outputs = Outputs<R>;
 
     const NAME: &'static str = "position_control";
-    const ENABLE: &'static str = "position_controlled";
+    const ENABLE: Option<Enable> = Some(Enable { input: "position_controlled", mode: None });
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
 

@@ -1,11 +1,10 @@
 //! Runs programs: writes crates that contain them, has them built, and gathers what they and their C say.
 
 use super::compile;
-use super::inside::defect::{self, Defect};
-use super::kernel;
 use super::print;
 use super::structured_text;
 use super::syntax::Program;
+use inside::defect::{self, Defect};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::fs;
@@ -91,16 +90,14 @@ fn write_crates(batch: &Batch<'_>, crates: &Path, shards: &[&[usize]]) -> std::i
     let dependency = |name: &str, package: &str, path: PathBuf| {
         format!("{name} = {{ package = \"{package}\", path = {:?} }}\n", path.display().to_string())
     };
-    let portable = dependency("portable", "axgen-portable", root.join("reference/portable"))
-        + &dependency("compiler", "axgen-compiler", root.join("generator/compiler"));
-    let dependencies = "axgen_tests = { package = \"kernel\", path = \"../../kernel\" }\n".to_owned() + &portable;
+    let dependencies = dependency("portable", "axgen-portable", root.join("reference/portable"))
+        + &dependency("inside", "axgen-inside", root.join("tests/inside"));
     let package = |name: &str, dependencies: &str| {
         format!(
             "[package]\nname = \"{name}\"\nversion = \"0.0.0\"\nedition = \"2024\"\npublish = false\n\n\
              [dependencies]\n{dependencies}"
         )
     };
-    let kernel = batch.folder.join("kernel");
     let names: Vec<String> = (0..shards.len()).map(|shard| format!("shard{shard}")).collect();
     let (mut members, mut needs, mut calls) = (String::new(), dependencies.clone(), String::new());
     for (name, shard) in names.iter().zip(shards) {
@@ -118,12 +115,7 @@ fn write_crates(batch: &Batch<'_>, crates: &Path, shards: &[&[usize]]) -> std::i
     write(&crates.join("Cargo.toml"), &manifest)?;
     // The binary's name is the batch's: all batches share one folder for what cargo makes.
     write(&crates.join("run/Cargo.toml"), &package(batch.name, &needs))?;
-    write(&kernel.join("Cargo.toml"), &(package("kernel", &portable) + "\n[lib]\nname = \"axgen_tests\"\n"))?;
-    write(&kernel.join("src/lib.rs"), &kernel::source(root)?)?;
-    write(
-        &crates.join("run/src/main.rs"),
-        &format!("fn main() {{\n    axgen_tests::random::inside::worker::main(&[{calls}]);\n}}\n"),
-    )?;
+    write(&crates.join("run/src/main.rs"), &format!("fn main() {{\n    inside::worker::main(&[{calls}]);\n}}\n"))?;
     fs::create_dir_all(crates.join("c"))?;
     let lock = crates.join("Cargo.lock");
     if lock.exists() { Ok(()) } else { fs::copy(root.join("Cargo.lock"), lock).map(|_| ()) }
@@ -143,7 +135,7 @@ fn shard_source(batch: &Batch<'_>, shard: &[usize]) -> String {
         }
     }
     format!(
-        "{modules}\nuse axgen_tests::random::inside::subject::{{Instance, instance}};\n\n\
+        "{modules}\nuse inside::subject::{{Instance, instance}};\n\n\
          pub fn instances() -> Vec<(usize, Instance)> {{\n    vec![\n{instances}    ]\n}}\n"
     )
 }

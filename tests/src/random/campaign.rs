@@ -3,12 +3,12 @@
 use super::batch::{self, Answer, Batch, Difference};
 use super::choices::Choices;
 use super::coverage;
-use super::inside::defect::Defect;
-use super::inside::judge::INVALID;
 use super::rng::Rng;
 use super::shrink;
 use super::syntax::Program;
 use super::{generate, print};
+use inside::defect::Defect;
+use inside::judge::INVALID;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;

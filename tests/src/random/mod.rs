@@ -7,12 +7,12 @@
 //! generate                    the program that choices make
 //! print                       its Rust text
 //! coverage                    which constructs it has
-//! batch, kernel               many programs as crates of their own
+//! batch                       many programs as crates of their own
 //! compile, structured_text    their C, their Structured Text
-//! inside                      what those crates do: engines compared, C and Structured Text printed, answers listed
 //! shrink                      from a program that differs to a small one that still does
 //! campaign                    all of that, from a seed to a report
 //! ```
+//! What those crates do, and the source of chance, is the crate `inside`.
 
 pub mod batch;
 pub mod campaign;
@@ -20,12 +20,11 @@ pub mod choices;
 pub mod compile;
 pub mod coverage;
 pub mod generate;
-pub mod inside;
-mod kernel;
 pub mod print;
-pub mod rng;
 pub mod shrink;
 mod structured_text;
 pub mod syntax;
 pub mod types;
 pub mod visit;
+
+pub use inside::rng;

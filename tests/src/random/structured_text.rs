@@ -1,7 +1,7 @@
 //! The Structured Text of a batch: each block read and run by the engine `st`, several files at a time.
 
 use super::compile::Line;
-use super::inside::judge::same;
+use inside::judge::same;
 use portable::{Literal, RealKind};
 use rayon::prelude::*;
 use st::{Block, Dialect, Signal};

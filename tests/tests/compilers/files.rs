@@ -3,7 +3,8 @@
 use crate::{cases, tools};
 use axgen_tests::cases::title;
 use axgen_tests::environment::has;
-use generator::target::{File, c};
+use generator::generate::header;
+use generator::target::{File, TARGETS};
 use golden::case::Case;
 use rayon::prelude::*;
 use std::path::Path;
@@ -47,7 +48,7 @@ fn all_blocks_of_an_axis_fit_into_a_file() {
     let tools = tools();
     for (tool, axis) in tools.iter().flat_map(|tool| axes.iter().map(move |axis| (tool, axis))) {
         let folder = tempfile::tempdir().unwrap();
-        let files = c::files(&axis.axis, &generator::blocks::blocks(axis).unwrap());
+        let files = TARGETS[0].files(&header(&axis.axis), &generator::blocks::blocks(axis).unwrap()).unwrap();
         for File { name, text } in &files {
             std::fs::write(folder.path().join(name), text).unwrap();
         }
@@ -115,7 +116,7 @@ fn symbols(folder: &Path, options: &[&str]) -> String {
 /// The emitted files in a folder, and what their names begin with.
 fn written(case: &Case) -> (TempDir, String) {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let files = c::files(&case.axis.axis, std::slice::from_ref(&case.block));
+    let files = TARGETS[0].files(&header(&case.axis.axis), std::slice::from_ref(&case.block)).unwrap();
     for File { name, text } in &files {
         std::fs::write(folder.path().join(name), text).expect("room in it");
     }

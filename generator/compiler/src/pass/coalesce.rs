@@ -11,31 +11,26 @@ pub fn run(mut program: Program) -> Result<Program, Defect> {
     let mut everywhere = vec![0; program.locals.len()];
     count(&program.init, &mut everywhere);
     count(&program.step, &mut everywhere);
-    program.init = coalesce(program.init, &mut everywhere);
-    program.step = coalesce(program.step, &mut everywhere);
+    coalesce(&mut program.init, &mut everywhere);
+    coalesce(&mut program.step, &mut everywhere);
     Ok(program)
 }
 
 /// Coalesces a list of statements, inner lists last: a copy that leaves a branch becomes one inside it.
-fn coalesce(mut statements: Vec<Statement>, everywhere: &mut Vec<usize>) -> Vec<Statement> {
-    while let Some((copy, from, to)) = find(&statements, everywhere) {
-        statements.remove(copy);
+fn coalesce(list: &mut Vec<Statement>, everywhere: &mut Vec<usize>) {
+    while let Some((copy, from, to)) = find(list, everywhere) {
+        list.remove(copy);
         everywhere[to] += everywhere[from] - 2; // the copy mentioned each of them once
         everywhere[from] = 0;
         let (from, to) = (Var::Local(from), Var::Local(to));
-        statements = rename(statements, &|var| if var == from { to } else { var });
+        rename(list, &|var| if var == from { to } else { var });
     }
-    statements
-        .into_iter()
-        .map(|statement| match statement {
-            Statement::If { condition, then, otherwise } => Statement::If {
-                condition,
-                then: coalesce(then, everywhere),
-                otherwise: coalesce(otherwise, everywhere),
-            },
-            other => other,
-        })
-        .collect()
+    for statement in list {
+        if let Statement::If { then, otherwise, .. } = statement {
+            coalesce(then, everywhere);
+            coalesce(otherwise, everywhere);
+        }
+    }
 }
 
 /// A copy from a local that lives in this list alone to a local that nothing before it in this list mentions: the target
@@ -63,14 +58,12 @@ fn find(statements: &[Statement], everywhere: &[usize]) -> Option<(usize, usize,
 }
 
 /// Counts how often each local is mentioned.
-fn count(statements: &[Statement], mentions: &mut [usize]) {
-    let mut add = |var| {
-        if let Var::Local(local) = var {
-            mentions[local] += 1;
-        }
-    };
-    for statement in statements {
-        statement.targets(&mut add);
-        statement.expressions(&mut |expr| expr.variables(&mut add));
+fn count(list: &[Statement], mentions: &mut [usize]) {
+    for statement in list {
+        statement.variables(&mut |var| {
+            if let Var::Local(local) = var {
+                mentions[local] += 1;
+            }
+        });
     }
 }

@@ -3,54 +3,54 @@
 
 use super::Defect;
 use crate::program::{Expr, Program, Statement, Var};
-use std::collections::BTreeSet;
 
 /// Runs the pass.
 ///
 /// # Errors
 /// None.
 pub fn run(mut program: Program) -> Result<Program, Defect> {
-    program.init = live(program.init, &mut BTreeSet::new());
-    program.step = live(program.step, &mut BTreeSet::new());
+    let nothing = vec![false; program.locals.len()];
+    live(&mut program.init, &mut nothing.clone());
+    live(&mut program.step, &mut nothing.clone());
     Ok(program)
 }
 
-/// What of a list is read afterwards; `read` are the locals that are read behind it, then those before it.
-fn live(list: Vec<Statement>, read: &mut BTreeSet<usize>) -> Vec<Statement> {
-    let mut kept: Vec<Statement> = list.into_iter().rev().filter_map(|statement| keep(statement, read)).collect();
+/// Keeps what of a list is read afterwards; `read` are the locals that are read behind it, then those before it.
+fn live(list: &mut Vec<Statement>, read: &mut [bool]) {
+    let mut kept: Vec<Statement> = std::mem::take(list).into_iter().rev().filter_map(|it| keep(it, read)).collect();
     kept.reverse();
-    kept
+    *list = kept;
 }
 
-fn keep(statement: Statement, read: &mut BTreeSet<usize>) -> Option<Statement> {
-    match statement {
-        Statement::Note(text) => Some(Statement::Note(text)),
+fn keep(mut statement: Statement, read: &mut [bool]) -> Option<Statement> {
+    match &mut statement {
+        Statement::Note(_) => {}
         Statement::Assign { target, value } => {
-            if let Var::Local(local) = target
-                && !read.remove(&local)
+            if let Var::Local(local) = *target
+                && !std::mem::take(&mut read[local])
             {
                 return None;
             }
-            note_reads(&value, read);
-            Some(Statement::Assign { target, value })
+            note_reads(value, read);
         }
         Statement::If { condition, then, otherwise } => {
-            let mut other = read.clone();
-            let (then, otherwise) = (live(then, read), live(otherwise, &mut other));
+            let mut other = read.to_vec();
+            live(then, read);
+            live(otherwise, &mut other);
             if then.is_empty() && otherwise.is_empty() {
                 return None;
             }
-            read.append(&mut other);
-            note_reads(&condition, read);
-            Some(Statement::If { condition, then, otherwise })
+            read.iter_mut().zip(other).for_each(|(read, other)| *read |= other);
+            note_reads(condition, read);
         }
     }
+    Some(statement)
 }
 
-fn note_reads(expr: &Expr, read: &mut BTreeSet<usize>) {
+fn note_reads(expr: &Expr, read: &mut [bool]) {
     expr.variables(&mut |var| {
         if let Var::Local(local) = var {
-            read.insert(local);
+            read[local] = true;
         }
     });
 }

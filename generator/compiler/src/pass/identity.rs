@@ -13,23 +13,24 @@ use portable::{Binary, Literal, Unary};
 /// None.
 pub fn run(mut program: Program) -> Result<Program, Defect> {
     let constants = &program.constants;
-    let mut change = |expr: Expr| expr.map(&mut |part| simplify(part, constants));
-    program.init = map_expressions(program.init, &mut change);
-    program.step = map_expressions(program.step, &mut change);
+    let mut simplify = |expr: &mut Expr| expr.change(&mut |part| simplify(part, constants));
+    map_expressions(&mut program.init, &mut simplify);
+    map_expressions(&mut program.step, &mut simplify);
     Ok(program)
 }
 
-fn simplify(expr: Expr, constants: &[Constant]) -> Expr {
-    let Expr::Binary(Binary::Multiply, left, right) = expr else { return expr };
-    let (a, b) = (known(&left, constants), known(&right, constants));
-    match (a, b) {
+fn simplify(expr: &mut Expr, constants: &[Constant]) {
+    let Expr::Binary(Binary::Multiply, left, right) = expr else { return };
+    let take = |operand: &mut Expr| std::mem::replace(operand, Expr::Literal(Literal::Bool(false)));
+    let negated = |operand| Expr::Unary(Unary::Negate, Box::new(operand));
+    *expr = match (known(left, constants), known(right, constants)) {
         (Some(a), Some(b)) if is_zero(a) || is_zero(b) => Expr::Literal(arithmetic::binary(Binary::Multiply, a, b)),
-        (Some(a), _) if is_one(a) => *right,
-        (_, Some(b)) if is_one(b) => *left,
-        (Some(a), _) if is_minus_one(a) => Expr::Unary(Unary::Negate, right),
-        (_, Some(b)) if is_minus_one(b) => Expr::Unary(Unary::Negate, left),
-        _ => Expr::Binary(Binary::Multiply, left, right),
-    }
+        (Some(a), _) if is_one(a) => take(right),
+        (_, Some(b)) if is_one(b) => take(left),
+        (Some(a), _) if is_minus_one(a) => negated(take(right)),
+        (_, Some(b)) if is_minus_one(b) => negated(take(left)),
+        _ => return,
+    };
 }
 
 /// The value of a real literal or of a named real number.

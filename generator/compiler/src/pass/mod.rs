@@ -31,8 +31,11 @@ impl std::error::Error for Defect {}
 /// A pass.
 pub type Pass = fn(Program) -> Result<Program, Defect>;
 
-/// The stages after specialisation, in their order, by the names that `--emit` takes.
-pub const PASSES: [(&str, Pass); 7] = [
+/// A pass with the name that its result has for `--emit`.
+pub type Stage = (&'static str, Pass);
+
+/// The stages after specialisation, in their order.
+pub const PASSES: [Stage; 7] = [
     ("typed", typing::run),
     ("identity", identity::run),
     ("live", dead::run),

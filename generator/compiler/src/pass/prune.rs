@@ -1,7 +1,7 @@
 //! Removes what no output depends on: locals, state, branches, constants. Inputs and outputs stay, they are the interface.
 
 use super::Defect;
-use crate::program::{Expr, Program, Statement, Var, rename};
+use crate::program::{Expr, Program, Statement, Var, rename, rewrite};
 
 /// Runs the pass.
 ///
@@ -9,9 +9,9 @@ use crate::program::{Expr, Program, Statement, Var, rename};
 /// None.
 pub fn run(mut program: Program) -> Result<Program, Defect> {
     let live = live_variables(&program);
-    program.init = keep(program.init, &live);
-    program.step = keep(program.step, &live);
-    number_afresh(program)
+    keep(&mut program.init, &live);
+    keep(&mut program.step, &live);
+    Ok(number_afresh(program))
 }
 
 /// A set of variables of one program.
@@ -56,7 +56,7 @@ fn live_variables(program: &Program) -> Marks {
     (0..program.outputs.len()).for_each(|output| live.mark(Var::Output(output)));
     loop {
         let known = live.count;
-        for statement in program.step.iter().chain(&program.init).rev() {
+        for statement in program.statements().rev() {
             mark(statement, &mut live);
         }
         if live.count == known {
@@ -89,36 +89,27 @@ fn mark(statement: &Statement, live: &mut Marks) -> bool {
     }
 }
 
-fn keep(statements: Vec<Statement>, live: &Marks) -> Vec<Statement> {
-    statements
-        .into_iter()
-        .filter_map(|statement| match statement {
-            Statement::Assign { target, .. } if !live.has(target) => None,
-            Statement::If { condition, then, otherwise } => {
-                let (then, otherwise) = (keep(then, live), keep(otherwise, live));
-                let only_notes = |list: &[Statement]| list.iter().all(|inner| matches!(inner, Statement::Note(_)));
-                match (only_notes(&then), only_notes(&otherwise)) {
-                    (true, true) => None,
-                    (true, false) => {
-                        let condition = Expr::Unary(portable::Unary::Not, Box::new(condition));
-                        Some(Statement::If { condition, then: otherwise, otherwise: Vec::new() })
-                    }
-                    (false, true) => Some(Statement::If { condition, then, otherwise: Vec::new() }),
-                    (false, false) => Some(Statement::If { condition, then, otherwise }),
-                }
+fn keep(list: &mut Vec<Statement>, live: &Marks) {
+    let only_notes = |list: &[Statement]| list.iter().all(|inner| matches!(inner, Statement::Note(_)));
+    rewrite(list, &mut |statement, list| match statement {
+        Statement::Assign { target, .. } if !live.has(target) => {}
+        Statement::If { condition, then, otherwise } => match (only_notes(&then), only_notes(&otherwise)) {
+            (true, true) => {}
+            (true, false) => {
+                let condition = Expr::Unary(portable::Unary::Not, Box::new(condition));
+                list.push(Statement::If { condition, then: otherwise, otherwise: Vec::new() });
             }
-            other => Some(other),
-        })
-        .collect()
+            (false, true) => list.push(Statement::If { condition, then, otherwise: Vec::new() }),
+            (false, false) => list.push(Statement::If { condition, then, otherwise }),
+        },
+        other => list.push(other),
+    });
 }
 
 /// Drops the variables that nothing mentions any more and numbers the others afresh; constants in their declared order.
-fn number_afresh(mut program: Program) -> Result<Program, Defect> {
+fn number_afresh(mut program: Program) -> Program {
     let mut mentioned = Marks::of(&program);
-    for statement in program.init.iter().chain(&program.step) {
-        statement.targets(&mut |var| mentioned.mark(var));
-        statement.expressions(&mut |expr| expr.variables(&mut |var| mentioned.mark(var)));
-    }
+    program.statements().for_each(|statement| statement.variables(&mut |var| mentioned.mark(var)));
     let state = order(program.state.len(), |index| mentioned.has(Var::State(index)));
     let locals = order(program.locals.len(), |index| mentioned.has(Var::Local(index)));
     let mut constants = order(program.constants.len(), |index| mentioned.has(Var::Constant(index)));
@@ -130,13 +121,21 @@ fn number_afresh(mut program: Program) -> Result<Program, Defect> {
         Var::Constant(index) => Var::Constant(new_constants[index]),
         interface => interface,
     };
-    for body in [&mut program.init, &mut program.step] {
-        *body = rename(std::mem::take(body), &renamed);
+    rename(&mut program.init, &renamed);
+    rename(&mut program.step, &renamed);
+    if let Some(switch) = &mut program.switch {
+        switch.busy = switch.busy.filter(|busy| mentioned.has(*busy)).map(renamed);
     }
-    program.state = state.iter().map(|index| program.state[*index].clone()).collect();
-    program.locals = locals.iter().map(|index| program.locals[*index].clone()).collect();
-    program.constants = constants.iter().map(|index| program.constants[*index].clone()).collect();
-    Ok(program)
+    retain(&mut program.state, &state);
+    retain(&mut program.locals, &locals);
+    retain(&mut program.constants, &constants);
+    program
+}
+
+/// The items at some positions, each once, in their order.
+fn retain<T>(items: &mut Vec<T>, kept: &[usize]) {
+    let mut old: Vec<Option<T>> = std::mem::take(items).into_iter().map(Some).collect();
+    items.extend(kept.iter().filter_map(|index| old[*index].take()));
 }
 
 /// The positions that are kept.

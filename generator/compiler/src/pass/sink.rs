@@ -12,7 +12,7 @@
 //! ```
 
 use super::Defect;
-use crate::program::{Expr, Program, Statement, Var};
+use crate::program::{Expr, Program, Statement, Var, rewrite};
 use portable::Literal;
 
 /// Runs the pass.
@@ -20,26 +20,21 @@ use portable::Literal;
 /// # Errors
 /// None.
 pub fn run(mut program: Program) -> Result<Program, Defect> {
-    let mut reads = vec![0; program.locals.len()];
-    for statement in program.init.iter().chain(&program.step) {
-        statement.expressions(&mut |expr| {
-            expr.variables(&mut |var| {
-                if let Var::Local(local) = var {
-                    reads[local] += 1;
-                }
-            });
+    let (mut reads, mut writes) = (vec![0; program.locals.len()], vec![0; program.locals.len()]);
+    for statement in program.statements() {
+        count_writes(statement, &mut writes);
+        statement.reads(&mut |var| {
+            if let Var::Local(local) = var {
+                reads[local] += 1;
+            }
         });
     }
-    let mut writes = vec![0; program.locals.len()];
-    for statement in program.init.iter().chain(&program.step) {
-        count_writes(statement, &mut writes);
-    }
-    program.step = in_list(program.step, &reads, &writes);
+    in_list(&mut program.step, &reads, &writes);
     Ok(program)
 }
 
 fn count_writes(statement: &Statement, writes: &mut [usize]) {
-    statement.targets(&mut |target| {
+    statement.assignments(&mut |target, _| {
         if let Var::Local(local) = target {
             writes[local] += 1;
         }
@@ -56,33 +51,26 @@ struct Way {
 }
 
 /// Treats a list, inner lists first.
-fn in_list(list: Vec<Statement>, reads: &[usize], writes: &[usize]) -> Vec<Statement> {
-    let mut list: Vec<Statement> = list
-        .into_iter()
-        .map(|statement| match statement {
-            Statement::If { condition, then, otherwise } => Statement::If {
-                condition,
-                then: in_list(then, reads, writes),
-                otherwise: in_list(otherwise, reads, writes),
-            },
-            other => other,
-        })
-        .collect();
+fn in_list(list: &mut Vec<Statement>, reads: &[usize], writes: &[usize]) {
+    for statement in &mut *list {
+        if let Statement::If { then, otherwise, .. } = statement {
+            in_list(then, reads, writes);
+            in_list(otherwise, reads, writes);
+        }
+    }
     let mut position = 0;
     while position < list.len() {
         match asked(&list[position]).filter(|way| can_go(*way, &list[..position], reads, writes)) {
             Some(way) => {
-                list.remove(position);
                 let rest = list.split_off(position);
-                list = go(list, way);
-                list.extend(rest);
+                go(list, way);
+                list.extend(rest.into_iter().skip(1));
                 // What was a flag of a flag is one itself now.
                 position = 0;
             }
             None => position += 1,
         }
     }
-    list
 }
 
 /// The way of a local to an output, if a statement does nothing else.
@@ -104,31 +92,34 @@ fn asked(statement: &Statement) -> Option<Way> {
 
 /// Whether nothing else reads the local, all that writes it stands before, and nobody looks at the output from there on.
 fn can_go(way: Way, before: &[Statement], reads: &[usize], writes: &[usize]) -> bool {
-    let mut written = vec![0; writes.len()];
-    before.iter().for_each(|statement| count_writes(statement, &mut written));
-    let first = before.iter().position(|statement| statement.mentions(Var::Local(way.local)));
+    if reads[way.local] != 1 {
+        return false;
+    }
+    let local = Var::Local(way.local);
+    let mut written = 0;
+    for statement in before {
+        statement.assignments(&mut |target, _| written += usize::from(target == local));
+    }
+    let first = before.iter().position(|statement| statement.mentions(local));
     let is_watched = |from: usize| before[from..].iter().any(|statement| statement.mentions(way.output));
-    reads[way.local] == 1 && written[way.local] == writes[way.local] && first.is_some_and(|first| !is_watched(first))
+    written == writes[way.local] && first.is_some_and(|first| !is_watched(first))
 }
 
-/// The statements with the output in the place of the local.
-fn go(list: Vec<Statement>, way: Way) -> Vec<Statement> {
+/// Puts the output in the place of the local.
+fn go(list: &mut Vec<Statement>, way: Way) {
     let assign = |value| Statement::Assign { target: way.output, value };
-    list.into_iter()
-        .filter_map(|statement| match statement {
-            Statement::Assign { target, value } if target == Var::Local(way.local) => match (way.value, value) {
-                (None, value) => Some(assign(value)),
-                (Some(set), Expr::Literal(Literal::Bool(raised))) => raised.then(|| assign(Expr::Literal(set))),
-                (Some(set), condition) => {
-                    let then = vec![assign(Expr::Literal(set))];
-                    Some(Statement::If { condition, then, otherwise: Vec::new() })
-                }
-            },
-            Statement::If { condition, then, otherwise } => {
-                let (then, otherwise) = (go(then, way), go(otherwise, way));
-                (!then.is_empty() || !otherwise.is_empty()).then_some(Statement::If { condition, then, otherwise })
+    rewrite(list, &mut |statement, list| match statement {
+        Statement::Assign { target, value } if target == Var::Local(way.local) => match (way.value, value) {
+            (None, value) => list.push(assign(value)),
+            (Some(set), Expr::Literal(Literal::Bool(raised))) => {
+                list.extend(raised.then(|| assign(Expr::Literal(set))))
             }
-            other => Some(other),
-        })
-        .collect()
+            (Some(set), condition) => {
+                let then = vec![assign(Expr::Literal(set))];
+                list.push(Statement::If { condition, then, otherwise: Vec::new() });
+            }
+        },
+        Statement::If { then, otherwise, .. } if then.is_empty() && otherwise.is_empty() => {}
+        other => list.push(other),
+    });
 }

@@ -92,16 +92,10 @@ fn binary_type(operator: Binary, operand: Type) -> Option<Type> {
 }
 
 fn variable_type(var: Var, program: &Program) -> Result<Type, Defect> {
-    match var {
-        Var::Input(index) => Ok(program.inputs[index].ty),
-        Var::Output(index) => Ok(program.outputs[index].ty),
-        Var::State(index) => Ok(program.state[index].ty),
-        Var::Constant(index) => literal_type(program.constants[index].value),
-        Var::Local(index) => {
-            let local = &program.locals[index];
-            local.ty.ok_or_else(|| defect(format!("`{}` is read before it is assigned", local.path)))
-        }
-    }
+    program.ty(var).ok_or_else(|| match var {
+        Var::Local(index) => defect(format!("`{}` is read before it is assigned", program.locals[index].path)),
+        _ => defect(format!("{var:?} does not exist at run time")),
+    })
 }
 
 fn expect(wanted: Type, found: Type, expr: &Expr) -> Result<(), Defect> {

@@ -2,8 +2,7 @@
 
 use super::{Defect, typing};
 use crate::arithmetic;
-use crate::program::{Program, Statement, Type, Var};
-use std::collections::BTreeSet;
+use crate::program::{Expr, Program, Statement, Type, Var};
 
 /// Runs the pass: types fit, every local is assigned once on each way before it is read, every output is written on each
 /// way, inputs and constants are never written, and every number is finite.
@@ -16,19 +15,34 @@ pub fn run(program: Program) -> Result<Program, Defect> {
             return Err(defect(format!("the constant {} is {:?}", constant.path, constant.value)));
         }
     }
-    statements(&program.init, &mut BTreeSet::new(), &program)?;
-    let mut written = BTreeSet::new();
+    let nothing = Written { locals: vec![false; program.locals.len()], outputs: vec![false; program.outputs.len()] };
+    statements(&program.init, &mut nothing.clone(), &program)?;
+    let mut written = nothing;
     statements(&program.step, &mut written, &program)?;
-    for (index, output) in program.outputs.iter().enumerate() {
-        if !written.contains(&Var::Output(index)) {
-            return Err(defect(format!("the output {} is not written on every way", output.path)));
-        }
+    match program.outputs.iter().zip(&written.outputs).find(|(_, written)| !**written) {
+        Some((output, _)) => Err(defect(format!("the output {} is not written on every way", output.path))),
+        None => Ok(program),
     }
-    Ok(program)
 }
 
-/// Follows a list of statements; `written` gathers what has a value on every way to the present point.
-fn statements(list: &[Statement], written: &mut BTreeSet<Var>, program: &Program) -> Result<(), Defect> {
+/// What has a value on every way to the present point.
+#[derive(Clone)]
+struct Written {
+    locals: Vec<bool>,
+    outputs: Vec<bool>,
+}
+
+impl Written {
+    /// What has a value on two ways.
+    fn and(self, other: &Self) -> Self {
+        let both =
+            |one: Vec<bool>, other: &[bool]| one.into_iter().zip(other).map(|(one, other)| one && *other).collect();
+        Self { locals: both(self.locals, &other.locals), outputs: both(self.outputs, &other.outputs) }
+    }
+}
+
+/// Follows a list of statements.
+fn statements(list: &[Statement], written: &mut Written, program: &Program) -> Result<(), Defect> {
     for statement in list {
         match statement {
             Statement::Note(_) => {}
@@ -38,9 +52,12 @@ fn statements(list: &[Statement], written: &mut BTreeSet<Var>, program: &Program
                 if found != target_type(*target, program)? {
                     return Err(defect(format!("{target:?} is assigned a {found:?}")));
                 }
-                let known = !written.insert(*target);
-                if known && matches!(target, Var::Local(_)) {
-                    return Err(defect(format!("{target:?} is assigned twice on one way")));
+                match *target {
+                    Var::Local(local) if std::mem::replace(&mut written.locals[local], true) => {
+                        return Err(defect(format!("{target:?} is assigned twice on one way")));
+                    }
+                    Var::Output(output) => written.outputs[output] = true,
+                    _ => {}
                 }
             }
             Statement::If { condition, then, otherwise } => {
@@ -48,23 +65,23 @@ fn statements(list: &[Statement], written: &mut BTreeSet<Var>, program: &Program
                 if typing::type_of(condition, program)? != Type::Bool {
                     return Err(defect(format!("a condition is no BOOL: {condition:?}")));
                 }
-                let (mut yes, mut no) = (written.clone(), written.clone());
+                let mut yes = written.clone();
                 statements(then, &mut yes, program)?;
-                statements(otherwise, &mut no, program)?;
-                *written = yes.intersection(&no).copied().collect();
+                statements(otherwise, written, program)?;
+                *written = yes.and(written);
             }
         }
     }
     Ok(())
 }
 
-fn readable(expr: &crate::program::Expr, written: &BTreeSet<Var>, program: &Program) -> Result<(), Defect> {
+fn readable(expr: &Expr, written: &Written, program: &Program) -> Result<(), Defect> {
     let mut unwritten = None;
     expr.variables(&mut |var| {
         if let Var::Local(index) = var
-            && !written.contains(&var)
+            && !written.locals[index]
         {
-            unwritten = Some(program.locals[index].path.clone());
+            unwritten = Some(&program.locals[index].path);
         }
     });
     match unwritten {
@@ -75,10 +92,8 @@ fn readable(expr: &crate::program::Expr, written: &BTreeSet<Var>, program: &Prog
 
 fn target_type(target: Var, program: &Program) -> Result<Type, Defect> {
     match target {
-        Var::Output(index) => Ok(program.outputs[index].ty),
-        Var::State(index) => Ok(program.state[index].ty),
-        Var::Local(index) => program.locals[index].ty.ok_or_else(|| defect(format!("{target:?} has no type"))),
         Var::Input(_) | Var::Constant(_) => Err(defect(format!("{target:?} is written"))),
+        _ => program.ty(target).ok_or_else(|| defect(format!("{target:?} has no type"))),
     }
 }
 

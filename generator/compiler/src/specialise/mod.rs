@@ -10,11 +10,10 @@ mod node;
 mod statement;
 
 use crate::leaves::leaves;
-use crate::program::{Constant, Expr, Local, Origin, Program, Statement, Type, Var, Variable};
+use crate::program::{Constant, Expr, Local, Origin, Program, Statement, Switch, Type, Var, Variable};
 use node::{Cell, Node};
-use portable::Block;
-use portable::{Fn, Literal, Portable, Real, RealKind, Ty};
-use std::collections::{BTreeMap, HashMap};
+use portable::{Block, Enable, Fn, Literal, Portable, Real, RealKind, Ty};
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// Specialises a block. `notes` say in words what the parts of the state at these paths are.
@@ -31,7 +30,8 @@ pub fn block<R: Real, B: Block<R>>(coeffs: &B::Coeffs, notes: &BTreeMap<String, 
     let outputs = specialiser.enter_variables(<B::Outputs as Portable>::TY, &leaves(&B::outputs()), Space::Output);
     let init = specialiser.function(&B::INIT, vec![state.clone()]);
     let step = specialiser.function(&B::STEP, vec![state, coefficients, inputs, outputs]);
-    specialiser.into_program([B::NAME, B::ENABLE], init, step)
+    let switch = B::ENABLE.map(|enable| specialiser.switch(enable));
+    specialiser.into_program(B::NAME, switch, init, step)
 }
 
 /// A list of variables of the program.
@@ -50,7 +50,10 @@ struct Specialiser<'n> {
     outputs: Vec<Variable>,
     state: Vec<Variable>,
     constants: Vec<Constant>,
-    constant_of: HashMap<(Origin, &'static str, &'static str), usize>,
+    /// the constant that each coefficient is, by its position
+    coefficient_of: Vec<Option<usize>>,
+    /// the constants that functions without parameters are
+    function_of: Vec<(&'static Fn, usize)>,
     locals: Vec<Local>,
     cells: Vec<Cell>,
     coefficients: Vec<Literal>,
@@ -76,7 +79,8 @@ impl<'n> Specialiser<'n> {
             outputs: Vec::new(),
             state: Vec::new(),
             constants: Vec::new(),
-            constant_of: HashMap::new(),
+            coefficient_of: Vec::new(),
+            function_of: Vec::new(),
             locals: Vec::new(),
             cells: Vec::new(),
             coefficients: Vec::new(),
@@ -90,6 +94,7 @@ impl<'n> Specialiser<'n> {
     fn enter_coefficients(&mut self, ty: Ty, leaves: &[Literal]) -> Rc<Node> {
         self.coefficient_type = Some(ty);
         self.coefficients = leaves.to_vec();
+        self.coefficient_of = vec![None; leaves.len()];
         let mut position = 0;
         node::build_unnamed(ty, &mut || {
             self.cells.push(Cell::Coefficient(position));
@@ -101,9 +106,9 @@ impl<'n> Specialiser<'n> {
     /// Enters inputs, outputs or state: every leaf is a variable.
     fn enter_variables(&mut self, ty: Ty, leaves: &[Literal], space: Space) -> Rc<Node> {
         let mut position = 0;
-        node::build(ty, "", "", &mut |leaf, path, doc| {
+        node::build(ty, &mut String::new(), "", &mut |leaf, path, doc| {
             let start = number(leaves[position]);
-            let variable = Variable { path: path.to_string(), doc, ty: scalar_type(leaf, &path), start };
+            let variable = Variable { path: path.to_owned(), doc, ty: scalar_type(leaf, path), start };
             let cell = match space {
                 Space::Input => Cell::Fixed(Var::Input(position)),
                 Space::Output => Cell::Memory(Var::Output(position)),
@@ -129,40 +134,53 @@ impl<'n> Specialiser<'n> {
         std::mem::take(&mut self.statements)
     }
 
-    fn into_program(self, [block, enable]: [&'static str; 2], init: Vec<Statement>, step: Vec<Statement>) -> Program {
+    /// What turns the block off. The number of its mode OFF is named as where the block asks for it.
+    fn switch(&mut self, enable: Enable) -> Switch {
+        let find = |list: &[Variable], path: &str| list.iter().position(|variable| variable.path == path);
+        let input = find(&self.inputs, enable.input).expect("specialise: the block has the input that turns it off");
+        let Some((off, busy)) = enable.mode else { return Switch { input, off: None, busy: None } };
+        let value = match off.body.block.value {
+            Some(portable::Expr::Constant { value }) => value(),
+            _ => panic!("specialise: {} is no number", off.name),
+        };
+        let off = Constant { path: off.name.to_owned(), doc: off.doc, value, origin: Origin::Function };
+        Switch { input, off: Some(off), busy: find(&self.state, busy).map(Var::State) }
+    }
+
+    fn into_program(
+        self,
+        block: &'static str,
+        switch: Option<Switch>,
+        init: Vec<Statement>,
+        step: Vec<Statement>,
+    ) -> Program {
         let Self { real, inputs, outputs, state, constants, locals, .. } = self;
-        Program { block, enable, real, inputs, outputs, state, constants, locals, init, step }
+        Program { block, switch, real, inputs, outputs, state, constants, locals, init, step }
     }
 
     /// The coefficient as a named number, entered where it is first met.
     fn coefficient(&mut self, position: usize) -> Expr {
-        let origin = Origin::Coefficient(position);
-        self.constant((origin, "", ""), |this| {
-            let ty = this.coefficient_type.expect("specialise: the coefficients were entered");
+        let index = self.coefficient_of[position].unwrap_or_else(|| {
+            let ty = self.coefficient_type.expect("specialise: the coefficients were entered");
             let (path, doc) = node::leaf_at(ty, position);
-            Constant { path, doc, value: this.coefficients[position], origin }
-        })
+            let (value, origin) = (self.coefficients[position], Origin::Coefficient(position));
+            self.constants.push(Constant { path, doc, value, origin });
+            self.constants.len() - 1
+        });
+        self.coefficient_of[position] = Some(index);
+        Expr::Var(Var::Constant(index))
     }
 
     /// The value of a function without parameters as a named number, entered where it is first met.
     fn named(&mut self, function: &'static Fn, value: Literal) -> Expr {
-        self.constant((Origin::Function, function.module, function.name), |_| {
+        let is_same = |known: &Fn| (known.name, known.module) == (function.name, function.module);
+        let known = self.function_of.iter().find(|(known, _)| is_same(known)).map(|(_, index)| *index);
+        let index = known.unwrap_or_else(|| {
             let (path, doc) = (function.name.to_owned(), function.doc);
-            Constant { path, doc, value, origin: Origin::Function }
-        })
-    }
-
-    fn constant(
-        &mut self,
-        key: (Origin, &'static str, &'static str),
-        describe: impl FnOnce(&Self) -> Constant,
-    ) -> Expr {
-        let next = self.constants.len();
-        let index = *self.constant_of.entry(key).or_insert(next);
-        if index == next {
-            let constant = describe(self);
-            self.constants.push(constant);
-        }
+            self.constants.push(Constant { path, doc, value, origin: Origin::Function });
+            self.function_of.push((function, self.constants.len() - 1));
+            self.constants.len() - 1
+        });
         Expr::Var(Var::Constant(index))
     }
 

@@ -1,11 +1,12 @@
 //! What a Rust name stands for while specialising: a tree whose leaves are cells. No evaluation here.
 
 use crate::program::Var;
-use portable::{Literal, Ty};
+use portable::{Field, Literal, Ty};
+use std::fmt::Write;
 use std::rc::Rc;
 
 /// A local, a parameter, or a part of one.
-pub enum Node {
+pub(super) enum Node {
     /// a scalar, by its position among the cells
     Leaf(usize),
     /// a struct
@@ -26,7 +27,7 @@ pub enum Node {
 
 /// What is known of a scalar.
 #[derive(Clone, Copy, PartialEq)]
-pub enum Cell {
+pub(super) enum Cell {
     /// a coefficient, by its position among their leaves
     Coefficient(usize),
     /// a value that is known
@@ -39,7 +40,7 @@ pub enum Cell {
 
 impl Node {
     /// Where the aggregate stands; empty for a leaf.
-    pub fn path(&self) -> Rc<str> {
+    pub(super) fn path(&self) -> Rc<str> {
         match self {
             Self::Leaf(_) => "".into(),
             Self::Struct { path, .. } | Self::Array { path, .. } => Rc::clone(path),
@@ -47,35 +48,38 @@ impl Node {
     }
 }
 
-/// Builds the tree of a type; `leaf` enters each scalar and gives its cell.
-pub fn build(
+/// Builds the tree of a type; `leaf` enters each scalar and gives its cell. `path` is the same afterwards.
+pub(super) fn build(
     ty: Ty,
-    path: &str,
+    path: &mut String,
     doc: &'static str,
-    leaf: &mut dyn FnMut(Ty, Rc<str>, &'static str) -> usize,
+    leaf: &mut dyn FnMut(Ty, &str, &'static str) -> usize,
 ) -> Rc<Node> {
+    let outer = path.len();
+    let mut inner = |path: &mut String, part: std::fmt::Arguments<'_>, ty, doc| {
+        path.write_fmt(part).expect("specialise: a string takes all text");
+        let node = build(ty, path, doc, leaf);
+        path.truncate(outer);
+        node
+    };
     Rc::new(match ty {
-        Ty::Struct { def } => Node::Struct {
-            path: path.into(),
-            fields: def
-                .fields
-                .iter()
-                .map(|field| {
-                    let inner = if path.is_empty() { field.name.to_owned() } else { format!("{path}.{}", field.name) };
-                    (field.name, build(field.ty, &inner, field.doc, leaf))
-                })
-                .collect(),
-        },
-        Ty::Array { element, len } => Node::Array {
-            path: path.into(),
-            elements: (0..len).map(|index| build(*element, &format!("{path}[{index}]"), doc, leaf)).collect(),
-        },
-        scalar => Node::Leaf(leaf(scalar, path.into(), doc)),
+        Ty::Struct { def } => {
+            let dot = if outer == 0 { "" } else { "." };
+            let field =
+                |field: &Field| (field.name, inner(path, format_args!("{dot}{}", field.name), field.ty, field.doc));
+            let fields = def.fields.iter().map(field).collect();
+            Node::Struct { path: path.as_str().into(), fields }
+        }
+        Ty::Array { element, len } => {
+            let elements = (0..len).map(|index| inner(path, format_args!("[{index}]"), *element, doc)).collect();
+            Node::Array { path: path.as_str().into(), elements }
+        }
+        scalar => Node::Leaf(leaf(scalar, path, doc)),
     })
 }
 
 /// The path and the doc comment of a leaf, by its position among the leaves of a type.
-pub fn leaf_at(ty: Ty, position: usize) -> (String, &'static str) {
+pub(super) fn leaf_at(ty: Ty, position: usize) -> (String, &'static str) {
     let (mut ty, mut position, mut path, mut doc) = (ty, position, String::new(), "");
     loop {
         match ty {
@@ -114,7 +118,7 @@ fn leaves(ty: Ty) -> usize {
 }
 
 /// Builds the tree of a type whose parts need no names.
-pub fn build_unnamed(ty: Ty, leaf: &mut dyn FnMut() -> usize) -> Rc<Node> {
+pub(super) fn build_unnamed(ty: Ty, leaf: &mut dyn FnMut() -> usize) -> Rc<Node> {
     let nowhere: Rc<str> = "".into();
     build_at(ty, &nowhere, leaf)
 }

@@ -45,7 +45,7 @@ impl Specialiser<'_> {
                 leaves(&mut |literal| values.push(literal));
                 let mut values = values.into_iter();
                 // Nothing of it is a variable of the block: its parts are locals, where they are not known.
-                let node = node::build(*ty, "", "", &mut |_, _, _| {
+                let node = node::build(*ty, &mut String::new(), "", &mut |_, _, _| {
                     let value = values.next().expect("specialise: as many values as the type has scalars");
                     self.cells.push(Cell::Known(value));
                     self.cells.len() - 1

@@ -2,11 +2,11 @@
 
 use super::check::damping_given;
 use super::design::{Element, Section};
+use crate::blocks::designed::Designed;
 use crate::codes;
 use crate::design::band::frequency;
 use crate::design::denominator::at_dc_and_nyquist;
 use crate::design::rounding::in_precision;
-use crate::blocks::designed::Designed;
 use crate::parameters::Name;
 use crate::rules::effective::Effective;
 use portable::RealKind;

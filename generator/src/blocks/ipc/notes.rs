@@ -2,9 +2,9 @@
 
 use super::design::{Element, Passband, Section, StageDesign};
 use crate::axis::{Axis, Filter, Mode, Stage};
+use crate::blocks::designed::Designed;
 use crate::design::band::{frequency, warped};
 use crate::design::response;
-use crate::blocks::designed::Designed;
 use crate::number::digits;
 use crate::parameters::words::Words;
 use portable::RealKind;

@@ -3,9 +3,9 @@
 use super::super::values::is_same;
 use super::design::StageDesign;
 use crate::axis::{Filter, Stage};
+use crate::blocks::designed::Designed;
 use crate::design::band::warped;
 use crate::design::response::{magnitude, of_stage, phase};
-use crate::blocks::designed::Designed;
 use crate::number::{decibels, decimals, pair, percent, significant};
 use crate::parameters::words::{FilterType, StageMode, Words};
 use reference::stage::Coeffs;

@@ -1,26 +1,22 @@
 //! The target `codesys`: PLCopen XML (tc6_0200) for each axis, and a file with the function that all of them call.
 
 use super::block::listings;
-use super::dialect::CODESYS;
 use super::{real_types, twincat};
-use crate::axis::Axis;
-use crate::blocks::Block;
 use crate::digest::UNSEALED;
 use crate::render::{CodesysFile, CodesysUsable};
-use crate::target::{File, Unit, VERSION, sealed, stem};
+use crate::target::{File, Header, Legal, Unit, VERSION, sealed, stem};
+use compiler::print::st::CODESYS;
 
 /// The file of an axis.
-#[must_use]
-pub fn files(axis: &Axis, blocks: &[Block]) -> Vec<File> {
-    let stem = stem(&axis.name);
+pub(crate) fn files(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
+    let stem = stem(&axis.axis);
     let name = format!("{stem}.xml");
-    let (origin, blocks) = listings(axis, &name, blocks, "", CODESYS);
+    let (origin, blocks) = listings(axis, &name, blocks, "", &CODESYS);
     vec![sealed(name, "", &CodesysFile { origin: &origin, version: VERSION, name: &stem, blocks: &blocks })]
 }
 
 /// The file that all axes share.
-#[must_use]
-pub fn shared(units: &[Unit<'_>]) -> Vec<File> {
+pub(crate) fn shared(units: &[Unit<'_>]) -> Vec<File> {
     let functions: Vec<_> = real_types(units).map(twincat::usable).collect();
     let name = "axgen_shared";
     let file = CodesysUsable { version: VERSION, name, body_digest: UNSEALED, functions: &functions };

@@ -1,21 +1,12 @@
-//! IEC 61131-3 Structured Text: one printer, and what its dialects do differently. The skeletons of the files are templates.
+//! The files of Structured Text, dialect by dialect: what goes into the templates.
 //!
 //! Whatever implementations disagree on is not printed: see `docs/structured-text.md`.
 
 mod block;
-pub mod codesys;
-pub mod dialect;
-mod expression;
-mod forms;
-pub mod names;
-pub mod nearest;
-pub mod operands;
-pub mod plain;
-pub mod print;
-pub mod scl;
-pub mod start;
-pub mod twincat;
-pub mod types;
+pub(super) mod codesys;
+pub(super) mod plain;
+pub(super) mod scl;
+pub(super) mod twincat;
 
 use super::Unit;
 use portable::RealKind;

@@ -35,7 +35,7 @@ pub fn module(program: &Program, name: &str) -> String {
 #[must_use]
 pub fn lines(program: &Program) -> usize {
     let module = module(program, "block");
-    let own = module.split("axgen_tests::subject!").next().unwrap_or_default();
+    let own = module.split("inside::subject!").next().unwrap_or_default();
     own.lines().filter(|line| !line.trim().is_empty() && !line.starts_with("use ")).count()
 }
 
@@ -124,7 +124,7 @@ impl Text<'_> {
         let ty = |which| self.ty(&Type::Struct(which));
         let types = [STATE, COEFFS, INPUTS, OUTPUTS].map(ty).join(", ");
         let coefficients = self.tree(&self.program.coefficients);
-        self.line(&format!("axgen_tests::subject!(\"{name}\", {types}, {coefficients});"));
+        self.line(&format!("inside::subject!(\"{name}\", {types}, {coefficients});"));
     }
 
     fn tree(&self, tree: &Tree) -> String {

@@ -4,10 +4,10 @@
 use super::super::design::Passband;
 use super::chain::{Chain, Section};
 use crate::axis::{Filter, Prototype, Stage};
+use crate::blocks::designed::Designed;
 use crate::design::band::{band, edges, frequency, warped};
 use crate::design::prototype::{Pole, poles};
 use crate::design::response::{Complex, magnitude};
-use crate::blocks::designed::Designed;
 
 /// A band-pass of a stage and the response of the whole stage at it.
 #[derive(Clone, Debug, PartialEq)]

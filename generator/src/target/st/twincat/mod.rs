@@ -1,20 +1,17 @@
 //! The target `twincat`: function blocks, what they share, and TcUnit suites, in the folders of a TwinCAT 3 PLC project.
 
-pub mod enable;
 mod guid;
 mod project;
 mod suite;
 
-pub use project::shared;
+pub(crate) use project::shared;
 
 use super::block::{listing, origin};
-use super::dialect::{self, TWINCAT, type_name, word_name};
-use crate::axis::Axis;
-use crate::blocks::Block;
 use crate::digest::UNSEALED;
 use crate::render::{TcPou, TcUsable};
-use crate::target::{self, File, VERSION};
+use crate::target::{self, File, Header, Legal, VERSION};
 use askama::Template;
+use compiler::print::st::{self, CODESYS, type_name};
 use compiler::program::Type;
 use portable::RealKind;
 
@@ -31,22 +28,20 @@ const TESTS: &str = "Tests";
 const BYTE_ORDER_MARK: &str = "\u{feff}";
 
 /// The files of an axis: for each block the function block, and a suite with its vector.
-#[must_use]
-pub fn files(axis: &Axis, blocks: &[Block]) -> Vec<File> {
+pub(crate) fn files(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
     blocks
         .iter()
         .flat_map(|block| {
-            let name = block_name(&axis.name, block.program.block);
+            let name = block_name(&axis.axis, block.program.block);
             [function_block(axis, block, &name)].into_iter().chain(suite::files(axis, block, &name))
         })
         .collect()
 }
 
 /// The function block of a block.
-fn function_block(axis: &Axis, block: &Block, name: &str) -> File {
+fn function_block(axis: &Header, block: &Legal<'_>, name: &str) -> File {
     let file = format!("{name}.TcPOU");
-    let program = enable::run(block.program.clone());
-    let listing = listing(name.to_owned(), block, program, TWINCAT);
+    let listing = listing(name.to_owned(), block, &CODESYS);
     let pou = TcPou {
         origin: &origin(axis, &file, std::slice::from_ref(block)),
         id: &guid::of("POU", name),
@@ -56,15 +51,21 @@ fn function_block(axis: &Axis, block: &Block, name: &str) -> File {
 }
 
 /// The name of the function block of a block of an axis.
-#[must_use]
-pub fn block_name(axis: &str, block: &str) -> String {
+pub(crate) fn block_name(axis: &str, block: &str) -> String {
     format!("FB_{}", target::block_name(axis, block))
 }
 
+/// The bit string of a real's size.
+fn word_name(real: RealKind) -> &'static str {
+    match real {
+        RealKind::F64 => "LWORD",
+        RealKind::F32 => "DWORD",
+    }
+}
+
 /// The function that looks at a sample's exponent bits before it compares it.
-#[must_use]
-pub fn usable(real: RealKind) -> TcUsable<'static> {
-    let name = dialect::usable(real);
+pub(crate) fn usable(real: RealKind) -> TcUsable<'static> {
+    let name = st::usable(real);
     let exponent = match real {
         RealKind::F64 => "16#7FF0000000000000",
         RealKind::F32 => "16#7F800000",

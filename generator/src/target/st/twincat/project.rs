@@ -1,19 +1,18 @@
 //! What all axes of a set share in TwinCAT: the function, the types, the test program, the project's entries, the guide.
 
-use super::{DUTS, FOLDER, POUS, TESTS, block_name, guid, sealed, suite, usable};
+use super::{DUTS, FOLDER, POUS, TESTS, block_name, guid, sealed, suite, usable, word_name};
 use crate::digest::UNSEALED;
 use crate::render::{Compile, Item, TcEnum, TcGuide, TcProgram, TcProject, TcUnion};
-use crate::target::st::dialect::{type_name, word_name};
 use crate::target::st::real_types;
 use crate::target::{self, File, Unit, VERSION};
 use crate::vector;
+use compiler::print::st::type_name;
 use compiler::program::Type;
 use portable::RealKind;
 use reference::ipc::{mode_dryrun, mode_off, mode_on};
 
 /// The shared files.
-#[must_use]
-pub fn shared(units: &[Unit<'_>]) -> Vec<File> {
+pub(crate) fn shared(units: &[Unit<'_>]) -> Vec<File> {
     let mut blocks: Vec<String> =
         units.iter().flat_map(|unit| unit.blocks.iter().map(|block| block_name(unit.axis, block))).collect();
     // By name, so that an axis can move in the set.

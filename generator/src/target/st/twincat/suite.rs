@@ -1,26 +1,22 @@
 //! A TcUnit suite for each block: the recorded run of the reference, and the test that compares it, bit by bit.
 
-use super::{TESTS, guid, sealed};
-use crate::axis::Axis;
-use crate::blocks::Block;
+use super::{TESTS, guid, sealed, word_name};
 use crate::render::{TcSuite, TcVector, Track};
-use crate::target::File;
-use crate::target::names::Names;
-use crate::target::number::bits;
 use crate::target::outline::is_read;
 use crate::target::st::block::origin;
-use crate::target::st::dialect::{type_name, word_name};
-use crate::target::st::names::{is_reserved, signals};
-use crate::target::st::types;
+use crate::target::{File, Header, Legal};
+use compiler::print::number::bits;
+use compiler::print::signals;
+use compiler::print::st::{CODESYS, literal, type_name};
 use compiler::program::{Type, Variable};
 use portable::{Literal, RealKind};
 
 /// The vector and the suite of a block.
-pub fn files(axis: &Axis, block: &Block, name: &str) -> [File; 2] {
+pub(crate) fn files(axis: &Header, block: &Legal<'_>, name: &str) -> [File; 2] {
     let list = vector_name(name);
-    let vector = &block.vector;
-    let program = &block.program;
-    let [input_names, output_names] = signals(program, &mut Names::without(is_reserved));
+    let vector = &block.block.vector;
+    let program = &block.block.program;
+    let [input_names, output_names] = signals(program, &CODESYS);
     let tracks = |variables: &[Variable], names: &[String], samples: &[Vec<Literal>]| -> Vec<Track> {
         let track = |(index, variable): (usize, &Variable)| Track {
             name: names[index].clone(),
@@ -61,12 +57,12 @@ pub fn files(axis: &Axis, block: &Block, name: &str) -> [File; 2] {
 }
 
 /// The name of the suite of a function block.
-pub fn suite_name(block: &str) -> String {
+pub(crate) fn suite_name(block: &str) -> String {
     format!("{block}_Test")
 }
 
 /// The name of the list with the vector of a function block.
-pub fn vector_name(block: &str) -> String {
+pub(crate) fn vector_name(block: &str) -> String {
     format!("GVL_{}_vector", &block["FB_".len()..])
 }
 
@@ -81,7 +77,7 @@ fn values(samples: impl Iterator<Item = Literal>, real: RealKind) -> String {
     for sample in samples {
         let text = match sample {
             Literal::F64(_) | Literal::F32(_) => word(sample, real),
-            other => types::literal(other),
+            other => literal(other),
         };
         match runs.last_mut() {
             Some((last, count)) if *last == text => *count += 1,

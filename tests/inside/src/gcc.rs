@@ -4,17 +4,16 @@
 //! a conversion from an integer, alone or after an operation that changes nothing. Clang computes what is written.
 
 use compiler::arithmetic;
-use compiler::program::{Expr, Program, Statement, Var};
+use compiler::program::{Expr, Program, Var};
 use portable::{Binary, Intrinsic, Literal, RealKind, Unary};
 
 /// Whether a program subtracts a converted integer from 0.
 #[must_use]
 pub fn subtracts_integer_from_zero(program: &Program) -> bool {
     let mut found = false;
-    let look = |statement: &Statement, found: &mut bool| {
-        statement.expressions(&mut |expr| expr.parts(&mut |part| *found |= is_misread(part, program)));
-    };
-    program.init.iter().chain(&program.step).for_each(|statement| look(statement, &mut found));
+    for statement in program.statements() {
+        statement.expressions(&mut |expr| expr.parts(&mut |part| found |= is_misread(part, program)));
+    }
     found
 }
 

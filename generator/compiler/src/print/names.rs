@@ -1,6 +1,8 @@
 //! Identifiers from paths, each given once. Which words a language keeps for itself is the language's business.
 
-use std::collections::BTreeSet;
+use super::Language;
+use std::collections::HashSet;
+use std::sync::OnceLock;
 
 /// The identifier of a path: `stage[0].filter[1].y` becomes `stage0_filter1_y`.
 #[must_use]
@@ -16,18 +18,36 @@ pub fn identifier(path: &str) -> String {
     name
 }
 
+/// Words of a language, in small letters.
+pub(super) struct Words {
+    text: &'static str,
+    words: OnceLock<HashSet<&'static str>>,
+}
+
+impl Words {
+    /// The words of a text, between blanks.
+    pub(super) const fn new(text: &'static str) -> Self {
+        Self { text, words: OnceLock::new() }
+    }
+
+    /// Whether a word is one of them.
+    pub(super) fn have(&self, word: &str) -> bool {
+        self.words.get_or_init(|| self.text.split_ascii_whitespace().collect()).contains(word)
+    }
+}
+
 /// The names of one scope, unlike each other in more than the case of their letters.
 #[derive(Clone, Debug)]
 pub struct Names {
     is_reserved: fn(&str) -> bool,
-    taken: BTreeSet<String>,
+    taken: HashSet<String>,
 }
 
 impl Names {
-    /// No names yet, for a language that keeps some words for itself.
+    /// No names yet, in a language that keeps some words for itself.
     #[must_use]
-    pub fn without(is_reserved: fn(&str) -> bool) -> Self {
-        Self { is_reserved, taken: BTreeSet::new() }
+    pub fn of(language: &Language) -> Self {
+        Self { is_reserved: language.is_reserved, taken: HashSet::new() }
     }
 
     /// A name for what stands at the path, unlike every name given before.
@@ -49,7 +69,7 @@ mod tests {
 
     #[test]
     fn a_name_is_given_once() {
-        let mut names = Names::without(|name| name == "limit");
+        let mut names = Names { is_reserved: |name| name == "limit", taken: HashSet::new() };
         let taken = ["a[0].b", "limit", "A0_B", "limit", "a[0].b"].map(|path| names.take(path));
         assert_eq!(taken, ["a0_b", "limit_value", "A0_B_2", "limit_2", "a0_b_3"]);
     }

@@ -2,10 +2,10 @@
 
 use super::emit::{counts, samples};
 use super::judge::Compiled;
+use compiler::legalise::{self, WITH_DIGITS};
+use compiler::print::st::{PLAIN, type_name};
+use compiler::print::{Appearance, Printer};
 use compiler::program::{Expr, Program, Statement, Type, Var, Variable};
-use generator::target::st::dialect::{Form, PLAIN, type_name};
-use generator::target::st::print::Printer;
-use generator::target::st::{nearest, operands, start, types};
 use std::fmt::Write;
 
 /// A file of function blocks, and a line for each of them: its number, the names and types of its inputs, then of its
@@ -23,16 +23,15 @@ pub struct Blocks {
 impl Blocks {
     /// Adds a program under a number, unless it gives nothing: no target has such a block.
     pub fn add(&mut self, number: usize, program: &Program, compiled: &Compiled) {
-        let program = nearest::run(start::run(whole(program.clone(), compiled)));
+        let whole = whole(program.clone(), compiled);
+        let program = legalise::run(&whole, WITH_DIGITS).unwrap_or_else(|defect| panic!("{defect}"));
         if program.outputs.is_empty() {
             return;
         }
-        let program = if PLAIN.has_digits_in_expressions(program.real) { program } else { operands::run(program) };
-        let printer = Printer::new(&program, PLAIN);
-        let names = &printer.names;
-        let constants = program.constants.iter().zip(&names.constants).zip(&printer.forms);
-        let assigned: Vec<_> =
-            constants.filter(|(_, form)| **form == Form::Assigned).map(|(constant, _)| constant).collect();
+        let printer = Printer::new(&program, &PLAIN);
+        let names = printer.names();
+        let constants = program.constants.iter().zip(&names.constants).zip(printer.appearances());
+        let assigned: Vec<_> = constants.filter(|(_, how)| **how == Appearance::Assigned).map(|(it, _)| it).collect();
         let mut text = format!("FUNCTION_BLOCK p{number}\n");
         let declared = |variables: &[Variable], names: &[String]| -> Vec<(String, Type)> {
             names.iter().cloned().zip(variables.iter().map(|variable| variable.ty)).collect()
@@ -55,9 +54,9 @@ impl Blocks {
             }
         }
         for (constant, name) in assigned {
-            let _ = writeln!(text, "{name} := {};", types::in_statement(constant.value));
+            let _ = writeln!(text, "{name} := {};", (PLAIN.operand)(constant.value).0);
         }
-        let _ = writeln!(text, "{}END_FUNCTION_BLOCK\n", printer.body(0));
+        let _ = writeln!(text, "{}END_FUNCTION_BLOCK\n", printer.body(&program.step, 0));
         let list = |signals: &[(String, Type)]| -> String {
             signals.iter().map(|(name, ty)| format!(" {name}:{ty:?}")).collect()
         };

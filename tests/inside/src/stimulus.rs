@@ -1,7 +1,7 @@
 //! The inputs that a program runs on: ordinary numbers first, then those at the edges of arithmetic, then no numbers.
 
+use super::rng::Rng;
 use super::subject::{Instance, scalars};
-use crate::random::rng::Rng;
 use portable::{Literal, Real, RealKind, Ty};
 
 /// Samples of a run, which begins anew after each.

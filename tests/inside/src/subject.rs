@@ -25,24 +25,24 @@ macro_rules! subject {
             type Outputs = $outputs;
 
             const NAME: &'static str = $name;
-            const ENABLE: &'static str = "mode";
+            const ENABLE: Option<portable::Enable> = None;
             const INIT: portable::Fn = init::Ir::<R>::IR;
             const STEP: portable::Fn = step::Ir::<R>::IR;
 
             fn state() -> $state {
-                let mut state = $crate::random::inside::subject::unset();
+                let mut state = $crate::subject::unset();
                 init::<R>(&mut state);
                 state
             }
 
             fn inputs(_: &$coeffs) -> $inputs {
-                $crate::random::inside::subject::unset()
+                $crate::subject::unset()
             }
 
             fn exercise(_: &mut $inputs) {}
 
             fn outputs() -> $outputs {
-                $crate::random::inside::subject::unset()
+                $crate::subject::unset()
             }
 
             fn step(state: &mut $state, coeffs: &$coeffs, inputs: &$inputs, outputs: &mut $outputs) {
@@ -50,7 +50,7 @@ macro_rules! subject {
             }
         }
 
-        impl<R: portable::Real> $crate::random::inside::subject::Subject<R> for Subject {
+        impl<R: portable::Real> $crate::subject::Subject<R> for Subject {
             fn coefficients() -> $coeffs {
                 $coefficients
             }

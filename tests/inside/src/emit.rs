@@ -1,8 +1,9 @@
 //! The C of a batch of programs: one translation unit for each real type, and the words that its driver reads.
 
 use super::judge::Compiled;
+use compiler::print::c::LANGUAGE;
+use compiler::print::{Printer, Scope};
 use compiler::program::{Constant, Program, Statement, Type, Var, Variable};
-use generator::target::c::{print, types};
 use portable::Literal;
 use std::fmt::Write;
 
@@ -52,21 +53,22 @@ pub fn samples(compiled: &Compiled, words: &mut Vec<u64>) {
 
 /// Types and functions of one program, and what the driver calls.
 fn source(number: usize, program: &Program) -> String {
-    let printer = print::Printer::new(program);
-    let members = |variables: &[Variable]| -> String {
+    let printer = Printer::new(program, &LANGUAGE);
+    let names = printer.names();
+    let members = |variables: &[Variable], names: &[String]| -> String {
         if variables.is_empty() {
             return "    bool nothing;\n".to_owned();
         }
-        let member = |variable: &Variable| {
-            format!("    {} {};\n", types::name(variable.ty, program.real), print::member(&variable.path))
+        let member = |(variable, name): (&Variable, &String)| {
+            format!("    {} {name};\n", (LANGUAGE.ty)(variable.ty, program.real))
         };
-        variables.iter().map(member).collect()
+        variables.iter().zip(names).map(member).collect()
     };
     let body = |statements: &[Statement]| {
-        let constants = program.constants.iter().zip(printer.constants()).enumerate();
+        let constants = program.constants.iter().zip(&names.constants).enumerate();
         let used = constants.filter(|(index, _)| mentions(statements, Var::Constant(*index)));
         let mut text: String = used.map(|(_, (constant, name))| named(constant, name, program)).collect();
-        text.push_str(&printer.body(statements));
+        text.push_str(&printer.body(statements, 1));
         text
     };
     format!(
@@ -78,12 +80,12 @@ fn source(number: usize, program: &Program) -> String {
          static void call_step{number}(void *state, const void *inputs, void *outputs) \
          {{ step{number}(state, inputs, outputs); }}\n\
          static const struct leaf leaves{number}[] = {{{} {{0}}}};\n",
-        members(&program.state),
-        members(&program.inputs),
-        members(&program.outputs),
+        members(&program.state, &names.state),
+        members(&program.inputs, &names.inputs),
+        members(&program.outputs, &names.outputs),
         body(&program.init),
         body(&program.step),
-        leaves(number, program),
+        leaves(number, program, names),
     )
 }
 
@@ -93,21 +95,24 @@ fn mentions(statements: &[Statement], var: Var) -> bool {
 
 fn named(constant: &Constant, name: &str, program: &Program) -> String {
     let ty = Type::of(constant.value).expect("emit: a constant exists at run time");
-    format!("    static const {} {name} = {};\n", types::name(ty, program.real), types::literal(constant.value))
+    format!("    static const {} {name} = {};\n", (LANGUAGE.ty)(ty, program.real), (LANGUAGE.literal)(constant.value))
 }
 
 /// Where each scalar stands: state, then outputs, then inputs.
-fn leaves(number: usize, program: &Program) -> String {
+fn leaves(number: usize, program: &Program, names: &Scope) -> String {
     let mut text = String::new();
-    for (prefix, variables) in [("s", &program.state), ("o", &program.outputs), ("i", &program.inputs)] {
-        for variable in variables {
+    for (prefix, variables, names) in [
+        ("s", &program.state, &names.state),
+        ("o", &program.outputs, &names.outputs),
+        ("i", &program.inputs, &names.inputs),
+    ] {
+        for (variable, member) in variables.iter().zip(names) {
             let kind = match variable.ty {
                 Type::Bool => 'b',
                 Type::I32 => 'i',
                 Type::U32 => 'u',
                 Type::Real => 'r',
             };
-            let member = print::member(&variable.path);
             let _ = write!(text, " {{offsetof({prefix}{number}, {member}), '{kind}', \"{}\"}},", variable.path);
         }
     }

@@ -1,6 +1,7 @@
 //! Values as text that every implementation of Structured Text reads back to the same bits.
 
-use crate::target::number::decimal;
+use crate::print::language::{Level, PRIMARY};
+use crate::print::number::decimal;
 use portable::Literal;
 
 /// What one compiler takes as a real literal, although its LREAL has the range of a double.
@@ -30,13 +31,19 @@ pub fn literal(value: Literal) -> String {
     }
 }
 
-/// The text of a literal in a statement: to some compilers -2147483648 is there minus a number that fits no DINT.
-#[must_use]
-pub fn in_statement(value: Literal) -> String {
-    match value {
+/// The text of a literal in a statement, and how tightly it binds: it may be a product, or begin with a sign. To some
+/// compilers -2147483648 is there minus a number that fits no DINT.
+pub(super) fn operand(value: Literal) -> (String, Level) {
+    let text = match value {
         Literal::I32(i32::MIN) => "-2147483647 - 1".to_owned(),
         other => literal(other),
-    }
+    };
+    let level = match text.as_bytes() {
+        _ if text.contains(" * ") => super::PRODUCT,
+        [b'-', ..] => super::SIGN,
+        _ => PRIMARY,
+    };
+    (text, level)
 }
 
 /// The digits of a number within the limits; a product for one beyond them.

@@ -26,7 +26,7 @@ pub fn name(defect: Defect) -> &'static str {
 #[must_use]
 pub fn interpreted(mut program: Program, defect: Option<Defect>) -> Program {
     if defect == Some(Defect::InterpretedDifference) {
-        program.step = map_expressions(program.step, &mut |expr| expr.map(&mut swap_difference));
+        map_expressions(&mut program.step, &mut |expr| expr.change(&mut swap_difference));
     }
     program
 }
@@ -40,10 +40,9 @@ pub fn printed(mut program: Program, defect: Option<Defect>) -> Program {
     program
 }
 
-fn swap_difference(expr: Expr) -> Expr {
-    match expr {
-        Expr::Binary(Binary::Subtract, left, right) => Expr::Binary(Binary::Subtract, right, left),
-        other => other,
+fn swap_difference(expr: &mut Expr) {
+    if let Expr::Binary(Binary::Subtract, left, right) = expr {
+        std::mem::swap(left, right);
     }
 }
 

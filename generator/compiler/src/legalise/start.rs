@@ -1,15 +1,18 @@
 //! Moves what `init` does into the first cycle: the memory of an instance is 0 and FALSE everywhere, but nothing else about it
 //! is sure. Where that is all that `init` asks for, nothing is left to do.
 
-use compiler::program::{Expr, Program, Statement, Type, Var, Variable};
+use crate::pass::Defect;
+use crate::program::{Expr, Program, Statement, Type, Var, Variable};
 use portable::{Literal, Unary};
 
 /// The program without `init`.
-#[must_use]
-pub fn run(mut program: Program) -> Program {
+///
+/// # Errors
+/// None.
+pub fn run(mut program: Program) -> Result<Program, Defect> {
     let mut init = std::mem::take(&mut program.init);
     if init.iter().all(is_clear) {
-        return program;
+        return Ok(program);
     }
     let started = Var::State(program.state.len());
     program.state.push(Variable {
@@ -21,7 +24,7 @@ pub fn run(mut program: Program) -> Program {
     init.push(Statement::Assign { target: started, value: Expr::Literal(Literal::Bool(true)) });
     let condition = Expr::Unary(Unary::Not, Box::new(Expr::Var(started)));
     program.step.insert(0, Statement::If { condition, then: init, otherwise: Vec::new() });
-    program
+    Ok(program)
 }
 
 /// Whether a statement gives a variable what it has anyway.

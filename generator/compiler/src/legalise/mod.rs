@@ -1,0 +1,34 @@
+//! Passes that make a program one that a language can say; a target names those that it needs, and `verify` runs after the
+//! last of them.
+
+pub mod enable;
+pub mod nearest;
+pub mod operands;
+pub mod start;
+
+use crate::pass::{Defect, Stage, verify};
+use crate::program::Program;
+use std::borrow::Cow;
+
+/// What every dialect of Structured Text needs where numbers have names.
+pub const STRUCTURED_TEXT: &[Stage] = &[("started", start::run), ("rounded", nearest::run), ("named", operands::run)];
+
+/// What Structured Text needs where the digits of an LREAL may stand in an expression.
+pub const WITH_DIGITS: &[Stage] =
+    &[("started", start::run), ("rounded", nearest::run), ("named", operands::run_single)];
+
+/// The same with the signals of PLCopen around the block.
+pub const WITH_ENABLE: &[Stage] =
+    &[("enabled", enable::run), ("started", start::run), ("rounded", nearest::run), ("named", operands::run)];
+
+/// Runs the passes of a target over a verified program, and verifies what comes out.
+///
+/// # Errors
+/// The first defect.
+pub fn run<'p>(program: &'p Program, passes: &[Stage]) -> Result<Cow<'p, Program>, Defect> {
+    if passes.is_empty() {
+        return Ok(Cow::Borrowed(program));
+    }
+    let legal = passes.iter().try_fold(program.clone(), |program, (_, pass)| pass(program))?;
+    verify::run(legal).map(Cow::Owned)
+}

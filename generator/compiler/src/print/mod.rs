@@ -1,0 +1,242 @@
+//! One printer for all languages: a walk over a program's statements, one to one. No operation is added, removed or moved,
+//! and nothing is known of a language that its description does not say.
+
+pub mod c;
+pub mod comment;
+mod expression;
+mod language;
+mod names;
+pub mod number;
+mod scope;
+pub mod st;
+
+pub use language::{Appearance, Language};
+pub use names::{Names, identifier};
+
+use crate::program::{Expr, Program, Statement, Var, Variable};
+use pretty::{Arena, DocAllocator, DocBuilder};
+
+/// Characters in a line of code, where it can be broken.
+const WIDTH: usize = 120;
+/// Characters in a line of a comment among the statements.
+const NOTE_WIDTH: usize = 100;
+/// Blanks before what stands inside.
+const INDENTATION: isize = 4;
+
+type Doc<'d> = DocBuilder<'d, Arena<'d>>;
+
+/// A program with the names that its variables have in a language.
+pub struct Printer<'p> {
+    program: &'p Program,
+    language: &'p Language,
+    /// as declared
+    names: Scope,
+    appearances: Vec<Appearance>,
+    /// as in a statement
+    texts: Scope,
+}
+
+/// A text for each variable of a program, in the order of its lists.
+#[derive(Clone, Debug, Default)]
+pub struct Scope {
+    /// of the inputs
+    pub inputs: Vec<String>,
+    /// of the outputs
+    pub outputs: Vec<String>,
+    /// of the state
+    pub state: Vec<String>,
+    /// of the constants
+    pub constants: Vec<String>,
+    /// of the locals
+    pub locals: Vec<String>,
+}
+
+/// The names of the inputs and of the outputs of a program.
+#[must_use]
+pub fn signals(program: &Program, language: &Language) -> [Vec<String>; 2] {
+    let mut names = Names::of(language);
+    [&program.inputs, &program.outputs].map(|variables| members(variables, language, &mut names))
+}
+
+/// The names of a program's constants, behind a prefix where others stand in the same scope.
+#[must_use]
+pub fn constants(program: &Program, prefix: &str, names: &mut Names) -> Vec<String> {
+    let path = |path: &str| if prefix.is_empty() { names.take(path) } else { names.take(&format!("{prefix}.{path}")) };
+    program.constants.iter().map(|constant| constant.path.as_str()).map(path).collect()
+}
+
+/// The names of variables that the caller sees: in one scope with all others, or in a struct.
+fn members(variables: &[Variable], language: &Language, names: &mut Names) -> Vec<String> {
+    let mut own = language.has_structs.then(|| Names::of(language));
+    let names = own.as_mut().unwrap_or(names);
+    let name = |variable: &Variable| match variable.path.as_str() {
+        path if language.kept.contains(&path) => path.to_owned(),
+        path => names.take(path),
+    };
+    variables.iter().map(name).collect()
+}
+
+impl<'p> Printer<'p> {
+    /// A program that has a scope for itself; the names of the interface are taken first.
+    #[must_use]
+    pub fn new(program: &'p Program, language: &'p Language) -> Self {
+        Self::named(program, language, Names::of(language), None)
+    }
+
+    /// A program whose constants have their names, in a scope with those of others: its locals have none of them.
+    #[must_use]
+    pub fn beside(program: &'p Program, language: &'p Language, constants: Vec<String>, names: Names) -> Self {
+        Self::named(program, language, names, Some(constants))
+    }
+
+    fn named(program: &'p Program, language: &'p Language, mut names: Names, known: Option<Vec<String>>) -> Self {
+        let names = Scope {
+            inputs: members(&program.inputs, language, &mut names),
+            outputs: members(&program.outputs, language, &mut names),
+            state: members(&program.state, language, &mut names),
+            constants: known.unwrap_or_else(|| constants(program, "", &mut names)),
+            locals: program.locals.iter().map(|local| names.take(&local.path)).collect(),
+        };
+        let appearances = (language.appearances)(program);
+        let [input, output, state, constant, local] = language.before;
+        let behind = |before: &str, names: &[String]| names.iter().map(|name| [before, name].concat()).collect();
+        let mut texts = Scope {
+            inputs: behind(input, &names.inputs),
+            outputs: behind(output, &names.outputs),
+            state: behind(state, &names.state),
+            constants: behind(constant, &names.constants),
+            locals: behind(local, &names.locals),
+        };
+        for (index, appearance) in appearances.iter().enumerate() {
+            if *appearance == Appearance::Inline {
+                let ((digits, level), name) =
+                    ((language.operand)(program.constants[index].value), &names.constants[index]);
+                let [open, _, close] = language.comment;
+                let text = format!("{digits} {open}{name}{close}");
+                texts.constants[index] = if level == language::PRIMARY { text } else { format!("({text})") };
+            }
+        }
+        Self { program, language, names, appearances, texts }
+    }
+
+    /// The names of the variables, as they are declared.
+    #[must_use]
+    pub fn names(&self) -> &Scope {
+        &self.names
+    }
+
+    /// How each constant appears.
+    #[must_use]
+    pub fn appearances(&self) -> &[Appearance] {
+        &self.appearances
+    }
+
+    /// Statements of the program, each on a line of its own, indented by some levels.
+    ///
+    /// # Panics
+    /// If the program is not verified.
+    #[must_use]
+    pub fn body(&self, statements: &[Statement], level: isize) -> String {
+        let arena = Arena::new();
+        let layout = Layout { printer: self, arena: &arena };
+        let doc = layout.list(statements, &mut vec![false; self.program.locals.len()]).nest(level * INDENTATION);
+        let mut text = String::new();
+        doc.render_fmt(WIDTH, &mut text).expect("print: a string takes all text");
+        // Each line has begun with its line break; now it ends with one.
+        text.drain(..text.len().min(1));
+        text.push_str(if text.is_empty() { "" } else { "\n" });
+        text
+    }
+
+    fn text(&self, var: Var) -> &str {
+        let Scope { inputs, outputs, state, constants, locals } = &self.texts;
+        match var {
+            Var::Input(index) => &inputs[index],
+            Var::Output(index) => &outputs[index],
+            Var::State(index) => &state[index],
+            Var::Constant(index) => &constants[index],
+            Var::Local(index) => &locals[index],
+        }
+    }
+
+    fn local_type(&self, local: usize) -> &'static str {
+        let ty = self.program.locals[local].ty.expect("print: the typing pass has typed every local");
+        (self.language.ty)(ty, self.program.real)
+    }
+}
+
+/// What lays out one body.
+struct Layout<'d> {
+    printer: &'d Printer<'d>,
+    arena: &'d Arena<'d>,
+}
+
+impl<'d> Layout<'d> {
+    /// Statements, each behind a line break. `declared` knows the locals that an outer list declares.
+    fn list(&self, list: &'d [Statement], declared: &mut [bool]) -> Doc<'d> {
+        let mut doc = self.arena.nil();
+        let Some([with_value, without]) = self.printer.language.declaration else {
+            for statement in list {
+                doc = doc.append(self.arena.hardline()).append(self.statement(statement, declared));
+            }
+            return doc;
+        };
+        for (statement, locals) in list.iter().zip(scope::declarations(list, declared)) {
+            let named = |local: usize| (self.printer.local_type(local), &self.printer.names.locals[local]);
+            doc = doc.append(self.arena.hardline());
+            if let Statement::Assign { target: Var::Local(local), value } = statement
+                && locals.contains(local)
+            {
+                let (ty, name) = named(*local);
+                doc = doc.append(self.assignment(self.arena.text(with_value(ty, name)), value));
+                continue;
+            }
+            for local in locals {
+                let (ty, name) = named(local);
+                doc = doc.append(without(ty, name)).append(";").append(self.arena.hardline());
+            }
+            doc = doc.append(self.statement(statement, declared));
+        }
+        doc
+    }
+
+    fn statement(&self, statement: &'d Statement, declared: &mut [bool]) -> Doc<'d> {
+        match statement {
+            Statement::Note(note) => {
+                let [open, next, close] = self.printer.language.comment;
+                let lines = comment::lines(&comment::harmless(note), NOTE_WIDTH);
+                let between = self.arena.hardline().append(next);
+                self.arena.text(open).append(self.arena.intersperse(lines, between)).append(close)
+            }
+            Statement::Assign { target, value } => self.assignment(self.arena.text(self.printer.text(*target)), value),
+            Statement::If { condition, then, otherwise } => {
+                let question = self.printer.language.question;
+                let mut inner = |list| self.list(list, declared).nest(INDENTATION);
+                let mut doc = self.question(question.first, condition).append(inner(then));
+                let mut rest = otherwise;
+                // A chain of questions reads as one.
+                while let [Statement::If { condition, then, otherwise }] = rest.as_slice() {
+                    doc = doc.append(self.arena.hardline()).append(self.question(question.next, condition));
+                    doc = doc.append(inner(then));
+                    rest = otherwise;
+                }
+                if !rest.is_empty() {
+                    doc = doc.append(self.arena.hardline()).append(question.otherwise).append(inner(rest));
+                }
+                doc.append(self.arena.hardline()).append(question.end)
+            }
+        }
+    }
+
+    /// An assignment; one that is too long is broken behind its target first.
+    fn assignment(&self, target: Doc<'d>, value: &'d Expr) -> Doc<'d> {
+        let value = self.expr(value).doc.nest(INDENTATION).append(";");
+        let value = self.arena.line().append(value).group().nest(INDENTATION);
+        target.append(self.printer.language.assign).append(value)
+    }
+
+    fn question(&self, words: &'static str, condition: &'d Expr) -> Doc<'d> {
+        let condition = self.expr(condition).doc.group().nest(2 * INDENTATION);
+        self.arena.text(words).append(condition).append(self.printer.language.question.then)
+    }
+}

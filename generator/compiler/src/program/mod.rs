@@ -1,0 +1,189 @@
+//! The second IR: one block of one axis, owned, typed and flat. No loops, no calls, no aggregates; plain data.
+//!
+//! Every scalar of the inputs, the outputs and the state is a variable of its own, named by its path in the reference
+//! (`stage[0].filter[0].section[1].s1`). A local is assigned exactly once on each way through the program.
+
+mod visit;
+
+pub use visit::{map_expressions, rename, rewrite};
+
+use portable::{Literal, RealKind};
+
+/// A specialised block.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Program {
+    /// the block's name: `ipc`
+    pub block: &'static str,
+    /// what turns the block off from outside; `None`: nothing does
+    pub switch: Option<Switch>,
+    /// what [`Type::Real`] is
+    pub real: RealKind,
+    /// written by the caller
+    pub inputs: Vec<Variable>,
+    /// written by `step`
+    pub outputs: Vec<Variable>,
+    /// kept from cycle to cycle
+    pub state: Vec<Variable>,
+    /// named numbers, in the order in which the reference declares them
+    pub constants: Vec<Constant>,
+    /// intermediate values
+    pub locals: Vec<Local>,
+    /// before the first cycle
+    pub init: Vec<Statement>,
+    /// one cycle
+    pub step: Vec<Statement>,
+}
+
+/// What turns a block off from outside.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Switch {
+    /// of [`Program::inputs`]: a mode, or a BOOL
+    pub input: usize,
+    /// the mode in which the block is off; `None`: the input is a BOOL, and acts at once
+    pub off: Option<Constant>,
+    /// where the mode fades, the part of the state that is TRUE until the block is at rest
+    pub busy: Option<Var>,
+}
+
+/// An input, an output or a part of the state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Variable {
+    /// the path in the reference's struct
+    pub path: String,
+    /// the doc comment of the field
+    pub doc: &'static str,
+    /// its type
+    pub ty: Type,
+    /// its value before anything was written
+    pub start: Literal,
+}
+
+/// A named number.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Constant {
+    /// the path in the coefficients, or the name of the function that gives it
+    pub path: String,
+    /// the doc comment of the field or function
+    pub doc: &'static str,
+    /// its value
+    pub value: Literal,
+    /// where it comes from
+    pub origin: Origin,
+}
+
+/// Where a named number comes from; in this order they are listed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Origin {
+    /// a coefficient, by its position among their leaves
+    Coefficient(usize),
+    /// a function without parameters, the same for every axis
+    Function,
+}
+
+/// An intermediate value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Local {
+    /// where in the state it is computed, and its name in the reference: `stage[0].filter[0].section[0].y`
+    pub path: String,
+    /// its type; the typing pass fills it in
+    pub ty: Option<Type>,
+}
+
+/// The type of a scalar.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Type {
+    /// BOOL
+    Bool,
+    /// DINT; an enum's variants are its numbers
+    I32,
+    /// UDINT
+    U32,
+    /// REAL or LREAL, as the program says
+    Real,
+}
+
+impl Type {
+    /// The type of a value that exists at run time.
+    #[must_use]
+    pub fn of(value: Literal) -> Option<Self> {
+        match value {
+            Literal::Bool(_) => Some(Self::Bool),
+            Literal::I32(_) => Some(Self::I32),
+            Literal::U32(_) => Some(Self::U32),
+            Literal::F64(_) | Literal::F32(_) => Some(Self::Real),
+            Literal::Usize(_) | Literal::Variant(_) => None,
+        }
+    }
+}
+
+/// A variable or a constant, by its position in the program's list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Var {
+    /// of [`Program::inputs`]
+    Input(usize),
+    /// of [`Program::outputs`]
+    Output(usize),
+    /// of [`Program::state`]
+    State(usize),
+    /// of [`Program::constants`]
+    Constant(usize),
+    /// of [`Program::locals`]
+    Local(usize),
+}
+
+/// A statement.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Statement {
+    /// what the next statements are
+    Note(String),
+    /// writes an output, a part of the state or a local
+    Assign {
+        /// what is written
+        target: Var,
+        /// with what
+        value: Expr,
+    },
+    /// chooses
+    If {
+        /// decides
+        condition: Expr,
+        /// if it holds
+        then: Vec<Statement>,
+        /// if not
+        otherwise: Vec<Statement>,
+    },
+}
+
+/// An expression without effect.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Expr {
+    /// a value
+    Literal(Literal),
+    /// what a variable holds
+    Var(Var),
+    /// an operator with one operand
+    Unary(portable::Unary, Box<Expr>),
+    /// an operator with two operands
+    Binary(portable::Binary, Box<Expr>, Box<Expr>),
+    /// an operation that each target prints in its own way
+    Intrinsic(portable::Intrinsic, Vec<Expr>),
+}
+
+impl Program {
+    /// The type of a variable; `None`: of a local that the typing pass has not met.
+    #[must_use]
+    pub fn ty(&self, var: Var) -> Option<Type> {
+        match var {
+            Var::Input(index) => Some(self.inputs[index].ty),
+            Var::Output(index) => Some(self.outputs[index].ty),
+            Var::State(index) => Some(self.state[index].ty),
+            Var::Constant(index) => Type::of(self.constants[index].value),
+            Var::Local(index) => self.locals[index].ty,
+        }
+    }
+
+    /// The statements of both bodies.
+    pub fn statements(&self) -> impl DoubleEndedIterator<Item = &Statement> {
+        self.step.iter().chain(&self.init)
+    }
+}

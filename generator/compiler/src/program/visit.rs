@@ -1,0 +1,155 @@
+//! The walks over statements and expressions that every pass, the printer and the interpreter share. No pass.
+
+use super::{Expr, Statement, Var};
+
+impl Statement {
+    /// Calls `visit` for this statement, then for those inside it.
+    pub fn walk<'a>(&'a self, visit: &mut impl FnMut(&'a Self)) {
+        visit(self);
+        if let Self::If { then, otherwise, .. } = self {
+            then.iter().chain(otherwise).for_each(|inner| inner.walk(visit));
+        }
+    }
+
+    /// Calls `visit` for every expression of this statement and of those inside it, as a whole.
+    pub fn expressions<'a>(&'a self, visit: &mut impl FnMut(&'a Expr)) {
+        self.walk(&mut |statement| match statement {
+            Self::Note(_) => {}
+            Self::Assign { value: expr, .. } | Self::If { condition: expr, .. } => visit(expr),
+        });
+    }
+
+    /// Calls `visit` for every variable that this statement or one inside it writes, with what it writes.
+    pub fn assignments<'a>(&'a self, visit: &mut impl FnMut(Var, &'a Expr)) {
+        self.walk(&mut |statement| {
+            if let Self::Assign { target, value } = statement {
+                visit(*target, value);
+            }
+        });
+    }
+
+    /// Calls `visit` for every variable that this statement or one inside it reads, as often as it does.
+    pub fn reads(&self, visit: &mut impl FnMut(Var)) {
+        self.expressions(&mut |expr| expr.variables(visit));
+    }
+
+    /// Calls `visit` for every variable that this statement or one inside it reads or writes, as often as it does.
+    pub fn variables(&self, visit: &mut impl FnMut(Var)) {
+        self.assignments(&mut |target, _| visit(target));
+        self.reads(visit);
+    }
+
+    /// Whether this statement or one inside it reads or writes the variable.
+    #[must_use]
+    pub fn mentions(&self, var: Var) -> bool {
+        match self {
+            Self::Note(_) => false,
+            Self::Assign { target, value } => *target == var || value.mentions(var),
+            Self::If { condition, then, otherwise } => {
+                condition.mentions(var) || then.iter().chain(otherwise).any(|inner| inner.mentions(var))
+            }
+        }
+    }
+}
+
+impl Expr {
+    /// The expressions that this one is made of.
+    fn operands(&self) -> impl Iterator<Item = &Self> {
+        let (first, second, more): (_, _, &[Self]) = match self {
+            Self::Literal(_) | Self::Var(_) => (None, None, &[]),
+            Self::Unary(_, operand) => (Some(&**operand), None, &[]),
+            Self::Binary(_, left, right) => (Some(&**left), Some(&**right), &[]),
+            Self::Intrinsic(_, operands) => (None, None, operands),
+        };
+        first.into_iter().chain(second).chain(more)
+    }
+
+    /// Calls `visit` for the expression and for every part of it.
+    pub fn parts<'a>(&'a self, visit: &mut impl FnMut(&'a Self)) {
+        visit(self);
+        self.operands().for_each(|operand| operand.parts(visit));
+    }
+
+    /// Calls `visit` for every variable that the expression reads.
+    pub fn variables(&self, visit: &mut impl FnMut(Var)) {
+        self.parts(&mut |part| {
+            if let Self::Var(var) = part {
+                visit(*var);
+            }
+        });
+    }
+
+    /// Whether the expression reads the variable.
+    #[must_use]
+    pub fn mentions(&self, var: Var) -> bool {
+        *self == Self::Var(var) || self.operands().any(|operand| operand.mentions(var))
+    }
+
+    /// Calls `change` for every part of the expression, inner parts first, and at last for the expression.
+    pub fn change(&mut self, change: &mut impl FnMut(&mut Self)) {
+        match self {
+            Self::Literal(_) | Self::Var(_) => {}
+            Self::Unary(_, operand) => operand.change(change),
+            Self::Binary(_, left, right) => {
+                left.change(change);
+                right.change(change);
+            }
+            Self::Intrinsic(_, operands) => operands.iter_mut().for_each(|operand| operand.change(change)),
+        }
+        change(self);
+    }
+}
+
+/// Calls `change` for every expression of the statements, each as a whole.
+pub fn map_expressions(list: &mut [Statement], change: &mut impl FnMut(&mut Expr)) {
+    for statement in list {
+        match statement {
+            Statement::Note(_) => {}
+            Statement::Assign { value, .. } => change(value),
+            Statement::If { condition, then, otherwise } => {
+                change(condition);
+                map_expressions(then, change);
+                map_expressions(otherwise, change);
+            }
+        }
+    }
+}
+
+/// Puts another variable in the place of every variable that the statements mention.
+pub fn rename(list: &mut [Statement], renamed: &impl Fn(Var) -> Var) {
+    for statement in list {
+        match statement {
+            Statement::Note(_) => {}
+            Statement::Assign { target, value } => {
+                *target = renamed(*target);
+                rename_in(value, renamed);
+            }
+            Statement::If { condition, then, otherwise } => {
+                rename_in(condition, renamed);
+                rename(then, renamed);
+                rename(otherwise, renamed);
+            }
+        }
+    }
+}
+
+fn rename_in(expr: &mut Expr, renamed: &impl Fn(Var) -> Var) {
+    expr.change(&mut |part| {
+        if let Expr::Var(var) = part {
+            *var = renamed(*var);
+        }
+    });
+}
+
+/// Replaces every statement by what `change` pushes for it; the statements inside it have been replaced before.
+pub fn rewrite(list: &mut Vec<Statement>, change: &mut impl FnMut(Statement, &mut Vec<Statement>)) {
+    let old = std::mem::take(list);
+    list.reserve(old.len());
+    for mut statement in old {
+        if let Statement::If { then, otherwise, .. } = &mut statement {
+            rewrite(then, change);
+            rewrite(otherwise, change);
+        }
+        change(statement, list);
+    }
+}
