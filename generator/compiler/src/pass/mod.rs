@@ -2,9 +2,13 @@
 
 pub mod coalesce;
 pub mod dead;
+mod facts;
 pub mod identity;
+pub mod known;
 pub mod prune;
 pub mod sink;
+pub mod thread;
+pub mod turn;
 pub mod typing;
 pub mod verify;
 
@@ -32,12 +36,15 @@ impl std::error::Error for Defect {}
 pub type Pass = fn(Program) -> Result<Program, Defect>;
 
 /// The stages after specialisation, in their order, by the names that `--emit` takes.
-pub const PASSES: [(&str, Pass); 7] = [
+pub const PASSES: [(&str, Pass); 10] = [
     ("typed", typing::run),
     ("identity", identity::run),
+    ("known", known::run),
+    ("threaded", thread::run),
     ("live", dead::run),
     ("coalesced", coalesce::run),
     ("sunk", sink::run),
+    ("turned", turn::run),
     ("pruned", prune::run),
     ("verified", verify::run),
 ];
