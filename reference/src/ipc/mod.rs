@@ -264,18 +264,18 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     let mut runs = true;
     let mut error_id = error_none();
     // Mostly the mode is ON and the gate open: then nothing but the sections changes.
-    if !(inputs.mode == mode_on()
+    if !(is_in_range(coeffs, inputs)
+        && inputs.mode == mode_on()
         && state.gate >= coeffs.fade_cycles
-        && is_in_range(coeffs, inputs)
         && is_cycle_time(coeffs, inputs)
         && is_released(inputs))
     {
-        error_id = error_of(coeffs, inputs);
-        if error_id != error_none() || !is_released(inputs) {
-            runs = false;
-            stop(state);
-        } else {
+        if is_in_range(coeffs, inputs) && is_cycle_time(coeffs, inputs) && is_released(inputs) {
             runs = prepare(state, coeffs, inputs);
+        } else {
+            runs = false;
+            error_id = error_of(coeffs, inputs);
+            stop(state);
         }
     }
     if runs {

@@ -39,16 +39,22 @@ impl<'p> Facts<'p> {
         let simpler = match condition {
             Expr::Unary(Unary::Not, operand) => Expr::Unary(Unary::Not, Box::new(self.simplify(*operand))),
             Expr::Binary(operator @ (Binary::And | Binary::Or), left, right) => {
-                let left = self.simplify(*left);
-                // The right operand matters only where the left one has not decided.
-                let mut beside = self.clone();
-                beside.learn(&left, operator == Binary::And);
-                Expr::Binary(operator, Box::new(left), Box::new(beside.simplify(*right)))
+                // Each operand matters only where the other one has not decided.
+                let right = self.beside(operator, &left).simplify(*right);
+                let left = self.beside(operator, &right).simplify(*left);
+                Expr::Binary(operator, Box::new(left), Box::new(right))
             }
             question => question,
         };
         let simpler = without_literals(simpler);
         self.answer(&simpler).map_or(simpler, |holds| Expr::Literal(Literal::Bool(holds)))
+    }
+
+    /// What holds where an operand of an `and` or an `or` leaves the answer to the other one.
+    fn beside(&self, operator: Binary, operand: &Expr) -> Self {
+        let mut facts = self.clone();
+        facts.learn(operand, operator == Binary::And);
+        facts
     }
 
     /// From here on the condition holds, or does not hold.
