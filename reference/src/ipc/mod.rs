@@ -252,10 +252,10 @@ pub fn error_of<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> u32 {
     }
 }
 
-/// Whether the caller lets the block act.
+/// Whether nothing forbids the block to act.
 #[portable]
-pub fn is_released<R: Real>(inputs: &Inputs<R>) -> bool {
-    inputs.position_controlled && !inputs.reset
+pub fn may_act<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
+    is_in_range(coeffs, inputs) && is_cycle_time(coeffs, inputs) && inputs.position_controlled && !inputs.reset
 }
 
 /// One cycle. Only the inputs that a stage looks at are judged.
@@ -264,13 +264,8 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     let mut runs = true;
     let mut error_id = error_none();
     // Mostly the mode is ON and the gate open: then nothing but the sections changes.
-    if !(is_in_range(coeffs, inputs)
-        && inputs.mode == mode_on()
-        && state.gate >= coeffs.fade_cycles
-        && is_cycle_time(coeffs, inputs)
-        && is_released(inputs))
-    {
-        if is_in_range(coeffs, inputs) && is_cycle_time(coeffs, inputs) && is_released(inputs) {
+    if !(may_act(coeffs, inputs) && inputs.mode == mode_on() && state.gate >= coeffs.fade_cycles) {
+        if may_act(coeffs, inputs) {
             runs = prepare(state, coeffs, inputs);
         } else {
             runs = false;

@@ -68,10 +68,18 @@ fn put(list: &mut Vec<Statement>, flag: Var, effect: Vec<Statement>) {
             put(raised, flag, effect);
         }
         Some(Statement::Assign { value, .. }) if *value != Expr::Literal(Literal::Bool(true)) => {
-            list.push(Statement::If { condition: Expr::Var(flag), then: effect, otherwise: Vec::new() });
+            let condition = if is_fixed(value) { value.clone() } else { Expr::Var(flag) };
+            list.push(Statement::If { condition, then: effect, otherwise: Vec::new() });
         }
         _ => list.extend(effect),
     }
+}
+
+/// Whether nothing can change the value any more.
+fn is_fixed(value: &Expr) -> bool {
+    let mut fixed = true;
+    value.variables(&mut |var| fixed &= !matches!(var, Var::Output(_) | Var::State(_)));
+    fixed
 }
 
 fn writes(statement: &Statement, var: Var) -> bool {
