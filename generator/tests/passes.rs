@@ -1,7 +1,7 @@
 //! Each pass on a program that is small enough to be read; the random programs find what these do not think of.
 
 use compiler::interp::Machine;
-use compiler::pass::{coalesce, dead, identity, prune, sink, typing, verify};
+use compiler::pass::{coalesce, dead, identity, known, prune, sink, thread, turn, typing, verify};
 use compiler::program::{Constant, Expr, Local, Origin, Program, Statement, Type, Var, Variable};
 use portable::{Binary, Literal, RealKind};
 
@@ -196,4 +196,72 @@ fn a_flag_becomes_what_it_decides() {
     assert_eq!(sunk(vec![assign(Y, X), raised(no), asked(local(0))]), [assign(Y, X), choose(vec![set()], vec![])]);
     let found = sunk(vec![assign(Y, X), raised(less.clone()), asked(local(0))]);
     assert_eq!(found, [assign(Y, X), choose(vec![set()], vec![asked(less)])]);
+}
+
+fn not(operand: Expr) -> Expr {
+    Expr::Unary(portable::Unary::Not, Box::new(operand))
+}
+
+fn if_(condition: Expr, then: Vec<Statement>, otherwise: Vec<Statement>) -> Statement {
+    Statement::If { condition, then, otherwise }
+}
+
+#[test]
+fn a_known_question_is_not_asked_again() {
+    let after = |step| known::run(typing::run(program(1, step)).unwrap()).unwrap().step;
+    let low = binary(Binary::Less, X, real(1.0));
+    let both = binary(Binary::And, ON, low.clone());
+    // Neither holds alone, so that with ON it is the other one that does not.
+    let chain =
+        if_(ON, vec![if_(low.clone(), vec![assign(Y, X)], vec![assign(Y, real(1.0))])], vec![assign(Y, real(2.0))]);
+    let expected = if_(ON, vec![assign(Y, real(1.0))], vec![assign(Y, real(2.0))]);
+    assert_eq!(
+        after(vec![if_(both.clone(), vec![assign(Y, X)], vec![chain])]),
+        [if_(both, vec![assign(Y, X)], vec![expected])]
+    );
+    // !(x < 1) is not x >= 1 where x is no number: the other comparison stays a question.
+    let high = binary(Binary::GreaterEqual, X, real(1.0));
+    let step = vec![if_(low, vec![assign(Y, X)], vec![if_(high, vec![assign(Y, X)], vec![assign(Y, real(0.0))])])];
+    assert_eq!(after(step.clone()), step);
+}
+
+#[test]
+fn an_assignment_makes_a_question_open_again() {
+    let low = || binary(Binary::Less, Expr::Var(S), real(1.0));
+    let inner = if_(low(), vec![assign(Y, X)], vec![assign(Y, real(1.0))]);
+    let step = vec![if_(low(), vec![assign(S, X), inner], vec![assign(Y, real(2.0))])];
+    assert_eq!(known::run(typing::run(program(0, step.clone())).unwrap()).unwrap().step, step);
+}
+
+#[test]
+fn the_range_of_an_integer_answers() {
+    let number = |value| Expr::Literal(Literal::U32(value));
+    let chosen = choose(vec![assign(Var::Local(0), number(2))], vec![assign(Var::Local(0), number(12))]);
+    let question = |operator, value| {
+        let asked = if_(binary(operator, local(0), number(value)), vec![assign(Y, X)], vec![assign(Y, real(1.0))]);
+        known::run(typing::run(program(1, vec![chosen.clone(), asked])).unwrap()).unwrap().step[1].clone()
+    };
+    assert_eq!(question(Binary::NotEqual, 0), assign(Y, X));
+    assert_eq!(question(Binary::Greater, 12), assign(Y, real(1.0)));
+    assert!(matches!(question(Binary::Less, 12), Statement::If { .. }));
+}
+
+#[test]
+fn a_flag_acts_where_it_is_raised() {
+    let flag = |raised| assign(Var::Local(0), Expr::Literal(Literal::Bool(raised)));
+    let effect = || vec![assign(S, X), assign(Y, X)];
+    let step = vec![choose(vec![flag(true)], vec![flag(false)]), if_(local(0), effect(), Vec::new())];
+    let raised = [vec![flag(true)], effect()].concat();
+    assert_eq!(thread::run(program(1, step)).unwrap().step, [choose(raised, vec![flag(false)])]);
+    // Raised in two places: the effect stays where it is.
+    let step = vec![choose(vec![flag(true)], vec![flag(true)]), if_(local(0), effect(), Vec::new())];
+    assert_eq!(thread::run(program(1, step.clone())).unwrap().step, step);
+}
+
+#[test]
+fn a_question_is_asked_in_the_positive() {
+    let step = vec![if_(not(ON), vec![assign(Y, X)], vec![assign(Y, real(1.0))])];
+    assert_eq!(turn::run(program(0, step)).unwrap().step, [choose(vec![assign(Y, real(1.0))], vec![assign(Y, X)])]);
+    let chain = vec![if_(not(ON), vec![assign(Y, X)], vec![choose(vec![assign(Y, real(1.0))], vec![assign(Y, X)])])];
+    assert_eq!(turn::run(program(0, chain.clone())).unwrap().step, chain);
 }

@@ -18,3 +18,4 @@ pub mod process_data;
 pub mod section;
 pub mod signal;
 pub mod stage;
+pub mod sum;

@@ -111,3 +111,13 @@ pub fn is_finite(value: Literal) -> bool {
         _ => true,
     }
 }
+
+/// Whether the value is -0, which changes nothing that it is added to.
+#[must_use]
+pub fn is_negative_zero(value: Literal) -> bool {
+    match value {
+        Literal::F64(value) => value.to_bits() == (-0.0_f64).to_bits(),
+        Literal::F32(value) => value.to_bits() == (-0.0_f32).to_bits(),
+        _ => false,
+    }
+}

@@ -80,8 +80,7 @@ pub fn init<R: Real>(state: &mut State<R>) {
 pub fn rest<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, control_outputs: &position_control::Outputs<R>) {
     let mut feedforward_outputs = feedforward::Outputs::<R>::default();
     feedforward::stop(&mut state.feedforward, &mut feedforward_outputs, error_none());
-    let mut ipc_outputs = ipc::Outputs::<R>::default();
-    ipc::stop(&mut state.ipc, &mut ipc_outputs, error_none());
+    ipc::stop(&mut state.ipc);
     outputs.v_feedforward = R::ZERO;
     outputs.v_add = R::ZERO;
     outputs.v_add_calculated = R::ZERO;
@@ -118,15 +117,13 @@ pub fn feed_forward<R: Real>(
         feedforward_inputs.j_interpolator = inputs.j_interpolator;
         feedforward_inputs.feedforward_active = inputs.feedforward_active;
         feedforward_inputs.feedforward_percentage = inputs.feedforward_percentage;
-        if feedforward::is_usable(&coeffs.feedforward, &feedforward_inputs) {
-            feedforward::act(&mut state.feedforward, &coeffs.feedforward, &feedforward_inputs, feedforward_outputs);
-            if feedforward_outputs.torque_limited {
-                outputs.limited = true;
-            }
-        } else {
-            feedforward::stop(&mut state.feedforward, feedforward_outputs, error_none());
-            let id = feedforward::error_of(&coeffs.feedforward, &feedforward_inputs);
-            fail(outputs, id);
+        feedforward_inputs.position_controlled = true;
+        feedforward::step(&mut state.feedforward, &coeffs.feedforward, &feedforward_inputs, feedforward_outputs);
+        if feedforward_outputs.fault {
+            fail(outputs, feedforward_outputs.error_id);
+        }
+        if feedforward_outputs.torque_limited {
+            outputs.limited = true;
         }
     }
 }
@@ -170,44 +167,18 @@ pub fn improve<R: Real>(
     ipc_inputs.v_motor = inputs.v_motor;
     ipc_inputs.v_direct = inputs.v_direct;
     ipc_inputs.mode = inputs.mode;
+    ipc_inputs.position_controlled = true;
     let mut ipc_outputs = ipc::Outputs::<R>::default();
-    let mut runs = true;
-    // Mostly the gate is open: then the mode needs no question.
-    if inputs.mode == ipc::mode_on() && state.ipc.gate >= coeffs.ipc.fade_cycles {
-        if !ipc::is_usable(&coeffs.ipc, &ipc_inputs, true) {
-            runs = false;
-            refuse(state, coeffs, &ipc_inputs, outputs, true);
-        }
-    } else if ipc::is_usable(&coeffs.ipc, &ipc_inputs, false) {
-        runs = ipc::prepare(&mut state.ipc, &coeffs.ipc, &ipc_inputs);
-    } else {
-        runs = false;
-        refuse(state, coeffs, &ipc_inputs, outputs, false);
+    ipc::step(&mut state.ipc, &coeffs.ipc, &ipc_inputs, &mut ipc_outputs);
+    if ipc_outputs.fault {
+        fail(outputs, ipc_outputs.error_id);
     }
-    if runs {
-        ipc::act(&mut state.ipc, &coeffs.ipc, &ipc_inputs, &mut ipc_outputs);
-        if ipc_outputs.limited {
-            outputs.limited = true;
-        }
+    if ipc_outputs.limited {
+        outputs.limited = true;
     }
     outputs.v_add = ipc_outputs.v_add;
     outputs.v_add_calculated = ipc_outputs.v_add_calculated;
     ipc_outputs.v_add
-}
-
-/// A cycle in which improved position control must not act. Where its gate was open, the mode is not what is wrong.
-#[portable]
-pub fn refuse<R: Real>(
-    state: &mut State<R>,
-    coeffs: &Coeffs<R>,
-    ipc_inputs: &ipc::Inputs<R>,
-    outputs: &mut Outputs<R>,
-    open: bool,
-) {
-    let mut ipc_outputs = ipc::Outputs::<R>::default();
-    ipc::stop(&mut state.ipc, &mut ipc_outputs, error_none());
-    let id = ipc::error_of(&coeffs.ipc, ipc_inputs, open);
-    fail(outputs, id);
 }
 
 /// The additive velocity: of improved position control, or of the gantry's master.

@@ -17,6 +17,7 @@ pub use signals::{Inputs, Outputs};
 
 use crate::signal::sample_limit;
 use crate::signal::{error_a_interpolator, error_cycle_time, error_j_interpolator, error_none, error_v_interpolator};
+use crate::sum::empty_sum;
 use crate::{delay, process_data};
 use portable::{Block, Enable, Fn, Real, from_i32, portable, usable};
 
@@ -112,18 +113,15 @@ pub fn gain<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
 /// v + t_a a + t_j j, of the quantities that there are.
 #[portable]
 pub fn sum<R: Real>(quantities: &Quantities, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
-    let mut total = R::ZERO;
+    let mut total = empty_sum();
     if quantities.velocity {
-        total = inputs.v_interpolator;
+        total = total + inputs.v_interpolator;
     }
     if quantities.acceleration {
-        let by_acceleration = coeffs.t_a * inputs.a_interpolator;
-        // Not `0 + by_acceleration`: that addition would stay in every block.
-        total = if quantities.velocity { total + by_acceleration } else { by_acceleration };
+        total = total + coeffs.t_a * inputs.a_interpolator;
     }
     if quantities.jerk {
-        let by_jerk = coeffs.t_j * inputs.j_interpolator;
-        total = if quantities.velocity || quantities.acceleration { total + by_jerk } else { by_jerk };
+        total = total + coeffs.t_j * inputs.j_interpolator;
     }
     total
 }
@@ -168,15 +166,14 @@ pub fn settle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, v: R, a: R, j: 
 /// The additive torque in increments, not yet rounded.
 #[portable]
 pub fn torque<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, a: R, j: R) -> R {
-    let mut total = R::ZERO;
+    let mut total = empty_sum();
     if coeffs.torque.acceleration {
         let a_delayed = delay::step(&mut state.acceleration_delay, &coeffs.acceleration_delay, a);
-        total = coeffs.torque_acceleration * a_delayed;
+        total = total + coeffs.torque_acceleration * a_delayed;
     }
     if coeffs.torque.jerk {
         let j_delayed = delay::step(&mut state.jerk_delay, &coeffs.jerk_delay, j);
-        let by_jerk = coeffs.torque_jerk * j_delayed;
-        total = if coeffs.torque.acceleration { total + by_jerk } else { by_jerk };
+        total = total + coeffs.torque_jerk * j_delayed;
     }
     total
 }
@@ -239,23 +236,20 @@ pub fn reads_jerk<R: Real>(coeffs: &Coeffs<R>) -> bool {
     coeffs.conventional.jerk || coeffs.additive.jerk || coeffs.torque.jerk
 }
 
-/// Whether every input that a quantity looks at is a usable number.
+/// Whether every input that a quantity looks at is in range.
 #[portable]
-pub fn is_usable<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
+pub fn is_in_range<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     (!reads_velocity(coeffs) || usable(inputs.v_interpolator, sample_limit()))
         && (!reads_acceleration(coeffs) || usable(inputs.a_interpolator, sample_limit()))
         && (!reads_jerk(coeffs) || usable(inputs.j_interpolator, sample_limit()))
 }
 
-/// The id of the input that [`is_usable`] has found to be no usable number, of several the one of the highest derivative.
-/// Where only one can be, it needs no question.
+/// The id of the input that [`is_in_range`] has found out of range, of several the one of the highest derivative.
 #[portable]
 pub fn error_of<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> u32 {
-    let reads_lower = reads_velocity(coeffs) || reads_acceleration(coeffs);
-    if reads_jerk(coeffs) && (!reads_lower || !usable(inputs.j_interpolator, sample_limit())) {
+    if reads_jerk(coeffs) && !usable(inputs.j_interpolator, sample_limit()) {
         error_j_interpolator()
-    } else if reads_acceleration(coeffs) && (!reads_velocity(coeffs) || !usable(inputs.a_interpolator, sample_limit()))
-    {
+    } else if reads_acceleration(coeffs) && !usable(inputs.a_interpolator, sample_limit()) {
         error_a_interpolator()
     } else {
         error_v_interpolator()
@@ -267,7 +261,7 @@ pub fn error_of<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> u32 {
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     if inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns {
         stop(state, outputs, error_cycle_time());
-    } else if !is_usable(coeffs, inputs) {
+    } else if !is_in_range(coeffs, inputs) {
         let id = error_of(coeffs, inputs);
         stop(state, outputs, id);
     } else if !inputs.position_controlled || inputs.reset {

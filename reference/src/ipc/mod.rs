@@ -19,6 +19,7 @@ pub use signals::{mode_dryrun, mode_off, mode_on};
 use crate::signal::{error_cycle_time, error_gantry_slave, error_mode, error_none};
 use crate::signal::{error_v_command, error_v_direct, error_v_motor, sample_limit};
 use crate::stage;
+use crate::sum::empty_sum;
 use portable::{Block, Enable, Fn, Real, from_u32, portable, usable, within};
 
 /// Stages of a block.
@@ -104,15 +105,12 @@ pub fn settle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs
 /// Runs all stages; gives the sum of what they want to add.
 #[portable]
 pub fn sum_of_stages<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
-    let mut v_sum = R::ZERO;
-    let mut first = true;
+    let mut v_sum = empty_sum();
     for i in 0..STAGES {
         if coeffs.stage[i].mode != stage::Mode::NotActive {
             let x = stage::source(&coeffs.stage[i], inputs.v_command, inputs.v_motor, inputs.v_direct);
             let v_stage = stage::step(&mut state.stage[i], &coeffs.stage[i], x);
-            // Not `0 + v_stage`: that addition would stay in every block.
-            v_sum = if first { v_stage } else { v_sum + v_stage };
-            first = false;
+            v_sum = v_sum + v_stage;
         }
     }
     v_sum
@@ -153,12 +151,11 @@ pub fn move_gate<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, mode: i32) {
     }
 }
 
-/// A cycle in which the block must not act: everything starts anew after it.
+/// The block must not act: everything starts anew afterwards.
 #[portable]
-pub fn stop<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, error_id: u32) {
+pub fn stop<R: Real>(state: &mut State<R>) {
     state.settled = false;
     state.gate = 0u32;
-    clear(outputs, error_id);
 }
 
 /// Nothing is added.
@@ -174,8 +171,7 @@ pub fn clear<R: Real>(outputs: &mut Outputs<R>, error_id: u32) {
 /// Before the first cycle. The sections need nothing: the first active cycle settles them.
 #[portable]
 pub fn init<R: Real>(state: &mut State<R>) {
-    state.settled = false;
-    state.gate = 0u32;
+    stop(state);
 }
 
 /// A cycle in which the sections run. The gate has been moved.
@@ -220,56 +216,67 @@ pub fn is_mode(mode: i32) -> bool {
     mode == mode_on() || mode == mode_off() || mode == mode_dryrun()
 }
 
-/// Whether the mode is one, and every input that a stage looks at a usable number. Where the gate is known to be open the
-/// mode needs no question.
+/// Whether the mode is one that the axis may have, and every input that a stage looks at is in range.
 #[portable]
-pub fn is_usable<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, open: bool) -> bool {
-    (open || is_mode(inputs.mode))
+pub fn is_in_range<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
+    is_mode(inputs.mode)
         && (!coeffs.slave || inputs.mode == mode_off())
         && (!reads_command(coeffs) || usable(inputs.v_command, sample_limit()))
         && (!reads_motor(coeffs) || usable(inputs.v_motor, sample_limit()))
         && (!reads_direct(coeffs) || usable(inputs.v_direct, sample_limit()))
 }
 
-/// The id of what [`is_usable`] has found wrong. Where only one thing can be, it needs no question.
+/// Whether the caller's cycle is the one that the coefficients were designed for, or not told.
 #[portable]
-pub fn error_of<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, open: bool) -> u32 {
-    let reads_later = reads_motor(coeffs) || reads_direct(coeffs);
-    let reads_any = reads_command(coeffs) || reads_later;
-    if !open && (!coeffs.slave && !reads_any || !is_mode(inputs.mode)) {
+pub fn is_cycle_time<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
+    inputs.task_cycle_ns == 0u32 || inputs.task_cycle_ns == coeffs.cycle_time_ns
+}
+
+/// The id of what forbids to act, of several the first in the order of the ids; none where the caller alone forbids it.
+#[portable]
+pub fn error_of<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> u32 {
+    if !is_cycle_time(coeffs, inputs) {
+        error_cycle_time()
+    } else if !is_mode(inputs.mode) {
         error_mode()
-    } else if coeffs.slave && (!reads_any || inputs.mode != mode_off()) {
+    } else if coeffs.slave && inputs.mode != mode_off() {
         error_gantry_slave()
-    } else if reads_command(coeffs) && (!reads_later || !usable(inputs.v_command, sample_limit())) {
+    } else if reads_command(coeffs) && !usable(inputs.v_command, sample_limit()) {
         error_v_command()
-    } else if reads_motor(coeffs) && (!reads_direct(coeffs) || !usable(inputs.v_motor, sample_limit())) {
+    } else if reads_motor(coeffs) && !usable(inputs.v_motor, sample_limit()) {
         error_v_motor()
-    } else {
+    } else if reads_direct(coeffs) && !usable(inputs.v_direct, sample_limit()) {
         error_v_direct()
+    } else {
+        error_none()
     }
+}
+
+/// Whether nothing forbids the block to act.
+#[portable]
+pub fn may_act<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
+    is_in_range(coeffs, inputs) && is_cycle_time(coeffs, inputs) && inputs.position_controlled && !inputs.reset
 }
 
 /// One cycle. Only the inputs that a stage looks at are judged.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    if inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns {
-        stop(state, outputs, error_cycle_time());
-    } else if !is_usable(coeffs, inputs, false) {
-        let id = error_of(coeffs, inputs, false);
-        stop(state, outputs, id);
-    } else if !inputs.position_controlled || inputs.reset {
-        stop(state, outputs, error_none());
-    } else {
-        let mut runs = true;
-        // Mostly the mode is ON and the gate open: then nothing but the sections changes.
-        if inputs.mode != mode_on() || state.gate < coeffs.fade_cycles {
+    let mut runs = true;
+    let mut error_id = error_none();
+    // Mostly the mode is ON and the gate open: then nothing but the sections changes.
+    if !(may_act(coeffs, inputs) && inputs.mode == mode_on() && state.gate >= coeffs.fade_cycles) {
+        if may_act(coeffs, inputs) {
             runs = prepare(state, coeffs, inputs);
-        }
-        if runs {
-            act(state, coeffs, inputs, outputs);
         } else {
-            clear(outputs, error_none());
+            runs = false;
+            error_id = error_of(coeffs, inputs);
+            stop(state);
         }
+    }
+    if runs {
+        act(state, coeffs, inputs, outputs);
+    } else {
+        clear(outputs, error_id);
     }
 }
 

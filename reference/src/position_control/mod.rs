@@ -16,6 +16,7 @@ pub use signals::{Inputs, Outputs};
 
 use crate::signal::{error_cycle_time, error_none, error_v_add, error_v_additive, error_v_feedforward};
 use crate::signal::{error_x_actual, error_x_command, sample_limit};
+use crate::sum::empty_sum;
 use crate::{delay, process_data};
 use portable::{Block, Enable, Fn, Real, portable, usable};
 
@@ -187,13 +188,12 @@ pub fn lead<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
 pub fn add_velocity<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let adds = coeffs.adds && coeffs.place != Place::Cnc;
     if coeffs.additive || adds {
-        let mut v_drive = R::ZERO;
+        let mut v_drive = empty_sum();
         if coeffs.additive {
-            v_drive = inputs.v_additive;
+            v_drive = v_drive + inputs.v_additive;
         }
         if adds {
-            // Not `0 + v_add`: that addition would stay in every block.
-            v_drive = if coeffs.additive { v_drive + inputs.v_add } else { inputs.v_add };
+            v_drive = v_drive + inputs.v_add;
         }
         let increments = coeffs.velocity_scale * v_drive;
         outputs.additive_velocity = rounded(outputs, &coeffs.velocity_range, increments);

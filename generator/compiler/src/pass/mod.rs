@@ -2,9 +2,13 @@
 
 pub mod coalesce;
 pub mod dead;
+mod facts;
 pub mod identity;
+pub mod known;
 pub mod prune;
 pub mod sink;
+pub mod thread;
+pub mod turn;
 pub mod typing;
 pub mod verify;
 
@@ -35,12 +39,15 @@ pub type Pass = fn(Program) -> Result<Program, Defect>;
 pub type Stage = (&'static str, Pass);
 
 /// The stages after specialisation, in their order.
-pub const PASSES: [Stage; 7] = [
+pub const PASSES: [Stage; 10] = [
     ("typed", typing::run),
     ("identity", identity::run),
+    ("known", known::run),
+    ("threaded", thread::run),
     ("live", dead::run),
     ("coalesced", coalesce::run),
     ("sunk", sink::run),
+    ("turned", turn::run),
     ("pruned", prune::run),
     ("verified", verify::run),
 ];

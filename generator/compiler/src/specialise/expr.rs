@@ -119,6 +119,8 @@ impl Specialiser<'_> {
             (Binary::Or, (Some(Literal::Bool(true)), _) | (_, Some(Literal::Bool(true)))) => {
                 return Expr::Literal(Literal::Bool(true));
             }
+            // The first term of a sum: the only addition that changes no number.
+            (Binary::Add, (Some(start), _)) if arithmetic::is_negative_zero(start) => return right,
             (_, (Some(a), Some(b))) => {
                 let computes = matches!(operator, Binary::Add | Binary::Subtract | Binary::Multiply | Binary::Divide);
                 let anonymous = matches!((&left, &right), (Expr::Literal(_), Expr::Literal(_)));

@@ -224,7 +224,7 @@ impl Specialiser<'_> {
     }
 }
 
-/// The name of the part that a cell is of what a name stands for.
+/// The name under which a local or a parameter holds the cell: its own, or the field's where it is a struct.
 fn name_within(name: &'static str, node: &Node, cell: usize) -> Option<&'static str> {
     match node {
         Node::Leaf(leaf) => (*leaf == cell).then_some(name),

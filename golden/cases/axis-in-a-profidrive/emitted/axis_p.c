@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  034f796361d0823694dc733af3a57103
- * body        b9bfb64eb3d1256ea1e0f835a5038fff
+ * body        488faa736c0dd322fc7818857f2ef79c
  */
 #include "axis_p.h"
 
@@ -174,7 +174,7 @@ void axis_p_axis_step(
         outputs->error_id = error_none;
         outputs->limited = false;
         outputs->fault = false;
-        double v_feedforward;
+        double feedforward_v_feedforward;
         if (magnitude(inputs->v_interpolator) <= sample_limit && magnitude(inputs->a_interpolator) <= sample_limit) {
             double feedforward_gain_now;
             if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
@@ -186,19 +186,18 @@ void axis_p_axis_step(
             } else {
                 feedforward_gain_now = 0.0;
             }
-            const double feedforward_by_acceleration = feedforward_t_a * inputs->a_interpolator;
-            const double feedforward_total = inputs->v_interpolator + feedforward_by_acceleration;
-            v_feedforward = feedforward_gain_now * feedforward_total;
+            const double feedforward_total = inputs->v_interpolator + feedforward_t_a * inputs->a_interpolator;
+            feedforward_v_feedforward = feedforward_gain_now * feedforward_total;
         } else {
-            if (!(magnitude(inputs->a_interpolator) <= sample_limit)) {
-                outputs->error_id = error_a_interpolator;
-            } else {
+            if (magnitude(inputs->a_interpolator) <= sample_limit) {
                 outputs->error_id = error_v_interpolator;
+            } else {
+                outputs->error_id = error_a_interpolator;
             }
+            feedforward_v_feedforward = 0.0;
             outputs->fault = true;
-            v_feedforward = 0.0;
         }
-        outputs->v_feedforward = v_feedforward;
+        outputs->v_feedforward = feedforward_v_feedforward;
         if (!state->position_control_settled) {
             state->position_control_shift_x0 = inputs->x_command;
             state->position_control_shift_x1 = inputs->x_command;
@@ -208,7 +207,7 @@ void axis_p_axis_step(
         state->position_control_shift_x2 = state->position_control_shift_x1;
         state->position_control_shift_x1 = state->position_control_shift_x0;
         state->position_control_shift_x0 = inputs->x_command;
-        const double position_control_x = position_control_shift_y + position_control_lag * v_feedforward;
+        const double position_control_x = position_control_shift_y + position_control_lag * feedforward_v_feedforward;
         state->position_control_x_held = position_control_x;
         const double position_control_deviation = position_control_xerr_scale * (position_control_x - inputs->x_actual);
         if (magnitude(position_control_deviation) <= position_control_xerr_range_upper_limit) {

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  84c1aaebe7d5efbf7942c2b9e5459fdc
- * body        9260f8b7a0a9492f6ee2b7aa70026eed
+ * body        63362d7c75b34d0e98bef12a9bd5724f
  */
 #include "axis_x.h"
 
@@ -124,8 +124,8 @@ static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-static const uint32_t error_v_command = 11u; /* error_id: v_command is not within the sample limit */
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
+static const uint32_t error_v_command = 11u; /* error_id: v_command is not within the sample limit */
 static const double tiny = 1.0e-30; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 
 void axis_x_axis_init(axis_x_axis_state *state)
@@ -217,7 +217,7 @@ void axis_x_axis_step(
         outputs->error_id = error_none;
         outputs->limited = false;
         outputs->fault = false;
-        double v_additive;
+        double feedforward_v_additive;
         if (magnitude(inputs->v_interpolator) <= sample_limit && magnitude(inputs->a_interpolator) <= sample_limit) {
             double feedforward_gain_now;
             if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
@@ -244,7 +244,7 @@ void axis_x_axis_step(
                 state->feedforward_settled = true;
             }
             /* delay of 150 us = 0.15 cycles (P-AXIS-00389) */
-            v_additive =
+            feedforward_v_additive =
                 feedforward_velocity_delay_now * feedforward_v
                     + feedforward_velocity_delay_before * state->feedforward_velocity_delay_x0;
             state->feedforward_velocity_delay_x0 = feedforward_v;
@@ -275,34 +275,27 @@ void axis_x_axis_step(
                 outputs->limited = true;
             }
         } else {
-            state->feedforward_settled = false;
-            if (!(magnitude(inputs->a_interpolator) <= sample_limit)) {
-                outputs->error_id = error_a_interpolator;
-            } else {
+            if (magnitude(inputs->a_interpolator) <= sample_limit) {
                 outputs->error_id = error_v_interpolator;
-            }
-            outputs->fault = true;
-            v_additive = 0.0;
-            outputs->additive_torque = 0;
-        }
-        bool runs;
-        if (inputs->mode == mode_on && state->ipc_gate >= ipc_fade_cycles) {
-            if (!(magnitude(inputs->v_interpolator) <= sample_limit)) {
-                state->ipc_settled = false;
-                state->ipc_gate = 0u;
-                outputs->fault = true;
-                outputs->error_id = error_v_command;
-                runs = false;
             } else {
-                runs = true;
+                outputs->error_id = error_a_interpolator;
             }
+            state->feedforward_settled = false;
+            feedforward_v_additive = 0.0;
+            outputs->additive_torque = 0;
+            outputs->fault = true;
+        }
+        bool ipc_runs;
+        uint32_t ipc_error_id;
+        if (magnitude(inputs->v_interpolator) <= sample_limit && inputs->mode == mode_on
+                && state->ipc_gate >= ipc_fade_cycles) {
+            ipc_runs = true;
+            ipc_error_id = error_none;
         } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
                 && magnitude(inputs->v_interpolator) <= sample_limit) {
             if (state->ipc_settled) {
                 if (inputs->mode == mode_on) {
-                    if (state->ipc_gate < ipc_fade_cycles) {
-                        state->ipc_gate = state->ipc_gate + 1u;
-                    }
+                    state->ipc_gate = state->ipc_gate + 1u;
                 } else {
                     if (state->ipc_gate > 0u) {
                         state->ipc_gate = state->ipc_gate - 1u;
@@ -311,7 +304,7 @@ void axis_x_axis_step(
                         state->ipc_settled = false;
                     }
                 }
-                runs = true;
+                ipc_runs = true;
             } else {
                 if (inputs->mode != mode_off) {
                     /* SET_POINT (P-AXIS-00753) from v_command, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
@@ -327,21 +320,21 @@ void axis_x_axis_step(
                     state->ipc_stage0_filter0_section0_s2 = ipc_stage0_filter0_section0_s;
                     state->ipc_settled = true;
                 }
-                runs = false;
+                ipc_runs = false;
             }
+            ipc_error_id = error_none;
         } else {
+            if (inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun) {
+                ipc_error_id = error_v_command;
+            } else {
+                ipc_error_id = error_mode;
+            }
             state->ipc_settled = false;
             state->ipc_gate = 0u;
-            if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
-                outputs->error_id = error_mode;
-            } else {
-                outputs->error_id = error_v_command;
-            }
-            outputs->fault = true;
-            runs = false;
+            ipc_runs = false;
         }
-        double v_add;
-        if (runs) {
+        double ipc_v_add;
+        if (ipc_runs) {
             /* SET_POINT (P-AXIS-00753) from v_command, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
             /* simulated oscillation of the load, f0 of the first BANDPASS 14 Hz (P-AXIS-00751), damping ratio 0.6
              * (P-AXIS-00850): gain 1 at DC, 1.301708 and -39.80557 deg at f0 */
@@ -381,13 +374,13 @@ void axis_x_axis_step(
                 outputs->limited = true;
             }
             if (state->ipc_gate >= ipc_fade_cycles) {
-                v_add = ipc_v_limited;
+                ipc_v_add = ipc_v_limited;
                 outputs->v_add_calculated = ipc_v_limited;
             } else {
                 if (state->ipc_gate > 0u) {
-                    v_add = ipc_v_limited * ((double)state->ipc_gate * ipc_fade_step);
+                    ipc_v_add = ipc_v_limited * ((double)state->ipc_gate * ipc_fade_step);
                 } else {
-                    v_add = 0.0;
+                    ipc_v_add = 0.0;
                 }
                 if (inputs->mode == mode_off) {
                     outputs->v_add_calculated = 0.0;
@@ -396,12 +389,18 @@ void axis_x_axis_step(
                 }
             }
         } else {
-            v_add = 0.0;
+            const bool ipc_fault = ipc_error_id != error_none;
+            ipc_v_add = 0.0;
             outputs->v_add_calculated = 0.0;
+            const uint32_t ipc_error_id_2 = ipc_error_id;
+            if (ipc_fault) {
+                outputs->fault = true;
+                outputs->error_id = ipc_error_id_2;
+            }
         }
-        outputs->v_add = v_add;
+        outputs->v_add = ipc_v_add;
         state->position_control_x_held = inputs->x_command;
-        const double position_control_v_drive = v_additive + v_add;
+        const double position_control_v_drive = feedforward_v_additive + ipc_v_add;
         const double position_control_increments = position_control_velocity_scale * position_control_v_drive;
         if (magnitude(position_control_increments) <= position_control_velocity_range_upper_limit) {
             outputs->additive_velocity = nearest(position_control_increments);

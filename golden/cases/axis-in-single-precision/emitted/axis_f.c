@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  a51e4e64fad240bd4128bbecc5fcab95
- * body        7428369c4bd4d07f07eef569bdb30f87
+ * body        eb32d5b4803105e7b1c1cadb09d3ed6f
  */
 #include "axis_f.h"
 
@@ -98,8 +98,8 @@ static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
+static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
 static const float tiny = 1.0e-18f; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 
 void axis_f_axis_init(axis_f_axis_state *state)
@@ -199,7 +199,7 @@ void axis_f_axis_step(
         outputs->error_id = error_none;
         outputs->limited = false;
         outputs->fault = false;
-        float v_feedforward;
+        float feedforward_v_feedforward;
         if (magnitude(inputs->v_interpolator) <= sample_limit) {
             float feedforward_gain_now;
             if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
@@ -211,33 +211,26 @@ void axis_f_axis_step(
             } else {
                 feedforward_gain_now = 0.0f;
             }
-            v_feedforward = feedforward_gain_now * inputs->v_interpolator;
+            feedforward_v_feedforward = feedforward_gain_now * inputs->v_interpolator;
         } else {
-            outputs->fault = true;
+            feedforward_v_feedforward = 0.0f;
             outputs->error_id = error_v_interpolator;
-            v_feedforward = 0.0f;
+            outputs->fault = true;
         }
-        outputs->v_feedforward = v_feedforward;
+        outputs->v_feedforward = feedforward_v_feedforward;
         const float v_lag = position_control_kv * (inputs->x_command - inputs->x_actual);
-        const float v_controller = v_lag + v_feedforward;
-        bool runs;
-        if (inputs->mode == mode_on && state->ipc_gate >= ipc_fade_cycles) {
-            if (!(magnitude(inputs->v_motor) <= sample_limit)) {
-                state->ipc_settled = false;
-                state->ipc_gate = 0u;
-                outputs->fault = true;
-                outputs->error_id = error_v_motor;
-                runs = false;
-            } else {
-                runs = true;
-            }
+        const float v_controller = v_lag + feedforward_v_feedforward;
+        bool ipc_runs;
+        uint32_t ipc_error_id;
+        if (magnitude(inputs->v_motor) <= sample_limit && inputs->mode == mode_on
+                && state->ipc_gate >= ipc_fade_cycles) {
+            ipc_runs = true;
+            ipc_error_id = error_none;
         } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
                 && magnitude(inputs->v_motor) <= sample_limit) {
             if (state->ipc_settled) {
                 if (inputs->mode == mode_on) {
-                    if (state->ipc_gate < ipc_fade_cycles) {
-                        state->ipc_gate = state->ipc_gate + 1u;
-                    }
+                    state->ipc_gate = state->ipc_gate + 1u;
                 } else {
                     if (state->ipc_gate > 0u) {
                         state->ipc_gate = state->ipc_gate - 1u;
@@ -246,7 +239,7 @@ void axis_f_axis_step(
                         state->ipc_settled = false;
                     }
                 }
-                runs = true;
+                ipc_runs = true;
             } else {
                 if (inputs->mode != mode_off) {
                     /* DIRECT (P-AXIS-00753) from v_motor, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
@@ -257,21 +250,21 @@ void axis_f_axis_step(
                     state->ipc_stage0_filter0_section0_s2 = ipc_stage0_filter0_section0_s;
                     state->ipc_settled = true;
                 }
-                runs = false;
+                ipc_runs = false;
             }
+            ipc_error_id = error_none;
         } else {
+            if (inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun) {
+                ipc_error_id = error_v_motor;
+            } else {
+                ipc_error_id = error_mode;
+            }
             state->ipc_settled = false;
             state->ipc_gate = 0u;
-            if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
-                outputs->error_id = error_mode;
-            } else {
-                outputs->error_id = error_v_motor;
-            }
-            outputs->fault = true;
-            runs = false;
+            ipc_runs = false;
         }
-        float v_add;
-        if (runs) {
+        float ipc_v_add;
+        if (ipc_runs) {
             /* DIRECT (P-AXIS-00753) from v_motor, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
             /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 24 Hz (P-AXIS-00751),
              * quality factor 4 (P-AXIS-00752), -3 dB at 21.1811 and 27.1811 Hz */
@@ -301,13 +294,13 @@ void axis_f_axis_step(
                 outputs->limited = true;
             }
             if (state->ipc_gate >= ipc_fade_cycles) {
-                v_add = ipc_v_limited;
+                ipc_v_add = ipc_v_limited;
                 outputs->v_add_calculated = ipc_v_limited;
             } else {
                 if (state->ipc_gate > 0u) {
-                    v_add = ipc_v_limited * ((float)state->ipc_gate * ipc_fade_step);
+                    ipc_v_add = ipc_v_limited * ((float)state->ipc_gate * ipc_fade_step);
                 } else {
-                    v_add = 0.0f;
+                    ipc_v_add = 0.0f;
                 }
                 if (inputs->mode == mode_off) {
                     outputs->v_add_calculated = 0.0f;
@@ -316,11 +309,17 @@ void axis_f_axis_step(
                 }
             }
         } else {
-            v_add = 0.0f;
+            const bool ipc_fault = ipc_error_id != error_none;
+            ipc_v_add = 0.0f;
             outputs->v_add_calculated = 0.0f;
+            const uint32_t ipc_error_id_2 = ipc_error_id;
+            if (ipc_fault) {
+                outputs->fault = true;
+                outputs->error_id = ipc_error_id_2;
+            }
         }
-        outputs->v_add = v_add;
-        const float position_control_v_drive = v_controller + v_add;
+        outputs->v_add = ipc_v_add;
+        const float position_control_v_drive = v_controller + ipc_v_add;
         const float position_control_increments = position_control_manipulated_scale * position_control_v_drive;
         if (magnitude(position_control_increments) <= position_control_manipulated_range_upper_limit) {
             outputs->manipulated_variable = nearest(position_control_increments);

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  34e395339e0520ddd4444822e1ca30ef
- * body        88f443255a9a4d807c858c6549655828
+ * body        227741c150197bca0a3feaf528c0cffe
  */
 #include "axis_x.h"
 
@@ -123,8 +123,8 @@ static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
+static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
 static const double tiny = 1.0e-30; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 
 void axis_x_axis_init(axis_x_axis_state *state)
@@ -224,7 +224,7 @@ void axis_x_axis_step(
         outputs->error_id = error_none;
         outputs->limited = false;
         outputs->fault = false;
-        double v_feedforward;
+        double feedforward_v_feedforward;
         if (magnitude(inputs->v_interpolator) <= sample_limit && magnitude(inputs->a_interpolator) <= sample_limit) {
             double feedforward_gain_now;
             if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
@@ -236,39 +236,31 @@ void axis_x_axis_step(
             } else {
                 feedforward_gain_now = 0.0;
             }
-            const double feedforward_by_acceleration = feedforward_t_a * inputs->a_interpolator;
-            const double feedforward_total = inputs->v_interpolator + feedforward_by_acceleration;
-            v_feedforward = feedforward_gain_now * feedforward_total;
+            const double feedforward_total = inputs->v_interpolator + feedforward_t_a * inputs->a_interpolator;
+            feedforward_v_feedforward = feedforward_gain_now * feedforward_total;
         } else {
-            if (!(magnitude(inputs->a_interpolator) <= sample_limit)) {
-                outputs->error_id = error_a_interpolator;
-            } else {
+            if (magnitude(inputs->a_interpolator) <= sample_limit) {
                 outputs->error_id = error_v_interpolator;
-            }
-            outputs->fault = true;
-            v_feedforward = 0.0;
-        }
-        outputs->v_feedforward = v_feedforward;
-        const double v_lag = position_control_kv * (inputs->x_command - inputs->x_actual);
-        const double v_controller = v_lag + v_feedforward;
-        bool runs;
-        if (inputs->mode == mode_on && state->ipc_gate >= ipc_fade_cycles) {
-            if (!(magnitude(inputs->v_motor) <= sample_limit)) {
-                state->ipc_settled = false;
-                state->ipc_gate = 0u;
-                outputs->fault = true;
-                outputs->error_id = error_v_motor;
-                runs = false;
             } else {
-                runs = true;
+                outputs->error_id = error_a_interpolator;
             }
+            feedforward_v_feedforward = 0.0;
+            outputs->fault = true;
+        }
+        outputs->v_feedforward = feedforward_v_feedforward;
+        const double v_lag = position_control_kv * (inputs->x_command - inputs->x_actual);
+        const double v_controller = v_lag + feedforward_v_feedforward;
+        bool ipc_runs;
+        uint32_t ipc_error_id;
+        if (magnitude(inputs->v_motor) <= sample_limit && inputs->mode == mode_on
+                && state->ipc_gate >= ipc_fade_cycles) {
+            ipc_runs = true;
+            ipc_error_id = error_none;
         } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
                 && magnitude(inputs->v_motor) <= sample_limit) {
             if (state->ipc_settled) {
                 if (inputs->mode == mode_on) {
-                    if (state->ipc_gate < ipc_fade_cycles) {
-                        state->ipc_gate = state->ipc_gate + 1u;
-                    }
+                    state->ipc_gate = state->ipc_gate + 1u;
                 } else {
                     if (state->ipc_gate > 0u) {
                         state->ipc_gate = state->ipc_gate - 1u;
@@ -277,7 +269,7 @@ void axis_x_axis_step(
                         state->ipc_settled = false;
                     }
                 }
-                runs = true;
+                ipc_runs = true;
             } else {
                 if (inputs->mode != mode_off) {
                     /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755) */
@@ -298,21 +290,21 @@ void axis_x_axis_step(
                     state->ipc_stage1_filter0_section0_s2 = ipc_stage1_filter0_section0_s;
                     state->ipc_settled = true;
                 }
-                runs = false;
+                ipc_runs = false;
             }
+            ipc_error_id = error_none;
         } else {
+            if (inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun) {
+                ipc_error_id = error_v_motor;
+            } else {
+                ipc_error_id = error_mode;
+            }
             state->ipc_settled = false;
             state->ipc_gate = 0u;
-            if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
-                outputs->error_id = error_mode;
-            } else {
-                outputs->error_id = error_v_motor;
-            }
-            outputs->fault = true;
-            runs = false;
+            ipc_runs = false;
         }
-        double v_add;
-        if (runs) {
+        double ipc_v_add;
+        if (ipc_runs) {
             /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755) */
             /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
              * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
@@ -364,13 +356,13 @@ void axis_x_axis_step(
                 outputs->limited = true;
             }
             if (state->ipc_gate >= ipc_fade_cycles) {
-                v_add = ipc_v_limited;
+                ipc_v_add = ipc_v_limited;
                 outputs->v_add_calculated = ipc_v_limited;
             } else {
                 if (state->ipc_gate > 0u) {
-                    v_add = ipc_v_limited * ((double)state->ipc_gate * ipc_fade_step);
+                    ipc_v_add = ipc_v_limited * ((double)state->ipc_gate * ipc_fade_step);
                 } else {
-                    v_add = 0.0;
+                    ipc_v_add = 0.0;
                 }
                 if (inputs->mode == mode_off) {
                     outputs->v_add_calculated = 0.0;
@@ -379,11 +371,17 @@ void axis_x_axis_step(
                 }
             }
         } else {
-            v_add = 0.0;
+            const bool ipc_fault = ipc_error_id != error_none;
+            ipc_v_add = 0.0;
             outputs->v_add_calculated = 0.0;
+            const uint32_t ipc_error_id_2 = ipc_error_id;
+            if (ipc_fault) {
+                outputs->fault = true;
+                outputs->error_id = ipc_error_id_2;
+            }
         }
-        outputs->v_add = v_add;
-        const double position_control_v_drive = v_controller + v_add;
+        outputs->v_add = ipc_v_add;
+        const double position_control_v_drive = v_controller + ipc_v_add;
         const double position_control_increments = position_control_manipulated_scale * position_control_v_drive;
         if (magnitude(position_control_increments) <= position_control_manipulated_range_upper_limit) {
             outputs->manipulated_variable = nearest(position_control_increments);

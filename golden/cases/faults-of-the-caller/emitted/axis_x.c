@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  748aa3626b02d1aa0e59eb14a7e1d7ca
- * body        653e998f450acdef00408e2eaed80238
+ * body        f4acc8fad99ecf73f8c93f2d17f7347e
  */
 #include "axis_x.h"
 
@@ -82,12 +82,12 @@ static const uint32_t fade_cycles = 17u; /* cycles that the gate takes from 0 to
 static const double fade_step = 0.058823529411764705; /* 1 / fade_cycles */
 
 /* the same for every axis */
-static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_none = 0u; /* error_id: no fault */
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
+static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_command = 11u; /* error_id: v_command is not within the sample limit */
 static const double tiny = 1.0e-30; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
@@ -114,153 +114,138 @@ void axis_x_ipc_step(
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
-    if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
-        state->settled = false;
-        state->gate = 0u;
-        outputs->v_add = 0.0;
-        outputs->v_add_calculated = 0.0;
-        outputs->limited = false;
-        outputs->fault = true;
-        outputs->error_id = error_cycle_time;
-    } else if (!((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
-            && magnitude(inputs->v_command) <= sample_limit)) {
-        uint32_t value;
-        if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
-            value = error_mode;
+    bool runs;
+    uint32_t error_id;
+    if (magnitude(inputs->v_command) <= sample_limit
+            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
+            && !inputs->reset && inputs->mode == mode_on && state->gate >= fade_cycles) {
+        runs = true;
+        error_id = error_none;
+    } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
+            && magnitude(inputs->v_command) <= sample_limit
+            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
+            && !inputs->reset) {
+        if (state->settled) {
+            if (inputs->mode == mode_on) {
+                state->gate = state->gate + 1u;
+            } else {
+                if (state->gate > 0u) {
+                    state->gate = state->gate - 1u;
+                }
+                if (inputs->mode == mode_off && state->gate == 0u) {
+                    state->settled = false;
+                }
+            }
+            runs = true;
         } else {
-            value = error_v_command;
+            if (inputs->mode != mode_off) {
+                /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755) */
+                /* simulated oscillation of the load, f0 of the first BANDPASS 15 Hz (P-AXIS-00751), damping ratio 0.8
+                 * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
+                state->stage0_oscillation_s1 = stage0_oscillation_settled_s1 * inputs->v_command;
+                state->stage0_oscillation_s2 = stage0_oscillation_settled_s2 * inputs->v_command;
+                /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 15 Hz (P-AXIS-00751),
+                 * quality factor 1 (P-AXIS-00752), -3 dB at 9.189921 and 24.18992 Hz */
+                const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_command;
+                state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
+                state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
+                const double stage0_filter0_section1_s = -0.0;
+                state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
+                state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
+                const double stage0_filter0_section2_s = -0.0;
+                state->stage0_filter0_section2_s1 = stage0_filter0_section2_s;
+                state->stage0_filter0_section2_s2 = stage0_filter0_section2_s;
+                state->settled = true;
+            }
+            runs = false;
+        }
+        error_id = error_none;
+    } else {
+        if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
+            error_id = error_cycle_time;
+        } else if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
+            error_id = error_mode;
+        } else if (magnitude(inputs->v_command) <= sample_limit) {
+            error_id = error_none;
+        } else {
+            error_id = error_v_command;
         }
         state->settled = false;
         state->gate = 0u;
-        outputs->v_add = 0.0;
-        outputs->v_add_calculated = 0.0;
-        outputs->limited = false;
-        outputs->fault = value != error_none;
-        outputs->error_id = value;
-    } else if (!inputs->position_controlled || inputs->reset) {
-        state->settled = false;
-        state->gate = 0u;
-        outputs->v_add = 0.0;
-        outputs->v_add_calculated = 0.0;
+        runs = false;
+    }
+    if (runs) {
         outputs->limited = false;
         outputs->fault = false;
         outputs->error_id = error_none;
-    } else {
-        bool runs;
-        if (inputs->mode != mode_on || state->gate < fade_cycles) {
-            if (state->settled) {
-                if (inputs->mode == mode_on) {
-                    if (state->gate < fade_cycles) {
-                        state->gate = state->gate + 1u;
-                    }
-                } else {
-                    if (state->gate > 0u) {
-                        state->gate = state->gate - 1u;
-                    }
-                    if (inputs->mode == mode_off && state->gate == 0u) {
-                        state->settled = false;
-                    }
-                }
-                runs = true;
+        /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755) */
+        /* simulated oscillation of the load, f0 of the first BANDPASS 15 Hz (P-AXIS-00751), damping ratio 0.8
+         * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
+        const double stage0_oscillation_y = stage0_oscillation_b0 * inputs->v_command + state->stage0_oscillation_s1;
+        state->stage0_oscillation_s1 =
+            stage0_oscillation_b1 * inputs->v_command - stage0_oscillation_a1 * stage0_oscillation_y
+                + state->stage0_oscillation_s2;
+        state->stage0_oscillation_s2 =
+            stage0_oscillation_b2 * inputs->v_command + tiny - stage0_oscillation_a2 * stage0_oscillation_y;
+        /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 15 Hz (P-AXIS-00751),
+         * quality factor 1 (P-AXIS-00752), -3 dB at 9.189921 and 24.18992 Hz */
+        const double stage0_filter0_section0_t = stage0_filter0_bandpass0_b2 * stage0_oscillation_y;
+        const double stage0_filter0_section0_y = state->stage0_filter0_section0_s1 - stage0_filter0_section0_t;
+        state->stage0_filter0_section0_s1 =
+            state->stage0_filter0_section0_s2 - stage0_filter0_bandpass0_a1 * stage0_filter0_section0_y;
+        state->stage0_filter0_section0_s2 =
+            stage0_filter0_section0_t + tiny - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
+        const double stage0_filter0_section1_t = stage0_filter0_bandpass1_b2 * stage0_filter0_section0_y;
+        const double stage0_filter0_section1_y = state->stage0_filter0_section1_s1 - stage0_filter0_section1_t;
+        state->stage0_filter0_section1_s1 =
+            state->stage0_filter0_section1_s2 - stage0_filter0_bandpass1_a1 * stage0_filter0_section1_y;
+        state->stage0_filter0_section1_s2 =
+            stage0_filter0_section1_t + tiny - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
+        const double stage0_filter0_section2_t = stage0_filter0_bandpass2_b2 * stage0_filter0_section1_y;
+        const double stage0_filter0_section2_y = state->stage0_filter0_section2_s1 - stage0_filter0_section2_t;
+        state->stage0_filter0_section2_s1 =
+            state->stage0_filter0_section2_s2 - stage0_filter0_bandpass2_a1 * stage0_filter0_section2_y;
+        state->stage0_filter0_section2_s2 =
+            stage0_filter0_section2_t + tiny - stage0_filter0_bandpass2_a2 * stage0_filter0_section2_y;
+        const double v_stage = stage0_gain * stage0_filter0_section2_y;
+        double v_limited;
+        if (magnitude(v_stage) <= limit) {
+            if (magnitude(v_stage) <= rest) {
+                v_limited = 0.0;
             } else {
-                if (inputs->mode != mode_off) {
-                    /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755) */
-                    /* simulated oscillation of the load, f0 of the first BANDPASS 15 Hz (P-AXIS-00751), damping ratio 0.8
-                     * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-                    state->stage0_oscillation_s1 = stage0_oscillation_settled_s1 * inputs->v_command;
-                    state->stage0_oscillation_s2 = stage0_oscillation_settled_s2 * inputs->v_command;
-                    /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 15 Hz (P-AXIS-00751),
-                     * quality factor 1 (P-AXIS-00752), -3 dB at 9.189921 and 24.18992 Hz */
-                    const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_command;
-                    state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
-                    state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
-                    const double stage0_filter0_section1_s = -0.0;
-                    state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
-                    state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
-                    const double stage0_filter0_section2_s = -0.0;
-                    state->stage0_filter0_section2_s1 = stage0_filter0_section2_s;
-                    state->stage0_filter0_section2_s2 = stage0_filter0_section2_s;
-                    state->settled = true;
-                }
-                runs = false;
+                v_limited = v_stage;
             }
         } else {
-            runs = true;
-        }
-        if (runs) {
-            outputs->limited = false;
-            outputs->fault = false;
-            outputs->error_id = error_none;
-            /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755) */
-            /* simulated oscillation of the load, f0 of the first BANDPASS 15 Hz (P-AXIS-00751), damping ratio 0.8
-             * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-            const double stage0_oscillation_y =
-                stage0_oscillation_b0 * inputs->v_command + state->stage0_oscillation_s1;
-            state->stage0_oscillation_s1 =
-                stage0_oscillation_b1 * inputs->v_command - stage0_oscillation_a1 * stage0_oscillation_y
-                    + state->stage0_oscillation_s2;
-            state->stage0_oscillation_s2 =
-                stage0_oscillation_b2 * inputs->v_command + tiny - stage0_oscillation_a2 * stage0_oscillation_y;
-            /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 15 Hz (P-AXIS-00751),
-             * quality factor 1 (P-AXIS-00752), -3 dB at 9.189921 and 24.18992 Hz */
-            const double stage0_filter0_section0_t = stage0_filter0_bandpass0_b2 * stage0_oscillation_y;
-            const double stage0_filter0_section0_y = state->stage0_filter0_section0_s1 - stage0_filter0_section0_t;
-            state->stage0_filter0_section0_s1 =
-                state->stage0_filter0_section0_s2 - stage0_filter0_bandpass0_a1 * stage0_filter0_section0_y;
-            state->stage0_filter0_section0_s2 =
-                stage0_filter0_section0_t + tiny - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
-            const double stage0_filter0_section1_t = stage0_filter0_bandpass1_b2 * stage0_filter0_section0_y;
-            const double stage0_filter0_section1_y = state->stage0_filter0_section1_s1 - stage0_filter0_section1_t;
-            state->stage0_filter0_section1_s1 =
-                state->stage0_filter0_section1_s2 - stage0_filter0_bandpass1_a1 * stage0_filter0_section1_y;
-            state->stage0_filter0_section1_s2 =
-                stage0_filter0_section1_t + tiny - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
-            const double stage0_filter0_section2_t = stage0_filter0_bandpass2_b2 * stage0_filter0_section1_y;
-            const double stage0_filter0_section2_y = state->stage0_filter0_section2_s1 - stage0_filter0_section2_t;
-            state->stage0_filter0_section2_s1 =
-                state->stage0_filter0_section2_s2 - stage0_filter0_bandpass2_a1 * stage0_filter0_section2_y;
-            state->stage0_filter0_section2_s2 =
-                stage0_filter0_section2_t + tiny - stage0_filter0_bandpass2_a2 * stage0_filter0_section2_y;
-            const double v_stage = stage0_gain * stage0_filter0_section2_y;
-            double v_limited;
-            if (magnitude(v_stage) <= limit) {
-                if (magnitude(v_stage) <= rest) {
-                    v_limited = 0.0;
-                } else {
-                    v_limited = v_stage;
-                }
+            outputs->limited = true;
+            if (v_stage > 0.0) {
+                v_limited = limit;
+            } else if (v_stage < 0.0) {
+                v_limited = lower_limit;
             } else {
-                outputs->limited = true;
-                if (v_stage > 0.0) {
-                    v_limited = limit;
-                } else if (v_stage < 0.0) {
-                    v_limited = lower_limit;
-                } else {
-                    v_limited = 0.0;
-                }
+                v_limited = 0.0;
             }
-            if (state->gate >= fade_cycles) {
-                outputs->v_add = v_limited;
+        }
+        if (state->gate >= fade_cycles) {
+            outputs->v_add = v_limited;
+            outputs->v_add_calculated = v_limited;
+        } else {
+            if (state->gate > 0u) {
+                outputs->v_add = v_limited * ((double)state->gate * fade_step);
+            } else {
+                outputs->v_add = 0.0;
+            }
+            if (inputs->mode == mode_off) {
+                outputs->v_add_calculated = 0.0;
+            } else {
                 outputs->v_add_calculated = v_limited;
-            } else {
-                if (state->gate > 0u) {
-                    outputs->v_add = v_limited * ((double)state->gate * fade_step);
-                } else {
-                    outputs->v_add = 0.0;
-                }
-                if (inputs->mode == mode_off) {
-                    outputs->v_add_calculated = 0.0;
-                } else {
-                    outputs->v_add_calculated = v_limited;
-                }
             }
-        } else {
-            outputs->v_add = 0.0;
-            outputs->v_add_calculated = 0.0;
-            outputs->limited = false;
-            outputs->fault = false;
-            outputs->error_id = error_none;
         }
+    } else {
+        outputs->v_add = 0.0;
+        outputs->v_add_calculated = 0.0;
+        outputs->limited = false;
+        outputs->fault = error_id != error_none;
+        outputs->error_id = error_id;
     }
 }
 

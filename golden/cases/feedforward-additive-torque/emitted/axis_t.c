@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  ab1a45231c68022a5cdf6b2275938f30
- * body        1c9f2fa5f5839650ce8c9c701a5d324c
+ * body        f83849673c3c282d97db5ab28b622592
  */
 #include "axis_t.h"
 
@@ -107,6 +107,7 @@ void axis_t_feedforward_step(
         outputs->fault = true;
         outputs->error_id = error_cycle_time;
     } else if (!(magnitude(inputs->a_interpolator) <= sample_limit)) {
+        outputs->error_id = error_a_interpolator;
         state->settled = false;
         outputs->v_feedforward = 0.0;
         outputs->v_additive = 0.0;
@@ -115,7 +116,6 @@ void axis_t_feedforward_step(
         outputs->velocity_limited = false;
         outputs->torque_limited = false;
         outputs->fault = true;
-        outputs->error_id = error_a_interpolator;
     } else if (!inputs->position_controlled || inputs->reset) {
         state->settled = false;
         outputs->v_feedforward = 0.0;

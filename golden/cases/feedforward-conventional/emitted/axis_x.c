@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  39b35044808cb2fb9e32c45a46448f18
- * body        1874d6795b6b11cdddeeb003f631cbf9
+ * body        6e7bd4b0430da733be82396814e89e27
  */
 #include "axis_x.h"
 
@@ -91,13 +91,12 @@ void axis_x_feedforward_step(
         outputs->error_id = error_cycle_time;
     } else if (!(magnitude(inputs->v_interpolator) <= sample_limit && magnitude(inputs->a_interpolator) <= sample_limit
             && magnitude(inputs->j_interpolator) <= sample_limit)) {
-        uint32_t value;
         if (!(magnitude(inputs->j_interpolator) <= sample_limit)) {
-            value = error_j_interpolator;
-        } else if (!(magnitude(inputs->a_interpolator) <= sample_limit)) {
-            value = error_a_interpolator;
+            outputs->error_id = error_j_interpolator;
+        } else if (magnitude(inputs->a_interpolator) <= sample_limit) {
+            outputs->error_id = error_v_interpolator;
         } else {
-            value = error_v_interpolator;
+            outputs->error_id = error_a_interpolator;
         }
         outputs->v_feedforward = 0.0;
         outputs->v_additive = 0.0;
@@ -105,8 +104,7 @@ void axis_x_feedforward_step(
         outputs->additive_torque = 0;
         outputs->velocity_limited = false;
         outputs->torque_limited = false;
-        outputs->fault = value != error_none;
-        outputs->error_id = value;
+        outputs->fault = true;
     } else if (!inputs->position_controlled || inputs->reset) {
         outputs->v_feedforward = 0.0;
         outputs->v_additive = 0.0;
@@ -129,10 +127,8 @@ void axis_x_feedforward_step(
         } else {
             gain_now = 0.0;
         }
-        const double by_acceleration = t_a * inputs->a_interpolator;
-        const double total = inputs->v_interpolator + by_acceleration;
-        const double by_jerk = t_j * inputs->j_interpolator;
-        const double total_2 = total + by_jerk;
+        const double total = inputs->v_interpolator + t_a * inputs->a_interpolator;
+        const double total_2 = total + t_j * inputs->j_interpolator;
         outputs->v_feedforward = gain_now * total_2;
         outputs->v_additive = 0.0;
         outputs->additive_velocity = 0;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  b392536238f99500e428e906914a6271
- * body        895da6df724dd0a7bbd9f9663e643d3c
+ * body        40167e6e7564c65d215c3c2d467a071f
  */
 #include "axis_x.h"
 
@@ -121,13 +121,12 @@ void axis_x_feedforward_step(
         outputs->error_id = error_cycle_time;
     } else if (!(magnitude(inputs->v_interpolator) <= sample_limit && magnitude(inputs->a_interpolator) <= sample_limit
             && magnitude(inputs->j_interpolator) <= sample_limit)) {
-        uint32_t value;
         if (!(magnitude(inputs->j_interpolator) <= sample_limit)) {
-            value = error_j_interpolator;
-        } else if (!(magnitude(inputs->a_interpolator) <= sample_limit)) {
-            value = error_a_interpolator;
+            outputs->error_id = error_j_interpolator;
+        } else if (magnitude(inputs->a_interpolator) <= sample_limit) {
+            outputs->error_id = error_v_interpolator;
         } else {
-            value = error_v_interpolator;
+            outputs->error_id = error_a_interpolator;
         }
         state->settled = false;
         outputs->v_feedforward = 0.0;
@@ -136,8 +135,7 @@ void axis_x_feedforward_step(
         outputs->additive_torque = 0;
         outputs->velocity_limited = false;
         outputs->torque_limited = false;
-        outputs->fault = value != error_none;
-        outputs->error_id = value;
+        outputs->fault = true;
     } else if (!inputs->position_controlled || inputs->reset) {
         state->settled = false;
         outputs->v_feedforward = 0.0;
@@ -210,8 +208,7 @@ void axis_x_feedforward_step(
         state->acceleration_delay_x0 = a;
         const double total = torque_acceleration * acceleration_delay_y;
         /* delay of 0 us = 0 cycles (P-AXIS-00547) */
-        const double by_jerk = torque_jerk * j;
-        const double total_2 = total + by_jerk;
+        const double total_2 = total + torque_jerk * j;
         if (magnitude(total_2) <= torque_range_upper_limit) {
             outputs->additive_torque = nearest(total_2);
             outputs->torque_limited = false;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  882eaa05ff123070aefdad1bed2341f1
- * body        d896b0719d541c4b1862bc850e7573c5
+ * body        da147482be4d9fb635efecad22bc2ffa
  */
 #include "axis_s.h"
 
@@ -64,12 +64,12 @@ static const uint32_t fade_cycles = 40u; /* cycles that the gate takes from 0 to
 static const double fade_step = 0.025; /* 1 / fade_cycles */
 
 /* the same for every axis */
-static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_none = 0u; /* error_id: no fault */
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
+static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
 static const double tiny = 1.0e-30; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
@@ -96,131 +96,117 @@ void axis_s_ipc_step(
     const axis_s_ipc_inputs *restrict inputs,
     axis_s_ipc_outputs *restrict outputs)
 {
-    if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
-        state->settled = false;
-        state->gate = 0u;
-        outputs->v_add = 0.0;
-        outputs->v_add_calculated = 0.0;
-        outputs->limited = false;
-        outputs->fault = true;
-        outputs->error_id = error_cycle_time;
-    } else if (!((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
-            && magnitude(inputs->v_motor) <= sample_limit)) {
-        uint32_t value;
-        if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
-            value = error_mode;
+    bool runs;
+    uint32_t error_id;
+    if (magnitude(inputs->v_motor) <= sample_limit
+            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
+            && !inputs->reset && inputs->mode == mode_on && state->gate >= fade_cycles) {
+        runs = true;
+        error_id = error_none;
+    } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
+            && magnitude(inputs->v_motor) <= sample_limit
+            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
+            && !inputs->reset) {
+        if (state->settled) {
+            if (inputs->mode == mode_on) {
+                state->gate = state->gate + 1u;
+            } else {
+                if (state->gate > 0u) {
+                    state->gate = state->gate - 1u;
+                }
+                if (inputs->mode == mode_off && state->gate == 0u) {
+                    state->settled = false;
+                }
+            }
+            runs = true;
         } else {
-            value = error_v_motor;
+            if (inputs->mode != mode_off) {
+                /* DIRECT (P-AXIS-00753) from v_motor, weight 100/100 = 1 (P-AXIS-00754/00755) */
+                /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 250 Hz (P-AXIS-00751),
+                 * quality factor 4 (P-AXIS-00752), -3 dB at 220.6706 and 283.1706 Hz */
+                const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_motor;
+                state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
+                state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
+                const double stage0_filter0_section1_s = -0.0;
+                state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
+                state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
+                state->settled = true;
+            }
+            runs = false;
+        }
+        error_id = error_none;
+    } else {
+        if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
+            error_id = error_cycle_time;
+        } else if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
+            error_id = error_mode;
+        } else if (magnitude(inputs->v_motor) <= sample_limit) {
+            error_id = error_none;
+        } else {
+            error_id = error_v_motor;
         }
         state->settled = false;
         state->gate = 0u;
-        outputs->v_add = 0.0;
-        outputs->v_add_calculated = 0.0;
-        outputs->limited = false;
-        outputs->fault = value != error_none;
-        outputs->error_id = value;
-    } else if (!inputs->position_controlled || inputs->reset) {
-        state->settled = false;
-        state->gate = 0u;
-        outputs->v_add = 0.0;
-        outputs->v_add_calculated = 0.0;
+        runs = false;
+    }
+    if (runs) {
         outputs->limited = false;
         outputs->fault = false;
         outputs->error_id = error_none;
-    } else {
-        bool runs;
-        if (inputs->mode != mode_on || state->gate < fade_cycles) {
-            if (state->settled) {
-                if (inputs->mode == mode_on) {
-                    if (state->gate < fade_cycles) {
-                        state->gate = state->gate + 1u;
-                    }
-                } else {
-                    if (state->gate > 0u) {
-                        state->gate = state->gate - 1u;
-                    }
-                    if (inputs->mode == mode_off && state->gate == 0u) {
-                        state->settled = false;
-                    }
-                }
-                runs = true;
+        /* DIRECT (P-AXIS-00753) from v_motor, weight 100/100 = 1 (P-AXIS-00754/00755) */
+        /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 250 Hz (P-AXIS-00751),
+         * quality factor 4 (P-AXIS-00752), -3 dB at 220.6706 and 283.1706 Hz */
+        const double stage0_filter0_section0_t = stage0_filter0_bandpass0_b2 * inputs->v_motor;
+        const double stage0_filter0_section0_y = state->stage0_filter0_section0_s1 - stage0_filter0_section0_t;
+        state->stage0_filter0_section0_s1 =
+            state->stage0_filter0_section0_s2 - stage0_filter0_bandpass0_a1 * stage0_filter0_section0_y;
+        state->stage0_filter0_section0_s2 =
+            stage0_filter0_section0_t + tiny - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
+        const double stage0_filter0_section1_t = stage0_filter0_bandpass1_b2 * stage0_filter0_section0_y;
+        const double stage0_filter0_section1_y = state->stage0_filter0_section1_s1 - stage0_filter0_section1_t;
+        state->stage0_filter0_section1_s1 =
+            state->stage0_filter0_section1_s2 - stage0_filter0_bandpass1_a1 * stage0_filter0_section1_y;
+        state->stage0_filter0_section1_s2 =
+            stage0_filter0_section1_t + tiny - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
+        const double v_stage = -stage0_filter0_section1_y;
+        double v_limited;
+        if (magnitude(v_stage) <= limit) {
+            if (magnitude(v_stage) <= rest) {
+                v_limited = 0.0;
             } else {
-                if (inputs->mode != mode_off) {
-                    /* DIRECT (P-AXIS-00753) from v_motor, weight 100/100 = 1 (P-AXIS-00754/00755) */
-                    /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 250 Hz (P-AXIS-00751),
-                     * quality factor 4 (P-AXIS-00752), -3 dB at 220.6706 and 283.1706 Hz */
-                    const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                    state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
-                    state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
-                    const double stage0_filter0_section1_s = -0.0;
-                    state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
-                    state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
-                    state->settled = true;
-                }
-                runs = false;
+                v_limited = v_stage;
             }
         } else {
-            runs = true;
-        }
-        if (runs) {
-            outputs->limited = false;
-            outputs->fault = false;
-            outputs->error_id = error_none;
-            /* DIRECT (P-AXIS-00753) from v_motor, weight 100/100 = 1 (P-AXIS-00754/00755) */
-            /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 250 Hz (P-AXIS-00751),
-             * quality factor 4 (P-AXIS-00752), -3 dB at 220.6706 and 283.1706 Hz */
-            const double stage0_filter0_section0_t = stage0_filter0_bandpass0_b2 * inputs->v_motor;
-            const double stage0_filter0_section0_y = state->stage0_filter0_section0_s1 - stage0_filter0_section0_t;
-            state->stage0_filter0_section0_s1 =
-                state->stage0_filter0_section0_s2 - stage0_filter0_bandpass0_a1 * stage0_filter0_section0_y;
-            state->stage0_filter0_section0_s2 =
-                stage0_filter0_section0_t + tiny - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
-            const double stage0_filter0_section1_t = stage0_filter0_bandpass1_b2 * stage0_filter0_section0_y;
-            const double stage0_filter0_section1_y = state->stage0_filter0_section1_s1 - stage0_filter0_section1_t;
-            state->stage0_filter0_section1_s1 =
-                state->stage0_filter0_section1_s2 - stage0_filter0_bandpass1_a1 * stage0_filter0_section1_y;
-            state->stage0_filter0_section1_s2 =
-                stage0_filter0_section1_t + tiny - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
-            const double v_stage = -stage0_filter0_section1_y;
-            double v_limited;
-            if (magnitude(v_stage) <= limit) {
-                if (magnitude(v_stage) <= rest) {
-                    v_limited = 0.0;
-                } else {
-                    v_limited = v_stage;
-                }
+            outputs->limited = true;
+            if (v_stage > 0.0) {
+                v_limited = limit;
+            } else if (v_stage < 0.0) {
+                v_limited = lower_limit;
             } else {
-                outputs->limited = true;
-                if (v_stage > 0.0) {
-                    v_limited = limit;
-                } else if (v_stage < 0.0) {
-                    v_limited = lower_limit;
-                } else {
-                    v_limited = 0.0;
-                }
+                v_limited = 0.0;
             }
-            if (state->gate >= fade_cycles) {
-                outputs->v_add = v_limited;
+        }
+        if (state->gate >= fade_cycles) {
+            outputs->v_add = v_limited;
+            outputs->v_add_calculated = v_limited;
+        } else {
+            if (state->gate > 0u) {
+                outputs->v_add = v_limited * ((double)state->gate * fade_step);
+            } else {
+                outputs->v_add = 0.0;
+            }
+            if (inputs->mode == mode_off) {
+                outputs->v_add_calculated = 0.0;
+            } else {
                 outputs->v_add_calculated = v_limited;
-            } else {
-                if (state->gate > 0u) {
-                    outputs->v_add = v_limited * ((double)state->gate * fade_step);
-                } else {
-                    outputs->v_add = 0.0;
-                }
-                if (inputs->mode == mode_off) {
-                    outputs->v_add_calculated = 0.0;
-                } else {
-                    outputs->v_add_calculated = v_limited;
-                }
             }
-        } else {
-            outputs->v_add = 0.0;
-            outputs->v_add_calculated = 0.0;
-            outputs->limited = false;
-            outputs->fault = false;
-            outputs->error_id = error_none;
         }
+    } else {
+        outputs->v_add = 0.0;
+        outputs->v_add_calculated = 0.0;
+        outputs->limited = false;
+        outputs->fault = error_id != error_none;
+        outputs->error_id = error_id;
     }
 }
 

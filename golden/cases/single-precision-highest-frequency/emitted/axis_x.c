@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  87f91c78676cb102a3330a2e3848dcd6
- * body        38aa9898fe9640e73e93ce541011fb1e
+ * body        607398e62409e2dc559ba0bd31c36ca3
  */
 #include "axis_x.h"
 
@@ -69,12 +69,12 @@ static const uint32_t fade_cycles = 50u; /* cycles that the gate takes from 0 to
 static const float fade_step = 0.02f; /* 1 / fade_cycles */
 
 /* the same for every axis */
-static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_none = 0u; /* error_id: no fault */
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 static const float sample_limit = 1000000000.0f; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
+static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_direct = 13u; /* error_id: v_direct is not within the sample limit */
 static const float tiny = 1.0e-18f; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
@@ -101,140 +101,126 @@ void axis_x_ipc_step(
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
-    if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
-        state->settled = false;
-        state->gate = 0u;
-        outputs->v_add = 0.0f;
-        outputs->v_add_calculated = 0.0f;
-        outputs->limited = false;
-        outputs->fault = true;
-        outputs->error_id = error_cycle_time;
-    } else if (!((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
-            && magnitude(inputs->v_direct) <= sample_limit)) {
-        uint32_t value;
-        if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
-            value = error_mode;
+    bool runs;
+    uint32_t error_id;
+    if (magnitude(inputs->v_direct) <= sample_limit
+            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
+            && !inputs->reset && inputs->mode == mode_on && state->gate >= fade_cycles) {
+        runs = true;
+        error_id = error_none;
+    } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
+            && magnitude(inputs->v_direct) <= sample_limit
+            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
+            && !inputs->reset) {
+        if (state->settled) {
+            if (inputs->mode == mode_on) {
+                state->gate = state->gate + 1u;
+            } else {
+                if (state->gate > 0u) {
+                    state->gate = state->gate - 1u;
+                }
+                if (inputs->mode == mode_off && state->gate == 0u) {
+                    state->settled = false;
+                }
+            }
+            runs = true;
         } else {
-            value = error_v_direct;
+            if (inputs->mode != mode_off) {
+                /* DIRECT (P-AXIS-00753) from v_direct, weight 100/100 = 1 (P-AXIS-00754/00755) */
+                /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 225 Hz (P-AXIS-00751),
+                 * quality factor 10 (P-AXIS-00752), -3 dB at 211.412 and 233.912 Hz */
+                const float stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_direct;
+                state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
+                state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
+                const float stage0_filter0_section1_s = -0.0f;
+                state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
+                state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
+                const float stage0_filter0_section2_s = -0.0f;
+                state->stage0_filter0_section2_s1 = stage0_filter0_section2_s;
+                state->stage0_filter0_section2_s2 = stage0_filter0_section2_s;
+                state->settled = true;
+            }
+            runs = false;
+        }
+        error_id = error_none;
+    } else {
+        if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
+            error_id = error_cycle_time;
+        } else if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
+            error_id = error_mode;
+        } else if (magnitude(inputs->v_direct) <= sample_limit) {
+            error_id = error_none;
+        } else {
+            error_id = error_v_direct;
         }
         state->settled = false;
         state->gate = 0u;
-        outputs->v_add = 0.0f;
-        outputs->v_add_calculated = 0.0f;
-        outputs->limited = false;
-        outputs->fault = value != error_none;
-        outputs->error_id = value;
-    } else if (!inputs->position_controlled || inputs->reset) {
-        state->settled = false;
-        state->gate = 0u;
-        outputs->v_add = 0.0f;
-        outputs->v_add_calculated = 0.0f;
+        runs = false;
+    }
+    if (runs) {
         outputs->limited = false;
         outputs->fault = false;
         outputs->error_id = error_none;
-    } else {
-        bool runs;
-        if (inputs->mode != mode_on || state->gate < fade_cycles) {
-            if (state->settled) {
-                if (inputs->mode == mode_on) {
-                    if (state->gate < fade_cycles) {
-                        state->gate = state->gate + 1u;
-                    }
-                } else {
-                    if (state->gate > 0u) {
-                        state->gate = state->gate - 1u;
-                    }
-                    if (inputs->mode == mode_off && state->gate == 0u) {
-                        state->settled = false;
-                    }
-                }
-                runs = true;
+        /* DIRECT (P-AXIS-00753) from v_direct, weight 100/100 = 1 (P-AXIS-00754/00755) */
+        /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 225 Hz (P-AXIS-00751),
+         * quality factor 10 (P-AXIS-00752), -3 dB at 211.412 and 233.912 Hz */
+        const float stage0_filter0_section0_t = stage0_filter0_bandpass0_b2 * inputs->v_direct;
+        const float stage0_filter0_section0_y = state->stage0_filter0_section0_s1 - stage0_filter0_section0_t;
+        state->stage0_filter0_section0_s1 =
+            state->stage0_filter0_section0_s2 - stage0_filter0_bandpass0_a1 * stage0_filter0_section0_y;
+        state->stage0_filter0_section0_s2 =
+            stage0_filter0_section0_t + tiny - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
+        const float stage0_filter0_section1_t = stage0_filter0_bandpass1_b2 * stage0_filter0_section0_y;
+        const float stage0_filter0_section1_y = state->stage0_filter0_section1_s1 - stage0_filter0_section1_t;
+        state->stage0_filter0_section1_s1 =
+            state->stage0_filter0_section1_s2 - stage0_filter0_bandpass1_a1 * stage0_filter0_section1_y;
+        state->stage0_filter0_section1_s2 =
+            stage0_filter0_section1_t + tiny - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
+        const float stage0_filter0_section2_t = stage0_filter0_bandpass2_b2 * stage0_filter0_section1_y;
+        const float stage0_filter0_section2_y = state->stage0_filter0_section2_s1 - stage0_filter0_section2_t;
+        state->stage0_filter0_section2_s1 =
+            state->stage0_filter0_section2_s2 - stage0_filter0_bandpass2_a1 * stage0_filter0_section2_y;
+        state->stage0_filter0_section2_s2 =
+            stage0_filter0_section2_t + tiny - stage0_filter0_bandpass2_a2 * stage0_filter0_section2_y;
+        const float v_stage = -stage0_filter0_section2_y;
+        float v_limited;
+        if (magnitude(v_stage) <= limit) {
+            if (magnitude(v_stage) <= rest) {
+                v_limited = 0.0f;
             } else {
-                if (inputs->mode != mode_off) {
-                    /* DIRECT (P-AXIS-00753) from v_direct, weight 100/100 = 1 (P-AXIS-00754/00755) */
-                    /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 225 Hz (P-AXIS-00751),
-                     * quality factor 10 (P-AXIS-00752), -3 dB at 211.412 and 233.912 Hz */
-                    const float stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_direct;
-                    state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
-                    state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
-                    const float stage0_filter0_section1_s = -0.0f;
-                    state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
-                    state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
-                    const float stage0_filter0_section2_s = -0.0f;
-                    state->stage0_filter0_section2_s1 = stage0_filter0_section2_s;
-                    state->stage0_filter0_section2_s2 = stage0_filter0_section2_s;
-                    state->settled = true;
-                }
-                runs = false;
+                v_limited = v_stage;
             }
         } else {
-            runs = true;
-        }
-        if (runs) {
-            outputs->limited = false;
-            outputs->fault = false;
-            outputs->error_id = error_none;
-            /* DIRECT (P-AXIS-00753) from v_direct, weight 100/100 = 1 (P-AXIS-00754/00755) */
-            /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 225 Hz (P-AXIS-00751),
-             * quality factor 10 (P-AXIS-00752), -3 dB at 211.412 and 233.912 Hz */
-            const float stage0_filter0_section0_t = stage0_filter0_bandpass0_b2 * inputs->v_direct;
-            const float stage0_filter0_section0_y = state->stage0_filter0_section0_s1 - stage0_filter0_section0_t;
-            state->stage0_filter0_section0_s1 =
-                state->stage0_filter0_section0_s2 - stage0_filter0_bandpass0_a1 * stage0_filter0_section0_y;
-            state->stage0_filter0_section0_s2 =
-                stage0_filter0_section0_t + tiny - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
-            const float stage0_filter0_section1_t = stage0_filter0_bandpass1_b2 * stage0_filter0_section0_y;
-            const float stage0_filter0_section1_y = state->stage0_filter0_section1_s1 - stage0_filter0_section1_t;
-            state->stage0_filter0_section1_s1 =
-                state->stage0_filter0_section1_s2 - stage0_filter0_bandpass1_a1 * stage0_filter0_section1_y;
-            state->stage0_filter0_section1_s2 =
-                stage0_filter0_section1_t + tiny - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
-            const float stage0_filter0_section2_t = stage0_filter0_bandpass2_b2 * stage0_filter0_section1_y;
-            const float stage0_filter0_section2_y = state->stage0_filter0_section2_s1 - stage0_filter0_section2_t;
-            state->stage0_filter0_section2_s1 =
-                state->stage0_filter0_section2_s2 - stage0_filter0_bandpass2_a1 * stage0_filter0_section2_y;
-            state->stage0_filter0_section2_s2 =
-                stage0_filter0_section2_t + tiny - stage0_filter0_bandpass2_a2 * stage0_filter0_section2_y;
-            const float v_stage = -stage0_filter0_section2_y;
-            float v_limited;
-            if (magnitude(v_stage) <= limit) {
-                if (magnitude(v_stage) <= rest) {
-                    v_limited = 0.0f;
-                } else {
-                    v_limited = v_stage;
-                }
+            outputs->limited = true;
+            if (v_stage > 0.0f) {
+                v_limited = limit;
+            } else if (v_stage < 0.0f) {
+                v_limited = lower_limit;
             } else {
-                outputs->limited = true;
-                if (v_stage > 0.0f) {
-                    v_limited = limit;
-                } else if (v_stage < 0.0f) {
-                    v_limited = lower_limit;
-                } else {
-                    v_limited = 0.0f;
-                }
+                v_limited = 0.0f;
             }
-            if (state->gate >= fade_cycles) {
-                outputs->v_add = v_limited;
+        }
+        if (state->gate >= fade_cycles) {
+            outputs->v_add = v_limited;
+            outputs->v_add_calculated = v_limited;
+        } else {
+            if (state->gate > 0u) {
+                outputs->v_add = v_limited * ((float)state->gate * fade_step);
+            } else {
+                outputs->v_add = 0.0f;
+            }
+            if (inputs->mode == mode_off) {
+                outputs->v_add_calculated = 0.0f;
+            } else {
                 outputs->v_add_calculated = v_limited;
-            } else {
-                if (state->gate > 0u) {
-                    outputs->v_add = v_limited * ((float)state->gate * fade_step);
-                } else {
-                    outputs->v_add = 0.0f;
-                }
-                if (inputs->mode == mode_off) {
-                    outputs->v_add_calculated = 0.0f;
-                } else {
-                    outputs->v_add_calculated = v_limited;
-                }
             }
-        } else {
-            outputs->v_add = 0.0f;
-            outputs->v_add_calculated = 0.0f;
-            outputs->limited = false;
-            outputs->fault = false;
-            outputs->error_id = error_none;
         }
+    } else {
+        outputs->v_add = 0.0f;
+        outputs->v_add_calculated = 0.0f;
+        outputs->limited = false;
+        outputs->fault = error_id != error_none;
+        outputs->error_id = error_id;
     }
 }
 

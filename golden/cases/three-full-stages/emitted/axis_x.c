@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  fe27a53621d21cb7269ec91c9ce5f9db
- * body        b8c432370452585d817bb129c68736db
+ * body        952ac40500ad632e854a99a501f0b0e7
  */
 #include "axis_x.h"
 
@@ -150,12 +150,12 @@ static const uint32_t fade_cycles = 139u; /* cycles that the gate takes from 0 t
 static const double fade_step = 0.007194244604316547; /* 1 / fade_cycles */
 
 /* the same for every axis */
-static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_none = 0u; /* error_id: no fault */
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
+static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_command = 11u; /* error_id: v_command is not within the sample limit */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
@@ -183,279 +183,264 @@ void axis_x_ipc_step(
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
-    if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
-        state->settled = false;
-        state->gate = 0u;
-        outputs->v_add = 0.0;
-        outputs->v_add_calculated = 0.0;
-        outputs->limited = false;
-        outputs->fault = true;
-        outputs->error_id = error_cycle_time;
-    } else if (!((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
-            && magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit)) {
-        uint32_t value;
-        if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
-            value = error_mode;
-        } else if (!(magnitude(inputs->v_command) <= sample_limit)) {
-            value = error_v_command;
+    bool runs;
+    uint32_t error_id;
+    if (magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit
+            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
+            && !inputs->reset && inputs->mode == mode_on && state->gate >= fade_cycles) {
+        runs = true;
+        error_id = error_none;
+    } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
+            && magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit
+            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
+            && !inputs->reset) {
+        if (state->settled) {
+            if (inputs->mode == mode_on) {
+                state->gate = state->gate + 1u;
+            } else {
+                if (state->gate > 0u) {
+                    state->gate = state->gate - 1u;
+                }
+                if (inputs->mode == mode_off && state->gate == 0u) {
+                    state->settled = false;
+                }
+            }
+            runs = true;
         } else {
-            value = error_v_motor;
+            if (inputs->mode != mode_off) {
+                /* DIRECT (P-AXIS-00753) from v_motor, weight 150/100 = 1.5 (P-AXIS-00754/00755) */
+                /* BANDPASS CRIT_DAMPING order 3 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
+                 * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
+                const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_motor;
+                state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
+                state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
+                const double stage0_filter0_section1_s = -0.0;
+                state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
+                state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
+                const double stage0_filter0_section2_s = -0.0;
+                state->stage0_filter0_section2_s1 = stage0_filter0_section2_s;
+                state->stage0_filter0_section2_s2 = stage0_filter0_section2_s;
+                /* ALLPASS (P-AXIS-00849): -180 deg at 41.4 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg
+                 * at 32.29569 and -270 deg at 52.99569 Hz */
+                const double stage0_filter1_section0_s = 0.0;
+                state->stage0_filter1_section0_s1 = stage0_filter1_section0_s;
+                state->stage0_filter1_section0_s2 = stage0_filter1_section0_s;
+                /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755) */
+                /* simulated oscillation of the load, f0 of the first BANDPASS 11 Hz (P-AXIS-00751), damping ratio 0.8
+                 * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
+                state->stage1_oscillation_s1 = stage1_oscillation_settled_s1 * inputs->v_motor;
+                state->stage1_oscillation_s2 = stage1_oscillation_settled_s2 * inputs->v_motor;
+                /* ALLPASS (P-AXIS-00849): -180 deg at 7.2 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg
+                 * at 5.621441 and -270 deg at 9.221441 Hz */
+                const double stage1_filter0_section0_s = stage1_filter0_allpass_settled * inputs->v_motor;
+                state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
+                state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
+                /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751),
+                 * quality factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz */
+                const double stage1_filter1_section0_s = stage1_filter1_bandpass0_b2 * inputs->v_motor;
+                state->stage1_filter1_section0_s1 = stage1_filter1_section0_s;
+                state->stage1_filter1_section0_s2 = stage1_filter1_section0_s;
+                const double stage1_filter1_section1_s = -0.0;
+                state->stage1_filter1_section1_s1 = stage1_filter1_section1_s;
+                state->stage1_filter1_section1_s2 = stage1_filter1_section1_s;
+                const double stage1_filter1_section2_s = -0.0;
+                state->stage1_filter1_section2_s1 = stage1_filter1_section2_s;
+                state->stage1_filter1_section2_s2 = stage1_filter1_section2_s;
+                /* SET_POINT (P-AXIS-00753) from v_command, weight 14/100 = 0.14 (P-AXIS-00754/00755) */
+                /* simulated oscillation of the load, f0 of the first BANDPASS 90 Hz (P-AXIS-00751), damping ratio 0.2
+                 * (P-AXIS-00850): gain 1 at DC, 2.692582 and -68.19859 deg at f0 */
+                state->stage2_oscillation_s1 = stage2_oscillation_settled_s1 * inputs->v_command;
+                state->stage2_oscillation_s2 = stage2_oscillation_settled_s2 * inputs->v_command;
+                /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 90 Hz (P-AXIS-00751), quality
+                 * factor 4.5 (P-AXIS-00752), -3 dB at 80.49367 and 100.4937 Hz */
+                const double stage2_filter0_section0_s = stage2_filter0_bandpass0_b2 * inputs->v_command;
+                state->stage2_filter0_section0_s1 = stage2_filter0_section0_s;
+                state->stage2_filter0_section0_s2 = stage2_filter0_section0_s;
+                const double stage2_filter0_section1_s = -0.0;
+                state->stage2_filter0_section1_s1 = stage2_filter0_section1_s;
+                state->stage2_filter0_section1_s2 = stage2_filter0_section1_s;
+                const double stage2_filter0_section2_s = -0.0;
+                state->stage2_filter0_section2_s1 = stage2_filter0_section2_s;
+                state->stage2_filter0_section2_s2 = stage2_filter0_section2_s;
+                /* ALLPASS (P-AXIS-00849): -180 deg at 70.3 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg
+                 * at 54.74789 and -270 deg at 89.89789 Hz */
+                const double stage2_filter1_section0_s = 0.0;
+                state->stage2_filter1_section0_s1 = stage2_filter1_section0_s;
+                state->stage2_filter1_section0_s2 = stage2_filter1_section0_s;
+                state->settled = true;
+            }
+            runs = false;
+        }
+        error_id = error_none;
+    } else {
+        if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
+            error_id = error_cycle_time;
+        } else if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
+            error_id = error_mode;
+        } else if (!(magnitude(inputs->v_command) <= sample_limit)) {
+            error_id = error_v_command;
+        } else if (magnitude(inputs->v_motor) <= sample_limit) {
+            error_id = error_none;
+        } else {
+            error_id = error_v_motor;
         }
         state->settled = false;
         state->gate = 0u;
-        outputs->v_add = 0.0;
-        outputs->v_add_calculated = 0.0;
-        outputs->limited = false;
-        outputs->fault = value != error_none;
-        outputs->error_id = value;
-    } else if (!inputs->position_controlled || inputs->reset) {
-        state->settled = false;
-        state->gate = 0u;
-        outputs->v_add = 0.0;
-        outputs->v_add_calculated = 0.0;
+        runs = false;
+    }
+    if (runs) {
         outputs->limited = false;
         outputs->fault = false;
         outputs->error_id = error_none;
-    } else {
-        bool runs;
-        if (inputs->mode != mode_on || state->gate < fade_cycles) {
-            if (state->settled) {
-                if (inputs->mode == mode_on) {
-                    if (state->gate < fade_cycles) {
-                        state->gate = state->gate + 1u;
-                    }
-                } else {
-                    if (state->gate > 0u) {
-                        state->gate = state->gate - 1u;
-                    }
-                    if (inputs->mode == mode_off && state->gate == 0u) {
-                        state->settled = false;
-                    }
-                }
-                runs = true;
+        /* DIRECT (P-AXIS-00753) from v_motor, weight 150/100 = 1.5 (P-AXIS-00754/00755) */
+        /* BANDPASS CRIT_DAMPING order 3 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
+         * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
+        const double stage0_filter0_section0_t = stage0_filter0_bandpass0_b2 * inputs->v_motor;
+        const double stage0_filter0_section0_y = state->stage0_filter0_section0_s1 - stage0_filter0_section0_t;
+        state->stage0_filter0_section0_s1 =
+            state->stage0_filter0_section0_s2 - stage0_filter0_bandpass0_a1 * stage0_filter0_section0_y;
+        state->stage0_filter0_section0_s2 =
+            stage0_filter0_section0_t + tiny - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
+        const double stage0_filter0_section1_t = stage0_filter0_bandpass1_b2 * stage0_filter0_section0_y;
+        const double stage0_filter0_section1_y = state->stage0_filter0_section1_s1 - stage0_filter0_section1_t;
+        state->stage0_filter0_section1_s1 =
+            state->stage0_filter0_section1_s2 - stage0_filter0_bandpass1_a1 * stage0_filter0_section1_y;
+        state->stage0_filter0_section1_s2 =
+            stage0_filter0_section1_t + tiny - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
+        const double stage0_filter0_section2_t = stage0_filter0_bandpass2_b2 * stage0_filter0_section1_y;
+        const double stage0_filter0_section2_y = state->stage0_filter0_section2_s1 - stage0_filter0_section2_t;
+        state->stage0_filter0_section2_s1 =
+            state->stage0_filter0_section2_s2 - stage0_filter0_bandpass2_a1 * stage0_filter0_section2_y;
+        state->stage0_filter0_section2_s2 =
+            stage0_filter0_section2_t + tiny - stage0_filter0_bandpass2_a2 * stage0_filter0_section2_y;
+        /* ALLPASS (P-AXIS-00849): -180 deg at 41.4 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg
+         * at 32.29569 and -270 deg at 52.99569 Hz */
+        const double stage0_filter1_section0_y =
+            stage0_filter1_allpass_a2 * stage0_filter0_section2_y + state->stage0_filter1_section0_s1;
+        state->stage0_filter1_section0_s1 =
+            stage0_filter1_allpass_a1 * (stage0_filter0_section2_y - stage0_filter1_section0_y)
+                + state->stage0_filter1_section0_s2;
+        state->stage0_filter1_section0_s2 =
+            stage0_filter0_section2_y + tiny - stage0_filter1_allpass_a2 * stage0_filter1_section0_y;
+        const double v_stage = stage0_gain * stage0_filter1_section0_y;
+        /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755) */
+        /* simulated oscillation of the load, f0 of the first BANDPASS 11 Hz (P-AXIS-00751), damping ratio 0.8
+         * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
+        const double stage1_oscillation_y = stage1_oscillation_b0 * inputs->v_motor + state->stage1_oscillation_s1;
+        state->stage1_oscillation_s1 =
+            stage1_oscillation_b1 * inputs->v_motor - stage1_oscillation_a1 * stage1_oscillation_y
+                + state->stage1_oscillation_s2;
+        state->stage1_oscillation_s2 =
+            stage1_oscillation_b2 * inputs->v_motor + tiny - stage1_oscillation_a2 * stage1_oscillation_y;
+        /* ALLPASS (P-AXIS-00849): -180 deg at 7.2 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg
+         * at 5.621441 and -270 deg at 9.221441 Hz */
+        const double stage1_filter0_section0_y =
+            stage1_filter0_allpass_a2 * stage1_oscillation_y + state->stage1_filter0_section0_s1;
+        state->stage1_filter0_section0_s1 =
+            stage1_filter0_allpass_a1 * (stage1_oscillation_y - stage1_filter0_section0_y)
+                + state->stage1_filter0_section0_s2;
+        state->stage1_filter0_section0_s2 =
+            stage1_oscillation_y + tiny - stage1_filter0_allpass_a2 * stage1_filter0_section0_y;
+        /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751),
+         * quality factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz */
+        const double stage1_filter1_section0_t = stage1_filter1_bandpass0_b2 * stage1_filter0_section0_y;
+        const double stage1_filter1_section0_y = state->stage1_filter1_section0_s1 - stage1_filter1_section0_t;
+        state->stage1_filter1_section0_s1 =
+            state->stage1_filter1_section0_s2 - stage1_filter1_bandpass0_a1 * stage1_filter1_section0_y;
+        state->stage1_filter1_section0_s2 =
+            stage1_filter1_section0_t + tiny - stage1_filter1_bandpass0_a2 * stage1_filter1_section0_y;
+        const double stage1_filter1_section1_t = stage1_filter1_bandpass1_b2 * stage1_filter1_section0_y;
+        const double stage1_filter1_section1_y = state->stage1_filter1_section1_s1 - stage1_filter1_section1_t;
+        state->stage1_filter1_section1_s1 =
+            state->stage1_filter1_section1_s2 - stage1_filter1_bandpass1_a1 * stage1_filter1_section1_y;
+        state->stage1_filter1_section1_s2 =
+            stage1_filter1_section1_t + tiny - stage1_filter1_bandpass1_a2 * stage1_filter1_section1_y;
+        const double stage1_filter1_section2_t = stage1_filter1_bandpass2_b2 * stage1_filter1_section1_y;
+        const double stage1_filter1_section2_y = state->stage1_filter1_section2_s1 - stage1_filter1_section2_t;
+        state->stage1_filter1_section2_s1 =
+            state->stage1_filter1_section2_s2 - stage1_filter1_bandpass2_a1 * stage1_filter1_section2_y;
+        state->stage1_filter1_section2_s2 =
+            stage1_filter1_section2_t + tiny - stage1_filter1_bandpass2_a2 * stage1_filter1_section2_y;
+        const double v_stage_2 = stage1_gain * stage1_filter1_section2_y;
+        const double v_sum = v_stage + v_stage_2;
+        /* SET_POINT (P-AXIS-00753) from v_command, weight 14/100 = 0.14 (P-AXIS-00754/00755) */
+        /* simulated oscillation of the load, f0 of the first BANDPASS 90 Hz (P-AXIS-00751), damping ratio 0.2
+         * (P-AXIS-00850): gain 1 at DC, 2.692582 and -68.19859 deg at f0 */
+        const double stage2_oscillation_y = stage2_oscillation_b0 * inputs->v_command + state->stage2_oscillation_s1;
+        state->stage2_oscillation_s1 =
+            stage2_oscillation_b1 * inputs->v_command - stage2_oscillation_a1 * stage2_oscillation_y
+                + state->stage2_oscillation_s2;
+        state->stage2_oscillation_s2 =
+            stage2_oscillation_b2 * inputs->v_command + tiny - stage2_oscillation_a2 * stage2_oscillation_y;
+        /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 90 Hz (P-AXIS-00751), quality
+         * factor 4.5 (P-AXIS-00752), -3 dB at 80.49367 and 100.4937 Hz */
+        const double stage2_filter0_section0_t = stage2_filter0_bandpass0_b2 * stage2_oscillation_y;
+        const double stage2_filter0_section0_y = state->stage2_filter0_section0_s1 - stage2_filter0_section0_t;
+        state->stage2_filter0_section0_s1 =
+            state->stage2_filter0_section0_s2 - stage2_filter0_bandpass0_a1 * stage2_filter0_section0_y;
+        state->stage2_filter0_section0_s2 =
+            stage2_filter0_section0_t + tiny - stage2_filter0_bandpass0_a2 * stage2_filter0_section0_y;
+        const double stage2_filter0_section1_t = stage2_filter0_bandpass1_b2 * stage2_filter0_section0_y;
+        const double stage2_filter0_section1_y = state->stage2_filter0_section1_s1 - stage2_filter0_section1_t;
+        state->stage2_filter0_section1_s1 =
+            state->stage2_filter0_section1_s2 - stage2_filter0_bandpass1_a1 * stage2_filter0_section1_y;
+        state->stage2_filter0_section1_s2 =
+            stage2_filter0_section1_t + tiny - stage2_filter0_bandpass1_a2 * stage2_filter0_section1_y;
+        const double stage2_filter0_section2_t = stage2_filter0_bandpass2_b2 * stage2_filter0_section1_y;
+        const double stage2_filter0_section2_y = state->stage2_filter0_section2_s1 - stage2_filter0_section2_t;
+        state->stage2_filter0_section2_s1 =
+            state->stage2_filter0_section2_s2 - stage2_filter0_bandpass2_a1 * stage2_filter0_section2_y;
+        state->stage2_filter0_section2_s2 =
+            stage2_filter0_section2_t + tiny - stage2_filter0_bandpass2_a2 * stage2_filter0_section2_y;
+        /* ALLPASS (P-AXIS-00849): -180 deg at 70.3 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg
+         * at 54.74789 and -270 deg at 89.89789 Hz */
+        const double stage2_filter1_section0_y =
+            stage2_filter1_allpass_a2 * stage2_filter0_section2_y + state->stage2_filter1_section0_s1;
+        state->stage2_filter1_section0_s1 =
+            stage2_filter1_allpass_a1 * (stage2_filter0_section2_y - stage2_filter1_section0_y)
+                + state->stage2_filter1_section0_s2;
+        state->stage2_filter1_section0_s2 =
+            stage2_filter0_section2_y + tiny - stage2_filter1_allpass_a2 * stage2_filter1_section0_y;
+        const double v_stage_3 = stage2_gain * stage2_filter1_section0_y;
+        const double v_sum_2 = v_sum + v_stage_3;
+        double v_limited;
+        if (magnitude(v_sum_2) <= limit) {
+            if (magnitude(v_sum_2) <= rest) {
+                v_limited = 0.0;
             } else {
-                if (inputs->mode != mode_off) {
-                    /* DIRECT (P-AXIS-00753) from v_motor, weight 150/100 = 1.5 (P-AXIS-00754/00755) */
-                    /* BANDPASS CRIT_DAMPING order 3 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
-                     * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
-                    const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                    state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
-                    state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
-                    const double stage0_filter0_section1_s = -0.0;
-                    state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
-                    state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
-                    const double stage0_filter0_section2_s = -0.0;
-                    state->stage0_filter0_section2_s1 = stage0_filter0_section2_s;
-                    state->stage0_filter0_section2_s2 = stage0_filter0_section2_s;
-                    /* ALLPASS (P-AXIS-00849): -180 deg at 41.4 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg
-                     * at 32.29569 and -270 deg at 52.99569 Hz */
-                    const double stage0_filter1_section0_s = 0.0;
-                    state->stage0_filter1_section0_s1 = stage0_filter1_section0_s;
-                    state->stage0_filter1_section0_s2 = stage0_filter1_section0_s;
-                    /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755) */
-                    /* simulated oscillation of the load, f0 of the first BANDPASS 11 Hz (P-AXIS-00751), damping ratio 0.8
-                     * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-                    state->stage1_oscillation_s1 = stage1_oscillation_settled_s1 * inputs->v_motor;
-                    state->stage1_oscillation_s2 = stage1_oscillation_settled_s2 * inputs->v_motor;
-                    /* ALLPASS (P-AXIS-00849): -180 deg at 7.2 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg
-                     * at 5.621441 and -270 deg at 9.221441 Hz */
-                    const double stage1_filter0_section0_s = stage1_filter0_allpass_settled * inputs->v_motor;
-                    state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
-                    state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
-                    /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751),
-                     * quality factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz */
-                    const double stage1_filter1_section0_s = stage1_filter1_bandpass0_b2 * inputs->v_motor;
-                    state->stage1_filter1_section0_s1 = stage1_filter1_section0_s;
-                    state->stage1_filter1_section0_s2 = stage1_filter1_section0_s;
-                    const double stage1_filter1_section1_s = -0.0;
-                    state->stage1_filter1_section1_s1 = stage1_filter1_section1_s;
-                    state->stage1_filter1_section1_s2 = stage1_filter1_section1_s;
-                    const double stage1_filter1_section2_s = -0.0;
-                    state->stage1_filter1_section2_s1 = stage1_filter1_section2_s;
-                    state->stage1_filter1_section2_s2 = stage1_filter1_section2_s;
-                    /* SET_POINT (P-AXIS-00753) from v_command, weight 14/100 = 0.14 (P-AXIS-00754/00755) */
-                    /* simulated oscillation of the load, f0 of the first BANDPASS 90 Hz (P-AXIS-00751), damping ratio 0.2
-                     * (P-AXIS-00850): gain 1 at DC, 2.692582 and -68.19859 deg at f0 */
-                    state->stage2_oscillation_s1 = stage2_oscillation_settled_s1 * inputs->v_command;
-                    state->stage2_oscillation_s2 = stage2_oscillation_settled_s2 * inputs->v_command;
-                    /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 90 Hz (P-AXIS-00751), quality
-                     * factor 4.5 (P-AXIS-00752), -3 dB at 80.49367 and 100.4937 Hz */
-                    const double stage2_filter0_section0_s = stage2_filter0_bandpass0_b2 * inputs->v_command;
-                    state->stage2_filter0_section0_s1 = stage2_filter0_section0_s;
-                    state->stage2_filter0_section0_s2 = stage2_filter0_section0_s;
-                    const double stage2_filter0_section1_s = -0.0;
-                    state->stage2_filter0_section1_s1 = stage2_filter0_section1_s;
-                    state->stage2_filter0_section1_s2 = stage2_filter0_section1_s;
-                    const double stage2_filter0_section2_s = -0.0;
-                    state->stage2_filter0_section2_s1 = stage2_filter0_section2_s;
-                    state->stage2_filter0_section2_s2 = stage2_filter0_section2_s;
-                    /* ALLPASS (P-AXIS-00849): -180 deg at 70.3 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg
-                     * at 54.74789 and -270 deg at 89.89789 Hz */
-                    const double stage2_filter1_section0_s = 0.0;
-                    state->stage2_filter1_section0_s1 = stage2_filter1_section0_s;
-                    state->stage2_filter1_section0_s2 = stage2_filter1_section0_s;
-                    state->settled = true;
-                }
-                runs = false;
+                v_limited = v_sum_2;
             }
         } else {
-            runs = true;
-        }
-        if (runs) {
-            outputs->limited = false;
-            outputs->fault = false;
-            outputs->error_id = error_none;
-            /* DIRECT (P-AXIS-00753) from v_motor, weight 150/100 = 1.5 (P-AXIS-00754/00755) */
-            /* BANDPASS CRIT_DAMPING order 3 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
-             * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
-            const double stage0_filter0_section0_t = stage0_filter0_bandpass0_b2 * inputs->v_motor;
-            const double stage0_filter0_section0_y = state->stage0_filter0_section0_s1 - stage0_filter0_section0_t;
-            state->stage0_filter0_section0_s1 =
-                state->stage0_filter0_section0_s2 - stage0_filter0_bandpass0_a1 * stage0_filter0_section0_y;
-            state->stage0_filter0_section0_s2 =
-                stage0_filter0_section0_t + tiny - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
-            const double stage0_filter0_section1_t = stage0_filter0_bandpass1_b2 * stage0_filter0_section0_y;
-            const double stage0_filter0_section1_y = state->stage0_filter0_section1_s1 - stage0_filter0_section1_t;
-            state->stage0_filter0_section1_s1 =
-                state->stage0_filter0_section1_s2 - stage0_filter0_bandpass1_a1 * stage0_filter0_section1_y;
-            state->stage0_filter0_section1_s2 =
-                stage0_filter0_section1_t + tiny - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
-            const double stage0_filter0_section2_t = stage0_filter0_bandpass2_b2 * stage0_filter0_section1_y;
-            const double stage0_filter0_section2_y = state->stage0_filter0_section2_s1 - stage0_filter0_section2_t;
-            state->stage0_filter0_section2_s1 =
-                state->stage0_filter0_section2_s2 - stage0_filter0_bandpass2_a1 * stage0_filter0_section2_y;
-            state->stage0_filter0_section2_s2 =
-                stage0_filter0_section2_t + tiny - stage0_filter0_bandpass2_a2 * stage0_filter0_section2_y;
-            /* ALLPASS (P-AXIS-00849): -180 deg at 41.4 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg
-             * at 32.29569 and -270 deg at 52.99569 Hz */
-            const double stage0_filter1_section0_y =
-                stage0_filter1_allpass_a2 * stage0_filter0_section2_y + state->stage0_filter1_section0_s1;
-            state->stage0_filter1_section0_s1 =
-                stage0_filter1_allpass_a1 * (stage0_filter0_section2_y - stage0_filter1_section0_y)
-                    + state->stage0_filter1_section0_s2;
-            state->stage0_filter1_section0_s2 =
-                stage0_filter0_section2_y + tiny - stage0_filter1_allpass_a2 * stage0_filter1_section0_y;
-            const double v_stage = stage0_gain * stage0_filter1_section0_y;
-            /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755) */
-            /* simulated oscillation of the load, f0 of the first BANDPASS 11 Hz (P-AXIS-00751), damping ratio 0.8
-             * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-            const double stage1_oscillation_y = stage1_oscillation_b0 * inputs->v_motor + state->stage1_oscillation_s1;
-            state->stage1_oscillation_s1 =
-                stage1_oscillation_b1 * inputs->v_motor - stage1_oscillation_a1 * stage1_oscillation_y
-                    + state->stage1_oscillation_s2;
-            state->stage1_oscillation_s2 =
-                stage1_oscillation_b2 * inputs->v_motor + tiny - stage1_oscillation_a2 * stage1_oscillation_y;
-            /* ALLPASS (P-AXIS-00849): -180 deg at 7.2 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg
-             * at 5.621441 and -270 deg at 9.221441 Hz */
-            const double stage1_filter0_section0_y =
-                stage1_filter0_allpass_a2 * stage1_oscillation_y + state->stage1_filter0_section0_s1;
-            state->stage1_filter0_section0_s1 =
-                stage1_filter0_allpass_a1 * (stage1_oscillation_y - stage1_filter0_section0_y)
-                    + state->stage1_filter0_section0_s2;
-            state->stage1_filter0_section0_s2 =
-                stage1_oscillation_y + tiny - stage1_filter0_allpass_a2 * stage1_filter0_section0_y;
-            /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751),
-             * quality factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz */
-            const double stage1_filter1_section0_t = stage1_filter1_bandpass0_b2 * stage1_filter0_section0_y;
-            const double stage1_filter1_section0_y = state->stage1_filter1_section0_s1 - stage1_filter1_section0_t;
-            state->stage1_filter1_section0_s1 =
-                state->stage1_filter1_section0_s2 - stage1_filter1_bandpass0_a1 * stage1_filter1_section0_y;
-            state->stage1_filter1_section0_s2 =
-                stage1_filter1_section0_t + tiny - stage1_filter1_bandpass0_a2 * stage1_filter1_section0_y;
-            const double stage1_filter1_section1_t = stage1_filter1_bandpass1_b2 * stage1_filter1_section0_y;
-            const double stage1_filter1_section1_y = state->stage1_filter1_section1_s1 - stage1_filter1_section1_t;
-            state->stage1_filter1_section1_s1 =
-                state->stage1_filter1_section1_s2 - stage1_filter1_bandpass1_a1 * stage1_filter1_section1_y;
-            state->stage1_filter1_section1_s2 =
-                stage1_filter1_section1_t + tiny - stage1_filter1_bandpass1_a2 * stage1_filter1_section1_y;
-            const double stage1_filter1_section2_t = stage1_filter1_bandpass2_b2 * stage1_filter1_section1_y;
-            const double stage1_filter1_section2_y = state->stage1_filter1_section2_s1 - stage1_filter1_section2_t;
-            state->stage1_filter1_section2_s1 =
-                state->stage1_filter1_section2_s2 - stage1_filter1_bandpass2_a1 * stage1_filter1_section2_y;
-            state->stage1_filter1_section2_s2 =
-                stage1_filter1_section2_t + tiny - stage1_filter1_bandpass2_a2 * stage1_filter1_section2_y;
-            const double v_stage_2 = stage1_gain * stage1_filter1_section2_y;
-            const double v_sum = v_stage + v_stage_2;
-            /* SET_POINT (P-AXIS-00753) from v_command, weight 14/100 = 0.14 (P-AXIS-00754/00755) */
-            /* simulated oscillation of the load, f0 of the first BANDPASS 90 Hz (P-AXIS-00751), damping ratio 0.2
-             * (P-AXIS-00850): gain 1 at DC, 2.692582 and -68.19859 deg at f0 */
-            const double stage2_oscillation_y =
-                stage2_oscillation_b0 * inputs->v_command + state->stage2_oscillation_s1;
-            state->stage2_oscillation_s1 =
-                stage2_oscillation_b1 * inputs->v_command - stage2_oscillation_a1 * stage2_oscillation_y
-                    + state->stage2_oscillation_s2;
-            state->stage2_oscillation_s2 =
-                stage2_oscillation_b2 * inputs->v_command + tiny - stage2_oscillation_a2 * stage2_oscillation_y;
-            /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 90 Hz (P-AXIS-00751), quality
-             * factor 4.5 (P-AXIS-00752), -3 dB at 80.49367 and 100.4937 Hz */
-            const double stage2_filter0_section0_t = stage2_filter0_bandpass0_b2 * stage2_oscillation_y;
-            const double stage2_filter0_section0_y = state->stage2_filter0_section0_s1 - stage2_filter0_section0_t;
-            state->stage2_filter0_section0_s1 =
-                state->stage2_filter0_section0_s2 - stage2_filter0_bandpass0_a1 * stage2_filter0_section0_y;
-            state->stage2_filter0_section0_s2 =
-                stage2_filter0_section0_t + tiny - stage2_filter0_bandpass0_a2 * stage2_filter0_section0_y;
-            const double stage2_filter0_section1_t = stage2_filter0_bandpass1_b2 * stage2_filter0_section0_y;
-            const double stage2_filter0_section1_y = state->stage2_filter0_section1_s1 - stage2_filter0_section1_t;
-            state->stage2_filter0_section1_s1 =
-                state->stage2_filter0_section1_s2 - stage2_filter0_bandpass1_a1 * stage2_filter0_section1_y;
-            state->stage2_filter0_section1_s2 =
-                stage2_filter0_section1_t + tiny - stage2_filter0_bandpass1_a2 * stage2_filter0_section1_y;
-            const double stage2_filter0_section2_t = stage2_filter0_bandpass2_b2 * stage2_filter0_section1_y;
-            const double stage2_filter0_section2_y = state->stage2_filter0_section2_s1 - stage2_filter0_section2_t;
-            state->stage2_filter0_section2_s1 =
-                state->stage2_filter0_section2_s2 - stage2_filter0_bandpass2_a1 * stage2_filter0_section2_y;
-            state->stage2_filter0_section2_s2 =
-                stage2_filter0_section2_t + tiny - stage2_filter0_bandpass2_a2 * stage2_filter0_section2_y;
-            /* ALLPASS (P-AXIS-00849): -180 deg at 70.3 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg
-             * at 54.74789 and -270 deg at 89.89789 Hz */
-            const double stage2_filter1_section0_y =
-                stage2_filter1_allpass_a2 * stage2_filter0_section2_y + state->stage2_filter1_section0_s1;
-            state->stage2_filter1_section0_s1 =
-                stage2_filter1_allpass_a1 * (stage2_filter0_section2_y - stage2_filter1_section0_y)
-                    + state->stage2_filter1_section0_s2;
-            state->stage2_filter1_section0_s2 =
-                stage2_filter0_section2_y + tiny - stage2_filter1_allpass_a2 * stage2_filter1_section0_y;
-            const double v_stage_3 = stage2_gain * stage2_filter1_section0_y;
-            const double v_sum_2 = v_sum + v_stage_3;
-            double v_limited;
-            if (magnitude(v_sum_2) <= limit) {
-                if (magnitude(v_sum_2) <= rest) {
-                    v_limited = 0.0;
-                } else {
-                    v_limited = v_sum_2;
-                }
+            outputs->limited = true;
+            if (v_sum_2 > 0.0) {
+                v_limited = limit;
+            } else if (v_sum_2 < 0.0) {
+                v_limited = lower_limit;
             } else {
-                outputs->limited = true;
-                if (v_sum_2 > 0.0) {
-                    v_limited = limit;
-                } else if (v_sum_2 < 0.0) {
-                    v_limited = lower_limit;
-                } else {
-                    v_limited = 0.0;
-                }
+                v_limited = 0.0;
             }
-            if (state->gate >= fade_cycles) {
-                outputs->v_add = v_limited;
+        }
+        if (state->gate >= fade_cycles) {
+            outputs->v_add = v_limited;
+            outputs->v_add_calculated = v_limited;
+        } else {
+            if (state->gate > 0u) {
+                outputs->v_add = v_limited * ((double)state->gate * fade_step);
+            } else {
+                outputs->v_add = 0.0;
+            }
+            if (inputs->mode == mode_off) {
+                outputs->v_add_calculated = 0.0;
+            } else {
                 outputs->v_add_calculated = v_limited;
-            } else {
-                if (state->gate > 0u) {
-                    outputs->v_add = v_limited * ((double)state->gate * fade_step);
-                } else {
-                    outputs->v_add = 0.0;
-                }
-                if (inputs->mode == mode_off) {
-                    outputs->v_add_calculated = 0.0;
-                } else {
-                    outputs->v_add_calculated = v_limited;
-                }
             }
-        } else {
-            outputs->v_add = 0.0;
-            outputs->v_add_calculated = 0.0;
-            outputs->limited = false;
-            outputs->fault = false;
-            outputs->error_id = error_none;
         }
+    } else {
+        outputs->v_add = 0.0;
+        outputs->v_add_calculated = 0.0;
+        outputs->limited = false;
+        outputs->fault = error_id != error_none;
+        outputs->error_id = error_id;
     }
 }
 

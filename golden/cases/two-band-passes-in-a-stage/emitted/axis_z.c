@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  6a0aecbe02b54a57c0c2078dc887a241
- * body        9ce72727821d0afb22b235a9e68d3d2b
+ * body        054820df93b881546c357a323d048327
  */
 #include "axis_z.h"
 
@@ -97,12 +97,12 @@ static const uint32_t fade_cycles = 85u; /* cycles that the gate takes from 0 to
 static const double fade_step = 0.011764705882352941; /* 1 / fade_cycles */
 
 /* the same for every axis */
-static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_none = 0u; /* error_id: no fault */
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
+static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
 static const uint32_t error_v_direct = 13u; /* error_id: v_direct is not within the sample limit */
@@ -130,185 +130,171 @@ void axis_z_ipc_step(
     const axis_z_ipc_inputs *restrict inputs,
     axis_z_ipc_outputs *restrict outputs)
 {
-    if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
-        state->settled = false;
-        state->gate = 0u;
-        outputs->v_add = 0.0;
-        outputs->v_add_calculated = 0.0;
-        outputs->limited = false;
-        outputs->fault = true;
-        outputs->error_id = error_cycle_time;
-    } else if (!((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
-            && magnitude(inputs->v_motor) <= sample_limit && magnitude(inputs->v_direct) <= sample_limit)) {
-        uint32_t value;
-        if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
-            value = error_mode;
-        } else if (!(magnitude(inputs->v_motor) <= sample_limit)) {
-            value = error_v_motor;
+    bool runs;
+    uint32_t error_id;
+    if (magnitude(inputs->v_motor) <= sample_limit && magnitude(inputs->v_direct) <= sample_limit
+            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
+            && !inputs->reset && inputs->mode == mode_on && state->gate >= fade_cycles) {
+        runs = true;
+        error_id = error_none;
+    } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
+            && magnitude(inputs->v_motor) <= sample_limit && magnitude(inputs->v_direct) <= sample_limit
+            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
+            && !inputs->reset) {
+        if (state->settled) {
+            if (inputs->mode == mode_on) {
+                state->gate = state->gate + 1u;
+            } else {
+                if (state->gate > 0u) {
+                    state->gate = state->gate - 1u;
+                }
+                if (inputs->mode == mode_off && state->gate == 0u) {
+                    state->settled = false;
+                }
+            }
+            runs = true;
         } else {
-            value = error_v_direct;
+            if (inputs->mode != mode_off) {
+                /* DIRECT (P-AXIS-00753) from v_direct, weight 1/2 = 0.5 (P-AXIS-00754/00755) */
+                /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 200 Hz (P-AXIS-00751),
+                 * quality factor 3 (P-AXIS-00752), -3 dB at 169.4028 and 236.0695 Hz */
+                const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_direct;
+                state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
+                state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
+                const double stage0_filter0_section1_s = -0.0;
+                state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
+                state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
+                /* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 205 Hz (P-AXIS-00751),
+                 * quality factor 2 (P-AXIS-00752), -3 dB at 160.0054 and 262.5054 Hz */
+                const double stage0_filter1_section0_s = -0.0;
+                state->stage0_filter1_section0_s1 = stage0_filter1_section0_s;
+                state->stage0_filter1_section0_s2 = stage0_filter1_section0_s;
+                const double stage0_filter1_section1_s = -0.0;
+                state->stage0_filter1_section1_s1 = stage0_filter1_section1_s;
+                state->stage0_filter1_section1_s2 = stage0_filter1_section1_s;
+                /* DIRECT (P-AXIS-00753) from v_motor, weight 3/1 = 3 (P-AXIS-00754/00755) */
+                /* BANDPASS BUTTERWORTH order 1 (P-AXIS-00849, 00848, 00750): centre frequency 95 Hz (P-AXIS-00751),
+                 * quality factor 5 (P-AXIS-00752), -3 dB at 85.97294 and 104.9729 Hz */
+                const double stage1_filter0_section0_s = stage1_filter0_bandpass0_b2 * inputs->v_motor;
+                state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
+                state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
+                /* BANDPASS BESSEL order 1 (P-AXIS-00849, 00848, 00750): centre frequency 100 Hz (P-AXIS-00751),
+                 * quality factor 1.5 (P-AXIS-00752), -3 dB at 72.06508 and 138.7317 Hz */
+                const double stage1_filter1_section0_s = -0.0;
+                state->stage1_filter1_section0_s1 = stage1_filter1_section0_s;
+                state->stage1_filter1_section0_s2 = stage1_filter1_section0_s;
+                state->settled = true;
+            }
+            runs = false;
+        }
+        error_id = error_none;
+    } else {
+        if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
+            error_id = error_cycle_time;
+        } else if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
+            error_id = error_mode;
+        } else if (!(magnitude(inputs->v_motor) <= sample_limit)) {
+            error_id = error_v_motor;
+        } else if (magnitude(inputs->v_direct) <= sample_limit) {
+            error_id = error_none;
+        } else {
+            error_id = error_v_direct;
         }
         state->settled = false;
         state->gate = 0u;
-        outputs->v_add = 0.0;
-        outputs->v_add_calculated = 0.0;
-        outputs->limited = false;
-        outputs->fault = value != error_none;
-        outputs->error_id = value;
-    } else if (!inputs->position_controlled || inputs->reset) {
-        state->settled = false;
-        state->gate = 0u;
-        outputs->v_add = 0.0;
-        outputs->v_add_calculated = 0.0;
+        runs = false;
+    }
+    if (runs) {
         outputs->limited = false;
         outputs->fault = false;
         outputs->error_id = error_none;
-    } else {
-        bool runs;
-        if (inputs->mode != mode_on || state->gate < fade_cycles) {
-            if (state->settled) {
-                if (inputs->mode == mode_on) {
-                    if (state->gate < fade_cycles) {
-                        state->gate = state->gate + 1u;
-                    }
-                } else {
-                    if (state->gate > 0u) {
-                        state->gate = state->gate - 1u;
-                    }
-                    if (inputs->mode == mode_off && state->gate == 0u) {
-                        state->settled = false;
-                    }
-                }
-                runs = true;
+        /* DIRECT (P-AXIS-00753) from v_direct, weight 1/2 = 0.5 (P-AXIS-00754/00755) */
+        /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 200 Hz (P-AXIS-00751),
+         * quality factor 3 (P-AXIS-00752), -3 dB at 169.4028 and 236.0695 Hz */
+        const double stage0_filter0_section0_t = stage0_filter0_bandpass0_b2 * inputs->v_direct;
+        const double stage0_filter0_section0_y = state->stage0_filter0_section0_s1 - stage0_filter0_section0_t;
+        state->stage0_filter0_section0_s1 =
+            state->stage0_filter0_section0_s2 - stage0_filter0_bandpass0_a1 * stage0_filter0_section0_y;
+        state->stage0_filter0_section0_s2 =
+            stage0_filter0_section0_t + tiny - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
+        const double stage0_filter0_section1_t = stage0_filter0_bandpass1_b2 * stage0_filter0_section0_y;
+        const double stage0_filter0_section1_y = state->stage0_filter0_section1_s1 - stage0_filter0_section1_t;
+        state->stage0_filter0_section1_s1 =
+            state->stage0_filter0_section1_s2 - stage0_filter0_bandpass1_a1 * stage0_filter0_section1_y;
+        state->stage0_filter0_section1_s2 =
+            stage0_filter0_section1_t + tiny - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
+        /* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 205 Hz (P-AXIS-00751),
+         * quality factor 2 (P-AXIS-00752), -3 dB at 160.0054 and 262.5054 Hz */
+        const double stage0_filter1_section0_t = stage0_filter1_bandpass0_b2 * stage0_filter0_section1_y;
+        const double stage0_filter1_section0_y = state->stage0_filter1_section0_s1 - stage0_filter1_section0_t;
+        state->stage0_filter1_section0_s1 =
+            state->stage0_filter1_section0_s2 - stage0_filter1_bandpass0_a1 * stage0_filter1_section0_y;
+        state->stage0_filter1_section0_s2 =
+            stage0_filter1_section0_t + tiny - stage0_filter1_bandpass0_a2 * stage0_filter1_section0_y;
+        const double stage0_filter1_section1_t = stage0_filter1_bandpass1_b2 * stage0_filter1_section0_y;
+        const double stage0_filter1_section1_y = state->stage0_filter1_section1_s1 - stage0_filter1_section1_t;
+        state->stage0_filter1_section1_s1 =
+            state->stage0_filter1_section1_s2 - stage0_filter1_bandpass1_a1 * stage0_filter1_section1_y;
+        state->stage0_filter1_section1_s2 =
+            stage0_filter1_section1_t + tiny - stage0_filter1_bandpass1_a2 * stage0_filter1_section1_y;
+        const double v_stage = stage0_gain * stage0_filter1_section1_y;
+        /* DIRECT (P-AXIS-00753) from v_motor, weight 3/1 = 3 (P-AXIS-00754/00755) */
+        /* BANDPASS BUTTERWORTH order 1 (P-AXIS-00849, 00848, 00750): centre frequency 95 Hz (P-AXIS-00751),
+         * quality factor 5 (P-AXIS-00752), -3 dB at 85.97294 and 104.9729 Hz */
+        const double stage1_filter0_section0_t = stage1_filter0_bandpass0_b2 * inputs->v_motor;
+        const double stage1_filter0_section0_y = state->stage1_filter0_section0_s1 - stage1_filter0_section0_t;
+        state->stage1_filter0_section0_s1 =
+            state->stage1_filter0_section0_s2 - stage1_filter0_bandpass0_a1 * stage1_filter0_section0_y;
+        state->stage1_filter0_section0_s2 =
+            stage1_filter0_section0_t + tiny - stage1_filter0_bandpass0_a2 * stage1_filter0_section0_y;
+        /* BANDPASS BESSEL order 1 (P-AXIS-00849, 00848, 00750): centre frequency 100 Hz (P-AXIS-00751),
+         * quality factor 1.5 (P-AXIS-00752), -3 dB at 72.06508 and 138.7317 Hz */
+        const double stage1_filter1_section0_t = stage1_filter1_bandpass0_b2 * stage1_filter0_section0_y;
+        const double stage1_filter1_section0_y = state->stage1_filter1_section0_s1 - stage1_filter1_section0_t;
+        state->stage1_filter1_section0_s1 =
+            state->stage1_filter1_section0_s2 - stage1_filter1_bandpass0_a1 * stage1_filter1_section0_y;
+        state->stage1_filter1_section0_s2 =
+            stage1_filter1_section0_t + tiny - stage1_filter1_bandpass0_a2 * stage1_filter1_section0_y;
+        const double v_stage_2 = stage1_gain * stage1_filter1_section0_y;
+        const double v_sum = v_stage + v_stage_2;
+        double v_limited;
+        if (magnitude(v_sum) <= limit) {
+            if (magnitude(v_sum) <= rest) {
+                v_limited = 0.0;
             } else {
-                if (inputs->mode != mode_off) {
-                    /* DIRECT (P-AXIS-00753) from v_direct, weight 1/2 = 0.5 (P-AXIS-00754/00755) */
-                    /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 200 Hz (P-AXIS-00751),
-                     * quality factor 3 (P-AXIS-00752), -3 dB at 169.4028 and 236.0695 Hz */
-                    const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_direct;
-                    state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
-                    state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
-                    const double stage0_filter0_section1_s = -0.0;
-                    state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
-                    state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
-                    /* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 205 Hz (P-AXIS-00751),
-                     * quality factor 2 (P-AXIS-00752), -3 dB at 160.0054 and 262.5054 Hz */
-                    const double stage0_filter1_section0_s = -0.0;
-                    state->stage0_filter1_section0_s1 = stage0_filter1_section0_s;
-                    state->stage0_filter1_section0_s2 = stage0_filter1_section0_s;
-                    const double stage0_filter1_section1_s = -0.0;
-                    state->stage0_filter1_section1_s1 = stage0_filter1_section1_s;
-                    state->stage0_filter1_section1_s2 = stage0_filter1_section1_s;
-                    /* DIRECT (P-AXIS-00753) from v_motor, weight 3/1 = 3 (P-AXIS-00754/00755) */
-                    /* BANDPASS BUTTERWORTH order 1 (P-AXIS-00849, 00848, 00750): centre frequency 95 Hz (P-AXIS-00751),
-                     * quality factor 5 (P-AXIS-00752), -3 dB at 85.97294 and 104.9729 Hz */
-                    const double stage1_filter0_section0_s = stage1_filter0_bandpass0_b2 * inputs->v_motor;
-                    state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
-                    state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
-                    /* BANDPASS BESSEL order 1 (P-AXIS-00849, 00848, 00750): centre frequency 100 Hz (P-AXIS-00751),
-                     * quality factor 1.5 (P-AXIS-00752), -3 dB at 72.06508 and 138.7317 Hz */
-                    const double stage1_filter1_section0_s = -0.0;
-                    state->stage1_filter1_section0_s1 = stage1_filter1_section0_s;
-                    state->stage1_filter1_section0_s2 = stage1_filter1_section0_s;
-                    state->settled = true;
-                }
-                runs = false;
+                v_limited = v_sum;
             }
         } else {
-            runs = true;
-        }
-        if (runs) {
-            outputs->limited = false;
-            outputs->fault = false;
-            outputs->error_id = error_none;
-            /* DIRECT (P-AXIS-00753) from v_direct, weight 1/2 = 0.5 (P-AXIS-00754/00755) */
-            /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 200 Hz (P-AXIS-00751),
-             * quality factor 3 (P-AXIS-00752), -3 dB at 169.4028 and 236.0695 Hz */
-            const double stage0_filter0_section0_t = stage0_filter0_bandpass0_b2 * inputs->v_direct;
-            const double stage0_filter0_section0_y = state->stage0_filter0_section0_s1 - stage0_filter0_section0_t;
-            state->stage0_filter0_section0_s1 =
-                state->stage0_filter0_section0_s2 - stage0_filter0_bandpass0_a1 * stage0_filter0_section0_y;
-            state->stage0_filter0_section0_s2 =
-                stage0_filter0_section0_t + tiny - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
-            const double stage0_filter0_section1_t = stage0_filter0_bandpass1_b2 * stage0_filter0_section0_y;
-            const double stage0_filter0_section1_y = state->stage0_filter0_section1_s1 - stage0_filter0_section1_t;
-            state->stage0_filter0_section1_s1 =
-                state->stage0_filter0_section1_s2 - stage0_filter0_bandpass1_a1 * stage0_filter0_section1_y;
-            state->stage0_filter0_section1_s2 =
-                stage0_filter0_section1_t + tiny - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
-            /* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 205 Hz (P-AXIS-00751),
-             * quality factor 2 (P-AXIS-00752), -3 dB at 160.0054 and 262.5054 Hz */
-            const double stage0_filter1_section0_t = stage0_filter1_bandpass0_b2 * stage0_filter0_section1_y;
-            const double stage0_filter1_section0_y = state->stage0_filter1_section0_s1 - stage0_filter1_section0_t;
-            state->stage0_filter1_section0_s1 =
-                state->stage0_filter1_section0_s2 - stage0_filter1_bandpass0_a1 * stage0_filter1_section0_y;
-            state->stage0_filter1_section0_s2 =
-                stage0_filter1_section0_t + tiny - stage0_filter1_bandpass0_a2 * stage0_filter1_section0_y;
-            const double stage0_filter1_section1_t = stage0_filter1_bandpass1_b2 * stage0_filter1_section0_y;
-            const double stage0_filter1_section1_y = state->stage0_filter1_section1_s1 - stage0_filter1_section1_t;
-            state->stage0_filter1_section1_s1 =
-                state->stage0_filter1_section1_s2 - stage0_filter1_bandpass1_a1 * stage0_filter1_section1_y;
-            state->stage0_filter1_section1_s2 =
-                stage0_filter1_section1_t + tiny - stage0_filter1_bandpass1_a2 * stage0_filter1_section1_y;
-            const double v_stage = stage0_gain * stage0_filter1_section1_y;
-            /* DIRECT (P-AXIS-00753) from v_motor, weight 3/1 = 3 (P-AXIS-00754/00755) */
-            /* BANDPASS BUTTERWORTH order 1 (P-AXIS-00849, 00848, 00750): centre frequency 95 Hz (P-AXIS-00751),
-             * quality factor 5 (P-AXIS-00752), -3 dB at 85.97294 and 104.9729 Hz */
-            const double stage1_filter0_section0_t = stage1_filter0_bandpass0_b2 * inputs->v_motor;
-            const double stage1_filter0_section0_y = state->stage1_filter0_section0_s1 - stage1_filter0_section0_t;
-            state->stage1_filter0_section0_s1 =
-                state->stage1_filter0_section0_s2 - stage1_filter0_bandpass0_a1 * stage1_filter0_section0_y;
-            state->stage1_filter0_section0_s2 =
-                stage1_filter0_section0_t + tiny - stage1_filter0_bandpass0_a2 * stage1_filter0_section0_y;
-            /* BANDPASS BESSEL order 1 (P-AXIS-00849, 00848, 00750): centre frequency 100 Hz (P-AXIS-00751),
-             * quality factor 1.5 (P-AXIS-00752), -3 dB at 72.06508 and 138.7317 Hz */
-            const double stage1_filter1_section0_t = stage1_filter1_bandpass0_b2 * stage1_filter0_section0_y;
-            const double stage1_filter1_section0_y = state->stage1_filter1_section0_s1 - stage1_filter1_section0_t;
-            state->stage1_filter1_section0_s1 =
-                state->stage1_filter1_section0_s2 - stage1_filter1_bandpass0_a1 * stage1_filter1_section0_y;
-            state->stage1_filter1_section0_s2 =
-                stage1_filter1_section0_t + tiny - stage1_filter1_bandpass0_a2 * stage1_filter1_section0_y;
-            const double v_stage_2 = stage1_gain * stage1_filter1_section0_y;
-            const double v_sum = v_stage + v_stage_2;
-            double v_limited;
-            if (magnitude(v_sum) <= limit) {
-                if (magnitude(v_sum) <= rest) {
-                    v_limited = 0.0;
-                } else {
-                    v_limited = v_sum;
-                }
+            outputs->limited = true;
+            if (v_sum > 0.0) {
+                v_limited = limit;
+            } else if (v_sum < 0.0) {
+                v_limited = lower_limit;
             } else {
-                outputs->limited = true;
-                if (v_sum > 0.0) {
-                    v_limited = limit;
-                } else if (v_sum < 0.0) {
-                    v_limited = lower_limit;
-                } else {
-                    v_limited = 0.0;
-                }
+                v_limited = 0.0;
             }
-            if (state->gate >= fade_cycles) {
-                outputs->v_add = v_limited;
+        }
+        if (state->gate >= fade_cycles) {
+            outputs->v_add = v_limited;
+            outputs->v_add_calculated = v_limited;
+        } else {
+            if (state->gate > 0u) {
+                outputs->v_add = v_limited * ((double)state->gate * fade_step);
+            } else {
+                outputs->v_add = 0.0;
+            }
+            if (inputs->mode == mode_off) {
+                outputs->v_add_calculated = 0.0;
+            } else {
                 outputs->v_add_calculated = v_limited;
-            } else {
-                if (state->gate > 0u) {
-                    outputs->v_add = v_limited * ((double)state->gate * fade_step);
-                } else {
-                    outputs->v_add = 0.0;
-                }
-                if (inputs->mode == mode_off) {
-                    outputs->v_add_calculated = 0.0;
-                } else {
-                    outputs->v_add_calculated = v_limited;
-                }
             }
-        } else {
-            outputs->v_add = 0.0;
-            outputs->v_add_calculated = 0.0;
-            outputs->limited = false;
-            outputs->fault = false;
-            outputs->error_id = error_none;
         }
+    } else {
+        outputs->v_add = 0.0;
+        outputs->v_add_calculated = 0.0;
+        outputs->limited = false;
+        outputs->fault = error_id != error_none;
+        outputs->error_id = error_id;
     }
 }
 
