@@ -1,187 +1,151 @@
 //! What is known of the variables at one point of a program: answers to conditions, ranges of integers. No statement is
 //! changed here.
 
-use crate::program::{Constant, Expr, Var};
-use portable::{Binary, Literal, Unary};
-use std::collections::{BTreeMap, BTreeSet};
+use super::condition::{Comparison, Condition, Conditions, Id};
+use crate::program::{Expr, Var};
+use portable::{Binary, Literal};
 
 /// What holds at the present point.
-#[derive(Clone)]
-pub(super) struct Facts<'p> {
-    constants: &'p [Constant],
-    /// questions whose answer is known, none of them with an `and` or an `or` at its top
-    answers: Vec<(Expr, bool)>,
+#[derive(Clone, Default)]
+pub(super) struct Facts {
+    /// by question; none of them compares an integer with a known number
+    answers: Vec<Option<bool>>,
     /// an `or` that holds or an `and` that does not hold: which operand decides is not known yet
-    open: Vec<(Expr, bool)>,
+    open: Vec<(Id, bool)>,
     /// smallest and largest value of an integer
-    ranges: BTreeMap<Var, (i64, i64)>,
+    ranges: Vec<(Var, (i64, i64))>,
     /// a value that an integer does not have
-    excluded: BTreeSet<(Var, i64)>,
+    excluded: Vec<(Var, i64)>,
 }
 
-/// The comparison of an integer variable with a known number.
-struct Comparison {
-    var: Var,
-    operator: Binary,
-    number: i64,
-    /// smallest and largest value of the type
-    full: (i64, i64),
-}
-
-impl<'p> Facts<'p> {
-    pub fn none(constants: &'p [Constant]) -> Self {
-        let (answers, open) = (Vec::new(), Vec::new());
-        Self { constants, answers, open, ranges: BTreeMap::new(), excluded: BTreeSet::new() }
-    }
-
+impl Facts {
     /// The condition with everything replaced whose answer is known.
-    pub fn simplify(&self, condition: Expr) -> Expr {
-        let simpler = match condition {
-            Expr::Unary(Unary::Not, operand) => Expr::Unary(Unary::Not, Box::new(self.simplify(*operand))),
-            Expr::Binary(operator @ (Binary::And | Binary::Or), left, right) => {
-                // Each operand matters only where the other one has not decided.
-                let right = self.beside(operator, &left).simplify(*right);
-                let left = self.beside(operator, &right).simplify(*left);
-                Expr::Binary(operator, Box::new(left), Box::new(right))
+    pub fn simplify(&self, conditions: &mut Conditions<'_>, id: Id) -> Id {
+        let simpler = match conditions.get(id) {
+            Condition::Not(operand) => {
+                let operand = self.simplify(conditions, operand);
+                conditions.add(Condition::Not(operand))
             }
-            question => question,
+            Condition::Both(and, left, right) => {
+                // Each operand matters only where the other one has not decided.
+                let right = self.beside(conditions, and, left).simplify(conditions, right);
+                let left = self.beside(conditions, and, right).simplify(conditions, left);
+                conditions.add(Condition::Both(and, left, right))
+            }
+            Condition::Known(_) | Condition::Question(_) => id,
         };
-        let simpler = without_literals(simpler);
-        self.answer(&simpler).map_or(simpler, |holds| Expr::Literal(Literal::Bool(holds)))
+        self.answer(conditions, simpler).map_or(simpler, |holds| conditions.add(Condition::Known(holds)))
     }
 
     /// What holds where an operand of an `and` or an `or` leaves the answer to the other one.
-    fn beside(&self, operator: Binary, operand: &Expr) -> Self {
+    fn beside(&self, conditions: &Conditions<'_>, and: bool, operand: Id) -> Self {
         let mut facts = self.clone();
-        facts.learn(operand, operator == Binary::And);
+        facts.note(conditions, operand, and);
         facts
     }
 
     /// From here on the condition holds, or does not hold.
-    pub fn learn(&mut self, condition: &Expr, holds: bool) {
-        match condition {
-            Expr::Literal(_) => {}
-            Expr::Unary(Unary::Not, operand) => self.learn(operand, !holds),
-            Expr::Binary(operator @ (Binary::And | Binary::Or), left, right) => {
-                if (*operator == Binary::And) == holds {
-                    self.learn(left, holds);
-                    self.learn(right, holds);
-                } else {
-                    self.open.push((condition.clone(), holds));
-                    self.resolve();
-                }
-            }
-            question => {
-                match self.comparison(question) {
-                    Some(comparison) => self.narrow(&comparison, holds),
-                    None => self.answers.push((question.clone(), holds)),
-                }
-                self.resolve();
-            }
-        }
-    }
-
-    /// The variable gets a value: what was known of the old one is forgotten.
-    pub fn assign(&mut self, target: Var, value: &Expr) {
-        let range = match value {
-            Expr::Var(var) if self.ranges.contains_key(var) => self.ranges.get(var).copied(),
-            value => self.number(value).map(|(number, _)| (number, number)),
-        };
-        let reads = |expr: &Expr| {
-            let mut found = false;
-            expr.variables(&mut |var| found |= var == target);
-            found
-        };
-        self.answers.retain(|(expr, _)| !reads(expr));
-        self.open.retain(|(expr, _)| !reads(expr));
-        self.excluded.retain(|(var, _)| *var != target);
-        self.ranges.remove(&target);
-        if let Some(range) = range {
-            self.ranges.insert(target, range);
-        }
-        if let Expr::Literal(Literal::Bool(value)) = value {
-            self.answers.push((Expr::Var(target), *value));
-        }
-    }
-
-    /// What holds after two branches: what holds after each of them.
-    pub fn join(mut self, other: &Self) -> Self {
-        self.answers.retain(|fact| other.answers.contains(fact));
-        self.open.retain(|fact| other.open.contains(fact));
-        self.excluded.retain(|(var, number)| {
-            let outside = other.ranges.get(var).is_some_and(|(low, high)| number < low || number > high);
-            outside || other.excluded.contains(&(*var, *number))
-        });
-        let both =
-            |(var, (a, b)): (Var, (i64, i64))| other.ranges.get(&var).map(|(c, d)| (var, (a.min(*c), b.max(*d))));
-        self.ranges = self.ranges.into_iter().filter_map(both).collect();
-        self
-    }
-
-    fn answer(&self, question: &Expr) -> Option<bool> {
-        if let Some(comparison) = self.comparison(question) {
-            return self.compare(&comparison);
-        }
-        let known = self.answers.iter().chain(&self.open).find(|(expr, _)| expr == question);
-        known.map(|(_, holds)| *holds)
-    }
-
-    /// Looks whether what was learned decides an open `and` or `or`, or leaves one operand of it.
-    fn resolve(&mut self) {
+    pub fn learn(&mut self, conditions: &mut Conditions<'_>, id: Id, holds: bool) {
+        self.note(conditions, id, holds);
+        // What was learned may decide an open `and` or `or`, or leave one operand of it.
         let mut position = 0;
         while position < self.open.len() {
             let (before, holds) = self.open.remove(position);
-            let after = self.simplify(before.clone());
+            let after = self.simplify(conditions, before);
             if after == before {
                 self.open.insert(position, (before, holds));
                 position += 1;
             } else {
-                self.learn(&after, holds);
+                self.note(conditions, after, holds);
                 position = 0;
             }
         }
     }
 
-    fn comparison(&self, question: &Expr) -> Option<Comparison> {
-        use Binary::{Equal, Greater, GreaterEqual, Less, LessEqual, NotEqual};
-        let Expr::Binary(operator, left, right) = question else { return None };
-        let (var, operator, (number, full)) = match (&**left, &**right) {
-            (Expr::Var(Var::Constant(_)) | Expr::Literal(_), Expr::Var(var)) => {
-                let turned = match operator {
-                    Less => Greater,
-                    LessEqual => GreaterEqual,
-                    Greater => Less,
-                    GreaterEqual => LessEqual,
-                    other => *other,
-                };
-                (var, turned, self.number(left)?)
+    /// Learns the condition alone, not what follows from it together with what is open.
+    fn note(&mut self, conditions: &Conditions<'_>, id: Id, holds: bool) {
+        match conditions.get(id) {
+            Condition::Known(_) => {}
+            Condition::Not(operand) => self.note(conditions, operand, !holds),
+            Condition::Both(and, left, right) if and == holds => {
+                self.note(conditions, left, holds);
+                self.note(conditions, right, holds);
             }
-            (Expr::Var(var), right) => (var, *operator, self.number(right)?),
-            _ => return None,
-        };
-        let compares = matches!(operator, Less | LessEqual | Greater | GreaterEqual | Equal | NotEqual);
-        compares.then_some(Comparison { var: *var, operator, number, full })
+            Condition::Both(..) => self.open.push((id, holds)),
+            Condition::Question(index) => match &conditions.question(index).comparison {
+                Some(comparison) => self.narrow(comparison, holds),
+                None => *self.answer_of(index) = Some(holds),
+            },
+        }
     }
 
-    /// A known integer, with the smallest and the largest value of its type.
-    fn number(&self, expr: &Expr) -> Option<(i64, (i64, i64))> {
-        let value = match expr {
-            Expr::Literal(literal) => *literal,
-            Expr::Var(Var::Constant(index)) => self.constants[*index].value,
-            _ => return None,
+    fn answer_of(&mut self, question: usize) -> &mut Option<bool> {
+        if self.answers.len() <= question {
+            self.answers.resize(question + 1, None);
+        }
+        &mut self.answers[question]
+    }
+
+    /// The variable gets a value: what was known of the old one is forgotten.
+    pub fn assign(&mut self, conditions: &mut Conditions<'_>, target: Var, value: &Expr) {
+        let range = match value {
+            Expr::Var(var) if self.range(*var).is_some() => self.range(*var),
+            value => conditions.integer(value).map(|(number, _)| (number, number)),
         };
-        match value {
-            Literal::I32(value) => Some((value.into(), (i32::MIN.into(), i32::MAX.into()))),
-            Literal::U32(value) => Some((value.into(), (0, u32::MAX.into()))),
-            _ => None,
+        for (index, answer) in self.answers.iter_mut().enumerate() {
+            if answer.is_some() && conditions.question(index).expr.mentions(target) {
+                *answer = None;
+            }
+        }
+        self.open.retain(|(id, _)| !conditions.expr(*id).mentions(target));
+        self.excluded.retain(|(var, _)| *var != target);
+        self.ranges.retain(|(var, _)| *var != target);
+        self.ranges.extend(range.map(|range| (target, range)));
+        if let Expr::Literal(Literal::Bool(value)) = value {
+            let id = conditions.number(&Expr::Var(target));
+            self.note(conditions, id, *value);
+        }
+    }
+
+    /// What holds after two branches: what holds after each of them.
+    pub fn join(mut self, other: &Self) -> Self {
+        for (index, answer) in self.answers.iter_mut().enumerate() {
+            if *answer != other.answers.get(index).copied().flatten() {
+                *answer = None;
+            }
+        }
+        self.open.retain(|fact| other.open.contains(fact));
+        self.excluded.retain(|(var, number)| other.is_excluded(*var, *number));
+        let both = |(var, (a, b)): (Var, (i64, i64))| other.range(var).map(|(c, d)| (var, (a.min(c), b.max(d))));
+        self.ranges = self.ranges.into_iter().filter_map(both).collect();
+        self
+    }
+
+    fn range(&self, var: Var) -> Option<(i64, i64)> {
+        self.ranges.iter().find(|(known, _)| *known == var).map(|(_, range)| *range)
+    }
+
+    fn is_excluded(&self, var: Var, number: i64) -> bool {
+        let outside = self.range(var).is_some_and(|(low, high)| number < low || number > high);
+        outside || self.excluded.contains(&(var, number))
+    }
+
+    fn answer(&self, conditions: &Conditions<'_>, id: Id) -> Option<bool> {
+        match conditions.get(id) {
+            Condition::Known(value) => Some(value),
+            Condition::Question(index) => match &conditions.question(index).comparison {
+                Some(comparison) => self.compare(comparison),
+                None => self.answers.get(index).copied().flatten(),
+            },
+            _ => self.open.iter().find(|(open, _)| *open == id).map(|(_, holds)| *holds),
         }
     }
 
     fn compare(&self, comparison: &Comparison) -> Option<bool> {
-        let Comparison { var, operator, number, full } = comparison;
-        let (low, high) = self.ranges.get(var).unwrap_or(full);
+        let Comparison { var, operator, number, full } = *comparison;
+        let (low, high) = self.range(var).unwrap_or(full);
         let decided = |yes: bool, no: bool| (yes || no).then_some(yes);
-        let is_excluded = number < low || number > high || self.excluded.contains(&(*var, *number));
+        let is_excluded = number < low || number > high || self.excluded.contains(&(var, number));
         let is_only = low == number && high == number;
         match operator {
             Binary::Less => decided(high < number, low >= number),
@@ -195,7 +159,7 @@ impl<'p> Facts<'p> {
 
     fn narrow(&mut self, comparison: &Comparison, holds: bool) {
         let Comparison { var, operator, number, full } = *comparison;
-        let (low, high) = self.ranges.get(&var).copied().unwrap_or(full);
+        let (low, high) = self.range(var).unwrap_or(full);
         let range = match (operator, holds) {
             (Binary::Less, true) | (Binary::GreaterEqual, false) => (low, high.min(number - 1)),
             (Binary::LessEqual, true) | (Binary::Greater, false) => (low, high.min(number)),
@@ -203,46 +167,11 @@ impl<'p> Facts<'p> {
             (Binary::GreaterEqual, true) | (Binary::Less, false) => (low.max(number), high),
             (Binary::Equal, true) | (Binary::NotEqual, false) => (number, number),
             _ => {
-                self.excluded.insert((var, number));
+                self.excluded.push((var, number));
                 (if low == number { low + 1 } else { low }, if high == number { high - 1 } else { high })
             }
         };
-        self.ranges.insert(var, range);
-    }
-}
-
-/// An `and`, an `or` or a `not` without operands that are known.
-fn without_literals(expr: Expr) -> Expr {
-    use Binary::{And, Or};
-    let literal = |expr: &Expr| match expr {
-        Expr::Literal(Literal::Bool(value)) => Some(*value),
-        _ => None,
-    };
-    match expr {
-        Expr::Unary(Unary::Not, operand) => match literal(&operand) {
-            Some(value) => Expr::Literal(Literal::Bool(!value)),
-            None => Expr::Unary(Unary::Not, operand),
-        },
-        Expr::Binary(operator @ (And | Or), left, right) => {
-            let neutral = operator == And;
-            match (literal(&left), literal(&right)) {
-                (Some(value), _) => {
-                    if value == neutral {
-                        *right
-                    } else {
-                        *left
-                    }
-                }
-                (_, Some(value)) => {
-                    if value == neutral {
-                        *left
-                    } else {
-                        *right
-                    }
-                }
-                _ => Expr::Binary(operator, left, right),
-            }
-        }
-        other => other,
+        self.ranges.retain(|(known, _)| *known != var);
+        self.ranges.push((var, range));
     }
 }

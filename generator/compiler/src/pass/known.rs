@@ -6,9 +6,9 @@
 //! ```
 
 use super::Defect;
+use super::condition::{Condition, Conditions};
 use super::facts::Facts;
-use crate::program::{Expr, Program, Statement, Type, Var};
-use portable::Literal;
+use crate::program::{Program, Statement, Type, Var};
 
 /// Runs the pass.
 ///
@@ -16,34 +16,44 @@ use portable::Literal;
 /// None.
 pub fn run(mut program: Program) -> Result<Program, Defect> {
     let step = std::mem::take(&mut program.step);
-    program.step = in_list(step, &mut Facts::none(&program.constants), &program);
+    program.step = in_list(step, &mut Facts::default(), &mut Conditions::none(&program.constants), &program);
     Ok(program)
 }
 
-fn in_list(list: Vec<Statement>, facts: &mut Facts, program: &Program) -> Vec<Statement> {
-    let mut kept = Vec::new();
+fn in_list(
+    list: Vec<Statement>,
+    facts: &mut Facts,
+    conditions: &mut Conditions<'_>,
+    program: &Program,
+) -> Vec<Statement> {
+    let mut kept = Vec::with_capacity(list.len());
     for statement in list {
         match statement {
             Statement::Note(text) => kept.push(Statement::Note(text)),
-            Statement::Assign { target, value } => {
-                let value = if is_bool(target, program) { facts.simplify(value) } else { value };
-                facts.assign(target, &value);
+            Statement::Assign { target, mut value } => {
+                if is_bool(target, program) {
+                    let id = conditions.number(&value);
+                    let id = facts.simplify(conditions, id);
+                    value = conditions.expr(id);
+                }
+                facts.assign(conditions, target, &value);
                 kept.push(Statement::Assign { target, value });
             }
-            Statement::If { condition, then, otherwise } => match facts.simplify(condition) {
-                Expr::Literal(Literal::Bool(holds)) => {
-                    kept.extend(in_list(if holds { then } else { otherwise }, facts, program));
+            Statement::If { condition, then, otherwise } => {
+                let id = conditions.number(&condition);
+                let id = facts.simplify(conditions, id);
+                if let Condition::Known(holds) = conditions.get(id) {
+                    kept.extend(in_list(if holds { then } else { otherwise }, facts, conditions, program));
+                    continue;
                 }
-                condition => {
-                    let (mut yes, mut no) = (facts.clone(), facts.clone());
-                    yes.learn(&condition, true);
-                    no.learn(&condition, false);
-                    let then = in_list(then, &mut yes, program);
-                    let otherwise = in_list(otherwise, &mut no, program);
-                    *facts = yes.join(&no);
-                    kept.push(Statement::If { condition, then, otherwise });
-                }
-            },
+                let (mut yes, mut no) = (facts.clone(), facts.clone());
+                yes.learn(conditions, id, true);
+                no.learn(conditions, id, false);
+                let then = in_list(then, &mut yes, conditions, program);
+                let otherwise = in_list(otherwise, &mut no, conditions, program);
+                *facts = yes.join(&no);
+                kept.push(Statement::If { condition: conditions.expr(id), then, otherwise });
+            }
         }
     }
     kept

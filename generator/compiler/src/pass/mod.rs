@@ -1,6 +1,7 @@
 //! The passes over a [`Program`], one per file, and the order in which they run.
 
 pub mod coalesce;
+mod condition;
 pub mod dead;
 mod facts;
 pub mod identity;

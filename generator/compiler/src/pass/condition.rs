@@ -1,0 +1,147 @@
+//! Conditions as numbers: the same condition has the same number, so that what is known of them is cheap to copy and compare.
+
+use crate::program::{Constant, Expr, Var};
+use portable::{Binary, Literal, Unary};
+
+/// The number of a condition.
+pub(super) type Id = usize;
+
+/// A condition, its operands by their numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Condition {
+    Known(bool),
+    /// by its position among the questions
+    Question(usize),
+    Not(Id),
+    /// an `and` if the flag is set, else an `or`
+    Both(bool, Id, Id),
+}
+
+/// What is asked, without `and`, `or` and `not`.
+pub(super) struct Question {
+    pub expr: Expr,
+    pub comparison: Option<Comparison>,
+}
+
+/// The comparison of an integer variable with a known number.
+#[derive(Clone, Copy)]
+pub(super) struct Comparison {
+    pub var: Var,
+    pub operator: Binary,
+    pub number: i64,
+    /// smallest and largest value of the type
+    pub full: (i64, i64),
+}
+
+/// All conditions of a program.
+pub(super) struct Conditions<'p> {
+    constants: &'p [Constant],
+    all: Vec<Condition>,
+    questions: Vec<Question>,
+}
+
+impl<'p> Conditions<'p> {
+    pub fn none(constants: &'p [Constant]) -> Self {
+        Self { constants, all: Vec::new(), questions: Vec::new() }
+    }
+
+    pub fn get(&self, id: Id) -> Condition {
+        self.all[id]
+    }
+
+    pub fn question(&self, index: usize) -> &Question {
+        &self.questions[index]
+    }
+
+    /// The number of an expression of type BOOL.
+    pub fn number(&mut self, expr: &Expr) -> Id {
+        match expr {
+            Expr::Literal(Literal::Bool(value)) => self.add(Condition::Known(*value)),
+            Expr::Unary(Unary::Not, operand) => {
+                let operand = self.number(operand);
+                self.add(Condition::Not(operand))
+            }
+            Expr::Binary(operator @ (Binary::And | Binary::Or), left, right) => {
+                let (left, right) = (self.number(left), self.number(right));
+                self.add(Condition::Both(*operator == Binary::And, left, right))
+            }
+            question => {
+                let found = self.questions.iter().position(|known| known.expr == *question);
+                let index = found.unwrap_or_else(|| {
+                    let comparison = self.comparison(question);
+                    self.questions.push(Question { expr: question.clone(), comparison });
+                    self.questions.len() - 1
+                });
+                self.add(Condition::Question(index))
+            }
+        }
+    }
+
+    /// The number of a condition; one with a known operand has become simpler.
+    pub fn add(&mut self, condition: Condition) -> Id {
+        let known = |id: Id| match self.all[id] {
+            Condition::Known(value) => Some(value),
+            _ => None,
+        };
+        let simpler = match condition {
+            Condition::Not(operand) => known(operand).map_or(condition, |value| Condition::Known(!value)),
+            Condition::Both(and, left, right) => match (known(left), known(right)) {
+                (Some(value), _) => return if value == and { right } else { left },
+                (_, Some(value)) => return if value == and { left } else { right },
+                _ => condition,
+            },
+            Condition::Known(_) | Condition::Question(_) => condition,
+        };
+        self.all.iter().position(|known| *known == simpler).unwrap_or_else(|| {
+            self.all.push(simpler);
+            self.all.len() - 1
+        })
+    }
+
+    pub fn expr(&self, id: Id) -> Expr {
+        match self.all[id] {
+            Condition::Known(value) => Expr::Literal(Literal::Bool(value)),
+            Condition::Question(index) => self.questions[index].expr.clone(),
+            Condition::Not(operand) => Expr::Unary(Unary::Not, Box::new(self.expr(operand))),
+            Condition::Both(and, left, right) => {
+                let operator = if and { Binary::And } else { Binary::Or };
+                Expr::Binary(operator, Box::new(self.expr(left)), Box::new(self.expr(right)))
+            }
+        }
+    }
+
+    fn comparison(&self, question: &Expr) -> Option<Comparison> {
+        use Binary::{Equal, Greater, GreaterEqual, Less, LessEqual, NotEqual};
+        let Expr::Binary(operator, left, right) = question else { return None };
+        let (var, operator, (number, full)) = match (&**left, &**right) {
+            (Expr::Var(Var::Constant(_)) | Expr::Literal(_), Expr::Var(var)) => {
+                let turned = match operator {
+                    Less => Greater,
+                    LessEqual => GreaterEqual,
+                    Greater => Less,
+                    GreaterEqual => LessEqual,
+                    other => *other,
+                };
+                (var, turned, self.integer(left)?)
+            }
+            (Expr::Var(var), right) => (var, *operator, self.integer(right)?),
+            _ => return None,
+        };
+        let compares = matches!(operator, Less | LessEqual | Greater | GreaterEqual | Equal | NotEqual);
+        compares.then_some(Comparison { var: *var, operator, number, full })
+    }
+
+    /// A known integer, with the smallest and the largest value of its type.
+    pub fn integer(&self, expr: &Expr) -> Option<(i64, (i64, i64))> {
+        let value = match expr {
+            Expr::Literal(literal) => *literal,
+            Expr::Var(Var::Constant(index)) => self.constants[*index].value,
+            _ => return None,
+        };
+        match value {
+            Literal::I32(value) => Some((value.into(), (i32::MIN.into(), i32::MAX.into()))),
+            Literal::U32(value) => Some((value.into(), (0, u32::MAX.into()))),
+            _ => None,
+        }
+    }
+}
