@@ -98,6 +98,15 @@ impl<'p> Conditions<'p> {
         })
     }
 
+    pub fn mentions(&self, id: Id, var: Var) -> bool {
+        match self.all[id] {
+            Condition::Known(_) => false,
+            Condition::Question(index) => self.questions[index].expr.mentions(var),
+            Condition::Not(operand) => self.mentions(operand, var),
+            Condition::Both(_, left, right) => self.mentions(left, var) || self.mentions(right, var),
+        }
+    }
+
     pub fn expr(&self, id: Id) -> Expr {
         match self.all[id] {
             Condition::Known(value) => Expr::Literal(Literal::Bool(value)),

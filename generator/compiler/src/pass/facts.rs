@@ -5,14 +5,14 @@ use super::condition::{Comparison, Condition, Conditions, Id};
 use crate::program::{Expr, Var};
 use portable::{Binary, Literal};
 
-/// What holds at the present point.
+/// What holds at the present point. Each list only grows while a condition is looked at, so that a mark leads back.
 #[derive(Clone, Default)]
 pub(super) struct Facts {
-    /// by question; none of them compares an integer with a known number
-    answers: Vec<Option<bool>>,
+    /// to a question that compares no integer with a known number
+    answers: Vec<(usize, bool)>,
     /// an `or` that holds or an `and` that does not hold: which operand decides is not known yet
     open: Vec<(Id, bool)>,
-    /// smallest and largest value of an integer
+    /// smallest and largest value of an integer; the last entry of a variable holds
     ranges: Vec<(Var, (i64, i64))>,
     /// a value that an integer does not have
     excluded: Vec<(Var, i64)>,
@@ -20,7 +20,7 @@ pub(super) struct Facts {
 
 impl Facts {
     /// The condition with everything replaced whose answer is known.
-    pub fn simplify(&self, conditions: &mut Conditions<'_>, id: Id) -> Id {
+    pub fn simplify(&mut self, conditions: &mut Conditions<'_>, id: Id) -> Id {
         let simpler = match conditions.get(id) {
             Condition::Not(operand) => {
                 let operand = self.simplify(conditions, operand);
@@ -28,8 +28,8 @@ impl Facts {
             }
             Condition::Both(and, left, right) => {
                 // Each operand matters only where the other one has not decided.
-                let right = self.beside(conditions, and, left).simplify(conditions, right);
-                let left = self.beside(conditions, and, right).simplify(conditions, left);
+                let right = self.simplify_beside(conditions, and, left, right);
+                let left = self.simplify_beside(conditions, and, right, left);
                 conditions.add(Condition::Both(and, left, right))
             }
             Condition::Known(_) | Condition::Question(_) => id,
@@ -37,11 +37,16 @@ impl Facts {
         self.answer(conditions, simpler).map_or(simpler, |holds| conditions.add(Condition::Known(holds)))
     }
 
-    /// What holds where an operand of an `and` or an `or` leaves the answer to the other one.
-    fn beside(&self, conditions: &Conditions<'_>, and: bool, operand: Id) -> Self {
-        let mut facts = self.clone();
-        facts.note(conditions, operand, and);
-        facts
+    /// The operand of an `and` or an `or` where the other one leaves the answer to it.
+    fn simplify_beside(&mut self, conditions: &mut Conditions<'_>, and: bool, other: Id, operand: Id) -> Id {
+        let mark = [self.answers.len(), self.open.len(), self.ranges.len(), self.excluded.len()];
+        self.note(conditions, other, and);
+        let simpler = self.simplify(conditions, operand);
+        self.answers.truncate(mark[0]);
+        self.open.truncate(mark[1]);
+        self.ranges.truncate(mark[2]);
+        self.excluded.truncate(mark[3]);
+        simpler
     }
 
     /// From here on the condition holds, or does not hold.
@@ -74,16 +79,9 @@ impl Facts {
             Condition::Both(..) => self.open.push((id, holds)),
             Condition::Question(index) => match &conditions.question(index).comparison {
                 Some(comparison) => self.narrow(comparison, holds),
-                None => *self.answer_of(index) = Some(holds),
+                None => self.answers.push((index, holds)),
             },
         }
-    }
-
-    fn answer_of(&mut self, question: usize) -> &mut Option<bool> {
-        if self.answers.len() <= question {
-            self.answers.resize(question + 1, None);
-        }
-        &mut self.answers[question]
     }
 
     /// The variable gets a value: what was known of the old one is forgotten.
@@ -92,12 +90,8 @@ impl Facts {
             Expr::Var(var) if self.range(*var).is_some() => self.range(*var),
             value => conditions.integer(value).map(|(number, _)| (number, number)),
         };
-        for (index, answer) in self.answers.iter_mut().enumerate() {
-            if answer.is_some() && conditions.question(index).expr.mentions(target) {
-                *answer = None;
-            }
-        }
-        self.open.retain(|(id, _)| !conditions.expr(*id).mentions(target));
+        self.answers.retain(|(index, _)| !conditions.question(*index).expr.mentions(target));
+        self.open.retain(|(id, _)| !conditions.mentions(*id, target));
         self.excluded.retain(|(var, _)| *var != target);
         self.ranges.retain(|(var, _)| *var != target);
         self.ranges.extend(range.map(|range| (target, range)));
@@ -109,20 +103,20 @@ impl Facts {
 
     /// What holds after two branches: what holds after each of them.
     pub fn join(mut self, other: &Self) -> Self {
-        for (index, answer) in self.answers.iter_mut().enumerate() {
-            if *answer != other.answers.get(index).copied().flatten() {
-                *answer = None;
-            }
-        }
+        self.answers.retain(|fact| other.answers.contains(fact));
         self.open.retain(|fact| other.open.contains(fact));
         self.excluded.retain(|(var, number)| other.is_excluded(*var, *number));
-        let both = |(var, (a, b)): (Var, (i64, i64))| other.range(var).map(|(c, d)| (var, (a.min(c), b.max(d))));
-        self.ranges = self.ranges.into_iter().filter_map(both).collect();
-        self
+        let mut ranges: Vec<(Var, (i64, i64))> = Vec::new();
+        for (var, (a, b)) in self.ranges.into_iter().rev() {
+            if ranges.iter().all(|(known, _)| *known != var) {
+                ranges.extend(other.range(var).map(|(c, d)| (var, (a.min(c), b.max(d)))));
+            }
+        }
+        Self { ranges, ..self }
     }
 
     fn range(&self, var: Var) -> Option<(i64, i64)> {
-        self.ranges.iter().find(|(known, _)| *known == var).map(|(_, range)| *range)
+        self.ranges.iter().rfind(|(known, _)| *known == var).map(|(_, range)| *range)
     }
 
     fn is_excluded(&self, var: Var, number: i64) -> bool {
@@ -131,14 +125,15 @@ impl Facts {
     }
 
     fn answer(&self, conditions: &Conditions<'_>, id: Id) -> Option<bool> {
-        match conditions.get(id) {
-            Condition::Known(value) => Some(value),
+        let found = match conditions.get(id) {
+            Condition::Known(value) => return Some(value),
             Condition::Question(index) => match &conditions.question(index).comparison {
-                Some(comparison) => self.compare(comparison),
-                None => self.answers.get(index).copied().flatten(),
+                Some(comparison) => return self.compare(comparison),
+                None => self.answers.iter().find(|(known, _)| *known == index),
             },
-            _ => self.open.iter().find(|(open, _)| *open == id).map(|(_, holds)| *holds),
-        }
+            _ => self.open.iter().find(|(open, _)| *open == id),
+        };
+        found.map(|(_, holds)| *holds)
     }
 
     fn compare(&self, comparison: &Comparison) -> Option<bool> {
@@ -171,7 +166,6 @@ impl Facts {
                 (if low == number { low + 1 } else { low }, if high == number { high - 1 } else { high })
             }
         };
-        self.ranges.retain(|(known, _)| *known != var);
         self.ranges.push((var, range));
     }
 }

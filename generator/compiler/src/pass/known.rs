@@ -6,9 +6,9 @@
 //! ```
 
 use super::Defect;
-use super::condition::{Condition, Conditions};
+use super::condition::{Condition, Conditions, Id};
 use super::facts::Facts;
-use crate::program::{Program, Statement, Type, Var};
+use crate::program::{Expr, Program, Statement, Type, Var};
 
 /// Runs the pass.
 ///
@@ -32,16 +32,13 @@ fn in_list(
             Statement::Note(text) => kept.push(Statement::Note(text)),
             Statement::Assign { target, mut value } => {
                 if is_bool(target, program) {
-                    let id = conditions.number(&value);
-                    let id = facts.simplify(conditions, id);
-                    value = conditions.expr(id);
+                    simplify(&mut value, facts, conditions);
                 }
                 facts.assign(conditions, target, &value);
                 kept.push(Statement::Assign { target, value });
             }
-            Statement::If { condition, then, otherwise } => {
-                let id = conditions.number(&condition);
-                let id = facts.simplify(conditions, id);
+            Statement::If { mut condition, then, otherwise } => {
+                let id = simplify(&mut condition, facts, conditions);
                 if let Condition::Known(holds) = conditions.get(id) {
                     kept.extend(in_list(if holds { then } else { otherwise }, facts, conditions, program));
                     continue;
@@ -52,11 +49,21 @@ fn in_list(
                 let then = in_list(then, &mut yes, conditions, program);
                 let otherwise = in_list(otherwise, &mut no, conditions, program);
                 *facts = yes.join(&no);
-                kept.push(Statement::If { condition: conditions.expr(id), then, otherwise });
+                kept.push(Statement::If { condition, then, otherwise });
             }
         }
     }
     kept
+}
+
+/// Leaves out of a condition what is known; gives its number.
+fn simplify(condition: &mut Expr, facts: &mut Facts, conditions: &mut Conditions<'_>) -> Id {
+    let before = conditions.number(condition);
+    let after = facts.simplify(conditions, before);
+    if after != before {
+        *condition = conditions.expr(after);
+    }
+    after
 }
 
 fn is_bool(target: Var, program: &Program) -> bool {
