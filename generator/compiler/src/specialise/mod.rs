@@ -28,6 +28,7 @@ pub fn block<R: Real, B: Block<R>>(coeffs: &B::Coeffs, notes: &BTreeMap<String, 
     let state = specialiser.enter_variables(<B::State as Portable>::TY, &leaves(&B::state()), Space::State);
     let inputs = specialiser.enter_variables(<B::Inputs as Portable>::TY, &leaves(&B::inputs(coeffs)), Space::Input);
     let outputs = specialiser.enter_variables(<B::Outputs as Portable>::TY, &leaves(&B::outputs()), Space::Output);
+    specialiser.entered = specialiser.cells.len();
     let init = specialiser.function(&B::INIT, vec![state.clone()]);
     let step = specialiser.function(&B::STEP, vec![state, coefficients, inputs, outputs]);
     let switch = B::ENABLE.map(|enable| specialiser.switch(enable));
@@ -56,6 +57,8 @@ struct Specialiser<'n> {
     function_of: Vec<(&'static Fn, usize)>,
     locals: Vec<Local>,
     cells: Vec<Cell>,
+    /// how many cells no branch can change: coefficients, state, inputs and outputs
+    entered: usize,
     coefficients: Vec<Literal>,
     coefficient_type: Option<Ty>,
     frames: Vec<Frame>,
@@ -83,6 +86,7 @@ impl<'n> Specialiser<'n> {
             function_of: Vec::new(),
             locals: Vec::new(),
             cells: Vec::new(),
+            entered: 0,
             coefficients: Vec::new(),
             coefficient_type: None,
             frames: Vec::new(),

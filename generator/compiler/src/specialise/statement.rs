@@ -174,31 +174,29 @@ impl Specialiser<'_> {
             Some(Literal::Bool(false)) => return otherwise(self),
             _ => {}
         }
-        let before = self.cells.clone();
+        let before = self.cells.split_off(self.entered);
         let outer = std::mem::take(&mut self.statements);
         let run = |this: &mut Self, branch: &mut dyn FnMut(&mut Self) -> Option<Expr>| {
-            this.cells.clone_from(&before);
+            this.cells.extend_from_slice(&before);
             let value = branch(this);
-            let mut cells = std::mem::take(&mut this.cells);
+            let mut cells = this.cells.split_off(this.entered);
             cells.truncate(before.len());
             (std::mem::take(&mut this.statements), cells, value)
         };
         let (mut then, mut otherwise) = (Some(then), Some(otherwise));
         let mut yes = run(self, &mut |this| then.take().and_then(|then| then(this)));
         let mut no = run(self, &mut |this| otherwise.take().and_then(|otherwise| otherwise(this)));
-        self.cells = before;
+        self.cells.extend_from_slice(&before);
         let value = match (name, yes.2.take(), no.2.take()) {
             (Some(name), Some(a), Some(b)) => Some(self.merge(name, a, b, &mut yes.0, &mut no.0)),
             _ => None,
         };
-        for cell in 0..self.cells.len() {
-            if yes.1[cell] != no.1[cell] {
+        for (cell, (a, b)) in (self.entered..).zip(yes.1.into_iter().zip(no.1)) {
+            self.cells[cell] = a;
+            if a != b {
                 let name = self.name_of(cell);
-                let (a, b) = (value_of(yes.1[cell]), value_of(no.1[cell]));
-                let merged = self.merge(&name, a, b, &mut yes.0, &mut no.0);
+                let merged = self.merge(&name, value_of(a), value_of(b), &mut yes.0, &mut no.0);
                 self.cells[cell] = self.settled(&name, merged);
-            } else {
-                self.cells[cell] = yes.1[cell];
             }
         }
         self.statements = outer;
