@@ -7,6 +7,7 @@ use compiler::{leaf, leaves};
 use portable::Block as Reference;
 use portable::{Literal, Portable, Real};
 use reference::signal::sample_limit;
+use std::sync::{Arc, LazyLock};
 
 /// What went in and what came out, sample by sample, in the order of the program's inputs and outputs.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,6 +17,9 @@ pub struct Vector {
     /// the outputs of each sample
     pub outputs: Vec<Vec<Literal>>,
 }
+
+/// A run that is recorded where it is first looked at: few targets print it.
+pub type Recording = Arc<LazyLock<Vector, Box<dyn FnOnce() -> Vector + Send>>>;
 
 /// Samples of a run.
 pub const SAMPLES: usize = 192;
@@ -36,13 +40,16 @@ const UNUSABLE_DISTANCE: usize = 3;
 /// for one.
 ///
 /// `ranges` are the noise's: first one at which no limit acts, then the full one.
-#[must_use]
-pub fn record<R: Real, B: Reference<R>>(coeffs: &B::Coeffs, program: &Program, ranges: [f64; 2]) -> Vector {
+pub(crate) fn recording<R: Real, B: Reference<R>>(coeffs: B::Coeffs, program: &Program, ranges: [f64; 2]) -> Recording {
+    let types: Vec<Type> = program.inputs.iter().map(|input| input.ty).collect();
+    Arc::new(LazyLock::new(Box::new(move || record::<R, B>(&coeffs, &types, ranges))))
+}
+
+fn record<R: Real, B: Reference<R>>(coeffs: &B::Coeffs, types: &[Type], ranges: [f64; 2]) -> Vector {
     let mut usual = B::inputs(coeffs);
     B::exercise(&mut usual);
     let usual = leaves(&usual);
-    let (reals, switches): (Vec<usize>, Vec<usize>) =
-        (0..program.inputs.len()).partition(|index| program.inputs[*index].ty == Type::Real);
+    let (reals, switches): (Vec<usize>, Vec<usize>) = (0..types.len()).partition(|index| types[*index] == Type::Real);
     debug_assert!(FIRST_SWITCH + switches.len() * SWITCH_DISTANCE <= FIRST_UNUSABLE);
     debug_assert!(FIRST_UNUSABLE + reals.len() * UNUSABLE_DISTANCE <= SAMPLES);
     let beyond = leaf(sample_limit::<R>() + sample_limit::<R>());
@@ -51,7 +58,7 @@ pub fn record<R: Real, B: Reference<R>>(coeffs: &B::Coeffs, program: &Program, r
     for sample in 0..SAMPLES {
         let turned = in_turn(&switches, sample, FIRST_SWITCH, SWITCH_DISTANCE, SWITCH_LENGTH);
         let unusable = in_turn(&reals, sample, FIRST_UNUSABLE, UNUSABLE_DISTANCE, 1);
-        let value = |(index, value): (usize, &Literal)| match program.inputs[index].ty {
+        let value = |(index, value): (usize, &Literal)| match types[index] {
             Type::Real => {
                 let noise = noise.next(sample >= LOUD_FROM);
                 if unusable == Some(index) { beyond } else { noise }
@@ -64,9 +71,7 @@ pub fn record<R: Real, B: Reference<R>>(coeffs: &B::Coeffs, program: &Program, r
         let input = B::Inputs::build(&mut || values.next().expect("vector: as many values as inputs"));
         B::step(&mut state, coeffs, &input, &mut outputs);
         vector.inputs.push(inputs);
-        let mut found = Vec::with_capacity(program.outputs.len());
-        outputs.visit(&mut |leaf| found.push(leaf));
-        vector.outputs.push(found);
+        vector.outputs.push(leaves(&outputs));
     }
     vector
 }

@@ -4,7 +4,7 @@ use super::part::Part;
 use crate::blocks::designed::Designed;
 use crate::design::rounding::rounded;
 use crate::self_test::{self, SelfTest};
-use crate::vector::{self, Vector};
+use crate::vector::{self, Recording};
 use compiler::pass::{self, Defect};
 use compiler::program::Program;
 use compiler::specialise;
@@ -21,7 +21,7 @@ pub struct Block {
     /// what a self-test does and expects
     pub self_test: SelfTest,
     /// a recorded run
-    pub vector: Vector,
+    pub vector: Recording,
     /// what is certain of its range, and its measured response, in words
     pub certificate: Vec<String>,
 }
@@ -48,7 +48,7 @@ pub(crate) fn block<R: Real, P: Part + Reference<R>>(designed: &Designed) -> Res
     let paths: Vec<String> = specialised.state.iter().map(|variable| variable.path.clone()).collect();
     let program = pass::run(specialised, None)?;
     let self_test = self_test::record::<R, P>(&coeffs, &program, &paths, ranges);
-    let vector = vector::record::<R, P>(&coeffs, &program, ranges);
     let certificate = P::certificate(designed, &program);
+    let vector = vector::recording::<R, P>(coeffs, &program, ranges);
     Ok(Block { program, notes, self_test, vector, certificate })
 }

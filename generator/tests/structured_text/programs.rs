@@ -65,7 +65,6 @@ fn not_enabled_a_block_does_what_it_does_in_off() {
         let mode = block.program.inputs.iter().position(|input| input.path == "mode").unwrap();
         // Enabled for a while, then not: it fades out, and is busy until it has.
         let fade = 300;
-        let mut off = block.clone();
         let usual = block.vector.inputs[0].clone();
         let reals: Vec<usize> =
             (0..usual.len()).filter(|index| block.program.inputs[*index].ty == Type::Real).collect();
@@ -76,12 +75,12 @@ fn not_enabled_a_block_does_what_it_does_in_off() {
             }
             sample
         };
-        off.vector.inputs = (0..4 * fade).map(sample).collect();
+        let inputs: Vec<Vec<Literal>> = (0..4 * fade).map(sample).collect();
         let is_on = |index: usize| index < fade;
         let mut plain = Machine::start(&block.program);
         let mut wrapped = Machine::start(&program);
         let (mut expected, mut found, mut was_busy, mut is_busy) = (Vec::new(), Vec::new(), 0, true);
-        for (index, inputs) in off.vector.inputs.iter().enumerate() {
+        for (index, inputs) in inputs.iter().enumerate() {
             let mut in_mode = inputs.clone();
             in_mode[mode] = Literal::I32(i32::from(is_on(index)));
             let mut enabled = vec![Literal::Bool(is_on(index))];
