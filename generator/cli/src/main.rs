@@ -35,6 +35,9 @@ use generator::config::ListOptions;
 use messages::Format;
 use std::process::ExitCode;
 
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 fn main() -> ExitCode {
     sigpipe::reset();
     let Cli { command, message_format } = match command_line::read() {

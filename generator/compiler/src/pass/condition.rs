@@ -21,6 +21,7 @@ pub(super) enum Condition {
 pub(super) struct Question {
     pub expr: Expr,
     pub comparison: Option<Comparison>,
+    id: Id,
 }
 
 /// The comparison of an integer variable with a known number.
@@ -38,11 +39,13 @@ pub(super) struct Conditions<'p> {
     constants: &'p [Constant],
     all: Vec<Condition>,
     questions: Vec<Question>,
+    /// what the questions read
+    asked: Vec<Var>,
 }
 
 impl<'p> Conditions<'p> {
     pub fn none(constants: &'p [Constant]) -> Self {
-        Self { constants, all: Vec::new(), questions: Vec::new() }
+        Self { constants, all: Vec::new(), questions: Vec::new(), asked: Vec::new() }
     }
 
     pub fn get(&self, id: Id) -> Condition {
@@ -51,6 +54,11 @@ impl<'p> Conditions<'p> {
 
     pub fn question(&self, index: usize) -> &Question {
         &self.questions[index]
+    }
+
+    /// Whether a question reads the variable.
+    pub fn asks(&self, var: Var) -> bool {
+        self.asked.contains(&var)
     }
 
     /// The number of an expression of type BOOL.
@@ -65,16 +73,23 @@ impl<'p> Conditions<'p> {
                 let (left, right) = (self.number(left), self.number(right));
                 self.add(Condition::Both(*operator == Binary::And, left, right))
             }
-            question => {
-                let found = self.questions.iter().position(|known| known.expr == *question);
-                let index = found.unwrap_or_else(|| {
-                    let comparison = self.comparison(question);
-                    self.questions.push(Question { expr: question.clone(), comparison });
-                    self.questions.len() - 1
-                });
-                self.add(Condition::Question(index))
-            }
+            question => match self.questions.iter().find(|known| known.expr == *question) {
+                Some(known) => known.id,
+                None => self.ask(question),
+            },
         }
+    }
+
+    fn ask(&mut self, question: &Expr) -> Id {
+        let (id, comparison) = (self.all.len(), self.comparison(question));
+        self.all.push(Condition::Question(self.questions.len()));
+        self.questions.push(Question { expr: question.clone(), comparison, id });
+        question.variables(&mut |var| {
+            if !self.asked.contains(&var) {
+                self.asked.push(var);
+            }
+        });
+        id
     }
 
     /// The number of a condition; one with a known operand has become simpler.

@@ -90,8 +90,10 @@ impl Facts {
             Expr::Var(var) if self.range(*var).is_some() => self.range(*var),
             value => conditions.integer(value).map(|(number, _)| (number, number)),
         };
-        self.answers.retain(|(index, _)| !conditions.question(*index).expr.mentions(target));
-        self.open.retain(|(id, _)| !conditions.mentions(*id, target));
+        if conditions.asks(target) {
+            self.answers.retain(|(index, _)| !conditions.question(*index).expr.mentions(target));
+            self.open.retain(|(id, _)| !conditions.mentions(*id, target));
+        }
         self.excluded.retain(|(var, _)| *var != target);
         self.ranges.retain(|(var, _)| *var != target);
         self.ranges.extend(range.map(|range| (target, range)));
