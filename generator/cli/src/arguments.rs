@@ -8,11 +8,11 @@ use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
 use std::path::PathBuf;
 
-/// Vibration damping for PLCs and drives: from axis parameters to blocks that are proven bit by bit.
+/// Vibration damping for PLCs and drives: generates function blocks from axis parameters and verifies them bit by bit.
 #[derive(Parser)]
 #[command(name = "axgen", version, max_term_width = 100)]
 pub struct Cli {
-    /// What messages look like
+    /// Format of the messages
     #[arg(long, global = true, value_name = "FORMAT", default_value = "human")]
     pub message_format: Format,
     /// what is to be done
@@ -33,16 +33,16 @@ pub enum Command {
         /// Only this axis, may be given several times
         #[arg(long = "axis", value_name = "X")]
         axes: Vec<String>,
-        /// Folder for the files, made if need be
+        /// Folder for the files; created if it does not exist
         #[arg(long, value_name = "DIR", default_value = "generated")]
         out: PathBuf,
         /// Overwrite files that were changed by hand
         #[arg(long)]
         force: bool,
-        /// Write nothing; name the files on disk that differ from what would be written, and end with 1 if any does
+        /// Write nothing; name the files on disk that differ from the generated ones; exit code 1 if there are any
         #[arg(long, conflicts_with_all = ["diff", "emit", "force"])]
         check: bool,
-        /// The same, with the lines that differ
+        /// As --check, and show the lines that differ
         #[arg(long, conflicts_with_all = ["emit", "force"])]
         diff: bool,
         #[arg(long, value_name = "STAGE", conflicts_with = "force", help = emit::help())]
@@ -57,19 +57,19 @@ pub enum Command {
     Run {
         #[command(flatten)]
         set: SetArguments,
-        /// The axis; may be left out where the set has one
+        /// The axis; optional if the set has only one
         #[arg(long, value_name = "X")]
         axis: Option<String>,
-        /// The block
+        /// The block: ipc, feedforward, position_control or axis
         #[arg(long, value_name = "B", default_value = "ipc")]
         block: String,
-        /// reference, program, c, st, twincat, codesys or scl
+        /// The engine: reference, program, c, st, twincat, codesys or scl
         #[arg(long, value_name = "E", default_value = "reference")]
         engine: String,
         /// CSV file with the inputs, `-`: standard input
         #[arg(long, value_name = "FILE", required_unless_present = "compare")]
         stimulus: Option<PathBuf>,
-        /// CSV file with recorded outputs (and inputs, unless --stimulus has them): counts the bits that differ
+        /// CSV file with recorded outputs, and inputs unless --stimulus gives them; counts the bits that differ
         #[arg(long, value_name = "FILE")]
         compare: Option<PathBuf>,
         /// CSV file for the outputs, `-`: standard output [default: -, with --compare none]
@@ -89,24 +89,24 @@ pub enum Command {
         #[command(flatten)]
         results: Files,
     },
-    /// Says what a change between two sets means: in Hz, dB, degrees, seconds
+    /// Shows what a change between two sets means, in Hz, dB, degrees and seconds
     Diff {
         /// The set (or list) before
         old: PathBuf,
         /// The set (or list) after
         new: PathBuf,
-        /// Position-controller cycle of axis lists
+        /// Cycle time of the position controller, for axis lists: 1ms, 62.5us
         #[arg(long, value_name = "TIME")]
         cycle_time: Option<String>,
         /// Name of an axis list's axis [default: from the file's name]
         #[arg(long, value_name = "NAME")]
         name: Option<String>,
     },
-    /// Turns an axis list into a TOML set; nothing of the list is lost
+    /// Converts an axis list into a TOML set, without loss
     Import {
         /// The axis list
         list: PathBuf,
-        /// Position-controller cycle, which no list holds: 1ms, 62.5us
+        /// Cycle time of the position controller, which no list contains: 1ms, 62.5us
         #[arg(long, value_name = "TIME")]
         cycle_time: Option<String>,
         /// Name of the axis [default: from the file's name]
@@ -115,53 +115,53 @@ pub enum Command {
         #[command(flatten)]
         to: OneFile,
     },
-    /// Turns an axis of a set into an axis list
+    /// Converts an axis of a set into an axis list
     Export {
         /// The set
         set: PathBuf,
-        /// The axis; may be left out where the set has one
+        /// The axis; optional if the set has only one
         #[arg(long, value_name = "X")]
         axis: Option<String>,
         #[command(flatten)]
         to: OneFile,
     },
-    /// What a parameter is: its meaning, range, unit, default
+    /// Explains a parameter: its meaning, range, unit and default
     Params {
-        /// Its id (P-AXIS-00751, or 00751), its path, or the end of its path; none: all parameters
+        /// Id (P-AXIS-00751, or 00751), path, or end of the path [default: all parameters]
         #[arg(value_name = "ID or PATH")]
         parameter: Option<String>,
-        /// The reference page of all parameters
+        /// Print the reference page of all parameters as Markdown
         #[arg(long, conflicts_with = "parameter")]
         markdown: bool,
     },
-    /// What the code of a message means, and what to do
+    /// Explains the code of a message, and what to do
     Explain {
-        /// The code (AX304); none: all codes
+        /// The code (AX304) [default: all codes]
         code: Option<String>,
     },
     /// Writes a commented set to start from
     Init {
-        /// The file, which must not be there yet
+        /// The file; it must not exist yet
         #[arg(default_value = "axes.toml")]
         file: PathBuf,
     },
     /// Prints the JSON schema of a set, for editors
     Schema,
-    /// Prints the completions of a shell
+    /// Prints the command-line completions for a shell
     Completions {
         /// The shell
         shell: Shell,
     },
-    /// Writes the manual's pages
+    /// Writes the manual pages
     Man {
         /// The folder for them
         #[arg(default_value = "man")]
         folder: PathBuf,
-        /// Overwrite files that axgen did not make, or that were changed by hand
+        /// Overwrite files that axgen did not write, or that were changed by hand
         #[arg(long)]
         force: bool,
     },
-    /// Vectors to keep in a repository
+    /// Records and verifies golden cases: test vectors to keep in a repository
     Golden {
         #[command(subcommand)]
         command: Golden,
@@ -171,13 +171,13 @@ pub enum Command {
 /// What can be done with golden cases.
 #[derive(Subcommand)]
 pub enum Golden {
-    /// Writes the vectors of these cases as the reference gives them now
+    /// Writes the current outputs of the reference as the vectors of these cases
     Record {
         /// Folders with a case.toml
         #[arg(required = true)]
         cases: Vec<PathBuf>,
     },
-    /// Compares the vectors of these cases with what the reference gives now
+    /// Compares the vectors of these cases with the current outputs of the reference
     Verify {
         /// Folders with a case.toml
         #[arg(required = true)]
@@ -192,7 +192,7 @@ pub enum Golden {
 pub struct SetArguments {
     /// A TOML axis set (.toml), or one axis list (any other file)
     pub set: PathBuf,
-    /// Position-controller cycle of an axis list: 1ms, 62.5us
+    /// Cycle time of the position controller, for an axis list: 1ms, 62.5us
     #[arg(long, value_name = "TIME")]
     pub cycle_time: Option<String>,
     /// Name of an axis list's axis [default: from the file's name]
@@ -206,7 +206,7 @@ pub struct OneFile {
     /// The file to write, `-`: standard output
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
-    /// Replace a file that is there
+    /// Replace the file if it exists
     #[arg(long)]
     pub force: bool,
 }

@@ -89,7 +89,8 @@ fn a_check_is_silent_right_after_generate_and_names_every_change() {
 fn every_stage_can_be_printed() {
     let folder = started();
     let (_, help, _) = axgen(folder.path(), &["generate", "--help"]);
-    let stages = ["parameters", "program"].into_iter().chain(compiler::pass::PASSES.map(|(name, _)| name));
+    let passes = compiler::pass::PASSES.map(|(name, _)| name);
+    let stages = ["parameters", "program"].into_iter().chain(passes).chain(["st", "twincat", "codesys", "scl"]);
     for stage in stages {
         assert!(help.contains(stage), "{stage} is in the help: {help}");
         let (code, out, err) = axgen(folder.path(), &["generate", "axes.toml", "--emit", stage]);

@@ -38,7 +38,8 @@ const ENDS: &[(&str, i32, &str)] = &[
         "generate axes.toml --emit q",
         2,
         "--emit: error[AX012]: no stage `q`\n    \
-         allowed: parameters, program, typed, identity, live, coalesced, sunk, pruned, verified\n",
+         allowed: parameters, program, typed, identity, known, threaded, live, coalesced, sunk, turned, pruned, verified, \
+         st, twincat, codesys, scl\n",
     ),
     (
         "generate axes.toml --target c",
