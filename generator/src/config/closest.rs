@@ -42,7 +42,7 @@ pub(crate) fn first_below(written: &str) -> Option<String> {
 }
 
 /// The structures that are ours: which part of a path names each, and how many letters may differ.
-const OURS: [(usize, Letters<'_>, usize); 3] = [
+static OURS: [(usize, Letters<'_>, usize); 3] = [
     (0, Letters::of("vorsteuer"), 2),
     (1, Letters::of("improved_position_control"), 3),
     (1, Letters::of("sai_op_mode_change"), 3),
@@ -53,7 +53,7 @@ pub(crate) fn is_ours(path: &str) -> bool {
     let Some(dot) = memchr::memchr(b'.', path.as_bytes()) else { return false };
     let (first, rest) = (&path[..dot], &path[dot + 1..]);
     let parts = [first, memchr::memchr(b'.', rest.as_bytes()).map_or(rest, |dot| &rest[..dot])];
-    OURS.into_iter().any(|(part, name, most)| {
+    OURS.iter().any(|&(part, name, most)| {
         let written = parts[part];
         // Most paths of a real list are told by their lengths, or by their first letters.
         let strange = written.bytes().filter(|byte| name.set & bit(*byte) == 0);

@@ -81,7 +81,7 @@ impl<'a> Iterator for Lines<'a> {
         let text = line.strip_suffix(b"\n").unwrap_or(line);
         let text = text.strip_suffix(b"\r").unwrap_or(text);
         let (text, end) = line.split_at(text.len());
-        Some(Line { at, content: content(text, self.text.map(|whole| &whole[at..at + text.len()])), end })
+        Some(Line { at, content: content(text, self.text.map(|whole| &whole[at..])), end })
     }
 }
 
@@ -122,7 +122,7 @@ fn is_legal(byte: u8) -> bool {
     matches!(byte, b' '..=b'~' | b'\t')
 }
 
-/// The parts of a line without its end; `plain` is the line if all of its bytes, but for returns, are legal.
+/// The parts of a line without its end; `plain` is the file from there on if all of its bytes, but for ends of lines, are legal.
 fn content<'a>(line: &'a [u8], plain: Option<&'a str>) -> Content<'a> {
     let is_blank = |byte: &u8| matches!(byte, b' ' | b'\t');
     let mut end = 0;

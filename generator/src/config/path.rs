@@ -118,33 +118,33 @@ pub(crate) fn find(path: &str) -> Path {
     let (mut index, mut indices) = ([0; 2], 0);
     // The length with `[]` for an index.
     let mut length = bytes.len();
-    let mut at = 0;
-    let mut before = b'.';
-    loop {
-        let name = bytes[at..].iter().position(|byte| !is_of_name(*byte)).unwrap_or(bytes.len() - at);
-        at += name;
-        before = if name > 0 { b'_' } else { before };
-        match bytes.get(at) {
-            None => break,
-            Some(b'.') if before != b'.' => before = b'.',
-            Some(b'[') if before != b'.' => {
-                let digits = bytes[at + 1..].iter().take_while(|byte| byte.is_ascii_digit()).count();
-                if bytes.get(at + 1 + digits) != Some(&b']') {
+    let (mut at, mut before) = (0, b'.');
+    while let Some(&byte) = bytes.get(at) {
+        at += 1;
+        match byte {
+            _ if OF_NAME[usize::from(byte)] => before = b'_',
+            b'.' if before != b'.' => before = b'.',
+            b'[' if before != b'.' => {
+                let start = at;
+                // Empty brackets mean 0; an index beyond u32 exists in no structure.
+                let mut number = 0_u32;
+                while let Some(digit @ b'0'..=b'9') = bytes.get(at) {
+                    number = number.saturating_mul(10).saturating_add(u32::from(digit - b'0'));
+                    at += 1;
+                }
+                if bytes.get(at) != Some(&b']') {
                     return Path::Malformed;
                 }
-                // Empty brackets mean 0; an index beyond u32 exists in no structure.
-                let number = if digits == 0 { 0 } else { path[at + 1..][..digits].parse().unwrap_or(u32::MAX) };
                 if let Some(place) = index.get_mut(indices) {
                     *place = number;
                 }
                 indices += 1;
-                length -= digits;
-                at += digits + 1;
+                length -= at - start;
+                at += 1;
                 before = b']';
             }
             _ => return Path::Malformed,
         }
-        at += 1;
     }
     if before == b'.' || bytes[0].is_ascii_digit() {
         return Path::Malformed;
@@ -163,19 +163,16 @@ pub(crate) fn find(path: &str) -> Path {
     }
 }
 
-/// Whether a byte is one of a name.
-fn is_of_name(byte: u8) -> bool {
-    static OF_NAME: [bool; 256] = {
-        let mut is = [false; 256];
-        let mut byte = 0;
-        while byte < 128u8 {
-            is[byte as usize] = byte.is_ascii_alphanumeric() || byte == b'_';
-            byte += 1;
-        }
-        is
-    };
-    OF_NAME[usize::from(byte)]
-}
+/// Which bytes a name may have.
+static OF_NAME: [bool; 256] = {
+    let mut is = [false; 256];
+    let mut byte = 0;
+    while byte < 128u8 {
+        is[byte as usize] = byte.is_ascii_alphanumeric() || byte == b'_';
+        byte += 1;
+    }
+    is
+};
 
 /// Whether parameters stand below this path in a set: `lr_param`, `lr_param.improved_position_control.stage[0]`.
 pub(crate) fn is_structure(path: &str) -> bool {

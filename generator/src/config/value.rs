@@ -1,4 +1,4 @@
-//! From the text of a value to the value that its parameter's kind demands; ranges are judged where a value is used.
+//! From the text of a value to the value that its parameter's kind demands; ranges are validated where a value is used.
 
 use super::closest;
 use crate::codes;
@@ -32,7 +32,7 @@ impl Refused {
 /// The value of a parameter in an axis list, or of a default.
 ///
 /// # Errors
-/// If the text is none; the range is not judged.
+/// If the text is none; the range is not validated.
 pub fn of_text(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
     match parameter.kind {
         Kind::Word(words) => of_word(parameter, words, text).map(Value::Word),
@@ -52,7 +52,7 @@ pub fn of_text(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
 /// The value of a parameter in a set.
 ///
 /// # Errors
-/// If it is of another type, or its text is no value; the range is not judged.
+/// If it is of another type, or its text is no value; the range is not validated.
 pub fn of_toml(parameter: &Parameter, value: &DeValue<'_>) -> Result<Value, Refused> {
     match (parameter.kind, value) {
         (Kind::Word(_) | Kind::Duration { .. } | Kind::Text, DeValue::String(text)) => of_text(parameter, text),

@@ -39,7 +39,7 @@ pub struct Parameter {
     pub numbers: &'static [&'static str],
     /// the drive types for which the manual prints it
     pub drives: &'static str,
-    /// whether it is judged where it is used only: a real machine's list has it for functions that are not generated
+    /// whether it is validated where it is used only: a real machine's list has it for functions that are not generated
     pub is_shared: bool,
     /// what it means
     pub meaning: &'static str,
