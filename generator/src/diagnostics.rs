@@ -133,7 +133,7 @@ impl Report {
     }
 
     /// Adds all messages of another report.
-    pub fn extend(&mut self, other: Self) {
+    pub(crate) fn extend(&mut self, other: Self) {
         self.diagnostics.extend(other.diagnostics);
     }
 

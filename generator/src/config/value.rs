@@ -9,15 +9,15 @@ use toml::de::DeValue;
 
 /// Why a text is no value of a parameter.
 #[derive(Debug, PartialEq, Eq)]
-pub struct Refused {
+pub(crate) struct Refused {
     /// the diagnostic's code
-    pub code: &'static str,
+    pub(crate) code: &'static str,
     /// what was found, to follow the parameter's name
-    pub found: String,
+    pub(crate) found: String,
     /// what is allowed
-    pub allowed: String,
+    pub(crate) allowed: String,
     /// what to write instead
-    pub instead: Option<String>,
+    pub(crate) instead: Option<String>,
 }
 
 impl Refused {
@@ -33,7 +33,7 @@ impl Refused {
 ///
 /// # Errors
 /// If the text is none; the range is not validated.
-pub fn of_text(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
+pub(crate) fn of_text(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
     match parameter.kind {
         Kind::Word(words) => of_word(parameter, words, text).map(Value::Word),
         Kind::Words(words) => text
@@ -53,7 +53,7 @@ pub fn of_text(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
 ///
 /// # Errors
 /// If it is of another type, or its text is no value; the range is not validated.
-pub fn of_toml(parameter: &Parameter, value: &DeValue<'_>) -> Result<Value, Refused> {
+pub(crate) fn of_toml(parameter: &Parameter, value: &DeValue<'_>) -> Result<Value, Refused> {
     match (parameter.kind, value) {
         (Kind::Word(_) | Kind::Duration { .. } | Kind::Text, DeValue::String(text)) => of_text(parameter, text),
         (Kind::Word(words), DeValue::Integer(_) | DeValue::Boolean(_)) => {
@@ -72,8 +72,7 @@ pub fn of_toml(parameter: &Parameter, value: &DeValue<'_>) -> Result<Value, Refu
 }
 
 /// A text from a file, fit for a message: on one line, and not too long.
-#[must_use]
-pub fn shown(text: &str) -> String {
+pub(crate) fn shown(text: &str) -> String {
     const LONGEST: usize = 100;
     let start: String = text.chars().take(LONGEST).flat_map(char::escape_debug).collect();
     let dots = if text.chars().nth(LONGEST).is_some() { "..." } else { "" };
@@ -153,7 +152,7 @@ fn meant(words: &[Word], number: i64, rest: i64) -> Option<String> {
 ///
 /// # Errors
 /// Every element that is none, or repeats one, with the place of its first byte.
-pub fn of_array(
+pub(crate) fn of_array(
     parameter: &Parameter,
     words: &'static [Word],
     array: &[toml::Spanned<DeValue<'_>>],

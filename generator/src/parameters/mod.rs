@@ -4,8 +4,9 @@ mod table;
 mod text;
 pub mod words;
 
-pub use table::{FILTERS, Name, STAGES, TABLE};
-pub use text::{path_with, real_text, time_text};
+pub use table::Name;
+pub(crate) use table::{FILTERS, STAGES, TABLE};
+pub(crate) use text::{path_with, real_text, time_text};
 
 /// One declaration of the table.
 #[derive(Debug)]
@@ -137,21 +138,18 @@ impl Name {
 
 impl Parameter {
     /// The last part of the path: `order`.
-    #[must_use]
-    pub fn short(&self) -> &'static str {
+    pub(crate) fn short(&self) -> &'static str {
         self.path.rsplit('.').next().unwrap_or(self.path)
     }
 
     /// The default at these indices, as a list would write it; none: the parameter has no default.
-    #[must_use]
-    pub fn default_at(&self, index: [u32; 2]) -> Option<&'static str> {
+    pub(crate) fn default_at(&self, index: [u32; 2]) -> Option<&'static str> {
         let last = index[self.indices.len().saturating_sub(1)] as usize;
         self.default.get(last).or(self.default.last()).copied()
     }
 
     /// Whether the value lies within the range of the kind.
-    #[must_use]
-    pub fn contains(&self, value: &Value) -> bool {
+    pub(crate) fn contains(&self, value: &Value) -> bool {
         match (&self.kind, value) {
             (Kind::Integer { from, to }, Value::Integer(n)) => (i64::from(*from)..=i64::from(*to)).contains(n),
             (Kind::Real { from, to }, Value::Real(x)) => {

@@ -10,9 +10,9 @@ use super::words::{
 use super::{Bound, Kind, Parameter, Scope};
 
 /// Stages of improved position control.
-pub const STAGES: u32 = 3;
+pub(crate) const STAGES: u32 = 3;
 /// Filters of a stage.
-pub const FILTERS: u32 = 2;
+pub(crate) const FILTERS: u32 = 2;
 /// Gear steps of an axis.
 const GEARS: u32 = 16;
 
@@ -73,7 +73,7 @@ macro_rules! table {
         pub enum Name { $($(#[doc = $meaning])+ $name),+ }
 
         /// All parameters.
-        pub static TABLE: [Parameter; [$(Name::$name),+].len()] = [$(
+        pub(crate) static TABLE: [Parameter; [$(Name::$name),+].len()] = [$(
             Parameter { meaning: concat!($($meaning),+).trim_ascii(), $($field: $value,)+ ..$base }
         ),+];
 
