@@ -132,7 +132,6 @@ impl Report {
         self.diagnostics.push(diagnostic);
     }
 
-    /// Adds all messages of another report.
     pub(crate) fn extend(&mut self, other: Self) {
         self.diagnostics.extend(other.diagnostics);
     }

@@ -63,14 +63,10 @@ pub(crate) fn is_ours(path: &str) -> bool {
     })
 }
 
-/// A name that may have been meant.
 struct Candidate {
     template: &'static str,
-    /// the template with `[]` for an index
     plain: String,
-    /// the letters of that
     set: u32,
-    /// its last part
     end: Letters<'static>,
 }
 

@@ -3,34 +3,25 @@
 //!
 //! A `#`, or a `(` at the start of a line or behind a blank, begins a comment, in which every byte is legal.
 
-/// A line of an axis list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Line<'a> {
-    /// where it begins in the file
     pub(crate) at: usize,
-    /// what it holds
     pub(crate) content: Content<'a>,
     /// its end: `\n` or `\r\n`; the last line may end with `\r`, or with nothing
     pub(crate) end: &'a [u8],
 }
 
-/// What a line holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Content<'a> {
-    /// nothing, or a comment
     Remark {
-        /// blanks before it
         indent: &'a [u8],
         /// the comment from its sign on; empty: none
         comment: &'a [u8],
     },
-    /// a path, mostly with a value
     Statement(Statement<'a>),
     /// a byte that only a comment may have stands outside of one
     Unreadable {
-        /// the line without its end
         text: &'a [u8],
-        /// the place of the byte in it
         at: usize,
     },
 }
@@ -38,13 +29,10 @@ pub(crate) enum Content<'a> {
 /// A line with a path, in the order of its parts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Statement<'a> {
-    /// blanks before the path
     pub(crate) indent: &'a str,
-    /// the path
     pub(crate) path: &'a str,
     /// blanks between path and value; none if there is no value
     pub(crate) gap: &'a str,
-    /// the value; empty if there is none
     pub(crate) value: &'a str,
     /// blanks before the comment, or before the end
     pub(crate) space: &'a str,
@@ -61,7 +49,6 @@ pub(crate) fn split(bytes: &[u8]) -> (&[u8], Lines<'_>) {
     (mark, Lines { bytes, text, next: mark.len() })
 }
 
-/// The lines of a list, one by one.
 #[derive(Clone, Debug)]
 pub(crate) struct Lines<'a> {
     bytes: &'a [u8],
@@ -86,7 +73,6 @@ impl<'a> Iterator for Lines<'a> {
 }
 
 impl Line<'_> {
-    /// Adds the bytes of the line.
     pub(crate) fn append_to(&self, bytes: &mut Vec<u8>) {
         match self.content {
             Content::Remark { indent, comment } => bytes.extend([indent, comment].concat()),
@@ -104,20 +90,16 @@ impl Line<'_> {
 }
 
 impl Statement<'_> {
-    /// Where the path begins in its line.
-    #[must_use]
     pub(crate) fn path_at(&self) -> usize {
         self.indent.len()
     }
 
     /// Where the value begins in its line, or would begin.
-    #[must_use]
     pub(crate) fn value_at(&self) -> usize {
         self.indent.len() + self.path.len() + self.gap.len()
     }
 }
 
-/// Whether a byte may stand outside of a comment.
 fn is_legal(byte: u8) -> bool {
     matches!(byte, b' '..=b'~' | b'\t')
 }

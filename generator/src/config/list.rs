@@ -11,14 +11,11 @@ use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Kind, Name, Scope, Value, path_with};
 use std::sync::Arc;
 
-/// What an axis list holds.
 #[derive(Debug)]
 pub(crate) struct List {
     /// the parameters that are in the table
     pub(crate) values: Values,
-    /// how many others were passed over
     pub(crate) foreign: usize,
-    /// what is to be said
     pub(crate) report: Report,
     /// false: it is another kind of file, and was not read to its end
     pub(crate) complete: bool,
@@ -27,7 +24,6 @@ pub(crate) struct List {
 /// So many lines that are no lines of a list make it another kind of file: the rest is not read.
 const UNREADABLE_LINES: usize = 20;
 
-/// Reads an axis list.
 pub(crate) fn read(source: &Arc<Source>) -> List {
     read_where(source, |_, _| false)
 }
@@ -144,7 +140,6 @@ impl List {
     }
 }
 
-/// The value of a parameter that stands in a line.
 fn value_of(name: Name, statement: &Statement<'_>) -> Result<Value, Refused> {
     let parameter = name.parameter();
     let &Statement { path, value: text, .. } = statement;
@@ -161,7 +156,6 @@ fn value_of(name: Name, statement: &Statement<'_>) -> Result<Value, Refused> {
     }
 }
 
-/// An index that the parameter does not have.
 pub(super) fn out_of_range(name: Name, written: &str, place: Place) -> Diagnostic {
     let parameter = name.parameter();
     let sizes: Vec<String> = parameter

@@ -3,22 +3,17 @@
 use crate::parameters::{Name, Scope, TABLE};
 use std::sync::LazyLock;
 
-/// What a path names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Path {
-    /// a parameter of the table
     Known {
         name: Name,
         index: [u32; 2],
-        /// the template that it was found by
         spelling: &'static str,
-        /// whether it is a manual's misprint
         misprint: bool,
     },
     /// a parameter of the table with an index that does not exist
     OutOfRange {
         name: Name,
-        /// the template that it was found by
         spelling: &'static str,
     },
     /// well-formed, not in the table
@@ -31,7 +26,6 @@ struct Spelling {
     name: Name,
     template: &'static str,
     misprint: bool,
-    /// the template with `[]` for an index
     plain: String,
 }
 
@@ -112,7 +106,6 @@ fn letters(path: &str, brackets: bool) -> impl Iterator<Item = char> {
     })
 }
 
-/// Finds what a path names.
 pub(crate) fn find(path: &str) -> Path {
     let bytes = path.as_bytes();
     let (mut index, mut indices) = ([0; 2], 0);
@@ -163,7 +156,6 @@ pub(crate) fn find(path: &str) -> Path {
     }
 }
 
-/// Which bytes a name may have.
 static OF_NAME: [bool; 256] = {
     let mut is = [false; 256];
     let mut byte = 0;
@@ -180,7 +172,6 @@ pub(crate) fn is_structure(path: &str) -> bool {
     STRUCTURES.binary_search(&plain).is_ok()
 }
 
-/// All structures, with `[]` for an index.
 pub(crate) fn structures() -> impl Iterator<Item = &'static str> {
     STRUCTURES.iter().map(String::as_str)
 }

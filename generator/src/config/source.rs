@@ -3,12 +3,9 @@
 use crate::diagnostics::Place;
 use std::sync::{Arc, OnceLock};
 
-/// A file that is being read.
 #[derive(Debug)]
 pub(crate) struct Source {
-    /// as the user named it
     pub(crate) name: String,
-    /// its content
     pub(crate) bytes: Vec<u8>,
     /// whether it is an option of the command line, which has no lines
     is_option: bool,
@@ -27,23 +24,19 @@ struct Lines {
 }
 
 impl Source {
-    /// A file and its content.
     pub(crate) fn of(name: &str, bytes: Vec<u8>) -> Arc<Self> {
         Arc::new(Self { name: name.to_owned(), bytes, is_option: false, lines: OnceLock::new() })
     }
 
-    /// An option of the command line and its value.
     pub(crate) fn option(name: &str, value: &str) -> Arc<Self> {
         let bytes = value.as_bytes().to_vec();
         Arc::new(Self { name: name.to_owned(), bytes, is_option: true, lines: OnceLock::new() })
     }
 
-    /// The file as a whole.
     pub(crate) fn whole(&self) -> Place {
         Place { file: self.name.clone(), line: 0, column: 0 }
     }
 
-    /// The place of a byte.
     pub(crate) fn place(&self, offset: usize) -> Place {
         if self.is_option {
             return self.whole();

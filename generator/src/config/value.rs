@@ -10,13 +10,10 @@ use toml::de::DeValue;
 /// Why a text is no value of a parameter.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct Refused {
-    /// the diagnostic's code
     pub(crate) code: &'static str,
     /// what was found, to follow the parameter's name
     pub(crate) found: String,
-    /// what is allowed
     pub(crate) allowed: String,
-    /// what to write instead
     pub(crate) instead: Option<String>,
 }
 
@@ -30,9 +27,6 @@ impl Refused {
 }
 
 /// The value of a parameter in an axis list, or of a default.
-///
-/// # Errors
-/// If the text is none; the range is not validated.
 pub(crate) fn of_text(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
     match parameter.kind {
         Kind::Word(words) => of_word(parameter, words, text).map(Value::Word),
@@ -50,9 +44,6 @@ pub(crate) fn of_text(parameter: &Parameter, text: &str) -> Result<Value, Refuse
 }
 
 /// The value of a parameter in a set.
-///
-/// # Errors
-/// If it is of another type, or its text is no value; the range is not validated.
 pub(crate) fn of_toml(parameter: &Parameter, value: &DeValue<'_>) -> Result<Value, Refused> {
     match (parameter.kind, value) {
         (Kind::Word(_) | Kind::Duration { .. } | Kind::Text, DeValue::String(text)) => of_text(parameter, text),
@@ -149,9 +140,6 @@ fn meant(words: &[Word], number: i64, rest: i64) -> Option<String> {
 }
 
 /// Words, each an element of an array.
-///
-/// # Errors
-/// Every element that is none, or repeats one, with the place of its first byte.
 pub(crate) fn of_array(
     parameter: &Parameter,
     words: &'static [Word],

@@ -23,8 +23,7 @@ pub struct Parameter {
     pub indices: &'static [u32],
     /// in which file it may stand
     pub scope: Scope,
-    /// what its value looks like
-    pub kind: Kind,
+    pub(crate) kind: Kind,
     /// the vendor's data type, where the manuals print it: UNS16, SGN32, REAL64, BOOLEAN, STRING
     pub data_type: &'static str,
     /// the unit of a number
@@ -59,44 +58,32 @@ pub enum Scope {
 
 /// What a value looks like.
 #[derive(Clone, Copy, Debug)]
-pub enum Kind {
-    /// one of a few words
+pub(crate) enum Kind {
     Word(&'static [Word]),
     /// several different words of a few
     Words(&'static [Word]),
     /// bits of a number, each with a word
     Flags(&'static [Word]),
-    /// a whole number
     Integer {
-        /// the smallest
         from: u32,
-        /// the largest
         to: u32,
     },
-    /// a real number
     Real {
-        /// the lower end
         from: Bound,
-        /// the upper end
         to: Bound,
     },
-    /// a time with its unit
+    /// the shortest and the longest, in ns
     Duration {
-        /// the shortest, in ns
         from: u64,
-        /// the longest, in ns
         to: u64,
     },
-    /// any text
     Text,
 }
 
-/// An end of a range.
+/// An end of a range; it belongs to the range where it is closed.
 #[derive(Clone, Copy, Debug)]
-pub enum Bound {
-    /// the value itself is outside
+pub(crate) enum Bound {
     Open(f64),
-    /// the value itself is inside
     Closed(f64),
 }
 
@@ -113,18 +100,15 @@ pub struct Word {
 
 /// A value, as its parameter's kind demands.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Value {
-    /// a word, as we write it
+pub(crate) enum Value {
+    /// as we write it
     Word(&'static str),
-    /// several words, as we write them
     Words(Vec<&'static str>),
-    /// a whole number
     Integer(i64),
     /// a finite real number
     Real(f64),
     /// a time, in ns
     Duration(u64),
-    /// a text
     Text(String),
 }
 

@@ -82,7 +82,6 @@ impl Parameter {
         }
     }
 
-    /// Path and id, for a message.
     pub(crate) fn title(&self, template: &str, index: [u32; 2]) -> String {
         let path = path_with(template, index);
         match self.id {

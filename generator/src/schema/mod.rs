@@ -28,13 +28,10 @@ pub fn text() -> String {
     format!("{set:#}")
 }
 
-/// A place in the tree of keys.
 #[derive(Default)]
 struct Node {
     description: String,
-    /// what a value may be
     leaf: Option<Value>,
-    /// the keys below it
     children: Vec<(String, Node)>,
     /// whether it may be given as an array of tables, and how many
     items: Option<u32>,

@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 
 const MARK: &str = ".axgen-";
 
-/// The new content, on its way.
 pub(super) fn staged(path: &Path) -> PathBuf {
     beside(path, "staged")
 }
@@ -21,10 +20,8 @@ fn beside(path: &Path, what: &str) -> PathBuf {
     path.with_file_name(name)
 }
 
-/// What a process that was killed left behind.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum LeftOver<'n> {
-    /// new content
     Staged,
     /// old content of the target of that name
     Kept(&'n str),
