@@ -20,26 +20,3 @@ pub(crate) fn of_stem(stem: &str) -> String {
     let name = words.join("_");
     if name.starts_with(|c: char| c.is_ascii_digit()) { format!("axis_{name}") } else { name }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn names() {
-        for name in ["X", "x1", "rack_and_pinion", "A2345678901234567890123456789012"] {
-            assert!(is_allowed(name), "{name}");
-        }
-        for name in ["", "_x", "x_", "x__y", "1x", "x-y", "x y", "\u{e4}", "x*/", "A23456789012345678901234567890123"] {
-            assert!(!is_allowed(name), "{name}");
-        }
-    }
-
-    #[test]
-    fn stems() {
-        assert_eq!(of_stem("rack-and-pinion"), "rack_and_pinion");
-        assert_eq!(of_stem("53 Hz, old"), "axis_53_Hz_old");
-        assert_eq!(of_stem("_x__y_"), "x_y");
-        assert_eq!(of_stem("\u{e4}"), "");
-    }
-}

@@ -165,26 +165,6 @@ fn at_least(a: u32, b: u32) -> usize {
 mod tests {
     use super::*;
 
-    #[test]
-    fn words() {
-        assert_eq!(of("INDIRCT", ["DIRECT", "INDIRECT"].into_iter()), Some("INDIRECT"));
-        assert_eq!(of("PERHAPS", ["DIRECT", "INDIRECT"].into_iter()), None);
-    }
-
-    #[test]
-    fn paths() {
-        let ipc = "lr_param.improved_position_control";
-        let close = |written: &str, meant: &str| assert_eq!(path(written), Some(format!("{ipc}.{meant}")), "{written}");
-        close(&format!("{ipc}.enabel"), "enable");
-        close("lr_param.improved_postion_control.enable", "enable");
-        close(&format!("{ipc}.stage[2].wieght_fact_num"), "stage[2].weight_fact_num");
-        close(&format!("{ipc}.stage[1].fg_f0"), "stage[1].filter[0].fg_f0");
-        close(&format!("{ipc}.stage[1].filter[1].qfactor"), "stage[1].filter[1].q_factor");
-        assert_eq!(path(&format!("{ipc}.stage[0].colour")), None);
-        assert_eq!(path(&"x".repeat(10_000)), None);
-        assert!(TEMPLATES.iter().all(|candidate| candidate.plain.len() < LONGEST));
-    }
-
     /// Beside the definition: no filter refuses what is near.
     #[test]
     fn distances() {
@@ -206,23 +186,5 @@ mod tests {
                 );
             }
         }
-    }
-
-    #[test]
-    fn indices_of_the_same_parts() {
-        let other = |template: &str, written: &str| with_indices_of(template, written);
-        assert_eq!(other("getriebe[i].kv", "getriebe.kv"), "getriebe[0].kv");
-        assert_eq!(
-            other("a.stage[i].filter[k].order", "a[7].stage[2].filter[1].order[9]"),
-            "a.stage[2].filter[1].order"
-        );
-    }
-
-    #[test]
-    fn ours() {
-        assert!(is_ours("lr_param.improved_postion_control.enable"));
-        assert!(is_ours("LR_PARAM.IMPROVED_POSITION_CONTROL.ENABLE"));
-        assert!(!is_ours("lr_param.suppress_pos_lag_error"));
-        assert!(!is_ours("lr_param"));
     }
 }

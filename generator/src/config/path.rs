@@ -112,10 +112,15 @@ pub(crate) fn find(path: &str) -> Path {
     // The length with `[]` for an index.
     let mut length = bytes.len();
     let (mut at, mut before) = (0, b'.');
-    while let Some(&byte) = bytes.get(at) {
+    loop {
+        let start = at;
+        while bytes.get(at).is_some_and(|byte| OF_NAME[usize::from(*byte)]) {
+            at += 1;
+        }
+        before = if at > start { b'_' } else { before };
+        let Some(sign) = bytes.get(at) else { break };
         at += 1;
-        match byte {
-            _ if OF_NAME[usize::from(byte)] => before = b'_',
+        match sign {
             b'.' if before != b'.' => before = b'.',
             b'[' if before != b'.' => {
                 let start = at;
@@ -185,67 +190,4 @@ pub(crate) fn templates() -> impl Iterator<Item = &'static str> {
 /// `stage[0].mode` and `stage[i].mode` as `stage[].mode`.
 pub(crate) fn without_indices(path: &str) -> String {
     letters(path, true).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn known(path: &str) -> (Name, [u32; 2], bool) {
-        match find(path) {
-            Path::Known { name, index, misprint, .. } => (name, index, misprint),
-            other => panic!("{path}: {other:?}"),
-        }
-    }
-
-    #[test]
-    fn indices_aliases_and_misprints() {
-        let ipc = "lr_param.improved_position_control";
-        assert_eq!(known(&format!("{ipc}.stage[2].filter[1].fg_f0")), (Name::FilterF0, [2, 1], false));
-        assert_eq!(known(&format!("{ipc}.stage[].filter[].fg_f0")), (Name::FilterF0, [0, 0], false));
-        assert_eq!(known(&format!("{ipc}.stage[1].filter.fg_f0")), (Name::FilterF0, [1, 0], false));
-        assert_eq!(known(&format!("{ipc}.stage[1]osc_damping")), (Name::OscDamping, [1, 0], true));
-        assert_eq!(known(&format!("{ipc}.stage[1].filter[0].damping")), (Name::FilterDamping, [1, 0], false));
-        assert_eq!(known("getriebe[15].dynamik.vb_max"), (Name::VbMax, [15, 0], false));
-        assert_eq!(known("getriebe[000].dynamik.vb_max"), (Name::VbMax, [0, 0], false));
-    }
-
-    #[test]
-    fn other_indices() {
-        assert_eq!(with_other_indices("getriebe.kv"), Some("getriebe[i].kv"));
-        assert_eq!(with_other_indices("Vorsteuer[0].VORSTEUERUNG"), Some("vorsteuer.vorsteuerung"));
-        assert_eq!(with_other_indices("kopf[0].achs_nr[3]"), Some("kopf.achs_nr"));
-        assert_eq!(with_other_indices("kenngr.swe_pos"), None);
-    }
-
-    #[test]
-    fn what_does_not_exist() {
-        assert!(matches!(find("getriebe[16].dynamik.vb_max"), Path::OutOfRange { name: Name::VbMax, .. }));
-        assert!(matches!(find("getriebe[99999999999].dynamik.vb_max"), Path::OutOfRange { .. }));
-        assert_eq!(find("kenngr.swe_pos"), Path::Foreign);
-        assert_eq!(find(&"x".repeat(1000)), Path::Foreign);
-        for malformed in
-            ["", ".", "a.", ".a", "a..b", "a[", "a[x]", "a[1", "[1]", "a[0][", "1a", "a=1", "a-b", "a[[0]]", "ä"]
-        {
-            assert_eq!(find(malformed), Path::Malformed, "{malformed}");
-        }
-    }
-
-    #[test]
-    fn structures_of_a_set() {
-        for path in ["lr_param", "lr_param.improved_position_control.stage[2]", "getriebe[1].dynamik"] {
-            assert!(is_structure(path), "{path}");
-        }
-        for path in ["lr", "getriebe", "lr_param.improved_position_control.enable", ""] {
-            assert!(!is_structure(path), "{path}");
-        }
-    }
-
-    #[test]
-    fn no_spelling_belongs_to_two_parameters() {
-        let mut all: Vec<&String> = SPELLINGS.iter().flatten().map(|spelling| &spelling.plain).collect();
-        all.sort_unstable();
-        assert!(all.windows(2).all(|pair| pair[0] != pair[1]));
-        assert_eq!(all.len(), TABLE.iter().map(|p| 1 + p.aliases.len() + p.misprints.len()).sum::<usize>());
-    }
 }

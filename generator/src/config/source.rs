@@ -74,29 +74,3 @@ impl Lines {
 fn count(bytes: &[u8]) -> usize {
     bytes.iter().filter(|byte| **byte & 0xC0 == 0x80).count()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn at(bytes: &[u8], offset: usize) -> (usize, usize) {
-        let place = Source::of("x", bytes.to_vec()).place(offset);
-        (place.line, place.column)
-    }
-
-    #[test]
-    fn lines_and_columns_count_from_one() {
-        assert_eq!(at(b"", 0), (1, 1));
-        assert_eq!(at(b"ab\ncd", 0), (1, 1));
-        assert_eq!(at(b"ab\ncd", 2), (1, 3));
-        assert_eq!(at(b"ab\ncd", 3), (2, 1));
-        assert_eq!(at(b"ab\ncd", 5), (2, 3));
-    }
-
-    #[test]
-    fn columns_count_characters_also_far_into_a_line() {
-        assert_eq!(at("aäb".as_bytes(), 3), (1, 3));
-        let line = "ä".repeat(5000);
-        assert_eq!(at(line.as_bytes(), 9998), (1, 5000));
-    }
-}

@@ -84,6 +84,11 @@ fn of_word(parameter: &Parameter, words: &'static [Word], text: &str) -> Result<
     })
 }
 
+fn given_twice(parameter: &Parameter, word: &str) -> Refused {
+    let found = format!("names {} twice", shown(word));
+    Refused { code: codes::GIVEN_TWICE, found, allowed: parameter.allowed(), instead: None }
+}
+
 /// Words with blanks or `|` between, or the number that their bits make.
 fn of_flags(parameter: &Parameter, words: &'static [Word], text: &str) -> Result<Value, Refused> {
     if let Some(number) = integer(text) {
@@ -93,8 +98,7 @@ fn of_flags(parameter: &Parameter, words: &'static [Word], text: &str) -> Result
     for part in text.split(|c: char| c.is_ascii_whitespace() || c == '|').filter(|part| !part.is_empty()) {
         let word = of_word(parameter, words, part)?;
         if found.contains(&word) {
-            let found = format!("names {} twice", shown(word));
-            return Err(Refused { code: codes::GIVEN_TWICE, found, allowed: parameter.allowed(), instead: None });
+            return Err(given_twice(parameter, word));
         }
         found.push(word);
     }
@@ -154,12 +158,7 @@ pub(crate) fn of_array(
         };
         match word {
             Err(refused) => wrong.push((element.span().start, refused)),
-            Ok(word) if found.contains(&word) => {
-                let found = format!("names {} twice", shown(word));
-                let code = codes::GIVEN_TWICE;
-                wrong
-                    .push((element.span().start, Refused { code, found, allowed: parameter.allowed(), instead: None }));
-            }
+            Ok(word) if found.contains(&word) => wrong.push((element.span().start, given_twice(parameter, word))),
             Ok(word) => found.push(word),
         }
     }

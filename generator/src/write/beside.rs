@@ -42,22 +42,3 @@ pub(super) fn left_over(name: &str) -> Option<LeftOver<'_>> {
 pub(super) fn remove(path: &Path) {
     let _ = fs::remove_file(path);
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn names_are_told_from_others() {
-        let path = Path::new("out/axis_x.c");
-        let name = |path: PathBuf| path.file_name().unwrap().to_string_lossy().into_owned();
-        assert_eq!(left_over(&name(staged(path))), Some(LeftOver::Staged));
-        assert_eq!(left_over(&name(kept(path))), Some(LeftOver::Kept("axis_x.c")));
-        assert_eq!(kept(path).parent(), path.parent());
-        for other in
-            ["axis_x.c", "x.axgen-staged-", "x.axgen-staged-1a", "x.axgen-other-1", ".axgen-kept-1", "axgen-kept-1"]
-        {
-            assert_eq!(left_over(other), None, "{other}");
-        }
-    }
-}
