@@ -78,6 +78,10 @@ impl List {
         let &Statement { path: written, value, .. } = statement;
         let (path_at, value_at) = (statement.path_at(), statement.value_at());
         let place = || source.place(start + path_at);
+        let unknown = |what: &str, instead| {
+            let found = format!("{} is {what}", value::shown(written));
+            Diagnostic { instead, ..Diagnostic::error(codes::UNKNOWN, place(), found) }
+        };
         match path::find(written) {
             Path::Known { name, index, .. } if name.parameter().scope != Scope::List => {
                 let found = format!("`{written}` is a key of an axis set; no axis list has it");
@@ -104,29 +108,22 @@ impl List {
                 }
             }
             Path::OutOfRange { name, .. } => self.report.push(out_of_range(name, written, place())),
-            Path::Foreign if path::with_other_indices(written).is_some() => {
-                let known = path::with_other_indices(written).map(|known| closest::with_indices_of(known, written));
-                let found = format!("{} is not known", value::shown(written));
-                let diagnostic = Diagnostic::error(codes::UNKNOWN, place(), found);
-                self.report.push(Diagnostic { instead: known, ..diagnostic });
-            }
-            // Mostly so, and asked once: comparing letters takes its time.
-            Path::Foreign if !closest::is_ours(written) => self.foreign += 1,
-            Path::Foreign if path::is_structure(written) => {
-                let found = format!("{} is a structure: its parameters have values", value::shown(written));
-                let diagnostic = Diagnostic::error(codes::UNKNOWN, place(), found);
-                self.report.push(Diagnostic { instead: closest::first_below(written), ..diagnostic });
-            }
-            Path::Foreign => match closest::path(written) {
-                Some(known) => {
-                    let found = format!("{} is not known", value::shown(written));
-                    self.report.push(Diagnostic::error(codes::UNKNOWN, place(), found).instead(known));
+            Path::Foreign => match path::with_other_indices(written) {
+                Some(known) => self.report.push(unknown("not known", Some(closest::with_indices_of(known, written)))),
+                // Mostly so, and asked once: comparing letters takes its time.
+                None if !closest::is_ours(written) => self.foreign += 1,
+                None if path::is_structure(written) => {
+                    let below = closest::first_below(written);
+                    self.report.push(unknown("a structure: its parameters have values", below));
                 }
-                None => {
-                    self.foreign += 1;
-                    let found = format!("{} is not known, and passed over", value::shown(written));
-                    self.report.push(Diagnostic::warning(codes::PASSED_OVER, place(), found));
-                }
+                None => match closest::path(written) {
+                    Some(known) => self.report.push(unknown("not known", Some(known))),
+                    None => {
+                        self.foreign += 1;
+                        let found = format!("{} is not known, and passed over", value::shown(written));
+                        self.report.push(Diagnostic::warning(codes::PASSED_OVER, place(), found));
+                    }
+                },
             },
             Path::Malformed => {
                 let found = format!("{} is no path", value::shown(written));

@@ -105,10 +105,7 @@ impl<'a> Effective<'a> {
     }
 
     pub(crate) fn validated_integer(&mut self, key: Key) -> Option<u32> {
-        match self.validated(key)? {
-            Value::Integer(n) => u32::try_from(n).ok(),
-            other => wrong_kind(key, &other),
-        }
+        self.validated(key).and_then(|value| integer_of(key, &value))
     }
 
     /// The word that holds, validated and used.
@@ -117,10 +114,7 @@ impl<'a> Effective<'a> {
     }
 
     pub(crate) fn integer(&mut self, key: Key) -> Option<u32> {
-        match self.used_value(key)? {
-            Value::Integer(n) => u32::try_from(n).ok(),
-            other => wrong_kind(key, &other),
-        }
+        self.used_value(key).and_then(|value| integer_of(key, &value))
     }
 
     pub(crate) fn real(&mut self, key: Key) -> Option<f64> {
@@ -204,6 +198,13 @@ pub(crate) fn as_written(place: &Place, (name, index): Key, words: &[&str]) -> S
 fn word_of<T: Words>(key: Key, value: &Value) -> T {
     match value {
         Value::Word(word) => word_named(key, word),
+        other => wrong_kind(key, other),
+    }
+}
+
+fn integer_of(key: Key, value: &Value) -> Option<u32> {
+    match value {
+        Value::Integer(n) => u32::try_from(*n).ok(),
         other => wrong_kind(key, other),
     }
 }
