@@ -5,7 +5,7 @@ use super::lines::{self, Content, Statement};
 use super::path::{self, Path};
 use super::source::Source;
 use super::value::{self, Refused};
-use super::values::{self, Setting, Values};
+use super::values::{Setting, Values};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Kind, Name, Scope, Value, path_with};
@@ -98,7 +98,15 @@ impl List {
                 let can_wait = name.parameter().is_shared && !value.starts_with('=');
                 let value = value_of(name, statement)
                     .map_err(|refused| refused.diagnostic(name, written, source.place(start + value_at)));
-                let (value, refused) = values::read(can_wait, value, &mut self.report);
+                let (value, refused) = match value {
+                    Ok(value) => (Some(value), None),
+                    // Said where something uses it.
+                    Err(refused) if can_wait => (None, Some(refused)),
+                    Err(refused) => {
+                        self.report.push(refused);
+                        (None, None)
+                    }
+                };
                 let (path_at, value_at) = (start + path_at, start + value_at);
                 let setting = Setting { value, refused, spelling, source: Arc::clone(source), path_at, value_at };
                 if let Some(first) = self.values.insert((name, index), setting) {

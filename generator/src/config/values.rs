@@ -39,22 +39,6 @@ impl Setting {
     }
 }
 
-/// A value of a list, or why it is none: said at once, unless that can wait until something uses it.
-pub(super) fn read(
-    can_wait: bool,
-    read: Result<Value, Diagnostic>,
-    report: &mut Report,
-) -> (Option<Value>, Option<Diagnostic>) {
-    match read {
-        Ok(value) => (Some(value), None),
-        Err(refused) if can_wait => (None, Some(refused)),
-        Err(refused) => {
-            report.push(refused);
-            (None, None)
-        }
-    }
-}
-
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Values {
     settings: BTreeMap<Key, Setting>,
