@@ -273,20 +273,3 @@ codes! {
          multiplies: more than 14 times the motor's velocity is fed back. Lower the damping ratio slowly, with a small weight, \
          and look at the additive velocity in DRYRUN first.";
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn codes_ascend() {
-        assert!(CODES.windows(2).all(|pair| pair[0].code < pair[1].code));
-    }
-
-    #[test]
-    fn every_code_is_explained() {
-        assert_eq!(explain("ax206").unwrap().title, "a parameter is missing");
-        assert!(explain("AX999").is_none());
-        assert!(CODES.iter().all(|code| code.explanation.ends_with('.') && !code.title.ends_with('.')));
-    }
-}

@@ -132,8 +132,7 @@ impl Report {
         self.diagnostics.push(diagnostic);
     }
 
-    /// Adds all messages of another report.
-    pub fn extend(&mut self, other: Self) {
+    pub(crate) fn extend(&mut self, other: Self) {
         self.diagnostics.extend(other.diagnostics);
     }
 

@@ -20,7 +20,7 @@ mod feasibility;
 pub mod generate;
 pub mod import_export;
 mod noise;
-pub mod number;
+mod number;
 pub mod parameters;
 pub mod pipeline;
 pub mod reference_page;

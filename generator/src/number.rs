@@ -34,7 +34,7 @@ pub(crate) fn decibels(factor: f64) -> f64 {
 }
 
 /// Seven significant digits, no trailing zeros, the same on every host.
-pub fn digits(value: f64) -> String {
+pub(crate) fn digits(value: f64) -> String {
     significant(value, 7)
 }
 

@@ -8,7 +8,6 @@ use crate::parameters::words::{ProcessDatum, Words};
 use crate::parameters::{Name, Value};
 use crate::rules::effective::Effective;
 
-/// Says what is there and does nothing.
 pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     zeros(gear, e);
     no_effect(axis, gear, e);

@@ -37,7 +37,6 @@ pub(crate) fn cycle_time(values: &Values, missing: Diagnostic, report: &mut Repo
     ns
 }
 
-/// The set's targets.
 pub(crate) fn targets(values: &Values) -> Vec<String> {
     match values.get(key(Name::Targets)).and_then(|setting| setting.value.as_ref()) {
         Some(Value::Words(words)) => words.iter().map(|word| (*word).to_owned()).collect(),
@@ -45,14 +44,12 @@ pub(crate) fn targets(values: &Values) -> Vec<String> {
     }
 }
 
-/// An axis with what it was made of.
 #[derive(Debug)]
 pub(crate) struct Checked<'v> {
     /// it is there if, and only if, no message is an error
     pub(crate) axis: Option<Axis>,
     /// the gear step whose parameters are used
     pub(crate) gear: u32,
-    /// its effective values, and what was said
     pub(crate) effective: Effective<'v>,
 }
 

@@ -4,44 +4,19 @@
 const LONGEST: usize = 32;
 
 /// What is allowed, for a message.
-pub const ALLOWED: &str =
+pub(crate) const ALLOWED: &str =
     "1 to 32 letters, digits and single underscores, a letter first and no underscore last (what C and ST both accept)";
 
 /// Whether C and Structured Text both accept the name.
-#[must_use]
-pub fn is_allowed(name: &str) -> bool {
+pub(crate) fn is_allowed(name: &str) -> bool {
     let characters = name.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
     let ends = name.starts_with(|c: char| c.is_ascii_alphabetic()) && !name.ends_with('_');
     characters && ends && !name.contains("__") && name.len() <= LONGEST
 }
 
 /// The name that the stem of a file's name gives: what is not allowed becomes an underscore; `axis_` before a digit.
-#[must_use]
-pub fn of_stem(stem: &str) -> String {
+pub(crate) fn of_stem(stem: &str) -> String {
     let words: Vec<&str> = stem.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).collect();
     let name = words.join("_");
     if name.starts_with(|c: char| c.is_ascii_digit()) { format!("axis_{name}") } else { name }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn names() {
-        for name in ["X", "x1", "rack_and_pinion", "A2345678901234567890123456789012"] {
-            assert!(is_allowed(name), "{name}");
-        }
-        for name in ["", "_x", "x_", "x__y", "1x", "x-y", "x y", "\u{e4}", "x*/", "A23456789012345678901234567890123"] {
-            assert!(!is_allowed(name), "{name}");
-        }
-    }
-
-    #[test]
-    fn stems() {
-        assert_eq!(of_stem("rack-and-pinion"), "rack_and_pinion");
-        assert_eq!(of_stem("53 Hz, old"), "axis_53_Hz_old");
-        assert_eq!(of_stem("_x__y_"), "x_y");
-        assert_eq!(of_stem("\u{e4}"), "");
-    }
 }

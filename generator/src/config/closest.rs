@@ -42,7 +42,7 @@ pub(crate) fn first_below(written: &str) -> Option<String> {
 }
 
 /// The structures that are ours: which part of a path names each, and how many letters may differ.
-const OURS: [(usize, Letters<'_>, usize); 3] = [
+static OURS: [(usize, Letters<'_>, usize); 3] = [
     (0, Letters::of("vorsteuer"), 2),
     (1, Letters::of("improved_position_control"), 3),
     (1, Letters::of("sai_op_mode_change"), 3),
@@ -53,7 +53,7 @@ pub(crate) fn is_ours(path: &str) -> bool {
     let Some(dot) = memchr::memchr(b'.', path.as_bytes()) else { return false };
     let (first, rest) = (&path[..dot], &path[dot + 1..]);
     let parts = [first, memchr::memchr(b'.', rest.as_bytes()).map_or(rest, |dot| &rest[..dot])];
-    OURS.into_iter().any(|(part, name, most)| {
+    OURS.iter().any(|&(part, name, most)| {
         let written = parts[part];
         // Most paths of a real list are told by their lengths, or by their first letters.
         let strange = written.bytes().filter(|byte| name.set & bit(*byte) == 0);
@@ -63,14 +63,10 @@ pub(crate) fn is_ours(path: &str) -> bool {
     })
 }
 
-/// A name that may have been meant.
 struct Candidate {
     template: &'static str,
-    /// the template with `[]` for an index
     plain: String,
-    /// the letters of that
     set: u32,
-    /// its last part
     end: Letters<'static>,
 }
 
@@ -169,26 +165,6 @@ fn at_least(a: u32, b: u32) -> usize {
 mod tests {
     use super::*;
 
-    #[test]
-    fn words() {
-        assert_eq!(of("INDIRCT", ["DIRECT", "INDIRECT"].into_iter()), Some("INDIRECT"));
-        assert_eq!(of("PERHAPS", ["DIRECT", "INDIRECT"].into_iter()), None);
-    }
-
-    #[test]
-    fn paths() {
-        let ipc = "lr_param.improved_position_control";
-        let close = |written: &str, meant: &str| assert_eq!(path(written), Some(format!("{ipc}.{meant}")), "{written}");
-        close(&format!("{ipc}.enabel"), "enable");
-        close("lr_param.improved_postion_control.enable", "enable");
-        close(&format!("{ipc}.stage[2].wieght_fact_num"), "stage[2].weight_fact_num");
-        close(&format!("{ipc}.stage[1].fg_f0"), "stage[1].filter[0].fg_f0");
-        close(&format!("{ipc}.stage[1].filter[1].qfactor"), "stage[1].filter[1].q_factor");
-        assert_eq!(path(&format!("{ipc}.stage[0].colour")), None);
-        assert_eq!(path(&"x".repeat(10_000)), None);
-        assert!(TEMPLATES.iter().all(|candidate| candidate.plain.len() < LONGEST));
-    }
-
     /// Beside the definition: no filter refuses what is near.
     #[test]
     fn distances() {
@@ -210,23 +186,5 @@ mod tests {
                 );
             }
         }
-    }
-
-    #[test]
-    fn indices_of_the_same_parts() {
-        let other = |template: &str, written: &str| with_indices_of(template, written);
-        assert_eq!(other("getriebe[i].kv", "getriebe.kv"), "getriebe[0].kv");
-        assert_eq!(
-            other("a.stage[i].filter[k].order", "a[7].stage[2].filter[1].order[9]"),
-            "a.stage[2].filter[1].order"
-        );
-    }
-
-    #[test]
-    fn ours() {
-        assert!(is_ours("lr_param.improved_postion_control.enable"));
-        assert!(is_ours("LR_PARAM.IMPROVED_POSITION_CONTROL.ENABLE"));
-        assert!(!is_ours("lr_param.suppress_pos_lag_error"));
-        assert!(!is_ours("lr_param"));
     }
 }

@@ -22,7 +22,6 @@ pub enum Unreadable {
 /// A set of 10,000 axes that are written out in full has 20 MB; what is larger is something else.
 const LARGEST: u64 = 64 << 20;
 
-/// Reads a file.
 pub(crate) fn load(path: &Path) -> Result<Vec<u8>, Unreadable> {
     // Opening a pipe waits for somebody to write into it, a device never ends: both are told before.
     let metadata = fs::metadata(path).map_err(of_system)?;

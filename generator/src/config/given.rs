@@ -22,25 +22,19 @@ pub struct ListOptions {
     pub name: Option<String>,
 }
 
-/// What a set or a list gives.
 #[derive(Debug)]
 pub(crate) struct Given {
     /// `cycle_time`, `targets`
     pub(crate) top: Values,
-    /// what is said where there is no cycle time
     pub(crate) no_cycle_time: Diagnostic,
-    /// whether it is a list that stands alone
     pub(crate) is_list: bool,
-    /// the axes, in the order of the file
     pub(crate) axes: Vec<GivenAxis>,
     /// what is to be said of the file, but for its axes
     pub(crate) report: Report,
 }
 
-/// What is given for one axis.
 #[derive(Debug)]
 pub(crate) struct GivenAxis {
-    /// its name
     pub(crate) name: String,
     /// where the set names it; of a list the whole file
     pub(crate) home: Place,
@@ -53,9 +47,6 @@ pub(crate) struct GivenAxis {
 }
 
 /// Reads a TOML set (`.toml`) or one axis list (any other extension).
-///
-/// # Errors
-/// The file cannot be read, or is not TOML: nothing else of it can be said.
 pub(crate) fn read(path: &Path, options: &ListOptions, load: Load<'_>) -> Result<Given, Report> {
     let name = named(path);
     let bytes = load(path).map_err(|unreadable| unreadable.diagnostic(&name, Place::whole(&name)))?;
@@ -172,7 +163,6 @@ fn cycle_time_of(options: &ListOptions, report: &mut Report) -> Values {
     values
 }
 
-/// Options that a set does not take.
 fn options_of_a_set(options: &ListOptions) -> Report {
     let mut report = Report::default();
     let given = [

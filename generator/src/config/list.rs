@@ -5,20 +5,17 @@ use super::lines::{self, Content, Statement};
 use super::path::{self, Path};
 use super::source::Source;
 use super::value::{self, Refused};
-use super::values::{self, Setting, Values};
+use super::values::{Setting, Values};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Kind, Name, Scope, Value, path_with};
 use std::sync::Arc;
 
-/// What an axis list holds.
 #[derive(Debug)]
 pub(crate) struct List {
     /// the parameters that are in the table
     pub(crate) values: Values,
-    /// how many others were passed over
     pub(crate) foreign: usize,
-    /// what is to be said
     pub(crate) report: Report,
     /// false: it is another kind of file, and was not read to its end
     pub(crate) complete: bool,
@@ -27,7 +24,6 @@ pub(crate) struct List {
 /// So many lines that are no lines of a list make it another kind of file: the rest is not read.
 const UNREADABLE_LINES: usize = 20;
 
-/// Reads an axis list.
 pub(crate) fn read(source: &Arc<Source>) -> List {
     read_where(source, |_, _| false)
 }
@@ -82,6 +78,10 @@ impl List {
         let &Statement { path: written, value, .. } = statement;
         let (path_at, value_at) = (statement.path_at(), statement.value_at());
         let place = || source.place(start + path_at);
+        let unknown = |what: &str, instead| {
+            let found = format!("{} is {what}", value::shown(written));
+            Diagnostic { instead, ..Diagnostic::error(codes::UNKNOWN, place(), found) }
+        };
         match path::find(written) {
             Path::Known { name, index, .. } if name.parameter().scope != Scope::List => {
                 let found = format!("`{written}` is a key of an axis set; no axis list has it");
@@ -98,7 +98,15 @@ impl List {
                 let can_wait = name.parameter().is_shared && !value.starts_with('=');
                 let value = value_of(name, statement)
                     .map_err(|refused| refused.diagnostic(name, written, source.place(start + value_at)));
-                let (value, refused) = values::read(can_wait, value, &mut self.report);
+                let (value, refused) = match value {
+                    Ok(value) => (Some(value), None),
+                    // Said where something uses it.
+                    Err(refused) if can_wait => (None, Some(refused)),
+                    Err(refused) => {
+                        self.report.push(refused);
+                        (None, None)
+                    }
+                };
                 let (path_at, value_at) = (start + path_at, start + value_at);
                 let setting = Setting { value, refused, spelling, source: Arc::clone(source), path_at, value_at };
                 if let Some(first) = self.values.insert((name, index), setting) {
@@ -108,29 +116,22 @@ impl List {
                 }
             }
             Path::OutOfRange { name, .. } => self.report.push(out_of_range(name, written, place())),
-            Path::Foreign if path::with_other_indices(written).is_some() => {
-                let known = path::with_other_indices(written).map(|known| closest::with_indices_of(known, written));
-                let found = format!("{} is not known", value::shown(written));
-                let diagnostic = Diagnostic::error(codes::UNKNOWN, place(), found);
-                self.report.push(Diagnostic { instead: known, ..diagnostic });
-            }
-            // Mostly so, and asked once: comparing letters takes its time.
-            Path::Foreign if !closest::is_ours(written) => self.foreign += 1,
-            Path::Foreign if path::is_structure(written) => {
-                let found = format!("{} is a structure: its parameters have values", value::shown(written));
-                let diagnostic = Diagnostic::error(codes::UNKNOWN, place(), found);
-                self.report.push(Diagnostic { instead: closest::first_below(written), ..diagnostic });
-            }
-            Path::Foreign => match closest::path(written) {
-                Some(known) => {
-                    let found = format!("{} is not known", value::shown(written));
-                    self.report.push(Diagnostic::error(codes::UNKNOWN, place(), found).instead(known));
+            Path::Foreign => match path::with_other_indices(written) {
+                Some(known) => self.report.push(unknown("not known", Some(closest::with_indices_of(known, written)))),
+                // Mostly so, and asked once: comparing letters takes its time.
+                None if !closest::is_ours(written) => self.foreign += 1,
+                None if path::is_structure(written) => {
+                    let below = closest::first_below(written);
+                    self.report.push(unknown("a structure: its parameters have values", below));
                 }
-                None => {
-                    self.foreign += 1;
-                    let found = format!("{} is not known, and passed over", value::shown(written));
-                    self.report.push(Diagnostic::warning(codes::PASSED_OVER, place(), found));
-                }
+                None => match closest::path(written) {
+                    Some(known) => self.report.push(unknown("not known", Some(known))),
+                    None => {
+                        self.foreign += 1;
+                        let found = format!("{} is not known, and passed over", value::shown(written));
+                        self.report.push(Diagnostic::warning(codes::PASSED_OVER, place(), found));
+                    }
+                },
             },
             Path::Malformed => {
                 let found = format!("{} is no path", value::shown(written));
@@ -144,7 +145,6 @@ impl List {
     }
 }
 
-/// The value of a parameter that stands in a line.
 fn value_of(name: Name, statement: &Statement<'_>) -> Result<Value, Refused> {
     let parameter = name.parameter();
     let &Statement { path, value: text, .. } = statement;
@@ -161,7 +161,6 @@ fn value_of(name: Name, statement: &Statement<'_>) -> Result<Value, Refused> {
     }
 }
 
-/// An index that the parameter does not have.
 pub(super) fn out_of_range(name: Name, written: &str, place: Place) -> Diagnostic {
     let parameter = name.parameter();
     let sizes: Vec<String> = parameter

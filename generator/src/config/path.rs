@@ -3,22 +3,17 @@
 use crate::parameters::{Name, Scope, TABLE};
 use std::sync::LazyLock;
 
-/// What a path names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Path {
-    /// a parameter of the table
     Known {
         name: Name,
         index: [u32; 2],
-        /// the template that it was found by
         spelling: &'static str,
-        /// whether it is a manual's misprint
         misprint: bool,
     },
     /// a parameter of the table with an index that does not exist
     OutOfRange {
         name: Name,
-        /// the template that it was found by
         spelling: &'static str,
     },
     /// well-formed, not in the table
@@ -31,7 +26,6 @@ struct Spelling {
     name: Name,
     template: &'static str,
     misprint: bool,
-    /// the template with `[]` for an index
     plain: String,
 }
 
@@ -112,39 +106,43 @@ fn letters(path: &str, brackets: bool) -> impl Iterator<Item = char> {
     })
 }
 
-/// Finds what a path names.
 pub(crate) fn find(path: &str) -> Path {
     let bytes = path.as_bytes();
     let (mut index, mut indices) = ([0; 2], 0);
     // The length with `[]` for an index.
     let mut length = bytes.len();
-    let mut at = 0;
-    let mut before = b'.';
+    let (mut at, mut before) = (0, b'.');
     loop {
-        let name = bytes[at..].iter().position(|byte| !is_of_name(*byte)).unwrap_or(bytes.len() - at);
-        at += name;
-        before = if name > 0 { b'_' } else { before };
-        match bytes.get(at) {
-            None => break,
-            Some(b'.') if before != b'.' => before = b'.',
-            Some(b'[') if before != b'.' => {
-                let digits = bytes[at + 1..].iter().take_while(|byte| byte.is_ascii_digit()).count();
-                if bytes.get(at + 1 + digits) != Some(&b']') {
+        let start = at;
+        while bytes.get(at).is_some_and(|byte| OF_NAME[usize::from(*byte)]) {
+            at += 1;
+        }
+        before = if at > start { b'_' } else { before };
+        let Some(sign) = bytes.get(at) else { break };
+        at += 1;
+        match sign {
+            b'.' if before != b'.' => before = b'.',
+            b'[' if before != b'.' => {
+                let start = at;
+                // Empty brackets mean 0; an index beyond u32 exists in no structure.
+                let mut number = 0_u32;
+                while let Some(digit @ b'0'..=b'9') = bytes.get(at) {
+                    number = number.saturating_mul(10).saturating_add(u32::from(digit - b'0'));
+                    at += 1;
+                }
+                if bytes.get(at) != Some(&b']') {
                     return Path::Malformed;
                 }
-                // Empty brackets mean 0; an index beyond u32 exists in no structure.
-                let number = if digits == 0 { 0 } else { path[at + 1..][..digits].parse().unwrap_or(u32::MAX) };
                 if let Some(place) = index.get_mut(indices) {
                     *place = number;
                 }
                 indices += 1;
-                length -= digits;
-                at += digits + 1;
+                length -= at - start;
+                at += 1;
                 before = b']';
             }
             _ => return Path::Malformed,
         }
-        at += 1;
     }
     if before == b'.' || bytes[0].is_ascii_digit() {
         return Path::Malformed;
@@ -163,19 +161,15 @@ pub(crate) fn find(path: &str) -> Path {
     }
 }
 
-/// Whether a byte is one of a name.
-fn is_of_name(byte: u8) -> bool {
-    static OF_NAME: [bool; 256] = {
-        let mut is = [false; 256];
-        let mut byte = 0;
-        while byte < 128u8 {
-            is[byte as usize] = byte.is_ascii_alphanumeric() || byte == b'_';
-            byte += 1;
-        }
-        is
-    };
-    OF_NAME[usize::from(byte)]
-}
+static OF_NAME: [bool; 256] = {
+    let mut is = [false; 256];
+    let mut byte = 0;
+    while byte < 128u8 {
+        is[byte as usize] = byte.is_ascii_alphanumeric() || byte == b'_';
+        byte += 1;
+    }
+    is
+};
 
 /// Whether parameters stand below this path in a set: `lr_param`, `lr_param.improved_position_control.stage[0]`.
 pub(crate) fn is_structure(path: &str) -> bool {
@@ -183,7 +177,6 @@ pub(crate) fn is_structure(path: &str) -> bool {
     STRUCTURES.binary_search(&plain).is_ok()
 }
 
-/// All structures, with `[]` for an index.
 pub(crate) fn structures() -> impl Iterator<Item = &'static str> {
     STRUCTURES.iter().map(String::as_str)
 }
@@ -197,67 +190,4 @@ pub(crate) fn templates() -> impl Iterator<Item = &'static str> {
 /// `stage[0].mode` and `stage[i].mode` as `stage[].mode`.
 pub(crate) fn without_indices(path: &str) -> String {
     letters(path, true).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn known(path: &str) -> (Name, [u32; 2], bool) {
-        match find(path) {
-            Path::Known { name, index, misprint, .. } => (name, index, misprint),
-            other => panic!("{path}: {other:?}"),
-        }
-    }
-
-    #[test]
-    fn indices_aliases_and_misprints() {
-        let ipc = "lr_param.improved_position_control";
-        assert_eq!(known(&format!("{ipc}.stage[2].filter[1].fg_f0")), (Name::FilterF0, [2, 1], false));
-        assert_eq!(known(&format!("{ipc}.stage[].filter[].fg_f0")), (Name::FilterF0, [0, 0], false));
-        assert_eq!(known(&format!("{ipc}.stage[1].filter.fg_f0")), (Name::FilterF0, [1, 0], false));
-        assert_eq!(known(&format!("{ipc}.stage[1]osc_damping")), (Name::OscDamping, [1, 0], true));
-        assert_eq!(known(&format!("{ipc}.stage[1].filter[0].damping")), (Name::FilterDamping, [1, 0], false));
-        assert_eq!(known("getriebe[15].dynamik.vb_max"), (Name::VbMax, [15, 0], false));
-        assert_eq!(known("getriebe[000].dynamik.vb_max"), (Name::VbMax, [0, 0], false));
-    }
-
-    #[test]
-    fn other_indices() {
-        assert_eq!(with_other_indices("getriebe.kv"), Some("getriebe[i].kv"));
-        assert_eq!(with_other_indices("Vorsteuer[0].VORSTEUERUNG"), Some("vorsteuer.vorsteuerung"));
-        assert_eq!(with_other_indices("kopf[0].achs_nr[3]"), Some("kopf.achs_nr"));
-        assert_eq!(with_other_indices("kenngr.swe_pos"), None);
-    }
-
-    #[test]
-    fn what_does_not_exist() {
-        assert!(matches!(find("getriebe[16].dynamik.vb_max"), Path::OutOfRange { name: Name::VbMax, .. }));
-        assert!(matches!(find("getriebe[99999999999].dynamik.vb_max"), Path::OutOfRange { .. }));
-        assert_eq!(find("kenngr.swe_pos"), Path::Foreign);
-        assert_eq!(find(&"x".repeat(1000)), Path::Foreign);
-        for malformed in
-            ["", ".", "a.", ".a", "a..b", "a[", "a[x]", "a[1", "[1]", "a[0][", "1a", "a=1", "a-b", "a[[0]]", "ä"]
-        {
-            assert_eq!(find(malformed), Path::Malformed, "{malformed}");
-        }
-    }
-
-    #[test]
-    fn structures_of_a_set() {
-        for path in ["lr_param", "lr_param.improved_position_control.stage[2]", "getriebe[1].dynamik"] {
-            assert!(is_structure(path), "{path}");
-        }
-        for path in ["lr", "getriebe", "lr_param.improved_position_control.enable", ""] {
-            assert!(!is_structure(path), "{path}");
-        }
-    }
-
-    #[test]
-    fn no_spelling_belongs_to_two_parameters() {
-        let mut all: Vec<&String> = SPELLINGS.iter().flatten().map(|spelling| &spelling.plain).collect();
-        all.sort_unstable();
-        assert!(all.windows(2).all(|pair| pair[0] != pair[1]));
-        assert_eq!(all.len(), TABLE.iter().map(|p| 1 + p.aliases.len() + p.misprints.len()).sum::<usize>());
-    }
 }

@@ -13,23 +13,17 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
-/// What stands at the top of a set.
 #[derive(Debug, Default)]
 pub(crate) struct Top<'a> {
     /// `cycle_time`, `targets`
     pub(crate) values: Values,
-    /// the axes, in the order of the file
     pub(crate) axes: Vec<AxisTable<'a>>,
 }
 
-/// An axis of a set.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct AxisTable<'a> {
-    /// its name
     pub(crate) name: &'a str,
-    /// where the name stands
     pub(crate) name_at: usize,
-    /// what stands below it
     pub(crate) table: &'a DeTable<'a>,
 }
 
@@ -39,9 +33,6 @@ const SYNTAX_FAULTS: usize = 20;
 type Entry<'a> = (&'a Spanned<DeString<'a>>, &'a Spanned<DeValue<'a>>);
 
 /// Parses the file.
-///
-/// # Errors
-/// If it is no TOML.
 pub(crate) fn parse(source: &Source) -> Result<Spanned<DeTable<'_>>, Report> {
     let mut report = Report::default();
     let text = match str::from_utf8(&source.bytes) {
@@ -63,7 +54,6 @@ pub(crate) fn parse(source: &Source) -> Result<Spanned<DeTable<'_>>, Report> {
     Err(report)
 }
 
-/// Reads the top of a set.
 pub(crate) fn top<'a>(source: &Arc<Source>, table: &'a DeTable<'a>, report: &mut Report) -> Top<'a> {
     let mut top = Top::default();
     for (key, value) in in_file_order(table) {
@@ -118,7 +108,6 @@ fn axes_of<'a>(source: &Source, axes: &'a DeTable<'a>, report: &mut Report) -> V
     found
 }
 
-/// The values that stand below an axis.
 pub(crate) fn values_of(source: &Arc<Source>, axis: AxisTable<'_>, report: &mut Report) -> Values {
     let mut values = Values::default();
     let mut path = String::new();
@@ -219,7 +208,6 @@ fn no_table(path: &str, value: &DeValue<'_>, place: Place) -> Diagnostic {
     Diagnostic::error(codes::TYPE, place, found).allowed("a table")
 }
 
-/// The entries of a table in the order of the file.
 fn in_file_order<'a>(table: &'a DeTable<'a>) -> Vec<Entry<'a>> {
     let mut entries: Vec<Entry<'a>> = table.iter().collect();
     entries.sort_by_key(|(key, _)| key.span().start);

@@ -3,12 +3,9 @@
 use crate::diagnostics::Place;
 use std::sync::{Arc, OnceLock};
 
-/// A file that is being read.
 #[derive(Debug)]
 pub(crate) struct Source {
-    /// as the user named it
     pub(crate) name: String,
-    /// its content
     pub(crate) bytes: Vec<u8>,
     /// whether it is an option of the command line, which has no lines
     is_option: bool,
@@ -27,23 +24,19 @@ struct Lines {
 }
 
 impl Source {
-    /// A file and its content.
     pub(crate) fn of(name: &str, bytes: Vec<u8>) -> Arc<Self> {
         Arc::new(Self { name: name.to_owned(), bytes, is_option: false, lines: OnceLock::new() })
     }
 
-    /// An option of the command line and its value.
     pub(crate) fn option(name: &str, value: &str) -> Arc<Self> {
         let bytes = value.as_bytes().to_vec();
         Arc::new(Self { name: name.to_owned(), bytes, is_option: true, lines: OnceLock::new() })
     }
 
-    /// The file as a whole.
     pub(crate) fn whole(&self) -> Place {
         Place { file: self.name.clone(), line: 0, column: 0 }
     }
 
-    /// The place of a byte.
     pub(crate) fn place(&self, offset: usize) -> Place {
         if self.is_option {
             return self.whole();
@@ -80,30 +73,4 @@ impl Lines {
 /// Bytes that go on a character of UTF-8.
 fn count(bytes: &[u8]) -> usize {
     bytes.iter().filter(|byte| **byte & 0xC0 == 0x80).count()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn at(bytes: &[u8], offset: usize) -> (usize, usize) {
-        let place = Source::of("x", bytes.to_vec()).place(offset);
-        (place.line, place.column)
-    }
-
-    #[test]
-    fn lines_and_columns_count_from_one() {
-        assert_eq!(at(b"", 0), (1, 1));
-        assert_eq!(at(b"ab\ncd", 0), (1, 1));
-        assert_eq!(at(b"ab\ncd", 2), (1, 3));
-        assert_eq!(at(b"ab\ncd", 3), (2, 1));
-        assert_eq!(at(b"ab\ncd", 5), (2, 3));
-    }
-
-    #[test]
-    fn columns_count_characters_also_far_into_a_line() {
-        assert_eq!(at("aäb".as_bytes(), 3), (1, 3));
-        let line = "ä".repeat(5000);
-        assert_eq!(at(line.as_bytes(), 9998), (1, 5000));
-    }
 }

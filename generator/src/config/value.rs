@@ -1,4 +1,4 @@
-//! From the text of a value to the value that its parameter's kind demands; ranges are judged where a value is used.
+//! From the text of a value to the value that its parameter's kind demands; ranges are validated where a value is used.
 
 use super::closest;
 use crate::codes;
@@ -9,15 +9,12 @@ use toml::de::DeValue;
 
 /// Why a text is no value of a parameter.
 #[derive(Debug, PartialEq, Eq)]
-pub struct Refused {
-    /// the diagnostic's code
-    pub code: &'static str,
+pub(crate) struct Refused {
+    pub(crate) code: &'static str,
     /// what was found, to follow the parameter's name
-    pub found: String,
-    /// what is allowed
-    pub allowed: String,
-    /// what to write instead
-    pub instead: Option<String>,
+    pub(crate) found: String,
+    pub(crate) allowed: String,
+    pub(crate) instead: Option<String>,
 }
 
 impl Refused {
@@ -30,10 +27,7 @@ impl Refused {
 }
 
 /// The value of a parameter in an axis list, or of a default.
-///
-/// # Errors
-/// If the text is none; the range is not judged.
-pub fn of_text(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
+pub(crate) fn of_text(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
     match parameter.kind {
         Kind::Word(words) => of_word(parameter, words, text).map(Value::Word),
         Kind::Words(words) => text
@@ -50,10 +44,7 @@ pub fn of_text(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
 }
 
 /// The value of a parameter in a set.
-///
-/// # Errors
-/// If it is of another type, or its text is no value; the range is not judged.
-pub fn of_toml(parameter: &Parameter, value: &DeValue<'_>) -> Result<Value, Refused> {
+pub(crate) fn of_toml(parameter: &Parameter, value: &DeValue<'_>) -> Result<Value, Refused> {
     match (parameter.kind, value) {
         (Kind::Word(_) | Kind::Duration { .. } | Kind::Text, DeValue::String(text)) => of_text(parameter, text),
         (Kind::Word(words), DeValue::Integer(_) | DeValue::Boolean(_)) => {
@@ -72,8 +63,7 @@ pub fn of_toml(parameter: &Parameter, value: &DeValue<'_>) -> Result<Value, Refu
 }
 
 /// A text from a file, fit for a message: on one line, and not too long.
-#[must_use]
-pub fn shown(text: &str) -> String {
+pub(crate) fn shown(text: &str) -> String {
     const LONGEST: usize = 100;
     let start: String = text.chars().take(LONGEST).flat_map(char::escape_debug).collect();
     let dots = if text.chars().nth(LONGEST).is_some() { "..." } else { "" };
@@ -94,6 +84,11 @@ fn of_word(parameter: &Parameter, words: &'static [Word], text: &str) -> Result<
     })
 }
 
+fn given_twice(parameter: &Parameter, word: &str) -> Refused {
+    let found = format!("names {} twice", shown(word));
+    Refused { code: codes::GIVEN_TWICE, found, allowed: parameter.allowed(), instead: None }
+}
+
 /// Words with blanks or `|` between, or the number that their bits make.
 fn of_flags(parameter: &Parameter, words: &'static [Word], text: &str) -> Result<Value, Refused> {
     if let Some(number) = integer(text) {
@@ -103,8 +98,7 @@ fn of_flags(parameter: &Parameter, words: &'static [Word], text: &str) -> Result
     for part in text.split(|c: char| c.is_ascii_whitespace() || c == '|').filter(|part| !part.is_empty()) {
         let word = of_word(parameter, words, part)?;
         if found.contains(&word) {
-            let found = format!("names {} twice", shown(word));
-            return Err(Refused { code: codes::GIVEN_TWICE, found, allowed: parameter.allowed(), instead: None });
+            return Err(given_twice(parameter, word));
         }
         found.push(word);
     }
@@ -150,10 +144,7 @@ fn meant(words: &[Word], number: i64, rest: i64) -> Option<String> {
 }
 
 /// Words, each an element of an array.
-///
-/// # Errors
-/// Every element that is none, or repeats one, with the place of its first byte.
-pub fn of_array(
+pub(crate) fn of_array(
     parameter: &Parameter,
     words: &'static [Word],
     array: &[toml::Spanned<DeValue<'_>>],
@@ -167,12 +158,7 @@ pub fn of_array(
         };
         match word {
             Err(refused) => wrong.push((element.span().start, refused)),
-            Ok(word) if found.contains(&word) => {
-                let found = format!("names {} twice", shown(word));
-                let code = codes::GIVEN_TWICE;
-                wrong
-                    .push((element.span().start, Refused { code, found, allowed: parameter.allowed(), instead: None }));
-            }
+            Ok(word) if found.contains(&word) => wrong.push((element.span().start, given_twice(parameter, word))),
             Ok(word) => found.push(word),
         }
     }

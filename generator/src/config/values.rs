@@ -16,7 +16,6 @@ pub(crate) fn key(name: Name) -> Key {
     (name, [0, 0])
 }
 
-/// What was given for one parameter.
 #[derive(Clone, Debug)]
 pub(crate) struct Setting {
     /// the value; none: it could not be read, and that has been said, or is said where the value is used
@@ -25,50 +24,27 @@ pub(crate) struct Setting {
     pub(crate) refused: Option<Diagnostic>,
     /// the path template that was used: the parameter's path, or an alias
     pub(crate) spelling: &'static str,
-    /// the file
     pub(crate) source: Arc<Source>,
-    /// where the path begins
     pub(crate) path_at: usize,
-    /// where the value begins
     pub(crate) value_at: usize,
 }
 
 impl Setting {
-    /// Place of the path.
     pub(crate) fn path_place(&self) -> Place {
         self.source.place(self.path_at)
     }
 
-    /// Place of the value.
     pub(crate) fn value_place(&self) -> Place {
         self.source.place(self.value_at)
     }
 }
 
-/// A value of a list, or why it is none: said at once, unless that can wait until something uses it.
-pub(super) fn read(
-    can_wait: bool,
-    read: Result<Value, Diagnostic>,
-    report: &mut Report,
-) -> (Option<Value>, Option<Diagnostic>) {
-    match read {
-        Ok(value) => (Some(value), None),
-        Err(refused) if can_wait => (None, Some(refused)),
-        Err(refused) => {
-            report.push(refused);
-            (None, None)
-        }
-    }
-}
-
-/// What was given for one axis, in the order of the table.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Values {
     settings: BTreeMap<Key, Setting>,
 }
 
 impl Values {
-    /// What was given for a parameter.
     pub(crate) fn get(&self, key: Key) -> Option<&Setting> {
         self.settings.get(&key)
     }
@@ -99,7 +75,6 @@ impl Values {
         of_use.chain(self.unread(said)).collect()
     }
 
-    /// The word that was given for a parameter without indices.
     pub(crate) fn word<T: Words>(&self, name: Name) -> Option<T> {
         match self.get(key(name))?.value {
             Some(Value::Word(word)) => T::named(word),
@@ -107,7 +82,6 @@ impl Values {
         }
     }
 
-    /// The text that was given for a parameter without indices.
     pub(crate) fn text(&self, name: Name) -> Option<&str> {
         match &self.get(key(name))?.value {
             Some(Value::Text(text)) => Some(text),
@@ -120,7 +94,6 @@ impl Values {
         self.settings.extend(other.settings);
     }
 
-    /// All that was given.
     pub(crate) fn iter(&self) -> impl Iterator<Item = (Key, &Setting)> {
         self.settings.iter().map(|(key, setting)| (*key, setting))
     }

@@ -77,7 +77,6 @@ fn of_set(
     Filling { values, top: Values::default(), report }.list(Some(&bytes))
 }
 
-/// The axis of that name, or the only one.
 fn named<'a>(
     source: &std::sync::Arc<Source>,
     axes: &[set::AxisTable<'a>],

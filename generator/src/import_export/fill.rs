@@ -12,14 +12,12 @@ use crate::diagnostics::{Diagnostic, Report, Severity};
 use crate::parameters::{Name, Scope, path_with};
 use std::collections::BTreeSet;
 
-/// What lines are filled with.
 #[derive(Debug)]
 pub(super) struct Filling<'r> {
     /// what the axis was given, its list included
     pub(super) values: Values,
     /// what stands at the top of the set
     pub(super) top: Values,
-    /// what is to be said
     pub(super) report: &'r mut Report,
 }
 
@@ -147,7 +145,6 @@ impl Filling<'_> {
     }
 }
 
-/// The value of a set as a list has it.
 fn text_of(name: Name, setting: &Setting) -> String {
     let value = setting.value.as_ref();
     value.map_or_else(String::new, |value| {

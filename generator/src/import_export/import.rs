@@ -78,9 +78,7 @@ fn cycle_time_or(given: Option<&str>) -> u32 {
     }
 }
 
-/// A list, taken apart.
 struct Taken {
-    /// the known values and their comments
     axis: Table,
     /// the lines, with a hole for each known value
     lines: Encoded,
@@ -156,7 +154,6 @@ fn comments_above(mut comments: Vec<String>) -> String {
     std::iter::once("\n".to_owned()).filter(|_| is_apart).chain(lines).collect()
 }
 
-/// The comment behind a value.
 fn comment_beside(line: &Line<'_>) -> String {
     match line.content {
         Content::Statement(statement) if !statement.comment.is_empty() => {

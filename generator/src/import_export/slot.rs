@@ -13,22 +13,18 @@ pub(super) const OWN: &str = "# axgen: ";
 /// What stands for a value that the set has: `=`, or `=` and the spelling that the list had.
 pub(super) const HOLE: char = '=';
 
-/// The place of a value in a line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Slot<'a> {
     pub(super) key: Key,
     /// the path template by which it was found, a misprint included
     pub(super) spelling: &'static str,
-    /// whether a manual misprints the path so
     pub(super) misprint: bool,
     pub(super) text: &'a str,
-    /// where it stands in the line's bytes
     pub(super) range: Range<usize>,
     /// whether it is a key of our own, in a comment
     pub(super) own: bool,
 }
 
-/// The place of a value in a line that has one.
 pub(super) fn of<'a>(line: &Line<'a>) -> Option<Slot<'a>> {
     match line.content {
         Content::Statement(statement) => {

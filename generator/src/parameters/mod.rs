@@ -4,8 +4,9 @@ mod table;
 mod text;
 pub mod words;
 
-pub use table::{FILTERS, Name, STAGES, TABLE};
-pub use text::{path_with, real_text, time_text};
+pub use table::Name;
+pub(crate) use table::{FILTERS, STAGES, TABLE};
+pub(crate) use text::{path_with, real_text, time_text};
 
 /// One declaration of the table.
 #[derive(Debug)]
@@ -22,8 +23,7 @@ pub struct Parameter {
     pub indices: &'static [u32],
     /// in which file it may stand
     pub scope: Scope,
-    /// what its value looks like
-    pub kind: Kind,
+    pub(crate) kind: Kind,
     /// the vendor's data type, where the manuals print it: UNS16, SGN32, REAL64, BOOLEAN, STRING
     pub data_type: &'static str,
     /// the unit of a number
@@ -39,7 +39,7 @@ pub struct Parameter {
     pub numbers: &'static [&'static str],
     /// the drive types for which the manual prints it
     pub drives: &'static str,
-    /// whether it is judged where it is used only: a real machine's list has it for functions that are not generated
+    /// whether it is validated where it is used only: a real machine's list has it for functions that are not generated
     pub is_shared: bool,
     /// what it means
     pub meaning: &'static str,
@@ -58,44 +58,32 @@ pub enum Scope {
 
 /// What a value looks like.
 #[derive(Clone, Copy, Debug)]
-pub enum Kind {
-    /// one of a few words
+pub(crate) enum Kind {
     Word(&'static [Word]),
     /// several different words of a few
     Words(&'static [Word]),
     /// bits of a number, each with a word
     Flags(&'static [Word]),
-    /// a whole number
     Integer {
-        /// the smallest
         from: u32,
-        /// the largest
         to: u32,
     },
-    /// a real number
     Real {
-        /// the lower end
         from: Bound,
-        /// the upper end
         to: Bound,
     },
-    /// a time with its unit
+    /// the shortest and the longest, in ns
     Duration {
-        /// the shortest, in ns
         from: u64,
-        /// the longest, in ns
         to: u64,
     },
-    /// any text
     Text,
 }
 
-/// An end of a range.
+/// An end of a range; it belongs to the range where it is closed.
 #[derive(Clone, Copy, Debug)]
-pub enum Bound {
-    /// the value itself is outside
+pub(crate) enum Bound {
     Open(f64),
-    /// the value itself is inside
     Closed(f64),
 }
 
@@ -112,18 +100,15 @@ pub struct Word {
 
 /// A value, as its parameter's kind demands.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Value {
-    /// a word, as we write it
+pub(crate) enum Value {
+    /// as we write it
     Word(&'static str),
-    /// several words, as we write them
     Words(Vec<&'static str>),
-    /// a whole number
     Integer(i64),
     /// a finite real number
     Real(f64),
     /// a time, in ns
     Duration(u64),
-    /// a text
     Text(String),
 }
 
@@ -137,21 +122,18 @@ impl Name {
 
 impl Parameter {
     /// The last part of the path: `order`.
-    #[must_use]
-    pub fn short(&self) -> &'static str {
+    pub(crate) fn short(&self) -> &'static str {
         self.path.rsplit('.').next().unwrap_or(self.path)
     }
 
     /// The default at these indices, as a list would write it; none: the parameter has no default.
-    #[must_use]
-    pub fn default_at(&self, index: [u32; 2]) -> Option<&'static str> {
+    pub(crate) fn default_at(&self, index: [u32; 2]) -> Option<&'static str> {
         let last = index[self.indices.len().saturating_sub(1)] as usize;
         self.default.get(last).or(self.default.last()).copied()
     }
 
     /// Whether the value lies within the range of the kind.
-    #[must_use]
-    pub fn contains(&self, value: &Value) -> bool {
+    pub(crate) fn contains(&self, value: &Value) -> bool {
         match (&self.kind, value) {
             (Kind::Integer { from, to }, Value::Integer(n)) => (i64::from(*from)..=i64::from(*to)).contains(n),
             (Kind::Real { from, to }, Value::Real(x)) => {

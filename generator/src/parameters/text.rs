@@ -4,8 +4,7 @@ use super::{Bound, Kind, Parameter, Value, Word};
 use std::fmt::Write;
 
 /// A path template with these indices in place of its letters.
-#[must_use]
-pub fn path_with(template: &str, index: [u32; 2]) -> String {
+pub(crate) fn path_with(template: &str, index: [u32; 2]) -> String {
     let mut path = String::with_capacity(template.len());
     let mut indices = index.into_iter();
     let mut rest = template;
@@ -19,8 +18,7 @@ pub fn path_with(template: &str, index: [u32; 2]) -> String {
 }
 
 /// A time with the largest unit that needs no more than a few digits: `62.5us`, `1ms`.
-#[must_use]
-pub fn time_text(ns: u64) -> String {
+pub(crate) fn time_text(ns: u64) -> String {
     let (unit, per_unit, digits) = match ns {
         0 => return "0s".to_owned(),
         1_000_000_000.. => ("s", 1_000_000_000, 9),
@@ -35,15 +33,13 @@ pub fn time_text(ns: u64) -> String {
 }
 
 /// The shortest decimal that is read back to the same bits.
-#[must_use]
-pub fn real_text(x: f64) -> String {
+pub(crate) fn real_text(x: f64) -> String {
     if x != 0.0 && !(1e-5..1e16).contains(&x.abs()) { format!("{x:e}") } else { format!("{x}") }
 }
 
 impl Value {
     /// As the canonical form writes it.
-    #[must_use]
-    pub fn text(&self) -> String {
+    pub(crate) fn text(&self) -> String {
         match self {
             Self::Word(word) => (*word).to_owned(),
             Self::Words(words) => words.join(" "),
@@ -86,9 +82,7 @@ impl Parameter {
         }
     }
 
-    /// Path and id, for a message.
-    #[must_use]
-    pub fn title(&self, template: &str, index: [u32; 2]) -> String {
+    pub(crate) fn title(&self, template: &str, index: [u32; 2]) -> String {
         let path = path_with(template, index);
         match self.id {
             Some(id) => format!("`{path}` ({id})"),

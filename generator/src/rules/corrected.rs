@@ -4,6 +4,7 @@ use super::effective::Effective;
 use crate::axis::Ratio;
 use crate::config::values::key;
 use crate::diagnostics::Diagnostic;
+use crate::parameters::words::{FeedforwardWord, Words};
 use crate::parameters::{Name, Value, path_with, time_text};
 
 /// Cycles that end every delay.
@@ -62,10 +63,11 @@ pub(crate) fn ratio(
 }
 
 /// An additive output that the process data do not have: it is off (70350, 70351).
-pub(crate) fn no_datum(e: &mut Effective<'_>, words: &str, datum: Name, (code, id): (&'static str, u32)) {
+pub(crate) fn no_datum(e: &mut Effective<'_>, word: FeedforwardWord, datum: Name, (code, id): (&'static str, u32)) {
     let found = format!(
-        "{} has {words}, and the process data have no such command: error {id} of the controller; the output is switched off",
-        e.title(key(Name::FeedforwardMode))
+        "{} has {}, and the process data have no such command: error {id} of the controller; the output is switched off",
+        e.title(key(Name::FeedforwardMode)),
+        word.name()
     );
     let instead =
         format!("{} = \"INT32\" or \"INT16\" in a set, if the drive has it", path_with(datum.parameter().path, [0, 0]));

@@ -9,13 +9,10 @@ use crate::parameters::words::{DriveType, OperationMode, ProcessDatum};
 /// The drive, as far as every part of the axis needs it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Drive {
-    /// where the position is controlled
     pub(crate) location: Location,
     /// the gear step whose parameters are used
     pub(crate) gear: u32,
-    /// the additive velocity in the process data
     pub(crate) velocity: Option<Width>,
-    /// the additive torque in the process data
     pub(crate) torque: Option<Width>,
 }
 
@@ -43,7 +40,6 @@ pub(crate) fn check(e: &mut Effective<'_>) -> Option<Drive> {
     Some(Drive { location, gear, velocity, torque: datum(e, Name::AdditiveTorqueData) })
 }
 
-/// Whether DRIVE_DEFAULT means that the drive controls the position.
 fn controls_position(drive_type: DriveType) -> bool {
     match drive_type {
         DriveType::Sercos | DriveType::Profidrive | DriveType::CanOpen => true,

@@ -16,23 +16,19 @@ use std::path::Path;
 pub(crate) struct Effective<'a> {
     values: &'a Values,
     home: Place,
-    /// what was said so far
     pub(crate) report: Report,
     used: BTreeMap<Key, String>,
 }
 
 impl<'a> Effective<'a> {
-    /// Nothing said, nothing used yet.
     pub(crate) fn of(values: &'a Values, home: Place) -> Self {
         Self { values, home, report: Report::default(), used: BTreeMap::new() }
     }
 
-    /// What was given, as it was given.
     pub(crate) fn given(&self, key: Key) -> Option<&'a Setting> {
         self.values.get(key)
     }
 
-    /// All that was given.
     pub(crate) fn all_given(&self) -> impl Iterator<Item = (Key, &'a Setting)> + use<'a> {
         self.values.iter()
     }
@@ -101,7 +97,6 @@ impl<'a> Effective<'a> {
         self.validated(key).map(|value| word_of(key, &value))
     }
 
-    /// The words that hold, validated.
     pub(crate) fn validated_words<T: Words>(&mut self, key: Key) -> Option<Vec<T>> {
         match self.validated(key)? {
             Value::Words(words) => Some(words.into_iter().map(|word| word_named(key, word)).collect()),
@@ -109,12 +104,8 @@ impl<'a> Effective<'a> {
         }
     }
 
-    /// The whole number that holds, validated.
     pub(crate) fn validated_integer(&mut self, key: Key) -> Option<u32> {
-        match self.validated(key)? {
-            Value::Integer(n) => u32::try_from(n).ok(),
-            other => wrong_kind(key, &other),
-        }
+        self.validated(key).and_then(|value| integer_of(key, &value))
     }
 
     /// The word that holds, validated and used.
@@ -122,15 +113,10 @@ impl<'a> Effective<'a> {
         self.used_value(key).map(|value| word_of(key, &value))
     }
 
-    /// The whole number that holds, validated and used.
     pub(crate) fn integer(&mut self, key: Key) -> Option<u32> {
-        match self.used_value(key)? {
-            Value::Integer(n) => u32::try_from(n).ok(),
-            other => wrong_kind(key, &other),
-        }
+        self.used_value(key).and_then(|value| integer_of(key, &value))
     }
 
-    /// The real number that holds, validated and used.
     pub(crate) fn real(&mut self, key: Key) -> Option<f64> {
         match self.used_value(key)? {
             Value::Real(x) => Some(x),
@@ -152,13 +138,11 @@ impl<'a> Effective<'a> {
         Some(value)
     }
 
-    /// A warning about a parameter.
     pub(crate) fn warn(&mut self, code: &'static str, key: Key, found: String, instead: Option<String>) {
         let diagnostic = Diagnostic::warning(code, self.place_of(key), found);
         self.report.push(Diagnostic { instead, ..diagnostic });
     }
 
-    /// An error of a parameter, with what is allowed and what to write instead.
     pub(crate) fn refuse(
         &mut self,
         code: &'static str,
@@ -176,7 +160,6 @@ impl<'a> Effective<'a> {
         key.0.parameter().title(spelling, key.1)
     }
 
-    /// Whether a block uses a parameter.
     pub(crate) fn is_used(&self, key: Key) -> bool {
         self.used.contains_key(&key)
     }
@@ -215,6 +198,13 @@ pub(crate) fn as_written(place: &Place, (name, index): Key, words: &[&str]) -> S
 fn word_of<T: Words>(key: Key, value: &Value) -> T {
     match value {
         Value::Word(word) => word_named(key, word),
+        other => wrong_kind(key, other),
+    }
+}
+
+fn integer_of(key: Key, value: &Value) -> Option<u32> {
+    match value {
+        Value::Integer(n) => u32::try_from(*n).ok(),
         other => wrong_kind(key, other),
     }
 }

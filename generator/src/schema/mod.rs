@@ -1,8 +1,8 @@
 //! The JSON schema of a set, from the table of parameters: what an editor completes and checks as one types. It takes every set
 //! that `check` takes; what `check` refuses it refuses as far as the place of a value alone tells.
 
-mod judged;
 mod pattern;
+mod validated;
 
 use crate::parameters::{Bound, Kind, Name, Parameter, Scope, Word};
 use serde_json::{Map, Value, json};
@@ -11,7 +11,7 @@ use serde_json::{Map, Value, json};
 #[must_use]
 pub fn text() -> String {
     let mut axis = Node::of(|parameter| parameter.scope != Scope::Set).schema();
-    axis["allOf"] = judged::rules();
+    axis["allOf"] = validated::rules();
     let mut set = Node::of(|parameter| parameter.scope == Scope::Set);
     set.description = "A set of axes for axgen".to_owned();
     let mut set = set.schema();
@@ -28,13 +28,10 @@ pub fn text() -> String {
     format!("{set:#}")
 }
 
-/// A place in the tree of keys.
 #[derive(Default)]
 struct Node {
     description: String,
-    /// what a value may be
     leaf: Option<Value>,
-    /// the keys below it
     children: Vec<(String, Node)>,
     /// whether it may be given as an array of tables, and how many
     items: Option<u32>,
@@ -71,8 +68,8 @@ impl Node {
         }
         node.single = false;
         // Where something else may decide whether a value is used, its range is only told.
-        let is_always_judged = !parameter.is_shared && parameter.indices.is_empty();
-        node.leaf = Some(leaf(parameter, is_always_judged));
+        let is_always_validated = !parameter.is_shared && parameter.indices.is_empty();
+        node.leaf = Some(leaf(parameter, is_always_validated));
         node.description = description(parameter);
     }
 
@@ -113,8 +110,8 @@ fn description(parameter: &Parameter) -> String {
     }
 }
 
-/// What a value may be; without its range where it is not judged. A default outside of the range means that there is none.
-fn leaf(parameter: &Parameter, is_judged: bool) -> Value {
+/// What a value may be; without its range where it is not validated. A default outside of the range means that there is none.
+fn leaf(parameter: &Parameter, is_validated: bool) -> Value {
     match parameter.kind {
         Kind::Word(all) => words(all),
         Kind::Words(all) => json!({ "type": "array", "items": words(all), "uniqueItems": true }),
@@ -123,9 +120,9 @@ fn leaf(parameter: &Parameter, is_judged: bool) -> Value {
             { "type": "string", "pattern": pattern::of_flags(all) },
             { "type": "integer", "enum": pattern::sums(all) },
         ] }),
-        Kind::Integer { from, to } if is_judged => json!({ "type": "integer", "minimum": from, "maximum": to }),
+        Kind::Integer { from, to } if is_validated => json!({ "type": "integer", "minimum": from, "maximum": to }),
         Kind::Integer { .. } => json!({ "type": "integer" }),
-        Kind::Real { from, to } if is_judged => {
+        Kind::Real { from, to } if is_validated => {
             let (low, from) = match from {
                 Bound::Open(end) => ("exclusiveMinimum", end),
                 Bound::Closed(end) => ("minimum", end),

@@ -14,7 +14,6 @@ pub(super) fn of_flags(words: &[Word]) -> String {
     format!("^(?:{sums}|{GAP}*(?:(?:{word})(?:{GAP}+(?:{word}))*{GAP}*)?)$")
 }
 
-/// What stands between words.
 const GAP: &str = r"[ \t\n\f\r|]";
 
 /// Every number that bits of these words make.

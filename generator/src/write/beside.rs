@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 
 const MARK: &str = ".axgen-";
 
-/// The new content, on its way.
 pub(super) fn staged(path: &Path) -> PathBuf {
     beside(path, "staged")
 }
@@ -21,10 +20,8 @@ fn beside(path: &Path, what: &str) -> PathBuf {
     path.with_file_name(name)
 }
 
-/// What a process that was killed left behind.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum LeftOver<'n> {
-    /// new content
     Staged,
     /// old content of the target of that name
     Kept(&'n str),
@@ -44,23 +41,4 @@ pub(super) fn left_over(name: &str) -> Option<LeftOver<'_>> {
 /// Removes a file of ours. That it may not be there, or cannot be removed, changes nothing for the caller.
 pub(super) fn remove(path: &Path) {
     let _ = fs::remove_file(path);
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn names_are_told_from_others() {
-        let path = Path::new("out/axis_x.c");
-        let name = |path: PathBuf| path.file_name().unwrap().to_string_lossy().into_owned();
-        assert_eq!(left_over(&name(staged(path))), Some(LeftOver::Staged));
-        assert_eq!(left_over(&name(kept(path))), Some(LeftOver::Kept("axis_x.c")));
-        assert_eq!(kept(path).parent(), path.parent());
-        for other in
-            ["axis_x.c", "x.axgen-staged-", "x.axgen-staged-1a", "x.axgen-other-1", ".axgen-kept-1", "axgen-kept-1"]
-        {
-            assert_eq!(left_over(other), None, "{other}");
-        }
-    }
 }

@@ -17,7 +17,6 @@ pub struct Folder {
     below: Mutex<Below>,
 }
 
-/// The folders that were seen to.
 #[derive(Debug, Default)]
 struct Below {
     ready: BTreeSet<PathBuf>,

@@ -99,7 +99,6 @@ pub struct Staged {
     kind: Kind,
 }
 
-/// What has to be done for a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     /// nothing: it is there, to the byte

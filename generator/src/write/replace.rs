@@ -23,9 +23,7 @@ pub(super) fn all(files: &[Staged]) -> Result<(), Refusal> {
 /// A target, and how far its replacing has come.
 struct Replaced<'p> {
     path: &'p Path,
-    /// whether its old content is kept beside it
     old: bool,
-    /// whether it has its new content
     new: bool,
 }
 
@@ -36,7 +34,6 @@ fn one<'p>(path: &'p Path, replaced: &mut Vec<Replaced<'p>>) -> io::Result<()> {
     done
 }
 
-/// Keeps the old content beside the target, if there is any.
 fn keep(path: &Path) -> io::Result<bool> {
     match fs::symlink_metadata(path) {
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(false),

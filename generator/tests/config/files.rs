@@ -142,6 +142,14 @@ fn names_of_lists() {
     assert_eq!(name("X", None).unwrap(), "X");
     assert_eq!(name("1.txt", None).unwrap(), "axis_1");
     assert_eq!(name("1.txt", Some("Y2")).unwrap(), "Y2");
+    assert_eq!(name("53 Hz, old.lis", None).unwrap(), "axis_53_Hz_old");
+    assert_eq!(name("_x__y_.lis", None).unwrap(), "x_y");
+    for allowed in ["X", "x1", "rack_and_pinion", "A2345678901234567890123456789012"] {
+        assert_eq!(name("1.txt", Some(allowed)).unwrap(), allowed);
+    }
+    for no_name in ["", "_x", "x_", "x__y", "1x", "x-y", "x y", "\u{e4}", "A23456789012345678901234567890123"] {
+        assert!(name("1.txt", Some(no_name)).is_err(), "{no_name}");
+    }
     let allowed = "\n    allowed: 1 to 32 letters, digits and single underscores, a letter first and no underscore last \
                    (what C and ST both accept)";
     assert_eq!(

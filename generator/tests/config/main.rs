@@ -10,6 +10,7 @@ mod files;
 mod gantry;
 mod gear;
 mod inert;
+mod lines;
 mod list;
 mod phase;
 mod rules;

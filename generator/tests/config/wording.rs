@@ -1,6 +1,7 @@
 //! Where a message about what is missing points, and that its advice is in the language of its file.
 
 use super::{assert_transcript, said, said_of_axis};
+use generator::codes::{CODES, explain};
 
 /// A list as a whole has no line: the message stands where its user would look.
 #[test]
@@ -48,4 +49,12 @@ set.toml:4:130: warning[AX411]: stage[1].filter[1] has parameters and no type: i
     write instead: type = "BANDPASS" or "ALLPASS" in ipc.stage[1].filter[1]
 "#,
     );
+}
+
+#[test]
+fn every_code_is_explained() {
+    assert!(CODES.windows(2).all(|pair| pair[0].code < pair[1].code));
+    assert_eq!(explain("ax206").unwrap().title, "a parameter is missing");
+    assert!(explain("AX999").is_none());
+    assert!(CODES.iter().all(|code| code.explanation.ends_with('.') && !code.title.ends_with('.')));
 }

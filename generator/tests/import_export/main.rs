@@ -6,6 +6,7 @@ mod edited;
 mod examples;
 mod large;
 mod random;
+mod spelling;
 mod unread;
 
 use generator::config::{ListOptions, Unreadable};

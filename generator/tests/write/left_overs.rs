@@ -29,7 +29,15 @@ fn old_content_whose_target_is_gone_comes_back() {
 #[test]
 fn what_only_looks_like_it_stays() {
     let folder = tempfile::tempdir().unwrap();
-    let names = ["a.axgen-staged-x", "a.axgen-staged-", "a.staged-1", "axgen-kept-1"];
+    let names = [
+        "a.axgen-staged-x",
+        "a.axgen-staged-",
+        "a.axgen-staged-1a",
+        "a.axgen-other-1",
+        "a.staged-1",
+        "axgen-kept-1",
+        ".axgen-kept-1",
+    ];
     for name in names {
         fs::write(folder.path().join(name), "").unwrap();
     }

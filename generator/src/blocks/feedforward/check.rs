@@ -26,12 +26,12 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Driv
         conventional = Quantities::default();
     }
     if additive.any() && drive.velocity.is_none() {
-        corrected::no_datum(e, "ADD_VEL", Name::AdditiveVelocityData, (codes::NO_VELOCITY_DATA, 70350));
+        corrected::no_datum(e, FeedforwardWord::AddVel, Name::AdditiveVelocityData, (codes::NO_VELOCITY_DATA, 70350));
         additive = Quantities::default();
     }
     if torque.any() && drive.torque.is_none() {
-        let found = if torque.acceleration { "ADD_ACC" } else { "ADD_JERK" };
-        corrected::no_datum(e, found, Name::AdditiveTorqueData, (codes::NO_TORQUE_DATA, 70351));
+        let word = if torque.acceleration { FeedforwardWord::AddAcc } else { FeedforwardWord::AddJerk };
+        corrected::no_datum(e, word, Name::AdditiveTorqueData, (codes::NO_TORQUE_DATA, 70351));
         torque = Quantities::default();
     }
     without_delay(e, &words)?;
@@ -51,7 +51,7 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Driv
     };
     let is_out = |ratio: Option<Ratio>| ratio.is_some_and(|ratio| ratio.num == 0);
     if is_out(acceleration) {
-        // With the time constant goes all that it weights; inputs that nothing else reads are not judged either.
+        // With the time constant goes all that it weights; inputs that nothing else reads are not validated either.
         for sum in [&mut conventional, &mut additive] {
             *sum = Quantities { velocity: sum.velocity, ..Quantities::default() };
         }

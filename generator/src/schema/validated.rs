@@ -2,7 +2,8 @@
 //! the gear step 0. Where an axis has a list, that may say otherwise.
 
 use super::{leaf, words};
-use crate::parameters::{Kind, Name};
+use crate::parameters::Name;
+use crate::parameters::words::{FilterType, StageMode, Words};
 use serde_json::{Value, json};
 
 /// What an axis obeys beside the types of its values.
@@ -25,7 +26,7 @@ fn stage() -> Value {
     let damping = json!({ "exclusiveMaximum": 1.0 });
     json!({ "allOf": [
         {
-            "if": given(Name::Mode, &["DIRECT", "INDIRECT", "SET_POINT"]),
+            "if": given(Name::Mode, &[StageMode::Direct, StageMode::Indirect, StageMode::SetPoint]),
             "then": { "properties": {
                 "weight_fact_num": strict(Name::WeightFactNum),
                 "weight_fact_denom": strict(Name::WeightFactDenom),
@@ -33,7 +34,7 @@ fn stage() -> Value {
             } },
         },
         {
-            "if": given(Name::Mode, &["INDIRECT", "SET_POINT"]),
+            "if": given(Name::Mode, &[StageMode::Indirect, StageMode::SetPoint]),
             // Below 0 stands for a damping that is not given, where the other parameter gives it.
             "then": { "properties": {
                 "osc_damping": damping,
@@ -45,7 +46,7 @@ fn stage() -> Value {
 
 /// Filters of an active stage, as an array, or the first one as a table.
 fn filters() -> Value {
-    let bandpass = given(Name::FilterType, &["BANDPASS"]);
+    let bandpass = given(Name::FilterType, &[FilterType::Bandpass]);
     // The first filter is a band-pass where it has no type.
     let by_default = json!({ "properties": bandpass["properties"] });
     let mut first = filter(&by_default);
@@ -60,15 +61,13 @@ fn filter(is_bandpass: &Value) -> Value {
     };
     json!({ "allOf": [
         { "if": is_bandpass, "then": ranges(&[Name::FilterOrder, Name::FilterF0, Name::FilterQ]) },
-        { "if": given(Name::FilterType, &["ALLPASS"]), "then": ranges(&[Name::FilterF0, Name::FilterQ]) },
+        { "if": given(Name::FilterType, &[FilterType::Allpass]), "then": ranges(&[Name::FilterF0, Name::FilterQ]) },
     ] })
 }
 
 /// A table in which the parameter is one of the words.
-fn given(name: Name, chosen: &[&str]) -> Value {
-    let parameter = name.parameter();
-    let Kind::Word(all) = parameter.kind else { panic!("schema: {name:?} has no words") };
-    let short = parameter.short();
-    let chosen = words(all.iter().filter(|word| chosen.contains(&word.name)));
-    json!({ "required": [short], "properties": { short: chosen } })
+fn given<T: Words>(name: Name, chosen: &[T]) -> Value {
+    let short = name.parameter().short();
+    let chosen = T::ALL.iter().zip(T::WORDS).filter(|(word, _)| chosen.contains(word)).map(|(_, word)| word);
+    json!({ "required": [short], "properties": { short: words(chosen) } })
 }
