@@ -47,7 +47,7 @@ VAR CONSTANT
     limit_of_x : LREAL := 5.0 * 2.0;
 END_VAR]]></Declaration>
     <Implementation>
-      <ST><![CDATA[IF Enable AND F_axgen_usable_LREAL(value := x, largest := limit_of_x) AND (x < 10.0) THEN
+      <ST><![CDATA[IF Enable AND F_axgen_in_range_LREAL(value := x, largest := limit_of_x) AND (x < 10.0) THEN
     n := n + 1;
     y := (y + x) * share;
 ELSE
@@ -65,7 +65,7 @@ pub const CODESYS: &str = r#"<?xml version="1.0" encoding="utf-8"?>
   <types>
     <dataTypes />
     <pous>
-      <pou name="F_axgen_usable_LREAL" pouType="function">
+      <pou name="F_axgen_in_range_LREAL" pouType="function">
         <interface><returnType><BOOL /></returnType></interface>
         <body><ST><xhtml xmlns="http://www.w3.org/1999/xhtml">not read</xhtml></ST></body>
       </pou>
@@ -101,7 +101,7 @@ pub const CODESYS: &str = r#"<?xml version="1.0" encoding="utf-8"?>
         </interface>
         <body>
           <ST>
-            <xhtml xmlns="http://www.w3.org/1999/xhtml">IF Enable AND F_axgen_usable_LREAL(largest := limit_of_x, value := x) AND (x &lt; 10.0) THEN
+            <xhtml xmlns="http://www.w3.org/1999/xhtml">IF Enable AND F_axgen_in_range_LREAL(largest := limit_of_x, value := x) AND (x &lt; 10.0) THEN
     n := n + 1;
     y := (y + x) * share;
 ELSE
@@ -290,7 +290,7 @@ fn what_the_forms_may_not_hold() {
             Dialect::TwinCat,
             "value := x, largest := limit_of_x",
             "value := x",
-            "21:34: found `F_axgen_usable_LREAL(value := x)`; write `value := x, largest := y` in the parentheses",
+            "21:34: found `F_axgen_in_range_LREAL(value := x)`; write `value := x, largest := y` in the parentheses",
         ),
         (
             Dialect::TwinCat,
@@ -306,9 +306,9 @@ fn what_the_forms_may_not_hold() {
         ),
         (
             Dialect::TwinCat,
-            "usable_LREAL",
-            "usable_REAL",
-            "21:34: found a call of `F_axgen_usable_REAL`; write what it computes, in operators",
+            "in_range_LREAL",
+            "in_range_REAL",
+            "21:34: found a call of `F_axgen_in_range_REAL`; write what it computes, in operators",
         ),
         (
             Dialect::Codesys,
