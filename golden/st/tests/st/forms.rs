@@ -194,7 +194,7 @@ fn mistakes_have_their_places_in_the_file() {
         said(Dialect::Codesys, &text),
         [
             "37:15: found `1E1`; write a number like `15`, `1.5`, `1.5E+3` or `1.5E-3`",
-            "43:132: found `z`, which is not declared; write a declared variable",
+            "43:134: found `z`, which is not declared; write a declared variable",
             "44:12: found `MOD`; write a counter that begins again at its bound",
         ]
     );
@@ -284,7 +284,7 @@ fn what_the_forms_may_not_hold() {
             Dialect::TwinCat,
             "value := x, largest := limit_of_x",
             "x, limit_of_x",
-            "21:55: found the argument `x`; write `value := x, largest := y`",
+            "21:57: found the argument `x`; write `value := x, largest := y`",
         ),
         (
             Dialect::TwinCat,
@@ -296,13 +296,13 @@ fn what_the_forms_may_not_hold() {
             Dialect::TwinCat,
             "value := x, largest := limit_of_x",
             "value := x, largest => limit_of_x",
-            "21:67: found the argument `largest => limit_of_x`; write `value := x, largest := y`",
+            "21:69: found the argument `largest => limit_of_x`; write `value := x, largest := y`",
         ),
         (
             Dialect::TwinCat,
             "value := x, largest := limit_of_x",
             "value := x, largest := n",
-            "21:78: found a UDINT where a LREAL belongs; write a LREAL",
+            "21:80: found a UDINT where a LREAL belongs; write a LREAL",
         ),
         (
             Dialect::TwinCat,
@@ -357,7 +357,7 @@ fn what_the_forms_may_not_hold() {
             Dialect::Codesys,
             "&lt;",
             "&less;",
-            "43:134: found XML that is broken (unknown entity reference 'less' at 43:134); write well-formed XML",
+            "43:136: found XML that is broken (unknown entity reference 'less' at 43:136); write well-formed XML",
         ),
         (Dialect::Codesys, "n := n + 1;", "n := n + 1; // count", "44:17: found `//`; write `(* *)`"),
         (
