@@ -35,7 +35,7 @@ codes! {
          set.";
     TOO_LARGE = "AX002", "a file is too large",
         "No set and no axis list has as many bytes; it is probably another file.";
-    UTF8 = "AX003", "a set is no UTF-8",
+    UTF8 = "AX003", "a set is not UTF-8",
         "TOML is UTF-8. An axis list may have any byte in its comments, a set may not: save it as UTF-8.";
     SYNTAX = "AX004", "a set is no TOML",
         "The file breaks the syntax of TOML at this place. Until it is mended nothing else of it is judged.";
@@ -133,7 +133,7 @@ codes! {
         "The controller includes the master's additive velocity in its slaves by itself. A slave with improved position \
          control of its own is its error 70600: configure the master.";
     FADE = "AX306", "fading takes too many cycles",
-        "The gate counts its cycles, up to 2^24, which single precision still counts exactly. It takes at least one period of \
+        "The fade counts its cycles, up to 2^24, which single precision still counts exactly. It takes at least one period of \
          the lowest frequency.";
     TOO_LOW = "AX307", "a filter too low for the precision",
         "A biquad that is low against the sampling frequency adds its own rounding rather than the vibration: in single \

@@ -31,7 +31,7 @@ pub(crate) fn validate(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
     }
 }
 
-/// A scaling whose product with the largest usable sample is no number of the axis's real type.
+/// A scaling whose product with the largest sample in range is no number of the axis's real type.
 fn overflow(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
     let (sample, largest) = match designed.axis.real {
         RealKind::F64 => (sample_limit::<f64>(), f64::MAX),
@@ -48,7 +48,7 @@ fn overflow(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
     // 16: sums of a few products.
     let is_beyond = |factor: f64| factor.is_nan() || factor * weight.max(1.0) * sample * 16.0 > largest;
     if let Some((key, what, factor)) = factors.into_iter().find(|(.., factor)| is_beyond(*factor)) {
-        let found = format!("{what} is {factor:e}: a usable sample times it is beyond the numbers of this axis");
+        let found = format!("{what} is {factor:e}: a sample in range times it is beyond the numbers of this axis");
         e.refuse(codes::SCALE, key, found, [None, Some("the scaling of the drive's manual".to_owned())]);
     }
 }

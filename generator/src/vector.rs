@@ -23,7 +23,7 @@ pub type Recording = Arc<LazyLock<Vector, Box<dyn FnOnce() -> Vector + Send>>>;
 
 /// Samples of a run.
 pub const SAMPLES: usize = 192;
-/// The first sample with the full noise. Before it no limit acts, and a gate that needs 100 cycles has opened.
+/// The first sample with the full noise. Before it no limit acts, and a fade of 100 cycles has ended.
 const LOUD_FROM: usize = 112;
 /// The sample in which the first switch is turned.
 const FIRST_SWITCH: usize = 128;
@@ -31,12 +31,12 @@ const FIRST_SWITCH: usize = 128;
 const SWITCH_DISTANCE: usize = 6;
 /// For how long a switch stays turned.
 const SWITCH_LENGTH: usize = 3;
-/// The sample in which the first real is unusable.
-const FIRST_UNUSABLE: usize = 168;
-/// From one unusable real to the next.
-const UNUSABLE_DISTANCE: usize = 3;
+/// The sample in which the first real is out of range.
+const FIRST_OUT_OF_RANGE: usize = 168;
+/// From one real out of range to the next.
+const OUT_OF_RANGE_DISTANCE: usize = 3;
 
-/// Runs the reference on noise; one switch after the other is turned for a few samples, one real after the other unusable
+/// Runs the reference on noise; one switch after the other is turned for a few samples, one real after the other is out of range
 /// for one.
 ///
 /// `ranges` are the noise's: first one at which no limit acts, then the full one.
@@ -50,18 +50,18 @@ fn record<R: Real, B: Reference<R>>(coeffs: &B::Coeffs, types: &[Type], ranges: 
     B::exercise(&mut usual);
     let usual = leaves(&usual);
     let (reals, switches): (Vec<usize>, Vec<usize>) = (0..types.len()).partition(|index| types[*index] == Type::Real);
-    debug_assert!(FIRST_SWITCH + switches.len() * SWITCH_DISTANCE <= FIRST_UNUSABLE);
-    debug_assert!(FIRST_UNUSABLE + reals.len() * UNUSABLE_DISTANCE <= SAMPLES);
+    debug_assert!(FIRST_SWITCH + switches.len() * SWITCH_DISTANCE <= FIRST_OUT_OF_RANGE);
+    debug_assert!(FIRST_OUT_OF_RANGE + reals.len() * OUT_OF_RANGE_DISTANCE <= SAMPLES);
     let beyond = leaf(sample_limit::<R>() + sample_limit::<R>());
     let (mut state, mut outputs, mut noise) = (B::state(), B::outputs(), Noise::<R>::within(ranges));
     let mut vector = Vector { inputs: Vec::with_capacity(SAMPLES), outputs: Vec::with_capacity(SAMPLES) };
     for sample in 0..SAMPLES {
         let turned = in_turn(&switches, sample, FIRST_SWITCH, SWITCH_DISTANCE, SWITCH_LENGTH);
-        let unusable = in_turn(&reals, sample, FIRST_UNUSABLE, UNUSABLE_DISTANCE, 1);
+        let out_of_range = in_turn(&reals, sample, FIRST_OUT_OF_RANGE, OUT_OF_RANGE_DISTANCE, 1);
         let value = |(index, value): (usize, &Literal)| match types[index] {
             Type::Real => {
                 let noise = noise.next(sample >= LOUD_FROM);
-                if unusable == Some(index) { beyond } else { noise }
+                if out_of_range == Some(index) { beyond } else { noise }
             }
             _ if turned == Some(index) => turn(*value),
             _ => *value,

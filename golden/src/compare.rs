@@ -9,12 +9,12 @@ pub struct Difference {
     /// differing bits in all samples
     pub bits: u64,
     /// where they first differ; `None`: nowhere
-    pub first: Option<Place>,
+    pub first: Option<FirstDifference>,
 }
 
 /// The first difference.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Place {
+pub struct FirstDifference {
     /// the sample, counted from 0
     pub sample: usize,
     /// the signal
@@ -44,7 +44,7 @@ pub fn compare(expected: &Samples, found: &Samples) -> Difference {
     Difference { bits, first: at.map(|at| place(expected, found, at)) }
 }
 
-fn place(expected: &Samples, found: &Samples, at: usize) -> Place {
+fn place(expected: &Samples, found: &Samples, at: usize) -> FirstDifference {
     let frame = expected.shape.frame();
     let (sample, mut offset) = (at / frame, at % frame);
     let mut index = 0;
@@ -59,5 +59,5 @@ fn place(expected: &Samples, found: &Samples, at: usize) -> Place {
     let (mut a, mut b) = (Vec::new(), Vec::new());
     expected.read(sample, &mut a);
     found.read(sample, &mut b);
-    Place { sample, signal: expected.shape.signals[index].name.clone(), expected: a[index], found: b[index] }
+    FirstDifference { sample, signal: expected.shape.signals[index].name.clone(), expected: a[index], found: b[index] }
 }

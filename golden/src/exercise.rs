@@ -1,16 +1,16 @@
 //! A stimulus for any axis: what `verify` runs a user's own blocks with.
 
-use crate::ends;
+use crate::boundaries;
 use crate::stimulus::{Component, Event, Stimulus, Window};
 use crate::waveform::Form;
 use compiler::program::Program;
 use generator::axis::{Axis, Filter};
 
-/// The first cycle of those that search the ends of process data: early, so that a short run has them.
-const FIRST_END: u64 = 200;
+/// The first cycle of those that search the boundaries of process data: early, so that a short run has them.
+const FIRST_BOUNDARY: u64 = 200;
 
 /// Everything that can happen to a block: moves, vibrations at its own frequencies, noise, steps to the limit, mode
-/// changes, resets, loss of position control, bad samples, wrong cycle times, rest, and both ends of process data. Of all
+/// changes, resets, loss of position control, bad samples, wrong cycle times, rest, and both boundaries of process data. Of all
 /// this a block gets what it has a signal for.
 #[must_use]
 pub fn stimulus(axis: &Axis, block: &Program) -> Stimulus {
@@ -18,7 +18,7 @@ pub fn stimulus(axis: &Axis, block: &Program) -> Stimulus {
     let signal = reals(axis).into_iter().zip(1..).filter(|((name, _), _)| has(name));
     let signal = signal.map(|((name, largest), seed)| (name.to_owned(), components(axis, seed, largest))).collect();
     let mut event: Vec<Event> = events().into_iter().filter(|event| has(&event.signal)).collect();
-    event.extend(ends::events(block, axis.real, FIRST_END));
+    event.extend(boundaries::events(block, axis.real, FIRST_BOUNDARY));
     Stimulus { signal, event }
 }
 

@@ -5,16 +5,16 @@
 //! samples    the values of all signals of a run, packed; csv: the same as text
 //! engine     the ways to run a block: reference, program, c, and the emitted Structured Text
 //! compare    how many bits of two runs differ, and where first
-//! exercise   the stimulus for a user's own axes; ends: the events at the ends of its process data
+//! exercise   the stimulus for a user's own axes; boundaries: the events at the boundaries of its process data
 //! case       a folder with an axis set, a stimulus and the answers that were recorded
 //! shows      what a case has in it: so that none can silently cease to show what it is there for
 //! ```
 #![forbid(unsafe_code)]
 
+pub mod boundaries;
 pub mod case;
 pub mod compare;
 pub mod csv;
-pub mod ends;
 pub mod engine;
 pub mod exercise;
 pub mod samples;

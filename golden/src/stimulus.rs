@@ -122,7 +122,7 @@ fn real_signal(name: &str, components: &[Component], shape: &Shape) -> Result<us
 }
 
 fn with_waveforms(components: &[Component]) -> Vec<(&Component, Waveform<'_>)> {
-    components.iter().map(|component| (component, Waveform::of(&component.form))).collect()
+    components.iter().map(|component| (component, Waveform::new(&component.form))).collect()
 }
 
 /// Which input an event overrules, with which value, when.

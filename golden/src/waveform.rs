@@ -60,7 +60,7 @@ pub struct Waveform<'f> {
 impl<'f> Waveform<'f> {
     /// A form before its first sample.
     #[must_use]
-    pub fn of(form: &'f Form) -> Self {
+    pub fn new(form: &'f Form) -> Self {
         let seed = match form {
             Form::Noise { seed } => u64::from(*seed),
             _ => 0,

@@ -23,7 +23,7 @@ const CASE: &str = r#"
 purpose = "Shows how a case is tested."
 axis = "X"
 block = "ipc"
-shows = ["DIRECT from v_motor", "gate is open"]
+shows = ["DIRECT from v_motor", "faded in"]
 
 [stimulus.signal]
 v_motor = [{ form = { noise = { seed = 1 } }, amplitude = 1000 }]
@@ -100,11 +100,11 @@ fn a_changed_byte_and_a_file_of_another_time_are_named() {
 
 #[test]
 fn a_case_that_does_not_show_what_it_says_is_not_recorded() {
-    assert!(said("\"gate is open\"", "\"fault 11\"").ends_with("the case does not show fault 11"));
+    assert!(said("\"faded in\"", "\"fault 11\"").ends_with("the case does not show fault 11"));
     let folder = folder(CASE);
     case::record(&read(&folder)).unwrap();
     let path = folder.path().join("case.toml");
-    std::fs::write(&path, CASE.replace("gate is open", "limited above")).unwrap();
+    std::fs::write(&path, CASE.replace("faded in", "limited above")).unwrap();
     assert_eq!(case::verify(&read(&folder)).unwrap(), ["shows: limited above"]);
 }
 

@@ -3,7 +3,7 @@
 //! H(z) = (a2 + a1 z^-1 + z^-2) / (1 + a1 z^-1 + a2 z^-2). Gain 1 everywhere; phase 0 at DC, -180 degrees at the centre
 //! frequency, -360 degrees at the Nyquist frequency.
 
-use crate::section::{State, tiny};
+use crate::section::{State, anti_denormal};
 use portable::{Real, portable};
 
 /// Coefficients, with a0 = 1 and the signs of `y = a2 x + s1; s1 = a1 x - a1 y + s2; s2 = x - a2 y`.
@@ -15,7 +15,7 @@ pub struct Coeffs<R> {
     /// numerator and denominator: y = a2 x + s1, s2 = x - a2 y
     pub a2: R,
     /// 1 - a2: steady s1 and s2 for a constant input of 1
-    pub settled: R,
+    pub preset: R,
 }
 
 /// One cycle: takes the input, gives the output.
@@ -23,14 +23,14 @@ pub struct Coeffs<R> {
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
     let y = coeffs.a2 * x + state.s1;
     state.s1 = coeffs.a1 * (x - y) + state.s2;
-    state.s2 = x + tiny() - coeffs.a2 * y;
+    state.s2 = x + anti_denormal() - coeffs.a2 * y;
     y
 }
 
 /// Puts the state where a constant input `x` would have brought it; gives the output that belongs to it: `x`.
 #[portable]
-pub fn settle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
-    let s = coeffs.settled * x;
+pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
+    let s = coeffs.preset * x;
     state.s1 = s;
     state.s2 = s;
     x

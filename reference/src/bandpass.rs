@@ -2,7 +2,7 @@
 //!
 //! H(z) = b0 (1 - z^-2) / (1 + a1 z^-1 + a2 z^-2). Zeros at DC and at the Nyquist frequency.
 
-use crate::section::{State, tiny};
+use crate::section::{State, anti_denormal};
 use portable::{Real, portable};
 
 /// Coefficients, with a0 = 1, b0 = -b2 and the signs of `y = -b2 x + s1; s1 = s2 - a1 y; s2 = b2 x - a2 y`.
@@ -25,13 +25,13 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
     let t = coeffs.b2 * x;
     let y = state.s1 - t;
     state.s1 = state.s2 - coeffs.a1 * y;
-    state.s2 = t + tiny() - coeffs.a2 * y;
+    state.s2 = t + anti_denormal() - coeffs.a2 * y;
     y
 }
 
 /// Puts the state where a constant input `x` would have brought it; gives the output that belongs to it: 0.
 #[portable]
-pub fn settle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
+pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
     let s = coeffs.b2 * x;
     state.s1 = s;
     state.s2 = s;

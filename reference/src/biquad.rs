@@ -8,7 +8,7 @@
 //! s2 = b2 x - a2 y
 //! ```
 
-use crate::section::{State, tiny};
+use crate::section::{State, anti_denormal};
 use portable::{Real, portable};
 
 /// Coefficients, with a0 = 1 and the signs of `y = b0 x + s1; s1 = b1 x - a1 y + s2; s2 = b2 x - a2 y`.
@@ -26,9 +26,9 @@ pub struct Coeffs<R> {
     /// denominator: s2 = b2 x - a2 y
     pub a2: R,
     /// 1 - b0: steady s1 for a constant input of 1
-    pub settled_s1: R,
+    pub preset_s1: R,
     /// b2 - a2: steady s2 for a constant input of 1
-    pub settled_s2: R,
+    pub preset_s2: R,
 }
 
 /// One cycle: takes the input, gives the output.
@@ -36,14 +36,14 @@ pub struct Coeffs<R> {
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
     let y = coeffs.b0 * x + state.s1;
     state.s1 = coeffs.b1 * x - coeffs.a1 * y + state.s2;
-    state.s2 = coeffs.b2 * x + tiny() - coeffs.a2 * y;
+    state.s2 = coeffs.b2 * x + anti_denormal() - coeffs.a2 * y;
     y
 }
 
 /// Puts the state where a constant input `x` would have brought it; gives the output that belongs to it. Gain at DC: 1.
 #[portable]
-pub fn settle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
-    state.s1 = coeffs.settled_s1 * x;
-    state.s2 = coeffs.settled_s2 * x;
+pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
+    state.s1 = coeffs.preset_s1 * x;
+    state.s2 = coeffs.preset_s2 * x;
     x
 }

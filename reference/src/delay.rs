@@ -53,7 +53,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
 
 /// Fills the delay with a sample, as if it had always been there.
 #[portable]
-pub fn settle<R: Real>(state: &mut State<R>, x: R) {
+pub fn preset<R: Real>(state: &mut State<R>, x: R) {
     for k in 0..LONGEST {
         state.x[k] = x;
     }

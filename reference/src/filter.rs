@@ -63,19 +63,19 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
 
 /// Puts the state where a constant input `x` would have brought it; gives the output that belongs to it.
 #[portable]
-pub fn settle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
+pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
     let mut y = x;
     match coeffs.kind {
         Type::NoFilter => {}
         Type::Bandpass => {
             for i in 0..MAX_ORDER {
                 if i < coeffs.order {
-                    y = bandpass::settle(&mut state.section[i], &coeffs.bandpass[i], y);
+                    y = bandpass::preset(&mut state.section[i], &coeffs.bandpass[i], y);
                 }
             }
         }
         Type::Allpass => {
-            y = allpass::settle(&mut state.section[0], &coeffs.allpass, y);
+            y = allpass::preset(&mut state.section[0], &coeffs.allpass, y);
         }
     }
     y

@@ -40,7 +40,7 @@ pub fn round<R: Real>(datum: &mut Datum, coeffs: &Coeffs<R>, x: R) {
         datum.value = coeffs.lowest;
         datum.limited = x < coeffs.lower_limit;
     } else {
-        // Of what is no number, which no usable sample leads to, nothing is put out.
+        // Of what is no number, which no sample in range leads to, nothing is put out.
         datum.value = 0i32;
         datum.limited = true;
     }

@@ -17,6 +17,6 @@ pub struct State<R> {
 /// On a PLC's x86 an operation on a subnormal can take a hundred times as long as on a normal number. The value is far
 /// below any velocity: 1e-30 in double, 1e-18 in single precision.
 #[portable]
-pub fn tiny<R: Real>() -> R {
+pub fn anti_denormal<R: Real>() -> R {
     R::per_kind(1.0e-30, 1.0e-18)
 }

@@ -1,4 +1,4 @@
-//! What the signals of all blocks share: the error ids and the largest usable sample. Nothing is computed here.
+//! What the signals of all blocks share: the error ids and the largest sample in range. Nothing is computed here.
 //!
 //! An id of the vendor's keeps its number; below 100 are our own.
 
@@ -100,7 +100,7 @@ pub fn error_gantry_slave() -> u32 {
     70_600u32
 }
 
-/// largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named
+/// largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named
 #[portable]
 pub fn sample_limit<R: Real>() -> R {
     R::per_kind(1.0e15, 1.0e9)

@@ -103,12 +103,12 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
 
 /// Puts all sections where a constant `x` would have brought them.
 #[portable]
-pub fn settle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) {
+pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) {
     let mut y = x;
     if coeffs.mode != Mode::Direct {
-        y = biquad::settle(&mut state.oscillation, &coeffs.oscillation, y);
+        y = biquad::preset(&mut state.oscillation, &coeffs.oscillation, y);
     }
     for k in 0..FILTERS {
-        y = filter::settle(&mut state.filter[k], &coeffs.filter[k], y);
+        y = filter::preset(&mut state.filter[k], &coeffs.filter[k], y);
     }
 }

@@ -4,6 +4,6 @@
  * real type   {{ real }}
  * cycle time  {{ cycle_time_ns }} ns
  * parameters  {{ parameters_digest }}
- * body        {{ body_digest }}
+ * checksum    {{ checksum }}
  */
 {{ body }}

@@ -8,8 +8,8 @@ typedef hand_inputs axis_hand_full_ipc_inputs;
 typedef hand_outputs axis_hand_full_ipc_outputs;
 
 typedef struct {
-    bool settled;
-    uint32_t gate;
+    bool preset;
+    uint32_t fade;
     hand_section bp0_0;
     hand_section bp0_1;
     hand_section bp0_2;

@@ -8,8 +8,8 @@ typedef hand_inputs axis_hand_rack_and_pinion_ipc_inputs;
 typedef hand_outputs axis_hand_rack_and_pinion_ipc_outputs;
 
 typedef struct {
-    bool settled;
-    uint32_t gate;
+    bool preset;
+    uint32_t fade;
     hand_section bp0;
     hand_section osc1;
     hand_section bp1;

@@ -8,7 +8,7 @@ typedef hand_axis_inputs axis_hand_t_axis_inputs;
 typedef hand_axis_outputs axis_hand_t_axis_outputs;
 
 typedef struct {
-    bool settled; /* whether the delay has been filled */
+    bool preset; /* whether the delay has been filled */
     double before; /* what the delay got in the last cycle */
     double x_held; /* the last position command of the drive */
 } axis_hand_t_axis_state;

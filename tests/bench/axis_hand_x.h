@@ -8,8 +8,8 @@ typedef hand_axis_inputs axis_hand_x_axis_inputs;
 typedef hand_axis_outputs axis_hand_x_axis_outputs;
 
 typedef struct {
-    bool settled;
-    uint32_t gate; /* above 0 only while settled */
+    bool preset;
+    uint32_t fade; /* above 0 only while preset */
     hand_section bp0;
     hand_section osc1;
     hand_section bp1;

@@ -2,7 +2,7 @@
 """Checks the hand-written axes against the reference's definition, replayed in Python floats, bit for bit.
 
 Every operation of the reference is repeated here in its order, with the coefficients read from the C file. The stimulus
-passes through all modes, resets, lost position control, wrong cycle times, unusable samples, the limit and rest.
+passes through all modes, resets, lost position control, wrong cycle times, samples out of range, the limit and rest.
 """
 
 import ctypes
@@ -17,7 +17,7 @@ import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
-SAMPLE_LIMIT, TINY, FADE_CYCLES, CYCLE_TIME_NS = 1.0e15, 1.0e-30, 100, 1_000_000
+SAMPLE_LIMIT, ANTI_DENORMAL, FADE_CYCLES, CYCLE_TIME_NS = 1.0e15, 1.0e-30, 100, 1_000_000
 OFF, ON, DRYRUN = 0, 1, 2
 
 AXES = {
@@ -60,7 +60,7 @@ class Axis:
         text = (HERE / f"{name}.c").read_text()
         self.c = {k: float(v) for k, v in re.findall(r"static const double (\w+) = ([-0-9.e+]+);", text)}
         self.s = {p: [0.0, 0.0] for _, sections in self.stages for p in sections}
-        self.settled, self.gate = False, 0
+        self.preset, self.fade = False, 0
 
     def section_step(self, p, x):
         c, s = self.c, self.s[p]
@@ -69,27 +69,27 @@ class Axis:
             t = b0 * x
             y = t + s[0]
             s[0] = s[1] - c[p + "_a1"] * y
-            s[1] = TINY - t - c[p + "_a2"] * y
+            s[1] = ANTI_DENORMAL - t - c[p + "_a2"] * y
         elif p.startswith("ap"):
             y = c[p + "_a2"] * x + s[0]
             s[0] = c[p + "_a1"] * (x - y) + s[1]
-            s[1] = x + TINY - c[p + "_a2"] * y
+            s[1] = x + ANTI_DENORMAL - c[p + "_a2"] * y
         else:
             y = c[p + "_b0"] * x + s[0]
             s[0] = c[p + "_b1"] * x - c[p + "_a1"] * y + s[1]
-            s[1] = c[p + "_b2"] * x + TINY - c[p + "_a2"] * y
+            s[1] = c[p + "_b2"] * x + ANTI_DENORMAL - c[p + "_a2"] * y
         return y
 
-    def section_settle(self, p, x):
+    def section_preset(self, p, x):
         c, s = self.c, self.s[p]
         if p.startswith("bp"):
             s[0] = s[1] = -(-c[p + "_minus_b0"] * x)
             return 0.0
         if p.startswith("ap"):
-            settled = c.get(p + "_settled", 1.0 - c[p + "_a2"])
-            s[0] = s[1] = settled * x
+            preset = c.get(p + "_preset", 1.0 - c[p + "_a2"])
+            s[0] = s[1] = preset * x
             return x
-        s[0], s[1] = c[p + "_settled_s1"] * x, c[p + "_settled_s2"] * x
+        s[0], s[1] = c[p + "_preset_s1"] * x, c[p + "_preset_s2"] * x
         return x
 
     def error_of(self, i):
@@ -107,21 +107,21 @@ class Axis:
         c, error_id = self.c, self.error_of(i)
         v_add = v_add_calculated = 0.0
         limited = False
-        if error_id or not i.position_controlled or i.reset or i.mode == OFF and self.gate == 0:
-            self.settled, self.gate = False, 0
+        if error_id or not i.position_controlled or i.reset or i.mode == OFF and self.fade == 0:
+            self.preset, self.fade = False, 0
         else:
-            if self.settled:
+            if self.preset:
                 if i.mode == ON:
-                    if self.gate < FADE_CYCLES:
-                        self.gate += 1
-                elif self.gate > 0:
-                    self.gate -= 1
+                    if self.fade < FADE_CYCLES:
+                        self.fade += 1
+                elif self.fade > 0:
+                    self.fade -= 1
             else:
                 for source, sections in self.stages:
                     x = getattr(i, source)
                     for p in sections:
-                        x = self.section_settle(p, x)
-                self.settled = True
+                        x = self.section_preset(p, x)
+                self.preset = True
             v_sum = None
             for n, (source, sections) in enumerate(self.stages):
                 x = getattr(i, source)
@@ -138,10 +138,10 @@ class Axis:
                 v_limited = 0.0
             if i.mode != OFF:
                 v_add_calculated = v_limited
-            if self.gate == FADE_CYCLES:
+            if self.fade == FADE_CYCLES:
                 v_add = v_limited
-            elif self.gate > 0:
-                v_add = v_limited * (float(self.gate) * c["fade_step"])
+            elif self.fade > 0:
+                v_add = v_limited * (float(self.fade) * c["fade_step"])
         return v_add, v_add_calculated, limited, error_id != 0, error_id
 
 
@@ -202,9 +202,9 @@ def main():
                 differing += not same
                 seen["limited"] += limited
                 seen["fault"] += fault
-                seen["faded"] += 0 < axis.gate < FADE_CYCLES
-                seen["open"] += axis.gate == FADE_CYCLES
-                seen["rest"] += axis.settled and v_add_calculated == 0.0 and i.mode != OFF
+                seen["faded"] += 0 < axis.fade < FADE_CYCLES
+                seen["open"] += axis.fade == FADE_CYCLES
+                seen["rest"] += axis.preset and v_add_calculated == 0.0 and i.mode != OFF
             print(f"{name} {compiler} {level}: {differing} of {samples} samples differ; {seen}")
             failed |= differing != 0
     sys.exit(failed)

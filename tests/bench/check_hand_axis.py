@@ -5,7 +5,7 @@ generated ones beside them.
     tests/bench/check_hand_axis.py [SAMPLES [DIR]]     DIR: where, or below which, the generated C of the axes X, V, T stands
 
 Every operation of the reference is repeated here in its order, with the coefficients read from the hand-written C file. The
-stimulus passes through all modes, resets, lost position control, wrong cycle times, unusable samples, the limit, rest,
+stimulus passes through all modes, resets, lost position control, wrong cycle times, samples out of range, the limit, rest,
 all weights of G136, halves of increments and their neighbours, both ends of the process data and what is beyond them.
 """
 
@@ -18,7 +18,7 @@ import subprocess
 import sys
 import tempfile
 
-from check_hand import CYCLE_TIME_NS, DRYRUN, FADE_CYCLES, HERE, OFF, ON, SAMPLE_LIMIT, TINY, bits
+from check_hand import CYCLE_TIME_NS, DRYRUN, FADE_CYCLES, HERE, OFF, ON, SAMPLE_LIMIT, ANTI_DENORMAL, bits
 
 INTEGERS = {"x": (-(2**31), 2**31 - 1), "v": (-(2**31), 2**31 - 1), "t": (-(2**15), 2**15 - 1)}
 
@@ -63,7 +63,7 @@ NAMES = [name for name, _ in Outputs._fields_]
 REALS = {name for name, kind in Outputs._fields_ if kind is ctypes.c_double}
 
 
-def usable(x):
+def in_range(x):
     return -SAMPLE_LIMIT <= x <= SAMPLE_LIMIT
 
 
@@ -75,10 +75,10 @@ class Axis:
         text = (HERE / f"hand_{name}.c").read_text()
         self.c = {k: float(v) for k, v in re.findall(r"static const double (\w+) = ([-0-9.e+]+);", text)}
         self.s = {p: [0.0, 0.0] for p in ("bp0", "osc1", "bp1")}
-        self.settled, self.gate = False, 0
+        self.preset, self.fade = False, 0
         self.before = self.x_held = 0.0
         self.seen = dict.fromkeys(
-            "open faded rest settled limit half below_half at_an_end rounded_to_an_end beyond_an_end".split(), 0
+            "open faded rest preset limit half below_half at_an_end rounded_to_an_end beyond_an_end".split(), 0
         )
         self.seen["errors"] = set()
 
@@ -114,7 +114,7 @@ class Axis:
         t = c[p + "_minus_b0"] * x
         y = s[0] - t
         s[0] = s[1] - c[p + "_a1"] * y
-        s[1] = t + TINY - c[p + "_a2"] * y
+        s[1] = t + ANTI_DENORMAL - c[p + "_a2"] * y
         return y
 
     def stages(self, x):
@@ -122,40 +122,40 @@ class Axis:
         y0 = self.bandpass("bp0", x)
         y = c["osc1_b0"] * x + s[0]
         s[0] = c["osc1_b1"] * x - c["osc1_a1"] * y + s[1]
-        s[1] = c["osc1_b2"] * x + TINY - c["osc1_a2"] * y
+        s[1] = c["osc1_b2"] * x + ANTI_DENORMAL - c["osc1_a2"] * y
         return c["gain0"] * y0 + c["gain1"] * self.bandpass("bp1", y)
 
-    def settle(self, x):
+    def preset(self, x):
         c = self.c
         self.s["bp0"] = [c["bp0_minus_b0"] * x] * 2
-        self.s["osc1"] = [c["osc1_settled_s1"] * x, c["osc1_settled_s2"] * x]
+        self.s["osc1"] = [c["osc1_preset_s1"] * x, c["osc1_preset_s2"] * x]
         self.s["bp1"] = [c["bp1_minus_b0"] * x] * 2
 
     def ipc(self, i, out):
         """Gives the error."""
         c = self.c
         if i.mode not in (OFF, ON, DRYRUN):
-            self.settled, self.gate = False, 0
+            self.preset, self.fade = False, 0
             return 2
-        if not usable(i.v_motor):
-            self.settled, self.gate = False, 0
+        if not in_range(i.v_motor):
+            self.preset, self.fade = False, 0
             return 12
-        if not self.settled:
+        if not self.preset:
             if i.mode == OFF:
-                self.gate = 0
+                self.fade = 0
             else:
-                self.settle(i.v_motor)
-                self.settled = True
-                self.seen["settled"] += 1
+                self.preset(i.v_motor)
+                self.preset = True
+                self.seen["preset"] += 1
             return 0
         if i.mode == ON:
-            if self.gate < FADE_CYCLES:
-                self.gate += 1
+            if self.fade < FADE_CYCLES:
+                self.fade += 1
         else:
-            if self.gate > 0:
-                self.gate -= 1
-            if i.mode == OFF and self.gate == 0:
-                self.settled = False
+            if self.fade > 0:
+                self.fade -= 1
+            if i.mode == OFF and self.fade == 0:
+                self.preset = False
         v = self.stages(i.v_motor)
         if abs(v) <= c["limit"]:
             if abs(v) <= c["rest"]:
@@ -165,20 +165,20 @@ class Axis:
             v = math.copysign(c["limit"], v)
             out["limited"] = True
             self.seen["limit"] += 1
-        if self.gate >= FADE_CYCLES:
+        if self.fade >= FADE_CYCLES:
             self.seen["open"] += 1
             out["v_add"] = out["v_add_calculated"] = v
         else:
-            self.seen["faded"] += self.gate > 0
-            out["v_add"] = v * (float(self.gate) * c["fade_step"]) if self.gate > 0 else 0.0
+            self.seen["faded"] += self.fade > 0
+            out["v_add"] = v * (float(self.fade) * c["fade_step"]) if self.fade > 0 else 0.0
             out["v_add_calculated"] = v if i.mode != OFF else 0.0
         return 0
 
     def in_the_cnc(self, i, out):
         c, error_id, v_feedforward = self.c, 0, 0.0
-        if not usable(i.a_interpolator):
+        if not in_range(i.a_interpolator):
             error_id = 15
-        elif not usable(i.v_interpolator):
+        elif not in_range(i.v_interpolator):
             error_id = 14
         else:
             v_feedforward = self.gain(i) * (i.v_interpolator + c["t_a"] * i.a_interpolator)
@@ -198,26 +198,26 @@ class Axis:
             x, error_id, output, scale = i.v_interpolator, 14, "additive_velocity", c["increments_per_input"]
         else:
             x, error_id, output, scale = i.a_interpolator, 15, "additive_torque", c["increments_per_input"]
-        if not usable(x):
-            self.settled = False
+        if not in_range(x):
+            self.preset = False
             return error_id
         x = self.gain(i) * x
-        if not self.settled:
+        if not self.preset:
             self.before = x
-            self.seen["settled"] += 1
+            self.seen["preset"] += 1
         delayed = c["now"] * x + c["earlier"] * self.before
-        self.before, self.settled = x, True
+        self.before, self.preset = x, True
         out[output], out["limited"] = self.rounded(scale * delayed)
         return 0
 
     def step(self, i):
         out = {name: 0.0 if name in REALS else 0 for name in NAMES}
         acts = False
-        if not usable(i.x_command):
+        if not in_range(i.x_command):
             error_id = 17
         elif i.task_cycle_ns not in (0, CYCLE_TIME_NS):
             error_id = 1
-        elif self.name == "x" and not usable(i.x_actual):
+        elif self.name == "x" and not in_range(i.x_actual):
             error_id = 18
         elif not i.position_controlled or i.reset:
             error_id = 0
@@ -225,7 +225,7 @@ class Axis:
             acts = True
             error_id = self.in_the_cnc(i, out) if self.name == "x" else self.in_the_drive(i, out)
         if not acts:
-            self.settled, self.gate = False, 0
+            self.preset, self.fade = False, 0
             if self.name != "x":
                 if error_id != 17:
                     self.x_held = i.x_command

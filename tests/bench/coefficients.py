@@ -55,7 +55,7 @@ def allpass(f0, q_factor):
     omega0, bandwidth = centre_and_bandwidth(f0, q_factor)
     d = 1.0 + bandwidth + omega0 * omega0
     a1, a2 = 2.0 * (omega0 * omega0 - 1.0) / d, (1.0 - bandwidth + omega0 * omega0) / d
-    return {"a1": a1, "a2": a2, "settled": 1.0 - a2}
+    return {"a1": a1, "a2": a2, "preset": 1.0 - a2}
 
 
 def oscillation(f0, damping):
@@ -65,7 +65,7 @@ def oscillation(f0, damping):
     d = 1.0 + k * g + g * g
     b0, b1, b2 = (k * g + g * g) / d, 2.0 * g * g / d, (g * g - k * g) / d
     a1, a2 = 2.0 * (g * g - 1.0) / d, (1.0 - k * g + g * g) / d
-    return {"b0": b0, "b1": b1, "b2": b2, "a1": a1, "a2": a2, "settled_s1": 1.0 - b0, "settled_s2": b2 - a2}
+    return {"b0": b0, "b1": b1, "b2": b2, "a1": a1, "a2": a2, "preset_s1": 1.0 - b0, "preset_s2": b2 - a2}
 
 
 def rack_and_pinion():

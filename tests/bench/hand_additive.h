@@ -2,7 +2,7 @@
  *
  * The file that includes it has defined
  *   AXIS(name)                      the names of the axis's types and functions
- *   INPUT, INPUT_ERROR              the input that the command comes from, and the error_id of an unusable one
+ *   INPUT, INPUT_ERROR              the input that the command comes from, and the error_id of one out of range
  *   OUTPUT, OUTPUT_MIN, OUTPUT_MAX  the output that it goes to, and the ends of its process data
  * and the constants now, earlier (the delay's weights), increments_per_input, highest, lowest.
  */
@@ -14,7 +14,7 @@ typedef AXIS(outputs) axis_outputs;
 
 void AXIS(init)(axis_state *state)
 {
-    state->settled = false;
+    state->preset = false;
     state->x_held = 0.0;
 }
 
@@ -23,10 +23,10 @@ void AXIS(inputs_init)(axis_inputs *inputs)
     hand_axis_inputs_init(inputs, MODE_OFF);
 }
 
-/* A cycle without a usable command position: the drive keeps the one that it has. */
+/* A cycle without a command position in range: the drive keeps the one that it has. */
 SELDOM void hold(axis_state *restrict state, axis_outputs *restrict outputs)
 {
-    state->settled = false;
+    state->preset = false;
     *outputs = (axis_outputs){ .x_drive = state->x_held, .fault = true, .error_id = 17u };
 }
 
@@ -37,7 +37,7 @@ SELDOM void follow(
     axis_outputs *restrict outputs,
     uint32_t error_id)
 {
-    state->settled = false;
+    state->preset = false;
     state->x_held = inputs->x_command;
     *outputs = (axis_outputs){ .x_drive = inputs->x_command, .fault = error_id != 0u, .error_id = error_id };
 }
@@ -59,7 +59,7 @@ SELDOM void saturate(axis_outputs *restrict outputs, double increments)
 void AXIS(step)(
     axis_state *restrict state, const axis_inputs *restrict inputs, axis_outputs *restrict outputs)
 {
-    if (!usable(inputs->x_command)) {
+    if (!in_range(inputs->x_command)) {
         hold(state, outputs);
         return;
     }
@@ -71,13 +71,13 @@ void AXIS(step)(
         follow(state, inputs, outputs, 0u);
         return;
     }
-    if (!usable(inputs->INPUT)) {
+    if (!in_range(inputs->INPUT)) {
         follow(state, inputs, outputs, INPUT_ERROR);
         return;
     }
     const double x = feedforward_gain(inputs) * inputs->INPUT;
-    const double before = state->settled ? state->before : x;
-    state->settled = true;
+    const double before = state->preset ? state->before : x;
+    state->preset = true;
     state->before = x;
     state->x_held = inputs->x_command;
     *outputs = (axis_outputs){ .x_drive = inputs->x_command };

@@ -54,7 +54,7 @@ static inline void hand_axis_inputs_init(hand_axis_inputs *inputs, int32_t mode)
 }
 
 /* A NaN is not. */
-OFTEN bool usable(double sample)
+OFTEN bool in_range(double sample)
 {
     return fabs(sample) <= 1.0e15;
 }

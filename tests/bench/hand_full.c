@@ -21,7 +21,7 @@
 #define MODE_DRYRUN 2
 
 static const double sample_limit = 1.0e15;
-static const double tiny = 1.0e-30; /* keeps a section at rest out of the subnormal range */
+static const double anti_denormal = 1.0e-30; /* keeps a section at rest out of the subnormal range */
 static const double limit = 530000.0; /* um/s */
 static const double lower_limit = -530000.0;
 static const double rest = 4.597017211338539e-13; /* 530000 * 2^-60 */
@@ -48,12 +48,12 @@ static const double osc1_b1 = 0.002262495254415846;
 static const double osc1_b2 = -0.051224236102202135;
 static const double osc1_a1 = -1.8907640420323482;
 static const double osc1_a2 = 0.8952890325411799;
-static const double osc1_settled_s1 = 0.946513268643382;
-static const double osc1_settled_s2 = -0.946513268643382;
+static const double osc1_preset_s1 = 0.946513268643382;
+static const double osc1_preset_s2 = -0.946513268643382;
 /* stage 1: ALLPASS 12 Hz, Q 2 */
 static const double ap1_a1 = -1.9574169890636444;
 static const double ap1_a2 = 0.9629940509502155;
-static const double ap1_settled = 0.03700594904978449;
+static const double ap1_preset = 0.03700594904978449;
 /* stage 1: BANDPASS BUTTERWORTH order 3, 11 Hz, Q 2 */
 static const double bp1_0_minus_b0 = -0.01698693694336859;
 static const double bp1_0_a1 = -1.9613322512435025;
@@ -72,8 +72,8 @@ static const double osc2_b1 = 0.10896358687728716;
 static const double osc2_b2 = -0.24556230741454058;
 static const double osc2_a1 = -1.1819846245390575;
 static const double osc2_a2 = 0.39991179829363166;
-static const double osc2_settled_s1 = 0.6454741057081723;
-static const double osc2_settled_s2 = -0.6454741057081722;
+static const double osc2_preset_s1 = 0.6454741057081723;
+static const double osc2_preset_s2 = -0.6454741057081722;
 /* stage 2: BANDPASS BESSEL order 3, 90 Hz, Q 5 */
 static const double bp2_0_minus_b0 = -0.06965959364392804;
 static const double bp2_0_a1 = -1.5710247706186482;
@@ -91,8 +91,8 @@ static const double gain2 = -0.5; /* -weight */
 
 void axis_hand_full_ipc_init(axis_hand_full_ipc_state *state)
 {
-    state->settled = false;
-    state->gate = 0u;
+    state->preset = false;
+    state->fade = 0u;
 }
 
 void axis_hand_full_ipc_inputs_init(axis_hand_full_ipc_inputs *inputs)
@@ -112,8 +112,8 @@ static void idle(
     axis_hand_full_ipc_outputs *restrict outputs,
     uint32_t error_id)
 {
-    state->settled = false;
-    state->gate = 0u;
+    state->preset = false;
+    state->fade = 0u;
     outputs->v_add = 0.0;
     outputs->v_add_calculated = 0.0;
     outputs->limited = false;
@@ -122,50 +122,50 @@ static void idle(
 }
 
 /* Puts all sections where the present input, held constant, would have brought them. */
-static void settle(
+static void preset(
     axis_hand_full_ipc_state *restrict state,
     const axis_hand_full_ipc_inputs *restrict inputs)
 {
     const double v_command = inputs->v_command;
     const double v_motor = inputs->v_motor;
 
-    const double settled_bp0_0 = bp0_0_minus_b0 * v_motor;
-    state->bp0_0.s1 = settled_bp0_0;
-    state->bp0_0.s2 = settled_bp0_0;
+    const double preset_bp0_0 = bp0_0_minus_b0 * v_motor;
+    state->bp0_0.s1 = preset_bp0_0;
+    state->bp0_0.s2 = preset_bp0_0;
     state->bp0_1.s1 = -0.0;
     state->bp0_1.s2 = -0.0;
     state->bp0_2.s1 = -0.0;
     state->bp0_2.s2 = -0.0;
     state->ap0.s1 = 0.0;
     state->ap0.s2 = 0.0;
-    state->osc1.s1 = osc1_settled_s1 * v_motor;
-    state->osc1.s2 = osc1_settled_s2 * v_motor;
-    const double settled_ap1 = ap1_settled * v_motor;
-    state->ap1.s1 = settled_ap1;
-    state->ap1.s2 = settled_ap1;
-    const double settled_bp1_0 = bp1_0_minus_b0 * v_motor;
-    state->bp1_0.s1 = settled_bp1_0;
-    state->bp1_0.s2 = settled_bp1_0;
+    state->osc1.s1 = osc1_preset_s1 * v_motor;
+    state->osc1.s2 = osc1_preset_s2 * v_motor;
+    const double preset_ap1 = ap1_preset * v_motor;
+    state->ap1.s1 = preset_ap1;
+    state->ap1.s2 = preset_ap1;
+    const double preset_bp1_0 = bp1_0_minus_b0 * v_motor;
+    state->bp1_0.s1 = preset_bp1_0;
+    state->bp1_0.s2 = preset_bp1_0;
     state->bp1_1.s1 = -0.0;
     state->bp1_1.s2 = -0.0;
     state->bp1_2.s1 = -0.0;
     state->bp1_2.s2 = -0.0;
-    state->osc2.s1 = osc2_settled_s1 * v_command;
-    state->osc2.s2 = osc2_settled_s2 * v_command;
-    const double settled_bp2_0 = bp2_0_minus_b0 * v_command;
-    state->bp2_0.s1 = settled_bp2_0;
-    state->bp2_0.s2 = settled_bp2_0;
+    state->osc2.s1 = osc2_preset_s1 * v_command;
+    state->osc2.s2 = osc2_preset_s2 * v_command;
+    const double preset_bp2_0 = bp2_0_minus_b0 * v_command;
+    state->bp2_0.s1 = preset_bp2_0;
+    state->bp2_0.s2 = preset_bp2_0;
     state->bp2_1.s1 = -0.0;
     state->bp2_1.s2 = -0.0;
     state->bp2_2.s1 = -0.0;
     state->bp2_2.s2 = -0.0;
     state->ap2.s1 = 0.0;
     state->ap2.s2 = 0.0;
-    state->settled = true;
+    state->preset = true;
 }
 
-/* Runs the stages, limits their sum, gates it. It is a function of its own, called last on every path: placed behind a
- * branch that settles the sections, it would make compilers load all states ahead, one instruction a state. */
+/* Runs the stages, limits their sum, fades it. It is a function of its own, called last on every path: placed behind a
+ * branch that presets the sections, it would make compilers load all states ahead, one instruction a state. */
 static void act(
     axis_hand_full_ipc_state *restrict state,
     const axis_hand_full_ipc_inputs *restrict inputs,
@@ -178,58 +178,58 @@ static void act(
     const double t_bp0_0 = bp0_0_minus_b0 * v_motor;
     const double y_bp0_0 = state->bp0_0.s1 - t_bp0_0;
     state->bp0_0.s1 = state->bp0_0.s2 - bp0_0_a1 * y_bp0_0;
-    state->bp0_0.s2 = tiny + t_bp0_0 - bp0_0_a2 * y_bp0_0;
+    state->bp0_0.s2 = anti_denormal + t_bp0_0 - bp0_0_a2 * y_bp0_0;
     const double t_bp0_1 = bp0_1_minus_b0 * y_bp0_0;
     const double y_bp0_1 = state->bp0_1.s1 - t_bp0_1;
     state->bp0_1.s1 = state->bp0_1.s2 - bp0_1_a1 * y_bp0_1;
-    state->bp0_1.s2 = tiny + t_bp0_1 - bp0_1_a2 * y_bp0_1;
+    state->bp0_1.s2 = anti_denormal + t_bp0_1 - bp0_1_a2 * y_bp0_1;
     const double t_bp0_2 = bp0_2_minus_b0 * y_bp0_1;
     const double y_bp0_2 = state->bp0_2.s1 - t_bp0_2;
     state->bp0_2.s1 = state->bp0_2.s2 - bp0_2_a1 * y_bp0_2;
-    state->bp0_2.s2 = tiny + t_bp0_2 - bp0_2_a2 * y_bp0_2;
+    state->bp0_2.s2 = anti_denormal + t_bp0_2 - bp0_2_a2 * y_bp0_2;
     const double y_ap0 = ap0_a2 * y_bp0_2 + state->ap0.s1;
     state->ap0.s1 = ap0_a1 * (y_bp0_2 - y_ap0) + state->ap0.s2;
-    state->ap0.s2 = y_bp0_2 + tiny - ap0_a2 * y_ap0;
+    state->ap0.s2 = y_bp0_2 + anti_denormal - ap0_a2 * y_ap0;
 
     /* stage 1 */
     const double y_osc1 = osc1_b0 * v_motor + state->osc1.s1;
     state->osc1.s1 = osc1_b1 * v_motor - osc1_a1 * y_osc1 + state->osc1.s2;
-    state->osc1.s2 = osc1_b2 * v_motor + tiny - osc1_a2 * y_osc1;
+    state->osc1.s2 = osc1_b2 * v_motor + anti_denormal - osc1_a2 * y_osc1;
     const double y_ap1 = ap1_a2 * y_osc1 + state->ap1.s1;
     state->ap1.s1 = ap1_a1 * (y_osc1 - y_ap1) + state->ap1.s2;
-    state->ap1.s2 = y_osc1 + tiny - ap1_a2 * y_ap1;
+    state->ap1.s2 = y_osc1 + anti_denormal - ap1_a2 * y_ap1;
     const double t_bp1_0 = bp1_0_minus_b0 * y_ap1;
     const double y_bp1_0 = state->bp1_0.s1 - t_bp1_0;
     state->bp1_0.s1 = state->bp1_0.s2 - bp1_0_a1 * y_bp1_0;
-    state->bp1_0.s2 = tiny + t_bp1_0 - bp1_0_a2 * y_bp1_0;
+    state->bp1_0.s2 = anti_denormal + t_bp1_0 - bp1_0_a2 * y_bp1_0;
     const double t_bp1_1 = bp1_1_minus_b0 * y_bp1_0;
     const double y_bp1_1 = state->bp1_1.s1 - t_bp1_1;
     state->bp1_1.s1 = state->bp1_1.s2 - bp1_1_a1 * y_bp1_1;
-    state->bp1_1.s2 = tiny + t_bp1_1 - bp1_1_a2 * y_bp1_1;
+    state->bp1_1.s2 = anti_denormal + t_bp1_1 - bp1_1_a2 * y_bp1_1;
     const double t_bp1_2 = bp1_2_minus_b0 * y_bp1_1;
     const double y_bp1_2 = state->bp1_2.s1 - t_bp1_2;
     state->bp1_2.s1 = state->bp1_2.s2 - bp1_2_a1 * y_bp1_2;
-    state->bp1_2.s2 = tiny + t_bp1_2 - bp1_2_a2 * y_bp1_2;
+    state->bp1_2.s2 = anti_denormal + t_bp1_2 - bp1_2_a2 * y_bp1_2;
 
     /* stage 2 */
     const double y_osc2 = osc2_b0 * v_command + state->osc2.s1;
     state->osc2.s1 = osc2_b1 * v_command - osc2_a1 * y_osc2 + state->osc2.s2;
-    state->osc2.s2 = osc2_b2 * v_command + tiny - osc2_a2 * y_osc2;
+    state->osc2.s2 = osc2_b2 * v_command + anti_denormal - osc2_a2 * y_osc2;
     const double t_bp2_0 = bp2_0_minus_b0 * y_osc2;
     const double y_bp2_0 = state->bp2_0.s1 - t_bp2_0;
     state->bp2_0.s1 = state->bp2_0.s2 - bp2_0_a1 * y_bp2_0;
-    state->bp2_0.s2 = tiny + t_bp2_0 - bp2_0_a2 * y_bp2_0;
+    state->bp2_0.s2 = anti_denormal + t_bp2_0 - bp2_0_a2 * y_bp2_0;
     const double t_bp2_1 = bp2_1_minus_b0 * y_bp2_0;
     const double y_bp2_1 = state->bp2_1.s1 - t_bp2_1;
     state->bp2_1.s1 = state->bp2_1.s2 - bp2_1_a1 * y_bp2_1;
-    state->bp2_1.s2 = tiny + t_bp2_1 - bp2_1_a2 * y_bp2_1;
+    state->bp2_1.s2 = anti_denormal + t_bp2_1 - bp2_1_a2 * y_bp2_1;
     const double t_bp2_2 = bp2_2_minus_b0 * y_bp2_1;
     const double y_bp2_2 = state->bp2_2.s1 - t_bp2_2;
     state->bp2_2.s1 = state->bp2_2.s2 - bp2_2_a1 * y_bp2_2;
-    state->bp2_2.s2 = tiny + t_bp2_2 - bp2_2_a2 * y_bp2_2;
+    state->bp2_2.s2 = anti_denormal + t_bp2_2 - bp2_2_a2 * y_bp2_2;
     const double y_ap2 = ap2_a2 * y_bp2_2 + state->ap2.s1;
     state->ap2.s1 = ap2_a1 * (y_bp2_2 - y_ap2) + state->ap2.s2;
-    state->ap2.s2 = y_bp2_2 + tiny - ap2_a2 * y_ap2;
+    state->ap2.s2 = y_bp2_2 + anti_denormal - ap2_a2 * y_ap2;
 
     double v = gain0 * y_ap0 + gain1 * y_bp1_2 + gain2 * y_ap2;
 
@@ -244,13 +244,13 @@ static void act(
         v = 0.0;
     }
     outputs->v_add_calculated = v;
-    if (state->gate == FADE_CYCLES) { /* in ON only: any other mode has lowered the gate */
+    if (state->fade == FADE_CYCLES) { /* in ON only: any other mode has lowered the fade */
         outputs->v_add = v;
         return;
     }
     outputs->v_add = 0.0;
-    if (state->gate > 0u) {
-        outputs->v_add = v * ((double)state->gate * fade_step);
+    if (state->fade > 0u) {
+        outputs->v_add = v * ((double)state->fade * fade_step);
     }
     if (inputs->mode == MODE_OFF) {
         outputs->v_add_calculated = 0.0;
@@ -275,14 +275,14 @@ static void step_not_on(
         idle(state, outputs, 12u);
         return;
     }
-    if (!inputs->position_controlled || inputs->reset || (inputs->mode == MODE_OFF && state->gate == 0u)) {
+    if (!inputs->position_controlled || inputs->reset || (inputs->mode == MODE_OFF && state->fade == 0u)) {
         idle(state, outputs, 0u);
         return;
     }
-    if (!state->settled) {
-        settle(state, inputs);
-    } else if (state->gate > 0u) {
-        state->gate -= 1u;
+    if (!state->preset) {
+        preset(state, inputs);
+    } else if (state->fade > 0u) {
+        state->fade -= 1u;
     }
     act(state, inputs, outputs);
 }
@@ -312,11 +312,11 @@ void axis_hand_full_ipc_step(
         idle(state, outputs, 0u);
         return;
     }
-    if (state->gate != FADE_CYCLES) { /* an open gate means settled sections */
-        if (state->settled) {
-            state->gate += 1u;
+    if (state->fade != FADE_CYCLES) { /* a full fade means preset sections */
+        if (state->preset) {
+            state->fade += 1u;
         } else {
-            settle(state, inputs);
+            preset(state, inputs);
         }
     }
     act(state, inputs, outputs);

@@ -20,7 +20,7 @@
 #define MODE_DRYRUN 2
 
 static const double sample_limit = 1.0e15;
-static const double tiny = 1.0e-30; /* keeps a section at rest out of the subnormal range */
+static const double anti_denormal = 1.0e-30; /* keeps a section at rest out of the subnormal range */
 static const double limit = 530000.0; /* um/s */
 static const double lower_limit = -530000.0;
 static const double rest = 4.597017211338539e-13; /* 530000 * 2^-60 */
@@ -38,8 +38,8 @@ static const double osc1_b1 = 0.002262495254415846;
 static const double osc1_b2 = -0.051224236102202135;
 static const double osc1_a1 = -1.8907640420323482;
 static const double osc1_a2 = 0.8952890325411799;
-static const double osc1_settled_s1 = 0.946513268643382;
-static const double osc1_settled_s2 = -0.946513268643382;
+static const double osc1_preset_s1 = 0.946513268643382;
+static const double osc1_preset_s2 = -0.946513268643382;
 /* stage 1: BANDPASS order 1, 11 Hz, Q 2 */
 static const double bp1_minus_b0 = -0.01698693694336859;
 static const double bp1_a1 = -1.9613322512435025;
@@ -48,8 +48,8 @@ static const double gain1 = -1.9; /* -weight */
 
 void axis_hand_rack_and_pinion_ipc_init(axis_hand_rack_and_pinion_ipc_state *state)
 {
-    state->settled = false;
-    state->gate = 0u;
+    state->preset = false;
+    state->fade = 0u;
 }
 
 void axis_hand_rack_and_pinion_ipc_inputs_init(axis_hand_rack_and_pinion_ipc_inputs *inputs)
@@ -69,8 +69,8 @@ static void idle(
     axis_hand_rack_and_pinion_ipc_outputs *restrict outputs,
     uint32_t error_id)
 {
-    state->settled = false;
-    state->gate = 0u;
+    state->preset = false;
+    state->fade = 0u;
     outputs->v_add = 0.0;
     outputs->v_add_calculated = 0.0;
     outputs->limited = false;
@@ -79,25 +79,25 @@ static void idle(
 }
 
 /* Puts all sections where the present input, held constant, would have brought them. */
-static void settle(
+static void preset(
     axis_hand_rack_and_pinion_ipc_state *restrict state,
     const axis_hand_rack_and_pinion_ipc_inputs *restrict inputs)
 {
     const double v_motor = inputs->v_motor;
 
-    const double settled_bp0 = bp0_minus_b0 * v_motor;
-    state->bp0.s1 = settled_bp0;
-    state->bp0.s2 = settled_bp0;
-    state->osc1.s1 = osc1_settled_s1 * v_motor;
-    state->osc1.s2 = osc1_settled_s2 * v_motor;
-    const double settled_bp1 = bp1_minus_b0 * v_motor;
-    state->bp1.s1 = settled_bp1;
-    state->bp1.s2 = settled_bp1;
-    state->settled = true;
+    const double preset_bp0 = bp0_minus_b0 * v_motor;
+    state->bp0.s1 = preset_bp0;
+    state->bp0.s2 = preset_bp0;
+    state->osc1.s1 = osc1_preset_s1 * v_motor;
+    state->osc1.s2 = osc1_preset_s2 * v_motor;
+    const double preset_bp1 = bp1_minus_b0 * v_motor;
+    state->bp1.s1 = preset_bp1;
+    state->bp1.s2 = preset_bp1;
+    state->preset = true;
 }
 
-/* Runs the stages, limits their sum, gates it. It is a function of its own, called last on every path: placed behind a
- * branch that settles the sections, it would make compilers load all states ahead, one instruction a state. */
+/* Runs the stages, limits their sum, fades it. It is a function of its own, called last on every path: placed behind a
+ * branch that presets the sections, it would make compilers load all states ahead, one instruction a state. */
 static void act(
     axis_hand_rack_and_pinion_ipc_state *restrict state,
     const axis_hand_rack_and_pinion_ipc_inputs *restrict inputs,
@@ -109,16 +109,16 @@ static void act(
     const double t_bp0 = bp0_minus_b0 * v_motor;
     const double y_bp0 = state->bp0.s1 - t_bp0;
     state->bp0.s1 = state->bp0.s2 - bp0_a1 * y_bp0;
-    state->bp0.s2 = tiny + t_bp0 - bp0_a2 * y_bp0;
+    state->bp0.s2 = anti_denormal + t_bp0 - bp0_a2 * y_bp0;
 
     /* stage 1 */
     const double y_osc1 = osc1_b0 * v_motor + state->osc1.s1;
     state->osc1.s1 = osc1_b1 * v_motor - osc1_a1 * y_osc1 + state->osc1.s2;
-    state->osc1.s2 = osc1_b2 * v_motor + tiny - osc1_a2 * y_osc1;
+    state->osc1.s2 = osc1_b2 * v_motor + anti_denormal - osc1_a2 * y_osc1;
     const double t_bp1 = bp1_minus_b0 * y_osc1;
     const double y_bp1 = state->bp1.s1 - t_bp1;
     state->bp1.s1 = state->bp1.s2 - bp1_a1 * y_bp1;
-    state->bp1.s2 = tiny + t_bp1 - bp1_a2 * y_bp1;
+    state->bp1.s2 = anti_denormal + t_bp1 - bp1_a2 * y_bp1;
 
     double v = gain0 * y_bp0 + gain1 * y_bp1;
 
@@ -133,13 +133,13 @@ static void act(
         v = 0.0;
     }
     outputs->v_add_calculated = v;
-    if (state->gate == FADE_CYCLES) { /* in ON only: any other mode has lowered the gate */
+    if (state->fade == FADE_CYCLES) { /* in ON only: any other mode has lowered the fade */
         outputs->v_add = v;
         return;
     }
     outputs->v_add = 0.0;
-    if (state->gate > 0u) {
-        outputs->v_add = v * ((double)state->gate * fade_step);
+    if (state->fade > 0u) {
+        outputs->v_add = v * ((double)state->fade * fade_step);
     }
     if (inputs->mode == MODE_OFF) {
         outputs->v_add_calculated = 0.0;
@@ -160,14 +160,14 @@ static void step_not_on(
         idle(state, outputs, 12u);
         return;
     }
-    if (!inputs->position_controlled || inputs->reset || (inputs->mode == MODE_OFF && state->gate == 0u)) {
+    if (!inputs->position_controlled || inputs->reset || (inputs->mode == MODE_OFF && state->fade == 0u)) {
         idle(state, outputs, 0u);
         return;
     }
-    if (!state->settled) {
-        settle(state, inputs);
-    } else if (state->gate > 0u) {
-        state->gate -= 1u;
+    if (!state->preset) {
+        preset(state, inputs);
+    } else if (state->fade > 0u) {
+        state->fade -= 1u;
     }
     act(state, inputs, outputs);
 }
@@ -193,11 +193,11 @@ void axis_hand_rack_and_pinion_ipc_step(
         idle(state, outputs, 0u);
         return;
     }
-    if (state->gate != FADE_CYCLES) { /* an open gate means settled sections */
-        if (state->settled) {
-            state->gate += 1u;
+    if (state->fade != FADE_CYCLES) { /* a full fade means preset sections */
+        if (state->preset) {
+            state->fade += 1u;
         } else {
-            settle(state, inputs);
+            preset(state, inputs);
         }
     }
     act(state, inputs, outputs);

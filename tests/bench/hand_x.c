@@ -5,7 +5,7 @@
  *   position control: in the CNC, Kv 20/s; 20000 increments at 1 m/min, 32 bits
  *   improved position control: the stages of hand_rack_and_pinion.c, limit 530000 um/s, fade 0.1 s
  *
- * The step below is what runs cycle after cycle: ON, the gate open, nothing at a limit. It leaves by a call in last place
+ * The step below is what runs cycle after cycle: ON, the fade full, nothing at a limit. It leaves by a call in last place
  * where anything else is the case, so that none of that costs it a register.
  * The coefficients are those that the generator prints.
  */
@@ -17,7 +17,7 @@ typedef axis_hand_x_axis_state axis_state;
 typedef axis_hand_x_axis_inputs axis_inputs;
 typedef axis_hand_x_axis_outputs axis_outputs;
 
-static const double tiny = 1.0e-30; /* keeps a section at rest out of the subnormal range */
+static const double anti_denormal = 1.0e-30; /* keeps a section at rest out of the subnormal range */
 static const double limit = 530000.0; /* um/s */
 static const double rest = 4.597017211338539e-13; /* 530000 * 2^-60 */
 static const double fade_step = 0.01;
@@ -40,8 +40,8 @@ static const double osc1_b1 = 0.002262495254415846;
 static const double osc1_b2 = -0.051224236102202135;
 static const double osc1_a1 = -1.8907640420323482;
 static const double osc1_a2 = 0.8952890325411799;
-static const double osc1_settled_s1 = 0.946513268643382;
-static const double osc1_settled_s2 = -0.946513268643382;
+static const double osc1_preset_s1 = 0.946513268643382;
+static const double osc1_preset_s2 = -0.946513268643382;
 /* stage 1: BANDPASS order 1, 11 Hz, Q 2 */
 static const double bp1_minus_b0 = -0.01698693694336859;
 static const double bp1_a1 = -1.9613322512435023;
@@ -50,8 +50,8 @@ static const double gain1 = -1.9; /* -weight */
 
 void axis_hand_x_axis_init(axis_state *state)
 {
-    state->settled = false;
-    state->gate = 0u;
+    state->preset = false;
+    state->fade = 0u;
 }
 
 void axis_hand_x_axis_inputs_init(axis_inputs *inputs)
@@ -64,7 +64,7 @@ OFTEN double bandpass(hand_section *section, double minus_b0, double a1, double 
     const double t = minus_b0 * x;
     const double y = section->s1 - t;
     section->s1 = section->s2 - a1 * y;
-    section->s2 = tiny + t - a2 * y;
+    section->s2 = anti_denormal + t - a2 * y;
     return y;
 }
 
@@ -75,27 +75,27 @@ OFTEN double run_stages(axis_state *restrict state, double v_motor)
 
     const double osc = osc1_b0 * v_motor + state->osc1.s1;
     state->osc1.s1 = osc1_b1 * v_motor - osc1_a1 * osc + state->osc1.s2;
-    state->osc1.s2 = osc1_b2 * v_motor + tiny - osc1_a2 * osc;
+    state->osc1.s2 = osc1_b2 * v_motor + anti_denormal - osc1_a2 * osc;
     const double y1 = bandpass(&state->bp1, bp1_minus_b0, bp1_a1, bp1_a2, osc);
 
     return gain0 * y0 + gain1 * y1;
 }
 
 /* Puts all sections where the present input, held constant, would have brought them. */
-SELDOM void settle(axis_state *restrict state, double v_motor)
+SELDOM void preset(axis_state *restrict state, double v_motor)
 {
     state->bp0.s1 = state->bp0.s2 = bp0_minus_b0 * v_motor;
-    state->osc1.s1 = osc1_settled_s1 * v_motor;
-    state->osc1.s2 = osc1_settled_s2 * v_motor;
+    state->osc1.s1 = osc1_preset_s1 * v_motor;
+    state->osc1.s2 = osc1_preset_s2 * v_motor;
     state->bp1.s1 = state->bp1.s2 = bp1_minus_b0 * v_motor;
-    state->settled = true;
+    state->preset = true;
 }
 
 /* A cycle in which the axis does not act. */
 SELDOM void idle(axis_state *restrict state, axis_outputs *restrict outputs, uint32_t error_id)
 {
-    state->settled = false;
-    state->gate = 0u;
+    state->preset = false;
+    state->fade = 0u;
     *outputs = (axis_outputs){ .fault = error_id != 0u, .error_id = error_id };
 }
 
@@ -139,8 +139,8 @@ OFTEN double within_limit(axis_outputs *restrict outputs, double v)
 SELDOM void without_addition(
     axis_state *restrict state, axis_outputs *restrict outputs, double v_command, uint32_t error_id)
 {
-    state->settled = false;
-    state->gate = 0u;
+    state->preset = false;
+    state->fade = 0u;
     outputs->v_add = 0.0;
     outputs->v_add_calculated = 0.0;
     if (error_id != 0u) { /* it stands before feedforward's */
@@ -150,7 +150,7 @@ SELDOM void without_addition(
     put_out(outputs, v_command);
 }
 
-/* Improved position control while its gate is not open, or will not be. */
+/* Improved position control while its fade is not full, or will not be. */
 SELDOM void fade(
     axis_state *restrict state, const axis_inputs *restrict inputs, axis_outputs *restrict outputs, double v_command)
 {
@@ -159,35 +159,35 @@ SELDOM void fade(
         without_addition(state, outputs, v_command, 2u);
         return;
     }
-    if (!usable(inputs->v_motor)) {
+    if (!in_range(inputs->v_motor)) {
         without_addition(state, outputs, v_command, 12u);
         return;
     }
-    if (!state->settled) {
+    if (!state->preset) {
         if (mode == MODE_OFF) {
             without_addition(state, outputs, v_command, 0u);
             return;
         }
-        settle(state, inputs->v_motor);
+        preset(state, inputs->v_motor);
         outputs->v_add = 0.0;
         outputs->v_add_calculated = 0.0;
         put_out(outputs, v_command);
         return;
     }
     if (mode == MODE_ON) {
-        state->gate += 1u;
-    } else if (state->gate > 0u) {
-        state->gate -= 1u;
+        state->fade += 1u;
+    } else if (state->fade > 0u) {
+        state->fade -= 1u;
     }
-    if (mode == MODE_OFF && state->gate == 0u) {
-        state->settled = false;
+    if (mode == MODE_OFF && state->fade == 0u) {
+        state->preset = false;
     }
     const double v = within_limit(outputs, run_stages(state, inputs->v_motor));
     double v_add = v;
-    if (state->gate == 0u) {
+    if (state->fade == 0u) {
         v_add = 0.0;
-    } else if (state->gate < FADE_CYCLES) {
-        v_add = v * ((double)state->gate * fade_step);
+    } else if (state->fade < FADE_CYCLES) {
+        v_add = v * ((double)state->fade * fade_step);
     }
     outputs->v_add = v_add;
     outputs->v_add_calculated = mode == MODE_OFF ? 0.0 : v;
@@ -197,7 +197,7 @@ SELDOM void fade(
 void axis_hand_x_axis_step(
     axis_state *restrict state, const axis_inputs *restrict inputs, axis_outputs *restrict outputs)
 {
-    if (!usable(inputs->x_command)) {
+    if (!in_range(inputs->x_command)) {
         idle(state, outputs, 17u);
         return;
     }
@@ -205,7 +205,7 @@ void axis_hand_x_axis_step(
         idle(state, outputs, 1u);
         return;
     }
-    if (!usable(inputs->x_actual)) {
+    if (!in_range(inputs->x_actual)) {
         idle(state, outputs, 18u);
         return;
     }
@@ -222,9 +222,9 @@ void axis_hand_x_axis_step(
     outputs->error_id = 0u;
 
     double v_feedforward = 0.0;
-    if (!usable(inputs->v_interpolator) || !usable(inputs->a_interpolator)) {
+    if (!in_range(inputs->v_interpolator) || !in_range(inputs->a_interpolator)) {
         outputs->fault = true;
-        outputs->error_id = usable(inputs->a_interpolator) ? 14u : 15u;
+        outputs->error_id = in_range(inputs->a_interpolator) ? 14u : 15u;
     } else {
         v_feedforward = feedforward_gain(inputs) * (inputs->v_interpolator + t_a * inputs->a_interpolator);
     }
@@ -232,7 +232,7 @@ void axis_hand_x_axis_step(
     outputs->v_feedforward = v_feedforward;
     outputs->v_command = v_command;
 
-    if (inputs->mode != MODE_ON || state->gate != FADE_CYCLES || !usable(inputs->v_motor)) {
+    if (inputs->mode != MODE_ON || state->fade != FADE_CYCLES || !in_range(inputs->v_motor)) {
         fade(state, inputs, outputs, v_command);
         return;
     }

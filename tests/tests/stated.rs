@@ -13,7 +13,7 @@ use std::path::Path;
 struct Found(Vec<(&'static str, f64)>);
 
 impl Found {
-    fn of(&self, signal: &str) -> f64 {
+    fn value(&self, signal: &str) -> f64 {
         let found = self.0.iter().find(|(name, _)| *name == signal);
         found.unwrap_or_else(|| panic!("no output {signal}")).1
     }
@@ -24,7 +24,7 @@ struct Block(Run);
 
 impl Block {
     /// The blocks in their order: 0 `feedforward`, 1 `position_control`, 2 `axis`.
-    fn of(which: usize, lines: &str) -> Self {
+    fn new(which: usize, lines: &str) -> Self {
         let mut blocks = blocks(&read(&format!("cycle_time = \"1ms\"\n[axis.X]\n{lines}\n")));
         Self(blocks[which].take().expect("the axis has the block"))
     }
@@ -49,9 +49,9 @@ fn at(v_interpolator: f64) -> Inputs {
 #[test]
 fn global_disable_wins() {
     let additive = |lines: &str, active: bool| {
-        let mut block = Block::of(0, &format!("{DRIVE}\n{MANUAL}\n{lines}"));
+        let mut block = Block::new(0, &format!("{DRIVE}\n{MANUAL}\n{lines}"));
         let found = block.step(&Inputs { feedforward_active: active, ..at(1000.0) });
-        [found.of("additive_velocity"), found.of("v_additive")]
+        [found.value("additive_velocity"), found.value("v_additive")]
     };
     // 1000 um/s * 60 s/min * 10000 / 3333 um
     let on = [180_018.0, 1000.0];
@@ -73,18 +73,18 @@ fn a_feed_constant_is_given_by_either_of_its_parameters() {
         let given = (num, denom) != (1, 1);
         let revolution = if given { 1_048_576.0 * f64::from(denom) / f64::from(num) } else { 1.0 };
         let per_um = 10.0 * 1.5 * revolution;
-        let mut profidrive = Block::of(1, &format!("kenngr.antr_typ = \"PROFIDRIVE\"\n{feed}"));
+        let mut profidrive = Block::new(1, &format!("kenngr.antr_typ = \"PROFIDRIVE\"\n{feed}"));
         let lag = if given { 0.25 } else { 4096.0 };
         let found = profidrive.step(&Inputs { x_command: lag, ..Inputs::USUAL });
-        assert!((found.of("xerr") - lag * per_um).abs() <= 0.5, "{num}/{denom}: {}", found.of("xerr"));
+        assert!((found.value("xerr") - lag * per_um).abs() <= 0.5, "{num}/{denom}: {}", found.value("xerr"));
 
         let torque = "kenngr.antr_typ = \"SERCOS\"\nprocess_data.additive_torque = \"INT32\"\n\
                       vorsteuer.vorsteuerung = \"ADD_ACC\"";
-        let mut torque = Block::of(0, &format!("{torque}\n{feed}"));
+        let mut torque = Block::new(0, &format!("{torque}\n{feed}"));
         let alpha = per_um / 1_048_576.0 * std::f64::consts::TAU;
         let a = if given { 4096.0 } else { 1e10 };
         let found = torque.step(&Inputs { a_interpolator: a, ..Inputs::USUAL });
-        assert!((found.of("additive_torque") - 0.25 * alpha * a).abs() <= 0.5, "{num}/{denom}");
+        assert!((found.value("additive_torque") - 0.25 * alpha * a).abs() <= 0.5, "{num}/{denom}");
     }
 }
 
@@ -109,10 +109,10 @@ fn a_feed_constant_needs_increments() {
 fn a_microsecond_of_delay_is_a_microsecond() {
     for us in [1, 2, 150, 999, 1000, 1001, 3000, 5001, 5999] {
         let lines = format!("{DRIVE}\n{MANUAL}\nvorsteuer.velocity_delay_time = {us}");
-        let mut block = Block::of(0, &lines);
+        let mut block = Block::new(0, &lines);
         for cycle in 0..20 {
             let v = 1000.0 * f64::from(cycle);
-            let found = block.step(&at(v)).of("v_additive");
+            let found = block.step(&at(v)).value("v_additive");
             // 1 um/s in each microsecond; the first cycle fills the delay with 0.
             let expected = if cycle < 7 { continue } else { v - f64::from(us) };
             assert!((found - expected).abs() < 1e-9, "{us} us: {found} instead of {expected}");
@@ -123,17 +123,17 @@ fn a_microsecond_of_delay_is_a_microsecond() {
 /// A step reaches the output through the oldest sample alone, and then whole.
 #[test]
 fn the_oldest_sample_of_a_delay() {
-    let mut block = Block::of(0, &format!("{DRIVE}\n{MANUAL}\nvorsteuer.velocity_delay_time = 5750"));
+    let mut block = Block::new(0, &format!("{DRIVE}\n{MANUAL}\nvorsteuer.velocity_delay_time = 5750"));
     block.step(&at(0.0));
-    let found: Vec<f64> = (0..8).map(|_| block.step(&at(1000.0)).of("v_additive")).collect();
+    let found: Vec<f64> = (0..8).map(|_| block.step(&at(1000.0)).value("v_additive")).collect();
     assert_eq!(found, [0.0, 0.0, 0.0, 0.0, 0.0, 250.0, 1000.0, 1000.0]);
 }
 
 #[test]
 fn a_percentage_is_within_0_and_100() {
-    let mut block = Block::of(0, &format!("{DRIVE}\n{MANUAL}"));
+    let mut block = Block::new(0, &format!("{DRIVE}\n{MANUAL}"));
     for (given, taken) in [(-1, 0.0), (0, 0.0), (1, 1.0), (99, 99.0), (100, 100.0), (101, 100.0), (i32::MAX, 100.0)] {
-        let found = block.step(&Inputs { feedforward_percentage: given, ..at(1000.0) }).of("v_additive");
+        let found = block.step(&Inputs { feedforward_percentage: given, ..at(1000.0) }).value("v_additive");
         assert!((found - 10.0 * taken).abs() < 1e-9, "{given} %: {found}");
     }
 }
@@ -152,13 +152,13 @@ fn delays_are_filled_anew() {
     ];
     for (which, signal, scale) in [(0, "v_additive", 1.0), (2, "additive_velocity", 60.0 * 10000.0 / 3333.0)] {
         for (name, off) in off.iter().filter(|(name, _)| which == 2 || *name != "bad command") {
-            let mut block = Block::of(which, &lines);
+            let mut block = Block::new(which, &lines);
             (0..10).for_each(|_| _ = block.step(&at(1000.0)));
             let mut stopped = at(1000.0);
             off(&mut stopped);
-            assert_eq!(block.step(&stopped).of(signal), 0.0, "{name}");
+            assert_eq!(block.step(&stopped).value(signal), 0.0, "{name}");
             for _ in 0..10 {
-                let found = block.step(&at(2000.0)).of(signal);
+                let found = block.step(&at(2000.0)).value(signal);
                 assert!((found - 2000.0 * scale).abs() <= 0.5, "{name}: {found}");
             }
         }
@@ -170,14 +170,14 @@ fn delays_are_filled_anew() {
 fn v_add_is_added_to_the_feedforward_with_its_sign() {
     let stage = "lr_param.improved_position_control.v_add_max_fact = 2000\n\
                  lr_param.improved_position_control.stage = [{ mode = \"DIRECT\", filter = [{ order = 1, fg_f0 = 50, q_factor = 1 }] }]";
-    let mut block = Block::of(2, &format!("{DRIVE}\n{MANUAL}\n{stage}\nfade = \"1ms\""));
+    let mut block = Block::new(2, &format!("{DRIVE}\n{MANUAL}\n{stage}\nfade = \"1ms\""));
     let mut seen = 0;
     for cycle in 0..400 {
         let v_motor = 1000.0 * (std::f64::consts::TAU * 0.05 * f64::from(cycle)).sin();
         let found = block.step(&Inputs { v_motor, ..at(500.0) });
-        let v_add = found.of("v_add");
+        let v_add = found.value("v_add");
         let expected = 60.0 * 10000.0 / 3333.0 * (500.0 + v_add);
-        assert!((found.of("additive_velocity") - expected).abs() <= 0.5, "cycle {cycle}");
+        assert!((found.value("additive_velocity") - expected).abs() <= 0.5, "cycle {cycle}");
         // At f0 the band-pass passes as it is, and the stage's sign is negative: v_add = -v_motor.
         if cycle > 200 {
             assert!((v_add + v_motor).abs() < 1.0, "cycle {cycle}: {v_add} for {v_motor}");
@@ -194,28 +194,28 @@ fn a_slave_keeps_its_masters_limit() {
                [axis.M]\nkopf.achs_nr = 4\ngetriebe = [{ kv = 2000, dynamik.vb_max = 40000 }]\n\
                lr_param.improved_position_control.v_add_max_fact = 250\n\
                lr_param.improved_position_control.stage = [{ mode = 1, filter = [{ order = 1, fg_f0 = 40, q_factor = 2 }] }]";
-    let mut block = Block::of(2, set);
+    let mut block = Block::new(2, set);
     for (given, expected, limited) in
         [(9999.0, 9999.0, 0.0), (10000.0, 10000.0, 0.0), (10001.0, 10000.0, 1.0), (-1e9, -10000.0, 1.0)]
     {
         let found = block.step(&Inputs { v_add_master: given, ..Inputs::USUAL });
-        assert_eq!([found.of("v_add"), found.of("limited")], [expected, limited], "{given}");
+        assert_eq!([found.value("v_add"), found.value("limited")], [expected, limited], "{given}");
         // 2000 increments at 1 m/min.
-        assert!((found.of("manipulated_variable") - expected * 60e-6 * 2000.0).abs() <= 0.5, "{given}");
+        assert!((found.value("manipulated_variable") - expected * 60e-6 * 2000.0).abs() <= 0.5, "{given}");
     }
 }
 
-/// x_drive = x_command + v_feedforward / Kv, kept as it was put out where there is no usable command.
+/// x_drive = x_command + v_feedforward / Kv, kept as it was put out where there is no command in range.
 #[test]
-fn a_drive_keeps_its_position_without_a_usable_command() {
+fn a_drive_keeps_its_position_without_a_command_in_range() {
     let lines = "kenngr.antr_typ = \"SERCOS\"\nvorsteuer.vorsteuerung = \"VEL\"\ngetriebe = [{ kv = 3000 }]";
-    let mut block = Block::of(2, lines);
+    let mut block = Block::new(2, lines);
     let at = |x_command: f64| Inputs { x_command, ..at(30_000.0) };
-    let drive = [f64::NAN, 1000.0, f64::NAN, f64::INFINITY, 500.0].map(|x| block.step(&at(x)).of("x_drive"));
-    // 30000 um/s at 30/s are 1000 um; before the first usable command there is nothing to keep.
+    let drive = [f64::NAN, 1000.0, f64::NAN, f64::INFINITY, 500.0].map(|x| block.step(&at(x)).value("x_drive"));
+    // 30000 um/s at 30/s are 1000 um; before the first command in range there is nothing to keep.
     assert_eq!(drive, [0.0, 2000.0, 2000.0, 2000.0, 1500.0]);
-    let loose = block.step(&Inputs { position_controlled: false, ..at(700.0) }).of("x_drive");
-    assert_eq!([loose, block.step(&at(f64::NAN)).of("x_drive")], [700.0; 2]);
+    let loose = block.step(&Inputs { position_controlled: false, ..at(700.0) }).value("x_drive");
+    assert_eq!([loose, block.step(&at(f64::NAN)).value("x_drive")], [700.0; 2]);
 }
 
 /// A torque is limited where the number is rounded beyond INT16, not before. A kilogram, a newton at 1000 increments: 1000 um/s^2 an
@@ -225,7 +225,7 @@ fn a_torque_is_limited_where_its_integer_ends() {
     let lines = "motor = \"linear\"\nkenngr.antr_typ = \"SERCOS\"\nprocess_data.additive_torque = \"INT16\"\n\
                  getriebe = [{ kv = 2000, load = 1 }]\nantr.torque_scale_num = 1000\nvorsteuer.vorsteuerung = \"ADD_ACC\"";
     for (which, limited) in [(0, "torque_limited"), (2, "limited")] {
-        let mut block = Block::of(which, lines);
+        let mut block = Block::new(which, lines);
         for (increments, expected, is_limited) in [
             (32_767.4, 32_767.0, 0.0),
             (32_767.6, 32_767.0, 1.0),
@@ -234,7 +234,7 @@ fn a_torque_is_limited_where_its_integer_ends() {
             (1e9, 32_767.0, 1.0),
         ] {
             let found = block.step(&Inputs { a_interpolator: 1000.0 * increments, ..Inputs::USUAL });
-            assert_eq!([found.of("additive_torque"), found.of(limited)], [expected, is_limited], "{increments}");
+            assert_eq!([found.value("additive_torque"), found.value(limited)], [expected, is_limited], "{increments}");
         }
     }
 }
@@ -252,14 +252,14 @@ fn sine(cycle: i32) -> f64 {
     1000.0 * (std::f64::consts::TAU * 0.05 * f64::from(cycle)).sin()
 }
 
-/// Lost position control: 0 at once, then 0 of settled filters, then the gate opens by a twentieth a cycle.
+/// Lost position control: 0 at once, then 0 of preset filters, then the fade grows by a twentieth a cycle.
 #[test]
 fn improved_position_control_starts_anew_after_a_loss_of_position_control() {
     let lines = format!("getriebe = [{{ kv = 2000 }}]\n{}", stage("mode = \"DIRECT\""));
-    let mut block = Block::of(2, &lines);
+    let mut block = Block::new(2, &lines);
     let mut step = |cycle: i32, position_controlled| {
         let found = block.step(&Inputs { v_motor: 5000.0 + sine(cycle), position_controlled, ..Inputs::USUAL });
-        [found.of("v_add"), found.of("v_add_calculated")]
+        [found.value("v_add"), found.value("v_add_calculated")]
     };
     (0..205).for_each(|cycle| _ = step(cycle, true));
     let [v_add, calculated] = step(205, true);
@@ -268,8 +268,8 @@ fn improved_position_control_starts_anew_after_a_loss_of_position_control() {
     assert_eq!(step(207, true), [0.0; 2]);
     for cycle in 208..240 {
         let [v_add, calculated] = step(cycle, true);
-        let gate = f64::from((cycle - 207).min(20)) / 20.0;
-        assert!((v_add - gate * calculated).abs() < 1e-9 && calculated.abs() > 1e-3, "{cycle}: {v_add}, {calculated}");
+        let fade = f64::from((cycle - 207).min(20)) / 20.0;
+        assert!((v_add - fade * calculated).abs() < 1e-9 && calculated.abs() > 1e-3, "{cycle}: {v_add}, {calculated}");
     }
 }
 
@@ -277,13 +277,17 @@ fn improved_position_control_starts_anew_after_a_loss_of_position_control() {
 #[test]
 fn set_point_in_a_drive_reads_the_interpolator() {
     let lines = format!("{DRIVE}\ngetriebe = [{{ kv = 2000 }}]\n{}", stage("mode = \"SET_POINT\", osc_damping = 0.5"));
-    let mut block = Block::of(2, &lines);
+    let mut block = Block::new(2, &lines);
     for cycle in 0..600 {
         let found = block.step(&Inputs { x_command: 1e6 + 3.0 * sine(7 * cycle), v_motor: 1e5, ..at(sine(cycle)) });
         // -(1 - j) sin = -(sin - cos), with the cosine a quarter of a period, 5 cycles, before the sine
         let expected = -(sine(cycle) - sine(cycle + 5));
         if cycle > 300 {
-            assert!((found.of("v_add") - expected).abs() < 1.0, "{cycle}: {} instead of {expected}", found.of("v_add"));
+            assert!(
+                (found.value("v_add") - expected).abs() < 1.0,
+                "{cycle}: {} instead of {expected}",
+                found.value("v_add")
+            );
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Whether the C compiler of the host works at all: what tells a compiler that is no compiler from a block that it refuses.
+//! Whether the C compiler of the host works at all: to tell a program that cannot compile anything from one that refuses a block.
 
 use golden::engine::Compiler;
 use std::path::Path;

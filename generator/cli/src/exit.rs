@@ -16,7 +16,7 @@ pub enum Exit {
     Different,
     /// 2: the input is wrong; nothing was written
     Input(Report),
-    /// 3: the environment is: no compiler, no permission, no space
+    /// 3: the environment failed: no compiler, no permission, no space
     Environment(Report),
 }
 

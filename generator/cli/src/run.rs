@@ -83,7 +83,7 @@ fn compared(recording: &Recording, found: &Samples, engine: Engine) -> Result<Ex
     let samples = counted(recording.outputs.len(), "sample");
     let bits_said = counted(bits, "differing bit");
     output::line(format!("{} against engine {engine}, {samples}: {bits_said}", names.join(", ")))?;
-    let Some(compare::Place { sample, signal, expected, found }) = first else {
+    let Some(compare::FirstDifference { sample, signal, expected, found }) = first else {
         // Runs of different length differ, though no sample of both does.
         return Ok(if bits == 0 { Exit::Done } else { Exit::Different });
     };

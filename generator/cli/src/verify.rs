@@ -10,7 +10,7 @@ use crate::results::{Files, Outcome};
 use generator::blocks::Designed;
 use generator::blocks::{self, Block};
 use generator::codes;
-use golden::compare::{Place, compare};
+use golden::compare::{FirstDifference, compare};
 use golden::engine::{self, ENGINES, Engine, Failure};
 use golden::samples::{Samples, Shape};
 use golden::{exercise, stimulus};
@@ -94,7 +94,7 @@ fn every_engine(
     Ok(())
 }
 
-fn place(place: Place) -> String {
-    let Place { sample, signal, expected, found } = place;
+fn place(place: FirstDifference) -> String {
+    let FirstDifference { sample, signal, expected, found } = place;
     format!("sample {sample}, {signal}: {expected:?} expected, {found:?} found")
 }

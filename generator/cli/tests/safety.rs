@@ -4,7 +4,7 @@
 #![cfg(unix)]
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
-use generator::digest::is_sealed;
+use generator::digest::has_right_checksum;
 use std::collections::BTreeMap;
 use std::fs;
 use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
@@ -196,7 +196,7 @@ fn runs_side_by_side_end_with_the_result_of_one() {
             .collect();
         runs.into_iter().for_each(|mut run| assert_eq!(run.wait().unwrap().code(), Some(0)));
         let out = content(&folder.path().join("out"));
-        assert!(out.values().all(|text| is_sealed(text) == Some(true)));
+        assert!(out.values().all(|text| has_right_checksum(text) == Some(true)));
         assert!(results.contains(&out), "the files are of one run, and nothing else is left");
     }
 }

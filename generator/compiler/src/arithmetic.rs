@@ -58,10 +58,10 @@ pub fn binary(operator: Binary, left: Literal, right: Literal) -> Literal {
 #[must_use]
 pub fn intrinsic(intrinsic: Intrinsic, operands: &[Literal], real: RealKind) -> Literal {
     match (intrinsic, operands) {
-        (Intrinsic::Usable | Intrinsic::Within, [Literal::F64(x), Literal::F64(limit)]) => {
+        (Intrinsic::InRange | Intrinsic::Within, [Literal::F64(x), Literal::F64(limit)]) => {
             Literal::Bool(portable::within(*x, *limit))
         }
-        (Intrinsic::Usable | Intrinsic::Within, [Literal::F32(x), Literal::F32(limit)]) => {
+        (Intrinsic::InRange | Intrinsic::Within, [Literal::F32(x), Literal::F32(limit)]) => {
             Literal::Bool(portable::within(*x, *limit))
         }
         (Intrinsic::FromU32, [Literal::U32(value)]) => match real {

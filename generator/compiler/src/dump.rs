@@ -66,7 +66,7 @@ fn expr(program: &Program, value: &Expr) -> String {
         Expr::Binary(operator, left, right) => format!("{} {} {}", inner(left), symbol(*operator), inner(right)),
         Expr::Intrinsic(intrinsic, operands) => {
             let name = match intrinsic {
-                Intrinsic::Usable => "usable",
+                Intrinsic::InRange => "in_range",
                 Intrinsic::Within => "within",
                 Intrinsic::FromU32 | Intrinsic::FromI32 => "real",
                 Intrinsic::Truncate => "truncate",

@@ -39,7 +39,7 @@ pub(crate) fn parse(source: &Source) -> Result<Spanned<DeTable<'_>>, Report> {
         Ok(text) => text,
         Err(error) => {
             let place = source.place(error.valid_up_to());
-            report.push(Diagnostic::error(codes::UTF8, place, "no UTF-8").allowed("a TOML file is UTF-8"));
+            report.push(Diagnostic::error(codes::UTF8, place, "not UTF-8").allowed("a TOML file is UTF-8"));
             return Err(report);
         }
     };

@@ -238,12 +238,12 @@ fn of_duration(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
             let found = format!("is {}, which has no unit", shown(text));
             return Err(refused(found, real(number).map(|time| with_unit(number, time))));
         }
-        _ => return Err(refused(format!("is {}, no time", shown(text)), None)),
+        _ => return Err(refused(format!("is {}, not a duration", shown(text)), None)),
     };
     let (whole, fraction) = number.split_once('.').unwrap_or((number, ""));
     let fraction = fraction.trim_end_matches('0');
     if (whole.is_empty() && fraction.is_empty()) || fraction.contains('.') {
-        return Err(refused(format!("is {}, no time", shown(text)), None));
+        return Err(refused(format!("is {}, not a duration", shown(text)), None));
     }
     if fraction.len() > digits {
         return Err(refused(format!("is {}, no whole number of nanoseconds", shown(text)), None));

@@ -13,5 +13,5 @@ use portable::Real;
 #[must_use]
 pub fn coefficients<R: Real>(band: &Band) -> reference::allpass::Coeffs<R> {
     let d = denominator(band.omega0, band.bandwidth / band.omega0);
-    reference::allpass::Coeffs { a1: R::lit(d.a1), a2: R::lit(d.a2), settled: R::lit(1.0 - d.a2) }
+    reference::allpass::Coeffs { a1: R::lit(d.a1), a2: R::lit(d.a2), preset: R::lit(1.0 - d.a2) }
 }

@@ -26,7 +26,7 @@ pub fn coefficients<R: Real>(omega0: f64, osc_damping: f64) -> reference::biquad
         b2: R::lit(b2),
         a1: R::lit(d.a1),
         a2: R::lit(d.a2),
-        settled_s1: R::lit(1.0 - b0),
-        settled_s2: R::lit(b2 - d.a2),
+        preset_s1: R::lit(1.0 - b0),
+        preset_s2: R::lit(b2 - d.a2),
     }
 }

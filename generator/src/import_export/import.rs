@@ -163,7 +163,7 @@ fn comment_beside(line: &Line<'_>) -> String {
     }
 }
 
-/// A comment as one of TOML: `(` gets a `#`, bytes that are no UTF-8 are latin-1, control characters cannot stand there.
+/// A comment as one of TOML: `(` gets a `#`, bytes that are not UTF-8 are latin-1, control characters cannot stand there.
 fn comment_text(comment: &[u8]) -> String {
     let text = str::from_utf8(comment).map_or_else(|_| latin_1(comment), str::to_owned);
     let text: String =

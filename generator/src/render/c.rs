@@ -13,7 +13,7 @@ pub(crate) struct CFile<'a> {
     pub(crate) real: &'a str,
     pub(crate) cycle_time_ns: u32,
     pub(crate) parameters_digest: &'a str,
-    pub(crate) body_digest: &'a str,
+    pub(crate) checksum: &'a str,
     pub(crate) body: &'a str,
 }
 

@@ -41,7 +41,7 @@ mod tests {
     #[test]
     fn hostile_text_comes_back() {
         let suites = [HOSTILE.to_owned()];
-        let program = TcProgram { version: HOSTILE, body_digest: "0", id: "{0}".to_owned(), suites: &suites };
+        let program = TcProgram { version: HOSTILE, checksum: "0", id: "{0}".to_owned(), suites: &suites };
         let text = program.render().expect("the template is filled");
         let (_, rest) = text.split_once("<Declaration>").expect("there is a declaration");
         let (declaration, count) = read(rest.split_once("</Declaration>").expect("it ends").0);
@@ -53,9 +53,9 @@ mod tests {
     #[test]
     fn text_that_ends_no_section_is_not_touched() {
         let items = [Item { name: "A < B & C ]] >", value: -1 }];
-        let file = TcEnum { version: "1", body_digest: "0", id: "{0}".to_owned(), items: &items };
+        let file = TcEnum { version: "1", checksum: "0", id: "{0}".to_owned(), items: &items };
         assert!(file.render().expect("the template is filled").contains("\n    A < B & C ]] > := -1\n"));
-        let guide = TcGuide { version: HOSTILE, body_digest: "0", damping: "B", axis: "A", samples: 1 };
+        let guide = TcGuide { version: HOSTILE, checksum: "0", damping: "B", axis: "A", samples: 1 };
         assert!(guide.render().expect("the template is filled").contains(HOSTILE), "no file of XML");
     }
 }

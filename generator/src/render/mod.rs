@@ -7,9 +7,9 @@ mod twincat;
 
 pub(crate) use c::{CBlock, CFile, CHeader, CSelfTest, CSource, Noisy, Switch};
 pub(crate) use cdata::Cdata;
-pub(crate) use st::{CodesysFile, CodesysUsable, Origin, PlainFile, SclFile, StBlock};
+pub(crate) use st::{CodesysFile, CodesysInRange, Origin, PlainFile, SclFile, StBlock};
 pub(crate) use twincat::{
-    Compile, Item, TcEnum, TcGuide, TcPou, TcProgram, TcProject, TcSuite, TcUnion, TcUsable, TcVector, Track,
+    Compile, Item, TcEnum, TcGuide, TcInRange, TcPou, TcProgram, TcProject, TcSuite, TcUnion, TcVector, Track,
 };
 
 /// A variable that is declared.

@@ -13,7 +13,7 @@ pub(crate) struct Origin<'a> {
     pub(crate) real: &'a str,
     pub(crate) cycle_time_ns: u32,
     pub(crate) parameters_digest: &'a str,
-    pub(crate) body_digest: &'a str,
+    pub(crate) checksum: &'a str,
     /// what is certain of the blocks in the file, and their measured response; empty where there is no block
     pub(crate) certificate: &'a str,
 }
@@ -70,11 +70,11 @@ pub(crate) struct CodesysFile<'a> {
 
 /// The file of CODESYS that all axes share.
 #[derive(Template)]
-#[template(path = "codesys/usable.xml")]
-pub(crate) struct CodesysUsable<'a> {
+#[template(path = "codesys/in_range.xml")]
+pub(crate) struct CodesysInRange<'a> {
     pub(crate) version: &'a str,
     pub(crate) name: &'a str,
-    pub(crate) body_digest: &'a str,
+    pub(crate) checksum: &'a str,
     /// one function for each real type
-    pub(crate) functions: &'a [super::TcUsable<'a>],
+    pub(crate) functions: &'a [super::TcInRange<'a>],
 }

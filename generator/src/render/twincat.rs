@@ -14,10 +14,10 @@ pub(crate) struct TcPou<'a> {
 
 /// The function that looks at a sample's exponent bits.
 #[derive(Template)]
-#[template(path = "twincat/usable.TcPOU")]
-pub(crate) struct TcUsable<'a> {
+#[template(path = "twincat/in_range.TcPOU")]
+pub(crate) struct TcInRange<'a> {
     pub(crate) version: &'a str,
-    pub(crate) body_digest: &'a str,
+    pub(crate) checksum: &'a str,
     pub(crate) id: String,
     pub(crate) name: &'a str,
     pub(crate) real: &'a str,
@@ -32,7 +32,7 @@ pub(crate) struct TcUsable<'a> {
 #[template(path = "twincat/mode.TcDUT")]
 pub(crate) struct TcEnum<'a> {
     pub(crate) version: &'a str,
-    pub(crate) body_digest: &'a str,
+    pub(crate) checksum: &'a str,
     pub(crate) id: String,
     pub(crate) items: &'a [Item],
 }
@@ -48,7 +48,7 @@ pub(crate) struct Item {
 #[template(path = "twincat/bits.TcDUT")]
 pub(crate) struct TcUnion<'a> {
     pub(crate) version: &'a str,
-    pub(crate) body_digest: &'a str,
+    pub(crate) checksum: &'a str,
     pub(crate) id: String,
     pub(crate) real: &'a str,
     /// the bit string of the same size
@@ -100,7 +100,7 @@ pub(crate) struct TcSuite<'a> {
 #[template(path = "twincat/tests.TcPOU")]
 pub(crate) struct TcProgram<'a> {
     pub(crate) version: &'a str,
-    pub(crate) body_digest: &'a str,
+    pub(crate) checksum: &'a str,
     pub(crate) id: String,
     pub(crate) suites: &'a [String],
 }
@@ -110,7 +110,7 @@ pub(crate) struct TcProgram<'a> {
 #[template(path = "twincat/axgen.plcproj")]
 pub(crate) struct TcProject<'a> {
     pub(crate) version: &'a str,
-    pub(crate) body_digest: &'a str,
+    pub(crate) checksum: &'a str,
     /// what the machine runs
     pub(crate) objects: &'a [Compile],
     /// what only the tests need
@@ -128,7 +128,7 @@ pub(crate) struct Compile {
 #[template(path = "twincat/IMPORT.md")]
 pub(crate) struct TcGuide<'a> {
     pub(crate) version: &'a str,
-    pub(crate) body_digest: &'a str,
+    pub(crate) checksum: &'a str,
     /// a block `ipc`, for the example of a call; empty: there is none
     pub(crate) damping: &'a str,
     /// a block `axis`, for the example of a call; empty: there is none

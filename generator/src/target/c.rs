@@ -1,8 +1,8 @@
 //! The two files of an axis in C: what goes into the templates.
 
 use super::outline::{COMMENT_WIDTH, Outline};
-use super::{File, Header, Legal, VERSION, block_name, sealed, stem};
-use crate::digest::UNSEALED;
+use super::{File, Header, Legal, VERSION, block_name, rendered, stem};
+use crate::digest::NO_CHECKSUM;
 use crate::render::{CBlock, CFile, CHeader, CSelfTest, CSource, Noisy, Switch};
 use askama::Template;
 use compiler::print::c::LANGUAGE;
@@ -15,7 +15,7 @@ pub(super) fn files(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
     let stem = stem(&axis.axis);
     let (header, source) = (format!("{stem}.h"), format!("{stem}.c"));
     // A source file is one scope: where several blocks share it, the numbers of each have its name before theirs.
-    let mut names = Names::of(&LANGUAGE);
+    let mut names = Names::new(&LANGUAGE);
     let prefix = |block: &Legal<'_>| if blocks.len() > 1 { block.program.block } else { "" };
     let constants: Vec<Vec<String>> =
         blocks.iter().map(|block| print::constants(&block.program, prefix(block), &mut names)).collect();
@@ -31,7 +31,7 @@ pub(super) fn files(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
     let uses = |wanted: &[Intrinsic]| blocks.iter().any(|block| asks_for(&block.program, wanted));
     let source_body = CSource {
         header: &header,
-        uses_magnitude: uses(&[Intrinsic::Usable, Intrinsic::Within]),
+        uses_magnitude: uses(&[Intrinsic::InRange, Intrinsic::Within]),
         uses_nearest: uses(&[Intrinsic::Nearest]),
         real,
         zero,
@@ -66,10 +66,10 @@ fn with_origin(axis: &Header, file: String, body: &str) -> File {
         real: real_name(axis.real),
         cycle_time_ns: axis.cycle_time_ns,
         parameters_digest: &axis.parameters_digest,
-        body_digest: UNSEALED,
+        checksum: NO_CHECKSUM,
         body,
     };
-    sealed(file.clone(), "", &text)
+    rendered(file.clone(), "", &text)
 }
 
 fn real_name(real: RealKind) -> &'static str {

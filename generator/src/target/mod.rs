@@ -7,7 +7,7 @@ mod st;
 pub use outline::is_read;
 
 use crate::blocks::Block;
-use crate::digest::seal;
+use crate::digest::with_checksum;
 use askama::Template;
 use compiler::legalise;
 use compiler::pass::{Defect, Stage};
@@ -119,9 +119,9 @@ pub fn block_name(axis: &str, block: &str) -> String {
 }
 
 /// A file from its template, behind a mark that some readers want at the very beginning.
-fn sealed(name: String, mark: &str, template: &impl Template) -> File {
+fn rendered(name: String, mark: &str, template: &impl Template) -> File {
     let text = template.render().expect("target: no input can keep a template from being filled");
-    File { name, text: seal(format!("{mark}{text}\n")) }
+    File { name, text: with_checksum(format!("{mark}{text}\n")) }
 }
 
 fn nothing(_: &[Unit<'_>]) -> Vec<File> {

@@ -15,7 +15,7 @@ pub use folder::{Folder, open};
 
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
-use crate::digest::is_sealed;
+use crate::digest::has_right_checksum;
 use crate::target::File;
 use beside::{remove, staged};
 use std::fmt;
@@ -50,7 +50,7 @@ pub enum Owner {
     Generated,
     /// it was generated, and changed by hand
     Edited,
-    /// another tool's or a person's; or its seal was taken out
+    /// another tool's or a person's; or its checksum was taken out
     Other,
 }
 
@@ -163,8 +163,8 @@ pub fn commit(folder: Folder, results: Vec<Result<Staged, Refusal>>, force: bool
 /// Whose a file of this content is.
 #[must_use]
 pub fn owner(content: &[u8]) -> Owner {
-    // What is no UTF-8 is not what we wrote: its replacement characters break the seal.
-    match is_sealed(&String::from_utf8_lossy(content)) {
+    // What is not UTF-8 is not what we wrote: with its replacement characters the checksum is wrong.
+    match has_right_checksum(&String::from_utf8_lossy(content)) {
         Some(true) => Owner::Generated,
         Some(false) => Owner::Edited,
         // A crash of the host may leave it so.

@@ -41,7 +41,7 @@ fn number(value: Literal) -> f64 {
     }
 }
 
-/// Runs the block, settled at 0, on the same samples at all real inputs; gives all reals of the state and v_add_calculated.
+/// Runs the block, preset at 0, on the same samples at all real inputs; gives all reals of the state and v_add_calculated.
 fn run(program: &Program, samples: impl Iterator<Item = f64>) -> Vec<Vec<f64>> {
     let mut machine = Machine::start(program);
     let mut outputs = Vec::new();

@@ -66,7 +66,7 @@ fn a_coefficient_that_is_off_by_one_per_cent_is_seen() {
     for index in 0..program.constants.len() {
         let constant = &program.constants[index];
         let Literal::F64(value) = constant.value else { continue };
-        if !constant.path.starts_with("stage") || constant.path.contains("settled") {
+        if !constant.path.starts_with("stage") || constant.path.contains("preset") {
             continue;
         }
         let mut wrong = program.clone();

@@ -86,7 +86,7 @@ set.toml:5:41: error[AX313]: `getriebe[0].incr_per_rev` (P-AXIS-00092) is 0, and
 > vorsteuer.vorsteuerung = 'ADD_ACC'
 > process_data.additive_torque = 'INT16'
 > getriebe = [{ kv = 2000, load = 1e300 }]
-set.toml:5:33: error[AX314]: the scaling of the additive torque is 6.135923151542565e298: a usable sample times it is beyond the numbers of this axis
+set.toml:5:33: error[AX314]: the scaling of the additive torque is 6.135923151542565e298: a sample in range times it is beyond the numbers of this axis
     write instead: the scaling of the drive's manual
 
 > vorsteuer.vorsteuerung = 'ADD_ACC'

@@ -70,7 +70,7 @@ set.toml:4:8: error[AX203]: `fade` is 1000.000000001s
 
 > gear = 16
 > fade = "-1ns"
-set.toml:4:8: error[AX205]: `fade` is `-1ns`, no time
+set.toml:4:8: error[AX205]: `fade` is `-1ns`, not a duration
     allowed: a number with a unit (s, ms, us or ns), 0s <= fade <= 1000s
 set.toml:3:8: error[AX203]: `gear` is 16
     allowed: 0 <= gear <= 15

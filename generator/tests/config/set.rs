@@ -112,7 +112,7 @@ fn cycle_times() {
              [axis.X]",
         ),
         &[
-            "set.toml:1:14: error[AX205]: `cycle_time` is `1ms `, no time",
+            "set.toml:1:14: error[AX205]: `cycle_time` is `1ms `, not a duration",
             "    allowed: a number with a unit (s, ms, us or ns), 1ns <= cycle_time <= 4.294967295s",
         ],
     );
@@ -122,7 +122,7 @@ fn cycle_times() {
              [axis.X]",
         ),
         &[
-            "set.toml:1:14: error[AX205]: `cycle_time` is `-1ms`, no time",
+            "set.toml:1:14: error[AX205]: `cycle_time` is `-1ms`, not a duration",
             "    allowed: a number with a unit (s, ms, us or ns), 1ns <= cycle_time <= 4.294967295s",
         ],
     );
@@ -132,7 +132,7 @@ fn cycle_times() {
              [axis.X]",
         ),
         &[
-            "set.toml:1:14: error[AX205]: `cycle_time` is `1 fortnight`, no time",
+            "set.toml:1:14: error[AX205]: `cycle_time` is `1 fortnight`, not a duration",
             "    allowed: a number with a unit (s, ms, us or ns), 1ns <= cycle_time <= 4.294967295s",
         ],
     );
@@ -179,7 +179,7 @@ fn cycle_times() {
              [axis.X]",
         ),
         &[
-            "set.toml:1:14: error[AX205]: `cycle_time` is `1e3us`, no time",
+            "set.toml:1:14: error[AX205]: `cycle_time` is `1e3us`, not a duration",
             "    allowed: a number with a unit (s, ms, us or ns), 1ns <= cycle_time <= 4.294967295s",
         ],
     );
@@ -199,7 +199,7 @@ fn cycle_times() {
              [axis.X]",
         ),
         &[
-            "set.toml:1:14: error[AX205]: `cycle_time` is `.s`, no time",
+            "set.toml:1:14: error[AX205]: `cycle_time` is `.s`, not a duration",
             "    allowed: a number with a unit (s, ms, us or ns), 1ns <= cycle_time <= 4.294967295s",
         ],
     );
@@ -209,7 +209,7 @@ fn cycle_times() {
              [axis.X]",
         ),
         &[
-            "set.toml:1:14: error[AX205]: `cycle_time` is `1.2.3ms`, no time",
+            "set.toml:1:14: error[AX205]: `cycle_time` is `1.2.3ms`, not a duration",
             "    allowed: a number with a unit (s, ms, us or ns), 1ns <= cycle_time <= 4.294967295s",
         ],
     );
@@ -703,7 +703,7 @@ fn the_same_checks_as_for_lists() {
 #[test]
 fn no_utf8() {
     let (_, report) = read_set(b"# \xC3\xA4\n# \xE4\n");
-    assert_said(&report.to_string(), &["set.toml:2:3: error[AX003]: no UTF-8", "    allowed: a TOML file is UTF-8"]);
+    assert_said(&report.to_string(), &["set.toml:2:3: error[AX003]: not UTF-8", "    allowed: a TOML file is UTF-8"]);
 }
 
 #[test]

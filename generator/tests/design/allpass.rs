@@ -55,6 +55,6 @@ fn it_has_the_poles_of_the_first_order_band_pass() {
         let band = coefficients_of(&band, set.cycle_time()).bandpass[0];
         assert!((all.a1 - band.a1).abs() <= 2.0 * f64::EPSILON);
         assert!((all.a2 - band.a2).abs() <= f64::EPSILON);
-        assert_eq!(all.settled.to_bits(), (1.0 - all.a2).to_bits());
+        assert_eq!(all.preset.to_bits(), (1.0 - all.a2).to_bits());
     }
 }

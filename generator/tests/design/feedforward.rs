@@ -139,7 +139,7 @@ fn ramps() {
     for (us, cycles) in [(0, 0.0), (150, 0.15), (1000, 1.0), (2500, 2.5), (5999, 5.999)] {
         let coeffs = design_delay(us, 1_000_000);
         let mut state = delay::State::default();
-        delay::settle(&mut state, 0.0);
+        delay::preset(&mut state, 0.0);
         for n in 0..100 {
             let found = delay::step(&mut state, &coeffs, f64::from(n));
             if n > 6 {

@@ -41,10 +41,10 @@ fn visco_elastic(damping: f64, w: f64) -> Complex {
 }
 
 #[test]
-fn a_constant_input_is_settled_where_it_stays() {
+fn a_constant_input_is_preset_where_it_stays() {
     for set in sets(1_000) {
         let coeffs = oscillation::coefficients::<f64>(warped(set.f0, set.cycle_time()), 0.3);
-        assert_eq!(coeffs.settled_s1.to_bits(), (1.0 - coeffs.b0).to_bits());
-        assert_eq!(coeffs.settled_s2.to_bits(), (coeffs.b2 - coeffs.a2).to_bits());
+        assert_eq!(coeffs.preset_s1.to_bits(), (1.0 - coeffs.b0).to_bits());
+        assert_eq!(coeffs.preset_s2.to_bits(), (coeffs.b2 - coeffs.a2).to_bits());
     }
 }

@@ -25,7 +25,7 @@ fn refused(axis: &Axis) -> Vec<Refusal> {
 }
 
 #[test]
-fn usable_axes_are_not_refused() {
+fn axes_in_range_are_not_refused() {
     for axis in axes(1_000, RealKind::F64).chain(axes(1_000, RealKind::F32)) {
         assert_eq!(refused(&axis), [], "{axis:?}");
     }

@@ -1,14 +1,14 @@
-//! What each file form demands of its files: XML, TwinCAT objects, TcUnit suites, PLCopen, SCL, seals, plain text. What the
+//! What each file form demands of its files: XML, TwinCAT objects, TcUnit suites, PLCopen, SCL, checksums, plain text. What the
 //! files compute is compared by the engines.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 mod cdata;
+mod checksum;
 mod encoding;
 mod plcopen;
 mod project;
 mod scl;
-mod seal;
 mod structure;
 mod suite;
 mod text;

@@ -118,7 +118,7 @@ fn the_shared_project_has_functions_and_the_others_function_blocks() {
                 assert_eq!(pou.attribute("pouType"), kind, "{}: {name}", case.name);
                 let results = pou.at("interface").all("returnType").count();
                 assert_eq!(results, usize::from(is_shared), "{}: {name}", case.name);
-                let own = if is_shared { "F_axgen_usable_".to_owned() } else { name.replace(".xml", "_") };
+                let own = if is_shared { "F_axgen_in_range_".to_owned() } else { name.replace(".xml", "_") };
                 assert!(pou.attribute("name").starts_with(&own), "{}: {name}", case.name);
             }
         }

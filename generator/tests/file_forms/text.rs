@@ -4,17 +4,17 @@ use crate::{CASES, OBJECTS, xml};
 
 /// All pieces of Structured Text of a file.
 fn pieces(name: &str, text: &str) -> Vec<String> {
-    fn of(element: &xml::Element, names: &[&str], found: &mut Vec<String>) {
+    fn collect(element: &xml::Element, names: &[&str], found: &mut Vec<String>) {
         if names.contains(&element.name.as_str()) {
             found.push(element.text.clone());
         }
-        element.children.iter().for_each(|child| of(child, names, found));
+        element.children.iter().for_each(|child| collect(child, names, found));
     }
     let mut found = Vec::new();
     if name.ends_with(".st") || name.ends_with(".scl") {
         found.push(text.to_owned());
     } else if OBJECTS.iter().any(|ending| name.ends_with(ending)) {
-        of(&xml::read(text).unwrap(), &["Declaration", "ST"], &mut found);
+        collect(&xml::read(text).unwrap(), &["Declaration", "ST"], &mut found);
     } else if name.ends_with(".xml") {
         let root = xml::read(text).unwrap();
         for pou in root.at("types/pous").all("pou") {

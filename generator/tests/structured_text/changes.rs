@@ -80,7 +80,7 @@ fn a_weight_changes_its_own_lines_only() {
 
 fn is_digest(line: &str) -> bool {
     let mut words = line.trim_start_matches([' ', '*']).split_ascii_whitespace();
-    matches!(words.next(), Some("parameters" | "body")) && words.next().is_some_and(|digest| digest.len() == 32)
+    matches!(words.next(), Some("parameters" | "checksum")) && words.next().is_some_and(|digest| digest.len() == 32)
 }
 
 /// The lines of the second text that differ from those of the first; no line is added and none goes.

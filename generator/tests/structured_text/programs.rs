@@ -102,8 +102,8 @@ fn not_enabled_a_block_does_what_it_does_in_off() {
 fn what_init_does_moves_into_the_first_cycle() {
     for block in all_blocks() {
         let mut program = block.program.clone();
-        let gate = program.state.iter().position(|state| state.path == "gate").unwrap();
-        program.init.push(Statement::Assign { target: Var::State(gate), value: Expr::Literal(Literal::U32(7)) });
+        let fade = program.state.iter().position(|state| state.path == "fade").unwrap();
+        program.init.push(Statement::Assign { target: Var::State(fade), value: Expr::Literal(Literal::U32(7)) });
         let moved = start::run(program.clone()).unwrap();
         assert!(moved.init.is_empty());
         assert_eq!(moved.state.len(), program.state.len() + 1);

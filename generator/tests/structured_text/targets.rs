@@ -21,8 +21,8 @@ fn every_target_has_its_files() {
         "axgen_shared.xml",
         "twincat/DUTs/E_axgen_mode.TcDUT",
         "twincat/IMPORT.md",
-        "twincat/POUs/F_axgen_usable_LREAL.TcPOU",
-        "twincat/POUs/F_axgen_usable_REAL.TcPOU",
+        "twincat/POUs/F_axgen_in_range_LREAL.TcPOU",
+        "twincat/POUs/F_axgen_in_range_REAL.TcPOU",
         "twincat/Tests/PRG_axgen_tests.TcPOU",
         "twincat/Tests/U_axgen_LREAL.TcDUT",
         "twincat/Tests/U_axgen_REAL.TcDUT",
@@ -38,7 +38,7 @@ fn every_target_has_its_files() {
 fn a_target_for_one_real_type_has_no_parts_for_the_other() {
     let single = "cycle_time = \"1ms\"\n[axis.X]\nlist = \"rack-and-pinion.lis\"\n";
     let names: Vec<String> = files(single).into_keys().collect();
-    assert!(names.iter().any(|name| name.ends_with("usable_LREAL.TcPOU")));
+    assert!(names.iter().any(|name| name.ends_with("in_range_LREAL.TcPOU")));
     assert!(!names.iter().any(|name| name.contains("_REAL")), "{names:?}");
 }
 

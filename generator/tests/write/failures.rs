@@ -1,6 +1,6 @@
 //! A failure at any position leaves every file as it was.
 
-use crate::{content, file, pair, sealed, write};
+use crate::{content, file, generated, pair, write};
 use generator::write::{Refusal, commit, open, stage};
 use std::fs;
 use std::path::Path;
@@ -10,7 +10,7 @@ const NAMES: [&str; 6] = ["a", "b", "c", "d", "e", "f"];
 /// Every second file is there already.
 fn older(folder: &Path) -> Vec<(String, String)> {
     for name in NAMES.iter().step_by(2) {
-        let older = sealed(name, "old");
+        let older = generated(name, "old");
         fs::write(folder.join(name), older.text).unwrap();
     }
     content(folder)
@@ -24,7 +24,7 @@ fn a_folder_in_the_place_of_any_file_keeps_all_from_being_staged() {
         let _ = fs::remove_file(folder.path().join(name));
         fs::create_dir(folder.path().join(name)).unwrap();
         let before = content(folder.path());
-        let result = write(folder.path(), &NAMES.map(|name| sealed(name, "new")), true);
+        let result = write(folder.path(), &NAMES.map(|name| generated(name, "new")), true);
         assert!(matches!(result, Err(Refusal::Failed(path, _)) if path == folder.path().join(name)));
         assert_eq!(content(folder.path()), before);
     }
@@ -37,7 +37,7 @@ fn a_failing_rename_at_any_position_puts_everything_back() {
         let folder = tempfile::tempdir().unwrap();
         older(folder.path());
         let held = open(folder.path()).unwrap();
-        let staged = NAMES.map(|name| stage(&held, &sealed(name, "new")));
+        let staged = NAMES.map(|name| stage(&held, &generated(name, "new")));
         let _ = fs::remove_file(folder.path().join(name));
         fs::create_dir_all(folder.path().join(name).join("occupied")).unwrap();
         let is_staged = |(name, _): &(String, String)| name.contains(".axgen-");
@@ -59,7 +59,7 @@ fn a_staged_file_that_is_gone_puts_everything_back() {
         let folder = tempfile::tempdir().unwrap();
         let before = older(folder.path());
         let held = open(folder.path()).unwrap();
-        let staged = NAMES.map(|name| stage(&held, &sealed(name, "new")));
+        let staged = NAMES.map(|name| stage(&held, &generated(name, "new")));
         fs::remove_file(folder.path().join(format!("{name}.axgen-staged-{}", std::process::id()))).unwrap();
         let result = commit(held, staged.into_iter().collect(), false);
         assert!(matches!(result, Err(Refusal::Failed(path, _)) if path == folder.path().join(name)));
@@ -74,7 +74,7 @@ fn what_was_put_back_is_the_same_file_with_its_time() {
     let modified = || fs::metadata(folder.path().join("a")).unwrap().modified().unwrap();
     let before = modified();
     let held = open(folder.path()).unwrap();
-    let staged = ["a", "b"].map(|name| stage(&held, &sealed(name, "new")));
+    let staged = ["a", "b"].map(|name| stage(&held, &generated(name, "new")));
     fs::create_dir(folder.path().join("b")).unwrap();
     commit(held, staged.into_iter().collect(), false).unwrap_err();
     assert_eq!(modified(), before);
@@ -87,13 +87,13 @@ fn a_panic_leaves_nothing_staged() {
     let out = folder.path().to_owned();
     let panicked = std::thread::spawn(move || {
         let held = open(&out).unwrap();
-        let _staged = NAMES.map(|name| stage(&held, &sealed(name, "new")).unwrap());
+        let _staged = NAMES.map(|name| stage(&held, &generated(name, "new")).unwrap());
         assert!(out.read_dir().unwrap().count() > NAMES.len(), "they are staged now");
         std::panic::resume_unwind(Box::new("a defect"));
     });
     assert!(panicked.join().is_err());
     assert_eq!(content(folder.path()), before);
-    write(folder.path(), &[sealed("a", "new")], false).unwrap();
+    write(folder.path(), &[generated("a", "new")], false).unwrap();
 }
 
 #[test]
@@ -102,7 +102,7 @@ fn a_folder_that_was_made_goes_again() {
     let out = folder.path().join("x/../y/z");
     fs::create_dir(folder.path().join("x")).unwrap();
     fs::write(folder.path().join("a file"), "").unwrap();
-    for files in [[sealed("twincat/a", "1"), sealed("a/b", "1")], [sealed("a", "1"), sealed("b\0", "1")]] {
+    for files in [[generated("twincat/a", "1"), generated("a/b", "1")], [generated("a", "1"), generated("b\0", "1")]] {
         let held = open(&out).unwrap();
         let mut staged: Vec<_> = files.iter().map(|file| stage(&held, file)).collect();
         staged.push(Err(Refusal::Failed(out.clone(), std::io::Error::other("no"))));

@@ -1,6 +1,6 @@
 //! Folders: made, named in any way, held by one at a time.
 
-use crate::{content, sealed, write};
+use crate::{content, generated, write};
 use generator::write::{commit, open, stage};
 use std::fs;
 use std::sync::mpsc;
@@ -9,7 +9,7 @@ use std::thread;
 #[test]
 fn a_folder_below_folders_is_made_and_stays() {
     let folder = tempfile::tempdir().unwrap();
-    write(&folder.path().join("a/../b/c"), &[sealed("d/e", "1")], false).unwrap();
+    write(&folder.path().join("a/../b/c"), &[generated("d/e", "1")], false).unwrap();
     assert!(folder.path().join("b/c/d/e").is_file());
     assert_eq!(content(&folder.path().join("b/c/d")).len(), 1);
 }
@@ -20,14 +20,14 @@ fn a_folder_is_held_by_one_at_a_time() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("out");
     let first = open(&out).unwrap();
-    let staged = stage(&first, &sealed("a", "1"));
+    let staged = stage(&first, &generated("a", "1"));
     let (sender, receiver) = mpsc::channel();
     let second = thread::spawn({
         let out = out.clone();
         move || {
             let held = open(&out).unwrap();
             sender.send(()).unwrap();
-            let staged = stage(&held, &sealed("a", "1"));
+            let staged = stage(&held, &generated("a", "1"));
             commit(held, vec![staged], false).unwrap()
         }
     });
@@ -48,7 +48,7 @@ fn a_folder_that_vanishes_is_made_again() {
             thread::spawn(move || {
                 let held = open(&out).unwrap();
                 if number == 2 {
-                    let staged = stage(&held, &sealed("a", "1"));
+                    let staged = stage(&held, &generated("a", "1"));
                     commit(held, vec![staged], false).unwrap();
                 }
             })

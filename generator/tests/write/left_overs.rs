@@ -1,17 +1,17 @@
 //! What a killed run left beside its targets is cleared by the next one.
 
-use crate::{content, pair, sealed, write};
+use crate::{content, generated, pair, write};
 use std::fs;
 
 #[test]
 fn staged_and_kept_files_of_a_killed_run_are_cleared() {
     let folder = tempfile::tempdir().unwrap();
     fs::create_dir(folder.path().join("below")).unwrap();
-    fs::write(folder.path().join("a"), sealed("a", "old").text).unwrap();
+    fs::write(folder.path().join("a"), generated("a", "old").text).unwrap();
     for name in ["a.axgen-staged-1", "gone.axgen-staged-4294967295", "a.axgen-kept-1", "below/b.axgen-staged-7"] {
         fs::write(folder.path().join(name), "left").unwrap();
     }
-    let [a, b] = [sealed("a", "1"), sealed("below/b", "1")];
+    let [a, b] = [generated("a", "1"), generated("below/b", "1")];
     write(folder.path(), &[a.clone(), b.clone()], false).unwrap();
     assert_eq!(content(folder.path()), [(a.name, a.text), pair("below", "a folder")]);
     assert_eq!(content(&folder.path().join("below")), [pair("b", &b.text)]);
@@ -21,7 +21,7 @@ fn staged_and_kept_files_of_a_killed_run_are_cleared() {
 fn old_content_whose_target_is_gone_comes_back() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("a.axgen-kept-1"), "old").unwrap();
-    let b = sealed("b", "1");
+    let b = generated("b", "1");
     write(folder.path(), std::slice::from_ref(&b), false).unwrap();
     assert_eq!(content(folder.path()), [pair("a", "old"), (b.name, b.text)]);
 }
@@ -41,6 +41,6 @@ fn what_only_looks_like_it_stays() {
     for name in names {
         fs::write(folder.path().join(name), "").unwrap();
     }
-    write(folder.path(), &[sealed("b", "1")], false).unwrap();
+    write(folder.path(), &[generated("b", "1")], false).unwrap();
     assert_eq!(content(folder.path()).len(), names.len() + 1);
 }

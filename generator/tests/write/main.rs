@@ -49,15 +49,15 @@ fn pair(name: &str, text: &str) -> (String, String) {
 }
 
 /// A file as a generator would make it.
-fn sealed(name: &str, body: &str) -> File {
-    let line = generator::digest::UNSEALED;
-    file(name, &generator::digest::seal(format!("/* {name}\n *\n * body        {line}\n */\n{body}\n")))
+fn generated(name: &str, body: &str) -> File {
+    let line = generator::digest::NO_CHECKSUM;
+    file(name, &generator::digest::with_checksum(format!("/* {name}\n *\n * checksum    {line}\n */\n{body}\n")))
 }
 
 #[test]
 fn new_changed_and_unchanged_files() {
     let folder = tempfile::tempdir().unwrap();
-    let [a, b, b2, c] = [("a", "1"), ("b", "1"), ("b", "2"), ("c", "3")].map(|(name, body)| sealed(name, body));
+    let [a, b, b2, c] = [("a", "1"), ("b", "1"), ("b", "2"), ("c", "3")].map(|(name, body)| generated(name, body));
     let first = write(folder.path(), &[a.clone(), b], false).unwrap();
     assert_eq!(first, Written { changed: 2, unchanged: 0 });
     let second = write(folder.path(), &[a.clone(), b2.clone(), c.clone()], false).unwrap();

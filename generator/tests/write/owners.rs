@@ -1,26 +1,26 @@
 //! What is not as axgen made it needs `--force`.
 
-use crate::{content, pair, sealed, write};
+use crate::{content, generated, pair, write};
 use generator::write::{Owner, Refusal, owner};
 use std::fs;
 
 #[test]
 fn whose_a_file_is() {
-    let text = sealed("x.c", "int a;").text;
+    let text = generated("x.c", "int a;").text;
     assert_eq!(owner(text.as_bytes()), Owner::Generated);
     assert_eq!(owner(text.replace('\n', "\r\n").as_bytes()), Owner::Generated, "other line ends are no edit");
     assert_eq!(owner(b""), Owner::Generated, "a crash of the host may leave it so");
     assert_eq!(owner(text.replace("int", "long").as_bytes()), Owner::Edited);
     assert_eq!(owner(b"a file of another tool"), Owner::Other);
     assert_eq!(owner(b"\xFF\xFE\0"), Owner::Other);
-    let without_seal: String = text.lines().filter(|line| !line.contains("body")).collect();
-    assert_eq!(owner(without_seal.as_bytes()), Owner::Other);
+    let without_checksum: String = text.lines().filter(|line| !line.contains("checksum")).collect();
+    assert_eq!(owner(without_checksum.as_bytes()), Owner::Other);
 }
 
 /// An editor saved it in Latin-1.
 #[test]
 fn an_edit_that_is_no_utf_8_is_an_edit() {
-    let mut bytes = sealed("x.c", "int a;").text.into_bytes();
+    let mut bytes = generated("x.c", "int a;").text.into_bytes();
     bytes.extend(b"/* l\xE4uft */\n");
     assert_eq!(owner(&bytes), Owner::Edited);
 }
@@ -28,10 +28,10 @@ fn an_edit_that_is_no_utf_8_is_an_edit() {
 #[test]
 fn what_was_edited_or_made_by_others_needs_force() {
     let folder = tempfile::tempdir().unwrap();
-    let edited = sealed("x.c", "int a;").text.replace("int", "long");
+    let edited = generated("x.c", "int a;").text.replace("int", "long");
     fs::write(folder.path().join("x.c"), &edited).unwrap();
     fs::write(folder.path().join("y.c"), "mine").unwrap();
-    let files = ["x.c", "y.c", "z.c"].map(|name| sealed(name, "int b;"));
+    let files = ["x.c", "y.c", "z.c"].map(|name| generated(name, "int b;"));
     let refused = write(folder.path(), &files, false).unwrap_err();
     let [x, y] = ["x.c", "y.c"].map(|name| folder.path().join(name));
     assert_eq!(

@@ -24,7 +24,7 @@ impl Harness {
     ///
     /// # Errors
     /// The compiler is not there, or there is no room.
-    pub fn of(designed: &Designed, block: &Block, compiler: &Compiler) -> Result<Self, Failure> {
+    pub fn compile(designed: &Designed, block: &Block, compiler: &Compiler) -> Result<Self, Failure> {
         Self::among(designed, std::slice::from_ref(block), 0, compiler)
     }
 

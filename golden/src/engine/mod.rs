@@ -121,5 +121,5 @@ fn files(target: &str, designed: &Designed, blocks: &[Block]) -> Result<Vec<File
 /// # Errors
 /// The compiler is not there, refuses, or the block does not pass its self-test.
 pub fn run_c(designed: &Designed, block: &Block, inputs: &Samples, compiler: &Compiler) -> Result<Samples, Failure> {
-    Harness::of(designed, block, compiler)?.run(inputs, compiler)
+    Harness::compile(designed, block, compiler)?.run(inputs, compiler)
 }

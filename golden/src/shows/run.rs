@@ -56,7 +56,7 @@ struct Watch {
 
 impl Watch {
     fn see(&mut self, now: Cycle) {
-        let words = [of_limit(&now), of_samples(&now), of_task_cycle(&now), of_gate(&now, &self.last)];
+        let words = [of_limit(&now), of_samples(&now), of_task_cycle(&now), of_fade(&now, &self.last)];
         self.shown.extend(words.into_iter().flatten().map(str::to_owned));
         if now.v_add == 0.0 {
             self.stops.extend(of_stop(&now, self.last.v_add != 0.0));
@@ -93,16 +93,16 @@ fn of_task_cycle(now: &Cycle) -> Option<&'static str> {
     (now.task_cycle_ns != 0 && !now.fault).then_some("task cycle is right")
 }
 
-fn of_gate(now: &Cycle, last: &Cycle) -> Option<&'static str> {
+fn of_fade(now: &Cycle, last: &Cycle) -> Option<&'static str> {
     let is_between = |cycle: &Cycle| 0.0 < cycle.v_add.abs() && cycle.v_add.abs() < cycle.v_add_calculated.abs();
     let moves = now.velocities.iter().any(|v| *v != 0.0) && !now.fault && now.position_controlled && !now.reset;
     match now.mode {
-        ON if is_between(now) && last.mode == DRYRUN && is_between(last) => Some("gate turns round"),
-        ON if is_between(now) => Some("gate opens"),
-        ON if now.v_add != 0.0 => Some("gate is open"),
-        DRYRUN if is_between(now) => Some("gate closes in DRYRUN"),
+        ON if is_between(now) && last.mode == DRYRUN && is_between(last) => Some("fade turns round"),
+        ON if is_between(now) => Some("fading in"),
+        ON if now.v_add != 0.0 => Some("faded in"),
+        DRYRUN if is_between(now) => Some("fading out in DRYRUN"),
         DRYRUN if now.v_add == 0.0 && now.v_add_calculated != 0.0 => Some("DRYRUN while moving"),
-        OFF if now.v_add != 0.0 => Some("gate closes in OFF"),
+        OFF if now.v_add != 0.0 => Some("fading out in OFF"),
         OFF if moves => Some("OFF while moving"),
         _ => None,
     }

@@ -31,7 +31,7 @@ impl Block {
     /// The file holds what is outside the portable subset, or no such block.
     pub fn read(dialect: Dialect, text: &str, name: &str, real: RealKind) -> Result<Self, Vec<Mistake>> {
         if text.len() > LONGEST {
-            return Err(vec![Lines::of("").mistake(0, format!("{} bytes", text.len()), "a shorter file")]);
+            return Err(vec![Lines::new("").mistake(0, format!("{} bytes", text.len()), "a shorter file")]);
         }
         let source = match dialect {
             Dialect::Plain => Source::plain(text),
@@ -58,7 +58,7 @@ impl Block {
         }
         match found {
             Some(mut block) if mistakes.is_empty() => {
-                block.place = Lines::of(text).place(source.origin(block.place.0));
+                block.place = Lines::new(text).place(source.origin(block.place.0));
                 Ok(block)
             }
             _ => Err(mistakes.sorted()),

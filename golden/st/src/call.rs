@@ -27,8 +27,8 @@ pub(crate) fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<O
     if name == "TRUNC" {
         return truncation(lowering, node, &arguments);
     }
-    if matches!(lowering.dialect, Dialect::TwinCat | Dialect::Codesys) && name == format!("F_AXGEN_USABLE_{real}") {
-        return usable(lowering, node, &arguments);
+    if matches!(lowering.dialect, Dialect::TwinCat | Dialect::Codesys) && name == format!("F_AXGEN_IN_RANGE_{real}") {
+        return in_range(lowering, node, &arguments);
     }
     let instead = match name.as_str() {
         "DINT_TO_LREAL" | "DINT_TO_REAL" | "UDINT_TO_LREAL" | "UDINT_TO_REAL" => {
@@ -87,7 +87,7 @@ fn truncation(lowering: &mut Lowering<'_, '_>, node: Node<'_>, arguments: &[Node
     Some(lowering.emit(Code::Truncate, Kind::Dint, &[x]))
 }
 
-fn usable(lowering: &mut Lowering<'_, '_>, node: Node<'_>, arguments: &[Node<'_>]) -> Option<Operand> {
+fn in_range(lowering: &mut Lowering<'_, '_>, node: Node<'_>, arguments: &[Node<'_>]) -> Option<Operand> {
     let (mut values, text) = ([None, None], lowering.text);
     for argument in arguments {
         let name = argument.child_by_field_name("name").map_or("", |name| said(name, text)).to_ascii_lowercase();
@@ -104,7 +104,7 @@ fn usable(lowering: &mut Lowering<'_, '_>, node: Node<'_>, arguments: &[Node<'_>
         return None;
     };
     let (a, b) = (real(lowering, value), real(lowering, limit));
-    Some(lowering.emit(Code::Usable, Kind::Bool, &[a?, b?]))
+    Some(lowering.emit(Code::InRange, Kind::Bool, &[a?, b?]))
 }
 
 fn real(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<expression::Typed> {

@@ -66,7 +66,7 @@ pub(crate) enum Code {
     /// DINT := whole part of real
     Truncate,
     /// bool := real is finite, and between -real and real
-    Usable,
+    InRange,
     /// on to operation `to`
     Jump,
     /// on to operation `to`, unless bool `a`
@@ -143,7 +143,7 @@ impl<R: Real> Slots<R> {
                 Code::RealOfDint => reals[to] = R::lit(f64::from(words[a].cast_signed())),
                 Code::RealOfUdint => reals[to] = R::from_u32(words[a]),
                 Code::Truncate => words[to] = truncated(reals[a]).cast_unsigned(),
-                Code::Usable => bools[to] = usable(reals[a], reals[b]),
+                Code::InRange => bools[to] = in_range(reals[a], reals[b]),
                 Code::Jump => next = to,
                 Code::JumpUnless => {
                     if !bools[a] {
@@ -155,8 +155,8 @@ impl<R: Real> Slots<R> {
     }
 }
 
-/// What the function `F_axgen_usable` of the emitted files says.
-fn usable<R: Real>(x: R, limit: R) -> bool {
+/// What the function `F_axgen_in_range` of the emitted files says.
+fn in_range<R: Real>(x: R, limit: R) -> bool {
     x.to_f64().is_finite() && -limit <= x && x <= limit
 }
 

@@ -32,7 +32,7 @@ pub(crate) struct Lines<'t> {
 
 impl<'t> Lines<'t> {
     /// Finds them.
-    pub(crate) fn of(file: &'t str) -> Self {
+    pub(crate) fn new(file: &'t str) -> Self {
         let after = file.bytes().enumerate().filter(|&(_, byte)| byte == b'\n').map(|(at, _)| at + 1);
         Self { file, starts: std::iter::once(0).chain(after).collect() }
     }
@@ -65,7 +65,7 @@ pub(crate) struct Mistakes<'t> {
 impl<'t> Mistakes<'t> {
     /// None yet.
     pub(crate) fn new(source: &'t Source, file: &'t str) -> Self {
-        Self { source, lines: Lines::of(file), list: Vec::new() }
+        Self { source, lines: Lines::new(file), list: Vec::new() }
     }
 
     /// One at a byte of the source.

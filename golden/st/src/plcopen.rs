@@ -10,7 +10,7 @@ const SPACE: &str = "http://www.plcopen.org/xml/tc6_0200";
 
 /// Reads the file: all its function blocks, one after another.
 pub(crate) fn read(file: &str) -> Result<Source, Vec<Mistake>> {
-    let lines = Lines::of(file);
+    let lines = Lines::new(file);
     let document = xml::read(file)?;
     let root = document.root_element();
     if !root.has_tag_name((SPACE, "project")) {

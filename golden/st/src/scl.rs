@@ -20,7 +20,7 @@ pub(crate) fn read(file: &str) -> Result<Source, Vec<Mistake>> {
         mistake = reading.block().err();
     }
     if let Some((at, found, instead)) = mistake {
-        return Err(vec![Lines::of(file).mistake(at, found, instead)]);
+        return Err(vec![Lines::new(file).mistake(at, found, instead)]);
     }
     let mut bytes = file.as_bytes().to_vec();
     for at in blank {

@@ -7,7 +7,7 @@ use super::xml::{self, append_text, child};
 
 /// Reads the file.
 pub(crate) fn read(file: &str) -> Result<Source, Vec<Mistake>> {
-    let lines = Lines::of(file);
+    let lines = Lines::new(file);
     let document = xml::read(file)?;
     let root = document.root_element();
     let fail = |at: usize, found: &str, instead: &str| Err(vec![lines.mistake(at, found, instead)]);

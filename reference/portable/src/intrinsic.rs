@@ -2,12 +2,12 @@
 
 use crate::Real;
 
-/// Whether `x` is a usable number: `-limit <= x <= limit`. With a finite limit this is false for a NaN and for an
+/// Whether `x` is a number in range: `-limit <= x <= limit`. With a finite limit this is false for a NaN and for an
 /// infinity, neither of which need be named.
 ///
 /// A target whose runtime may stop at a comparison with a NaN looks at the exponent bits first.
 #[must_use]
-pub fn usable<R: Real>(x: R, limit: R) -> bool {
+pub fn in_range<R: Real>(x: R, limit: R) -> bool {
     -limit <= x && x <= limit
 }
 
@@ -73,7 +73,7 @@ macro_rules! intrinsic {
     };
 }
 
-intrinsic!(usable, Usable, (x: R, limit: R) -> bool);
+intrinsic!(in_range, InRange, (x: R, limit: R) -> bool);
 intrinsic!(within, Within, (x: R, limit: R) -> bool);
 intrinsic!(from_u32, FromU32, (value: u32) -> R);
 intrinsic!(from_i32, FromI32, (value: i32) -> R);

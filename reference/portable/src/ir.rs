@@ -34,8 +34,8 @@ pub struct Body {
 /// An operation that each target prints in its own way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Intrinsic {
-    /// [`crate::usable`]
-    Usable,
+    /// [`crate::in_range`]
+    InRange,
     /// [`crate::within`]
     Within,
     /// [`crate::from_u32`]

@@ -17,8 +17,8 @@ pub use signals::{Inputs, Outputs};
 
 use crate::signal::{error_cycle_time, error_none, error_v_add_master, error_x_actual, error_x_command, sample_limit};
 use crate::{feedforward, ipc, position_control};
-use portable::{Block, Enable, Fn, Real, portable, usable, within};
-use position_control::Place;
+use portable::{Block, Enable, Fn, Real, in_range, portable, within};
+use position_control::Location;
 
 /// Where the additive velocity comes from.
 #[portable]
@@ -135,11 +135,11 @@ pub fn fail<R: Real>(outputs: &mut Outputs<R>, error_id: u32) {
     outputs.error_id = error_id;
 }
 
-/// The master's additive velocity, within the master's limit; 0 where it is no usable number.
+/// The master's additive velocity, within the master's limit; 0 where it is out of range.
 #[portable]
 pub fn follow_master<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) -> R {
     let mut v_add = R::ZERO;
-    if !usable(inputs.v_add_master, sample_limit()) {
+    if !in_range(inputs.v_add_master, sample_limit()) {
         fail(outputs, error_v_add_master());
     } else if within(inputs.v_add_master, coeffs.master_limit) {
         v_add = inputs.v_add_master;
@@ -163,7 +163,8 @@ pub fn improve<R: Real>(
 ) -> R {
     let mut ipc_inputs = ipc::Inputs::<R>::default();
     // Where the drive has the position controller, the interpolator's velocity is the command (P-AXIS-00753).
-    ipc_inputs.v_command = if coeffs.position_control.place == Place::Cnc { v_command } else { inputs.v_interpolator };
+    ipc_inputs.v_command =
+        if coeffs.position_control.location == Location::Cnc { v_command } else { inputs.v_interpolator };
     ipc_inputs.v_motor = inputs.v_motor;
     ipc_inputs.v_direct = inputs.v_direct;
     ipc_inputs.mode = inputs.mode;
@@ -200,14 +201,15 @@ pub fn add<R: Real>(
 /// Whether the drive gets an additive velocity.
 #[portable]
 pub fn has_additive_velocity<R: Real>(coeffs: &Coeffs<R>) -> bool {
-    coeffs.position_control.additive || coeffs.position_control.adds && coeffs.position_control.place != Place::Cnc
+    coeffs.position_control.additive
+        || coeffs.position_control.adds && coeffs.position_control.location != Location::Cnc
 }
 
 /// What the axis does not have, and what mostly holds: a part that has another answer says so. In the order of the
 /// outputs, so that a compiler clears them together.
 #[portable]
 pub fn clear<R: Real>(outputs: &mut Outputs<R>, coeffs: &Coeffs<R>) {
-    if coeffs.position_control.place != Place::Cnc {
+    if coeffs.position_control.location != Location::Cnc {
         outputs.v_command = R::ZERO;
     }
     if !coeffs.position_control.feedforward {
@@ -217,13 +219,13 @@ pub fn clear<R: Real>(outputs: &mut Outputs<R>, coeffs: &Coeffs<R>) {
         outputs.v_add = R::ZERO;
         outputs.v_add_calculated = R::ZERO;
     }
-    if coeffs.position_control.place != Place::Cnc {
+    if coeffs.position_control.location != Location::Cnc {
         outputs.manipulated_variable = 0i32;
     }
-    if coeffs.position_control.place == Place::Cnc {
+    if coeffs.position_control.location == Location::Cnc {
         outputs.x_drive = R::ZERO;
     }
-    if coeffs.position_control.place != Place::Profidrive {
+    if coeffs.position_control.location != Location::Profidrive {
         outputs.xerr = 0i32;
     }
     if !coeffs.position_control.torque {
@@ -261,13 +263,13 @@ pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>
         &control_inputs,
         &mut control_outputs,
     );
-    if coeffs.position_control.place == Place::Cnc {
+    if coeffs.position_control.location == Location::Cnc {
         outputs.v_command = control_outputs.v_command;
         outputs.manipulated_variable = control_outputs.manipulated_variable;
     } else {
         outputs.x_drive = control_outputs.x_drive;
     }
-    if coeffs.position_control.place == Place::Profidrive {
+    if coeffs.position_control.location == Location::Profidrive {
         outputs.xerr = control_outputs.xerr;
     }
     if has_additive_velocity(coeffs) {
@@ -281,7 +283,7 @@ pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>
     }
 }
 
-/// A cycle in which the axis must not act, and its command position is a usable number.
+/// A cycle in which the axis must not act, and its command position is a number in range.
 #[portable]
 pub fn follow<R: Real>(
     state: &mut State<R>,
@@ -303,7 +305,7 @@ pub fn follow<R: Real>(
     rest(state, outputs, &control_outputs);
 }
 
-/// A cycle without a usable command position.
+/// A cycle without a command position in range.
 #[portable]
 pub fn hold<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, outputs: &mut Outputs<R>, error_id: u32) {
     let mut control_outputs = position_control::Outputs::<R>::default();
@@ -314,11 +316,11 @@ pub fn hold<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, outputs: &mut Out
 /// One cycle. Only the inputs that the axis uses are judged.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    if !usable(inputs.x_command, sample_limit()) {
+    if !in_range(inputs.x_command, sample_limit()) {
         hold(state, coeffs, outputs, error_x_command());
     } else if inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns {
         follow(state, coeffs, inputs, outputs, error_cycle_time());
-    } else if position_control::reads_actual(&coeffs.position_control) && !usable(inputs.x_actual, sample_limit()) {
+    } else if position_control::reads_actual(&coeffs.position_control) && !in_range(inputs.x_actual, sample_limit()) {
         follow(state, coeffs, inputs, outputs, error_x_actual());
     } else if !inputs.position_controlled || inputs.reset {
         follow(state, coeffs, inputs, outputs, error_none());

@@ -46,7 +46,7 @@ pub struct Outputs<R> {
     pub v_feedforward: R,
     /// additive velocity of improved position control; gantry slaves get it as v_add_master [um/s or 0.001 deg/s]
     pub v_add: R,
-    /// the same after the limit (P-AXIS-00757) and before the gate; 0 in OFF [um/s or 0.001 deg/s]
+    /// the same after the limit (P-AXIS-00757) and before the fade; 0 in OFF [um/s or 0.001 deg/s]
     pub v_add_calculated: R,
     /// position control in the drive: the position command of the drive [um or 0.001 deg]
     pub x_drive: R,
@@ -58,7 +58,7 @@ pub struct Outputs<R> {
     pub additive_torque: i32,
     /// additive velocity command of the drive (P-AXIS-00205 to 00207) [increments]
     pub additive_velocity: i32,
-    /// 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator, 17 x_command, 18 x_actual, 22 v_add_master is no usable number; 1, 17, 18 stop the axis, the others only the part that reads it; of several parts the last one's
+    /// 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator, 17 x_command, 18 x_actual, 22 v_add_master is out of range; 1, 17, 18 stop the axis, the others only the part that reads it; of several parts the last one's
     pub error_id: u32,
     /// the limit of v_add or a process-data type cuts an output off in this cycle
     pub limited: bool,

@@ -19,7 +19,7 @@ use crate::signal::sample_limit;
 use crate::signal::{error_a_interpolator, error_cycle_time, error_j_interpolator, error_none, error_v_interpolator};
 use crate::sum::empty_sum;
 use crate::{delay, process_data};
-use portable::{Block, Enable, Fn, Real, from_i32, portable, usable};
+use portable::{Block, Enable, Fn, Real, from_i32, in_range, portable};
 
 /// The quantities of a sum.
 #[portable]
@@ -80,7 +80,7 @@ pub struct Coeffs<R> {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// whether the delays have been filled
-    pub settled: bool,
+    pub preset: bool,
     /// delay of the additive velocity
     pub velocity_delay: delay::State<R>,
     /// delay of the additive torque of the acceleration
@@ -129,13 +129,13 @@ pub fn sum<R: Real>(quantities: &Quantities, coeffs: &Coeffs<R>, inputs: &Inputs
 /// Before the first cycle. The delays need nothing: the first active cycle fills them.
 #[portable]
 pub fn init<R: Real>(state: &mut State<R>) {
-    state.settled = false;
+    state.preset = false;
 }
 
 /// A cycle in which the block must not act.
 #[portable]
 pub fn stop<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, error_id: u32) {
-    state.settled = false;
+    state.preset = false;
     outputs.v_feedforward = R::ZERO;
     outputs.v_additive = R::ZERO;
     outputs.additive_velocity = 0i32;
@@ -148,18 +148,18 @@ pub fn stop<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, error_id: u
 
 /// Fills the delays that have not been filled since the block began.
 #[portable]
-pub fn settle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, v: R, a: R, j: R) {
-    if !state.settled {
+pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, v: R, a: R, j: R) {
+    if !state.preset {
         if has_any(&coeffs.additive) {
-            delay::settle(&mut state.velocity_delay, v);
+            delay::preset(&mut state.velocity_delay, v);
         }
         if coeffs.torque.acceleration {
-            delay::settle(&mut state.acceleration_delay, a);
+            delay::preset(&mut state.acceleration_delay, a);
         }
         if coeffs.torque.jerk {
-            delay::settle(&mut state.jerk_delay, j);
+            delay::preset(&mut state.jerk_delay, j);
         }
-        state.settled = true;
+        state.preset = true;
     }
 }
 
@@ -192,7 +192,7 @@ pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>
     let v = gain_now * sum(&coeffs.additive, coeffs, inputs);
     let a = gain_now * inputs.a_interpolator;
     let j = gain_now * inputs.j_interpolator;
-    settle(state, coeffs, v, a, j);
+    preset(state, coeffs, v, a, j);
     if has_any(&coeffs.additive) {
         let v_additive = delay::step(&mut state.velocity_delay, &coeffs.velocity_delay, v);
         outputs.v_additive = v_additive;
@@ -239,17 +239,17 @@ pub fn reads_jerk<R: Real>(coeffs: &Coeffs<R>) -> bool {
 /// Whether every input that a quantity looks at is in range.
 #[portable]
 pub fn is_in_range<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
-    (!reads_velocity(coeffs) || usable(inputs.v_interpolator, sample_limit()))
-        && (!reads_acceleration(coeffs) || usable(inputs.a_interpolator, sample_limit()))
-        && (!reads_jerk(coeffs) || usable(inputs.j_interpolator, sample_limit()))
+    (!reads_velocity(coeffs) || in_range(inputs.v_interpolator, sample_limit()))
+        && (!reads_acceleration(coeffs) || in_range(inputs.a_interpolator, sample_limit()))
+        && (!reads_jerk(coeffs) || in_range(inputs.j_interpolator, sample_limit()))
 }
 
 /// The id of the input that [`is_in_range`] has found out of range, of several the one of the highest derivative.
 #[portable]
 pub fn error_of<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> u32 {
-    if reads_jerk(coeffs) && !usable(inputs.j_interpolator, sample_limit()) {
+    if reads_jerk(coeffs) && !in_range(inputs.j_interpolator, sample_limit()) {
         error_j_interpolator()
-    } else if reads_acceleration(coeffs) && !usable(inputs.a_interpolator, sample_limit()) {
+    } else if reads_acceleration(coeffs) && !in_range(inputs.a_interpolator, sample_limit()) {
         error_a_interpolator()
     } else {
         error_v_interpolator()

@@ -42,6 +42,6 @@ pub struct Outputs<R> {
     pub torque_limited: bool,
     /// the block cannot act in this cycle, error_id says why
     pub fault: bool,
-    /// 0 none, 1 cycle time, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator is no usable number
+    /// 0 none, 1 cycle time, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator is out of range
     pub error_id: u32,
 }

@@ -1,14 +1,14 @@
-//! Improved position control: up to three stages, their sum, the limit, the gate, and what the block does when it must
+//! Improved position control: up to three stages, their sum, the limit, the fade, and what the block does when it must
 //! not act.
 //!
 //! ```text
 //! v_sum            = v_stage[0] + v_stage[1] + v_stage[2]
 //! v_add_calculated = v_sum, limited to +-limit
-//! v_add            = gate * v_add_calculated
+//! v_add            = fade * v_add_calculated
 //! ```
 //!
-//! The gate moves linearly between 0 and 1 within `fade_cycles` cycles: up while the mode is ON, down while it is
-//! DRYRUN or OFF. It falls to 0 at once with a fault, a reset and the loss of position control. Where the gate starts
+//! The fade moves linearly between 0 and 1 within `fade_cycles` cycles: up while the mode is ON, down while it is
+//! DRYRUN or OFF. It falls to 0 at once with a fault, a reset and the loss of position control. Where the fade starts
 //! again the sections start from the steady state of the present input, so that nothing jumps.
 
 mod signals;
@@ -20,7 +20,7 @@ use crate::signal::{error_cycle_time, error_gantry_slave, error_mode, error_none
 use crate::signal::{error_v_command, error_v_direct, error_v_motor, sample_limit};
 use crate::stage;
 use crate::sum::empty_sum;
-use portable::{Block, Enable, Fn, Real, from_u32, portable, usable, within};
+use portable::{Block, Enable, Fn, Real, from_u32, in_range, portable, within};
 
 /// Stages of a block.
 pub const STAGES: usize = 3;
@@ -43,7 +43,7 @@ pub struct Coeffs<R> {
     pub lower_limit: R,
     /// a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0
     pub rest: R,
-    /// cycles that the gate takes from 0 to 1
+    /// cycles that the fade takes from 0 to 1
     pub fade_cycles: u32,
     /// 1 / fade_cycles
     pub fade_step: R,
@@ -53,10 +53,10 @@ pub struct Coeffs<R> {
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
-    /// whether the sections have been put to the steady state of an input
-    pub settled: bool,
-    /// position of the gate: 0 closed, fade_cycles open
-    pub gate: u32,
+    /// whether the sections have been preset to the steady state of an input
+    pub preset: bool,
+    /// position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is
+    pub fade: u32,
     /// the sections of each stage
     pub stage: [stage::State<R>; STAGES],
 }
@@ -91,13 +91,13 @@ pub fn reads_direct<R: Real>(coeffs: &Coeffs<R>) -> bool {
     found
 }
 
-/// Puts all sections to the steady state of the present input.
+/// Presets all sections to the steady state of the present input.
 #[portable]
-pub fn settle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) {
+pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) {
     for i in 0..STAGES {
         if coeffs.stage[i].mode != stage::Mode::NotActive {
             let x = stage::source(&coeffs.stage[i], inputs.v_command, inputs.v_motor, inputs.v_direct);
-            stage::settle(&mut state.stage[i], &coeffs.stage[i], x);
+            stage::preset(&mut state.stage[i], &coeffs.stage[i], x);
         }
     }
 }
@@ -124,7 +124,7 @@ pub fn limit<R: Real>(outputs: &mut Outputs<R>, coeffs: &Coeffs<R>, v_sum: R) ->
         v_limited = if within(v_sum, coeffs.rest) { R::ZERO } else { v_sum };
     } else {
         outputs.limited = true;
-        // Of a sum that is no number, which no usable sample leads to, nothing is added.
+        // Of a sum that is no number, which no sample in range leads to, nothing is added.
         if v_sum > R::ZERO {
             v_limited = coeffs.limit;
         } else if v_sum < R::ZERO {
@@ -134,19 +134,19 @@ pub fn limit<R: Real>(outputs: &mut Outputs<R>, coeffs: &Coeffs<R>, v_sum: R) ->
     v_limited
 }
 
-/// Moves the gate by one cycle: up while the mode is ON, down otherwise. OFF ends where the gate is closed.
+/// Moves the fade by one cycle: up while the mode is ON, down otherwise. OFF ends where the fade has arrived at 0.
 #[portable]
-pub fn move_gate<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, mode: i32) {
+pub fn move_fade<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, mode: i32) {
     if mode == mode_on() {
-        if state.gate < coeffs.fade_cycles {
-            state.gate += 1u32;
+        if state.fade < coeffs.fade_cycles {
+            state.fade += 1u32;
         }
     } else {
-        if state.gate > 0u32 {
-            state.gate -= 1u32;
+        if state.fade > 0u32 {
+            state.fade -= 1u32;
         }
-        if mode == mode_off() && state.gate == 0u32 {
-            state.settled = false;
+        if mode == mode_off() && state.fade == 0u32 {
+            state.preset = false;
         }
     }
 }
@@ -154,8 +154,8 @@ pub fn move_gate<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, mode: i32) {
 /// The block must not act: everything starts anew afterwards.
 #[portable]
 pub fn stop<R: Real>(state: &mut State<R>) {
-    state.settled = false;
-    state.gate = 0u32;
+    state.preset = false;
+    state.fade = 0u32;
 }
 
 /// Nothing is added.
@@ -168,13 +168,13 @@ pub fn clear<R: Real>(outputs: &mut Outputs<R>, error_id: u32) {
     outputs.error_id = error_id;
 }
 
-/// Before the first cycle. The sections need nothing: the first active cycle settles them.
+/// Before the first cycle. The sections need nothing: the first active cycle presets them to their steady state.
 #[portable]
 pub fn init<R: Real>(state: &mut State<R>) {
     stop(state);
 }
 
-/// A cycle in which the sections run. The gate has been moved.
+/// A cycle in which the sections run. The fade has been moved.
 #[portable]
 pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     outputs.limited = false;
@@ -182,29 +182,29 @@ pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>
     outputs.error_id = error_none();
     let v_sum = sum_of_stages(state, coeffs, inputs);
     let v_limited = limit(outputs, coeffs, v_sum);
-    if state.gate >= coeffs.fade_cycles {
-        // The gate has just been moved: where it is open, the mode is ON.
+    if state.fade >= coeffs.fade_cycles {
+        // The fade has just been moved: where it is full, the mode is ON.
         outputs.v_add = v_limited;
         outputs.v_add_calculated = v_limited;
     } else {
         outputs.v_add =
-            if state.gate > 0u32 { v_limited * (from_u32::<R>(state.gate) * coeffs.fade_step) } else { R::ZERO };
+            if state.fade > 0u32 { v_limited * (from_u32::<R>(state.fade) * coeffs.fade_step) } else { R::ZERO };
         outputs.v_add_calculated = if inputs.mode == mode_off() { R::ZERO } else { v_limited };
     }
 }
 
-/// Moves the gate, or begins: whether the sections run in this cycle. In the first one they are put to the steady state of
+/// Moves the fade, or begins: whether the sections run in this cycle. In the first one they are preset to the steady state of
 /// the input; steady sections put out 0, so that there is nothing to run.
 #[portable]
 pub fn prepare<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     let mut runs = true;
-    if state.settled {
-        move_gate(state, coeffs, inputs.mode);
+    if state.preset {
+        move_fade(state, coeffs, inputs.mode);
     } else {
         runs = false;
         if inputs.mode != mode_off() {
-            settle(state, coeffs, inputs);
-            state.settled = true;
+            preset(state, coeffs, inputs);
+            state.preset = true;
         }
     }
     runs
@@ -221,9 +221,9 @@ pub fn is_mode(mode: i32) -> bool {
 pub fn is_in_range<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     is_mode(inputs.mode)
         && (!coeffs.slave || inputs.mode == mode_off())
-        && (!reads_command(coeffs) || usable(inputs.v_command, sample_limit()))
-        && (!reads_motor(coeffs) || usable(inputs.v_motor, sample_limit()))
-        && (!reads_direct(coeffs) || usable(inputs.v_direct, sample_limit()))
+        && (!reads_command(coeffs) || in_range(inputs.v_command, sample_limit()))
+        && (!reads_motor(coeffs) || in_range(inputs.v_motor, sample_limit()))
+        && (!reads_direct(coeffs) || in_range(inputs.v_direct, sample_limit()))
 }
 
 /// Whether the caller's cycle is the one that the coefficients were designed for, or not told.
@@ -241,11 +241,11 @@ pub fn error_of<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> u32 {
         error_mode()
     } else if coeffs.slave && inputs.mode != mode_off() {
         error_gantry_slave()
-    } else if reads_command(coeffs) && !usable(inputs.v_command, sample_limit()) {
+    } else if reads_command(coeffs) && !in_range(inputs.v_command, sample_limit()) {
         error_v_command()
-    } else if reads_motor(coeffs) && !usable(inputs.v_motor, sample_limit()) {
+    } else if reads_motor(coeffs) && !in_range(inputs.v_motor, sample_limit()) {
         error_v_motor()
-    } else if reads_direct(coeffs) && !usable(inputs.v_direct, sample_limit()) {
+    } else if reads_direct(coeffs) && !in_range(inputs.v_direct, sample_limit()) {
         error_v_direct()
     } else {
         error_none()
@@ -263,8 +263,8 @@ pub fn may_act<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let mut runs = true;
     let mut error_id = error_none();
-    // Mostly the mode is ON and the gate open: then nothing but the sections changes.
-    if !(may_act(coeffs, inputs) && inputs.mode == mode_on() && state.gate >= coeffs.fade_cycles) {
+    // Mostly the mode is ON and the fade full: then nothing but the sections changes.
+    if !(may_act(coeffs, inputs) && inputs.mode == mode_on() && state.fade >= coeffs.fade_cycles) {
         if may_act(coeffs, inputs) {
             runs = prepare(state, coeffs, inputs);
         } else {
@@ -291,7 +291,7 @@ impl<R: Real> Block<R> for Ipc {
     type Outputs = Outputs<R>;
 
     const NAME: &'static str = "ipc";
-    const ENABLE: Option<Enable> = Some(Enable { input: "mode", mode: Some((&mode_off::Ir::<R>::IR, "settled")) });
+    const ENABLE: Option<Enable> = Some(Enable { input: "mode", mode: Some((&mode_off::Ir::<R>::IR, "preset")) });
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
 

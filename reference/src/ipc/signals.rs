@@ -28,13 +28,13 @@ pub struct Inputs<R> {
 pub struct Outputs<R> {
     /// velocity to add to the manipulated variable [um/s or 0.001 deg/s]
     pub v_add: R,
-    /// the same after the limit (P-AXIS-00757) and before the gate; 0 in OFF [um/s or 0.001 deg/s]
+    /// the same after the limit (P-AXIS-00757) and before the fade; 0 in OFF [um/s or 0.001 deg/s]
     pub v_add_calculated: R,
     /// the limit (P-AXIS-00757 of P-AXIS-00212) acts in this cycle
     pub limited: bool,
     /// the block cannot act in this cycle, error_id says why
     pub fault: bool,
-    /// 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct is no usable number, 70600 enabled on a gantry slave
+    /// 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct is out of range, 70600 enabled on a gantry slave
     pub error_id: u32,
 }
 

@@ -18,12 +18,12 @@ use crate::signal::{error_cycle_time, error_none, error_v_add, error_v_additive,
 use crate::signal::{error_x_actual, error_x_command, sample_limit};
 use crate::sum::empty_sum;
 use crate::{delay, process_data};
-use portable::{Block, Enable, Fn, Real, portable, usable};
+use portable::{Block, Enable, Fn, Real, in_range, portable};
 
 /// Where the position is controlled.
 #[portable]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Place {
+pub enum Location {
     /// in the CNC: the drive gets a velocity
     #[default]
     Cnc,
@@ -40,7 +40,7 @@ pub struct Coeffs<R> {
     /// cycle time that all coefficients were designed for [ns]
     pub cycle_time_ns: u32,
     /// where the position is controlled
-    pub place: Place,
+    pub location: Location,
     /// whether there is conventional feedforward
     pub feedforward: bool,
     /// whether there is an additive velocity of the feedforward
@@ -74,7 +74,7 @@ pub struct Coeffs<R> {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// whether the shift has been filled
-    pub settled: bool,
+    pub preset: bool,
     /// the shift of the position against the feedforward
     pub shift: delay::State<R>,
     /// the last position command of the drive
@@ -84,21 +84,21 @@ pub struct State<R> {
 /// Before the first cycle.
 #[portable]
 pub fn init<R: Real>(state: &mut State<R>) {
-    state.settled = false;
+    state.preset = false;
     state.x_held = R::ZERO;
 }
 
 /// Whether the actual position matters.
 #[portable]
 pub fn reads_actual<R: Real>(coeffs: &Coeffs<R>) -> bool {
-    coeffs.place != Place::Drive
+    coeffs.location != Location::Drive
 }
 
 /// The output of the position controller, before v_add is added; 0 where the drive has the controller.
 #[portable]
 pub fn command<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
     let mut v_controller = R::ZERO;
-    if coeffs.place == Place::Cnc {
+    if coeffs.location == Location::Cnc {
         let v_lag = coeffs.kv * (inputs.x_command - inputs.x_actual);
         v_controller = if coeffs.feedforward { v_lag + inputs.v_feedforward } else { v_lag };
     }
@@ -108,7 +108,7 @@ pub fn command<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
 /// The integers that a fault or a rest leaves at 0.
 #[portable]
 pub fn clear<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, error_id: u32) {
-    state.settled = false;
+    state.preset = false;
     outputs.v_command = R::ZERO;
     outputs.manipulated_variable = 0i32;
     outputs.xerr = 0i32;
@@ -119,12 +119,12 @@ pub fn clear<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, error_id: 
     outputs.error_id = error_id;
 }
 
-/// A cycle without a usable command position: the drive keeps the one that it has.
+/// A cycle without a command position in range: the drive keeps the one that it has.
 #[portable]
 pub fn hold<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, outputs: &mut Outputs<R>, error_id: u32) {
     clear(state, outputs, error_id);
     outputs.x_drive = R::ZERO;
-    if coeffs.place != Place::Cnc {
+    if coeffs.location != Location::Cnc {
         outputs.x_drive = state.x_held;
     }
 }
@@ -140,7 +140,7 @@ pub fn follow<R: Real>(
 ) {
     clear(state, outputs, error_id);
     outputs.x_drive = R::ZERO;
-    if coeffs.place != Place::Cnc {
+    if coeffs.location != Location::Cnc {
         state.x_held = inputs.x_command;
         outputs.x_drive = inputs.x_command;
     }
@@ -168,14 +168,14 @@ pub fn manipulate<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut
 /// The position command of position control in the drive.
 #[portable]
 pub fn lead<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    if !state.settled {
-        delay::settle(&mut state.shift, inputs.x_command);
+    if !state.preset {
+        delay::preset(&mut state.shift, inputs.x_command);
     }
     let x_shifted = delay::step(&mut state.shift, &coeffs.shift, inputs.x_command);
     let x = if coeffs.feedforward { x_shifted + coeffs.lag * inputs.v_feedforward } else { x_shifted };
     outputs.x_drive = x;
     state.x_held = x;
-    if coeffs.place == Place::Profidrive {
+    if coeffs.location == Location::Profidrive {
         let deviation = coeffs.xerr_scale * (x - inputs.x_actual);
         outputs.xerr = rounded(outputs, &coeffs.xerr_range, deviation);
     } else {
@@ -186,7 +186,7 @@ pub fn lead<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
 /// The additive velocity: of the feedforward, and where the drive controls the position, of improved position control too.
 #[portable]
 pub fn add_velocity<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    let adds = coeffs.adds && coeffs.place != Place::Cnc;
+    let adds = coeffs.adds && coeffs.location != Location::Cnc;
     if coeffs.additive || adds {
         let mut v_drive = empty_sum();
         if coeffs.additive {
@@ -208,7 +208,7 @@ pub fn put_out<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Input
     outputs.limited = false;
     outputs.fault = false;
     outputs.error_id = error_none();
-    if coeffs.place == Place::Cnc {
+    if coeffs.location == Location::Cnc {
         outputs.x_drive = R::ZERO;
         outputs.xerr = 0i32;
         manipulate(coeffs, inputs, outputs);
@@ -218,23 +218,23 @@ pub fn put_out<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Input
     }
     add_velocity(coeffs, inputs, outputs);
     outputs.additive_torque = if coeffs.torque { inputs.torque_feedforward } else { 0i32 };
-    state.settled = true;
+    state.preset = true;
 }
 
 /// One cycle. Only the inputs that the axis uses are judged.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    if !usable(inputs.x_command, sample_limit()) {
+    if !in_range(inputs.x_command, sample_limit()) {
         hold(state, coeffs, outputs, error_x_command());
     } else if inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns {
         follow(state, coeffs, inputs, outputs, error_cycle_time());
-    } else if reads_actual(coeffs) && !usable(inputs.x_actual, sample_limit()) {
+    } else if reads_actual(coeffs) && !in_range(inputs.x_actual, sample_limit()) {
         follow(state, coeffs, inputs, outputs, error_x_actual());
-    } else if coeffs.feedforward && !usable(inputs.v_feedforward, sample_limit()) {
+    } else if coeffs.feedforward && !in_range(inputs.v_feedforward, sample_limit()) {
         follow(state, coeffs, inputs, outputs, error_v_feedforward());
-    } else if coeffs.additive && !usable(inputs.v_additive, sample_limit()) {
+    } else if coeffs.additive && !in_range(inputs.v_additive, sample_limit()) {
         follow(state, coeffs, inputs, outputs, error_v_additive());
-    } else if coeffs.adds && !usable(inputs.v_add, sample_limit()) {
+    } else if coeffs.adds && !in_range(inputs.v_add, sample_limit()) {
         follow(state, coeffs, inputs, outputs, error_v_add());
     } else if !inputs.position_controlled || inputs.reset {
         follow(state, coeffs, inputs, outputs, error_none());

@@ -46,6 +46,6 @@ pub struct Outputs<R> {
     pub limited: bool,
     /// the block cannot act in this cycle, error_id says why
     pub fault: bool,
-    /// 0 none, 1 cycle time, 17 x_command, 18 x_actual, 19 v_feedforward, 20 v_additive, 21 v_add is no usable number; each of them stops the block
+    /// 0 none, 1 cycle time, 17 x_command, 18 x_actual, 19 v_feedforward, 20 v_additive, 21 v_add is out of range; each of them stops the block
     pub error_id: u32,
 }

@@ -6,7 +6,7 @@ use reference::ipc::{Coeffs, Inputs, Ipc, Outputs, State, mode_on, step};
 use reference::stage::{self, Mode};
 use reference::{bandpass, biquad, filter};
 
-/// Cycles that the gate takes: 107 * (1 / 107) is not 1, in neither real type, and an open gate is 1 all the same.
+/// Cycles that the fade takes: 107 * (1 / 107) is not 1, in neither real type, and a full fade is 1 all the same.
 pub const FADE_CYCLES: u32 = 107;
 
 /// A block in operation.
@@ -19,7 +19,7 @@ pub struct Bench<R> {
 
 impl<R: Real> Bench<R> {
     /// A block with these stages, in ON, before its first cycle.
-    pub fn of(stages: &[stage::Coeffs<R>]) -> Self {
+    pub fn new(stages: &[stage::Coeffs<R>]) -> Self {
         let mut coeffs = Coeffs {
             cycle_time_ns: 1_000_000,
             enable: mode_on(),
@@ -47,7 +47,7 @@ impl<R: Real> Bench<R> {
         self.step()
     }
 
-    /// The block after as many cycles of noise as open the gate, and more.
+    /// The block after as many cycles of noise as it takes to fade in, and more.
     pub fn running(mut self) -> Self {
         let mut noise = Noise::default();
         for _ in 0..3 * FADE_CYCLES {
@@ -80,15 +80,15 @@ pub fn simulated<R: Real>(mode: Mode) -> stage::Coeffs<R> {
         b2: R::lit(-0.051_224_236_102_202_135),
         a1: R::lit(-1.890_764_042_032_348_2),
         a2: R::lit(0.895_289_032_541_179_9),
-        settled_s1: R::lit(0.946_513_268_643_382),
-        settled_s2: R::lit(-0.946_513_268_643_382),
+        preset_s1: R::lit(0.946_513_268_643_382),
+        preset_s2: R::lit(-0.946_513_268_643_382),
     };
     stage::Coeffs { mode, oscillation, gain: R::lit(-1.9), filter: band_pass(section), ..stage::Coeffs::default() }
 }
 
 /// Both stages of the application example.
 pub fn example<R: Real>() -> Bench<R> {
-    Bench::of(&[direct(), simulated(Mode::Indirect)])
+    Bench::new(&[direct(), simulated(Mode::Indirect)])
 }
 
 fn band_pass<R: Real>(section: bandpass::Coeffs<R>) -> [filter::Coeffs<R>; 2] {

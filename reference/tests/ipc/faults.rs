@@ -32,7 +32,7 @@ fn the_output_is_0_at_once_and_the_block_starts_anew<R: Real>() {
         stop(&mut block);
         for _ in 0..length {
             assert_eq!(all_bits(&block.step()), (0, 0, false, error_id != 0, error_id));
-            assert_eq!(block.state.gate, 0);
+            assert_eq!(block.state.fade, 0);
         }
         block.inputs = before;
         let mut fresh = example::<R>();
@@ -45,7 +45,7 @@ fn the_output_is_0_at_once_and_the_block_starts_anew<R: Real>() {
 
 /// While the reset lasts the states follow the input, so that a velocity that came meanwhile does not shake the axis.
 fn a_reset_is_a_level_and_the_states_follow_the_input<R: Real>() {
-    let (mut block, mut noise) = (Bench::<R>::of(&[direct()]).running(), Noise::default());
+    let (mut block, mut noise) = (Bench::<R>::new(&[direct()]).running(), Noise::default());
     block.inputs.reset = true;
     for _ in 0..200 {
         assert_eq!(all_bits(&block.at(noise.next())), (0, 0, false, false, 0));
@@ -63,7 +63,7 @@ fn reasons_have_an_order<R: Real>() {
     let nan = R::lit(f64::NAN);
     let mut from_load = direct::<R>();
     from_load.direct_source = DirectSource::Direct;
-    let mut block = Bench::of(&[simulated(Mode::SetPoint), simulated(Mode::Indirect), from_load]);
+    let mut block = Bench::new(&[simulated(Mode::SetPoint), simulated(Mode::Indirect), from_load]);
     (block.inputs.v_command, block.inputs.v_motor, block.inputs.v_direct) = (nan, nan, nan);
     block.inputs.mode = 7;
     block.inputs.task_cycle_ns = 5;
@@ -86,7 +86,7 @@ fn only_what_a_stage_reads_is_judged<R: Real>() {
     let mut from_load = direct::<R>();
     from_load.direct_source = DirectSource::Direct;
     for stage in [direct(), from_load, simulated(Mode::Indirect), simulated(Mode::SetPoint)] {
-        let (mut block, mut twin, mut noise) = (Bench::of(&[stage]), Bench::of(&[stage]), Noise::default());
+        let (mut block, mut twin, mut noise) = (Bench::new(&[stage]), Bench::new(&[stage]), Noise::default());
         for _ in 0..500 {
             let v = noise.next();
             let read = |is_read| if is_read { v } else { R::lit(f64::NAN) };

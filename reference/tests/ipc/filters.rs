@@ -1,4 +1,4 @@
-//! The filters in their block: settled, summed, at rest.
+//! The filters in their block: preset, summed, at rest.
 
 use crate::bench::{Bench, Noise, bits, direct, example, simulated};
 use crate::in_both_real_types;
@@ -11,7 +11,7 @@ const VELOCITIES: [f64; 8] = [0.0, 1.0, -1.0, 0.1, 1e-20, 530_000.0, -123_456.78
 /// Switched on while the axis moves at a constant velocity: not the last bit of an output.
 fn a_constant_velocity_gives_exactly_0_behind_a_band_pass<R: Real>() {
     for v in VELOCITIES.map(R::lit) {
-        let mut block = Bench::<R>::of(&[direct()]);
+        let mut block = Bench::<R>::new(&[direct()]);
         for cycle in 0..5_000 {
             let Outputs { v_add, v_add_calculated, .. } = block.at(v);
             assert_eq!((bits(v_add), bits(v_add_calculated)), (0, 0), "{v}, cycle {cycle}");
@@ -23,7 +23,7 @@ fn a_constant_velocity_gives_exactly_0_behind_a_band_pass<R: Real>() {
 fn a_constant_velocity_gives_next_to_nothing_behind_an_oscillation<R: Real>() {
     let least = R::per_kind(1e-12, 1e-4);
     for (v, mode) in VELOCITIES.into_iter().flat_map(|v| [(R::lit(v), Mode::Indirect), (R::lit(v), Mode::SetPoint)]) {
-        let mut block = Bench::<R>::of(&[simulated(mode)]);
+        let mut block = Bench::<R>::new(&[simulated(mode)]);
         for cycle in 0..5_000 {
             let found = block.at(v).v_add_calculated;
             let magnitude = if v < R::ZERO { -v } else { v };
@@ -37,8 +37,8 @@ fn the_stages_are_summed_in_their_order<R: Real>() {
     let mut from_load = direct::<R>();
     from_load.direct_source = DirectSource::Direct;
     let stages = [from_load, simulated(Mode::SetPoint), simulated(Mode::Indirect)];
-    let (mut block, mut noise) = (Bench::of(&stages), Noise::default());
-    let mut single = stages.map(|stage| Bench::of(&[stage]));
+    let (mut block, mut noise) = (Bench::new(&stages), Noise::default());
+    let mut single = stages.map(|stage| Bench::new(&[stage]));
     for _ in 0..2_000 {
         block.inputs.v_command = noise.next();
         block.inputs.v_motor = noise.next();

@@ -3,9 +3,9 @@
 #![forbid(unsafe_code)]
 
 mod bench;
+mod fade;
 mod faults;
 mod filters;
-mod gate;
 mod limit;
 
 /// Makes a test for each real type of a function that is generic over it.

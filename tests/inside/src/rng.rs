@@ -13,7 +13,7 @@ impl Rng {
 
     /// A source of its own for one of many things that are made from a seed, so that none depends on those before it.
     #[must_use]
-    pub fn of(seed: u64, index: usize) -> Self {
+    pub fn numbered(seed: u64, index: usize) -> Self {
         let mut both = Self(seed);
         let first = both.word();
         Self(first ^ (index as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15))

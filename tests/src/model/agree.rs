@@ -41,7 +41,7 @@ impl AddAssign for Tally {
 /// # Errors
 /// The first disagreement: the set, the cycle, the signal, both values.
 pub fn set(seed: u64, index: usize, cycles: usize) -> Result<Tally, String> {
-    let mut rng = Rng::of(seed, index);
+    let mut rng = Rng::numbered(seed, index);
     let parameters = random::parameters(&mut rng);
     compare(&parameters, &rng, cycles)
         .map_err(|text| format!("set {index} of seed {seed}: {text}\n{}", parameters.set()))
@@ -50,7 +50,7 @@ pub fn set(seed: u64, index: usize, cycles: usize) -> Result<Tally, String> {
 fn compare(p: &Parameters, rng: &Rng, cycles: usize) -> Result<Tally, String> {
     let axis = subject::read(&p.set());
     let blocks = subject::blocks(&axis);
-    let c = Coefficients::of(p);
+    let c = Coefficients::new(p);
     let is_there = blocks.each_ref().map(Option::is_some);
     let asked = asked(p);
     if is_there != asked {
@@ -59,23 +59,23 @@ fn compare(p: &Parameters, rng: &Rng, cycles: usize) -> Result<Tally, String> {
     let mut tally = Tally::default();
     let [of_feedforward, of_control, of_axis] = blocks;
     let mut run = |name: &str, block: Option<Run>, model: &mut Model<'_>| match block {
-        Some(block) => one(p, name, block, History::of(p, rng.clone()), cycles, model, &mut tally),
+        Some(block) => one(p, name, block, History::new(p, rng.clone()), cycles, model, &mut tally),
         None => Ok(()),
     };
     let mut alone = feedforward::Alone::default();
     run("feedforward", of_feedforward, &mut |inputs, _| alone.cycle(&c, inputs))?;
     let mut alone = position_control::Alone::default();
     run("position_control", of_control, &mut |inputs, found| alone.cycle(&c, inputs, found.held))?;
-    let mut whole = Axis::of(p);
+    let mut whole = Axis::new(p);
     run("axis", of_axis, &mut |inputs, found| whole.cycle(p, &c, inputs, found))?;
     Ok(tally)
 }
 
 /// Which of the three blocks an axis has (docs/position-control.md, "Which blocks an axis gets").
 fn asked(p: &Parameters) -> [bool; 3] {
-    use super::parameters::Place;
+    use super::parameters::Location;
     let has_control =
-        p.kv.is_some() || p.word != 0 || p.place() != Place::Cnc && !p.stages.is_empty() || p.master.is_some();
+        p.kv.is_some() || p.word != 0 || p.location() != Location::Cnc && !p.stages.is_empty() || p.master.is_some();
     [p.word != 0, has_control, has_control]
 }
 

@@ -3,10 +3,10 @@
 
 use super::coefficients::Coefficients;
 use super::exact::Exact;
-use super::feedforward::{Feedforward, is_usable};
+use super::feedforward::{Feedforward, is_in_range};
 use super::history::Inputs;
 use super::ipc::{self, Ipc};
-use super::parameters::{Parameters, Place};
+use super::parameters::{Location, Parameters};
 use super::position_control::{PositionControl, sent, x_drive};
 use super::rounding::{Data, Expected, data, either, flag, id, real};
 
@@ -32,8 +32,8 @@ pub struct Found {
 impl Axis {
     /// Before the first cycle.
     #[must_use]
-    pub fn of(p: &Parameters) -> Self {
-        Self { feedforward: Feedforward::default(), control: PositionControl::default(), ipc: Ipc::of(p) }
+    pub fn new(p: &Parameters) -> Self {
+        Self { feedforward: Feedforward::default(), control: PositionControl::default(), ipc: Ipc::new(p) }
     }
 
     /// One cycle: what each output may be.
@@ -45,7 +45,7 @@ impl Axis {
             if acts { self.control.act(c, inputs, &planned.v_feedforward) } else { self.control.stop(c, inputs) };
         let command = ipc::command(c, inputs, found.v_command);
         let ipc_fault = match &c.slave {
-            Some(_) if !is_usable(c, inputs.v_add_master) => 22,
+            Some(_) if !is_in_range(c, inputs.v_add_master) => 22,
             Some(_) => 0,
             None => Ipc::fault(p, c, inputs, command),
         };
@@ -66,7 +66,7 @@ impl Axis {
             (0, _, of_ipc) => of_ipc,
             (fault, ..) => fault,
         };
-        debug_assert!(c.place == Place::Cnc || controlled.v_command.is_zero());
+        debug_assert!(c.location == Location::Cnc || controlled.v_command.is_zero());
         vec![
             ("v_command", real(&controlled.v_command, c.u)),
             ("v_feedforward", real(&planned.v_feedforward, c.u)),

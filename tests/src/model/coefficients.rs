@@ -3,7 +3,8 @@
 
 use super::exact::Exact;
 use super::parameters::{
-    ACCELERATION, ADDITIVE_TORQUE, ADDITIVE_VELOCITY, Bits, JERK, JERK_TORQUE, Mode, Pair, Parameters, Place, VELOCITY,
+    ACCELERATION, ADDITIVE_TORQUE, ADDITIVE_VELOCITY, Bits, JERK, JERK_TORQUE, Location, Mode, Pair, Parameters,
+    VELOCITY,
 };
 
 /// 2 pi, 37 digits behind the point.
@@ -26,7 +27,7 @@ pub struct Delay {
 pub struct Coefficients {
     /// unit roundoff of the real type
     pub u: f64,
-    /// largest magnitude of a usable number
+    /// largest magnitude of a number in range
     pub largest: f64,
     /// cycle time [ns]
     pub cycle_ns: u32,
@@ -49,7 +50,7 @@ pub struct Coefficients {
     /// process datum of the additive torque
     pub torque_bits: Option<Bits>,
     /// where the position is controlled
-    pub place: Place,
+    pub location: Location,
     /// Kv [1/s]
     pub kv: Exact,
     /// `manipulated_scale` and the process datum
@@ -71,9 +72,9 @@ pub struct Coefficients {
 impl Coefficients {
     /// Of an axis. The formulas and their sources stand in [`super`].
     #[must_use]
-    pub fn of(p: &Parameters) -> Self {
-        let ways = Ways::of(p);
-        let place = p.place();
+    pub fn new(p: &Parameters) -> Self {
+        let ways = Ways::new(p);
+        let location = p.location();
         let of_load = |scale: Exact| scale.times(&quotient([p.load, 1_000_000]));
         let torque = of_load(ways.torque_of_a_load(p));
         let weight_of_acceleration = quotient(p.vs_a);
@@ -94,15 +95,15 @@ impl Coefficients {
                 ways.torque[1].then(|| torque.times(&weight_of_acceleration)),
                 ways.torque[2].then(|| torque.times(&jerk)),
             ],
-            delays: p.delay_us.map(|us| Delay::of(us, p.cycle_ns)),
+            delays: p.delay_us.map(|us| Delay::new(us, p.cycle_ns)),
             velocity: p.velocity_bits.map(|bits| (velocity_scale(p), bits)),
             torque_bits: p.torque_bits.filter(|_| ways.torque.contains(&true)),
-            place,
+            location,
             kv: Exact::ratio(p.kv.unwrap_or(1000), 100),
             manipulated: (Exact::ratio(60, 1_000_000).times(&quotient(p.multi_gain)), p.command_bits),
             increments: Exact::given(10.0).times(&resolution(p)),
             shift: match p.shift_time {
-                _ if place != Place::Profidrive || !leads => 0,
+                _ if location != Location::Profidrive || !leads => 0,
                 given => given.unwrap_or(3) as usize,
             },
             has_v_add: match p.master {
@@ -124,7 +125,7 @@ impl Coefficients {
 
 impl Delay {
     /// d = (N + f) Ts; outside of 0 to below six cycles it is corrected to 0 (70348, 70349).
-    fn of(us: u32, cycle_ns: u32) -> Self {
+    fn new(us: u32, cycle_ns: u32) -> Self {
         let ns = u64::from(us) * 1000;
         let cycle = u64::from(cycle_ns);
         let (whole, rest) = if ns < 6 * cycle { (ns / cycle, ns % cycle) } else { (0, 0) };
@@ -142,7 +143,7 @@ struct Ways {
 }
 
 impl Ways {
-    fn of(p: &Parameters) -> Self {
+    fn new(p: &Parameters) -> Self {
         let has = |bit: u32| p.word & bit != 0;
         let is = |pair: Pair| pair[0] != 0 && pair[1] != 0;
         let weighted = is(p.vs_v);
@@ -151,11 +152,11 @@ impl Ways {
         // factor of 0, a load of 0 and v_reso_num 0 leave the quantity in: it is read, and what comes of it is 0.
         let asked = [has(VELOCITY), has(ACCELERATION), has(JERK)];
         let to_torque = [false, has(ADDITIVE_TORQUE), has(JERK_TORQUE)];
-        let usable = [weighted, weighted && is(p.vs_a), weighted && is(p.vs_a)];
-        let all_additive = p.place() == Place::Profidrive;
+        let allowed = [weighted, weighted && is(p.vs_a), weighted && is(p.vs_a)];
+        let all_additive = p.location() == Location::Profidrive;
         let additive_is_on = p.velocity_bits.is_some();
         let goes_additive = |i: usize| has(ADDITIVE_VELOCITY) && (i == 0 || all_additive);
-        let along = |i: usize| asked[i] && usable[i] && !to_torque[i];
+        let along = |i: usize| asked[i] && allowed[i] && !to_torque[i];
         Self {
             conventional: [0, 1, 2].map(|i| along(i) && !goes_additive(i)),
             additive: [0, 1, 2].map(|i| along(i) && goes_additive(i) && additive_is_on),

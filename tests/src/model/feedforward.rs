@@ -40,7 +40,7 @@ impl Feedforward {
         let planned = [inputs.v_interpolator, inputs.a_interpolator, inputs.j_interpolator];
         let read = |i: usize| [&c.conventional, &c.additive, &c.torque].iter().any(|terms| terms[i].is_some());
         // The highest derivative is named.
-        let bad = (0..3).rfind(|i| read(*i) && !is_usable(c, planned[*i])).map_or(0, |i| [14, 15, 16][i]);
+        let bad = (0..3).rfind(|i| read(*i) && !is_in_range(c, planned[*i])).map_or(0, |i| [14, 15, 16][i]);
         if stopped || bad != 0 {
             *self = Self::default();
             return Planned::nothing(bad);
@@ -122,9 +122,9 @@ fn delayed(kept: &mut VecDeque<Exact>, delay: &Delay, x: Exact) -> Exact {
     }
 }
 
-/// Whether a real input is a usable number.
+/// Whether a real input is a number in range.
 #[must_use]
-pub fn is_usable(c: &Coefficients, value: f64) -> bool {
+pub fn is_in_range(c: &Coefficients, value: f64) -> bool {
     value.abs() <= c.largest
 }
 

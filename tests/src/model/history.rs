@@ -80,7 +80,7 @@ pub struct History {
 impl History {
     /// Of an axis; every set has its own.
     #[must_use]
-    pub fn of(p: &Parameters, mut rng: Rng) -> Self {
+    pub fn new(p: &Parameters, mut rng: Rng) -> Self {
         let events = *rng.pick(&[0, 2, 10, 60]);
         let switches = Inputs::USUAL;
         let motions = [Motion::Rest; REALS];
@@ -169,7 +169,7 @@ impl History {
         }
         let switches = &mut self.switches;
         switches.torque_feedforward = (i32::try_from(rng.word() >> 33).expect("31 bits") - (1 << 30)) >> rng.below(20);
-        // A mode lasts longer than the gate needs in some phases, and shorter in others.
+        // A mode lasts longer than the fade needs in some phases, and shorter in others.
         if rng.chance(40) {
             switches.mode = *rng.pick(&[0, 1, 1, 1, 2]);
         }

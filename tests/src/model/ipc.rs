@@ -1,15 +1,15 @@
-//! Improved position control inside `axis`: which inputs are read, when the stages rest, settle and run, the limit, the gate.
+//! Improved position control inside `axis`: which inputs are read, when the stages rest, are preset and run, the limit, the fade.
 //! The filters stand in `sections`.
 
 use super::coefficients::Coefficients;
 use super::exact::Exact;
-use super::feedforward::is_usable;
+use super::feedforward::is_in_range;
 use super::history::Inputs;
-use super::parameters::{Mode, Parameters, Place, Stage};
+use super::parameters::{Location, Mode, Parameters, Stage};
 use super::rounding::{Interval, flags};
 use super::sections::Filters;
 
-/// Relative to the largest input since the stages settled: two realisations of one filter round differently.
+/// Relative to the largest input since the stages were preset: two realisations of one filter round differently.
 const OF_DOUBLES: f64 = 1e-10;
 /// The same in single precision.
 const OF_SINGLES: f64 = 4e-6;
@@ -18,12 +18,12 @@ const OF_SINGLES: f64 = 4e-6;
 #[derive(Clone, Debug)]
 pub struct Ipc {
     stages: Vec<Filters>,
-    /// cycles in which the gate opens
+    /// cycles that the fade has moved up
     fade_cycles: u32,
     /// open so far, in cycles
     open: u32,
     runs: bool,
-    /// largest contribution of an input since the stages settled
+    /// largest contribution of an input since the stages were preset
     largest: f64,
     relative: f64,
     /// a sum of at most this is 0
@@ -47,14 +47,14 @@ pub const NOTHING: Added = Added { v_add: [0.0; 2], calculated: [0.0; 2], limite
 impl Ipc {
     /// Of an axis.
     #[must_use]
-    pub fn of(p: &Parameters) -> Self {
+    pub fn new(p: &Parameters) -> Self {
         let ts = f64::from(p.cycle_ns) * 1e-9;
         let frequencies = |stage: &Stage| [Some(stage.band_pass.2), stage.all_pass.map(|(f0, _)| f0)];
         let lowest = p.stages.iter().flat_map(frequencies).flatten().fold(f64::INFINITY, f64::min);
         let fade = (f64::from(p.fade_ns) * 1e-9).max(if lowest.is_finite() { 1.0 / lowest } else { 0.0 });
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 1000 cycles")]
         let fade_cycles = (fade / ts - 1e-9).ceil().max(1.0) as u32;
-        let stages = p.stages.iter().map(|stage| Filters::of(stage, ts)).collect();
+        let stages = p.stages.iter().map(|stage| Filters::new(stage, ts)).collect();
         let nothing = f64::from(p.vb_max) * 2f64.powi(if p.single { -40 } else { -60 });
         let relative = if p.single { OF_SINGLES } else { OF_DOUBLES };
         Self { stages, fade_cycles, open: 0, runs: false, largest: 0.0, relative, nothing }
@@ -63,7 +63,7 @@ impl Ipc {
     /// The reason why it cannot act, the first in the order 2, 11, 12, 13; 0: none. `v_command` is what SET_POINT reads.
     #[must_use]
     pub fn fault(p: &Parameters, c: &Coefficients, inputs: &Inputs, v_command: f64) -> u32 {
-        let bad = |modes: &[Mode], value: f64| Coefficients::reads(p, modes) && !is_usable(c, value);
+        let bad = |modes: &[Mode], value: f64| Coefficients::reads(p, modes) && !is_in_range(c, value);
         match () {
             () if !c.runs_stages => 0,
             () if !(0..=2).contains(&inputs.mode) => 2,
@@ -74,7 +74,7 @@ impl Ipc {
         }
     }
 
-    /// At once to 0; the stages settle anew afterwards.
+    /// At once to 0; the stages are preset again afterwards.
     pub fn stop(&mut self) -> Added {
         (self.open, self.runs) = (0, false);
         NOTHING
@@ -92,7 +92,7 @@ impl Ipc {
             if inputs.mode == 0 {
                 return NOTHING;
             }
-            self.stages.iter_mut().for_each(|stage| stage.settle(x(stage.mode)));
+            self.stages.iter_mut().for_each(|stage| stage.preset(x(stage.mode)));
             (self.runs, self.largest) = (true, here);
             return NOTHING;
         }
@@ -102,16 +102,16 @@ impl Ipc {
         let off = self.relative * self.largest;
         let calculated = [v_sum - off, v_sum + off].map(|sum| sum.clamp(-limit, limit));
         self.open = if inputs.mode == 1 { (self.open + 1).min(self.fade_cycles) } else { self.open.saturating_sub(1) };
-        let gate = f64::from(self.open) / f64::from(self.fade_cycles);
+        let fade = f64::from(self.open) / f64::from(self.fade_cycles);
         if inputs.mode == 0 && self.open == 0 {
             self.runs = false;
         }
-        // Rounding of the limit, of the gate and of their product.
+        // Rounding of the limit, of the fade and of their product.
         let rounded = |[from, to]: Interval| [from - 4.0 * c.u * from.abs(), to + 4.0 * c.u * to.abs()];
         // With the limit 0 the flag sees the states' constant, before a sum of next to nothing becomes 0.
         let off = off.max(4.0 * c.u * limit).max(self.nothing);
         Added {
-            v_add: rounded(calculated.map(|v| gate * v)),
+            v_add: rounded(calculated.map(|v| fade * v)),
             calculated: if inputs.mode == 0 { [0.0; 2] } else { rounded(calculated) },
             limited: flags([v_sum.abs() - off > limit, v_sum.abs() + off > limit]),
         }
@@ -121,7 +121,7 @@ impl Ipc {
 /// What SET_POINT reads: the controller's output of this cycle, with a drive that controls the position the interpolator's.
 #[must_use]
 pub fn command(c: &Coefficients, inputs: &Inputs, v_command: f64) -> f64 {
-    if c.place == Place::Cnc { v_command } else { inputs.v_interpolator }
+    if c.location == Location::Cnc { v_command } else { inputs.v_interpolator }
 }
 
 /// A gantry slave: the master's value within the master's limit, which is rounded once.

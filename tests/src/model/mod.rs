@@ -16,7 +16,7 @@
 //!   end of the range, both neighbours are allowed ([`rounding`]); the test counts how often, and fails where that is not rare.
 //! - `v_add` is a difference equation in double precision ([`sections`]), with 1e-10 of the largest input since the last start
 //!   (single precision: 4e-6) for other realisations of the same filters. Everything around the filters is exact: which
-//!   input is read, start, stop, limit, gate, fault ([`ipc`]).
+//!   input is read, start, stop, limit, fade, fault ([`ipc`]).
 //! - Three outputs go on into other outputs, after they have been compared themselves: `x_drive` of the cycle before (held),
 //!   `v_command` (read by SET_POINT) and `v_add` (added to the integers).
 //!
@@ -40,9 +40,9 @@
 //! | `xerr` | 10 R (x_drive - x_actual), PROFIdrive | position-control.md, The block |
 //! | `additive_velocity` | velocity_scale (v_additive + v_add), v_add only where the drive has the controller | position-control.md, The block |
 //! | shift | 00165 cycles, PROFIdrive whose feedforward has a conventional or an additive velocity | position-control.md |
-//! | `v_add` | gate limited(-sum of weight filter(x)), x by mode; SET_POINT reads `v_command`, with a drive `v_interpolator` | improved-position-control.md, position-control.md |
+//! | `v_add` | fade limited(-sum of weight filter(x)), x by mode; SET_POINT reads `v_command`, with a drive `v_interpolator` | improved-position-control.md, position-control.md |
 //! | limit | v_add_max_fact/1000 vb_max; of a slave the master's | improved-position-control.md, gantry.md |
-//! | gate | n / ceil(fade/Ts), fade at least one period of the lowest f0 of any filter; the first active cycle settles and puts out 0 | decisions 3, 5 |
+//! | fade | n / ceil(fade/Ts), fade at least one period of the lowest f0 of any filter; the first active cycle presets the stages and puts out 0 | decisions 3, 5 |
 //! | faults | 17, 1, 18 stop all; else the last of 14 to 16 (the highest), and of the first of 2, 11, 12, 13, or 22 | position-control.md, Faults |
 //!
 //! # Where the documents leave a choice, and what the model took from the blocks

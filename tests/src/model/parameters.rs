@@ -134,16 +134,16 @@ pub struct Stage {
 impl Parameters {
     /// Whether the drive is a PROFIdrive that controls the position, any drive that does so, or the CNC.
     #[must_use]
-    pub fn place(&self) -> Place {
+    pub fn location(&self) -> Location {
         let in_drive = match self.operation_mode {
             "CNC_POSITION_CONTROL" => false,
             "DRIVE_POSITION_CONTROL" => true,
             _ => matches!(self.drive, 2 | 3 | 8),
         };
         match (in_drive, self.drive) {
-            (false, _) => Place::Cnc,
-            (true, 3) => Place::Profidrive,
-            (true, _) => Place::Drive,
+            (false, _) => Location::Cnc,
+            (true, 3) => Location::Profidrive,
+            (true, _) => Location::Drive,
         }
     }
 
@@ -271,7 +271,7 @@ impl Stage {
 
 /// Where the position is controlled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum Location {
     /// in the CNC
     Cnc,
     /// in a drive that gets a position

@@ -2,9 +2,9 @@
 
 use super::coefficients::Coefficients;
 use super::exact::Exact;
-use super::feedforward::{is_usable, is_wrong_cycle};
+use super::feedforward::{is_in_range, is_wrong_cycle};
 use super::history::Inputs;
-use super::parameters::Place;
+use super::parameters::Location;
 use super::rounding::{Data, Expected, Interval, data, either, flag, id, real};
 use std::collections::VecDeque;
 
@@ -41,9 +41,9 @@ impl PositionControl {
     #[must_use]
     pub fn fault(c: &Coefficients, inputs: &Inputs) -> u32 {
         match () {
-            () if !is_usable(c, inputs.x_command) => 17,
+            () if !is_in_range(c, inputs.x_command) => 17,
             () if is_wrong_cycle(c, inputs) => 1,
-            () if c.place != Place::Drive && !is_usable(c, inputs.x_actual) => 18,
+            () if c.location != Location::Drive && !is_in_range(c, inputs.x_actual) => 18,
             () => 0,
         }
     }
@@ -51,9 +51,9 @@ impl PositionControl {
     /// A cycle in which it does not act: `x_drive` follows the command, or holds where there is none.
     pub fn stop(&mut self, c: &Coefficients, inputs: &Inputs) -> Controlled {
         self.commands.clear();
-        let follows = is_usable(c, inputs.x_command).then(|| match c.place {
-            Place::Cnc => Exact::zero(),
-            Place::Drive | Place::Profidrive => Exact::given(inputs.x_command),
+        let follows = is_in_range(c, inputs.x_command).then(|| match c.location {
+            Location::Cnc => Exact::zero(),
+            Location::Drive | Location::Profidrive => Exact::given(inputs.x_command),
         });
         Controlled { v_command: Exact::zero(), x_drive: follows, xerr: Exact::zero() }
     }
@@ -66,18 +66,18 @@ impl PositionControl {
         self.commands.pop_back();
         self.commands.push_front(inputs.x_command);
         let shifted = self.commands[c.shift];
-        if c.place == Place::Cnc {
+        if c.location == Location::Cnc {
             let lag = Exact::difference(inputs.x_command, inputs.x_actual);
             let v_command = sum(c.kv.times(&lag), v_feedforward);
             return Controlled { v_command, x_drive: Some(Exact::zero()), xerr: Exact::zero() };
         }
         let lead = v_feedforward.over(&c.kv);
         let x_drive = sum(Exact::given(shifted), &lead);
-        let xerr = match c.place {
+        let xerr = match c.location {
             // Without a lead the subtraction is one of two inputs.
-            Place::Profidrive if lead.is_zero() => c.increments.times(&Exact::difference(shifted, inputs.x_actual)),
-            Place::Profidrive => c.increments.times(&x_drive.plus(&Exact::given(-inputs.x_actual))),
-            Place::Cnc | Place::Drive => Exact::zero(),
+            Location::Profidrive if lead.is_zero() => c.increments.times(&Exact::difference(shifted, inputs.x_actual)),
+            Location::Profidrive => c.increments.times(&x_drive.plus(&Exact::given(-inputs.x_actual))),
+            Location::Cnc | Location::Drive => Exact::zero(),
         };
         Controlled { v_command: Exact::zero(), x_drive: Some(x_drive), xerr }
     }
@@ -91,12 +91,12 @@ pub fn sent(c: &Coefficients, controlled: &Controlled, v_additive: &Exact, v_add
         return Sent { manipulated: none, xerr: none, velocity: none };
     }
     let (scale, bits) = &c.manipulated;
-    let (manipulated, into_velocity) = match c.place {
-        Place::Cnc => {
+    let (manipulated, into_velocity) = match c.location {
+        Location::Cnc => {
             let v = sum(controlled.v_command.clone(), v_add);
             (data(&scale.times(&v), c.u, *bits), Exact::zero())
         }
-        Place::Drive | Place::Profidrive => (none, v_add.clone()),
+        Location::Drive | Location::Profidrive => (none, v_add.clone()),
     };
     let velocity = c.velocity.as_ref().map_or(none, |(scale, bits)| {
         let v = sum(v_additive.clone(), &into_velocity);
@@ -125,13 +125,13 @@ impl Alone {
     pub fn cycle(&mut self, c: &Coefficients, inputs: &Inputs, held: f64) -> Expected {
         let reads_feedforward = c.conventional.iter().any(Option::is_some);
         let reads_additive = c.additive.iter().any(Option::is_some);
-        let reads_v_add = c.has_v_add && (c.place == Place::Cnc || c.velocity.is_some());
+        let reads_v_add = c.has_v_add && (c.location == Location::Cnc || c.velocity.is_some());
         let read = [
             (reads_feedforward, inputs.v_feedforward, 19),
             (reads_additive, inputs.v_additive, 20),
             (reads_v_add, inputs.v_add, 21),
         ];
-        let bad = || read.iter().find(|(is_read, value, _)| *is_read && !is_usable(c, *value));
+        let bad = || read.iter().find(|(is_read, value, _)| *is_read && !is_in_range(c, *value));
         let error_id = match PositionControl::fault(c, inputs) {
             0 => bad().map_or(0, |(_, _, id)| *id),
             fault => fault,

@@ -2,8 +2,8 @@
 //! included. Nothing is computed from them here.
 
 use super::parameters::{
-    ACCELERATION, ADDITIVE_TORQUE, ADDITIVE_VELOCITY, JERK, JERK_TORQUE, Master, Mode, Pair, Parameters, Place, Stage,
-    VELOCITY,
+    ACCELERATION, ADDITIVE_TORQUE, ADDITIVE_VELOCITY, JERK, JERK_TORQUE, Location, Master, Mode, Pair, Parameters,
+    Stage, VELOCITY,
 };
 use crate::random::rng::Rng;
 
@@ -74,7 +74,7 @@ pub fn parameters(rng: &mut Rng) -> Parameters {
         });
     }
     // What would be an error instead of a warning: AX310.
-    if p.master.is_some_and(|master| master.has_stage) && p.place() != Place::Cnc && p.velocity_bits.is_none() {
+    if p.master.is_some_and(|master| master.has_stage) && p.location() != Location::Cnc && p.velocity_bits.is_none() {
         p.velocity_bits = Some(32);
     }
     p

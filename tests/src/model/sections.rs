@@ -1,5 +1,5 @@
 //! The filters of improved position control in double precision, section by section: difference equations and coefficients as
-//! docs/improved-position-control.md and section 2 of the definition give them. No gate, no limit.
+//! docs/improved-position-control.md and section 2 of the definition give them. No fade, no limit.
 
 use super::parameters::{Mode, Stage};
 use std::f64::consts::PI;
@@ -26,7 +26,7 @@ pub struct Filters {
 impl Filters {
     /// Of a stage, at a cycle time [s].
     #[must_use]
-    pub fn of(stage: &Stage, ts: f64) -> Self {
+    pub fn new(stage: &Stage, ts: f64) -> Self {
         let (order, prototype, f0, q) = stage.band_pass;
         let mut sections = Vec::new();
         let mut gain = 8.0;
@@ -41,7 +41,7 @@ impl Filters {
     }
 
     /// Puts every section into the steady state of a constant input.
-    pub fn settle(&mut self, x: f64) {
+    pub fn preset(&mut self, x: f64) {
         let mut x = x;
         for Section { b, a, s } in &mut self.sections {
             let y = x * (b[0] + b[1] + b[2]) / (1.0 + a[0] + a[1]);

@@ -90,7 +90,7 @@ pub fn run(settings: &Settings<'_>) -> Result<Report, String> {
         let mut different = Vec::new();
         for ((number, program), answer) in numbers.iter().zip(&programs).zip(answers) {
             refuse(*number, program, &answer)?;
-            for occurs in coverage::of(program).into_iter().chain(answer.facts.iter().cloned()) {
+            for occurs in coverage::collect(program).into_iter().chain(answer.facts.iter().cloned()) {
                 *report.shares.entry(occurs).or_default() += 1;
             }
             if let Some(difference) = answer.differences.first() {
@@ -120,7 +120,7 @@ fn together<'p>(settings: &Settings<'p>, numbers: &[usize], programs: &'p [Progr
 
 /// What a program is made of.
 fn choices(settings: &Settings<'_>, number: usize) -> Choices {
-    Choices::by_chance(Rng::of(settings.seed, number))
+    Choices::by_chance(Rng::numbered(settings.seed, number))
 }
 
 fn name(number: usize) -> String {

@@ -138,5 +138,5 @@ impl Choices {
 
 /// A number that depends on all bits of two.
 fn mixed(a: u64, b: u64) -> u64 {
-    Rng::of(a, usize::try_from(b & 0xffff_ffff).unwrap_or_default()).word()
+    Rng::numbered(a, usize::try_from(b & 0xffff_ffff).unwrap_or_default()).word()
 }

@@ -28,7 +28,7 @@ pub fn shrink(
     choices: &[Choice],
     differs: impl FnMut(&[Program]) -> Result<Vec<bool>, String>,
 ) -> Result<Program, String> {
-    let best = Candidate::of(choices);
+    let best = Candidate::new(choices);
     let mut search = Search { best, differs, builds: 0, verdicts: HashMap::new(), alone: HashMap::new() };
     loop {
         let before = search.best.text.len();
@@ -74,7 +74,7 @@ struct Candidate {
 }
 
 impl Candidate {
-    fn of(choices: &[Choice]) -> Self {
+    fn new(choices: &[Choice]) -> Self {
         let mut made = Choices::given(choices);
         let program = generate::program(&mut made);
         let text = print::module(&program, "");
@@ -115,7 +115,7 @@ impl<D: FnMut(&[Program]) -> Result<Vec<bool>, String>> Search<D> {
             strategy.new_tree(&mut TestRunner::deterministic()).expect("shrink: recorded choices are a value");
         let mut more = tree.simplify();
         while more {
-            let candidate = Candidate::of(&tree.current());
+            let candidate = Candidate::new(&tree.current());
             let verdict = match self.known(&self.best, &candidate) {
                 Some(verdict) => verdict,
                 None if self.builds >= BUILDS => return Ok(()),
@@ -148,7 +148,7 @@ impl<D: FnMut(&[Program]) -> Result<Vec<bool>, String>> Search<D> {
         let mut best = self.best.clone();
         let mut asked: Vec<(Candidate, Option<Change>)> = Vec::new();
         for _ in 0..AHEAD {
-            let candidate = Candidate::of(&tree.current());
+            let candidate = Candidate::new(&tree.current());
             let verdict = self.known(&best, &candidate).unwrap_or_else(|| {
                 let change = best.change(&candidate);
                 if asked.iter().all(|(other, _)| other.text != candidate.text) {

@@ -31,7 +31,7 @@ fn file(folder: &Path, real: &'static str, first: usize) -> Result<Vec<Line>, St
     let mut blocks = source.split_inclusive("END_FUNCTION_BLOCK\n");
     let mut lines = Vec::new();
     for line in signals.lines() {
-        let subject = Subject::of(line, real).ok_or_else(|| format!("{}: `{line}`", stem.display()))?;
+        let subject = Subject::read(line, real).ok_or_else(|| format!("{}: `{line}`", stem.display()))?;
         let program = subject.number;
         let block = blocks.next().unwrap_or_default();
         let found = subject.differs(block, &mut words);
@@ -49,7 +49,7 @@ struct Subject {
 }
 
 impl Subject {
-    fn of(line: &str, real: &str) -> Option<Self> {
+    fn read(line: &str, real: &str) -> Option<Self> {
         let [number, inputs, outputs] = line.split(';').collect::<Vec<_>>().try_into().ok()?;
         let real = if real == "f64" { RealKind::F64 } else { RealKind::F32 };
         let signals = |list: &str| list.split_whitespace().map(|text| signal(text, real)).collect::<Option<Vec<_>>>();

@@ -154,7 +154,7 @@ fn ready(tool: &Tool) -> Vec<Ready> {
     let count = if is_exhaustive() { 100_000 } else { 20_000 };
     let ready = |case: Case| {
         let (inputs, expected) = reference(&case, count);
-        let harness = Harness::of(&case.axis, &case.block, &Compiler::new(tool.command, &[]));
+        let harness = Harness::compile(&case.axis, &case.block, &Compiler::new(tool.command, &[]));
         let harness = harness.unwrap_or_else(|failure| panic!("{}: {failure}", tool.command));
         Ready { case, inputs, expected, harness }
     };

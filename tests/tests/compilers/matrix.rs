@@ -39,7 +39,7 @@ fn every_level_of_every_compiler_gives_the_bits_of_the_reference() {
 }
 
 fn every_level(case: &Case, command: &str, levels: &[&[&str]], inputs: &Samples, expected: &Samples) {
-    let harness = Harness::of(&case.axis, &case.block, &Compiler::new(command, &[]));
+    let harness = Harness::compile(&case.axis, &case.block, &Compiler::new(command, &[]));
     let harness = harness.unwrap_or_else(|failure| panic!("{}: {command}: {failure}", title(case)));
     for level in levels {
         let what = format!("{}: {command} {level:?}", title(case));

@@ -17,9 +17,10 @@ fn folder() -> tempfile::TempDir {
     fs::write(path.join("in.csv"), "v_motor,mode\n1.0,1\n1.0\n1.0,\u{202e}x\n").unwrap();
     fs::write(path.join("x.lis"), "kopf.achs_nr 1\n").unwrap();
     assert_eq!(axgen(path, &["generate", "axes.toml", "--target", "c"]).0, 0);
-    for (name, text) in [("axis_x.c", "edited"), ("axis_x.h", "seal")] {
+    for (name, text) in [("axis_x.c", "edited"), ("axis_x.h", "checksum")] {
         let file = path.join("generated").join(name);
-        let new = fs::read_to_string(&file).unwrap().replace(if text == "seal" { " body " } else { "int32" }, text);
+        let new =
+            fs::read_to_string(&file).unwrap().replace(if text == "checksum" { " checksum " } else { "int32" }, text);
         fs::write(&file, new).unwrap();
     }
     edit(path, "fg_f0 = 53.0", "fg_f0 = 54.0");

@@ -22,7 +22,7 @@ struct Marks {
 
 impl Marks {
     /// The empty set.
-    fn of(program: &Program) -> Self {
+    fn empty(program: &Program) -> Self {
         let Program { inputs, outputs, state, constants, locals, .. } = program;
         let lengths = [inputs.len(), outputs.len(), state.len(), constants.len(), locals.len()];
         Self { marked: lengths.map(|length| vec![false; length]), count: 0 }
@@ -52,7 +52,7 @@ impl Marks {
 
 /// The variables that an output depends on, in this cycle or a later one.
 fn live_variables(program: &Program) -> Marks {
-    let mut live = Marks::of(program);
+    let mut live = Marks::empty(program);
     (0..program.outputs.len()).for_each(|output| live.mark(Var::Output(output)));
     loop {
         let known = live.count;
@@ -108,7 +108,7 @@ fn keep(list: &mut Vec<Statement>, live: &Marks) {
 
 /// Drops the variables that nothing mentions any more and numbers the others afresh; constants in their declared order.
 fn number_afresh(mut program: Program) -> Program {
-    let mut mentioned = Marks::of(&program);
+    let mut mentioned = Marks::empty(&program);
     program.statements().for_each(|statement| statement.variables(&mut |var| mentioned.mark(var)));
     let state = order(program.state.len(), |index| mentioned.has(Var::State(index)));
     let locals = order(program.locals.len(), |index| mentioned.has(Var::Local(index)));

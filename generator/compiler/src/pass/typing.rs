@@ -59,7 +59,7 @@ pub fn type_of(expr: &Expr, program: &Program) -> Result<Type, Defect> {
         }
         Expr::Intrinsic(intrinsic, operands) => {
             let (takes, gives) = match intrinsic {
-                Intrinsic::Usable | Intrinsic::Within => (Type::Real, Type::Bool),
+                Intrinsic::InRange | Intrinsic::Within => (Type::Real, Type::Bool),
                 Intrinsic::FromU32 => (Type::U32, Type::Real),
                 Intrinsic::FromI32 => (Type::I32, Type::Real),
                 Intrinsic::Truncate | Intrinsic::Nearest => (Type::Real, Type::I32),

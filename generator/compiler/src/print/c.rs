@@ -106,7 +106,7 @@ fn form(operation: Operation, ty: Type, real: RealKind) -> Form {
             Binary::Or => Form::Infix(OR, "||", [EQUALITY, EQUALITY]),
         },
         Operation::Intrinsic(intrinsic) => match (intrinsic, real) {
-            (Intrinsic::Usable | Intrinsic::Within, _) => Form::Pieces(
+            (Intrinsic::InRange | Intrinsic::Within, _) => Form::Pieces(
                 RELATION,
                 &[Piece::Text("magnitude("), Piece::Operand(0, OR), Piece::Text(") <= "), Piece::Operand(1, SUM)],
             ),

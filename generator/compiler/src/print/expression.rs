@@ -110,7 +110,7 @@ fn result(operation: Operation, ty: Type) -> Type {
     use Binary::{Add, And, Divide, Multiply, Or, Subtract};
     match operation {
         Operation::Unary(_) | Operation::Binary(Add | Subtract | Multiply | Divide | And | Or) => ty,
-        Operation::Binary(_) | Operation::Intrinsic(Intrinsic::Usable | Intrinsic::Within) => Type::Bool,
+        Operation::Binary(_) | Operation::Intrinsic(Intrinsic::InRange | Intrinsic::Within) => Type::Bool,
         Operation::Intrinsic(Intrinsic::FromU32 | Intrinsic::FromI32) => Type::Real,
         Operation::Intrinsic(Intrinsic::Truncate | Intrinsic::Nearest) => Type::I32,
     }

@@ -54,7 +54,7 @@ pub struct Scope {
 /// The names of the inputs and of the outputs of a program.
 #[must_use]
 pub fn signals(program: &Program, language: &Language) -> [Vec<String>; 2] {
-    let mut names = Names::of(language);
+    let mut names = Names::new(language);
     [&program.inputs, &program.outputs].map(|variables| members(variables, language, &mut names))
 }
 
@@ -67,7 +67,7 @@ pub fn constants(program: &Program, prefix: &str, names: &mut Names) -> Vec<Stri
 
 /// The names of variables that the caller sees: in one scope with all others, or in a struct.
 fn members(variables: &[Variable], language: &Language, names: &mut Names) -> Vec<String> {
-    let mut own = language.has_structs.then(|| Names::of(language));
+    let mut own = language.has_structs.then(|| Names::new(language));
     let names = own.as_mut().unwrap_or(names);
     let name = |variable: &Variable| match variable.path.as_str() {
         path if language.kept.contains(&path) => path.to_owned(),
@@ -80,7 +80,7 @@ impl<'p> Printer<'p> {
     /// A program that has a scope for itself; the names of the interface are taken first.
     #[must_use]
     pub fn new(program: &'p Program, language: &'p Language) -> Self {
-        Self::named(program, language, Names::of(language), None)
+        Self::named(program, language, Names::new(language), None)
     }
 
     /// A program whose constants have their names, in a scope with those of others: its locals have none of them.

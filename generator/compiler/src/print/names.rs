@@ -46,7 +46,7 @@ pub struct Names {
 impl Names {
     /// No names yet, in a language that keeps some words for itself.
     #[must_use]
-    pub fn of(language: &Language) -> Self {
+    pub fn new(language: &Language) -> Self {
         Self { is_reserved: language.is_reserved, taken: HashSet::new() }
     }
 

@@ -57,7 +57,7 @@ impl Specialiser<'_> {
         let known: Option<Vec<Literal>> = operands.iter().map(|operand| self.known(operand)).collect();
         let is_anonymous = operands.iter().all(|operand| matches!(operand, Expr::Literal(_)));
         match known {
-            Some(known) if is_anonymous || matches!(intrinsic, Intrinsic::Usable | Intrinsic::Within) => {
+            Some(known) if is_anonymous || matches!(intrinsic, Intrinsic::InRange | Intrinsic::Within) => {
                 Expr::Literal(arithmetic::intrinsic(intrinsic, &known, self.real))
             }
             _ => Expr::Intrinsic(intrinsic, operands),

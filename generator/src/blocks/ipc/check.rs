@@ -84,7 +84,7 @@ pub(crate) fn master(e: &mut Effective<'_>) -> Option<u32> {
     e.validated_integer(key(Name::GantryMaster)).filter(|master| *master > 0 && own != Some(*master))
 }
 
-/// The largest velocity, of the gear step that is used. The block must take it, and twice it, for a usable sample.
+/// The largest velocity, of the gear step that is used. The block must take it, and twice it, for a sample in range.
 fn v_max(e: &mut Effective<'_>, real: Option<RealKind>) -> Option<f64> {
     let key = (Name::VbMax, [e.validated_integer(key(Name::Gear))?, 0]);
     let v_max = e.integer(key).map(f64::from)?;

@@ -25,7 +25,7 @@ pub(crate) fn differences(old: &Designed, new: &Designed) -> Vec<String> {
         lines.push(format!("fade {} s", pair(fades[0], fades[1], 4)));
     }
     for index in 0..old.axis.ipc.stage.len() {
-        let line = stage_diff::difference(Version::of(old, index).as_ref(), Version::of(new, index).as_ref());
+        let line = stage_diff::difference(Version::at(old, index).as_ref(), Version::at(new, index).as_ref());
         lines.extend(line.map(|line| format!("stage[{index}]: {line}")));
     }
     lines
@@ -41,7 +41,7 @@ pub(crate) fn description(of: &Designed) -> Vec<String> {
         ipc.enable.name(),
         significant(fade(of), 4),
     )];
-    let stages = (0..ipc.stage.len()).filter_map(|index| Some((index, Version::of(of, index)?)));
+    let stages = (0..ipc.stage.len()).filter_map(|index| Some((index, Version::at(of, index)?)));
     lines.extend(stages.map(|(index, version)| format!("stage[{index}]: {}", stage_diff::description(&version))));
     lines
 }

@@ -20,7 +20,7 @@ pub(crate) struct Version<'d> {
 
 impl<'d> Version<'d> {
     /// The stage of that index, if it is active.
-    pub(crate) fn of(of: &'d Designed, index: usize) -> Option<Self> {
+    pub(crate) fn at(of: &'d Designed, index: usize) -> Option<Self> {
         let (stage, design) = (of.axis.ipc.stage[index].as_ref()?, of.ipc.stage[index].as_ref()?);
         Some(Self { stage, design, coeffs: &of.ipc.coeffs.stage[index], cycle_time: of.axis.cycle_time() })
     }

@@ -17,10 +17,10 @@ pub fn coefficients(axis: &Axis) -> position_control::Coeffs<f64> {
     let velocity = of.velocity.as_ref();
     position_control::Coeffs {
         cycle_time_ns: axis.cycle_time_ns,
-        place: match of.location {
-            Location::Cnc => position_control::Place::Cnc,
-            Location::Drive => position_control::Place::Drive,
-            Location::Profidrive => position_control::Place::Profidrive,
+        location: match of.location {
+            Location::Cnc => position_control::Location::Cnc,
+            Location::Drive => position_control::Location::Drive,
+            Location::Profidrive => position_control::Location::Profidrive,
         },
         feedforward: quantities.is_some_and(|feedforward| feedforward.conventional.any()),
         additive: quantities.is_some_and(|feedforward| feedforward.additive.any()),

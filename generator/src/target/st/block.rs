@@ -1,6 +1,6 @@
 //! A block as a dialect lists it: declarations, numbers, statements. What every file form has in common.
 
-use crate::digest::UNSEALED;
+use crate::digest::NO_CHECKSUM;
 use crate::render::{Origin, StBlock};
 use crate::target::outline::{COMMENT_WIDTH, Outline};
 use crate::target::{Header, Legal, VERSION, block_name};
@@ -52,7 +52,7 @@ pub(crate) fn origin(axis: &Header, file: &str, blocks: &[Legal<'_>]) -> String 
         real: type_name(Type::Real, axis.real),
         cycle_time_ns: axis.cycle_time_ns,
         parameters_digest: &axis.parameters_digest,
-        body_digest: UNSEALED,
+        checksum: NO_CHECKSUM,
         certificate: &comment::wrapped(&certificates, COMMENT_WIDTH, "\n   "),
     };
     origin.render().expect("st: the comment at the top is filled")

@@ -2,12 +2,12 @@
 
 use super::block::listings;
 use crate::render::PlainFile;
-use crate::target::{File, Header, Legal, sealed, stem};
+use crate::target::{File, Header, Legal, rendered, stem};
 use compiler::print::st::PLAIN;
 
 /// The file of an axis.
 pub(crate) fn files(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
     let name = format!("{}.st", stem(&axis.axis));
     let (origin, blocks) = listings(axis, &name, blocks, "", &PLAIN);
-    vec![sealed(name, "", &PlainFile { origin: &origin, blocks: &blocks })]
+    vec![rendered(name, "", &PlainFile { origin: &origin, blocks: &blocks })]
 }

@@ -2,12 +2,12 @@
 
 use super::block::listings;
 use crate::render::SclFile;
-use crate::target::{File, Header, Legal, sealed, stem};
+use crate::target::{File, Header, Legal, rendered, stem};
 use compiler::print::st::SCL;
 
 /// The file of an axis.
 pub(crate) fn files(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
     let name = format!("{}.scl", stem(&axis.axis));
     let (origin, blocks) = listings(axis, &name, blocks, "FB_", &SCL);
-    vec![sealed(name, "", &SclFile { origin: &origin, blocks: &blocks })]
+    vec![rendered(name, "", &SclFile { origin: &origin, blocks: &blocks })]
 }

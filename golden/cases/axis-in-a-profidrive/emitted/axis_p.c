@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  034f796361d0823694dc733af3a57103
- * body        488faa736c0dd322fc7818857f2ef79c
+ * checksum    c7e8c9b2c43e59995ba089700f90e2c4
  */
 #include "axis_p.h"
 
@@ -68,7 +68,7 @@ static const double position_control_xerr_range_lower_limit = -2147483648.499999
 static const double position_control_xerr_range_upper_limit = 2147483647.4999998; /* largest number that is rounded to the largest value */
 
 /* the same for every axis */
-static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
+static const double sample_limit = 1000000000000000.0; /* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
 static const uint32_t error_x_command = 17u; /* error_id: x_command is not within the sample limit */
 static const uint32_t error_none = 0u; /* error_id: no fault */
 static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
@@ -78,7 +78,7 @@ static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is
 
 void axis_p_axis_init(axis_p_axis_state *state)
 {
-    state->position_control_settled = false;
+    state->position_control_preset = false;
     state->position_control_x_held = 0.0;
 }
 
@@ -106,7 +106,7 @@ void axis_p_axis_step(
     axis_p_axis_outputs *restrict outputs)
 {
     if (!(magnitude(inputs->x_command) <= sample_limit)) {
-        state->position_control_settled = false;
+        state->position_control_preset = false;
         outputs->x_drive = state->position_control_x_held;
         outputs->v_feedforward = 0.0;
         outputs->v_add = 0.0;
@@ -120,7 +120,7 @@ void axis_p_axis_step(
         outputs->fault = true;
         outputs->error_id = error_x_command;
     } else if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
-        state->position_control_settled = false;
+        state->position_control_preset = false;
         state->position_control_x_held = inputs->x_command;
         outputs->v_feedforward = 0.0;
         outputs->v_add = 0.0;
@@ -135,7 +135,7 @@ void axis_p_axis_step(
         outputs->fault = true;
         outputs->error_id = error_cycle_time;
     } else if (!(magnitude(inputs->x_actual) <= sample_limit)) {
-        state->position_control_settled = false;
+        state->position_control_preset = false;
         state->position_control_x_held = inputs->x_command;
         outputs->v_feedforward = 0.0;
         outputs->v_add = 0.0;
@@ -150,7 +150,7 @@ void axis_p_axis_step(
         outputs->fault = true;
         outputs->error_id = error_x_actual;
     } else if (!inputs->position_controlled || inputs->reset) {
-        state->position_control_settled = false;
+        state->position_control_preset = false;
         state->position_control_x_held = inputs->x_command;
         outputs->v_feedforward = 0.0;
         outputs->v_add = 0.0;
@@ -198,7 +198,7 @@ void axis_p_axis_step(
             outputs->fault = true;
         }
         outputs->v_feedforward = feedforward_v_feedforward;
-        if (!state->position_control_settled) {
+        if (!state->position_control_preset) {
             state->position_control_shift_x0 = inputs->x_command;
             state->position_control_shift_x1 = inputs->x_command;
             state->position_control_shift_x2 = inputs->x_command;
@@ -224,7 +224,7 @@ void axis_p_axis_step(
             outputs->xerr = 0;
             outputs->limited = true;
         }
-        state->position_control_settled = true;
+        state->position_control_preset = true;
         outputs->x_drive = position_control_x;
     }
 }
@@ -387,7 +387,7 @@ uint32_t axis_p_axis_self_test(void)
         digest = axis_fold(digest, outputs.error_id);
         digest = axis_fold(digest, outputs.limited);
         digest = axis_fold(digest, outputs.fault);
-        digest = axis_fold(digest, state.position_control_settled);
+        digest = axis_fold(digest, state.position_control_preset);
         digest = axis_fold(digest, axis_bits_of(state.position_control_shift_x0));
         digest = axis_fold(digest, axis_bits_of(state.position_control_shift_x1));
         digest = axis_fold(digest, axis_bits_of(state.position_control_shift_x2));

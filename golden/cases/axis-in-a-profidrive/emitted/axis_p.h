@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  034f796361d0823694dc733af3a57103
- * body        fcefd4b55a0870783d19c9ebaf27388f
+ * checksum    d5bf1bf9f8eae3cf5d59a756ebb3fd1d
  */
 #ifndef AXIS_P_H
 #define AXIS_P_H
@@ -39,20 +39,20 @@ typedef struct {
     double v_command; /* output of the position controller with feedforward, before v_add is added [um/s or 0.001 deg/s]; always 0.0 for this axis */
     double v_feedforward; /* conventional feedforward [um/s or 0.001 deg/s] */
     double v_add; /* additive velocity of improved position control; gantry slaves get it as v_add_master [um/s or 0.001 deg/s]; always 0.0 for this axis */
-    double v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the gate; 0 in OFF [um/s or 0.001 deg/s]; always 0.0 for this axis */
+    double v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the fade; 0 in OFF [um/s or 0.001 deg/s]; always 0.0 for this axis */
     double x_drive; /* position control in the drive: the position command of the drive [um or 0.001 deg] */
     int32_t manipulated_variable; /* position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments]; always 0 for this axis */
     int32_t xerr; /* PROFIdrive: control deviation XERR, signal 25 (P-AXIS-00092) [increments] */
     int32_t additive_torque; /* additive torque command of the drive (P-AXIS-00325/00326) [increments]; always 0 for this axis */
     int32_t additive_velocity; /* additive velocity command of the drive (P-AXIS-00205 to 00207) [increments]; always 0 for this axis */
-    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator, 17 x_command, 18 x_actual, 22 v_add_master is no usable number; 1, 17, 18 stop the axis, the others only the part that reads it; of several parts the last one's */
+    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator, 17 x_command, 18 x_actual, 22 v_add_master is out of range; 1, 17, 18 stop the axis, the others only the part that reads it; of several parts the last one's */
     bool limited; /* the limit of v_add or a process-data type cuts an output off in this cycle */
     bool fault; /* a part of the block cannot act in this cycle, error_id says why */
 } axis_p_axis_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
-    bool position_control_settled; /* whether the shift has been filled */
+    bool position_control_preset; /* whether the shift has been filled */
     double position_control_shift_x0; /* the samples before the present one, the latest first */
     double position_control_shift_x1; /* the samples before the present one, the latest first */
     double position_control_shift_x2; /* the samples before the present one, the latest first */

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  84c1aaebe7d5efbf7942c2b9e5459fdc
- * body        63362d7c75b34d0e98bef12a9bd5724f
+ * checksum    ce8285d807f1b6d07da686ce1f512e00
  */
 #include "axis_x.h"
 
@@ -80,8 +80,8 @@ static const double ipc_stage0_oscillation_b1 = 0.003672795185773906; /* numerat
 static const double ipc_stage0_oscillation_b2 = -0.04823501997002283; /* numerator: s2 = b2 x - a2 y */
 static const double ipc_stage0_oscillation_a1 = -1.8925115745026326; /* denominator: s1 = b1 x - a1 y + s2 */
 static const double ipc_stage0_oscillation_a2 = 0.8998571648741804; /* denominator: s2 = b2 x - a2 y */
-static const double ipc_stage0_oscillation_settled_s1 = 0.9480921848442032; /* 1 - b0: steady s1 for a constant input of 1 */
-static const double ipc_stage0_oscillation_settled_s2 = -0.9480921848442032; /* b2 - a2: steady s2 for a constant input of 1 */
+static const double ipc_stage0_oscillation_preset_s1 = 0.9480921848442032; /* 1 - b0: steady s1 for a constant input of 1 */
+static const double ipc_stage0_oscillation_preset_s2 = -0.9480921848442032; /* b2 - a2: steady s2 for a constant input of 1 */
 
 /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 14 Hz (P-AXIS-00751), quality
  * factor 2 (P-AXIS-00752), -3 dB at 10.92977 and 17.92977 Hz
@@ -101,7 +101,7 @@ static const double ipc_lower_limit = -50000.0; /* -limit */
 static const double ipc_rest = 4.3368086899420177e-13; /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
 
 /* OFF to ON takes 0.1 s (key fade), in cycles */
-static const uint32_t ipc_fade_cycles = 100u; /* cycles that the gate takes from 0 to 1 */
+static const uint32_t ipc_fade_cycles = 100u; /* cycles that the fade takes from 0 to 1 */
 static const double ipc_fade_step = 0.01; /* 1 / fade_cycles */
 
 /* additive velocity: 10000 increments at 10000 um or 0.001 deg per minute (P-AXIS-00206/00205, 00207): 1000000
@@ -115,7 +115,7 @@ static const double position_control_velocity_range_lower_limit = -2147483648.49
 static const double position_control_velocity_range_upper_limit = 2147483647.4999998; /* largest number that is rounded to the largest value */
 
 /* the same for every axis */
-static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
+static const double sample_limit = 1000000000000000.0; /* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
 static const uint32_t error_x_command = 17u; /* error_id: x_command is not within the sample limit */
 static const uint32_t error_none = 0u; /* error_id: no fault */
 static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
@@ -126,13 +126,13 @@ static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_command = 11u; /* error_id: v_command is not within the sample limit */
-static const double tiny = 1.0e-30; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
+static const double anti_denormal = 1.0e-30; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 
 void axis_x_axis_init(axis_x_axis_state *state)
 {
-    state->feedforward_settled = false;
-    state->ipc_settled = false;
-    state->ipc_gate = 0u;
+    state->feedforward_preset = false;
+    state->ipc_preset = false;
+    state->ipc_fade = 0u;
     state->position_control_x_held = 0.0;
 }
 
@@ -161,9 +161,9 @@ void axis_x_axis_step(
 {
     if (!(magnitude(inputs->x_command) <= sample_limit)) {
         outputs->x_drive = state->position_control_x_held;
-        state->feedforward_settled = false;
-        state->ipc_settled = false;
-        state->ipc_gate = 0u;
+        state->feedforward_preset = false;
+        state->ipc_preset = false;
+        state->ipc_fade = 0u;
         outputs->v_feedforward = 0.0;
         outputs->v_add = 0.0;
         outputs->v_add_calculated = 0.0;
@@ -177,9 +177,9 @@ void axis_x_axis_step(
         outputs->error_id = error_x_command;
     } else if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
         state->position_control_x_held = inputs->x_command;
-        state->feedforward_settled = false;
-        state->ipc_settled = false;
-        state->ipc_gate = 0u;
+        state->feedforward_preset = false;
+        state->ipc_preset = false;
+        state->ipc_fade = 0u;
         outputs->v_feedforward = 0.0;
         outputs->v_add = 0.0;
         outputs->v_add_calculated = 0.0;
@@ -194,9 +194,9 @@ void axis_x_axis_step(
         outputs->error_id = error_cycle_time;
     } else if (!inputs->position_controlled || inputs->reset) {
         state->position_control_x_held = inputs->x_command;
-        state->feedforward_settled = false;
-        state->ipc_settled = false;
-        state->ipc_gate = 0u;
+        state->feedforward_preset = false;
+        state->ipc_preset = false;
+        state->ipc_fade = 0u;
         outputs->v_feedforward = 0.0;
         outputs->v_add = 0.0;
         outputs->v_add_calculated = 0.0;
@@ -231,7 +231,7 @@ void axis_x_axis_step(
             }
             const double feedforward_v = feedforward_gain_now * inputs->v_interpolator;
             const double feedforward_a = feedforward_gain_now * inputs->a_interpolator;
-            if (!state->feedforward_settled) {
+            if (!state->feedforward_preset) {
                 /* delay of 150 us = 0.15 cycles (P-AXIS-00389) */
                 state->feedforward_velocity_delay_x0 = feedforward_v;
                 /* delay of 5999 us = 5.999 cycles (P-AXIS-00390) */
@@ -241,7 +241,7 @@ void axis_x_axis_step(
                 state->feedforward_acceleration_delay_x3 = feedforward_a;
                 state->feedforward_acceleration_delay_x4 = feedforward_a;
                 state->feedforward_acceleration_delay_x5 = feedforward_a;
-                state->feedforward_settled = true;
+                state->feedforward_preset = true;
             }
             /* delay of 150 us = 0.15 cycles (P-AXIS-00389) */
             feedforward_v_additive =
@@ -280,7 +280,7 @@ void axis_x_axis_step(
             } else {
                 outputs->error_id = error_a_interpolator;
             }
-            state->feedforward_settled = false;
+            state->feedforward_preset = false;
             feedforward_v_additive = 0.0;
             outputs->additive_torque = 0;
             outputs->fault = true;
@@ -288,20 +288,20 @@ void axis_x_axis_step(
         bool ipc_runs;
         uint32_t ipc_error_id;
         if (magnitude(inputs->v_interpolator) <= sample_limit && inputs->mode == mode_on
-                && state->ipc_gate >= ipc_fade_cycles) {
+                && state->ipc_fade >= ipc_fade_cycles) {
             ipc_runs = true;
             ipc_error_id = error_none;
         } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
                 && magnitude(inputs->v_interpolator) <= sample_limit) {
-            if (state->ipc_settled) {
+            if (state->ipc_preset) {
                 if (inputs->mode == mode_on) {
-                    state->ipc_gate = state->ipc_gate + 1u;
+                    state->ipc_fade = state->ipc_fade + 1u;
                 } else {
-                    if (state->ipc_gate > 0u) {
-                        state->ipc_gate = state->ipc_gate - 1u;
+                    if (state->ipc_fade > 0u) {
+                        state->ipc_fade = state->ipc_fade - 1u;
                     }
-                    if (inputs->mode == mode_off && state->ipc_gate == 0u) {
-                        state->ipc_settled = false;
+                    if (inputs->mode == mode_off && state->ipc_fade == 0u) {
+                        state->ipc_preset = false;
                     }
                 }
                 ipc_runs = true;
@@ -310,15 +310,15 @@ void axis_x_axis_step(
                     /* SET_POINT (P-AXIS-00753) from v_command, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
                     /* simulated oscillation of the load, f0 of the first BANDPASS 14 Hz (P-AXIS-00751), damping ratio 0.6
                      * (P-AXIS-00850): gain 1 at DC, 1.301708 and -39.80557 deg at f0 */
-                    state->ipc_stage0_oscillation_s1 = ipc_stage0_oscillation_settled_s1 * inputs->v_interpolator;
-                    state->ipc_stage0_oscillation_s2 = ipc_stage0_oscillation_settled_s2 * inputs->v_interpolator;
+                    state->ipc_stage0_oscillation_s1 = ipc_stage0_oscillation_preset_s1 * inputs->v_interpolator;
+                    state->ipc_stage0_oscillation_s2 = ipc_stage0_oscillation_preset_s2 * inputs->v_interpolator;
                     /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 14 Hz (P-AXIS-00751),
                      * quality factor 2 (P-AXIS-00752), -3 dB at 10.92977 and 17.92977 Hz */
                     const double ipc_stage0_filter0_section0_s =
                         ipc_stage0_filter0_bandpass0_b2 * inputs->v_interpolator;
                     state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_s;
                     state->ipc_stage0_filter0_section0_s2 = ipc_stage0_filter0_section0_s;
-                    state->ipc_settled = true;
+                    state->ipc_preset = true;
                 }
                 ipc_runs = false;
             }
@@ -329,8 +329,8 @@ void axis_x_axis_step(
             } else {
                 ipc_error_id = error_mode;
             }
-            state->ipc_settled = false;
-            state->ipc_gate = 0u;
+            state->ipc_preset = false;
+            state->ipc_fade = 0u;
             ipc_runs = false;
         }
         double ipc_v_add;
@@ -344,7 +344,7 @@ void axis_x_axis_step(
                 ipc_stage0_oscillation_b1 * inputs->v_interpolator
                     - ipc_stage0_oscillation_a1 * ipc_stage0_oscillation_y + state->ipc_stage0_oscillation_s2;
             state->ipc_stage0_oscillation_s2 =
-                ipc_stage0_oscillation_b2 * inputs->v_interpolator + tiny
+                ipc_stage0_oscillation_b2 * inputs->v_interpolator + anti_denormal
                     - ipc_stage0_oscillation_a2 * ipc_stage0_oscillation_y;
             /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 14 Hz (P-AXIS-00751),
              * quality factor 2 (P-AXIS-00752), -3 dB at 10.92977 and 17.92977 Hz */
@@ -354,7 +354,8 @@ void axis_x_axis_step(
             state->ipc_stage0_filter0_section0_s1 =
                 state->ipc_stage0_filter0_section0_s2 - ipc_stage0_filter0_bandpass0_a1 * ipc_stage0_filter0_section0_y;
             state->ipc_stage0_filter0_section0_s2 =
-                ipc_stage0_filter0_section0_t + tiny - ipc_stage0_filter0_bandpass0_a2 * ipc_stage0_filter0_section0_y;
+                ipc_stage0_filter0_section0_t + anti_denormal
+                    - ipc_stage0_filter0_bandpass0_a2 * ipc_stage0_filter0_section0_y;
             const double ipc_v_stage = ipc_stage0_gain * ipc_stage0_filter0_section0_y;
             double ipc_v_limited;
             if (magnitude(ipc_v_stage) <= ipc_limit) {
@@ -373,12 +374,12 @@ void axis_x_axis_step(
                 }
                 outputs->limited = true;
             }
-            if (state->ipc_gate >= ipc_fade_cycles) {
+            if (state->ipc_fade >= ipc_fade_cycles) {
                 ipc_v_add = ipc_v_limited;
                 outputs->v_add_calculated = ipc_v_limited;
             } else {
-                if (state->ipc_gate > 0u) {
-                    ipc_v_add = ipc_v_limited * ((double)state->ipc_gate * ipc_fade_step);
+                if (state->ipc_fade > 0u) {
+                    ipc_v_add = ipc_v_limited * ((double)state->ipc_fade * ipc_fade_step);
                 } else {
                     ipc_v_add = 0.0;
                 }
@@ -577,7 +578,7 @@ uint32_t axis_x_axis_self_test(void)
         digest = axis_fold(digest, outputs.error_id);
         digest = axis_fold(digest, outputs.limited);
         digest = axis_fold(digest, outputs.fault);
-        digest = axis_fold(digest, state.feedforward_settled);
+        digest = axis_fold(digest, state.feedforward_preset);
         digest = axis_fold(digest, axis_bits_of(state.feedforward_velocity_delay_x0));
         digest = axis_fold(digest, axis_bits_of(state.feedforward_acceleration_delay_x0));
         digest = axis_fold(digest, axis_bits_of(state.feedforward_acceleration_delay_x1));
@@ -585,8 +586,8 @@ uint32_t axis_x_axis_self_test(void)
         digest = axis_fold(digest, axis_bits_of(state.feedforward_acceleration_delay_x3));
         digest = axis_fold(digest, axis_bits_of(state.feedforward_acceleration_delay_x4));
         digest = axis_fold(digest, axis_bits_of(state.feedforward_acceleration_delay_x5));
-        digest = axis_fold(digest, state.ipc_settled);
-        digest = axis_fold(digest, state.ipc_gate);
+        digest = axis_fold(digest, state.ipc_preset);
+        digest = axis_fold(digest, state.ipc_fade);
         digest = axis_fold(digest, axis_bits_of(state.ipc_stage0_oscillation_s1));
         digest = axis_fold(digest, axis_bits_of(state.ipc_stage0_oscillation_s2));
         digest = axis_fold(digest, axis_bits_of(state.ipc_stage0_filter0_section0_s1));

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  84c1aaebe7d5efbf7942c2b9e5459fdc
- * body        57da516ab6de8d54c6017700631a3e78
+ * checksum    c831df6c7e5a9c70d24532e8427817f0
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -39,20 +39,20 @@ typedef struct {
     double v_command; /* output of the position controller with feedforward, before v_add is added [um/s or 0.001 deg/s]; always 0.0 for this axis */
     double v_feedforward; /* conventional feedforward [um/s or 0.001 deg/s]; always 0.0 for this axis */
     double v_add; /* additive velocity of improved position control; gantry slaves get it as v_add_master [um/s or 0.001 deg/s] */
-    double v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the gate; 0 in OFF [um/s or 0.001 deg/s] */
+    double v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the fade; 0 in OFF [um/s or 0.001 deg/s] */
     double x_drive; /* position control in the drive: the position command of the drive [um or 0.001 deg] */
     int32_t manipulated_variable; /* position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments]; always 0 for this axis */
     int32_t xerr; /* PROFIdrive: control deviation XERR, signal 25 (P-AXIS-00092) [increments]; always 0 for this axis */
     int32_t additive_torque; /* additive torque command of the drive (P-AXIS-00325/00326) [increments] */
     int32_t additive_velocity; /* additive velocity command of the drive (P-AXIS-00205 to 00207) [increments] */
-    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator, 17 x_command, 18 x_actual, 22 v_add_master is no usable number; 1, 17, 18 stop the axis, the others only the part that reads it; of several parts the last one's */
+    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator, 17 x_command, 18 x_actual, 22 v_add_master is out of range; 1, 17, 18 stop the axis, the others only the part that reads it; of several parts the last one's */
     bool limited; /* the limit of v_add or a process-data type cuts an output off in this cycle */
     bool fault; /* a part of the block cannot act in this cycle, error_id says why */
 } axis_x_axis_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
-    bool feedforward_settled; /* whether the delays have been filled */
+    bool feedforward_preset; /* whether the delays have been filled */
     double feedforward_velocity_delay_x0; /* the samples before the present one, the latest first */
     double feedforward_acceleration_delay_x0; /* the samples before the present one, the latest first */
     double feedforward_acceleration_delay_x1; /* the samples before the present one, the latest first */
@@ -60,8 +60,8 @@ typedef struct {
     double feedforward_acceleration_delay_x3; /* the samples before the present one, the latest first */
     double feedforward_acceleration_delay_x4; /* the samples before the present one, the latest first */
     double feedforward_acceleration_delay_x5; /* the samples before the present one, the latest first */
-    bool ipc_settled; /* whether the sections have been put to the steady state of an input */
-    uint32_t ipc_gate; /* position of the gate: 0 closed, fade_cycles open */
+    bool ipc_preset; /* whether the sections have been preset to the steady state of an input */
+    uint32_t ipc_fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
     double ipc_stage0_oscillation_s1; /* what the next output takes over */
     double ipc_stage0_oscillation_s2; /* what `s1` takes over */
     double ipc_stage0_filter0_section0_s1; /* what the next output takes over */

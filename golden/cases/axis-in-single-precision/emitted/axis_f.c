@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  a51e4e64fad240bd4128bbecc5fcab95
- * body        eb32d5b4803105e7b1c1cadb09d3ed6f
+ * checksum    86ba70c0e189d7854cc5b03477420dad
  */
 #include "axis_f.h"
 
@@ -73,7 +73,7 @@ static const float ipc_lower_limit = -60000.0f; /* -limit */
 static const float ipc_rest = 2.728484e-7f; /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
 
 /* OFF to ON takes 0.1 s (key fade), in cycles */
-static const uint32_t ipc_fade_cycles = 50u; /* cycles that the gate takes from 0 to 1 */
+static const uint32_t ipc_fade_cycles = 50u; /* cycles that the fade takes from 0 to 1 */
 static const float ipc_fade_step = 0.02f; /* 1 / fade_cycles */
 
 /* position control in the CNC: Kv = 20/s (P-AXIS-00099) */
@@ -89,7 +89,7 @@ static const float position_control_manipulated_range_lower_limit = -32768.496f;
 static const float position_control_manipulated_range_upper_limit = 32767.498f; /* largest number that is rounded to the largest value */
 
 /* the same for every axis */
-static const float sample_limit = 1000000000.0f; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
+static const float sample_limit = 1000000000.0f; /* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
 static const uint32_t error_x_command = 17u; /* error_id: x_command is not within the sample limit */
 static const uint32_t error_none = 0u; /* error_id: no fault */
 static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
@@ -100,12 +100,12 @@ static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-static const float tiny = 1.0e-18f; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
+static const float anti_denormal = 1.0e-18f; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 
 void axis_f_axis_init(axis_f_axis_state *state)
 {
-    state->ipc_settled = false;
-    state->ipc_gate = 0u;
+    state->ipc_preset = false;
+    state->ipc_fade = 0u;
 }
 
 void axis_f_axis_inputs_init(axis_f_axis_inputs *inputs)
@@ -132,8 +132,8 @@ void axis_f_axis_step(
     axis_f_axis_outputs *restrict outputs)
 {
     if (!(magnitude(inputs->x_command) <= sample_limit)) {
-        state->ipc_settled = false;
-        state->ipc_gate = 0u;
+        state->ipc_preset = false;
+        state->ipc_fade = 0u;
         outputs->v_feedforward = 0.0f;
         outputs->v_add = 0.0f;
         outputs->v_add_calculated = 0.0f;
@@ -147,8 +147,8 @@ void axis_f_axis_step(
         outputs->fault = true;
         outputs->error_id = error_x_command;
     } else if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
-        state->ipc_settled = false;
-        state->ipc_gate = 0u;
+        state->ipc_preset = false;
+        state->ipc_fade = 0u;
         outputs->v_feedforward = 0.0f;
         outputs->v_add = 0.0f;
         outputs->v_add_calculated = 0.0f;
@@ -162,8 +162,8 @@ void axis_f_axis_step(
         outputs->fault = true;
         outputs->error_id = error_cycle_time;
     } else if (!(magnitude(inputs->x_actual) <= sample_limit)) {
-        state->ipc_settled = false;
-        state->ipc_gate = 0u;
+        state->ipc_preset = false;
+        state->ipc_fade = 0u;
         outputs->v_feedforward = 0.0f;
         outputs->v_add = 0.0f;
         outputs->v_add_calculated = 0.0f;
@@ -177,8 +177,8 @@ void axis_f_axis_step(
         outputs->fault = true;
         outputs->error_id = error_x_actual;
     } else if (!inputs->position_controlled || inputs->reset) {
-        state->ipc_settled = false;
-        state->ipc_gate = 0u;
+        state->ipc_preset = false;
+        state->ipc_fade = 0u;
         outputs->v_feedforward = 0.0f;
         outputs->v_add = 0.0f;
         outputs->v_add_calculated = 0.0f;
@@ -223,20 +223,20 @@ void axis_f_axis_step(
         bool ipc_runs;
         uint32_t ipc_error_id;
         if (magnitude(inputs->v_motor) <= sample_limit && inputs->mode == mode_on
-                && state->ipc_gate >= ipc_fade_cycles) {
+                && state->ipc_fade >= ipc_fade_cycles) {
             ipc_runs = true;
             ipc_error_id = error_none;
         } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
                 && magnitude(inputs->v_motor) <= sample_limit) {
-            if (state->ipc_settled) {
+            if (state->ipc_preset) {
                 if (inputs->mode == mode_on) {
-                    state->ipc_gate = state->ipc_gate + 1u;
+                    state->ipc_fade = state->ipc_fade + 1u;
                 } else {
-                    if (state->ipc_gate > 0u) {
-                        state->ipc_gate = state->ipc_gate - 1u;
+                    if (state->ipc_fade > 0u) {
+                        state->ipc_fade = state->ipc_fade - 1u;
                     }
-                    if (inputs->mode == mode_off && state->ipc_gate == 0u) {
-                        state->ipc_settled = false;
+                    if (inputs->mode == mode_off && state->ipc_fade == 0u) {
+                        state->ipc_preset = false;
                     }
                 }
                 ipc_runs = true;
@@ -248,7 +248,7 @@ void axis_f_axis_step(
                     const float ipc_stage0_filter0_section0_s = ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
                     state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_s;
                     state->ipc_stage0_filter0_section0_s2 = ipc_stage0_filter0_section0_s;
-                    state->ipc_settled = true;
+                    state->ipc_preset = true;
                 }
                 ipc_runs = false;
             }
@@ -259,8 +259,8 @@ void axis_f_axis_step(
             } else {
                 ipc_error_id = error_mode;
             }
-            state->ipc_settled = false;
-            state->ipc_gate = 0u;
+            state->ipc_preset = false;
+            state->ipc_fade = 0u;
             ipc_runs = false;
         }
         float ipc_v_add;
@@ -274,7 +274,8 @@ void axis_f_axis_step(
             state->ipc_stage0_filter0_section0_s1 =
                 state->ipc_stage0_filter0_section0_s2 - ipc_stage0_filter0_bandpass0_a1 * ipc_stage0_filter0_section0_y;
             state->ipc_stage0_filter0_section0_s2 =
-                ipc_stage0_filter0_section0_t + tiny - ipc_stage0_filter0_bandpass0_a2 * ipc_stage0_filter0_section0_y;
+                ipc_stage0_filter0_section0_t + anti_denormal
+                    - ipc_stage0_filter0_bandpass0_a2 * ipc_stage0_filter0_section0_y;
             const float ipc_v_stage = ipc_stage0_gain * ipc_stage0_filter0_section0_y;
             float ipc_v_limited;
             if (magnitude(ipc_v_stage) <= ipc_limit) {
@@ -293,12 +294,12 @@ void axis_f_axis_step(
                 }
                 outputs->limited = true;
             }
-            if (state->ipc_gate >= ipc_fade_cycles) {
+            if (state->ipc_fade >= ipc_fade_cycles) {
                 ipc_v_add = ipc_v_limited;
                 outputs->v_add_calculated = ipc_v_limited;
             } else {
-                if (state->ipc_gate > 0u) {
-                    ipc_v_add = ipc_v_limited * ((float)state->ipc_gate * ipc_fade_step);
+                if (state->ipc_fade > 0u) {
+                    ipc_v_add = ipc_v_limited * ((float)state->ipc_fade * ipc_fade_step);
                 } else {
                     ipc_v_add = 0.0f;
                 }
@@ -492,8 +493,8 @@ uint32_t axis_f_axis_self_test(void)
         digest = axis_fold(digest, outputs.error_id);
         digest = axis_fold(digest, outputs.limited);
         digest = axis_fold(digest, outputs.fault);
-        digest = axis_fold(digest, state.ipc_settled);
-        digest = axis_fold(digest, state.ipc_gate);
+        digest = axis_fold(digest, state.ipc_preset);
+        digest = axis_fold(digest, state.ipc_fade);
         digest = axis_fold(digest, axis_bits_of(state.ipc_stage0_filter0_section0_s1));
         digest = axis_fold(digest, axis_bits_of(state.ipc_stage0_filter0_section0_s2));
         if (digest != expected[sample]) {

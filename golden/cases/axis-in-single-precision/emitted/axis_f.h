@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  a51e4e64fad240bd4128bbecc5fcab95
- * body        de6933206a6e24167f0e2d2bd63634f5
+ * checksum    4f715aa31b8ae159030ff3ba78c8d750
  */
 #ifndef AXIS_F_H
 #define AXIS_F_H
@@ -39,21 +39,21 @@ typedef struct {
     float v_command; /* output of the position controller with feedforward, before v_add is added [um/s or 0.001 deg/s] */
     float v_feedforward; /* conventional feedforward [um/s or 0.001 deg/s] */
     float v_add; /* additive velocity of improved position control; gantry slaves get it as v_add_master [um/s or 0.001 deg/s] */
-    float v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the gate; 0 in OFF [um/s or 0.001 deg/s] */
+    float v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the fade; 0 in OFF [um/s or 0.001 deg/s] */
     float x_drive; /* position control in the drive: the position command of the drive [um or 0.001 deg]; always 0.0f for this axis */
     int32_t manipulated_variable; /* position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments] */
     int32_t xerr; /* PROFIdrive: control deviation XERR, signal 25 (P-AXIS-00092) [increments]; always 0 for this axis */
     int32_t additive_torque; /* additive torque command of the drive (P-AXIS-00325/00326) [increments]; always 0 for this axis */
     int32_t additive_velocity; /* additive velocity command of the drive (P-AXIS-00205 to 00207) [increments]; always 0 for this axis */
-    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator, 17 x_command, 18 x_actual, 22 v_add_master is no usable number; 1, 17, 18 stop the axis, the others only the part that reads it; of several parts the last one's */
+    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator, 17 x_command, 18 x_actual, 22 v_add_master is out of range; 1, 17, 18 stop the axis, the others only the part that reads it; of several parts the last one's */
     bool limited; /* the limit of v_add or a process-data type cuts an output off in this cycle */
     bool fault; /* a part of the block cannot act in this cycle, error_id says why */
 } axis_f_axis_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
-    bool ipc_settled; /* whether the sections have been put to the steady state of an input */
-    uint32_t ipc_gate; /* position of the gate: 0 closed, fade_cycles open */
+    bool ipc_preset; /* whether the sections have been preset to the steady state of an input */
+    uint32_t ipc_fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
     float ipc_stage0_filter0_section0_s1; /* what the next output takes over */
     float ipc_stage0_filter0_section0_s2; /* what `s1` takes over */
 } axis_f_axis_state;

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  34e395339e0520ddd4444822e1ca30ef
- * body        227741c150197bca0a3feaf528c0cffe
+ * checksum    1273dcc1537f476683c1843ffbaa8f8c
  */
 #include "axis_x.h"
 
@@ -76,8 +76,8 @@ static const double ipc_stage1_oscillation_b1 = 0.002262495254415846; /* numerat
 static const double ipc_stage1_oscillation_b2 = -0.051224236102202135; /* numerator: s2 = b2 x - a2 y */
 static const double ipc_stage1_oscillation_a1 = -1.8907640420323482; /* denominator: s1 = b1 x - a1 y + s2 */
 static const double ipc_stage1_oscillation_a2 = 0.8952890325411799; /* denominator: s2 = b2 x - a2 y */
-static const double ipc_stage1_oscillation_settled_s1 = 0.946513268643382; /* 1 - b0: steady s1 for a constant input of 1 */
-static const double ipc_stage1_oscillation_settled_s2 = -0.946513268643382; /* b2 - a2: steady s2 for a constant input of 1 */
+static const double ipc_stage1_oscillation_preset_s1 = 0.946513268643382; /* 1 - b0: steady s1 for a constant input of 1 */
+static const double ipc_stage1_oscillation_preset_s2 = -0.946513268643382; /* b2 - a2: steady s2 for a constant input of 1 */
 
 /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751), quality
  * factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz
@@ -97,7 +97,7 @@ static const double ipc_lower_limit = -530000.0; /* -limit */
 static const double ipc_rest = 4.597017211338539e-13; /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
 
 /* OFF to ON takes 0.1 s (key fade), in cycles */
-static const uint32_t ipc_fade_cycles = 100u; /* cycles that the gate takes from 0 to 1 */
+static const uint32_t ipc_fade_cycles = 100u; /* cycles that the fade takes from 0 to 1 */
 static const double ipc_fade_step = 0.01; /* 1 / fade_cycles */
 
 /* position control in the CNC: Kv = 20/s (P-AXIS-00099) */
@@ -113,7 +113,7 @@ static const double position_control_manipulated_range_lower_limit = -2147483648
 static const double position_control_manipulated_range_upper_limit = 2147483647.4999998; /* largest number that is rounded to the largest value */
 
 /* the same for every axis */
-static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
+static const double sample_limit = 1000000000000000.0; /* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
 static const uint32_t error_x_command = 17u; /* error_id: x_command is not within the sample limit */
 static const uint32_t error_none = 0u; /* error_id: no fault */
 static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
@@ -125,12 +125,12 @@ static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-static const double tiny = 1.0e-30; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
+static const double anti_denormal = 1.0e-30; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 
 void axis_x_axis_init(axis_x_axis_state *state)
 {
-    state->ipc_settled = false;
-    state->ipc_gate = 0u;
+    state->ipc_preset = false;
+    state->ipc_fade = 0u;
 }
 
 void axis_x_axis_inputs_init(axis_x_axis_inputs *inputs)
@@ -157,8 +157,8 @@ void axis_x_axis_step(
     axis_x_axis_outputs *restrict outputs)
 {
     if (!(magnitude(inputs->x_command) <= sample_limit)) {
-        state->ipc_settled = false;
-        state->ipc_gate = 0u;
+        state->ipc_preset = false;
+        state->ipc_fade = 0u;
         outputs->v_feedforward = 0.0;
         outputs->v_add = 0.0;
         outputs->v_add_calculated = 0.0;
@@ -172,8 +172,8 @@ void axis_x_axis_step(
         outputs->fault = true;
         outputs->error_id = error_x_command;
     } else if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
-        state->ipc_settled = false;
-        state->ipc_gate = 0u;
+        state->ipc_preset = false;
+        state->ipc_fade = 0u;
         outputs->v_feedforward = 0.0;
         outputs->v_add = 0.0;
         outputs->v_add_calculated = 0.0;
@@ -187,8 +187,8 @@ void axis_x_axis_step(
         outputs->fault = true;
         outputs->error_id = error_cycle_time;
     } else if (!(magnitude(inputs->x_actual) <= sample_limit)) {
-        state->ipc_settled = false;
-        state->ipc_gate = 0u;
+        state->ipc_preset = false;
+        state->ipc_fade = 0u;
         outputs->v_feedforward = 0.0;
         outputs->v_add = 0.0;
         outputs->v_add_calculated = 0.0;
@@ -202,8 +202,8 @@ void axis_x_axis_step(
         outputs->fault = true;
         outputs->error_id = error_x_actual;
     } else if (!inputs->position_controlled || inputs->reset) {
-        state->ipc_settled = false;
-        state->ipc_gate = 0u;
+        state->ipc_preset = false;
+        state->ipc_fade = 0u;
         outputs->v_feedforward = 0.0;
         outputs->v_add = 0.0;
         outputs->v_add_calculated = 0.0;
@@ -253,20 +253,20 @@ void axis_x_axis_step(
         bool ipc_runs;
         uint32_t ipc_error_id;
         if (magnitude(inputs->v_motor) <= sample_limit && inputs->mode == mode_on
-                && state->ipc_gate >= ipc_fade_cycles) {
+                && state->ipc_fade >= ipc_fade_cycles) {
             ipc_runs = true;
             ipc_error_id = error_none;
         } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
                 && magnitude(inputs->v_motor) <= sample_limit) {
-            if (state->ipc_settled) {
+            if (state->ipc_preset) {
                 if (inputs->mode == mode_on) {
-                    state->ipc_gate = state->ipc_gate + 1u;
+                    state->ipc_fade = state->ipc_fade + 1u;
                 } else {
-                    if (state->ipc_gate > 0u) {
-                        state->ipc_gate = state->ipc_gate - 1u;
+                    if (state->ipc_fade > 0u) {
+                        state->ipc_fade = state->ipc_fade - 1u;
                     }
-                    if (inputs->mode == mode_off && state->ipc_gate == 0u) {
-                        state->ipc_settled = false;
+                    if (inputs->mode == mode_off && state->ipc_fade == 0u) {
+                        state->ipc_preset = false;
                     }
                 }
                 ipc_runs = true;
@@ -281,14 +281,14 @@ void axis_x_axis_step(
                     /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755) */
                     /* simulated oscillation of the load, f0 of the first BANDPASS 11 Hz (P-AXIS-00751), damping ratio 0.8
                      * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-                    state->ipc_stage1_oscillation_s1 = ipc_stage1_oscillation_settled_s1 * inputs->v_motor;
-                    state->ipc_stage1_oscillation_s2 = ipc_stage1_oscillation_settled_s2 * inputs->v_motor;
+                    state->ipc_stage1_oscillation_s1 = ipc_stage1_oscillation_preset_s1 * inputs->v_motor;
+                    state->ipc_stage1_oscillation_s2 = ipc_stage1_oscillation_preset_s2 * inputs->v_motor;
                     /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751),
                      * quality factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz */
                     const double ipc_stage1_filter0_section0_s = ipc_stage1_filter0_bandpass0_b2 * inputs->v_motor;
                     state->ipc_stage1_filter0_section0_s1 = ipc_stage1_filter0_section0_s;
                     state->ipc_stage1_filter0_section0_s2 = ipc_stage1_filter0_section0_s;
-                    state->ipc_settled = true;
+                    state->ipc_preset = true;
                 }
                 ipc_runs = false;
             }
@@ -299,8 +299,8 @@ void axis_x_axis_step(
             } else {
                 ipc_error_id = error_mode;
             }
-            state->ipc_settled = false;
-            state->ipc_gate = 0u;
+            state->ipc_preset = false;
+            state->ipc_fade = 0u;
             ipc_runs = false;
         }
         double ipc_v_add;
@@ -314,7 +314,8 @@ void axis_x_axis_step(
             state->ipc_stage0_filter0_section0_s1 =
                 state->ipc_stage0_filter0_section0_s2 - ipc_stage0_filter0_bandpass0_a1 * ipc_stage0_filter0_section0_y;
             state->ipc_stage0_filter0_section0_s2 =
-                ipc_stage0_filter0_section0_t + tiny - ipc_stage0_filter0_bandpass0_a2 * ipc_stage0_filter0_section0_y;
+                ipc_stage0_filter0_section0_t + anti_denormal
+                    - ipc_stage0_filter0_bandpass0_a2 * ipc_stage0_filter0_section0_y;
             const double ipc_v_stage = ipc_stage0_gain * ipc_stage0_filter0_section0_y;
             /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755) */
             /* simulated oscillation of the load, f0 of the first BANDPASS 11 Hz (P-AXIS-00751), damping ratio 0.8
@@ -325,7 +326,7 @@ void axis_x_axis_step(
                 ipc_stage1_oscillation_b1 * inputs->v_motor - ipc_stage1_oscillation_a1 * ipc_stage1_oscillation_y
                     + state->ipc_stage1_oscillation_s2;
             state->ipc_stage1_oscillation_s2 =
-                ipc_stage1_oscillation_b2 * inputs->v_motor + tiny
+                ipc_stage1_oscillation_b2 * inputs->v_motor + anti_denormal
                     - ipc_stage1_oscillation_a2 * ipc_stage1_oscillation_y;
             /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751),
              * quality factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz */
@@ -335,7 +336,8 @@ void axis_x_axis_step(
             state->ipc_stage1_filter0_section0_s1 =
                 state->ipc_stage1_filter0_section0_s2 - ipc_stage1_filter0_bandpass0_a1 * ipc_stage1_filter0_section0_y;
             state->ipc_stage1_filter0_section0_s2 =
-                ipc_stage1_filter0_section0_t + tiny - ipc_stage1_filter0_bandpass0_a2 * ipc_stage1_filter0_section0_y;
+                ipc_stage1_filter0_section0_t + anti_denormal
+                    - ipc_stage1_filter0_bandpass0_a2 * ipc_stage1_filter0_section0_y;
             const double ipc_v_stage_2 = ipc_stage1_gain * ipc_stage1_filter0_section0_y;
             const double ipc_v_sum = ipc_v_stage + ipc_v_stage_2;
             double ipc_v_limited;
@@ -355,12 +357,12 @@ void axis_x_axis_step(
                 }
                 outputs->limited = true;
             }
-            if (state->ipc_gate >= ipc_fade_cycles) {
+            if (state->ipc_fade >= ipc_fade_cycles) {
                 ipc_v_add = ipc_v_limited;
                 outputs->v_add_calculated = ipc_v_limited;
             } else {
-                if (state->ipc_gate > 0u) {
-                    ipc_v_add = ipc_v_limited * ((double)state->ipc_gate * ipc_fade_step);
+                if (state->ipc_fade > 0u) {
+                    ipc_v_add = ipc_v_limited * ((double)state->ipc_fade * ipc_fade_step);
                 } else {
                     ipc_v_add = 0.0;
                 }
@@ -558,8 +560,8 @@ uint32_t axis_x_axis_self_test(void)
         digest = axis_fold(digest, outputs.error_id);
         digest = axis_fold(digest, outputs.limited);
         digest = axis_fold(digest, outputs.fault);
-        digest = axis_fold(digest, state.ipc_settled);
-        digest = axis_fold(digest, state.ipc_gate);
+        digest = axis_fold(digest, state.ipc_preset);
+        digest = axis_fold(digest, state.ipc_fade);
         digest = axis_fold(digest, axis_bits_of(state.ipc_stage0_filter0_section0_s1));
         digest = axis_fold(digest, axis_bits_of(state.ipc_stage0_filter0_section0_s2));
         digest = axis_fold(digest, axis_bits_of(state.ipc_stage1_oscillation_s1));

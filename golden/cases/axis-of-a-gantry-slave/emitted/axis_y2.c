@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  01b2d560e57f4aac4b6a8e72d07833cb
- * body        02efd87c37ffffb5e2c916e072b7a3a3
+ * checksum    3b762aa0f6bf02700726b0370092a8a1
  */
 #include "axis_y2.h"
 
@@ -67,7 +67,7 @@ static const double position_control_manipulated_range_lower_limit = -2147483648
 static const double position_control_manipulated_range_upper_limit = 2147483647.4999998; /* largest number that is rounded to the largest value */
 
 /* the same for every axis */
-static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
+static const double sample_limit = 1000000000000000.0; /* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
 static const uint32_t error_x_command = 17u; /* error_id: x_command is not within the sample limit */
 static const uint32_t error_none = 0u; /* error_id: no fault */
 static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */

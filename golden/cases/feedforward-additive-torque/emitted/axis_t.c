@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  ab1a45231c68022a5cdf6b2275938f30
- * body        f83849673c3c282d97db5ab28b622592
+ * checksum    d196f7347d9b01693f9123d89929dcd2
  */
 #include "axis_t.h"
 
@@ -71,12 +71,12 @@ static const double torque_range_upper_limit = 32767.499999999996; /* largest nu
 /* the same for every axis */
 static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_none = 0u; /* error_id: no fault */
-static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
+static const double sample_limit = 1000000000000000.0; /* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
 static const uint32_t error_a_interpolator = 15u; /* error_id: a_interpolator is not within the sample limit */
 
 void axis_t_feedforward_init(axis_t_feedforward_state *state)
 {
-    state->settled = false;
+    state->preset = false;
 }
 
 void axis_t_feedforward_inputs_init(axis_t_feedforward_inputs *inputs)
@@ -97,7 +97,7 @@ void axis_t_feedforward_step(
     axis_t_feedforward_outputs *restrict outputs)
 {
     if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
-        state->settled = false;
+        state->preset = false;
         outputs->v_feedforward = 0.0;
         outputs->v_additive = 0.0;
         outputs->additive_velocity = 0;
@@ -108,7 +108,7 @@ void axis_t_feedforward_step(
         outputs->error_id = error_cycle_time;
     } else if (!(magnitude(inputs->a_interpolator) <= sample_limit)) {
         outputs->error_id = error_a_interpolator;
-        state->settled = false;
+        state->preset = false;
         outputs->v_feedforward = 0.0;
         outputs->v_additive = 0.0;
         outputs->additive_velocity = 0;
@@ -117,7 +117,7 @@ void axis_t_feedforward_step(
         outputs->torque_limited = false;
         outputs->fault = true;
     } else if (!inputs->position_controlled || inputs->reset) {
-        state->settled = false;
+        state->preset = false;
         outputs->v_feedforward = 0.0;
         outputs->v_additive = 0.0;
         outputs->additive_velocity = 0;
@@ -141,10 +141,10 @@ void axis_t_feedforward_step(
         }
         outputs->v_feedforward = 0.0;
         const double a = gain_now * inputs->a_interpolator;
-        if (!state->settled) {
+        if (!state->preset) {
             /* delay of 150 us = 0.15 cycles (P-AXIS-00390) */
             state->acceleration_delay_x0 = a;
-            state->settled = true;
+            state->preset = true;
         }
         outputs->v_additive = 0.0;
         outputs->additive_velocity = 0;
@@ -293,7 +293,7 @@ uint32_t axis_t_feedforward_self_test(void)
         digest = feedforward_fold(digest, outputs.torque_limited);
         digest = feedforward_fold(digest, outputs.fault);
         digest = feedforward_fold(digest, outputs.error_id);
-        digest = feedforward_fold(digest, state.settled);
+        digest = feedforward_fold(digest, state.preset);
         digest = feedforward_fold(digest, feedforward_bits_of(state.acceleration_delay_x0));
         if (digest != expected[sample]) {
             return sample + 1u;

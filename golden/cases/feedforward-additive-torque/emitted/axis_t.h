@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  ab1a45231c68022a5cdf6b2275938f30
- * body        f9e825ea9007622f3e33e4bec9f70dfb
+ * checksum    9c1732f382af9358164f6a0e3285ceab
  */
 #ifndef AXIS_T_H
 #define AXIS_T_H
@@ -37,12 +37,12 @@ typedef struct {
     bool velocity_limited; /* the process-data type cuts additive_velocity off in this cycle; always false for this axis */
     bool torque_limited; /* the process-data type cuts additive_torque off in this cycle */
     bool fault; /* the block cannot act in this cycle, error_id says why */
-    uint32_t error_id; /* 0 none, 1 cycle time, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator is no usable number */
+    uint32_t error_id; /* 0 none, 1 cycle time, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator is out of range */
 } axis_t_feedforward_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
-    bool settled; /* whether the delays have been filled */
+    bool preset; /* whether the delays have been filled */
     double acceleration_delay_x0; /* the samples before the present one, the latest first */
 } axis_t_feedforward_state;
 

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  2d93b41dd7a035d030e79ccf0c10fb2e
- * body        3131c79acd7216f40ff3c2f459807191
+ * checksum    e45676a9fc5043d49abf9972997fcae6
  */
 #include "axis_v.h"
 
@@ -71,12 +71,12 @@ static const double velocity_range_upper_limit = 2147483647.4999998; /* largest 
 /* the same for every axis */
 static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_none = 0u; /* error_id: no fault */
-static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
+static const double sample_limit = 1000000000000000.0; /* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
 static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
 
 void axis_v_feedforward_init(axis_v_feedforward_state *state)
 {
-    state->settled = false;
+    state->preset = false;
 }
 
 void axis_v_feedforward_inputs_init(axis_v_feedforward_inputs *inputs)
@@ -97,7 +97,7 @@ void axis_v_feedforward_step(
     axis_v_feedforward_outputs *restrict outputs)
 {
     if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
-        state->settled = false;
+        state->preset = false;
         outputs->v_feedforward = 0.0;
         outputs->v_additive = 0.0;
         outputs->additive_velocity = 0;
@@ -107,7 +107,7 @@ void axis_v_feedforward_step(
         outputs->fault = true;
         outputs->error_id = error_cycle_time;
     } else if (!(magnitude(inputs->v_interpolator) <= sample_limit)) {
-        state->settled = false;
+        state->preset = false;
         outputs->v_feedforward = 0.0;
         outputs->v_additive = 0.0;
         outputs->additive_velocity = 0;
@@ -117,7 +117,7 @@ void axis_v_feedforward_step(
         outputs->fault = true;
         outputs->error_id = error_v_interpolator;
     } else if (!inputs->position_controlled || inputs->reset) {
-        state->settled = false;
+        state->preset = false;
         outputs->v_feedforward = 0.0;
         outputs->v_additive = 0.0;
         outputs->additive_velocity = 0;
@@ -141,10 +141,10 @@ void axis_v_feedforward_step(
         }
         outputs->v_feedforward = 0.0;
         const double v = gain_now * inputs->v_interpolator;
-        if (!state->settled) {
+        if (!state->preset) {
             /* delay of 150 us = 0.15 cycles (P-AXIS-00389) */
             state->velocity_delay_x0 = v;
-            state->settled = true;
+            state->preset = true;
         }
         /* delay of 150 us = 0.15 cycles (P-AXIS-00389) */
         const double velocity_delay_y = velocity_delay_now * v + velocity_delay_before * state->velocity_delay_x0;
@@ -292,7 +292,7 @@ uint32_t axis_v_feedforward_self_test(void)
         digest = feedforward_fold(digest, outputs.torque_limited);
         digest = feedforward_fold(digest, outputs.fault);
         digest = feedforward_fold(digest, outputs.error_id);
-        digest = feedforward_fold(digest, state.settled);
+        digest = feedforward_fold(digest, state.preset);
         digest = feedforward_fold(digest, feedforward_bits_of(state.velocity_delay_x0));
         if (digest != expected[sample]) {
             return sample + 1u;

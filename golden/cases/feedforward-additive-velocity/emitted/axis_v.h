@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  2d93b41dd7a035d030e79ccf0c10fb2e
- * body        d534353fbf5a65fb346e78509d91a8c2
+ * checksum    5bf9565c879d5a97d28aba7a518ae03d
  */
 #ifndef AXIS_V_H
 #define AXIS_V_H
@@ -37,12 +37,12 @@ typedef struct {
     bool velocity_limited; /* the process-data type cuts additive_velocity off in this cycle */
     bool torque_limited; /* the process-data type cuts additive_torque off in this cycle; always false for this axis */
     bool fault; /* the block cannot act in this cycle, error_id says why */
-    uint32_t error_id; /* 0 none, 1 cycle time, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator is no usable number */
+    uint32_t error_id; /* 0 none, 1 cycle time, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator is out of range */
 } axis_v_feedforward_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
-    bool settled; /* whether the delays have been filled */
+    bool preset; /* whether the delays have been filled */
     double velocity_delay_x0; /* the samples before the present one, the latest first */
 } axis_v_feedforward_state;
 

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  39b35044808cb2fb9e32c45a46448f18
- * body        44a382e0348e7fc2987ef72ae38dc7b8
+ * checksum    380964eb726ecaba68f596c421c42a58
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -37,7 +37,7 @@ typedef struct {
     bool velocity_limited; /* the process-data type cuts additive_velocity off in this cycle; always false for this axis */
     bool torque_limited; /* the process-data type cuts additive_torque off in this cycle; always false for this axis */
     bool fault; /* the block cannot act in this cycle, error_id says why */
-    uint32_t error_id; /* 0 none, 1 cycle time, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator is no usable number */
+    uint32_t error_id; /* 0 none, 1 cycle time, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator is out of range */
 } axis_x_feedforward_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  b392536238f99500e428e906914a6271
- * body        40167e6e7564c65d215c3c2d467a071f
+ * checksum    c6883f69b5872e0576b6c79ce322a494
  */
 #include "axis_x.h"
 
@@ -82,14 +82,14 @@ static const double torque_range_upper_limit = 32767.499999999996; /* largest nu
 /* the same for every axis */
 static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_none = 0u; /* error_id: no fault */
-static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
+static const double sample_limit = 1000000000000000.0; /* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
 static const uint32_t error_j_interpolator = 16u; /* error_id: j_interpolator is not within the sample limit */
 static const uint32_t error_a_interpolator = 15u; /* error_id: a_interpolator is not within the sample limit */
 static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
 
 void axis_x_feedforward_init(axis_x_feedforward_state *state)
 {
-    state->settled = false;
+    state->preset = false;
 }
 
 void axis_x_feedforward_inputs_init(axis_x_feedforward_inputs *inputs)
@@ -110,7 +110,7 @@ void axis_x_feedforward_step(
     axis_x_feedforward_outputs *restrict outputs)
 {
     if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
-        state->settled = false;
+        state->preset = false;
         outputs->v_feedforward = 0.0;
         outputs->v_additive = 0.0;
         outputs->additive_velocity = 0;
@@ -128,7 +128,7 @@ void axis_x_feedforward_step(
         } else {
             outputs->error_id = error_a_interpolator;
         }
-        state->settled = false;
+        state->preset = false;
         outputs->v_feedforward = 0.0;
         outputs->v_additive = 0.0;
         outputs->additive_velocity = 0;
@@ -137,7 +137,7 @@ void axis_x_feedforward_step(
         outputs->torque_limited = false;
         outputs->fault = true;
     } else if (!inputs->position_controlled || inputs->reset) {
-        state->settled = false;
+        state->preset = false;
         outputs->v_feedforward = 0.0;
         outputs->v_additive = 0.0;
         outputs->additive_velocity = 0;
@@ -163,7 +163,7 @@ void axis_x_feedforward_step(
         const double v = gain_now * inputs->v_interpolator;
         const double a = gain_now * inputs->a_interpolator;
         const double j = gain_now * inputs->j_interpolator;
-        if (!state->settled) {
+        if (!state->preset) {
             /* delay of 5999 us = 5.999 cycles (P-AXIS-00389) */
             state->velocity_delay_x0 = v;
             state->velocity_delay_x1 = v;
@@ -175,7 +175,7 @@ void axis_x_feedforward_step(
             state->acceleration_delay_x0 = a;
             state->acceleration_delay_x1 = a;
             /* delay of 0 us = 0 cycles (P-AXIS-00547) */
-            state->settled = true;
+            state->preset = true;
         }
         /* delay of 5999 us = 5.999 cycles (P-AXIS-00389) */
         const double velocity_delay_y = state->velocity_delay_x4;
@@ -348,7 +348,7 @@ uint32_t axis_x_feedforward_self_test(void)
         digest = feedforward_fold(digest, outputs.torque_limited);
         digest = feedforward_fold(digest, outputs.fault);
         digest = feedforward_fold(digest, outputs.error_id);
-        digest = feedforward_fold(digest, state.settled);
+        digest = feedforward_fold(digest, state.preset);
         digest = feedforward_fold(digest, feedforward_bits_of(state.velocity_delay_x0));
         digest = feedforward_fold(digest, feedforward_bits_of(state.velocity_delay_x1));
         digest = feedforward_fold(digest, feedforward_bits_of(state.velocity_delay_x2));

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  b392536238f99500e428e906914a6271
- * body        6a07f26ea359a7f292f2b633d528ea16
+ * checksum    8adf7440f283ae993171d1c2b0b00e2e
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -37,12 +37,12 @@ typedef struct {
     bool velocity_limited; /* the process-data type cuts additive_velocity off in this cycle */
     bool torque_limited; /* the process-data type cuts additive_torque off in this cycle */
     bool fault; /* the block cannot act in this cycle, error_id says why */
-    uint32_t error_id; /* 0 none, 1 cycle time, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator is no usable number */
+    uint32_t error_id; /* 0 none, 1 cycle time, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator is out of range */
 } axis_x_feedforward_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
-    bool settled; /* whether the delays have been filled */
+    bool preset; /* whether the delays have been filled */
     double velocity_delay_x0; /* the samples before the present one, the latest first */
     double velocity_delay_x1; /* the samples before the present one, the latest first */
     double velocity_delay_x2; /* the samples before the present one, the latest first */

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  193f65cf41125eb0de2a3a631dc99cd0
- * body        fa2523d85ad52b7e53a4a58554905136
+ * checksum    ed994bbe4699291e6480170d46ff9400
  */
 #include "axis_x.h"
 
@@ -60,7 +60,7 @@ static const double lower_limit = 0.0; /* -limit */
 static const double rest = 4.3368086899420177e-13; /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
 
 /* OFF to ON takes 0.1 s (key fade), in cycles */
-static const uint32_t fade_cycles = 50u; /* cycles that the gate takes from 0 to 1 */
+static const uint32_t fade_cycles = 50u; /* cycles that the fade takes from 0 to 1 */
 static const double fade_step = 0.02; /* 1 / fade_cycles */
 
 /* the same for every axis */
@@ -68,16 +68,16 @@ static const uint32_t error_none = 0u; /* error_id: no fault */
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
+static const double sample_limit = 1000000000000000.0; /* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
 static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-static const double tiny = 1.0e-30; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
+static const double anti_denormal = 1.0e-30; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 
 void axis_x_ipc_init(axis_x_ipc_state *state)
 {
-    state->settled = false;
-    state->gate = 0u;
+    state->preset = false;
+    state->fade = 0u;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
@@ -100,22 +100,22 @@ void axis_x_ipc_step(
     uint32_t error_id;
     if (magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == mode_on && state->gate >= fade_cycles) {
+            && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
         runs = true;
         error_id = error_none;
     } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
             && magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
             && !inputs->reset) {
-        if (state->settled) {
+        if (state->preset) {
             if (inputs->mode == mode_on) {
-                state->gate = state->gate + 1u;
+                state->fade = state->fade + 1u;
             } else {
-                if (state->gate > 0u) {
-                    state->gate = state->gate - 1u;
+                if (state->fade > 0u) {
+                    state->fade = state->fade - 1u;
                 }
-                if (inputs->mode == mode_off && state->gate == 0u) {
-                    state->settled = false;
+                if (inputs->mode == mode_off && state->fade == 0u) {
+                    state->preset = false;
                 }
             }
             runs = true;
@@ -130,7 +130,7 @@ void axis_x_ipc_step(
                 const double stage0_filter0_section1_s = -0.0;
                 state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
                 state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
-                state->settled = true;
+                state->preset = true;
             }
             runs = false;
         }
@@ -145,8 +145,8 @@ void axis_x_ipc_step(
         } else {
             error_id = error_v_motor;
         }
-        state->settled = false;
-        state->gate = 0u;
+        state->preset = false;
+        state->fade = 0u;
         runs = false;
     }
     if (runs) {
@@ -161,13 +161,13 @@ void axis_x_ipc_step(
         state->stage0_filter0_section0_s1 =
             state->stage0_filter0_section0_s2 - stage0_filter0_bandpass0_a1 * stage0_filter0_section0_y;
         state->stage0_filter0_section0_s2 =
-            stage0_filter0_section0_t + tiny - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
+            stage0_filter0_section0_t + anti_denormal - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
         const double stage0_filter0_section1_t = stage0_filter0_bandpass1_b2 * stage0_filter0_section0_y;
         const double stage0_filter0_section1_y = state->stage0_filter0_section1_s1 - stage0_filter0_section1_t;
         state->stage0_filter0_section1_s1 =
             state->stage0_filter0_section1_s2 - stage0_filter0_bandpass1_a1 * stage0_filter0_section1_y;
         state->stage0_filter0_section1_s2 =
-            stage0_filter0_section1_t + tiny - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
+            stage0_filter0_section1_t + anti_denormal - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
         const double v_stage = -stage0_filter0_section1_y;
         double v_limited;
         if (magnitude(v_stage) <= limit) {
@@ -186,12 +186,12 @@ void axis_x_ipc_step(
                 v_limited = 0.0;
             }
         }
-        if (state->gate >= fade_cycles) {
+        if (state->fade >= fade_cycles) {
             outputs->v_add = v_limited;
             outputs->v_add_calculated = v_limited;
         } else {
-            if (state->gate > 0u) {
-                outputs->v_add = v_limited * ((double)state->gate * fade_step);
+            if (state->fade > 0u) {
+                outputs->v_add = v_limited * ((double)state->fade * fade_step);
             } else {
                 outputs->v_add = 0.0;
             }
@@ -328,8 +328,8 @@ uint32_t axis_x_ipc_self_test(void)
         digest = ipc_fold(digest, outputs.limited);
         digest = ipc_fold(digest, outputs.fault);
         digest = ipc_fold(digest, outputs.error_id);
-        digest = ipc_fold(digest, state.settled);
-        digest = ipc_fold(digest, state.gate);
+        digest = ipc_fold(digest, state.preset);
+        digest = ipc_fold(digest, state.fade);
         digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s1));
         digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s2));
         digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section1_s1));

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  62500 ns
  * parameters  d779f62a242bb193795c91e01e9ed760
- * body        3b09606b13ea0b9e5e615abed433e0ca
+ * checksum    cd4a55cbbe370f8245f2b76dd4c8ac74
  */
 #include "axis_x.h"
 
@@ -58,8 +58,8 @@ static const double stage1_oscillation_b1 = 1.9739109582527132e-11; /* numerator
 static const double stage1_oscillation_b2 = -5.026513110095539e-6; /* numerator: s2 = b2 x - a2 y */
 static const double stage1_oscillation_a1 = -1.9999899469145626; /* denominator: s1 = b1 x - a1 y + s2 */
 static const double stage1_oscillation_a2 = 0.9999899469540408; /* denominator: s2 = b2 x - a2 y */
-static const double stage1_oscillation_settled_s1 = 0.9999949734671508; /* 1 - b0: steady s1 for a constant input of 1 */
-static const double stage1_oscillation_settled_s2 = -0.9999949734671508; /* b2 - a2: steady s2 for a constant input of 1 */
+static const double stage1_oscillation_preset_s1 = 0.9999949734671508; /* 1 - b0: steady s1 for a constant input of 1 */
+static const double stage1_oscillation_preset_s2 = -0.9999949734671508; /* b2 - a2: steady s2 for a constant input of 1 */
 
 /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 0.016 Hz (P-AXIS-00751), quality
  * factor 2 (P-AXIS-00752), -3 dB at 0.01249242 and 0.02049242 Hz
@@ -84,7 +84,7 @@ static const double lower_limit = -500000.0; /* -limit */
 static const double rest = 4.3368086899420177e-13; /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
 
 /* OFF to ON takes 62.5 s (one period of the lowest f0), in cycles */
-static const uint32_t fade_cycles = 1000000u; /* cycles that the gate takes from 0 to 1 */
+static const uint32_t fade_cycles = 1000000u; /* cycles that the fade takes from 0 to 1 */
 static const double fade_step = 1.0e-6; /* 1 / fade_cycles */
 
 /* the same for every axis */
@@ -92,16 +92,16 @@ static const uint32_t error_none = 0u; /* error_id: no fault */
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
+static const double sample_limit = 1000000000000000.0; /* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
 static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-static const double tiny = 1.0e-30; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
+static const double anti_denormal = 1.0e-30; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 
 void axis_x_ipc_init(axis_x_ipc_state *state)
 {
-    state->settled = false;
-    state->gate = 0u;
+    state->preset = false;
+    state->fade = 0u;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
@@ -124,22 +124,22 @@ void axis_x_ipc_step(
     uint32_t error_id;
     if (magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == mode_on && state->gate >= fade_cycles) {
+            && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
         runs = true;
         error_id = error_none;
     } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
             && magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
             && !inputs->reset) {
-        if (state->settled) {
+        if (state->preset) {
             if (inputs->mode == mode_on) {
-                state->gate = state->gate + 1u;
+                state->fade = state->fade + 1u;
             } else {
-                if (state->gate > 0u) {
-                    state->gate = state->gate - 1u;
+                if (state->fade > 0u) {
+                    state->fade = state->fade - 1u;
                 }
-                if (inputs->mode == mode_off && state->gate == 0u) {
-                    state->settled = false;
+                if (inputs->mode == mode_off && state->fade == 0u) {
+                    state->preset = false;
                 }
             }
             runs = true;
@@ -154,8 +154,8 @@ void axis_x_ipc_step(
                 /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755) */
                 /* simulated oscillation of the load, f0 of the first BANDPASS 0.016 Hz (P-AXIS-00751), damping ratio
                  * 0.8 (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-                state->stage1_oscillation_s1 = stage1_oscillation_settled_s1 * inputs->v_motor;
-                state->stage1_oscillation_s2 = stage1_oscillation_settled_s2 * inputs->v_motor;
+                state->stage1_oscillation_s1 = stage1_oscillation_preset_s1 * inputs->v_motor;
+                state->stage1_oscillation_s2 = stage1_oscillation_preset_s2 * inputs->v_motor;
                 /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 0.016 Hz (P-AXIS-00751),
                  * quality factor 2 (P-AXIS-00752), -3 dB at 0.01249242 and 0.02049242 Hz */
                 const double stage1_filter0_section0_s = stage1_filter0_bandpass0_b2 * inputs->v_motor;
@@ -164,7 +164,7 @@ void axis_x_ipc_step(
                 const double stage1_filter0_section1_s = -0.0;
                 state->stage1_filter0_section1_s1 = stage1_filter0_section1_s;
                 state->stage1_filter0_section1_s2 = stage1_filter0_section1_s;
-                state->settled = true;
+                state->preset = true;
             }
             runs = false;
         }
@@ -179,8 +179,8 @@ void axis_x_ipc_step(
         } else {
             error_id = error_v_motor;
         }
-        state->settled = false;
-        state->gate = 0u;
+        state->preset = false;
+        state->fade = 0u;
         runs = false;
     }
     if (runs) {
@@ -195,7 +195,7 @@ void axis_x_ipc_step(
         state->stage0_filter0_section0_s1 =
             state->stage0_filter0_section0_s2 - stage0_filter0_bandpass0_a1 * stage0_filter0_section0_y;
         state->stage0_filter0_section0_s2 =
-            stage0_filter0_section0_t + tiny - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
+            stage0_filter0_section0_t + anti_denormal - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
         const double v_stage = stage0_gain * stage0_filter0_section0_y;
         /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755) */
         /* simulated oscillation of the load, f0 of the first BANDPASS 0.016 Hz (P-AXIS-00751), damping ratio
@@ -205,7 +205,7 @@ void axis_x_ipc_step(
             stage1_oscillation_b1 * inputs->v_motor - stage1_oscillation_a1 * stage1_oscillation_y
                 + state->stage1_oscillation_s2;
         state->stage1_oscillation_s2 =
-            stage1_oscillation_b2 * inputs->v_motor + tiny - stage1_oscillation_a2 * stage1_oscillation_y;
+            stage1_oscillation_b2 * inputs->v_motor + anti_denormal - stage1_oscillation_a2 * stage1_oscillation_y;
         /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 0.016 Hz (P-AXIS-00751),
          * quality factor 2 (P-AXIS-00752), -3 dB at 0.01249242 and 0.02049242 Hz */
         const double stage1_filter0_section0_t = stage1_filter0_bandpass0_b2 * stage1_oscillation_y;
@@ -213,13 +213,13 @@ void axis_x_ipc_step(
         state->stage1_filter0_section0_s1 =
             state->stage1_filter0_section0_s2 - stage1_filter0_bandpass0_a1 * stage1_filter0_section0_y;
         state->stage1_filter0_section0_s2 =
-            stage1_filter0_section0_t + tiny - stage1_filter0_bandpass0_a2 * stage1_filter0_section0_y;
+            stage1_filter0_section0_t + anti_denormal - stage1_filter0_bandpass0_a2 * stage1_filter0_section0_y;
         const double stage1_filter0_section1_t = stage1_filter0_bandpass1_b2 * stage1_filter0_section0_y;
         const double stage1_filter0_section1_y = state->stage1_filter0_section1_s1 - stage1_filter0_section1_t;
         state->stage1_filter0_section1_s1 =
             state->stage1_filter0_section1_s2 - stage1_filter0_bandpass1_a1 * stage1_filter0_section1_y;
         state->stage1_filter0_section1_s2 =
-            stage1_filter0_section1_t + tiny - stage1_filter0_bandpass1_a2 * stage1_filter0_section1_y;
+            stage1_filter0_section1_t + anti_denormal - stage1_filter0_bandpass1_a2 * stage1_filter0_section1_y;
         const double v_stage_2 = stage1_gain * stage1_filter0_section1_y;
         const double v_sum = v_stage + v_stage_2;
         double v_limited;
@@ -239,12 +239,12 @@ void axis_x_ipc_step(
                 v_limited = 0.0;
             }
         }
-        if (state->gate >= fade_cycles) {
+        if (state->fade >= fade_cycles) {
             outputs->v_add = v_limited;
             outputs->v_add_calculated = v_limited;
         } else {
-            if (state->gate > 0u) {
-                outputs->v_add = v_limited * ((double)state->gate * fade_step);
+            if (state->fade > 0u) {
+                outputs->v_add = v_limited * ((double)state->fade * fade_step);
             } else {
                 outputs->v_add = 0.0;
             }
@@ -381,8 +381,8 @@ uint32_t axis_x_ipc_self_test(void)
         digest = ipc_fold(digest, outputs.limited);
         digest = ipc_fold(digest, outputs.fault);
         digest = ipc_fold(digest, outputs.error_id);
-        digest = ipc_fold(digest, state.settled);
-        digest = ipc_fold(digest, state.gate);
+        digest = ipc_fold(digest, state.preset);
+        digest = ipc_fold(digest, state.fade);
         digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s1));
         digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s2));
         digest = ipc_fold(digest, ipc_bits_of(state.stage1_oscillation_s1));

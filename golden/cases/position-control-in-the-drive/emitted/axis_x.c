@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  aa35bad67f4ffbca3fef660d77abf5fb
- * body        9a981973be8c40b54fa2139ce3e7fdcb
+ * checksum    d46fbf2b29768bd740f7feb7155d3f1a
  */
 #include "axis_x.h"
 
@@ -64,7 +64,7 @@ static const double velocity_range_lower_limit = -2147483648.4999995; /* smalles
 static const double velocity_range_upper_limit = 2147483647.4999998; /* largest number that is rounded to the largest value */
 
 /* the same for every axis */
-static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
+static const double sample_limit = 1000000000000000.0; /* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
 static const uint32_t error_x_command = 17u; /* error_id: x_command is not within the sample limit */
 static const uint32_t error_none = 0u; /* error_id: no fault */
 static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  aa35bad67f4ffbca3fef660d77abf5fb
- * body        7a250f2eacb45a81328f561ad7ca3ea7
+ * checksum    b1f3ec27a74689bed7fa68b10602e0ef
  */
 #ifndef AXIS_X_H
 #define AXIS_X_H
@@ -39,7 +39,7 @@ typedef struct {
     int32_t additive_torque; /* additive torque command of the drive (P-AXIS-00325/00326) [increments] */
     bool limited; /* a process-data type cuts an output off in this cycle */
     bool fault; /* the block cannot act in this cycle, error_id says why */
-    uint32_t error_id; /* 0 none, 1 cycle time, 17 x_command, 18 x_actual, 19 v_feedforward, 20 v_additive, 21 v_add is no usable number; each of them stops the block */
+    uint32_t error_id; /* 0 none, 1 cycle time, 17 x_command, 18 x_actual, 19 v_feedforward, 20 v_additive, 21 v_add is out of range; each of them stops the block */
 } axis_x_position_control_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */

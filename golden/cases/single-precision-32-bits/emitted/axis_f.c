@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  83aae2ef51a7bbc5c8d99c44ff7bc9b6
- * body        a4c1688aed5372aca126ffd47a818afd
+ * checksum    4a57ef7df694c6897c455023b6bf0417
  */
 #include "axis_f.h"
 
@@ -63,7 +63,7 @@ static const float manipulated_range_lower_limit = -2147483600.0f; /* smallest n
 static const float manipulated_range_upper_limit = 2147483500.0f; /* largest number that is rounded to the largest value */
 
 /* the same for every axis */
-static const float sample_limit = 1000000000.0f; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
+static const float sample_limit = 1000000000.0f; /* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
 static const uint32_t error_x_command = 17u; /* error_id: x_command is not within the sample limit */
 static const uint32_t error_none = 0u; /* error_id: no fault */
 static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */

@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  83aae2ef51a7bbc5c8d99c44ff7bc9b6
- * body        a784174bbe89e0f4c0bc0cf25dd8d3e4
+ * checksum    2d238b0bb321fbd9f87bfcfa5e4b5814
  */
 #ifndef AXIS_F_H
 #define AXIS_F_H
@@ -39,7 +39,7 @@ typedef struct {
     int32_t additive_torque; /* additive torque command of the drive (P-AXIS-00325/00326) [increments]; always 0 for this axis */
     bool limited; /* a process-data type cuts an output off in this cycle */
     bool fault; /* the block cannot act in this cycle, error_id says why */
-    uint32_t error_id; /* 0 none, 1 cycle time, 17 x_command, 18 x_actual, 19 v_feedforward, 20 v_additive, 21 v_add is no usable number; each of them stops the block */
+    uint32_t error_id; /* 0 none, 1 cycle time, 17 x_command, 18 x_actual, 19 v_feedforward, 20 v_additive, 21 v_add is out of range; each of them stops the block */
 } axis_f_position_control_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */

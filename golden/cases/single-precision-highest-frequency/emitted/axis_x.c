@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  87f91c78676cb102a3330a2e3848dcd6
- * body        607398e62409e2dc559ba0bd31c36ca3
+ * checksum    8befa05a0a460cf460e736346e35535d
  */
 #include "axis_x.h"
 
@@ -65,7 +65,7 @@ static const float lower_limit = -500000.0f; /* -limit */
 static const float rest = 4.5474735e-7f; /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
 
 /* OFF to ON takes 0.1 s (key fade), in cycles */
-static const uint32_t fade_cycles = 50u; /* cycles that the gate takes from 0 to 1 */
+static const uint32_t fade_cycles = 50u; /* cycles that the fade takes from 0 to 1 */
 static const float fade_step = 0.02f; /* 1 / fade_cycles */
 
 /* the same for every axis */
@@ -73,16 +73,16 @@ static const uint32_t error_none = 0u; /* error_id: no fault */
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-static const float sample_limit = 1000000000.0f; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
+static const float sample_limit = 1000000000.0f; /* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
 static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_direct = 13u; /* error_id: v_direct is not within the sample limit */
-static const float tiny = 1.0e-18f; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
+static const float anti_denormal = 1.0e-18f; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 
 void axis_x_ipc_init(axis_x_ipc_state *state)
 {
-    state->settled = false;
-    state->gate = 0u;
+    state->preset = false;
+    state->fade = 0u;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
@@ -105,22 +105,22 @@ void axis_x_ipc_step(
     uint32_t error_id;
     if (magnitude(inputs->v_direct) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == mode_on && state->gate >= fade_cycles) {
+            && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
         runs = true;
         error_id = error_none;
     } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
             && magnitude(inputs->v_direct) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
             && !inputs->reset) {
-        if (state->settled) {
+        if (state->preset) {
             if (inputs->mode == mode_on) {
-                state->gate = state->gate + 1u;
+                state->fade = state->fade + 1u;
             } else {
-                if (state->gate > 0u) {
-                    state->gate = state->gate - 1u;
+                if (state->fade > 0u) {
+                    state->fade = state->fade - 1u;
                 }
-                if (inputs->mode == mode_off && state->gate == 0u) {
-                    state->settled = false;
+                if (inputs->mode == mode_off && state->fade == 0u) {
+                    state->preset = false;
                 }
             }
             runs = true;
@@ -138,7 +138,7 @@ void axis_x_ipc_step(
                 const float stage0_filter0_section2_s = -0.0f;
                 state->stage0_filter0_section2_s1 = stage0_filter0_section2_s;
                 state->stage0_filter0_section2_s2 = stage0_filter0_section2_s;
-                state->settled = true;
+                state->preset = true;
             }
             runs = false;
         }
@@ -153,8 +153,8 @@ void axis_x_ipc_step(
         } else {
             error_id = error_v_direct;
         }
-        state->settled = false;
-        state->gate = 0u;
+        state->preset = false;
+        state->fade = 0u;
         runs = false;
     }
     if (runs) {
@@ -169,19 +169,19 @@ void axis_x_ipc_step(
         state->stage0_filter0_section0_s1 =
             state->stage0_filter0_section0_s2 - stage0_filter0_bandpass0_a1 * stage0_filter0_section0_y;
         state->stage0_filter0_section0_s2 =
-            stage0_filter0_section0_t + tiny - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
+            stage0_filter0_section0_t + anti_denormal - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
         const float stage0_filter0_section1_t = stage0_filter0_bandpass1_b2 * stage0_filter0_section0_y;
         const float stage0_filter0_section1_y = state->stage0_filter0_section1_s1 - stage0_filter0_section1_t;
         state->stage0_filter0_section1_s1 =
             state->stage0_filter0_section1_s2 - stage0_filter0_bandpass1_a1 * stage0_filter0_section1_y;
         state->stage0_filter0_section1_s2 =
-            stage0_filter0_section1_t + tiny - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
+            stage0_filter0_section1_t + anti_denormal - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
         const float stage0_filter0_section2_t = stage0_filter0_bandpass2_b2 * stage0_filter0_section1_y;
         const float stage0_filter0_section2_y = state->stage0_filter0_section2_s1 - stage0_filter0_section2_t;
         state->stage0_filter0_section2_s1 =
             state->stage0_filter0_section2_s2 - stage0_filter0_bandpass2_a1 * stage0_filter0_section2_y;
         state->stage0_filter0_section2_s2 =
-            stage0_filter0_section2_t + tiny - stage0_filter0_bandpass2_a2 * stage0_filter0_section2_y;
+            stage0_filter0_section2_t + anti_denormal - stage0_filter0_bandpass2_a2 * stage0_filter0_section2_y;
         const float v_stage = -stage0_filter0_section2_y;
         float v_limited;
         if (magnitude(v_stage) <= limit) {
@@ -200,12 +200,12 @@ void axis_x_ipc_step(
                 v_limited = 0.0f;
             }
         }
-        if (state->gate >= fade_cycles) {
+        if (state->fade >= fade_cycles) {
             outputs->v_add = v_limited;
             outputs->v_add_calculated = v_limited;
         } else {
-            if (state->gate > 0u) {
-                outputs->v_add = v_limited * ((float)state->gate * fade_step);
+            if (state->fade > 0u) {
+                outputs->v_add = v_limited * ((float)state->fade * fade_step);
             } else {
                 outputs->v_add = 0.0f;
             }
@@ -338,8 +338,8 @@ uint32_t axis_x_ipc_self_test(void)
         digest = ipc_fold(digest, outputs.limited);
         digest = ipc_fold(digest, outputs.fault);
         digest = ipc_fold(digest, outputs.error_id);
-        digest = ipc_fold(digest, state.settled);
-        digest = ipc_fold(digest, state.gate);
+        digest = ipc_fold(digest, state.preset);
+        digest = ipc_fold(digest, state.fade);
         digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s1));
         digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s2));
         digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section1_s1));

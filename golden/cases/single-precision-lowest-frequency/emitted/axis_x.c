@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  62500 ns
  * parameters  bad0c99249e15f6dcaf94ab9de408464
- * body        49bea3a5e15ce9e7baccbdbfeb091fe8
+ * checksum    883f646f32e534439894f793ed13afa1
  */
 #include "axis_x.h"
 
@@ -47,8 +47,8 @@ static const float stage0_oscillation_b1 = 0.001936788f; /* numerator: s1 = b1 x
 static const float stage0_oscillation_b2 = -0.017520484f; /* numerator: s2 = b2 x - a2 y */
 static const float stage0_oscillation_a1 = -1.9591486f; /* denominator: s1 = b1 x - a1 y + s2 */
 static const float stage0_oscillation_a2 = 0.96302223f; /* denominator: s2 = b2 x - a2 y */
-static const float stage0_oscillation_settled_s1 = 0.9805427f; /* 1 - b0: steady s1 for a constant input of 1 */
-static const float stage0_oscillation_settled_s2 = -0.9805427f; /* b2 - a2: steady s2 for a constant input of 1 */
+static const float stage0_oscillation_preset_s1 = 0.9805427f; /* 1 - b0: steady s1 for a constant input of 1 */
+static const float stage0_oscillation_preset_s2 = -0.9805427f; /* b2 - a2: steady s2 for a constant input of 1 */
 
 /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 160 Hz (P-AXIS-00751), quality factor 8
  * (P-AXIS-00752), -3 dB at 150.3118 and 170.3118 Hz
@@ -75,7 +75,7 @@ static const float lower_limit = -500000.0f; /* -limit */
 static const float rest = 4.5474735e-7f; /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
 
 /* OFF to ON takes 0.01 s (key fade), in cycles */
-static const uint32_t fade_cycles = 160u; /* cycles that the gate takes from 0 to 1 */
+static const uint32_t fade_cycles = 160u; /* cycles that the fade takes from 0 to 1 */
 static const float fade_step = 0.00625f; /* 1 / fade_cycles */
 
 /* the same for every axis */
@@ -83,16 +83,16 @@ static const uint32_t error_none = 0u; /* error_id: no fault */
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-static const float sample_limit = 1000000000.0f; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
+static const float sample_limit = 1000000000.0f; /* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
 static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-static const float tiny = 1.0e-18f; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
+static const float anti_denormal = 1.0e-18f; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 
 void axis_x_ipc_init(axis_x_ipc_state *state)
 {
-    state->settled = false;
-    state->gate = 0u;
+    state->preset = false;
+    state->fade = 0u;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
@@ -115,22 +115,22 @@ void axis_x_ipc_step(
     uint32_t error_id;
     if (magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == mode_on && state->gate >= fade_cycles) {
+            && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
         runs = true;
         error_id = error_none;
     } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
             && magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
             && !inputs->reset) {
-        if (state->settled) {
+        if (state->preset) {
             if (inputs->mode == mode_on) {
-                state->gate = state->gate + 1u;
+                state->fade = state->fade + 1u;
             } else {
-                if (state->gate > 0u) {
-                    state->gate = state->gate - 1u;
+                if (state->fade > 0u) {
+                    state->fade = state->fade - 1u;
                 }
-                if (inputs->mode == mode_off && state->gate == 0u) {
-                    state->settled = false;
+                if (inputs->mode == mode_off && state->fade == 0u) {
+                    state->preset = false;
                 }
             }
             runs = true;
@@ -139,8 +139,8 @@ void axis_x_ipc_step(
                 /* INDIRECT (P-AXIS-00753) from v_motor, weight 100/100 = 1 (P-AXIS-00754/00755) */
                 /* simulated oscillation of the load, f0 of the first BANDPASS 160 Hz (P-AXIS-00751), damping ratio 0.3
                  * (P-AXIS-00850): gain 1 at DC, 1.943651 and -59.03624 deg at f0 */
-                state->stage0_oscillation_s1 = stage0_oscillation_settled_s1 * inputs->v_motor;
-                state->stage0_oscillation_s2 = stage0_oscillation_settled_s2 * inputs->v_motor;
+                state->stage0_oscillation_s1 = stage0_oscillation_preset_s1 * inputs->v_motor;
+                state->stage0_oscillation_s2 = stage0_oscillation_preset_s2 * inputs->v_motor;
                 /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 160 Hz (P-AXIS-00751),
                  * quality factor 8 (P-AXIS-00752), -3 dB at 150.3118 and 170.3118 Hz */
                 const float stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_motor;
@@ -152,7 +152,7 @@ void axis_x_ipc_step(
                 const float stage0_filter0_section2_s = -0.0f;
                 state->stage0_filter0_section2_s1 = stage0_filter0_section2_s;
                 state->stage0_filter0_section2_s2 = stage0_filter0_section2_s;
-                state->settled = true;
+                state->preset = true;
             }
             runs = false;
         }
@@ -167,8 +167,8 @@ void axis_x_ipc_step(
         } else {
             error_id = error_v_motor;
         }
-        state->settled = false;
-        state->gate = 0u;
+        state->preset = false;
+        state->fade = 0u;
         runs = false;
     }
     if (runs) {
@@ -183,7 +183,7 @@ void axis_x_ipc_step(
             stage0_oscillation_b1 * inputs->v_motor - stage0_oscillation_a1 * stage0_oscillation_y
                 + state->stage0_oscillation_s2;
         state->stage0_oscillation_s2 =
-            stage0_oscillation_b2 * inputs->v_motor + tiny - stage0_oscillation_a2 * stage0_oscillation_y;
+            stage0_oscillation_b2 * inputs->v_motor + anti_denormal - stage0_oscillation_a2 * stage0_oscillation_y;
         /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 160 Hz (P-AXIS-00751),
          * quality factor 8 (P-AXIS-00752), -3 dB at 150.3118 and 170.3118 Hz */
         const float stage0_filter0_section0_t = stage0_filter0_bandpass0_b2 * stage0_oscillation_y;
@@ -191,19 +191,19 @@ void axis_x_ipc_step(
         state->stage0_filter0_section0_s1 =
             state->stage0_filter0_section0_s2 - stage0_filter0_bandpass0_a1 * stage0_filter0_section0_y;
         state->stage0_filter0_section0_s2 =
-            stage0_filter0_section0_t + tiny - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
+            stage0_filter0_section0_t + anti_denormal - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
         const float stage0_filter0_section1_t = stage0_filter0_bandpass1_b2 * stage0_filter0_section0_y;
         const float stage0_filter0_section1_y = state->stage0_filter0_section1_s1 - stage0_filter0_section1_t;
         state->stage0_filter0_section1_s1 =
             state->stage0_filter0_section1_s2 - stage0_filter0_bandpass1_a1 * stage0_filter0_section1_y;
         state->stage0_filter0_section1_s2 =
-            stage0_filter0_section1_t + tiny - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
+            stage0_filter0_section1_t + anti_denormal - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
         const float stage0_filter0_section2_t = stage0_filter0_bandpass2_b2 * stage0_filter0_section1_y;
         const float stage0_filter0_section2_y = state->stage0_filter0_section2_s1 - stage0_filter0_section2_t;
         state->stage0_filter0_section2_s1 =
             state->stage0_filter0_section2_s2 - stage0_filter0_bandpass2_a1 * stage0_filter0_section2_y;
         state->stage0_filter0_section2_s2 =
-            stage0_filter0_section2_t + tiny - stage0_filter0_bandpass2_a2 * stage0_filter0_section2_y;
+            stage0_filter0_section2_t + anti_denormal - stage0_filter0_bandpass2_a2 * stage0_filter0_section2_y;
         const float v_stage = -stage0_filter0_section2_y;
         float v_limited;
         if (magnitude(v_stage) <= limit) {
@@ -222,12 +222,12 @@ void axis_x_ipc_step(
                 v_limited = 0.0f;
             }
         }
-        if (state->gate >= fade_cycles) {
+        if (state->fade >= fade_cycles) {
             outputs->v_add = v_limited;
             outputs->v_add_calculated = v_limited;
         } else {
-            if (state->gate > 0u) {
-                outputs->v_add = v_limited * ((float)state->gate * fade_step);
+            if (state->fade > 0u) {
+                outputs->v_add = v_limited * ((float)state->fade * fade_step);
             } else {
                 outputs->v_add = 0.0f;
             }
@@ -360,8 +360,8 @@ uint32_t axis_x_ipc_self_test(void)
         digest = ipc_fold(digest, outputs.limited);
         digest = ipc_fold(digest, outputs.fault);
         digest = ipc_fold(digest, outputs.error_id);
-        digest = ipc_fold(digest, state.settled);
-        digest = ipc_fold(digest, state.gate);
+        digest = ipc_fold(digest, state.preset);
+        digest = ipc_fold(digest, state.fade);
         digest = ipc_fold(digest, ipc_bits_of(state.stage0_oscillation_s1));
         digest = ipc_fold(digest, ipc_bits_of(state.stage0_oscillation_s2));
         digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s1));

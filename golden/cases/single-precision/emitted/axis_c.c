@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  0b73ef9889eaa78feb24d16a4842c593
- * body        8151cb6f6362338707ca401c43d2f91b
+ * checksum    c806455be44dff40fc7bc552a0b451db
  */
 #include "axis_c.h"
 
@@ -73,8 +73,8 @@ static const float stage1_oscillation_b1 = 0.0056082522f; /* numerator: s1 = b1 
 static const float stage1_oscillation_b2 = -0.0685304f; /* numerator: s2 = b2 x - a2 y */
 static const float stage1_oscillation_a1 = -1.8461144f; /* denominator: s1 = b1 x - a1 y + s2 */
 static const float stage1_oscillation_a2 = 0.8573309f; /* denominator: s2 = b2 x - a2 y */
-static const float stage1_oscillation_settled_s1 = 0.92586136f; /* 1 - b0: steady s1 for a constant input of 1 */
-static const float stage1_oscillation_settled_s2 = -0.92586136f; /* b2 - a2: steady s2 for a constant input of 1 */
+static const float stage1_oscillation_preset_s1 = 0.92586136f; /* 1 - b0: steady s1 for a constant input of 1 */
+static const float stage1_oscillation_preset_s2 = -0.92586136f; /* b2 - a2: steady s2 for a constant input of 1 */
 
 /* BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 17.5 Hz (P-AXIS-00751), quality
  * factor 3 (P-AXIS-00752), -3 dB at 14.82376 and 20.65709 Hz
@@ -99,8 +99,8 @@ static const float stage2_oscillation_b1 = 0.060748015f; /* numerator: s1 = b1 x
 static const float stage2_oscillation_b2 = -0.20806876f; /* numerator: s2 = b2 x - a2 y */
 static const float stage2_oscillation_a1 = -1.4016185f; /* denominator: s1 = b1 x - a1 y + s2 */
 static const float stage2_oscillation_a2 = 0.5231145f; /* denominator: s2 = b2 x - a2 y */
-static const float stage2_oscillation_settled_s1 = 0.73118323f; /* 1 - b0: steady s1 for a constant input of 1 */
-static const float stage2_oscillation_settled_s2 = -0.73118323f; /* b2 - a2: steady s2 for a constant input of 1 */
+static const float stage2_oscillation_preset_s1 = 0.73118323f; /* 1 - b0: steady s1 for a constant input of 1 */
+static const float stage2_oscillation_preset_s2 = -0.73118323f; /* b2 - a2: steady s2 for a constant input of 1 */
 
 /* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 64 Hz (P-AXIS-00751), quality factor 5
  * (P-AXIS-00752), -3 dB at 57.90185 and 70.70185 Hz
@@ -125,7 +125,7 @@ static const float lower_limit = -18000.0f; /* -limit */
 static const float rest = 1.6370905e-7f; /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
 
 /* OFF to ON takes 0.1 s (key fade), in cycles */
-static const uint32_t fade_cycles = 100u; /* cycles that the gate takes from 0 to 1 */
+static const uint32_t fade_cycles = 100u; /* cycles that the fade takes from 0 to 1 */
 static const float fade_step = 0.01f; /* 1 / fade_cycles */
 
 /* the same for every axis */
@@ -133,17 +133,17 @@ static const uint32_t error_none = 0u; /* error_id: no fault */
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-static const float sample_limit = 1000000000.0f; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
+static const float sample_limit = 1000000000.0f; /* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
 static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_command = 11u; /* error_id: v_command is not within the sample limit */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-static const float tiny = 1.0e-18f; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
+static const float anti_denormal = 1.0e-18f; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 
 void axis_c_ipc_init(axis_c_ipc_state *state)
 {
-    state->settled = false;
-    state->gate = 0u;
+    state->preset = false;
+    state->fade = 0u;
 }
 
 void axis_c_ipc_inputs_init(axis_c_ipc_inputs *inputs)
@@ -166,22 +166,22 @@ void axis_c_ipc_step(
     uint32_t error_id;
     if (magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == mode_on && state->gate >= fade_cycles) {
+            && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
         runs = true;
         error_id = error_none;
     } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
             && magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
             && !inputs->reset) {
-        if (state->settled) {
+        if (state->preset) {
             if (inputs->mode == mode_on) {
-                state->gate = state->gate + 1u;
+                state->fade = state->fade + 1u;
             } else {
-                if (state->gate > 0u) {
-                    state->gate = state->gate - 1u;
+                if (state->fade > 0u) {
+                    state->fade = state->fade - 1u;
                 }
-                if (inputs->mode == mode_off && state->gate == 0u) {
-                    state->settled = false;
+                if (inputs->mode == mode_off && state->fade == 0u) {
+                    state->preset = false;
                 }
             }
             runs = true;
@@ -207,8 +207,8 @@ void axis_c_ipc_step(
                 /* INDIRECT (P-AXIS-00753) from v_motor, weight 120/100 = 1.2 (P-AXIS-00754/00755) */
                 /* simulated oscillation of the load, f0 of the first BANDPASS 17.5 Hz (P-AXIS-00751), damping ratio
                  * 0.7 (P-AXIS-00850): gain 1 at DC, 1.228904 and -35.53768 deg at f0 */
-                state->stage1_oscillation_s1 = stage1_oscillation_settled_s1 * inputs->v_motor;
-                state->stage1_oscillation_s2 = stage1_oscillation_settled_s2 * inputs->v_motor;
+                state->stage1_oscillation_s1 = stage1_oscillation_preset_s1 * inputs->v_motor;
+                state->stage1_oscillation_s2 = stage1_oscillation_preset_s2 * inputs->v_motor;
                 /* BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 17.5 Hz (P-AXIS-00751),
                  * quality factor 3 (P-AXIS-00752), -3 dB at 14.82376 and 20.65709 Hz */
                 const float stage1_filter0_section0_s = stage1_filter0_bandpass0_b2 * inputs->v_motor;
@@ -220,8 +220,8 @@ void axis_c_ipc_step(
                 /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755) */
                 /* simulated oscillation of the load, f0 of the first BANDPASS 64 Hz (P-AXIS-00751), damping ratio 0.8
                  * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-                state->stage2_oscillation_s1 = stage2_oscillation_settled_s1 * inputs->v_command;
-                state->stage2_oscillation_s2 = stage2_oscillation_settled_s2 * inputs->v_command;
+                state->stage2_oscillation_s1 = stage2_oscillation_preset_s1 * inputs->v_command;
+                state->stage2_oscillation_s2 = stage2_oscillation_preset_s2 * inputs->v_command;
                 /* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 64 Hz (P-AXIS-00751), quality
                  * factor 5 (P-AXIS-00752), -3 dB at 57.90185 and 70.70185 Hz */
                 const float stage2_filter0_section0_s = stage2_filter0_bandpass0_b2 * inputs->v_command;
@@ -230,7 +230,7 @@ void axis_c_ipc_step(
                 const float stage2_filter0_section1_s = -0.0f;
                 state->stage2_filter0_section1_s1 = stage2_filter0_section1_s;
                 state->stage2_filter0_section1_s2 = stage2_filter0_section1_s;
-                state->settled = true;
+                state->preset = true;
             }
             runs = false;
         }
@@ -247,8 +247,8 @@ void axis_c_ipc_step(
         } else {
             error_id = error_v_motor;
         }
-        state->settled = false;
-        state->gate = 0u;
+        state->preset = false;
+        state->fade = 0u;
         runs = false;
     }
     if (runs) {
@@ -263,19 +263,19 @@ void axis_c_ipc_step(
         state->stage0_filter0_section0_s1 =
             state->stage0_filter0_section0_s2 - stage0_filter0_bandpass0_a1 * stage0_filter0_section0_y;
         state->stage0_filter0_section0_s2 =
-            stage0_filter0_section0_t + tiny - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
+            stage0_filter0_section0_t + anti_denormal - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
         const float stage0_filter0_section1_t = stage0_filter0_bandpass1_b2 * stage0_filter0_section0_y;
         const float stage0_filter0_section1_y = state->stage0_filter0_section1_s1 - stage0_filter0_section1_t;
         state->stage0_filter0_section1_s1 =
             state->stage0_filter0_section1_s2 - stage0_filter0_bandpass1_a1 * stage0_filter0_section1_y;
         state->stage0_filter0_section1_s2 =
-            stage0_filter0_section1_t + tiny - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
+            stage0_filter0_section1_t + anti_denormal - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
         const float stage0_filter0_section2_t = stage0_filter0_bandpass2_b2 * stage0_filter0_section1_y;
         const float stage0_filter0_section2_y = state->stage0_filter0_section2_s1 - stage0_filter0_section2_t;
         state->stage0_filter0_section2_s1 =
             state->stage0_filter0_section2_s2 - stage0_filter0_bandpass2_a1 * stage0_filter0_section2_y;
         state->stage0_filter0_section2_s2 =
-            stage0_filter0_section2_t + tiny - stage0_filter0_bandpass2_a2 * stage0_filter0_section2_y;
+            stage0_filter0_section2_t + anti_denormal - stage0_filter0_bandpass2_a2 * stage0_filter0_section2_y;
         /* ALLPASS (P-AXIS-00849): -180 deg at 48 Hz (P-AXIS-00751), quality factor 3 (P-AXIS-00752), -90 deg
          * at 40.64203 and -270 deg at 56.64203 Hz */
         const float stage0_filter1_section0_y =
@@ -284,7 +284,7 @@ void axis_c_ipc_step(
             stage0_filter1_allpass_a1 * (stage0_filter0_section2_y - stage0_filter1_section0_y)
                 + state->stage0_filter1_section0_s2;
         state->stage0_filter1_section0_s2 =
-            stage0_filter0_section2_y + tiny - stage0_filter1_allpass_a2 * stage0_filter1_section0_y;
+            stage0_filter0_section2_y + anti_denormal - stage0_filter1_allpass_a2 * stage0_filter1_section0_y;
         const float v_stage = stage0_gain * stage0_filter1_section0_y;
         /* INDIRECT (P-AXIS-00753) from v_motor, weight 120/100 = 1.2 (P-AXIS-00754/00755) */
         /* simulated oscillation of the load, f0 of the first BANDPASS 17.5 Hz (P-AXIS-00751), damping ratio
@@ -294,7 +294,7 @@ void axis_c_ipc_step(
             stage1_oscillation_b1 * inputs->v_motor - stage1_oscillation_a1 * stage1_oscillation_y
                 + state->stage1_oscillation_s2;
         state->stage1_oscillation_s2 =
-            stage1_oscillation_b2 * inputs->v_motor + tiny - stage1_oscillation_a2 * stage1_oscillation_y;
+            stage1_oscillation_b2 * inputs->v_motor + anti_denormal - stage1_oscillation_a2 * stage1_oscillation_y;
         /* BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 17.5 Hz (P-AXIS-00751),
          * quality factor 3 (P-AXIS-00752), -3 dB at 14.82376 and 20.65709 Hz */
         const float stage1_filter0_section0_t = stage1_filter0_bandpass0_b2 * stage1_oscillation_y;
@@ -302,13 +302,13 @@ void axis_c_ipc_step(
         state->stage1_filter0_section0_s1 =
             state->stage1_filter0_section0_s2 - stage1_filter0_bandpass0_a1 * stage1_filter0_section0_y;
         state->stage1_filter0_section0_s2 =
-            stage1_filter0_section0_t + tiny - stage1_filter0_bandpass0_a2 * stage1_filter0_section0_y;
+            stage1_filter0_section0_t + anti_denormal - stage1_filter0_bandpass0_a2 * stage1_filter0_section0_y;
         const float stage1_filter0_section1_t = stage1_filter0_bandpass1_b2 * stage1_filter0_section0_y;
         const float stage1_filter0_section1_y = state->stage1_filter0_section1_s1 - stage1_filter0_section1_t;
         state->stage1_filter0_section1_s1 =
             state->stage1_filter0_section1_s2 - stage1_filter0_bandpass1_a1 * stage1_filter0_section1_y;
         state->stage1_filter0_section1_s2 =
-            stage1_filter0_section1_t + tiny - stage1_filter0_bandpass1_a2 * stage1_filter0_section1_y;
+            stage1_filter0_section1_t + anti_denormal - stage1_filter0_bandpass1_a2 * stage1_filter0_section1_y;
         const float v_stage_2 = stage1_gain * stage1_filter0_section1_y;
         const float v_sum = v_stage + v_stage_2;
         /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755) */
@@ -319,7 +319,7 @@ void axis_c_ipc_step(
             stage2_oscillation_b1 * inputs->v_command - stage2_oscillation_a1 * stage2_oscillation_y
                 + state->stage2_oscillation_s2;
         state->stage2_oscillation_s2 =
-            stage2_oscillation_b2 * inputs->v_command + tiny - stage2_oscillation_a2 * stage2_oscillation_y;
+            stage2_oscillation_b2 * inputs->v_command + anti_denormal - stage2_oscillation_a2 * stage2_oscillation_y;
         /* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 64 Hz (P-AXIS-00751), quality
          * factor 5 (P-AXIS-00752), -3 dB at 57.90185 and 70.70185 Hz */
         const float stage2_filter0_section0_t = stage2_filter0_bandpass0_b2 * stage2_oscillation_y;
@@ -327,13 +327,13 @@ void axis_c_ipc_step(
         state->stage2_filter0_section0_s1 =
             state->stage2_filter0_section0_s2 - stage2_filter0_bandpass0_a1 * stage2_filter0_section0_y;
         state->stage2_filter0_section0_s2 =
-            stage2_filter0_section0_t + tiny - stage2_filter0_bandpass0_a2 * stage2_filter0_section0_y;
+            stage2_filter0_section0_t + anti_denormal - stage2_filter0_bandpass0_a2 * stage2_filter0_section0_y;
         const float stage2_filter0_section1_t = stage2_filter0_bandpass1_b2 * stage2_filter0_section0_y;
         const float stage2_filter0_section1_y = state->stage2_filter0_section1_s1 - stage2_filter0_section1_t;
         state->stage2_filter0_section1_s1 =
             state->stage2_filter0_section1_s2 - stage2_filter0_bandpass1_a1 * stage2_filter0_section1_y;
         state->stage2_filter0_section1_s2 =
-            stage2_filter0_section1_t + tiny - stage2_filter0_bandpass1_a2 * stage2_filter0_section1_y;
+            stage2_filter0_section1_t + anti_denormal - stage2_filter0_bandpass1_a2 * stage2_filter0_section1_y;
         const float v_stage_3 = stage2_gain * stage2_filter0_section1_y;
         const float v_sum_2 = v_sum + v_stage_3;
         float v_limited;
@@ -353,12 +353,12 @@ void axis_c_ipc_step(
                 v_limited = 0.0f;
             }
         }
-        if (state->gate >= fade_cycles) {
+        if (state->fade >= fade_cycles) {
             outputs->v_add = v_limited;
             outputs->v_add_calculated = v_limited;
         } else {
-            if (state->gate > 0u) {
-                outputs->v_add = v_limited * ((float)state->gate * fade_step);
+            if (state->fade > 0u) {
+                outputs->v_add = v_limited * ((float)state->fade * fade_step);
             } else {
                 outputs->v_add = 0.0f;
             }
@@ -491,8 +491,8 @@ uint32_t axis_c_ipc_self_test(void)
         digest = ipc_fold(digest, outputs.limited);
         digest = ipc_fold(digest, outputs.fault);
         digest = ipc_fold(digest, outputs.error_id);
-        digest = ipc_fold(digest, state.settled);
-        digest = ipc_fold(digest, state.gate);
+        digest = ipc_fold(digest, state.preset);
+        digest = ipc_fold(digest, state.fade);
         digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s1));
         digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s2));
         digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section1_s1));

@@ -4,7 +4,7 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  0b73ef9889eaa78feb24d16a4842c593
- * body        ffed93682083bdb358cf657f3d62e62e
+ * checksum    3af1a461f2fd032d437839cedcb52f90
  */
 #ifndef AXIS_C_H
 #define AXIS_C_H
@@ -43,16 +43,16 @@ typedef struct {
 /* Written by axis_c_ipc_step. */
 typedef struct {
     float v_add; /* velocity to add to the manipulated variable [um/s or 0.001 deg/s] */
-    float v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the gate; 0 in OFF [um/s or 0.001 deg/s] */
+    float v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the fade; 0 in OFF [um/s or 0.001 deg/s] */
     bool limited; /* the limit (P-AXIS-00757 of P-AXIS-00212) acts in this cycle */
     bool fault; /* the block cannot act in this cycle, error_id says why */
-    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct is no usable number, 70600 enabled on a gantry slave */
+    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct is out of range, 70600 enabled on a gantry slave */
 } axis_c_ipc_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
-    bool settled; /* whether the sections have been put to the steady state of an input */
-    uint32_t gate; /* position of the gate: 0 closed, fade_cycles open */
+    bool preset; /* whether the sections have been preset to the steady state of an input */
+    uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
     float stage0_filter0_section0_s1; /* what the next output takes over */
     float stage0_filter0_section0_s2; /* what `s1` takes over */
     float stage0_filter0_section1_s1; /* what the next output takes over */

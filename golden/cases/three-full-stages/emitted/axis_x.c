@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  fe27a53621d21cb7269ec91c9ce5f9db
- * body        952ac40500ad632e854a99a501f0b0e7
+ * checksum    3c7471241d49937a054cf4bd3738aff9
  */
 #include "axis_x.h"
 
@@ -73,14 +73,14 @@ static const double stage1_oscillation_b1 = 0.002262495254415846; /* numerator: 
 static const double stage1_oscillation_b2 = -0.051224236102202135; /* numerator: s2 = b2 x - a2 y */
 static const double stage1_oscillation_a1 = -1.8907640420323482; /* denominator: s1 = b1 x - a1 y + s2 */
 static const double stage1_oscillation_a2 = 0.8952890325411799; /* denominator: s2 = b2 x - a2 y */
-static const double stage1_oscillation_settled_s1 = 0.946513268643382; /* 1 - b0: steady s1 for a constant input of 1 */
-static const double stage1_oscillation_settled_s2 = -0.946513268643382; /* b2 - a2: steady s2 for a constant input of 1 */
+static const double stage1_oscillation_preset_s1 = 0.946513268643382; /* 1 - b0: steady s1 for a constant input of 1 */
+static const double stage1_oscillation_preset_s2 = -0.946513268643382; /* b2 - a2: steady s2 for a constant input of 1 */
 
 /* ALLPASS (P-AXIS-00849): -180 deg at 7.2 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg at
  * 5.621441 and -270 deg at 9.221441 Hz */
 static const double stage1_filter0_allpass_a1 = -1.9756092212385525; /* numerator and denominator: s1 = a1 x - a1 y + s2 */
 static const double stage1_filter0_allpass_a2 = 0.9776325491216218; /* numerator and denominator: y = a2 x + s1, s2 = x - a2 y */
-static const double stage1_filter0_allpass_settled = 0.022367450878378214; /* 1 - a2: steady s1 and s2 for a constant input of 1 */
+static const double stage1_filter0_allpass_preset = 0.022367450878378214; /* 1 - a2: steady s1 and s2 for a constant input of 1 */
 
 /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751), quality
  * factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz
@@ -110,8 +110,8 @@ static const double stage2_oscillation_b1 = 0.14060417735538597; /* numerator: s
 static const double stage2_oscillation_b2 = -0.026490461888555295; /* numerator: s2 = b2 x - a2 y */
 static const double stage2_oscillation_a1 = -1.5252065441567315; /* denominator: s1 = b1 x - a1 y + s2 */
 static const double stage2_oscillation_a2 = 0.8064148988675034; /* denominator: s2 = b2 x - a2 y */
-static const double stage2_oscillation_settled_s1 = 0.8329053607560587; /* 1 - b0: steady s1 for a constant input of 1 */
-static const double stage2_oscillation_settled_s2 = -0.8329053607560587; /* b2 - a2: steady s2 for a constant input of 1 */
+static const double stage2_oscillation_preset_s1 = 0.8329053607560587; /* 1 - b0: steady s1 for a constant input of 1 */
+static const double stage2_oscillation_preset_s2 = -0.8329053607560587; /* b2 - a2: steady s2 for a constant input of 1 */
 
 /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 90 Hz (P-AXIS-00751), quality factor
  * 4.5 (P-AXIS-00752), -3 dB at 80.49367 and 100.4937 Hz
@@ -146,7 +146,7 @@ static const double lower_limit = -500000.0; /* -limit */
 static const double rest = 4.3368086899420177e-13; /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
 
 /* OFF to ON takes 0.1388889 s (one period of the lowest f0), in cycles */
-static const uint32_t fade_cycles = 139u; /* cycles that the gate takes from 0 to 1 */
+static const uint32_t fade_cycles = 139u; /* cycles that the fade takes from 0 to 1 */
 static const double fade_step = 0.007194244604316547; /* 1 / fade_cycles */
 
 /* the same for every axis */
@@ -154,17 +154,17 @@ static const uint32_t error_none = 0u; /* error_id: no fault */
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-static const double sample_limit = 1000000000000000.0; /* largest magnitude of a usable sample: beyond any velocity, so that NaN and infinity need not be named */
+static const double sample_limit = 1000000000000000.0; /* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
 static const uint32_t error_cycle_time = 1u; /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_command = 11u; /* error_id: v_command is not within the sample limit */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-static const double tiny = 1.0e-30; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
+static const double anti_denormal = 1.0e-30; /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 
 void axis_x_ipc_init(axis_x_ipc_state *state)
 {
-    state->settled = false;
-    state->gate = 0u;
+    state->preset = false;
+    state->fade = 0u;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
@@ -187,22 +187,22 @@ void axis_x_ipc_step(
     uint32_t error_id;
     if (magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == mode_on && state->gate >= fade_cycles) {
+            && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
         runs = true;
         error_id = error_none;
     } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
             && magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
             && !inputs->reset) {
-        if (state->settled) {
+        if (state->preset) {
             if (inputs->mode == mode_on) {
-                state->gate = state->gate + 1u;
+                state->fade = state->fade + 1u;
             } else {
-                if (state->gate > 0u) {
-                    state->gate = state->gate - 1u;
+                if (state->fade > 0u) {
+                    state->fade = state->fade - 1u;
                 }
-                if (inputs->mode == mode_off && state->gate == 0u) {
-                    state->settled = false;
+                if (inputs->mode == mode_off && state->fade == 0u) {
+                    state->preset = false;
                 }
             }
             runs = true;
@@ -228,11 +228,11 @@ void axis_x_ipc_step(
                 /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755) */
                 /* simulated oscillation of the load, f0 of the first BANDPASS 11 Hz (P-AXIS-00751), damping ratio 0.8
                  * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-                state->stage1_oscillation_s1 = stage1_oscillation_settled_s1 * inputs->v_motor;
-                state->stage1_oscillation_s2 = stage1_oscillation_settled_s2 * inputs->v_motor;
+                state->stage1_oscillation_s1 = stage1_oscillation_preset_s1 * inputs->v_motor;
+                state->stage1_oscillation_s2 = stage1_oscillation_preset_s2 * inputs->v_motor;
                 /* ALLPASS (P-AXIS-00849): -180 deg at 7.2 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg
                  * at 5.621441 and -270 deg at 9.221441 Hz */
-                const double stage1_filter0_section0_s = stage1_filter0_allpass_settled * inputs->v_motor;
+                const double stage1_filter0_section0_s = stage1_filter0_allpass_preset * inputs->v_motor;
                 state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
                 state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
                 /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751),
@@ -249,8 +249,8 @@ void axis_x_ipc_step(
                 /* SET_POINT (P-AXIS-00753) from v_command, weight 14/100 = 0.14 (P-AXIS-00754/00755) */
                 /* simulated oscillation of the load, f0 of the first BANDPASS 90 Hz (P-AXIS-00751), damping ratio 0.2
                  * (P-AXIS-00850): gain 1 at DC, 2.692582 and -68.19859 deg at f0 */
-                state->stage2_oscillation_s1 = stage2_oscillation_settled_s1 * inputs->v_command;
-                state->stage2_oscillation_s2 = stage2_oscillation_settled_s2 * inputs->v_command;
+                state->stage2_oscillation_s1 = stage2_oscillation_preset_s1 * inputs->v_command;
+                state->stage2_oscillation_s2 = stage2_oscillation_preset_s2 * inputs->v_command;
                 /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 90 Hz (P-AXIS-00751), quality
                  * factor 4.5 (P-AXIS-00752), -3 dB at 80.49367 and 100.4937 Hz */
                 const double stage2_filter0_section0_s = stage2_filter0_bandpass0_b2 * inputs->v_command;
@@ -267,7 +267,7 @@ void axis_x_ipc_step(
                 const double stage2_filter1_section0_s = 0.0;
                 state->stage2_filter1_section0_s1 = stage2_filter1_section0_s;
                 state->stage2_filter1_section0_s2 = stage2_filter1_section0_s;
-                state->settled = true;
+                state->preset = true;
             }
             runs = false;
         }
@@ -284,8 +284,8 @@ void axis_x_ipc_step(
         } else {
             error_id = error_v_motor;
         }
-        state->settled = false;
-        state->gate = 0u;
+        state->preset = false;
+        state->fade = 0u;
         runs = false;
     }
     if (runs) {
@@ -300,19 +300,19 @@ void axis_x_ipc_step(
         state->stage0_filter0_section0_s1 =
             state->stage0_filter0_section0_s2 - stage0_filter0_bandpass0_a1 * stage0_filter0_section0_y;
         state->stage0_filter0_section0_s2 =
-            stage0_filter0_section0_t + tiny - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
+            stage0_filter0_section0_t + anti_denormal - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
         const double stage0_filter0_section1_t = stage0_filter0_bandpass1_b2 * stage0_filter0_section0_y;
         const double stage0_filter0_section1_y = state->stage0_filter0_section1_s1 - stage0_filter0_section1_t;
         state->stage0_filter0_section1_s1 =
             state->stage0_filter0_section1_s2 - stage0_filter0_bandpass1_a1 * stage0_filter0_section1_y;
         state->stage0_filter0_section1_s2 =
-            stage0_filter0_section1_t + tiny - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
+            stage0_filter0_section1_t + anti_denormal - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
         const double stage0_filter0_section2_t = stage0_filter0_bandpass2_b2 * stage0_filter0_section1_y;
         const double stage0_filter0_section2_y = state->stage0_filter0_section2_s1 - stage0_filter0_section2_t;
         state->stage0_filter0_section2_s1 =
             state->stage0_filter0_section2_s2 - stage0_filter0_bandpass2_a1 * stage0_filter0_section2_y;
         state->stage0_filter0_section2_s2 =
-            stage0_filter0_section2_t + tiny - stage0_filter0_bandpass2_a2 * stage0_filter0_section2_y;
+            stage0_filter0_section2_t + anti_denormal - stage0_filter0_bandpass2_a2 * stage0_filter0_section2_y;
         /* ALLPASS (P-AXIS-00849): -180 deg at 41.4 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg
          * at 32.29569 and -270 deg at 52.99569 Hz */
         const double stage0_filter1_section0_y =
@@ -321,7 +321,7 @@ void axis_x_ipc_step(
             stage0_filter1_allpass_a1 * (stage0_filter0_section2_y - stage0_filter1_section0_y)
                 + state->stage0_filter1_section0_s2;
         state->stage0_filter1_section0_s2 =
-            stage0_filter0_section2_y + tiny - stage0_filter1_allpass_a2 * stage0_filter1_section0_y;
+            stage0_filter0_section2_y + anti_denormal - stage0_filter1_allpass_a2 * stage0_filter1_section0_y;
         const double v_stage = stage0_gain * stage0_filter1_section0_y;
         /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755) */
         /* simulated oscillation of the load, f0 of the first BANDPASS 11 Hz (P-AXIS-00751), damping ratio 0.8
@@ -331,7 +331,7 @@ void axis_x_ipc_step(
             stage1_oscillation_b1 * inputs->v_motor - stage1_oscillation_a1 * stage1_oscillation_y
                 + state->stage1_oscillation_s2;
         state->stage1_oscillation_s2 =
-            stage1_oscillation_b2 * inputs->v_motor + tiny - stage1_oscillation_a2 * stage1_oscillation_y;
+            stage1_oscillation_b2 * inputs->v_motor + anti_denormal - stage1_oscillation_a2 * stage1_oscillation_y;
         /* ALLPASS (P-AXIS-00849): -180 deg at 7.2 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg
          * at 5.621441 and -270 deg at 9.221441 Hz */
         const double stage1_filter0_section0_y =
@@ -340,7 +340,7 @@ void axis_x_ipc_step(
             stage1_filter0_allpass_a1 * (stage1_oscillation_y - stage1_filter0_section0_y)
                 + state->stage1_filter0_section0_s2;
         state->stage1_filter0_section0_s2 =
-            stage1_oscillation_y + tiny - stage1_filter0_allpass_a2 * stage1_filter0_section0_y;
+            stage1_oscillation_y + anti_denormal - stage1_filter0_allpass_a2 * stage1_filter0_section0_y;
         /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751),
          * quality factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz */
         const double stage1_filter1_section0_t = stage1_filter1_bandpass0_b2 * stage1_filter0_section0_y;
@@ -348,19 +348,19 @@ void axis_x_ipc_step(
         state->stage1_filter1_section0_s1 =
             state->stage1_filter1_section0_s2 - stage1_filter1_bandpass0_a1 * stage1_filter1_section0_y;
         state->stage1_filter1_section0_s2 =
-            stage1_filter1_section0_t + tiny - stage1_filter1_bandpass0_a2 * stage1_filter1_section0_y;
+            stage1_filter1_section0_t + anti_denormal - stage1_filter1_bandpass0_a2 * stage1_filter1_section0_y;
         const double stage1_filter1_section1_t = stage1_filter1_bandpass1_b2 * stage1_filter1_section0_y;
         const double stage1_filter1_section1_y = state->stage1_filter1_section1_s1 - stage1_filter1_section1_t;
         state->stage1_filter1_section1_s1 =
             state->stage1_filter1_section1_s2 - stage1_filter1_bandpass1_a1 * stage1_filter1_section1_y;
         state->stage1_filter1_section1_s2 =
-            stage1_filter1_section1_t + tiny - stage1_filter1_bandpass1_a2 * stage1_filter1_section1_y;
+            stage1_filter1_section1_t + anti_denormal - stage1_filter1_bandpass1_a2 * stage1_filter1_section1_y;
         const double stage1_filter1_section2_t = stage1_filter1_bandpass2_b2 * stage1_filter1_section1_y;
         const double stage1_filter1_section2_y = state->stage1_filter1_section2_s1 - stage1_filter1_section2_t;
         state->stage1_filter1_section2_s1 =
             state->stage1_filter1_section2_s2 - stage1_filter1_bandpass2_a1 * stage1_filter1_section2_y;
         state->stage1_filter1_section2_s2 =
-            stage1_filter1_section2_t + tiny - stage1_filter1_bandpass2_a2 * stage1_filter1_section2_y;
+            stage1_filter1_section2_t + anti_denormal - stage1_filter1_bandpass2_a2 * stage1_filter1_section2_y;
         const double v_stage_2 = stage1_gain * stage1_filter1_section2_y;
         const double v_sum = v_stage + v_stage_2;
         /* SET_POINT (P-AXIS-00753) from v_command, weight 14/100 = 0.14 (P-AXIS-00754/00755) */
@@ -371,7 +371,7 @@ void axis_x_ipc_step(
             stage2_oscillation_b1 * inputs->v_command - stage2_oscillation_a1 * stage2_oscillation_y
                 + state->stage2_oscillation_s2;
         state->stage2_oscillation_s2 =
-            stage2_oscillation_b2 * inputs->v_command + tiny - stage2_oscillation_a2 * stage2_oscillation_y;
+            stage2_oscillation_b2 * inputs->v_command + anti_denormal - stage2_oscillation_a2 * stage2_oscillation_y;
         /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 90 Hz (P-AXIS-00751), quality
          * factor 4.5 (P-AXIS-00752), -3 dB at 80.49367 and 100.4937 Hz */
         const double stage2_filter0_section0_t = stage2_filter0_bandpass0_b2 * stage2_oscillation_y;
@@ -379,19 +379,19 @@ void axis_x_ipc_step(
         state->stage2_filter0_section0_s1 =
             state->stage2_filter0_section0_s2 - stage2_filter0_bandpass0_a1 * stage2_filter0_section0_y;
         state->stage2_filter0_section0_s2 =
-            stage2_filter0_section0_t + tiny - stage2_filter0_bandpass0_a2 * stage2_filter0_section0_y;
+            stage2_filter0_section0_t + anti_denormal - stage2_filter0_bandpass0_a2 * stage2_filter0_section0_y;
         const double stage2_filter0_section1_t = stage2_filter0_bandpass1_b2 * stage2_filter0_section0_y;
         const double stage2_filter0_section1_y = state->stage2_filter0_section1_s1 - stage2_filter0_section1_t;
         state->stage2_filter0_section1_s1 =
             state->stage2_filter0_section1_s2 - stage2_filter0_bandpass1_a1 * stage2_filter0_section1_y;
         state->stage2_filter0_section1_s2 =
-            stage2_filter0_section1_t + tiny - stage2_filter0_bandpass1_a2 * stage2_filter0_section1_y;
+            stage2_filter0_section1_t + anti_denormal - stage2_filter0_bandpass1_a2 * stage2_filter0_section1_y;
         const double stage2_filter0_section2_t = stage2_filter0_bandpass2_b2 * stage2_filter0_section1_y;
         const double stage2_filter0_section2_y = state->stage2_filter0_section2_s1 - stage2_filter0_section2_t;
         state->stage2_filter0_section2_s1 =
             state->stage2_filter0_section2_s2 - stage2_filter0_bandpass2_a1 * stage2_filter0_section2_y;
         state->stage2_filter0_section2_s2 =
-            stage2_filter0_section2_t + tiny - stage2_filter0_bandpass2_a2 * stage2_filter0_section2_y;
+            stage2_filter0_section2_t + anti_denormal - stage2_filter0_bandpass2_a2 * stage2_filter0_section2_y;
         /* ALLPASS (P-AXIS-00849): -180 deg at 70.3 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg
          * at 54.74789 and -270 deg at 89.89789 Hz */
         const double stage2_filter1_section0_y =
@@ -400,7 +400,7 @@ void axis_x_ipc_step(
             stage2_filter1_allpass_a1 * (stage2_filter0_section2_y - stage2_filter1_section0_y)
                 + state->stage2_filter1_section0_s2;
         state->stage2_filter1_section0_s2 =
-            stage2_filter0_section2_y + tiny - stage2_filter1_allpass_a2 * stage2_filter1_section0_y;
+            stage2_filter0_section2_y + anti_denormal - stage2_filter1_allpass_a2 * stage2_filter1_section0_y;
         const double v_stage_3 = stage2_gain * stage2_filter1_section0_y;
         const double v_sum_2 = v_sum + v_stage_3;
         double v_limited;
@@ -420,12 +420,12 @@ void axis_x_ipc_step(
                 v_limited = 0.0;
             }
         }
-        if (state->gate >= fade_cycles) {
+        if (state->fade >= fade_cycles) {
             outputs->v_add = v_limited;
             outputs->v_add_calculated = v_limited;
         } else {
-            if (state->gate > 0u) {
-                outputs->v_add = v_limited * ((double)state->gate * fade_step);
+            if (state->fade > 0u) {
+                outputs->v_add = v_limited * ((double)state->fade * fade_step);
             } else {
                 outputs->v_add = 0.0;
             }
@@ -562,8 +562,8 @@ uint32_t axis_x_ipc_self_test(void)
         digest = ipc_fold(digest, outputs.limited);
         digest = ipc_fold(digest, outputs.fault);
         digest = ipc_fold(digest, outputs.error_id);
-        digest = ipc_fold(digest, state.settled);
-        digest = ipc_fold(digest, state.gate);
+        digest = ipc_fold(digest, state.preset);
+        digest = ipc_fold(digest, state.fade);
         digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s1));
         digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section0_s2));
         digest = ipc_fold(digest, ipc_bits_of(state.stage0_filter0_section1_s1));

@@ -4,7 +4,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  0571d45177aed7bb40e29b85e8e41486
- * body        5479993f34385c158255b8ecb5b155f2
+ * checksum    4ca92ad04259e4a03e0229cae5c742ec
  */
 #ifndef AXIS_TWO_FREQUENCIES_H
 #define AXIS_TWO_FREQUENCIES_H
@@ -40,16 +40,16 @@ typedef struct {
 /* Written by axis_two_frequencies_ipc_step. */
 typedef struct {
     double v_add; /* velocity to add to the manipulated variable [um/s or 0.001 deg/s] */
-    double v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the gate; 0 in OFF [um/s or 0.001 deg/s] */
+    double v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the fade; 0 in OFF [um/s or 0.001 deg/s] */
     bool limited; /* the limit (P-AXIS-00757 of P-AXIS-00212) acts in this cycle */
     bool fault; /* the block cannot act in this cycle, error_id says why */
-    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct is no usable number, 70600 enabled on a gantry slave */
+    uint32_t error_id; /* 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct is out of range, 70600 enabled on a gantry slave */
 } axis_two_frequencies_ipc_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
-    bool settled; /* whether the sections have been put to the steady state of an input */
-    uint32_t gate; /* position of the gate: 0 closed, fade_cycles open */
+    bool preset; /* whether the sections have been preset to the steady state of an input */
+    uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
     double stage0_filter0_section0_s1; /* what the next output takes over */
     double stage0_filter0_section0_s2; /* what `s1` takes over */
     double stage0_filter0_section1_s1; /* what the next output takes over */

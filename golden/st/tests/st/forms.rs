@@ -47,7 +47,7 @@ VAR CONSTANT
     limit_of_x : LREAL := 5.0 * 2.0;
 END_VAR]]></Declaration>
     <Implementation>
-      <ST><![CDATA[IF Enable AND F_axgen_usable_LREAL(value := x, largest := limit_of_x) AND (x < 10.0) THEN
+      <ST><![CDATA[IF Enable AND F_axgen_in_range_LREAL(value := x, largest := limit_of_x) AND (x < 10.0) THEN
     n := n + 1;
     y := (y + x) * share;
 ELSE
@@ -65,7 +65,7 @@ pub const CODESYS: &str = r#"<?xml version="1.0" encoding="utf-8"?>
   <types>
     <dataTypes />
     <pous>
-      <pou name="F_axgen_usable_LREAL" pouType="function">
+      <pou name="F_axgen_in_range_LREAL" pouType="function">
         <interface><returnType><BOOL /></returnType></interface>
         <body><ST><xhtml xmlns="http://www.w3.org/1999/xhtml">not read</xhtml></ST></body>
       </pou>
@@ -101,7 +101,7 @@ pub const CODESYS: &str = r#"<?xml version="1.0" encoding="utf-8"?>
         </interface>
         <body>
           <ST>
-            <xhtml xmlns="http://www.w3.org/1999/xhtml">IF Enable AND F_axgen_usable_LREAL(largest := limit_of_x, value := x) AND (x &lt; 10.0) THEN
+            <xhtml xmlns="http://www.w3.org/1999/xhtml">IF Enable AND F_axgen_in_range_LREAL(largest := limit_of_x, value := x) AND (x &lt; 10.0) THEN
     n := n + 1;
     y := (y + x) * share;
 ELSE
@@ -194,7 +194,7 @@ fn mistakes_have_their_places_in_the_file() {
         said(Dialect::Codesys, &text),
         [
             "37:15: found `1E1`; write a number like `15`, `1.5`, `1.5E+3` or `1.5E-3`",
-            "43:132: found `z`, which is not declared; write a declared variable",
+            "43:134: found `z`, which is not declared; write a declared variable",
             "44:12: found `MOD`; write a counter that begins again at its bound",
         ]
     );
@@ -284,31 +284,31 @@ fn what_the_forms_may_not_hold() {
             Dialect::TwinCat,
             "value := x, largest := limit_of_x",
             "x, limit_of_x",
-            "21:55: found the argument `x`; write `value := x, largest := y`",
+            "21:57: found the argument `x`; write `value := x, largest := y`",
         ),
         (
             Dialect::TwinCat,
             "value := x, largest := limit_of_x",
             "value := x",
-            "21:34: found `F_axgen_usable_LREAL(value := x)`; write `value := x, largest := y` in the parentheses",
+            "21:34: found `F_axgen_in_range_LREAL(value := x)`; write `value := x, largest := y` in the parentheses",
         ),
         (
             Dialect::TwinCat,
             "value := x, largest := limit_of_x",
             "value := x, largest => limit_of_x",
-            "21:67: found the argument `largest => limit_of_x`; write `value := x, largest := y`",
+            "21:69: found the argument `largest => limit_of_x`; write `value := x, largest := y`",
         ),
         (
             Dialect::TwinCat,
             "value := x, largest := limit_of_x",
             "value := x, largest := n",
-            "21:78: found a UDINT where a LREAL belongs; write a LREAL",
+            "21:80: found a UDINT where a LREAL belongs; write a LREAL",
         ),
         (
             Dialect::TwinCat,
-            "usable_LREAL",
-            "usable_REAL",
-            "21:34: found a call of `F_axgen_usable_REAL`; write what it computes, in operators",
+            "in_range_LREAL",
+            "in_range_REAL",
+            "21:34: found a call of `F_axgen_in_range_REAL`; write what it computes, in operators",
         ),
         (
             Dialect::Codesys,
@@ -357,7 +357,7 @@ fn what_the_forms_may_not_hold() {
             Dialect::Codesys,
             "&lt;",
             "&less;",
-            "43:134: found XML that is broken (unknown entity reference 'less' at 43:134); write well-formed XML",
+            "43:136: found XML that is broken (unknown entity reference 'less' at 43:136); write well-formed XML",
         ),
         (Dialect::Codesys, "n := n + 1;", "n := n + 1; // count", "44:17: found `//`; write `(* *)`"),
         (

@@ -26,7 +26,7 @@ fn read(text: &str) {
 fn piece() -> impl Strategy<Value = String> {
     let words = "FUNCTION_BLOCK END_FUNCTION_BLOCK probe VAR VAR_INPUT VAR_OUTPUT END_VAR CONSTANT x : LREAL REAL ; := 1.0 1 ( ) + - * /
         IF THEN ELSIF ELSE END_IF FOR TO DO END_FOR CASE OF AND OR NOT < <= = <> MOD ** (* *) // { } ' \" # 16#FF .. . [ ] ^ % & é
-        DINT_TO_LREAL F_axgen_usable_LREAL <POU Name=\"probe\"> </POU> <![CDATA[ ]]> <ST> </ST> &lt; &#0; &x; <!-- --> BEGIN VERSION 0.1 { S7_Optimized_Access := 'TRUE' } #x \"probe\" VAR_TEMP";
+        DINT_TO_LREAL F_axgen_in_range_LREAL <POU Name=\"probe\"> </POU> <![CDATA[ ]]> <ST> </ST> &lt; &#0; &x; <!-- --> BEGIN VERSION 0.1 { S7_Optimized_Access := 'TRUE' } #x \"probe\" VAR_TEMP";
     let words: Vec<String> = words.split_ascii_whitespace().map(str::to_owned).collect();
     prop_oneof![8 => proptest::sample::select(words), 1 => any::<String>(), 1 => "[ -~]{0,8}"]
 }

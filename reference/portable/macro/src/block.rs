@@ -66,7 +66,7 @@ fn describe_let(local: &syn::Local, scope: &mut Scope, rejections: &mut Rejectio
                 rejections.push(token, "`let ... else` has no counterpart; write `if`");
             }
             value = expr::initial(&init.expr, scope, rejections);
-            kind = declared.unwrap_or_else(|| kind::of(&init.expr, scope));
+            kind = declared.unwrap_or_else(|| kind::classify(&init.expr, scope));
         }
         None => rejections.push(local, "a local has a value from the start; write `let name = value;`"),
     }

@@ -23,7 +23,7 @@ pub enum Kind {
 }
 
 /// What an expression is seen to stand for.
-pub fn of(expression: &Expr, scope: &Scope) -> Kind {
+pub fn classify(expression: &Expr, scope: &Scope) -> Kind {
     match expr::bare(expression) {
         Expr::Path(path) if real::is_path(&path.path, scope) => Kind::Real,
         Expr::Path(path) => path.path.get_ident().and_then(|name| scope.kind(name)).unwrap_or(Kind::Unknown),
@@ -34,10 +34,10 @@ pub fn of(expression: &Expr, scope: &Scope) -> Kind {
         Expr::Lit(literal) if matches!(literal.lit, Lit::Int(_)) => Kind::Integer,
         Expr::Lit(literal) if matches!(literal.lit, Lit::Float(_)) => Kind::Real,
         Expr::Array(_) | Expr::Repeat(_) => Kind::Array,
-        Expr::Unary(unary) => of(&unary.expr, scope),
+        Expr::Unary(unary) => classify(&unary.expr, scope),
         Expr::Binary(binary) if matches!(binary.op, BinOp::Add(_) | BinOp::Sub(_) | BinOp::Mul(_) | BinOp::Div(_)) => {
-            match of(&binary.left, scope) {
-                Kind::Unknown => of(&binary.right, scope),
+            match classify(&binary.left, scope) {
+                Kind::Unknown => classify(&binary.right, scope),
                 known => known,
             }
         }
@@ -47,7 +47,7 @@ pub fn of(expression: &Expr, scope: &Scope) -> Kind {
 
 /// Rejects an operator that its operands do not have in every language.
 pub fn check_binary(binary: &syn::ExprBinary, scope: &Scope, rejections: &mut Rejections) {
-    let kinds = [of(&binary.left, scope), of(&binary.right, scope)];
+    let kinds = [classify(&binary.left, scope), classify(&binary.right, scope)];
     match binary.op {
         BinOp::Eq(_) | BinOp::Ne(_) if kinds.contains(&Kind::Real) => {
             rejections
@@ -62,7 +62,7 @@ pub fn check_binary(binary: &syn::ExprBinary, scope: &Scope, rejections: &mut Re
 
 /// Rejects `!` of an integer.
 pub fn check_unary(unary: &syn::ExprUnary, scope: &Scope, rejections: &mut Rejections) {
-    if matches!(unary.op, syn::UnOp::Not(_)) && of(&unary.expr, scope) == Kind::Integer {
+    if matches!(unary.op, syn::UnOp::Not(_)) && classify(&unary.expr, scope) == Kind::Integer {
         rejections.push(unary, "an integer has no bits here; write the number itself, or `!` of a bool");
     }
 }

@@ -8,7 +8,7 @@ use crate::random::syntax::{
 use crate::random::visit::Node;
 
 /// Notes the constructs of a function's body.
-pub fn of(function: &Function, program: &Program, found: &mut Constructs) {
+pub fn collect(function: &Function, program: &Program, found: &mut Constructs) {
     let known: Vec<&str> = function
         .params
         .iter()

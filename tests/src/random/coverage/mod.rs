@@ -12,7 +12,7 @@ pub type Constructs = BTreeSet<String>;
 
 /// The constructs that a program has.
 #[must_use]
-pub fn of(program: &Program) -> Constructs {
+pub fn collect(program: &Program) -> Constructs {
     let mut found = Constructs::new();
     for (which, item) in program.structs.iter().enumerate() {
         for (_, ty) in &item.fields {
@@ -22,8 +22,8 @@ pub fn of(program: &Program) -> Constructs {
     let reached: Vec<&Function> = reached(program).into_iter().map(|which| &program.functions[which]).collect();
     for function in &reached {
         of_function(function, &mut found);
-        body::of(function, program, &mut found);
-        order::of(&function.body, program, &mut found);
+        body::collect(function, program, &mut found);
+        order::collect(&function.body, program, &mut found);
         let twin = reached.iter().any(|other| other.name == function.name && other.inner != function.inner);
         note(twin, "function: same name in two modules", &mut found);
     }

@@ -6,7 +6,7 @@ use crate::random::visit::Node;
 
 /// Notes the constructs of a block and of those inside it.
 #[expect(clippy::only_used_in_recursion, reason = "each look at a block is asked in the same way")]
-pub fn of(block: &Block, program: &Program, found: &mut Constructs) {
+pub fn collect(block: &Block, program: &Program, found: &mut Constructs) {
     let locals: Vec<&str> = block.statements.iter().filter_map(mutable_local).collect();
     for local in locals {
         let place = Place::root(local);
@@ -20,7 +20,7 @@ pub fn of(block: &Block, program: &Program, found: &mut Constructs) {
     }
     kept(block, found);
     for statement in &block.statements {
-        inner_blocks(statement, &mut |inner| of(inner, program, found));
+        inner_blocks(statement, &mut |inner| collect(inner, program, found));
     }
 }
 

@@ -107,7 +107,7 @@ impl Writer<'_> {
             }
             8 => self.order(Scalar::Usize, depth),
             _ => {
-                let which = *self.choices.pick(&[Intrinsic::Usable, Intrinsic::Within]);
+                let which = *self.choices.pick(&[Intrinsic::InRange, Intrinsic::Within]);
                 let operands = vec![self.expr(Scalar::Real, depth), self.expr(Scalar::Real, depth.min(1))];
                 intrinsic(which, operands, Scalar::Bool)
             }

@@ -135,7 +135,7 @@ impl Text<'_> {
 
     fn call(&self, call: &Call) -> String {
         let (path, hides_real) = match call.callee {
-            Callee::Intrinsic(Intrinsic::Usable) => ("usable".to_owned(), false),
+            Callee::Intrinsic(Intrinsic::InRange) => ("in_range".to_owned(), false),
             Callee::Intrinsic(Intrinsic::Within) => ("within".to_owned(), false),
             Callee::Intrinsic(Intrinsic::FromU32) => ("from_u32".to_owned(), true),
             Callee::Intrinsic(Intrinsic::FromI32) => ("from_i32".to_owned(), true),

@@ -18,7 +18,7 @@ pub fn module(program: &Program, name: &str) -> String {
     text.functions();
     text.subject(name);
     let items = std::mem::take(&mut text.text);
-    text.line("use portable::{Real, from_i32, from_u32, nearest, portable, truncate, usable, within};\n");
+    text.line("use portable::{Real, from_i32, from_u32, nearest, portable, truncate, in_range, within};\n");
     let is_named = |name: &str| items.split(|c: char| !c.is_ascii_alphanumeric()).any(|word| word == name);
     for (position, count) in program.lengths.iter().enumerate().filter(|(at, _)| is_named(&format!("LEN{at}"))) {
         text.line(&format!("pub const LEN{position}: usize = {count};\n"));

@@ -28,7 +28,7 @@ pub static PLAIN: Language = Language {
     comment: ["(* ", "   ", " *)"],
 };
 
-/// TwinCAT 3 and CODESYS 3.5, one family of runtimes: a comparison with a NaN can stop them, so that [`usable`] looks at a
+/// TwinCAT 3 and CODESYS 3.5, one family of runtimes: a comparison with a NaN can stop them, so that [`in_range`] looks at a
 /// sample's bits before it is compared.
 pub static CODESYS: Language = Language { form: form_of_codesys, appearances: declared, ..PLAIN };
 
@@ -76,10 +76,10 @@ pub fn type_name(ty: Type, real: RealKind) -> &'static str {
 
 /// The function that looks at a sample's exponent bits.
 #[must_use]
-pub fn usable(real: RealKind) -> &'static str {
+pub fn in_range(real: RealKind) -> &'static str {
     match real {
-        RealKind::F64 => "F_axgen_usable_LREAL",
-        RealKind::F32 => "F_axgen_usable_REAL",
+        RealKind::F64 => "F_axgen_in_range_LREAL",
+        RealKind::F32 => "F_axgen_in_range_REAL",
     }
 }
 
@@ -102,7 +102,7 @@ fn form(operation: Operation, _: Type, real: RealKind) -> Form {
             Binary::Or => Form::Infix(LOGIC, "OR", [PRIMARY, PRIMARY]),
         },
         Operation::Intrinsic(intrinsic) => match (intrinsic, real) {
-            (Intrinsic::Usable | Intrinsic::Within, _) => Form::Pieces(
+            (Intrinsic::InRange | Intrinsic::Within, _) => Form::Pieces(
                 LOGIC,
                 &[
                     Piece::Text("(-"),
@@ -131,11 +131,11 @@ fn form(operation: Operation, _: Type, real: RealKind) -> Form {
 
 fn form_of_codesys(operation: Operation, ty: Type, real: RealKind) -> Form {
     match (operation, real) {
-        (Operation::Intrinsic(Intrinsic::Usable), RealKind::F64) => {
-            Form::Pieces(LOGIC, const { &look("F_axgen_usable_LREAL(value := ") })
+        (Operation::Intrinsic(Intrinsic::InRange), RealKind::F64) => {
+            Form::Pieces(LOGIC, const { &look("F_axgen_in_range_LREAL(value := ") })
         }
-        (Operation::Intrinsic(Intrinsic::Usable), RealKind::F32) => {
-            Form::Pieces(LOGIC, const { &look("F_axgen_usable_REAL(value := ") })
+        (Operation::Intrinsic(Intrinsic::InRange), RealKind::F32) => {
+            Form::Pieces(LOGIC, const { &look("F_axgen_in_range_REAL(value := ") })
         }
         _ => form(operation, ty, real),
     }

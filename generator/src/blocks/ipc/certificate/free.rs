@@ -23,7 +23,7 @@ pub struct Free {
 ///
 /// (p1 - p2)^2 / 4 = a1^2/4 - a2 = ((1 - a2)^2 - (1 + a1 + a2)(1 - a1 + a2)) / 4 is computed in the second form, which
 /// does not cancel where both poles are near 1.
-pub fn of(section: &Section) -> Free {
+pub fn bounds(section: &Section) -> Free {
     let (a1, a2) = (section.a1, section.a2);
     let half = a1 / 2.0;
     let [dc, nyquist] = [(1.0 + a1) + a2, (1.0 - a1) + a2];

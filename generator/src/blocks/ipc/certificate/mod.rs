@@ -35,7 +35,7 @@ pub struct Certificate {
     pub v_max: f64,
     /// largest |v_add|, in the same unit (P-AXIS-00757)
     pub limit: f64,
-    /// largest magnitude of a usable sample, in the same unit
+    /// largest magnitude of a sample in range, in the same unit
     pub sample_limit: f64,
     /// of the whole block, for inputs within +-1: every bound is proportional to the inputs
     pub bound: Bound,
@@ -98,7 +98,7 @@ impl Certificate {
         points.map(Point::deviation).max_by(f64::total_cmp)
     }
 
-    /// Whether no value inside the block overflows for any usable sample.
+    /// Whether no value inside the block overflows for any sample in range.
     #[must_use]
     pub fn is_within_precision(&self) -> bool {
         let largest = match self.real {

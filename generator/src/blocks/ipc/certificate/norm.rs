@@ -82,7 +82,7 @@ struct Sums {
 
 fn run(chain: &Chain, budget: usize, real: RealKind) -> Run {
     let sums = |section: &Section| {
-        let free = free::of(section);
+        let free = free::bounds(section);
         let norm = section.b0.abs() + free.sum(section.from_x[0], section.from_x[1]);
         Sums { section: *section, free, norm, s: [0.0; 2], sum: [0.0; 2] }
     };

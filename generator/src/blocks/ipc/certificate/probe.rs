@@ -27,7 +27,7 @@ pub struct Probe<'p> {
     machine: Machine<'p>,
     /// before the first cycle
     fresh: Vec<Literal>,
-    /// settled, all sections 0
+    /// preset, all sections 0
     rest: Vec<Literal>,
     /// what one step at rest leaves: the constant that keeps sections out of the subnormal range
     still: Vec<f64>,
@@ -129,9 +129,9 @@ impl<'p> Probe<'p> {
         if let Source::Alone { states, .. } = source {
             self.machine.set_state(&self.fresh);
             self.machine.step(&self.inputs, &mut self.outputs);
-            let mut settled = self.machine.state().to_vec();
-            states.iter().for_each(|state| settled[*state] = self.rest[*state]);
-            self.machine.set_state(&settled);
+            let mut preset = self.machine.state().to_vec();
+            states.iter().for_each(|state| preset[*state] = self.rest[*state]);
+            self.machine.set_state(&preset);
         }
         self.machine.step(&self.inputs, &mut self.outputs);
         if let (Some(input), Some(before)) = (input, before) {

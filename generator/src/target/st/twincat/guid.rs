@@ -7,7 +7,7 @@ use uuid::{Uuid, uuid};
 const NAMESPACE: Uuid = uuid!("4af64489-b926-5bad-acb2-20dca8f42d6a");
 
 /// The GUID of an object of some kind: version 5 of `KIND NAME`, in braces.
-pub(super) fn of(kind: &str, name: &str) -> String {
+pub(super) fn derive(kind: &str, name: &str) -> String {
     Uuid::new_v5(&NAMESPACE, format!("{kind} {name}").as_bytes()).braced().to_string()
 }
 
@@ -19,6 +19,6 @@ mod tests {
     #[test]
     fn others_derive_the_same() {
         assert_eq!(Uuid::new_v5(&Uuid::NAMESPACE_URL, b"axgen"), NAMESPACE);
-        assert_eq!(of("POU", "PRG_axgen_tests"), "{ebd13820-5460-597f-88e6-b9a2a6e8e69d}");
+        assert_eq!(derive("POU", "PRG_axgen_tests"), "{ebd13820-5460-597f-88e6-b9a2a6e8e69d}");
     }
 }

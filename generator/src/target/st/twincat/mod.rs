@@ -7,8 +7,8 @@ mod suite;
 pub(crate) use project::shared;
 
 use super::block::{listing, origin};
-use crate::digest::UNSEALED;
-use crate::render::{TcPou, TcUsable};
+use crate::digest::NO_CHECKSUM;
+use crate::render::{TcInRange, TcPou};
 use crate::target::{self, File, Header, Legal, VERSION};
 use askama::Template;
 use compiler::print::st::{self, CODESYS, type_name};
@@ -44,10 +44,10 @@ fn function_block(axis: &Header, block: &Legal<'_>, name: &str) -> File {
     let listing = listing(name.to_owned(), block, &CODESYS);
     let pou = TcPou {
         origin: &origin(axis, &file, std::slice::from_ref(block)),
-        id: &guid::of("POU", name),
+        id: &guid::derive("POU", name),
         block: &listing,
     };
-    sealed(POUS, file, &pou)
+    rendered(POUS, file, &pou)
 }
 
 /// The name of the function block of a block of an axis.
@@ -64,17 +64,17 @@ fn word_name(real: RealKind) -> &'static str {
 }
 
 /// The function that looks at a sample's exponent bits before it compares it.
-pub(crate) fn usable(real: RealKind) -> TcUsable<'static> {
-    let name = st::usable(real);
+pub(crate) fn in_range(real: RealKind) -> TcInRange<'static> {
+    let name = st::in_range(real);
     let exponent = match real {
         RealKind::F64 => "16#7FF0000000000000",
         RealKind::F32 => "16#7F800000",
     };
     let (real, word) = (type_name(Type::Real, real), word_name(real));
-    TcUsable { version: VERSION, body_digest: UNSEALED, id: guid::of("POU", name), name, real, word, exponent }
+    TcInRange { version: VERSION, checksum: NO_CHECKSUM, id: guid::derive("POU", name), name, real, word, exponent }
 }
 
 /// A file from its template.
-fn sealed(folder: &str, file: String, template: &impl Template) -> File {
-    target::sealed(format!("{FOLDER}/{folder}/{file}"), BYTE_ORDER_MARK, template)
+fn rendered(folder: &str, file: String, template: &impl Template) -> File {
+    target::rendered(format!("{FOLDER}/{folder}/{file}"), BYTE_ORDER_MARK, template)
 }

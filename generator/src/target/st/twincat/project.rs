@@ -1,7 +1,7 @@
 //! What all axes of a set share in TwinCAT: the function, the types, the test program, the project's entries, the guide.
 
-use super::{DUTS, FOLDER, POUS, TESTS, block_name, guid, sealed, suite, usable, word_name};
-use crate::digest::UNSEALED;
+use super::{DUTS, FOLDER, POUS, TESTS, block_name, guid, in_range, rendered, suite, word_name};
+use crate::digest::NO_CHECKSUM;
 use crate::render::{Compile, Item, TcEnum, TcGuide, TcProgram, TcProject, TcUnion};
 use crate::target::st::real_types;
 use crate::target::{self, File, Unit, VERSION};
@@ -20,13 +20,17 @@ pub(crate) fn shared(units: &[Unit<'_>]) -> Vec<File> {
     let suites: Vec<String> = blocks.iter().map(|block| suite::suite_name(block)).collect();
     let mut files = vec![modes()];
     for real in real_types(units) {
-        let function = usable(real);
-        files.push(sealed(POUS, format!("{}.TcPOU", function.name), &function));
+        let function = in_range(real);
+        files.push(rendered(POUS, format!("{}.TcPOU", function.name), &function));
         files.push(bits(real));
     }
-    let program =
-        TcProgram { version: VERSION, body_digest: UNSEALED, id: guid::of("POU", "PRG_axgen_tests"), suites: &suites };
-    files.push(sealed(TESTS, "PRG_axgen_tests.TcPOU".to_owned(), &program));
+    let program = TcProgram {
+        version: VERSION,
+        checksum: NO_CHECKSUM,
+        id: guid::derive("POU", "PRG_axgen_tests"),
+        suites: &suites,
+    };
+    files.push(rendered(TESTS, "PRG_axgen_tests.TcPOU".to_owned(), &program));
     let project = project(&files, &blocks);
     files.push(project);
     files.push(guide(units));
@@ -38,16 +42,16 @@ fn modes() -> File {
     let item = |name, value| Item { name, value };
     let items = [item("MODE_OFF", mode_off()), item("MODE_ON", mode_on()), item("MODE_DRYRUN", mode_dryrun())];
     let name = "E_axgen_mode";
-    let file = TcEnum { version: VERSION, body_digest: UNSEALED, id: guid::of("DUT", name), items: &items };
-    sealed(DUTS, format!("{name}.TcDUT"), &file)
+    let file = TcEnum { version: VERSION, checksum: NO_CHECKSUM, id: guid::derive("DUT", name), items: &items };
+    rendered(DUTS, format!("{name}.TcDUT"), &file)
 }
 
 /// The union of a real and its bits.
 fn bits(real: RealKind) -> File {
     let (real, word) = (type_name(Type::Real, real), word_name(real));
     let name = format!("U_axgen_{real}");
-    let file = TcUnion { version: VERSION, body_digest: UNSEALED, id: guid::of("DUT", &name), real, word };
-    sealed(TESTS, format!("{name}.TcDUT"), &file)
+    let file = TcUnion { version: VERSION, checksum: NO_CHECKSUM, id: guid::derive("DUT", &name), real, word };
+    rendered(TESTS, format!("{name}.TcDUT"), &file)
 }
 
 /// What the project file has to name: the shared files, and those of every block.
@@ -60,8 +64,8 @@ fn project(shared: &[File], blocks: &[String]) -> File {
     }
     entries.sort_by(|a, b| (a.folder, &a.file).cmp(&(b.folder, &b.file)));
     let (tests, objects): (Vec<_>, Vec<_>) = entries.into_iter().partition(|entry| entry.folder == TESTS);
-    let file = TcProject { version: VERSION, body_digest: UNSEALED, objects: &objects, tests: &tests };
-    target::sealed(format!("{FOLDER}/axgen.plcproj"), "", &file)
+    let file = TcProject { version: VERSION, checksum: NO_CHECKSUM, objects: &objects, tests: &tests };
+    target::rendered(format!("{FOLDER}/axgen.plcproj"), "", &file)
 }
 
 /// The entry of a file that has been made.
@@ -79,6 +83,6 @@ fn guide(units: &[Unit<'_>]) -> File {
     };
     let (damping, axis) = (first("ipc"), first("axis"));
     let guide =
-        TcGuide { version: VERSION, body_digest: UNSEALED, damping: &damping, axis: &axis, samples: vector::SAMPLES };
-    target::sealed(format!("{FOLDER}/IMPORT.md"), "", &guide)
+        TcGuide { version: VERSION, checksum: NO_CHECKSUM, damping: &damping, axis: &axis, samples: vector::SAMPLES };
+    target::rendered(format!("{FOLDER}/IMPORT.md"), "", &guide)
 }

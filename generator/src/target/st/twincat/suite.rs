@@ -1,6 +1,6 @@
 //! A TcUnit suite for each block: the recorded run of the reference, and the test that compares it, bit by bit.
 
-use super::{TESTS, guid, sealed, word_name};
+use super::{TESTS, guid, rendered, word_name};
 use crate::render::{TcSuite, TcVector, Track};
 use crate::target::outline::is_read;
 use crate::target::st::block::origin;
@@ -34,8 +34,8 @@ pub(crate) fn files(axis: &Header, block: &Legal<'_>, name: &str) -> [File; 2] {
     let real = type_name(Type::Real, axis.real);
     let suite = TcSuite {
         origin: &origin(axis, &suite_file, &[]),
-        id: &guid::of("POU", &suite_name(name)),
-        method_id: &guid::of("Method", &suite_name(name)),
+        id: &guid::derive("POU", &suite_name(name)),
+        method_id: &guid::derive("Method", &suite_name(name)),
         name: &suite_name(name),
         block: name,
         vector: &list,
@@ -44,16 +44,16 @@ pub(crate) fn files(axis: &Header, block: &Legal<'_>, name: &str) -> [File; 2] {
         inputs: &inputs,
         outputs: &outputs,
     };
-    let suite = sealed(TESTS, suite_file, &suite);
+    let suite = rendered(TESTS, suite_file, &suite);
     let tracks: Vec<Track> = inputs.into_iter().chain(outputs).collect();
     let vector = TcVector {
         origin: &origin(axis, &vector_file, &[]),
-        id: &guid::of("GVL", &list),
+        id: &guid::derive("GVL", &list),
         name: &list,
         last: vector.inputs.len() - 1,
         tracks: &tracks,
     };
-    [sealed(TESTS, vector_file, &vector), suite]
+    [rendered(TESTS, vector_file, &vector), suite]
 }
 
 /// The name of the suite of a function block.

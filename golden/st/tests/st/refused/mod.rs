@@ -17,7 +17,7 @@ use st::Dialect;
 
 /// Where the text of a row stands.
 #[derive(Clone, Copy)]
-pub enum Place {
+pub enum Part {
     /// in the body of a block with variables of each type, from line 14 on
     Body,
     /// the same, whose reals are `REAL`
@@ -33,7 +33,7 @@ pub struct Row {
     /// the rule
     pub rule: &'static str,
     /// where the text stands
-    pub place: Place,
+    pub part: Part,
     /// what a real is
     pub real: RealKind,
     /// the text
@@ -57,35 +57,35 @@ VAR_OUTPUT
 END_VAR
 ";
 
-/// A text in its place.
-pub fn file(place: Place, text: &str) -> String {
+/// A text in its part.
+pub fn file(part: Part, text: &str) -> String {
     let body = format!("{VARIABLES}{text}\nEND_FUNCTION_BLOCK\n");
-    match place {
-        Place::Body => body,
-        Place::Single => body.replace("LREAL;", "REAL;"),
-        Place::Declared => {
+    match part {
+        Part::Body => body,
+        Part::Single => body.replace("LREAL;", "REAL;"),
+        Part::Declared => {
             let output = "VAR_OUTPUT\n    y : LREAL;\nEND_VAR\n";
             format!("FUNCTION_BLOCK probe\n{output}{text}\ny := 1.0;\nEND_FUNCTION_BLOCK\n")
         }
-        Place::Whole => text.to_owned(),
+        Part::Whole => text.to_owned(),
     }
 }
 
 /// Asks for each row's messages.
 pub fn refuses(rows: &[Row]) {
     for row in rows {
-        let text = file(row.place, row.text);
+        let text = file(row.part, row.text);
         assert_eq!(said(Dialect::Plain, &text, "probe", row.real), row.said, "{}:\n{text}", row.rule);
     }
 }
 
 #[test]
 fn the_text_around_the_rows_is_taken() {
-    for (place, text, real) in [
-        (Place::Body, "y := x;", RealKind::F64),
-        (Place::Single, "y := x;", RealKind::F32),
-        (Place::Declared, "", RealKind::F64),
+    for (part, text, real) in [
+        (Part::Body, "y := x;", RealKind::F64),
+        (Part::Single, "y := x;", RealKind::F32),
+        (Part::Declared, "", RealKind::F64),
     ] {
-        assert_eq!(said(Dialect::Plain, &file(place, text), "probe", real), [""; 0]);
+        assert_eq!(said(Dialect::Plain, &file(part, text), "probe", real), [""; 0]);
     }
 }

@@ -1,6 +1,6 @@
 //! Refused: single precision.
 
-use crate::refused::{Place, Row, refuses};
+use crate::refused::{Part, Row, refuses};
 use portable::RealKind;
 
 #[test]
@@ -8,7 +8,7 @@ fn single_precision() {
     refuses(&[
         Row {
             rule: "a literal in arithmetic",
-            place: Place::Single,
+            part: Part::Single,
             real: RealKind::F32,
             text: "y := x * 0.5;",
             said: &[
@@ -17,7 +17,7 @@ fn single_precision() {
         },
         Row {
             rule: "a literal in a comparison",
-            place: Place::Single,
+            part: Part::Single,
             real: RealKind::F32,
             text: "q := x < 1.0;",
             said: &[
@@ -26,7 +26,7 @@ fn single_precision() {
         },
         Row {
             rule: "a literal that two roundings change",
-            place: Place::Single,
+            part: Part::Single,
             real: RealKind::F32,
             text: "y := 1.00000017881393432617187499;",
             said: &[
@@ -35,7 +35,7 @@ fn single_precision() {
         },
         Row {
             rule: "a product that depends on the precision",
-            place: Place::Single,
+            part: Part::Single,
             real: RealKind::F32,
             text: "y := 0.1 * 0.1;",
             said: &[
@@ -44,7 +44,7 @@ fn single_precision() {
         },
         Row {
             rule: "a product that is no number",
-            place: Place::Single,
+            part: Part::Single,
             real: RealKind::F32,
             text: "y := 3.0E+38 * 3.0E+38;",
             said: &[
@@ -53,7 +53,7 @@ fn single_precision() {
         },
         Row {
             rule: "a conversion to LREAL",
-            place: Place::Single,
+            part: Part::Single,
             real: RealKind::F32,
             text: "y := DINT_TO_LREAL(i);",
             said: &[
@@ -62,7 +62,7 @@ fn single_precision() {
         },
         Row {
             rule: "a sum of literals",
-            place: Place::Single,
+            part: Part::Single,
             real: RealKind::F32,
             text: "y := 1.0 + 2.0;",
             said: &[
@@ -72,21 +72,21 @@ fn single_precision() {
         },
         Row {
             rule: "a variable of type LREAL",
-            place: Place::Whole,
+            part: Part::Whole,
             real: RealKind::F32,
             text: "FUNCTION_BLOCK probe\nVAR_OUTPUT\n    y : LREAL;\nEND_VAR\ny := 1.0;\nEND_FUNCTION_BLOCK\n",
             said: &["3:9: found the type `LREAL`; write `REAL`, `BOOL`, `DINT` or `UDINT`"],
         },
         Row {
             rule: "a variable of type REAL",
-            place: Place::Whole,
+            part: Part::Whole,
             real: RealKind::F64,
             text: "FUNCTION_BLOCK probe\nVAR_OUTPUT\n    y : REAL;\nEND_VAR\ny := 1.0;\nEND_FUNCTION_BLOCK\n",
             said: &["3:9: found the type `REAL`; write `LREAL`, `BOOL`, `DINT` or `UDINT`"],
         },
         Row {
             rule: "an initial value that two roundings change",
-            place: Place::Whole,
+            part: Part::Whole,
             real: RealKind::F32,
             text: "FUNCTION_BLOCK probe\nVAR_INPUT\n    x : REAL := 1.00000017881393432617187499;\nEND_VAR\nVAR_OUTPUT\n    y : REAL;\nEND_VAR\ny := x;\nEND_FUNCTION_BLOCK\n",
             said: &[

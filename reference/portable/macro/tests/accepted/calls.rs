@@ -1,7 +1,7 @@
 //! Calls: where they stand, what is passed, and whose function is meant.
 
 use crate::text;
-use portable::{Real, from_u32, portable, usable, within};
+use portable::{Real, from_u32, in_range, portable, within};
 
 #[portable]
 struct Section<R> {
@@ -72,7 +72,7 @@ fn step<R: Real>(state: &mut State<R>, x: R) -> R {
 #[portable]
 fn intrinsics<R: Real>(state: &State<R>, x: R) -> bool {
     let share = from_u32::<R>(state.section[0].count) * x;
-    usable(x, portable_limit()) && within(share, R::ONE)
+    in_range(x, portable_limit()) && within(share, R::ONE)
 }
 
 #[portable]
@@ -97,7 +97,7 @@ fn a_call_that_changes_something_stands_alone() {
 fn intrinsics_are_calls() {
     let expected = "intrinsics(state: &State, x: f32) -> bool { \
                     let share = (from_u32(state.section[0].count) * x); \
-                    (usable(x, portable_limit()) && within(share, 1.0f32)) }";
+                    (in_range(x, portable_limit()) && within(share, 1.0f32)) }";
     assert_eq!(text::function(&intrinsics::Ir::<f32>::IR), expected);
     assert_eq!(text::function(&portable_limit::Ir::<f32>::IR), "portable_limit() -> f32 { 1000000000.0f32 }");
 }

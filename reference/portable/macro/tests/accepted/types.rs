@@ -32,7 +32,7 @@ struct State<R: Real> {
     grid: [[u32; 2]; LEN],
     order: usize,
     offset: i32,
-    settled: bool,
+    filled: bool,
 }
 
 #[portable]
@@ -67,7 +67,7 @@ fn state() -> State<f64> {
         grid: [[1, 2], [3, 4]],
         order: 5,
         offset: -6,
-        settled: true,
+        filled: true,
     }
 }
 

@@ -13,13 +13,13 @@ fn step<R: Real>(state: &mut State<R>, mut x: R, scale: f64) -> R {
     while state.count < 3u32 {
         state.count += (state.count as u32) % 2;
     }
-    let x = settle(state) - x.clone();
+    let x = preset(state) - x.clone();
     return if state.x == R::ZERO { x } else { R::ONE };
 }
 
 #[portable]
-fn settle<R: Real>(state: &mut State<R>) -> R {
-    println!("settled");
+fn preset<R: Real>(state: &mut State<R>) -> R {
+    println!("preset!");
     state.x
 }
 

@@ -1,4 +1,4 @@
-//! Events that bring a block to where its integers and flags change for good: the ends of process data, and limits. Noise
+//! Events that bring a block to where its integers and flags change for good: the boundaries of process data, and limits. Noise
 //! does not meet them; they are found by bisection, on the block's own program, one real input at a time.
 
 use crate::csv::{Reals, cell};
@@ -53,7 +53,7 @@ fn base(block: &Program, real: RealKind) -> Vec<Literal> {
     block.inputs.iter().map(value).collect()
 }
 
-/// The largest magnitude that is tried, well within what is usable.
+/// The largest magnitude that is tried, well within the range.
 fn largest(real: RealKind) -> f64 {
     match real {
         RealKind::F64 => sample_limit::<f64>() / 2.0,
