@@ -1,4 +1,4 @@
-//! Takes away questions whose answer is known: from the branch that they stand in, from an assignment before, from a
+//! Removes questions whose answer is known: from the branch that they stand in, from an assignment before, from a
 //! question that was asked already.
 //!
 //! ```text
@@ -7,14 +7,10 @@
 
 use super::Defect;
 use super::facts::Facts;
-use crate::program::{Expr, Program, Statement, Type, Var};
+use crate::program::{Expr, Program, Statement, Type};
 use portable::Literal;
 
-/// Runs the pass.
-///
-/// # Errors
-/// None.
-pub fn run(mut program: Program) -> Result<Program, Defect> {
+pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
     let step = std::mem::take(&mut program.step);
     program.step = in_list(step, &mut Facts::none(&program.constants), &program);
     Ok(program)
@@ -26,7 +22,7 @@ fn in_list(list: Vec<Statement>, facts: &mut Facts, program: &Program) -> Vec<St
         match statement {
             Statement::Note(text) => kept.push(Statement::Note(text)),
             Statement::Assign { target, value } => {
-                let value = if is_bool(target, program) { facts.simplify(value) } else { value };
+                let value = if program.ty(target) == Some(Type::Bool) { facts.simplify(value) } else { value };
                 facts.assign(target, &value);
                 kept.push(Statement::Assign { target, value });
             }
@@ -47,13 +43,4 @@ fn in_list(list: Vec<Statement>, facts: &mut Facts, program: &Program) -> Vec<St
         }
     }
     kept
-}
-
-fn is_bool(target: Var, program: &Program) -> bool {
-    match target {
-        Var::Output(index) => program.outputs[index].ty == Type::Bool,
-        Var::State(index) => program.state[index].ty == Type::Bool,
-        Var::Local(index) => program.locals[index].ty == Some(Type::Bool),
-        Var::Input(_) | Var::Constant(_) => false,
-    }
 }

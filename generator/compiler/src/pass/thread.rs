@@ -8,13 +8,8 @@
 
 use super::Defect;
 use crate::program::{Expr, Program, Statement, Var};
-use portable::Literal;
 
-/// Runs the pass.
-///
-/// # Errors
-/// None.
-pub fn run(mut program: Program) -> Result<Program, Defect> {
+pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
     program.step = in_list(program.step);
     Ok(program)
 }
@@ -22,19 +17,13 @@ pub fn run(mut program: Program) -> Result<Program, Defect> {
 /// Treats a list, inner lists first.
 fn in_list(list: Vec<Statement>) -> Vec<Statement> {
     let mut done: Vec<Statement> = Vec::new();
-    for statement in list {
+    for mut statement in list {
+        statement.branches_mut().for_each(|list| *list = in_list(std::mem::take(list)));
         match statement {
-            Statement::If { condition, then, otherwise } => {
-                let (then, otherwise) = (in_list(then), in_list(otherwise));
-                let flag = match condition {
-                    Expr::Var(flag @ Var::Local(_)) if otherwise.is_empty() => Some(flag),
-                    _ => None,
-                };
-                if !flag.is_some_and(|flag| places(&done, flag, &then) == Some(1) && !is_set(&then)) {
-                    done.push(Statement::If { condition, then, otherwise });
-                } else if let Some(flag) = flag {
-                    put(&mut done, flag, then);
-                }
+            Statement::If { condition: Expr::Var(flag @ Var::Local(_)), then, otherwise }
+                if otherwise.is_empty() && places(&done, flag, &then) == Some(1) && !is_set(&then) =>
+            {
+                put(&mut done, flag, then);
             }
             other => done.push(other),
         }
@@ -51,7 +40,7 @@ fn is_set(effect: &[Statement]) -> bool {
 fn places(list: &[Statement], flag: Var, effect: &[Statement]) -> Option<usize> {
     let last = list.iter().rposition(|statement| writes(statement, flag))?;
     match &list[last] {
-        Statement::Assign { value, .. } => Some(usize::from(*value != Expr::Literal(Literal::Bool(false)))),
+        Statement::Assign { value, .. } => Some(usize::from(*value != Expr::bool(false))),
         Statement::If { then, otherwise, .. } if !list[last + 1..].iter().any(|later| disturbs(later, effect)) => {
             Some(places(then, flag, effect)? + places(otherwise, flag, effect)?)
         }
@@ -67,7 +56,7 @@ fn put(list: &mut Vec<Statement>, flag: Var, effect: Vec<Statement>) {
             let raised = if places(then, flag, &[]) == Some(1) { then } else { otherwise };
             put(raised, flag, effect);
         }
-        Some(Statement::Assign { value, .. }) if *value != Expr::Literal(Literal::Bool(true)) => {
+        Some(Statement::Assign { value, .. }) if *value != Expr::bool(true) => {
             let condition = if is_fixed(value) { value.clone() } else { Expr::Var(flag) };
             list.push(Statement::If { condition, then: effect, otherwise: Vec::new() });
         }

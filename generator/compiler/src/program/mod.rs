@@ -3,11 +3,14 @@
 //! Every scalar of the inputs, the outputs and the state is a variable of its own, named by its path in the reference
 //! (`stage[0].filter[0].section[1].s1`). A local is assigned exactly once on each way through the program.
 
+mod table;
 mod visit;
 
-pub use visit::{map_expressions, rename, rewrite};
+pub use table::Table;
+pub use visit::map_expressions;
+pub(crate) use visit::{rename, rewrite};
 
-use portable::{Literal, RealKind};
+use portable::{Binary, Intrinsic, Literal, RealKind, Unary};
 
 /// A specialised block.
 #[derive(Clone, Debug, PartialEq)]
@@ -114,6 +117,15 @@ impl Type {
             Literal::Usize(_) | Literal::Variant(_) => None,
         }
     }
+
+    /// The type of an intrinsic's value.
+    pub(crate) fn of_intrinsic(intrinsic: Intrinsic) -> Self {
+        match intrinsic {
+            Intrinsic::Usable | Intrinsic::Within => Self::Bool,
+            Intrinsic::FromU32 | Intrinsic::FromI32 => Self::Real,
+            Intrinsic::Truncate | Intrinsic::Nearest => Self::I32,
+        }
+    }
 }
 
 /// A variable or a constant, by its position in the program's list.
@@ -162,11 +174,11 @@ pub enum Expr {
     /// what a variable holds
     Var(Var),
     /// an operator with one operand
-    Unary(portable::Unary, Box<Expr>),
+    Unary(Unary, Box<Expr>),
     /// an operator with two operands
-    Binary(portable::Binary, Box<Expr>, Box<Expr>),
+    Binary(Binary, Box<Expr>, Box<Expr>),
     /// an operation that each target prints in its own way
-    Intrinsic(portable::Intrinsic, Vec<Expr>),
+    Intrinsic(Intrinsic, Vec<Expr>),
 }
 
 impl Program {
@@ -185,5 +197,67 @@ impl Program {
     /// The statements of both bodies.
     pub fn statements(&self) -> impl DoubleEndedIterator<Item = &Statement> {
         self.step.iter().chain(&self.init)
+    }
+}
+
+impl Expr {
+    pub(crate) fn bool(value: bool) -> Self {
+        Self::Literal(Literal::Bool(value))
+    }
+
+    pub(crate) fn binary(operator: Binary, left: Self, right: Self) -> Self {
+        Self::Binary(operator, Box::new(left), Box::new(right))
+    }
+
+    /// The negation, without a literal as its operand.
+    pub(crate) fn not(operand: Self) -> Self {
+        match operand {
+            Self::Literal(Literal::Bool(value)) => Self::bool(!value),
+            operand => Self::Unary(Unary::Not, Box::new(operand)),
+        }
+    }
+
+    /// An `and` or an `or`, without a literal as an operand.
+    pub(crate) fn logic(operator: Binary, left: Self, right: Self) -> Self {
+        let neutral = operator == Binary::And;
+        match (&left, &right) {
+            (Self::Literal(Literal::Bool(value)), _) => {
+                if *value == neutral {
+                    right
+                } else {
+                    left
+                }
+            }
+            (_, Self::Literal(Literal::Bool(value))) => {
+                if *value == neutral {
+                    left
+                } else {
+                    right
+                }
+            }
+            _ => Self::binary(operator, left, right),
+        }
+    }
+
+    /// The value of a literal or of a named number.
+    pub(crate) fn known(&self, constants: &[Constant]) -> Option<Literal> {
+        match self {
+            Self::Literal(literal) => Some(*literal),
+            Self::Var(Var::Constant(index)) => Some(constants[*index].value),
+            _ => None,
+        }
+    }
+
+    /// The type of an expression in a program whose types fit.
+    pub(crate) fn ty(&self, program: &Program) -> Type {
+        use Binary::{Add, And, Divide, Multiply, Or, Subtract};
+        match self {
+            Self::Literal(literal) => Type::of(*literal).expect("program: the passes leave what exists at run time"),
+            Self::Var(var) => program.ty(*var).expect("program: the typing pass has typed every local"),
+            Self::Unary(_, operand) => operand.ty(program),
+            Self::Binary(Add | Subtract | Multiply | Divide | And | Or, left, _) => left.ty(program),
+            Self::Binary(..) => Type::Bool,
+            Self::Intrinsic(intrinsic, _) => Type::of_intrinsic(*intrinsic),
+        }
     }
 }

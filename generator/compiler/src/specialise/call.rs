@@ -58,23 +58,22 @@ impl Specialiser<'_> {
         let is_anonymous = operands.iter().all(|operand| matches!(operand, Expr::Literal(_)));
         match known {
             Some(known) if is_anonymous || matches!(intrinsic, Intrinsic::Usable | Intrinsic::Within) => {
-                Expr::Literal(arithmetic::intrinsic(intrinsic, &known, self.real))
+                Expr::Literal(arithmetic::intrinsic(intrinsic, &known, self.program.real))
             }
             _ => Expr::Intrinsic(intrinsic, operands),
         }
     }
 
     fn value_argument(&mut self, argument: &'static Argument, function: &Fn) -> Expr {
-        match argument {
-            Argument::Value { value } => self.expr(value),
-            Argument::Borrow { .. } => panic!("specialise: {} takes a scalar by value", function.name),
-        }
+        let Argument::Value { value } = argument else {
+            panic!("specialise: {} takes a scalar by value", function.name)
+        };
+        self.expr(value)
     }
 
     /// A new name for a value. What can still change, or is computed, gets a local.
     pub(super) fn bind(&mut self, name: &str, value: Expr) -> Rc<Node> {
         let cell = self.settled(name, value);
-        self.cells.push(cell);
-        Rc::new(Node::Leaf(self.cells.len() - 1))
+        self.leaf(cell)
     }
 }

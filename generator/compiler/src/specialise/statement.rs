@@ -1,7 +1,7 @@
 //! Statements, branches and loops: the order of effects, and what is known after a branch.
 
 use super::node::{self, Cell, Node};
-use super::{Specialiser, number};
+use super::{Specialiser, run_time};
 use crate::program::{Expr, Statement, Var};
 use portable::{Arm, Binary, CodeBlock, Literal};
 use std::rc::Rc;
@@ -29,12 +29,8 @@ impl Specialiser<'_> {
                         let elements = (0..*len).map(|_| self.leaf(cell)).collect();
                         Rc::new(Node::Array { path: (*name).into(), elements })
                     }
-                    portable::Expr::If { .. } | portable::Expr::Match { .. } => {
-                        let value = self.choice(value, name);
-                        self.bind(name, value)
-                    }
                     value => {
-                        let value = self.expr(value);
+                        let value = self.named_value(value, name);
                         self.bind(name, value)
                     }
                 };
@@ -45,7 +41,7 @@ impl Specialiser<'_> {
                 leaves(&mut |literal| values.push(literal));
                 let mut values = values.into_iter();
                 // Nothing of it is a variable of the block: its parts are locals, where they are not known.
-                let node = node::build(*ty, &mut String::new(), "", &mut |_, _, _| {
+                let node = node::build(*ty, None, "", &mut |_, _, _| {
                     let value = values.next().expect("specialise: as many values as the type has scalars");
                     self.cells.push(Cell::Known(value));
                     self.cells.len() - 1
@@ -58,10 +54,7 @@ impl Specialiser<'_> {
                     portable::Projection::Index { .. } => None,
                 });
                 let name = name.unwrap_or(place.root);
-                let value = match value {
-                    portable::Expr::If { .. } | portable::Expr::Match { .. } => self.choice(value, name),
-                    value => self.expr(value),
-                };
+                let value = self.named_value(value, name);
                 let node = self.place(place);
                 self.assign(&node, name, value);
             }
@@ -81,6 +74,14 @@ impl Specialiser<'_> {
                     self.branch(branching, None);
                 }
             },
+        }
+    }
+
+    /// The value of an expression; a local that holds a choice gets the name.
+    fn named_value(&mut self, value: &'static portable::Expr, name: &str) -> Expr {
+        match value {
+            portable::Expr::If { .. } | portable::Expr::Match { .. } => self.choice(value, name),
+            value => self.expr(value),
         }
     }
 
@@ -122,7 +123,7 @@ impl Specialiser<'_> {
         }
     }
 
-    fn leaf(&mut self, cell: Cell) -> Rc<Node> {
+    pub(super) fn leaf(&mut self, cell: Cell) -> Rc<Node> {
         self.cells.push(cell);
         Rc::new(Node::Leaf(self.cells.len() - 1))
     }
@@ -176,44 +177,39 @@ impl Specialiser<'_> {
         }
         let before = self.cells.clone();
         let outer = std::mem::take(&mut self.statements);
-        let run = |this: &mut Self, branch: &mut dyn FnMut(&mut Self) -> Option<Expr>| {
-            this.cells.clone_from(&before);
-            let value = branch(this);
-            let mut cells = std::mem::take(&mut this.cells);
-            cells.truncate(before.len());
-            (std::mem::take(&mut this.statements), cells, value)
-        };
-        let (mut then, mut otherwise) = (Some(then), Some(otherwise));
-        let mut yes = run(self, &mut |this| then.take().and_then(|then| then(this)));
-        let mut no = run(self, &mut |this| otherwise.take().and_then(|otherwise| otherwise(this)));
-        self.cells = before;
-        let value = match (name, yes.2.take(), no.2.take()) {
-            (Some(name), Some(a), Some(b)) => Some(self.merge(name, a, b, &mut yes.0, &mut no.0)),
+        let a = then(self);
+        let mut branches = [std::mem::take(&mut self.statements), Vec::new()];
+        let yes = std::mem::replace(&mut self.cells, before.clone());
+        let b = otherwise(self);
+        branches[1] = std::mem::replace(&mut self.statements, outer);
+        let no = std::mem::replace(&mut self.cells, before);
+        let value = match (name, a, b) {
+            (Some(name), Some(a), Some(b)) => Some(self.merge(name, [a, b], &mut branches)),
             _ => None,
         };
-        for cell in 0..self.cells.len() {
-            if yes.1[cell] != no.1[cell] {
-                let name = self.name_of(cell);
-                let (a, b) = (value_of(yes.1[cell]), value_of(no.1[cell]));
-                let merged = self.merge(&name, a, b, &mut yes.0, &mut no.0);
-                self.cells[cell] = self.settled(&name, merged);
+        // What the branches declared has ended with them.
+        for (cell, (yes, no)) in yes.into_iter().zip(no).enumerate().take(self.cells.len()) {
+            self.cells[cell] = if yes == no {
+                yes
             } else {
-                self.cells[cell] = yes.1[cell];
-            }
+                let name = self.name_of(cell);
+                let merged = self.merge(&name, [yes, no].map(value_of), &mut branches);
+                self.settled(&name, merged)
+            };
         }
-        self.statements = outer;
-        self.statements.push(Statement::If { condition, then: yes.0, otherwise: no.0 });
+        let [then, otherwise] = branches;
+        self.statements.push(Statement::If { condition, then, otherwise });
         value
     }
 
     /// One value after two branches.
-    fn merge(&mut self, name: &str, a: Expr, b: Expr, yes: &mut Vec<Statement>, no: &mut Vec<Statement>) -> Expr {
+    fn merge(&mut self, name: &str, [a, b]: [Expr; 2], branches: &mut [Vec<Statement>; 2]) -> Expr {
         if a == b && matches!(a, Expr::Literal(_) | Expr::Var(Var::Constant(_) | Var::Input(_) | Var::Local(_))) {
             return a; // nothing in the branches can have changed it
         }
         let target = self.local(name);
-        yes.push(Statement::Assign { target, value: run_time(a) });
-        no.push(Statement::Assign { target, value: run_time(b) });
+        branches[0].push(Statement::Assign { target, value: run_time(a) });
+        branches[1].push(Statement::Assign { target, value: run_time(b) });
         Expr::Var(target)
     }
 
@@ -239,13 +235,5 @@ fn value_of(cell: Cell) -> Expr {
         Cell::Known(literal) => Expr::Literal(literal),
         Cell::Fixed(var) => Expr::Var(var),
         Cell::Coefficient(_) | Cell::Memory(_) => panic!("specialise: only a local has a value that changes"),
-    }
-}
-
-/// A value that the program stores: a variant becomes its number.
-fn run_time(expr: Expr) -> Expr {
-    match expr {
-        Expr::Literal(literal) => Expr::Literal(number(literal)),
-        other => other,
     }
 }
