@@ -63,7 +63,7 @@ impl Statement {
 
 impl Expr {
     /// The expressions that this one is made of.
-    fn operands(&self) -> impl Iterator<Item = &Self> {
+    pub(crate) fn operands(&self) -> impl Iterator<Item = &Self> {
         let (first, second, more): (_, _, &[Self]) = match self {
             Self::Literal(_) | Self::Var(_) => (None, None, &[]),
             Self::Unary(_, operand) => (Some(&**operand), None, &[]),
