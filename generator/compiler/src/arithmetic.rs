@@ -94,25 +94,21 @@ fn compare(operator: Binary, left: Literal, right: Literal) -> bool {
 
 /// The value of an operation that each target prints in its own way.
 pub(crate) fn intrinsic(intrinsic: Intrinsic, operands: &[Literal], kind: RealKind) -> Literal {
-    match (intrinsic, operands) {
-        (Intrinsic::Usable | Intrinsic::Within, [Literal::F64(x), Literal::F64(limit)]) => {
+    match (intrinsic, operands, kind) {
+        (Intrinsic::Usable | Intrinsic::Within, [Literal::F64(x), Literal::F64(limit)], _) => {
             Literal::Bool(portable::within(*x, *limit))
         }
-        (Intrinsic::Usable | Intrinsic::Within, [Literal::F32(x), Literal::F32(limit)]) => {
+        (Intrinsic::Usable | Intrinsic::Within, [Literal::F32(x), Literal::F32(limit)], _) => {
             Literal::Bool(portable::within(*x, *limit))
         }
-        (Intrinsic::FromU32, [Literal::U32(value)]) => match kind {
-            RealKind::F64 => Literal::F64(portable::from_u32(*value)),
-            RealKind::F32 => Literal::F32(portable::from_u32(*value)),
-        },
-        (Intrinsic::FromI32, [Literal::I32(value)]) => match kind {
-            RealKind::F64 => Literal::F64(portable::from_i32(*value)),
-            RealKind::F32 => Literal::F32(portable::from_i32(*value)),
-        },
-        (Intrinsic::Truncate, [Literal::F64(x)]) => Literal::I32(portable::truncate(*x)),
-        (Intrinsic::Truncate, [Literal::F32(x)]) => Literal::I32(portable::truncate(*x)),
-        (Intrinsic::Nearest, [Literal::F64(x)]) => Literal::I32(portable::nearest(*x)),
-        (Intrinsic::Nearest, [Literal::F32(x)]) => Literal::I32(portable::nearest(*x)),
+        (Intrinsic::FromU32, [Literal::U32(x)], RealKind::F64) => Literal::F64(portable::from_u32(*x)),
+        (Intrinsic::FromU32, [Literal::U32(x)], RealKind::F32) => Literal::F32(portable::from_u32(*x)),
+        (Intrinsic::FromI32, [Literal::I32(x)], RealKind::F64) => Literal::F64(portable::from_i32(*x)),
+        (Intrinsic::FromI32, [Literal::I32(x)], RealKind::F32) => Literal::F32(portable::from_i32(*x)),
+        (Intrinsic::Truncate, [Literal::F64(x)], _) => Literal::I32(portable::truncate(*x)),
+        (Intrinsic::Truncate, [Literal::F32(x)], _) => Literal::I32(portable::truncate(*x)),
+        (Intrinsic::Nearest, [Literal::F64(x)], _) => Literal::I32(portable::nearest(*x)),
+        (Intrinsic::Nearest, [Literal::F32(x)], _) => Literal::I32(portable::nearest(*x)),
         _ => panic!("arithmetic: {intrinsic:?} of {operands:?}"),
     }
 }

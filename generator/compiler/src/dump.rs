@@ -65,11 +65,8 @@ fn expr(program: &Program, value: &Expr) -> String {
         }
         Expr::Intrinsic(intrinsic, operands) => {
             let name = match intrinsic {
-                Intrinsic::Usable => "usable",
-                Intrinsic::Within => "within",
-                Intrinsic::FromU32 | Intrinsic::FromI32 => "real",
-                Intrinsic::Truncate => "truncate",
-                Intrinsic::Nearest => "nearest",
+                Intrinsic::FromU32 | Intrinsic::FromI32 => "real".to_owned(),
+                other => format!("{other:?}").to_lowercase(),
             };
             format!("{name}({})", operands.iter().map(|part| expr(program, part)).collect::<Vec<_>>().join(", "))
         }

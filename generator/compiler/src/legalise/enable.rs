@@ -23,23 +23,16 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let variable = &program.inputs[switch.input + 1];
     program.locals.push(Local { path: format!("{}_enabled", variable.path), ty: Some(variable.ty) });
     rename(&mut program.step, &|var| if var == input { enabled } else { var });
-    let off = match switch.off {
-        None => Expr::bool(false),
-        Some(off) => {
-            let known = program.constants.iter().position(|constant| *constant == off);
-            Expr::Var(Var::Constant(known.unwrap_or_else(|| {
-                program.constants.push(off);
-                program.constants.len() - 1
-            })))
-        }
-    };
+    let off = switch.off.map_or(Expr::bool(false), |off| {
+        let known = program.constants.iter().position(|constant| *constant == off);
+        Expr::Var(Var::Constant(known.unwrap_or_else(|| {
+            program.constants.push(off);
+            program.constants.len() - 1
+        })))
+    });
     let enable = Expr::Var(Var::Input(0));
-    let choice = Statement::If {
-        condition: enable.clone(),
-        then: vec![assign(enabled, Expr::Var(input))],
-        otherwise: vec![assign(enabled, off)],
-    };
-    program.step.insert(0, choice);
+    let (then, otherwise) = (vec![assign(enabled, Expr::Var(input))], vec![assign(enabled, off)]);
+    program.step.insert(0, Statement::If { condition: enable.clone(), then, otherwise });
     let busy = match switch.busy {
         Some(busy) => Expr::binary(Binary::Or, enable.clone(), Expr::Var(busy)),
         None => enable.clone(),

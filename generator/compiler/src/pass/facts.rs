@@ -141,22 +141,17 @@ impl<'p> Facts<'p> {
     fn comparison(&self, question: &Expr) -> Option<Comparison> {
         use Binary::{Equal, Greater, GreaterEqual, Less, LessEqual, NotEqual};
         let Expr::Binary(operator, left, right) = question else { return None };
-        let (var, operator, (number, (least, most))) = match (&**left, &**right) {
-            (Expr::Var(Var::Constant(_)) | Expr::Literal(_), Expr::Var(var)) => {
-                let turned = match operator {
-                    Less => Greater,
-                    LessEqual => GreaterEqual,
-                    Greater => Less,
-                    GreaterEqual => LessEqual,
-                    other => *other,
-                };
-                (*var, turned, self.number(left)?)
-            }
-            (Expr::Var(var), right) => (*var, *operator, self.number(right)?),
+        let (var, number, is_turned) = match (&**left, &**right) {
+            (Expr::Var(Var::Constant(_)) | Expr::Literal(_), Expr::Var(var)) => (*var, left, true),
+            (Expr::Var(var), _) => (*var, right, false),
             _ => return None,
         };
-        let (below, up_to) = ((least, number - 1), (least, number));
-        let (from, above) = ((number, most), (number + 1, most));
+        let (number, (least, most)) = self.number(number)?;
+        let (mut below, mut up_to) = ((least, number - 1), (least, number));
+        let (mut from, mut above) = ((number, most), (number + 1, most));
+        if is_turned {
+            (below, up_to, from, above) = (above, from, up_to, below);
+        }
         let (holds, fails) = match operator {
             Less => (vec![below], vec![from]),
             LessEqual => (vec![up_to], vec![above]),

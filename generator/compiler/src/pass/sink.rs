@@ -35,7 +35,6 @@ struct Way {
     value: Option<Literal>,
 }
 
-/// Treats a list, inner lists first.
 fn in_list(list: &mut Vec<Statement>, reads: &Table<usize>, writes: &Table<usize>) {
     for list in list.iter_mut().flat_map(Statement::branches_mut) {
         in_list(list, reads, writes);

@@ -14,7 +14,6 @@ pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
     Ok(program)
 }
 
-/// Treats a list, inner lists first.
 fn in_list(list: Vec<Statement>) -> Vec<Statement> {
     let mut done: Vec<Statement> = Vec::new();
     for mut statement in list {
@@ -64,7 +63,7 @@ fn put(list: &mut Vec<Statement>, flag: Var, effect: Vec<Statement>) {
     }
 }
 
-/// Whether nothing can change the value any more.
+/// Whether no later statement can change the value.
 fn is_fixed(value: &Expr) -> bool {
     let mut fixed = true;
     value.variables(&mut |var| fixed &= !matches!(var, Var::Output(_) | Var::State(_)));

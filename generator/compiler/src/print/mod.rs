@@ -87,15 +87,11 @@ impl<'p> Printer<'p> {
             locals: program.locals.iter().map(|local| names.take(&local.path)).collect(),
         };
         let appearances = (language.appearances)(program);
-        let [input, output, state, constant, local] = language.before;
-        let behind = |before: &str, names: &[String]| names.iter().map(|name| [before, name].concat()).collect();
-        let mut texts = Scope {
-            inputs: behind(input, &names.inputs),
-            outputs: behind(output, &names.outputs),
-            state: behind(state, &names.state),
-            constants: behind(constant, &names.constants),
-            locals: behind(local, &names.locals),
-        };
+        let mut texts = names.clone();
+        let Scope { inputs, outputs, state, constants, locals } = &mut texts;
+        for (before, list) in language.before.into_iter().zip([inputs, outputs, state, constants, locals]) {
+            list.iter_mut().for_each(|name| name.insert_str(0, before));
+        }
         for (index, appearance) in appearances.iter().enumerate() {
             if *appearance == Appearance::Inline {
                 let (digits, level) = (language.operand)(program.constants[index].value);

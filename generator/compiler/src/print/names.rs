@@ -6,15 +6,8 @@ use std::collections::HashSet;
 /// The identifier of a path: `stage[0].filter[1].y` becomes `stage0_filter1_y`.
 #[must_use]
 pub fn identifier(path: &str) -> String {
-    let mut name = String::with_capacity(path.len());
-    for character in path.chars() {
-        match character {
-            '[' | ']' => {}
-            '.' => name.push('_'),
-            other => name.push(other),
-        }
-    }
-    name
+    let kept = path.chars().filter(|character| !matches!(character, '[' | ']'));
+    kept.map(|character| if character == '.' { '_' } else { character }).collect()
 }
 
 /// The names of one scope, unlike each other in more than the case of their letters.

@@ -113,13 +113,9 @@ pub fn map_expressions(list: &mut [Statement], change: &mut impl FnMut(&mut Expr
     for statement in list {
         match statement {
             Statement::Note(_) => {}
-            Statement::Assign { value, .. } => change(value),
-            Statement::If { condition, then, otherwise } => {
-                change(condition);
-                map_expressions(then, change);
-                map_expressions(otherwise, change);
-            }
+            Statement::Assign { value: expr, .. } | Statement::If { condition: expr, .. } => change(expr),
         }
+        statement.branches_mut().for_each(|list| map_expressions(list, change));
     }
 }
 

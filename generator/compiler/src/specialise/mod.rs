@@ -85,9 +85,8 @@ impl Specialiser<'_> {
     fn enter_coefficients(&mut self) -> Rc<Node> {
         let mut position = 0;
         node::build(self.coefficient_type, None, "", &mut |_, _, _| {
-            self.cells.push(Cell::Coefficient(position));
             position += 1;
-            self.cells.len() - 1
+            self.cell(Cell::Coefficient(position - 1))
         })
     }
 
@@ -104,8 +103,7 @@ impl Specialiser<'_> {
                 _ => (&mut self.program.inputs, Cell::Fixed(var)),
             };
             list.push(variable);
-            self.cells.push(cell);
-            self.cells.len() - 1
+            self.cell(cell)
         })
     }
 
@@ -136,12 +134,7 @@ impl Specialiser<'_> {
     fn coefficient(&mut self, position: usize) -> Expr {
         let index = self.coefficient_of[position].unwrap_or_else(|| {
             let (path, doc) = node::leaf_at(self.coefficient_type, position);
-            self.constant(Constant {
-                path,
-                doc,
-                value: self.coefficients[position],
-                origin: Origin::Coefficient(position),
-            })
+            self.constant(path, doc, self.coefficients[position], Origin::Coefficient(position))
         });
         self.coefficient_of[position] = Some(index);
         Expr::Var(Var::Constant(index))
@@ -152,16 +145,15 @@ impl Specialiser<'_> {
         let is_same = |known: &Fn| (known.name, known.module) == (function.name, function.module);
         let known = self.function_of.iter().find(|(known, _)| is_same(known)).map(|(_, index)| *index);
         let index = known.unwrap_or_else(|| {
-            let (path, doc) = (function.name.to_owned(), function.doc);
-            let index = self.constant(Constant { path, doc, value, origin: Origin::Function });
+            let index = self.constant(function.name.to_owned(), function.doc, value, Origin::Function);
             self.function_of.push((function, index));
             index
         });
         Expr::Var(Var::Constant(index))
     }
 
-    fn constant(&mut self, constant: Constant) -> usize {
-        self.program.constants.push(constant);
+    fn constant(&mut self, path: String, doc: &'static str, value: Literal, origin: Origin) -> usize {
+        self.program.constants.push(Constant { path, doc, value, origin });
         self.program.constants.len() - 1
     }
 

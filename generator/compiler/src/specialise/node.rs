@@ -51,6 +51,9 @@ pub(super) fn build(
     doc: &'static str,
     leaf: &mut dyn FnMut(Ty, &str, &'static str) -> usize,
 ) -> Rc<Node> {
+    if !matches!(ty, Ty::Struct { .. } | Ty::Array { .. }) {
+        return Rc::new(Node::Leaf(leaf(ty, path.map_or("", |path| path), doc)));
+    }
     let here: Rc<str> = path.as_deref().map_or("", String::as_str).into();
     let mut inner = |part: std::fmt::Arguments<'_>, ty, doc| {
         if let Some(path) = &mut path {
@@ -73,7 +76,7 @@ pub(super) fn build(
             let elements = (0..len).map(|index| inner(format_args!("[{index}]"), *element, doc)).collect();
             Node::Array { path: here, elements }
         }
-        scalar => Node::Leaf(leaf(scalar, &here, doc)),
+        scalar => unreachable!("{scalar:?} is no aggregate"),
     })
 }
 

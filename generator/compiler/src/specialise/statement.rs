@@ -22,7 +22,14 @@ impl Specialiser<'_> {
         match statement {
             portable::Statement::Let { name, value } => {
                 let node = match value {
-                    portable::Expr::Array { elements } => self.array(name, elements),
+                    portable::Expr::Array { elements } => {
+                        let leaf = |element| {
+                            let value = self.expr(element);
+                            self.bind(name, value)
+                        };
+                        let elements = elements.iter().map(leaf).collect();
+                        Rc::new(Node::Array { path: (*name).into(), elements })
+                    }
                     portable::Expr::Repeat { value, len } => {
                         let value = self.expr(value);
                         let cell = self.settled(name, value);
@@ -43,8 +50,7 @@ impl Specialiser<'_> {
                 // Nothing of it is a variable of the block: its parts are locals, where they are not known.
                 let node = node::build(*ty, None, "", &mut |_, _, _| {
                     let value = values.next().expect("specialise: as many values as the type has scalars");
-                    self.cells.push(Cell::Known(value));
-                    self.cells.len() - 1
+                    self.cell(Cell::Known(value))
                 });
                 self.frame_mut().names.push((name, node));
             }
@@ -85,17 +91,6 @@ impl Specialiser<'_> {
         }
     }
 
-    fn array(&mut self, name: &'static str, elements: &'static [portable::Expr]) -> Rc<Node> {
-        let elements = elements
-            .iter()
-            .map(|element| {
-                let value = self.expr(element);
-                self.bind(name, value)
-            })
-            .collect();
-        Rc::new(Node::Array { path: name.into(), elements })
-    }
-
     fn assign(&mut self, node: &Node, name: &str, value: Expr) {
         let Node::Leaf(cell) = *node else {
             panic!("specialise: in {}: only a scalar can be assigned", self.frame().function)
@@ -124,8 +119,12 @@ impl Specialiser<'_> {
     }
 
     pub(super) fn leaf(&mut self, cell: Cell) -> Rc<Node> {
+        Rc::new(Node::Leaf(self.cell(cell)))
+    }
+
+    pub(super) fn cell(&mut self, cell: Cell) -> usize {
         self.cells.push(cell);
-        Rc::new(Node::Leaf(self.cells.len() - 1))
+        self.cells.len() - 1
     }
 
     /// The value of an `if` or a `match`; `name` is what a local that holds it is called.
@@ -154,7 +153,7 @@ impl Specialiser<'_> {
         if arm.patterns.is_empty() || rest.is_empty() {
             return self.block(&arm.body);
         }
-        let condition = arm.patterns.iter().fold(Expr::Literal(Literal::Bool(false)), |any, pattern| {
+        let condition = arm.patterns.iter().fold(Expr::bool(false), |any, pattern| {
             let equal = self.binary(Binary::Equal, scrutinee.clone(), Expr::Literal(pattern()));
             self.binary(Binary::Or, any, equal)
         });
