@@ -1,5 +1,5 @@
-//! Moves what `init` does into the first cycle: the memory of an instance is 0 and FALSE everywhere, but nothing else about it
-//! is sure. Where that is all that `init` asks for, nothing is left to do.
+//! Moves what `init` does into the first cycle: every target clears the memory of an instance to 0 and FALSE, but not every
+//! one applies initial values. An `init` that assigns nothing but 0 and FALSE is dropped.
 
 use crate::pass::Defect;
 use crate::program::{Expr, Program, Statement, Type, Var, Variable};

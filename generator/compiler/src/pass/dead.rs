@@ -1,5 +1,5 @@
-//! Removes assignments of locals that nothing reads afterwards: what the joining of two branches leaves where only one of
-//! them goes on.
+//! Removes assignments of locals that nothing reads afterwards: joining two branches leaves them where only one
+//! branch uses the value.
 
 use super::Defect;
 use crate::program::{Program, Statement, Table, Var};

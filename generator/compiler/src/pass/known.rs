@@ -1,5 +1,5 @@
-//! Removes questions whose answer is known: from the branch that they stand in, from an assignment before, from a
-//! question that was asked already.
+//! Removes conditions whose value is known: from the branch that they stand in, from an assignment before, from an earlier
+//! condition.
 //!
 //! ```text
 //! if a || b { if a { x } else { if b { y } else { z } } }   ->   if a || b { if a { x } else { y } }

@@ -54,7 +54,7 @@ fn in_list(list: &mut Vec<Statement>, reads: &Table<usize>, writes: &Table<usize
     }
 }
 
-/// The way of a local to an output, if a statement does nothing else.
+/// The local and the output, if a statement does nothing but pass the one to the other.
 fn asked(statement: &Statement) -> Option<Way> {
     let (local, output, value) = match statement {
         Statement::Assign { target, value: Expr::Var(local) } => (local, target, None),

@@ -1,4 +1,4 @@
-//! Does what a flag asks for where the flag is raised, if that is one place.
+//! Moves the statements that depend on a flag to the place where the flag becomes true, if that is one place.
 //!
 //! ```text
 //! if a { flag := true; n := 2 } else { flag := false; n := 0 }      if a { flag := true; n := 2; x := n } else { ... }
@@ -30,12 +30,12 @@ fn in_list(list: Vec<Statement>) -> Vec<Statement> {
     done
 }
 
-/// Whether nothing but a known value is assigned: the pass `sunk` does that wherever the flag is raised.
+/// Whether nothing but a known value is assigned: the pass `sunk` moves that to every place that sets the flag.
 fn is_set(effect: &[Statement]) -> bool {
     matches!(effect, [Statement::Assign { value: Expr::Literal(_), .. }])
 }
 
-/// In how many lists the flag may be raised at whose end the effect can stand; nothing, if it cannot.
+/// In how many lists the flag may become true, so that the effect can stand at their end; `None`: it cannot.
 fn places(list: &[Statement], flag: Var, effect: &[Statement]) -> Option<usize> {
     let last = list.iter().rposition(|statement| writes(statement, flag))?;
     match &list[last] {
@@ -47,7 +47,7 @@ fn places(list: &[Statement], flag: Var, effect: &[Statement]) -> Option<usize> 
     }
 }
 
-/// Puts the effect at the end of the list in which the flag is raised.
+/// Puts the effect at the end of the list in which the flag becomes true.
 fn put(list: &mut Vec<Statement>, flag: Var, effect: Vec<Statement>) {
     let last = list.iter().rposition(|statement| writes(statement, flag));
     match last.map(|last| &mut list[last]) {
@@ -76,7 +76,7 @@ fn writes(statement: &Statement, var: Var) -> bool {
     found
 }
 
-/// Whether it matters which of the two comes first.
+/// Whether the order of the two matters.
 fn disturbs(later: &Statement, effect: &[Statement]) -> bool {
     let mut found = false;
     later.assignments(&mut |target, _| found |= effect.iter().any(|statement| statement.mentions(target)));

@@ -1,6 +1,7 @@
-//! Asks in the positive where both answers lead to something: `if !a { x } else { y }` becomes `if a { y } else { x }`.
+//! Removes the negation of a condition where both branches have statements: `if !a { x } else { y }` becomes
+//! `if a { y } else { x }`.
 //!
-//! A chain `if !a { x } else if b { y } else ...` stays: turned, each of its questions would stand one level deeper.
+//! A chain `if !a { x } else if b { y } else ...` stays: otherwise each further condition would stand one level deeper.
 
 use super::Defect;
 use crate::program::{Expr, Program, Statement, rewrite};

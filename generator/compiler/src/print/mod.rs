@@ -191,7 +191,7 @@ impl<'d> Layout<'d> {
                 };
                 let mut doc = asked(first, condition).append(inner(then));
                 let mut rest = otherwise;
-                // A chain of questions reads as one.
+                // An `if` that is alone in the other branch continues the chain.
                 while let [Statement::If { condition, then, otherwise }] = rest.as_slice() {
                     doc = doc.append(self.arena.hardline()).append(asked(next, condition)).append(inner(then));
                     rest = otherwise;

@@ -1,4 +1,4 @@
-//! Identifiers from paths, each given once. Which words a language keeps for itself is the language's business.
+//! Identifiers from paths, each given once. The reserved words are part of a language's description.
 
 use super::Language;
 use std::collections::HashSet;

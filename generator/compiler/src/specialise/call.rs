@@ -52,7 +52,7 @@ impl Specialiser<'_> {
         }
     }
 
-    /// An intrinsic: a question about known values is decided, a conversion of an anonymous literal done.
+    /// An intrinsic: a comparison of known values and a conversion of an anonymous literal are folded.
     fn intrinsic(&self, intrinsic: Intrinsic, operands: Vec<Expr>) -> Expr {
         let known: Option<Vec<Literal>> = operands.iter().map(|operand| self.known(operand)).collect();
         let is_anonymous = operands.iter().all(|operand| matches!(operand, Expr::Literal(_)));

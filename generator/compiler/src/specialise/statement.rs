@@ -147,7 +147,7 @@ impl Specialiser<'_> {
         }
     }
 
-    /// The arms of a match, as a chain of `if`s. The last arm needs no question: Rust has made sure that one fits.
+    /// The arms of a match, as a chain of `if`s. The last arm needs no condition: the match is exhaustive.
     fn arms(&mut self, scrutinee: &Expr, arms: &'static [Arm], name: Option<&str>) -> Option<Expr> {
         let (arm, rest) = arms.split_first().expect("specialise: a match has an arm");
         if arm.patterns.is_empty() || rest.is_empty() {
