@@ -1,7 +1,7 @@
 //! Each pass on a program that is small enough to be read; the random programs find what these do not think of.
 
 use compiler::interp::Machine;
-use compiler::pass::{coalesce, dead, identity, known, prune, sink, thread, turn, typing, verify};
+use compiler::pass::{Defect, PASSES, verify};
 use compiler::program::{Constant, Expr, Local, Origin, Program, Statement, Type, Var, Variable};
 use portable::{Binary, Literal, RealKind};
 
@@ -54,30 +54,35 @@ fn choose(then: Vec<Statement>, otherwise: Vec<Statement>) -> Statement {
     Statement::If { condition: ON, then, otherwise }
 }
 
-fn message(result: Result<Program, compiler::pass::Defect>) -> String {
+fn run(pass: &str, program: Program) -> Result<Program, Defect> {
+    let (_, pass) = PASSES.into_iter().find(|(name, _)| *name == pass).expect("a pass has that name");
+    pass(program)
+}
+
+fn message(result: Result<Program, Defect>) -> String {
     result.expect_err("the program has a defect").to_string()
 }
 
 #[test]
 fn typing_fills_in_locals() {
     let comparison = binary(Binary::Less, X, real(1.0));
-    let typed = typing::run(program(2, vec![assign(Var::Local(0), X), assign(Var::Local(1), comparison)])).unwrap();
+    let typed = run("typed", program(2, vec![assign(Var::Local(0), X), assign(Var::Local(1), comparison)])).unwrap();
     assert_eq!(typed.locals.iter().map(|local| local.ty).collect::<Vec<_>>(), [Some(Type::Real), Some(Type::Bool)]);
 }
 
 #[test]
 fn typing_rejects_what_has_no_counterpart() {
     let equal = binary(Binary::Equal, X, real(1.0));
-    assert!(message(typing::run(program(1, vec![assign(Var::Local(0), equal)]))).starts_with("typing: Equal of Real"));
+    assert!(message(run("typed", program(1, vec![assign(Var::Local(0), equal)]))).starts_with("typing: Equal of Real"));
     let mixed = binary(Binary::Add, X, Expr::Literal(Literal::U32(1)));
-    assert!(message(typing::run(program(0, vec![assign(Y, mixed)]))).starts_with("typing: Real wanted, U32 found"));
+    assert!(message(run("typed", program(0, vec![assign(Y, mixed)]))).starts_with("typing: Real wanted, U32 found"));
     let index = Expr::Literal(Literal::Usize(1));
-    assert!(message(typing::run(program(0, vec![assign(Y, index)]))).contains("is left at run time"));
+    assert!(message(run("typed", program(0, vec![assign(Y, index)]))).contains("is left at run time"));
 }
 
 #[test]
 fn identity_removes_exact_multiplications_only() {
-    let step = |value| identity::run(program(0, vec![assign(Y, value)])).unwrap().step;
+    let step = |value| run("identity", program(0, vec![assign(Y, value)])).unwrap().step;
     let one = Expr::Var(Var::Constant(1));
     let minus_one = Expr::Var(Var::Constant(2));
     let negated = Expr::Unary(portable::Unary::Negate, Box::new(X));
@@ -98,7 +103,7 @@ fn identity_removes_exact_multiplications_only() {
 fn coalescing_moves_a_copy_into_the_branches() {
     let inner = choose(vec![assign(Var::Local(0), X)], vec![assign(Var::Local(0), real(1.0))]);
     let before = program(2, vec![inner, assign(Var::Local(1), local(0)), assign(Y, local(1))]);
-    let after = coalesce::run(before).unwrap();
+    let after = run("coalesced", before).unwrap();
     let inner = choose(vec![assign(Var::Local(1), X)], vec![assign(Var::Local(1), real(1.0))]);
     assert_eq!(after.step, [inner, assign(Y, local(1))]);
 }
@@ -107,7 +112,7 @@ fn coalescing_moves_a_copy_into_the_branches() {
 fn coalescing_leaves_a_source_that_is_read_elsewhere() {
     let copy = choose(vec![assign(Var::Local(1), local(0))], vec![assign(Var::Local(1), real(1.0))]);
     let step = vec![assign(Var::Local(0), X), copy, assign(Y, binary(Binary::Add, local(0), local(1)))];
-    assert_eq!(coalesce::run(program(2, step.clone())).unwrap().step, step);
+    assert_eq!(run("coalesced", program(2, step.clone())).unwrap().step, step);
 }
 
 #[test]
@@ -120,7 +125,7 @@ fn pruning_keeps_what_an_output_depends_on_in_a_later_cycle() {
         assign(S, local(0)),
         choose(vec![Statement::Note("nothing".to_owned())], vec![assign(Var::Local(2), X)]),
     ];
-    let after = prune::run(typing::run(program(3, step)).unwrap()).unwrap();
+    let after = run("pruned", run("typed", program(3, step)).unwrap()).unwrap();
     assert_eq!(after.step.len(), 3);
     assert_eq!(after.locals.iter().map(|local| local.path.as_str()).collect::<Vec<_>>(), ["l0"]);
     assert_eq!(after.constants.iter().map(|constant| constant.path.as_str()).collect::<Vec<_>>(), ["a"]);
@@ -137,7 +142,7 @@ fn pruning_keeps_what_an_output_depends_on_in_a_later_cycle() {
 #[test]
 fn pruning_turns_a_branch_without_a_then() {
     let step = vec![assign(Y, X), choose(Vec::new(), vec![assign(Y, real(1.0))])];
-    let after = prune::run(program(0, step)).unwrap();
+    let after = run("pruned", program(0, step)).unwrap();
     let Statement::If { condition, then, otherwise } = &after.step[1] else { panic!("a branch is left") };
     assert_eq!(*condition, Expr::Unary(portable::Unary::Not, Box::new(ON)));
     assert_eq!((then.len(), otherwise.len()), (1, 0));
@@ -145,7 +150,7 @@ fn pruning_turns_a_branch_without_a_then() {
 
 #[test]
 fn verifying_finds_broken_promises() {
-    let defect = |locals, step| message(typing::run(program(locals, step)).and_then(verify::run));
+    let defect = |locals, step| message(run("typed", program(locals, step)).and_then(verify));
     let twice = vec![assign(Var::Local(0), X), assign(Var::Local(0), X), assign(Y, local(0))];
     assert_eq!(defect(1, twice), "verify: Local(0) is assigned twice on one way");
     let one_way = vec![choose(vec![assign(Var::Local(0), X)], Vec::new()), assign(Y, local(0))];
@@ -154,7 +159,7 @@ fn verifying_finds_broken_promises() {
     assert_eq!(defect(0, silent), "verify: the output y is not written on every way");
     let mut infinite = program(0, vec![assign(Y, X)]);
     infinite.constants[0].value = Literal::F64(f64::INFINITY);
-    assert_eq!(message(verify::run(infinite)), "verify: the constant a is F64(inf)");
+    assert_eq!(message(verify(infinite)), "verify: the constant a is F64(inf)");
 }
 
 #[test]
@@ -163,19 +168,19 @@ fn an_assignment_that_nothing_reads_goes() {
         vec![assign(Var::Local(0), X), assign(Y, local(0)), assign(Var::Local(1), real(1.0))],
         vec![assign(Var::Local(0), real(0.0)), assign(Y, X), assign(Var::Local(1), real(2.0))],
     );
-    let step = dead::run(program(2, vec![inner, assign(S, X)])).unwrap().step;
+    let step = run("live", program(2, vec![inner, assign(S, X)])).unwrap().step;
     let expected = choose(vec![assign(Var::Local(0), X), assign(Y, local(0))], vec![assign(Y, X)]);
     assert_eq!(step, [expected, assign(S, X)]);
     // What is read behind the branches stays in both of them.
     let both =
         vec![choose(vec![assign(Var::Local(0), X)], vec![assign(Var::Local(0), real(0.0))]), assign(Y, local(0))];
-    assert_eq!(dead::run(program(1, both.clone())).unwrap().step, both);
+    assert_eq!(run("live", program(1, both.clone())).unwrap().step, both);
 }
 
 #[test]
 fn what_only_goes_to_an_output_goes_there_at_once() {
     let branches = |target| choose(vec![assign(target, X)], vec![assign(target, real(1.0))]);
-    let sunk = |step| sink::run(program(1, step)).unwrap().step;
+    let sunk = |step| run("sunk", program(1, step)).unwrap().step;
     let local_first = vec![branches(Var::Local(0)), assign(S, X), assign(Y, local(0))];
     assert_eq!(sunk(local_first), [branches(Y), assign(S, X)]);
     // Not where something looks at the output in between, nor where the local is read again.
@@ -192,7 +197,7 @@ fn a_flag_becomes_what_it_decides() {
     let set = || assign(Y, real(7.0));
     let asked = |condition| Statement::If { condition, then: vec![set()], otherwise: Vec::new() };
     let raised = |value| choose(vec![assign(Var::Local(0), yes.clone())], vec![assign(Var::Local(0), value)]);
-    let sunk = |step| sink::run(program(1, step)).unwrap().step;
+    let sunk = |step| run("sunk", program(1, step)).unwrap().step;
     assert_eq!(sunk(vec![assign(Y, X), raised(no), asked(local(0))]), [assign(Y, X), choose(vec![set()], vec![])]);
     let found = sunk(vec![assign(Y, X), raised(less.clone()), asked(local(0))]);
     assert_eq!(found, [assign(Y, X), choose(vec![set()], vec![asked(less)])]);
@@ -208,7 +213,7 @@ fn if_(condition: Expr, then: Vec<Statement>, otherwise: Vec<Statement>) -> Stat
 
 #[test]
 fn a_known_question_is_not_asked_again() {
-    let after = |step| known::run(typing::run(program(1, step)).unwrap()).unwrap().step;
+    let after = |step| run("known", run("typed", program(1, step)).unwrap()).unwrap().step;
     let low = binary(Binary::Less, X, real(1.0));
     let both = binary(Binary::And, ON, low.clone());
     // Neither holds alone, so that with ON it is the other one that does not.
@@ -230,7 +235,7 @@ fn an_assignment_makes_a_question_open_again() {
     let low = || binary(Binary::Less, Expr::Var(S), real(1.0));
     let inner = if_(low(), vec![assign(Y, X)], vec![assign(Y, real(1.0))]);
     let step = vec![if_(low(), vec![assign(S, X), inner], vec![assign(Y, real(2.0))])];
-    assert_eq!(known::run(typing::run(program(0, step.clone())).unwrap()).unwrap().step, step);
+    assert_eq!(run("known", run("typed", program(0, step.clone())).unwrap()).unwrap().step, step);
 }
 
 #[test]
@@ -239,7 +244,7 @@ fn the_range_of_an_integer_answers() {
     let chosen = choose(vec![assign(Var::Local(0), number(2))], vec![assign(Var::Local(0), number(12))]);
     let question = |operator, value| {
         let asked = if_(binary(operator, local(0), number(value)), vec![assign(Y, X)], vec![assign(Y, real(1.0))]);
-        known::run(typing::run(program(1, vec![chosen.clone(), asked])).unwrap()).unwrap().step[1].clone()
+        run("known", run("typed", program(1, vec![chosen.clone(), asked])).unwrap()).unwrap().step[1].clone()
     };
     assert_eq!(question(Binary::NotEqual, 0), assign(Y, X));
     assert_eq!(question(Binary::Greater, 12), assign(Y, real(1.0)));
@@ -252,16 +257,16 @@ fn a_flag_acts_where_it_is_raised() {
     let effect = || vec![assign(S, X), assign(Y, X)];
     let step = vec![choose(vec![flag(true)], vec![flag(false)]), if_(local(0), effect(), Vec::new())];
     let raised = [vec![flag(true)], effect()].concat();
-    assert_eq!(thread::run(program(1, step)).unwrap().step, [choose(raised, vec![flag(false)])]);
+    assert_eq!(run("threaded", program(1, step)).unwrap().step, [choose(raised, vec![flag(false)])]);
     // Raised in two places: the effect stays where it is.
     let step = vec![choose(vec![flag(true)], vec![flag(true)]), if_(local(0), effect(), Vec::new())];
-    assert_eq!(thread::run(program(1, step.clone())).unwrap().step, step);
+    assert_eq!(run("threaded", program(1, step.clone())).unwrap().step, step);
 }
 
 #[test]
 fn a_question_is_asked_in_the_positive() {
     let step = vec![if_(not(ON), vec![assign(Y, X)], vec![assign(Y, real(1.0))])];
-    assert_eq!(turn::run(program(0, step)).unwrap().step, [choose(vec![assign(Y, real(1.0))], vec![assign(Y, X)])]);
+    assert_eq!(run("turned", program(0, step)).unwrap().step, [choose(vec![assign(Y, real(1.0))], vec![assign(Y, X)])]);
     let chain = vec![if_(not(ON), vec![assign(Y, X)], vec![choose(vec![assign(Y, real(1.0))], vec![assign(Y, X)])])];
-    assert_eq!(turn::run(program(0, chain.clone())).unwrap().step, chain);
+    assert_eq!(run("turned", program(0, chain.clone())).unwrap().step, chain);
 }

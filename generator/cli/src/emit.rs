@@ -43,7 +43,7 @@ fn print(designed: &Designed, last: Option<&str>) -> Result<(), Exit> {
     for kind in blocks::of_axis(&designed.axis) {
         let program = kind.program(designed, last).unwrap_or_else(|defect| broken(&defect));
         let legal = legalise::run(&program, passes).unwrap_or_else(|defect| broken(&defect));
-        let (name, text) = (&designed.axis.name, compiler::dump::text(&legal));
+        let (name, text) = (&designed.axis.name, legal.to_string());
         output::line(format!("# axis {name}: {}\n{}", program.block, text.trim_end()))?;
     }
     Ok(())

@@ -1,56 +1,53 @@
 //! A program as text, for people who look into the pipeline. Nothing reads it back.
 
 use crate::program::{Expr, Program, Statement, Var, Variable};
-use portable::{Binary, Intrinsic, Literal, Unary};
-use std::fmt::Write;
+use portable::{Intrinsic, Literal, Unary};
+use std::fmt::{Display, Formatter, Result};
+
+/// The operators, in the order of [`portable::Binary`].
+const SYMBOLS: [&str; 12] = ["+", "-", "*", "/", "<", "<=", ">", ">=", "==", "!=", "and", "or"];
 
 /// The whole program: its variables, then its statements.
-#[must_use]
-pub fn text(program: &Program) -> String {
-    let mut text = String::new();
-    let variables = [("input", &program.inputs), ("output", &program.outputs), ("state", &program.state)];
-    for (kind, list) in variables {
-        list.iter().for_each(|variable| declare(kind, variable, &mut text));
+impl Display for Program {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        for (kind, list) in [("input", &self.inputs), ("output", &self.outputs), ("state", &self.state)] {
+            for Variable { path, ty, start, .. } in list {
+                writeln!(f, "{kind:<8} {path}: {ty:?} = {}", literal(*start))?;
+            }
+        }
+        for constant in &self.constants {
+            writeln!(f, "constant {} = {}", constant.path, literal(constant.value))?;
+        }
+        for (index, local) in self.locals.iter().enumerate() {
+            let ty = local.ty.map_or_else(|| "?".to_owned(), |ty| format!("{ty:?}"));
+            writeln!(f, "local    {}: {ty}", name(self, Var::Local(index)))?;
+        }
+        writeln!(f, "init")?;
+        statements(self, &self.init, 1, f)?;
+        writeln!(f, "step")?;
+        statements(self, &self.step, 1, f)
     }
-    for constant in &program.constants {
-        let _ = writeln!(text, "constant {} = {}", constant.path, literal(constant.value));
-    }
-    for (index, local) in program.locals.iter().enumerate() {
-        let ty = local.ty.map_or_else(|| "?".to_owned(), |ty| format!("{ty:?}"));
-        let _ = writeln!(text, "local    {}: {ty}", local_name(program, index));
-    }
-    for (name, list) in [("init", &program.init), ("step", &program.step)] {
-        let _ = writeln!(text, "{name}");
-        statements(program, list, 1, &mut text);
-    }
-    text
 }
 
-fn declare(kind: &str, variable: &Variable, text: &mut String) {
-    let Variable { path, ty, start, .. } = variable;
-    let _ = writeln!(text, "{kind:<8} {path}: {ty:?} = {}", literal(*start));
-}
-
-fn statements(program: &Program, list: &[Statement], level: usize, text: &mut String) {
+fn statements(program: &Program, list: &[Statement], level: usize, f: &mut Formatter<'_>) -> Result {
     let indent = "    ".repeat(level);
     for statement in list {
         match statement {
-            Statement::Note(note) => {
-                let _ = writeln!(text, "{indent}# {note}");
-            }
+            Statement::Note(note) => writeln!(f, "{indent}# {note}")?,
             Statement::Assign { target, value } => {
-                let _ = writeln!(text, "{indent}{} = {}", name(program, *target), expr(program, value));
+                writeln!(f, "{indent}{} = {}", name(program, *target), expr(program, value))?;
             }
             Statement::If { condition, then, otherwise } => {
-                let _ = writeln!(text, "{indent}if {}", expr(program, condition));
-                statements(program, then, level + 1, text);
+                writeln!(f, "{indent}if {}", expr(program, condition))?;
+                statements(program, then, level + 1, f)?;
                 if !otherwise.is_empty() {
-                    let _ = writeln!(text, "{indent}else");
-                    statements(program, otherwise, level + 1, text);
+                    writeln!(f, "{indent}else")?;
+                    statements(program, otherwise, level + 1, f)?;
                 }
             }
         }
     }
+    Ok(())
 }
 
 fn expr(program: &Program, value: &Expr) -> String {
@@ -63,14 +60,13 @@ fn expr(program: &Program, value: &Expr) -> String {
         Expr::Var(var) => name(program, *var),
         Expr::Unary(Unary::Negate, operand) => format!("-{}", inner(operand)),
         Expr::Unary(Unary::Not, operand) => format!("not {}", inner(operand)),
-        Expr::Binary(operator, left, right) => format!("{} {} {}", inner(left), symbol(*operator), inner(right)),
+        Expr::Binary(operator, left, right) => {
+            format!("{} {} {}", inner(left), SYMBOLS[*operator as usize], inner(right))
+        }
         Expr::Intrinsic(intrinsic, operands) => {
             let name = match intrinsic {
-                Intrinsic::InRange => "in_range",
-                Intrinsic::Within => "within",
-                Intrinsic::FromU32 | Intrinsic::FromI32 => "real",
-                Intrinsic::Truncate => "truncate",
-                Intrinsic::Nearest => "nearest",
+                Intrinsic::FromU32 | Intrinsic::FromI32 => "real".to_owned(),
+                other => format!("{other:?}").to_lowercase(),
             };
             format!("{name}({})", operands.iter().map(|part| expr(program, part)).collect::<Vec<_>>().join(", "))
         }
@@ -83,13 +79,9 @@ fn name(program: &Program, var: Var) -> String {
         Var::Output(index) => format!("outputs.{}", program.outputs[index].path),
         Var::State(index) => format!("state.{}", program.state[index].path),
         Var::Constant(index) => program.constants[index].path.clone(),
-        Var::Local(index) => local_name(program, index),
+        // Two locals may have one path: the number tells them apart.
+        Var::Local(index) => format!("{}%{index}", program.locals[index].path),
     }
-}
-
-/// Two locals may have one path: the number tells them apart.
-fn local_name(program: &Program, index: usize) -> String {
-    format!("{}%{index}", program.locals[index].path)
 }
 
 fn literal(value: Literal) -> String {
@@ -100,22 +92,5 @@ fn literal(value: Literal) -> String {
         Literal::F64(value) => format!("{value:?}"),
         Literal::F32(value) => format!("{value:?}"),
         other => format!("{other:?}"),
-    }
-}
-
-fn symbol(operator: Binary) -> &'static str {
-    match operator {
-        Binary::Add => "+",
-        Binary::Subtract => "-",
-        Binary::Multiply => "*",
-        Binary::Divide => "/",
-        Binary::Less => "<",
-        Binary::LessEqual => "<=",
-        Binary::Greater => ">",
-        Binary::GreaterEqual => ">=",
-        Binary::Equal => "==",
-        Binary::NotEqual => "!=",
-        Binary::And => "and",
-        Binary::Or => "or",
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{MACHINE, set};
 use compiler::interp::Machine;
-use compiler::legalise::{enable, operands, start};
+use compiler::legalise::WITH_ENABLE;
 use compiler::program::{Expr, Program, Statement, Type, Var};
 use generator::blocks::{Block, blocks};
 use portable::Literal;
@@ -43,10 +43,16 @@ fn a_vector_shows_something() {
     }
 }
 
+/// The program after one of the legalising passes.
+fn legal(pass: &str, program: Program) -> Program {
+    let (_, pass) = WITH_ENABLE.iter().find(|(name, _)| *name == pass).expect("a pass has that name");
+    pass(program).unwrap()
+}
+
 #[test]
 fn enabled_a_block_does_what_it_did() {
     for block in all_blocks() {
-        let program = enable::run(block.program.clone()).unwrap();
+        let program = legal("enabled", block.program.clone());
         for (found, expected) in run(&program, &block, &[Literal::Bool(true)]).iter().zip(&block.vector.outputs) {
             let [valid, busy, error, error_id, rest @ ..] = found.as_slice() else { panic!("four outputs more") };
             assert_eq!(rest, expected);
@@ -61,7 +67,7 @@ fn enabled_a_block_does_what_it_did() {
 #[test]
 fn not_enabled_a_block_does_what_it_does_in_off() {
     for block in all_blocks() {
-        let program = enable::run(block.program.clone()).unwrap();
+        let program = legal("enabled", block.program.clone());
         let mode = block.program.inputs.iter().position(|input| input.path == "mode").unwrap();
         // Enabled for a while, then not: it fades out, and is busy until it has.
         let fade = 300;
@@ -104,11 +110,11 @@ fn what_init_does_moves_into_the_first_cycle() {
         let mut program = block.program.clone();
         let fade = program.state.iter().position(|state| state.path == "fade").unwrap();
         program.init.push(Statement::Assign { target: Var::State(fade), value: Expr::Literal(Literal::U32(7)) });
-        let moved = start::run(program.clone()).unwrap();
+        let moved = legal("started", program.clone());
         assert!(moved.init.is_empty());
         assert_eq!(moved.state.len(), program.state.len() + 1);
         assert_eq!(run(&moved, &block, &[]), run(&program, &block, &[]));
-        let clear = start::run(block.program.clone()).unwrap();
+        let clear = legal("started", block.program.clone());
         assert_eq!((clear.state.len(), clear.init.len()), (block.program.state.len(), 0), "zeros are there already");
         assert_eq!(run(&clear, &block, &[]), block.vector.outputs);
     }
@@ -123,10 +129,10 @@ fn a_number_beside_a_variable_gets_a_name() {
     let input = || Box::new(Expr::Var(Var::Input(1)));
     let sum = |value| Expr::Binary(portable::Binary::Add, input(), number(value));
     let v_add = Var::Output(0);
-    let own = operands::run(program.clone()).unwrap().constants.len();
+    let own = legal("named", program.clone()).constants.len();
     program.step.extend([0.5, 0.25, 0.5].map(|value| Statement::Assign { target: v_add, value: sum(value) }));
     program.step.push(Statement::Assign { target: Var::Output(1), value: *number(0.125) });
-    let named = operands::run(program.clone()).unwrap();
+    let named = legal("named", program.clone());
     let added: Vec<Literal> = named.constants[own..].iter().map(|constant| constant.value).collect();
     let expected = [0.5, 0.25].map(Literal::F64);
     assert_eq!(added, expected, "0.5 once, 0.25, and what is assigned stays");

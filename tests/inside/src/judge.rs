@@ -5,7 +5,7 @@ use super::defect::Defect;
 use super::stimulus;
 use super::subject::{Frame, Instance, unset_leaves};
 use compiler::interp::Machine;
-use compiler::pass::{PASSES, verify};
+use compiler::pass::{self, PASSES};
 use compiler::program::{Expr, Program, Statement, Var};
 use portable::Literal;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -78,7 +78,7 @@ fn stages(
         let after = result.and_then(|result| result).map_err(named(name))?;
         super::facts::of_pass(name, &program, &after, &mut judgement.facts);
         // A promise that a pass breaks shows at that pass, not at the end of the line.
-        verify::run(after.clone()).map_err(|defect| (name.to_owned(), defect.to_string()))?;
+        pass::verify(after.clone()).map_err(|defect| (name.to_owned(), defect.to_string()))?;
         let planted = if position + 1 == PASSES.len() { defect } else { None };
         let interpreted = super::defect::interpreted(after.clone(), planted);
         if interpreted.step != program.step || interpreted.init != program.init {

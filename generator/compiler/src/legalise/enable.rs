@@ -2,7 +2,7 @@
 
 use crate::pass::Defect;
 use crate::program::{Expr, Local, Program, Statement, Switch, Type, Var, Variable, rename};
-use portable::{Binary, Literal, Unary};
+use portable::{Binary, Literal};
 
 /// The program with five more signals, which come before the others.
 ///
@@ -10,10 +10,7 @@ use portable::{Binary, Literal, Unary};
 /// - `Valid`: enabled, and no fault in this cycle. It is no gate: on a fault of a part the others go on.
 /// - `Busy`: enabled, or not yet at rest: the block must go on being called.
 /// - `Error`, `ErrorID`: `fault` and `error_id`.
-///
-/// # Errors
-/// The block has no input to turn it off, no `fault` or no `error_id`.
-pub fn run(mut program: Program) -> Result<Program, Defect> {
+pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let missing = |what: &str| Defect { pass: "enable", message: format!("{} has no {what}", program.block) };
     let output = |path: &str| program.outputs.iter().position(|variable| variable.path == path);
     let switch = program.switch.take().ok_or_else(|| missing("input to turn it off"))?;
@@ -26,30 +23,22 @@ pub fn run(mut program: Program) -> Result<Program, Defect> {
     let variable = &program.inputs[switch.input + 1];
     program.locals.push(Local { path: format!("{}_enabled", variable.path), ty: Some(variable.ty) });
     rename(&mut program.step, &|var| if var == input { enabled } else { var });
-    let off = match switch.off {
-        None => Expr::Literal(Literal::Bool(false)),
-        Some(off) => {
-            let known = program.constants.iter().position(|constant| *constant == off);
-            Expr::Var(Var::Constant(known.unwrap_or_else(|| {
-                program.constants.push(off);
-                program.constants.len() - 1
-            })))
-        }
-    };
+    let off = switch.off.map_or(Expr::bool(false), |off| {
+        let known = program.constants.iter().position(|constant| *constant == off);
+        Expr::Var(Var::Constant(known.unwrap_or_else(|| {
+            program.constants.push(off);
+            program.constants.len() - 1
+        })))
+    });
     let enable = Expr::Var(Var::Input(0));
-    let choice = Statement::If {
-        condition: enable.clone(),
-        then: vec![assign(enabled, Expr::Var(input))],
-        otherwise: vec![assign(enabled, off)],
-    };
-    program.step.insert(0, choice);
-    let not_fault = Expr::Unary(Unary::Not, Box::new(of(fault)));
+    let (then, otherwise) = (vec![assign(enabled, Expr::Var(input))], vec![assign(enabled, off)]);
+    program.step.insert(0, Statement::If { condition: enable.clone(), then, otherwise });
     let busy = match switch.busy {
-        Some(busy) => both(Binary::Or, enable.clone(), Expr::Var(busy)),
+        Some(busy) => Expr::binary(Binary::Or, enable.clone(), Expr::Var(busy)),
         None => enable.clone(),
     };
     program.step.extend([
-        assign(Var::Output(0), both(Binary::And, enable, not_fault)),
+        assign(Var::Output(0), Expr::binary(Binary::And, enable, Expr::not(of(fault)))),
         assign(Var::Output(1), busy),
         assign(Var::Output(2), of(fault)),
         assign(Var::Output(3), of(error_id)),
@@ -99,8 +88,4 @@ fn docs(switch: &Switch) -> [&'static str; 3] {
 
 fn assign(target: Var, value: Expr) -> Statement {
     Statement::Assign { target, value }
-}
-
-fn both(operator: Binary, left: Expr, right: Expr) -> Expr {
-    Expr::Binary(operator, Box::new(left), Box::new(right))
 }

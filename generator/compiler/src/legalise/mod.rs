@@ -1,12 +1,12 @@
 //! Passes that make a program one that a language can say; a target names those that it needs, and `verify` runs after the
 //! last of them.
 
-pub mod enable;
-pub mod nearest;
-pub mod operands;
-pub mod start;
+mod enable;
+mod nearest;
+mod operands;
+mod start;
 
-use crate::pass::{Defect, Stage, verify};
+use crate::pass::{self, Defect, Stage};
 use crate::program::Program;
 use std::borrow::Cow;
 
@@ -30,5 +30,5 @@ pub fn run<'p>(program: &'p Program, passes: &[Stage]) -> Result<Cow<'p, Program
         return Ok(Cow::Borrowed(program));
     }
     let legal = passes.iter().try_fold(program.clone(), |program, (_, pass)| pass(program))?;
-    verify::run(legal).map(Cow::Owned)
+    pass::verify(legal).map(Cow::Owned)
 }

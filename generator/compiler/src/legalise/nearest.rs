@@ -9,11 +9,8 @@ use crate::pass::Defect;
 use crate::program::{Constant, Expr, Origin, Program, Statement, Var, rewrite};
 use portable::{Binary, Intrinsic, Literal, RealKind, nearly_half};
 
-/// The program without that operation.
-///
-/// # Errors
-/// None; what stands inside another expression, the printer refuses.
-pub fn run(mut program: Program) -> Result<Program, Defect> {
+/// The program without that operation; the printer refuses one that stands inside another expression.
+pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let (real, half) = (program.real, Var::Constant(program.constants.len()));
     let mut is_used = false;
     rewrite(&mut program.step, &mut |statement, list| {
@@ -44,13 +41,12 @@ fn spelled_out(target: Var, x: Expr, real: RealKind, half: Var) -> Statement {
         RealKind::F64 => Literal::F64(0.0),
         RealKind::F32 => Literal::F32(0.0),
     };
-    let both = |operator, left: Expr, right| Expr::Binary(operator, Box::new(left), Box::new(right));
     let truncated = |operator| {
-        let value = Expr::Intrinsic(Intrinsic::Truncate, vec![both(operator, x.clone(), Expr::Var(half))]);
+        let value = Expr::Intrinsic(Intrinsic::Truncate, vec![Expr::binary(operator, x.clone(), Expr::Var(half))]);
         vec![Statement::Assign { target, value }]
     };
     Statement::If {
-        condition: both(Binary::GreaterEqual, x.clone(), Expr::Literal(zero)),
+        condition: Expr::binary(Binary::GreaterEqual, x.clone(), Expr::Literal(zero)),
         then: truncated(Binary::Add),
         otherwise: truncated(Binary::Subtract),
     }

@@ -5,15 +5,12 @@ use crate::program::{Constant, Expr, Origin, Program, Var, map_expressions};
 use portable::{Literal, RealKind};
 
 /// The program with its numbers among the constants; one that is assigned as it is stays where it is.
-///
-/// # Errors
-/// None.
-pub fn run(mut program: Program) -> Result<Program, Defect> {
+pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let first = program.constants.len();
     let constants = &mut program.constants;
     let mut name = |part: &mut Expr| {
         if let Expr::Literal(value @ (Literal::F64(_) | Literal::F32(_))) = *part {
-            let known = constants[first..].iter().position(|constant| same_bits(constant.value, value));
+            let known = constants[first..].iter().position(|constant| constant.value == value);
             let number = known.unwrap_or_else(|| {
                 constants.push(named(constants.len() - first, value));
                 constants.len() - 1 - first
@@ -30,21 +27,10 @@ pub fn run(mut program: Program) -> Result<Program, Defect> {
 }
 
 /// The same where reals are single: the digits of an LREAL may stand beside an LREAL.
-///
-/// # Errors
-/// None.
-pub fn run_single(program: Program) -> Result<Program, Defect> {
+pub(super) fn run_single(program: Program) -> Result<Program, Defect> {
     if program.real == RealKind::F32 { run(program) } else { Ok(program) }
 }
 
 fn named(number: usize, value: Literal) -> Constant {
     Constant { path: format!("number[{number}]"), doc: "a number of the algorithm", value, origin: Origin::Function }
-}
-
-fn same_bits(left: Literal, right: Literal) -> bool {
-    match (left, right) {
-        (Literal::F64(left), Literal::F64(right)) => left.to_bits() == right.to_bits(),
-        (Literal::F32(left), Literal::F32(right)) => left.to_bits() == right.to_bits(),
-        _ => false,
-    }
 }

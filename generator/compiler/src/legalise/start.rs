@@ -1,15 +1,11 @@
-//! Moves what `init` does into the first cycle: the memory of an instance is 0 and FALSE everywhere, but nothing else about it
-//! is sure. Where that is all that `init` asks for, nothing is left to do.
+//! Moves what `init` does into the first cycle: every target clears the memory of an instance to 0 and FALSE, but not every
+//! one applies initial values. An `init` that assigns nothing but 0 and FALSE is dropped.
 
 use crate::pass::Defect;
 use crate::program::{Expr, Program, Statement, Type, Var, Variable};
-use portable::{Literal, Unary};
+use portable::Literal;
 
-/// The program without `init`.
-///
-/// # Errors
-/// None.
-pub fn run(mut program: Program) -> Result<Program, Defect> {
+pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let mut init = std::mem::take(&mut program.init);
     if init.iter().all(is_clear) {
         return Ok(program);
@@ -21,8 +17,8 @@ pub fn run(mut program: Program) -> Result<Program, Defect> {
         ty: Type::Bool,
         start: Literal::Bool(false),
     });
-    init.push(Statement::Assign { target: started, value: Expr::Literal(Literal::Bool(true)) });
-    let condition = Expr::Unary(Unary::Not, Box::new(Expr::Var(started)));
+    init.push(Statement::Assign { target: started, value: Expr::bool(true) });
+    let condition = Expr::not(Expr::Var(started));
     program.step.insert(0, Statement::If { condition, then: init, otherwise: Vec::new() });
     Ok(program)
 }
@@ -31,14 +27,10 @@ pub fn run(mut program: Program) -> Result<Program, Defect> {
 fn is_clear(statement: &Statement) -> bool {
     match statement {
         Statement::Note(_) => true,
-        Statement::Assign { value: Expr::Literal(value), .. } => match value {
-            Literal::Bool(value) => !value,
-            Literal::I32(value) => *value == 0,
-            Literal::U32(value) => *value == 0,
-            Literal::F64(value) => value.to_bits() == 0,
-            Literal::F32(value) => value.to_bits() == 0,
-            Literal::Usize(_) | Literal::Variant(_) => false,
-        },
+        Statement::Assign { value: Expr::Literal(value), .. } => {
+            use Literal::{Bool, F32, F64, I32, U32};
+            [Bool(false), I32(0), U32(0), F64(0.0), F32(0.0)].contains(value)
+        }
         _ => false,
     }
 }

@@ -1,69 +1,44 @@
 //! Removes the copies that joining two branches leaves: `a` is computed, then `b := a`. Afterwards `b` is computed.
 
 use super::Defect;
-use crate::program::{Expr, Program, Statement, Var, rename};
+use crate::program::{Expr, Program, Statement, Table, Var, rename};
 
-/// Runs the pass.
-///
-/// # Errors
-/// None.
-pub fn run(mut program: Program) -> Result<Program, Defect> {
-    let mut everywhere = vec![0; program.locals.len()];
-    count(&program.init, &mut everywhere);
-    count(&program.step, &mut everywhere);
-    coalesce(&mut program.init, &mut everywhere);
-    coalesce(&mut program.step, &mut everywhere);
+pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
+    let nothing = Table::filled(&program, 0);
+    let mut everywhere = nothing.clone();
+    program.statements().for_each(|statement| statement.variables(&mut |var| everywhere[var] += 1));
+    coalesce(&mut program.init, &mut everywhere, &nothing);
+    coalesce(&mut program.step, &mut everywhere, &nothing);
     Ok(program)
 }
 
 /// Coalesces a list of statements, inner lists last: a copy that leaves a branch becomes one inside it.
-fn coalesce(list: &mut Vec<Statement>, everywhere: &mut Vec<usize>) {
-    while let Some((copy, from, to)) = find(list, everywhere) {
+fn coalesce(list: &mut Vec<Statement>, everywhere: &mut Table<usize>, nothing: &Table<usize>) {
+    while let Some((copy, from, to)) = find(list, everywhere, nothing) {
         list.remove(copy);
         everywhere[to] += everywhere[from] - 2; // the copy mentioned each of them once
         everywhere[from] = 0;
-        let (from, to) = (Var::Local(from), Var::Local(to));
         rename(list, &|var| if var == from { to } else { var });
     }
-    for statement in list {
-        if let Statement::If { then, otherwise, .. } = statement {
-            coalesce(then, everywhere);
-            coalesce(otherwise, everywhere);
-        }
+    for list in list.iter_mut().flat_map(Statement::branches_mut) {
+        coalesce(list, everywhere, nothing);
     }
 }
 
 /// A copy from a local that lives in this list alone to a local that nothing before it in this list mentions: the target
 /// can take the value as soon as it exists.
-fn find(statements: &[Statement], everywhere: &[usize]) -> Option<(usize, usize, usize)> {
-    let copies = statements.iter().enumerate().filter_map(|(position, statement)| match statement {
-        Statement::Assign { target: Var::Local(to), value: Expr::Var(Var::Local(from)) } => {
-            Some((position, *from, *to))
-        }
-        _ => None,
-    });
+fn find(list: &[Statement], everywhere: &Table<usize>, nothing: &Table<usize>) -> Option<(usize, Var, Var)> {
     let mut here = None;
-    for (position, from, to) in copies {
+    list.iter().enumerate().find_map(|(position, statement)| {
+        let Statement::Assign { target: to @ Var::Local(_), value: Expr::Var(from @ Var::Local(_)) } = statement else {
+            return None;
+        };
         let here = here.get_or_insert_with(|| {
-            let mut here = vec![0; everywhere.len()];
-            count(statements, &mut here);
+            let mut here = nothing.clone();
+            list.iter().for_each(|statement| statement.variables(&mut |var| here[var] += 1));
             here
         });
-        let mentioned = statements[..position].iter().any(|earlier| earlier.mentions(Var::Local(to)));
-        if here[from] == everywhere[from] && !mentioned {
-            return Some((position, from, to));
-        }
-    }
-    None
-}
-
-/// Counts how often each local is mentioned.
-fn count(list: &[Statement], mentions: &mut [usize]) {
-    for statement in list {
-        statement.variables(&mut |var| {
-            if let Var::Local(local) = var {
-                mentions[local] += 1;
-            }
-        });
-    }
+        let is_target_free = || !list[..position].iter().any(|earlier| earlier.mentions(*to));
+        (here[*from] == everywhere[*from] && is_target_free()).then_some((position, *from, *to))
+    })
 }

@@ -1,17 +1,19 @@
 //! The passes over a [`Program`], one per file, and the order in which they run.
 
-pub mod coalesce;
+mod coalesce;
 mod condition;
-pub mod dead;
+mod dead;
 mod facts;
-pub mod identity;
-pub mod known;
-pub mod prune;
-pub mod sink;
-pub mod thread;
-pub mod turn;
-pub mod typing;
-pub mod verify;
+mod identity;
+mod known;
+mod prune;
+mod sink;
+mod thread;
+mod turn;
+mod typing;
+mod verify;
+
+pub use verify::run as verify;
 
 use crate::program::Program;
 use std::fmt;

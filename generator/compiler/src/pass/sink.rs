@@ -12,51 +12,32 @@
 //! ```
 
 use super::Defect;
-use crate::program::{Expr, Program, Statement, Var, rewrite};
+use crate::program::{Expr, Program, Statement, Table, Var, rewrite};
 use portable::Literal;
 
-/// Runs the pass.
-///
-/// # Errors
-/// None.
-pub fn run(mut program: Program) -> Result<Program, Defect> {
-    let (mut reads, mut writes) = (vec![0; program.locals.len()], vec![0; program.locals.len()]);
+pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
+    let mut reads = Table::filled(&program, 0);
+    let mut writes = reads.clone();
     for statement in program.statements() {
-        count_writes(statement, &mut writes);
-        statement.reads(&mut |var| {
-            if let Var::Local(local) = var {
-                reads[local] += 1;
-            }
-        });
+        statement.assignments(&mut |target, _| writes[target] += 1);
+        statement.reads(&mut |var| reads[var] += 1);
     }
     in_list(&mut program.step, &reads, &writes);
     Ok(program)
 }
 
-fn count_writes(statement: &Statement, writes: &mut [usize]) {
-    statement.assignments(&mut |target, _| {
-        if let Var::Local(local) = target {
-            writes[local] += 1;
-        }
-    });
-}
-
 /// A local and the output that it goes to, or that it sets to a value.
 #[derive(Clone, Copy)]
 struct Way {
-    local: usize,
+    local: Var,
     output: Var,
     /// of a flag: what the output gets
     value: Option<Literal>,
 }
 
-/// Treats a list, inner lists first.
-fn in_list(list: &mut Vec<Statement>, reads: &[usize], writes: &[usize]) {
-    for statement in &mut *list {
-        if let Statement::If { then, otherwise, .. } = statement {
-            in_list(then, reads, writes);
-            in_list(otherwise, reads, writes);
-        }
+fn in_list(list: &mut Vec<Statement>, reads: &Table<usize>, writes: &Table<usize>) {
+    for list in list.iter_mut().flat_map(Statement::branches_mut) {
+        in_list(list, reads, writes);
     }
     let mut position = 0;
     while position < list.len() {
@@ -73,34 +54,30 @@ fn in_list(list: &mut Vec<Statement>, reads: &[usize], writes: &[usize]) {
     }
 }
 
-/// The way of a local to an output, if a statement does nothing else.
+/// The local and the output, if a statement does nothing but pass the one to the other.
 fn asked(statement: &Statement) -> Option<Way> {
-    match statement {
-        Statement::Assign { target: output @ Var::Output(_), value: Expr::Var(Var::Local(local)) } => {
-            Some(Way { local: *local, output: *output, value: None })
-        }
-        Statement::If { condition: Expr::Var(Var::Local(local)), then, otherwise } => match (&then[..], &otherwise[..])
-        {
-            ([Statement::Assign { target: output @ Var::Output(_), value: Expr::Literal(value) }], []) => {
-                Some(Way { local: *local, output: *output, value: Some(*value) })
-            }
-            _ => None,
+    let (local, output, value) = match statement {
+        Statement::Assign { target, value: Expr::Var(local) } => (local, target, None),
+        Statement::If { condition: Expr::Var(local), then, otherwise } if otherwise.is_empty() => match &then[..] {
+            [Statement::Assign { target, value: Expr::Literal(value) }] => (local, target, Some(*value)),
+            _ => return None,
         },
-        _ => None,
-    }
+        _ => return None,
+    };
+    let is_way = matches!((local, output), (Var::Local(_), Var::Output(_)));
+    is_way.then_some(Way { local: *local, output: *output, value })
 }
 
 /// Whether nothing else reads the local, all that writes it stands before, and nobody looks at the output from there on.
-fn can_go(way: Way, before: &[Statement], reads: &[usize], writes: &[usize]) -> bool {
+fn can_go(way: Way, before: &[Statement], reads: &Table<usize>, writes: &Table<usize>) -> bool {
     if reads[way.local] != 1 {
         return false;
     }
-    let local = Var::Local(way.local);
     let mut written = 0;
     for statement in before {
-        statement.assignments(&mut |target, _| written += usize::from(target == local));
+        statement.assignments(&mut |target, _| written += usize::from(target == way.local));
     }
-    let first = before.iter().position(|statement| statement.mentions(local));
+    let first = before.iter().position(|statement| statement.mentions(way.local));
     let is_watched = |from: usize| before[from..].iter().any(|statement| statement.mentions(way.output));
     written == writes[way.local] && first.is_some_and(|first| !is_watched(first))
 }
@@ -109,11 +86,10 @@ fn can_go(way: Way, before: &[Statement], reads: &[usize], writes: &[usize]) -> 
 fn go(list: &mut Vec<Statement>, way: Way) {
     let assign = |value| Statement::Assign { target: way.output, value };
     rewrite(list, &mut |statement, list| match statement {
-        Statement::Assign { target, value } if target == Var::Local(way.local) => match (way.value, value) {
+        Statement::Assign { target, value } if target == way.local => match (way.value, value) {
             (None, value) => list.push(assign(value)),
-            (Some(set), Expr::Literal(Literal::Bool(raised))) => {
-                list.extend(raised.then(|| assign(Expr::Literal(set))))
-            }
+            (Some(_), Expr::Literal(Literal::Bool(false))) => {}
+            (Some(set), Expr::Literal(_)) => list.push(assign(Expr::Literal(set))),
             (Some(set), condition) => {
                 let then = vec![assign(Expr::Literal(set))];
                 list.push(Statement::If { condition, then, otherwise: Vec::new() });

@@ -1,4 +1,4 @@
-//! Does what a flag asks for where the flag is raised, if that is one place.
+//! Moves the statements that depend on a flag to the place where the flag becomes true, if that is one place.
 //!
 //! ```text
 //! if a { flag := true; n := 2 } else { flag := false; n := 0 }      if a { flag := true; n := 2; x := n } else { ... }
@@ -8,33 +8,21 @@
 
 use super::Defect;
 use crate::program::{Expr, Program, Statement, Var};
-use portable::Literal;
 
-/// Runs the pass.
-///
-/// # Errors
-/// None.
-pub fn run(mut program: Program) -> Result<Program, Defect> {
+pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
     program.step = in_list(program.step);
     Ok(program)
 }
 
-/// Treats a list, inner lists first.
 fn in_list(list: Vec<Statement>) -> Vec<Statement> {
     let mut done: Vec<Statement> = Vec::new();
-    for statement in list {
+    for mut statement in list {
+        statement.branches_mut().for_each(|list| *list = in_list(std::mem::take(list)));
         match statement {
-            Statement::If { condition, then, otherwise } => {
-                let (then, otherwise) = (in_list(then), in_list(otherwise));
-                let flag = match condition {
-                    Expr::Var(flag @ Var::Local(_)) if otherwise.is_empty() => Some(flag),
-                    _ => None,
-                };
-                if !flag.is_some_and(|flag| places(&done, flag, &then) == Some(1) && !is_set(&then)) {
-                    done.push(Statement::If { condition, then, otherwise });
-                } else if let Some(flag) = flag {
-                    put(&mut done, flag, then);
-                }
+            Statement::If { condition: Expr::Var(flag @ Var::Local(_)), then, otherwise }
+                if otherwise.is_empty() && places(&done, flag, &then) == Some(1) && !is_set(&then) =>
+            {
+                put(&mut done, flag, then);
             }
             other => done.push(other),
         }
@@ -42,16 +30,16 @@ fn in_list(list: Vec<Statement>) -> Vec<Statement> {
     done
 }
 
-/// Whether nothing but a known value is assigned: the pass `sunk` does that wherever the flag is raised.
+/// Whether nothing but a known value is assigned: the pass `sunk` moves that to every place that sets the flag.
 fn is_set(effect: &[Statement]) -> bool {
     matches!(effect, [Statement::Assign { value: Expr::Literal(_), .. }])
 }
 
-/// In how many lists the flag may be raised at whose end the effect can stand; nothing, if it cannot.
+/// In how many lists the flag may become true, so that the effect can stand at their end; `None`: it cannot.
 fn places(list: &[Statement], flag: Var, effect: &[Statement]) -> Option<usize> {
     let last = list.iter().rposition(|statement| writes(statement, flag))?;
     match &list[last] {
-        Statement::Assign { value, .. } => Some(usize::from(*value != Expr::Literal(Literal::Bool(false)))),
+        Statement::Assign { value, .. } => Some(usize::from(*value != Expr::bool(false))),
         Statement::If { then, otherwise, .. } if !list[last + 1..].iter().any(|later| disturbs(later, effect)) => {
             Some(places(then, flag, effect)? + places(otherwise, flag, effect)?)
         }
@@ -59,7 +47,7 @@ fn places(list: &[Statement], flag: Var, effect: &[Statement]) -> Option<usize> 
     }
 }
 
-/// Puts the effect at the end of the list in which the flag is raised.
+/// Puts the effect at the end of the list in which the flag becomes true.
 fn put(list: &mut Vec<Statement>, flag: Var, effect: Vec<Statement>) {
     let last = list.iter().rposition(|statement| writes(statement, flag));
     match last.map(|last| &mut list[last]) {
@@ -67,7 +55,7 @@ fn put(list: &mut Vec<Statement>, flag: Var, effect: Vec<Statement>) {
             let raised = if places(then, flag, &[]) == Some(1) { then } else { otherwise };
             put(raised, flag, effect);
         }
-        Some(Statement::Assign { value, .. }) if *value != Expr::Literal(Literal::Bool(true)) => {
+        Some(Statement::Assign { value, .. }) if *value != Expr::bool(true) => {
             let condition = if is_fixed(value) { value.clone() } else { Expr::Var(flag) };
             list.push(Statement::If { condition, then: effect, otherwise: Vec::new() });
         }
@@ -75,7 +63,7 @@ fn put(list: &mut Vec<Statement>, flag: Var, effect: Vec<Statement>) {
     }
 }
 
-/// Whether nothing can change the value any more.
+/// Whether no later statement can change the value.
 fn is_fixed(value: &Expr) -> bool {
     let mut fixed = true;
     value.variables(&mut |var| fixed &= !matches!(var, Var::Output(_) | Var::State(_)));
@@ -88,7 +76,7 @@ fn writes(statement: &Statement, var: Var) -> bool {
     found
 }
 
-/// Whether it matters which of the two comes first.
+/// Whether the order of the two matters.
 fn disturbs(later: &Statement, effect: &[Statement]) -> bool {
     let mut found = false;
     later.assignments(&mut |target, _| found |= effect.iter().any(|statement| statement.mentions(target)));

@@ -1,36 +1,22 @@
-//! Asks in the positive where both answers lead to something: `if !a { x } else { y }` becomes `if a { y } else { x }`.
+//! Removes the negation of a condition where both branches have statements: `if !a { x } else { y }` becomes
+//! `if a { y } else { x }`.
 //!
-//! A chain `if !a { x } else if b { y } else ...` stays: turned, each of its questions would stand one level deeper.
+//! A chain `if !a { x } else if b { y } else ...` stays: otherwise each further condition would stand one level deeper.
 
 use super::Defect;
-use crate::program::{Expr, Program, Statement};
+use crate::program::{Expr, Program, Statement, rewrite};
 use portable::Unary;
 
-/// Runs the pass.
-///
-/// # Errors
-/// None.
-pub fn run(mut program: Program) -> Result<Program, Defect> {
-    program.step = in_list(program.step);
-    Ok(program)
-}
-
-fn in_list(list: Vec<Statement>) -> Vec<Statement> {
-    list.into_iter()
-        .map(|statement| match statement {
-            Statement::If { condition, then, otherwise } => turned(condition, in_list(then), in_list(otherwise)),
+pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
+    rewrite(&mut program.step, &mut |statement, list| {
+        list.push(match statement {
+            Statement::If { condition: Expr::Unary(Unary::Not, condition), then, otherwise }
+                if !then.is_empty() && !matches!(otherwise[..], [] | [Statement::If { .. }]) =>
+            {
+                Statement::If { condition: *condition, then: otherwise, otherwise: then }
+            }
             other => other,
-        })
-        .collect()
-}
-
-fn turned(condition: Expr, then: Vec<Statement>, otherwise: Vec<Statement>) -> Statement {
-    match condition {
-        Expr::Unary(Unary::Not, condition)
-            if !then.is_empty() && !matches!(otherwise[..], [] | [Statement::If { .. }]) =>
-        {
-            Statement::If { condition: *condition, then: otherwise, otherwise: then }
-        }
-        condition => Statement::If { condition, then, otherwise },
-    }
+        });
+    });
+    Ok(program)
 }

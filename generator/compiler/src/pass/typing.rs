@@ -2,13 +2,9 @@
 
 use super::Defect;
 use crate::program::{Expr, Program, Statement, Type, Var};
-use portable::{Binary, Intrinsic, Literal, Unary};
+use portable::{Binary, Intrinsic, Unary};
 
-/// Runs the pass.
-///
-/// # Errors
-/// An operand or a value of the wrong type; a local that is read before it is assigned; an equality of reals.
-pub fn run(mut program: Program) -> Result<Program, Defect> {
+pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
     let (init, step) = (std::mem::take(&mut program.init), std::mem::take(&mut program.step));
     type_statements(&init, &mut program)?;
     type_statements(&step, &mut program)?;
@@ -38,12 +34,9 @@ fn type_statements(statements: &[Statement], program: &mut Program) -> Result<()
 }
 
 /// The type of an expression whose locals are typed.
-///
-/// # Errors
-/// As [`run`].
-pub fn type_of(expr: &Expr, program: &Program) -> Result<Type, Defect> {
+fn type_of(expr: &Expr, program: &Program) -> Result<Type, Defect> {
     match expr {
-        Expr::Literal(literal) => literal_type(*literal),
+        Expr::Literal(literal) => Type::of(*literal).ok_or_else(|| defect(format!("{literal:?} is left at run time"))),
         Expr::Var(var) => variable_type(*var, program),
         Expr::Unary(operator, operand) => {
             let found = type_of(operand, program)?;
@@ -58,23 +51,17 @@ pub fn type_of(expr: &Expr, program: &Program) -> Result<Type, Defect> {
             binary_type(*operator, found).ok_or_else(|| defect(format!("{operator:?} of {found:?} in {expr:?}")))
         }
         Expr::Intrinsic(intrinsic, operands) => {
-            let (takes, gives) = match intrinsic {
-                Intrinsic::InRange | Intrinsic::Within => (Type::Real, Type::Bool),
-                Intrinsic::FromU32 => (Type::U32, Type::Real),
-                Intrinsic::FromI32 => (Type::I32, Type::Real),
-                Intrinsic::Truncate | Intrinsic::Nearest => (Type::Real, Type::I32),
+            let takes = match intrinsic {
+                Intrinsic::FromU32 => Type::U32,
+                Intrinsic::FromI32 => Type::I32,
+                _ => Type::Real,
             };
             for operand in operands {
                 expect(takes, type_of(operand, program)?, operand)?;
             }
-            Ok(gives)
+            Ok(Type::of_intrinsic(*intrinsic))
         }
     }
-}
-
-/// The type of a literal.
-fn literal_type(literal: Literal) -> Result<Type, Defect> {
-    Type::of(literal).ok_or_else(|| defect(format!("{literal:?} is left at run time")))
 }
 
 fn binary_type(operator: Binary, operand: Type) -> Option<Type> {

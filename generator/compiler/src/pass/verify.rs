@@ -2,9 +2,9 @@
 
 use super::{Defect, typing};
 use crate::arithmetic;
-use crate::program::{Expr, Program, Statement, Type, Var};
+use crate::program::{Expr, Program, Statement, Table, Var};
 
-/// Runs the pass: types fit, every local is assigned once on each way before it is read, every output is written on each
+/// Makes sure that types fit, every local is assigned once on each way before it is read, every output is written on each
 /// way, inputs and constants are never written, and every number is finite.
 ///
 /// # Errors
@@ -15,9 +15,9 @@ pub fn run(program: Program) -> Result<Program, Defect> {
             return Err(defect(format!("the constant {} is {:?}", constant.path, constant.value)));
         }
     }
-    let nothing = Written { locals: vec![false; program.locals.len()], outputs: vec![false; program.outputs.len()] };
-    statements(&program.init, &mut nothing.clone(), &program)?;
-    let mut written = nothing;
+    let program = typing::run(program)?;
+    let mut written = Table::filled(&program, false);
+    statements(&program.init, &mut written.clone(), &program)?;
     statements(&program.step, &mut written, &program)?;
     match program.outputs.iter().zip(&written.outputs).find(|(_, written)| !**written) {
         Some((output, _)) => Err(defect(format!("the output {} is not written on every way", output.path))),
@@ -25,61 +25,41 @@ pub fn run(program: Program) -> Result<Program, Defect> {
     }
 }
 
-/// What has a value on every way to the present point.
-#[derive(Clone)]
-struct Written {
-    locals: Vec<bool>,
-    outputs: Vec<bool>,
-}
-
-impl Written {
-    /// What has a value on two ways.
-    fn and(self, other: &Self) -> Self {
-        let both =
-            |one: Vec<bool>, other: &[bool]| one.into_iter().zip(other).map(|(one, other)| one && *other).collect();
-        Self { locals: both(self.locals, &other.locals), outputs: both(self.outputs, &other.outputs) }
-    }
-}
-
-/// Follows a list of statements.
-fn statements(list: &[Statement], written: &mut Written, program: &Program) -> Result<(), Defect> {
+/// Follows a list of statements; `written` is what has a value on every way to the present point.
+fn statements(list: &[Statement], written: &mut Table<bool>, program: &Program) -> Result<(), Defect> {
     for statement in list {
         match statement {
             Statement::Note(_) => {}
+            Statement::Assign { target: target @ (Var::Input(_) | Var::Constant(_)), .. } => {
+                return Err(defect(format!("{target:?} is written")));
+            }
             Statement::Assign { target, value } => {
                 readable(value, written, program)?;
-                let found = typing::type_of(value, program)?;
-                if found != target_type(*target, program)? {
-                    return Err(defect(format!("{target:?} is assigned a {found:?}")));
-                }
-                match *target {
-                    Var::Local(local) if std::mem::replace(&mut written.locals[local], true) => {
-                        return Err(defect(format!("{target:?} is assigned twice on one way")));
-                    }
-                    Var::Output(output) => written.outputs[output] = true,
-                    _ => {}
+                if std::mem::replace(&mut written[*target], true) && matches!(target, Var::Local(_)) {
+                    return Err(defect(format!("{target:?} is assigned twice on one way")));
                 }
             }
             Statement::If { condition, then, otherwise } => {
                 readable(condition, written, program)?;
-                if typing::type_of(condition, program)? != Type::Bool {
-                    return Err(defect(format!("a condition is no BOOL: {condition:?}")));
-                }
                 let mut yes = written.clone();
                 statements(then, &mut yes, program)?;
                 statements(otherwise, written, program)?;
-                *written = yes.and(written);
+                let both = |one: &mut [bool], other: &[bool]| {
+                    one.iter_mut().zip(other).for_each(|(one, other)| *one &= other);
+                };
+                both(&mut written.locals, &yes.locals);
+                both(&mut written.outputs, &yes.outputs);
             }
         }
     }
     Ok(())
 }
 
-fn readable(expr: &Expr, written: &Written, program: &Program) -> Result<(), Defect> {
+fn readable(expr: &Expr, written: &Table<bool>, program: &Program) -> Result<(), Defect> {
     let mut unwritten = None;
     expr.variables(&mut |var| {
         if let Var::Local(index) = var
-            && !written.locals[index]
+            && !written[var]
         {
             unwritten = Some(&program.locals[index].path);
         }
@@ -87,13 +67,6 @@ fn readable(expr: &Expr, written: &Written, program: &Program) -> Result<(), Def
     match unwritten {
         Some(path) => Err(defect(format!("`{path}` is read where it may have no value"))),
         None => Ok(()),
-    }
-}
-
-fn target_type(target: Var, program: &Program) -> Result<Type, Defect> {
-    match target {
-        Var::Input(_) | Var::Constant(_) => Err(defect(format!("{target:?} is written"))),
-        _ => program.ty(target).ok_or_else(|| defect(format!("{target:?} has no type"))),
     }
 }
 

@@ -3,8 +3,7 @@
 use std::borrow::Cow;
 
 /// Breaks a text at blanks into lines of at most `width` characters, where a word allows it.
-#[must_use]
-pub fn lines(text: &str, width: usize) -> Vec<String> {
+pub(super) fn lines(text: &str, width: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_ascii_whitespace() {
         match lines.last_mut() {
@@ -33,21 +32,4 @@ pub fn harmless(text: &str) -> Cow<'_, str> {
     }
     let apart = text.replace("*/", "* /").replace("*)", "* )").replace("/*", "/ *").replace("(*", "( *");
     Cow::Owned(apart)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn lines_are_broken_at_blanks() {
-        assert_eq!(lines("one two three", 7), ["one two", "three"]);
-        assert_eq!(lines("a-long-word b", 3), ["a-long-word", "b"]);
-        assert!(lines("", 10).is_empty());
-    }
-
-    #[test]
-    fn a_comment_cannot_be_ended_from_inside() {
-        assert_eq!(harmless("a */ b *) c /* d (* e"), "a * / b * ) c / * d ( * e");
-    }
 }

@@ -1,89 +1,86 @@
 //! Expressions, one to one, with the parentheses that a language's description asks for.
 
-use super::language::{Form, Level, Operation, PRIMARY, Piece};
+use super::language::{Form, Level};
 use super::{Doc, INDENTATION, Layout};
-use crate::program::{Expr, Type};
-use portable::{Binary, Intrinsic};
+use crate::program::Expr;
+use portable::Binary;
 use pretty::DocAllocator;
 
 /// An expression that has been printed.
+#[derive(Clone)]
 pub(super) struct Printed<'d> {
     pub doc: Doc<'d>,
     level: Level,
-    ty: Type,
 }
 
 impl<'d> Layout<'d> {
     pub(super) fn expr(&self, expr: &'d Expr) -> Printed<'d> {
-        match expr {
+        let (language, program) = (self.printer.language, self.printer.program);
+        let first = match expr {
             Expr::Literal(value) => {
-                let (text, level) = (self.printer.language.operand)(*value);
-                let ty = Type::of(*value).expect("print: the passes leave what exists at run time");
-                Printed { doc: self.arena.text(text), level, ty }
+                let (text, level) = (language.operand)(*value);
+                return Printed { doc: self.arena.text(text), level };
             }
             Expr::Var(var) => {
-                let ty = self.printer.program.ty(*var).expect("print: the typing pass has typed every local");
-                Printed { doc: self.arena.text(self.printer.text(*var)), level: PRIMARY, ty }
+                return Printed { doc: self.arena.text(&self.printer.texts[*var]), level: Level::Primary };
             }
-            Expr::Unary(operator, operand) => self.pieces(Operation::Unary(*operator), &[self.expr(operand)]),
-            Expr::Binary(operator, left, right) => self.binary(*operator, left, right),
-            Expr::Intrinsic(intrinsic, operands) => {
-                let operands: Vec<_> = operands.iter().map(|operand| self.expr(operand)).collect();
-                self.pieces(Operation::Intrinsic(*intrinsic), &operands)
-            }
+            _ => expr.operands().next().expect("print: an operation has operands"),
+        };
+        match ((language.form)(expr, first.ty(program), program.real), expr) {
+            (Some(form), _) => self.spelled(&form, expr),
+            (None, Expr::Binary(operator, left, right)) => self.infix(*operator, left, right),
+            (None, _) => panic!("print: {expr:?} stands between no operands"),
         }
     }
 
-    fn binary(&self, operator: Binary, left: &'d Expr, right: &'d Expr) -> Printed<'d> {
-        let printed = [self.expr(left), self.expr(right)];
-        let ty = printed[0].ty;
-        let operation = Operation::Binary(operator);
-        let Form::Infix(level, symbol, [mut left_least, mut right_least]) = self.form(operation, ty) else {
-            return self.pieces(operation, &printed);
+    fn infix(&self, operator: Binary, left: &'d Expr, right: &'d Expr) -> Printed<'d> {
+        let language = self.printer.language;
+        let (level, [mut left_least, mut right_least]) = match operator {
+            Binary::Add | Binary::Subtract => (Level::Sum, [Level::Sum, Level::Product]),
+            Binary::Multiply | Binary::Divide => (Level::Product, [Level::Product, Level::Primary]),
+            Binary::And => (Level::And, [language.logic[0]; 2]),
+            Binary::Or => (Level::Or, [language.logic[1]; 2]),
+            // A comparison of comparisons is legal in C and misread: it gets parentheses.
+            _ => (Level::Comparison, [Level::Sum; 2]),
         };
         let is_logic = matches!(operator, Binary::And | Binary::Or);
         if is_logic && matches!(left, Expr::Binary(same, ..) if *same == operator) {
-            left_least = 0;
+            left_least = Level::Any;
         }
         // A sign right of an operator is easily overlooked.
         if matches!(right, Expr::Literal(_)) {
-            right_least = PRIMARY;
+            right_least = Level::Primary;
         }
-        let [left, right] = printed;
-        let right = self.arena.text(symbol).append(" ").append(self.bound(right, right_least, INDENTATION));
-        let left = self.bound(left, left_least, INDENTATION);
-        let doc = if is_logic || matches!(operator, Binary::Add | Binary::Subtract) {
+        let right = self.arena.text(language.symbols[operator as usize]).append(" ").append(self.bound(
+            self.expr(right),
+            right_least,
+            INDENTATION,
+        ));
+        let left = self.bound(self.expr(left), left_least, INDENTATION);
+        let doc = if is_logic || level == Level::Sum {
             left.append(self.arena.line().append(right).group())
         } else {
             left.append(" ").append(right)
         };
-        Printed { doc, level, ty: result(operation, ty) }
+        Printed { doc, level }
     }
 
-    fn pieces(&self, operation: Operation, operands: &[Printed<'d>]) -> Printed<'d> {
-        let ty = operands.first().expect("print: an operation has operands").ty;
-        let Form::Pieces(level, pieces) = self.form(operation, ty) else {
-            panic!("print: {operation:?} stands between no operands");
+    fn spelled(&self, form: &Form, expr: &'d Expr) -> Printed<'d> {
+        let operands: Vec<Printed<'d>> = expr.operands().map(|operand| self.expr(operand)).collect();
+        let line = |text: &'static str| {
+            let mut pieces = text.split('{');
+            let doc = self.arena.text(pieces.next().unwrap_or_default());
+            pieces.fold(doc, |doc, piece| {
+                let (index, text) = piece.split_once('}').expect("print: a form's operand ends");
+                let index = usize::from(index == "1");
+                doc.append(self.bound(operands[index].clone(), form.least[index], 0)).append(text)
+            })
         };
-        let (mut doc, mut behind_blank) = (self.arena.nil(), None);
-        for piece in pieces {
-            let next = match piece {
-                Piece::Text(text) => self.arena.text(*text),
-                Piece::Operand(index, least) => self.bound(operands[*index].clone(), *least, 0),
-                Piece::Blank => {
-                    behind_blank = Some(self.arena.line());
-                    continue;
-                }
-            };
-            match &mut behind_blank {
-                Some(rest) => *rest = rest.clone().append(next),
-                None => doc = doc.append(next),
-            }
-        }
-        if let Some(rest) = behind_blank {
-            doc = doc.append(rest.group());
-        }
-        Printed { doc, level, ty: result(operation, ty) }
+        let doc = match form.text.split_once('\n') {
+            Some((first, second)) => line(first).append(self.arena.line().append(line(second)).group()),
+            None => line(form.text),
+        };
+        Printed { doc, level: form.level }
     }
 
     /// An operand: in parentheses unless it binds at least as tightly as asked. What is broken within them is indented.
@@ -92,26 +89,5 @@ impl<'d> Layout<'d> {
             return operand.doc;
         }
         self.arena.text("(").append(operand.doc.nest(indentation)).append(")")
-    }
-
-    fn form(&self, operation: Operation, ty: Type) -> Form {
-        (self.printer.language.form)(operation, ty, self.printer.program.real)
-    }
-}
-
-impl Clone for Printed<'_> {
-    fn clone(&self) -> Self {
-        Self { doc: self.doc.clone(), ..*self }
-    }
-}
-
-/// The type of an operation whose first operand has a type.
-fn result(operation: Operation, ty: Type) -> Type {
-    use Binary::{Add, And, Divide, Multiply, Or, Subtract};
-    match operation {
-        Operation::Unary(_) | Operation::Binary(Add | Subtract | Multiply | Divide | And | Or) => ty,
-        Operation::Binary(_) | Operation::Intrinsic(Intrinsic::InRange | Intrinsic::Within) => Type::Bool,
-        Operation::Intrinsic(Intrinsic::FromU32 | Intrinsic::FromI32) => Type::Real,
-        Operation::Intrinsic(Intrinsic::Truncate | Intrinsic::Nearest) => Type::I32,
     }
 }

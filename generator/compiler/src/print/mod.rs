@@ -13,7 +13,8 @@ pub mod st;
 pub use language::{Appearance, Language};
 pub use names::{Names, identifier};
 
-use crate::program::{Expr, Program, Statement, Var, Variable};
+use crate::program::{Expr, Program, Statement, Table, Var, Variable};
+use language::Level;
 use pretty::{Arena, DocAllocator, DocBuilder};
 
 /// Characters in a line of code, where it can be broken.
@@ -36,20 +37,8 @@ pub struct Printer<'p> {
     texts: Scope,
 }
 
-/// A text for each variable of a program, in the order of its lists.
-#[derive(Clone, Debug, Default)]
-pub struct Scope {
-    /// of the inputs
-    pub inputs: Vec<String>,
-    /// of the outputs
-    pub outputs: Vec<String>,
-    /// of the state
-    pub state: Vec<String>,
-    /// of the constants
-    pub constants: Vec<String>,
-    /// of the locals
-    pub locals: Vec<String>,
-}
+/// A text for each variable of a program.
+pub type Scope = Table<String>;
 
 /// The names of the inputs and of the outputs of a program.
 #[must_use]
@@ -98,22 +87,17 @@ impl<'p> Printer<'p> {
             locals: program.locals.iter().map(|local| names.take(&local.path)).collect(),
         };
         let appearances = (language.appearances)(program);
-        let [input, output, state, constant, local] = language.before;
-        let behind = |before: &str, names: &[String]| names.iter().map(|name| [before, name].concat()).collect();
-        let mut texts = Scope {
-            inputs: behind(input, &names.inputs),
-            outputs: behind(output, &names.outputs),
-            state: behind(state, &names.state),
-            constants: behind(constant, &names.constants),
-            locals: behind(local, &names.locals),
-        };
+        let mut texts = names.clone();
+        let Scope { inputs, outputs, state, constants, locals } = &mut texts;
+        for (before, list) in language.before.into_iter().zip([inputs, outputs, state, constants, locals]) {
+            list.iter_mut().for_each(|name| name.insert_str(0, before));
+        }
         for (index, appearance) in appearances.iter().enumerate() {
             if *appearance == Appearance::Inline {
-                let ((digits, level), name) =
-                    ((language.operand)(program.constants[index].value), &names.constants[index]);
-                let [open, _, close] = language.comment;
+                let (digits, level) = (language.operand)(program.constants[index].value);
+                let ([open, _, close], name) = (language.comment, &names.constants[index]);
                 let text = format!("{digits} {open}{name}{close}");
-                texts.constants[index] = if level == language::PRIMARY { text } else { format!("({text})") };
+                texts.constants[index] = if level == Level::Primary { text } else { format!("({text})") };
             }
         }
         Self { program, language, names, appearances, texts }
@@ -147,22 +131,6 @@ impl<'p> Printer<'p> {
         text.push_str(if text.is_empty() { "" } else { "\n" });
         text
     }
-
-    fn text(&self, var: Var) -> &str {
-        let Scope { inputs, outputs, state, constants, locals } = &self.texts;
-        match var {
-            Var::Input(index) => &inputs[index],
-            Var::Output(index) => &outputs[index],
-            Var::State(index) => &state[index],
-            Var::Constant(index) => &constants[index],
-            Var::Local(index) => &locals[index],
-        }
-    }
-
-    fn local_type(&self, local: usize) -> &'static str {
-        let ty = self.program.locals[local].ty.expect("print: the typing pass has typed every local");
-        (self.language.ty)(ty, self.program.real)
-    }
 }
 
 /// What lays out one body.
@@ -175,25 +143,28 @@ impl<'d> Layout<'d> {
     /// Statements, each behind a line break. `declared` knows the locals that an outer list declares.
     fn list(&self, list: &'d [Statement], declared: &mut [bool]) -> Doc<'d> {
         let mut doc = self.arena.nil();
-        let Some([with_value, without]) = self.printer.language.declaration else {
+        let Some(constant) = self.printer.language.constant else {
             for statement in list {
                 doc = doc.append(self.arena.hardline()).append(self.statement(statement, declared));
             }
             return doc;
         };
         for (statement, locals) in list.iter().zip(scope::declarations(list, declared)) {
-            let named = |local: usize| (self.printer.local_type(local), &self.printer.names.locals[local]);
+            let declared_as = |local: usize| {
+                let program = self.printer.program;
+                let ty = program.locals[local].ty.expect("print: the typing pass has typed every local");
+                format!("{} {}", (self.printer.language.ty)(ty, program.real), self.printer.names.locals[local])
+            };
             doc = doc.append(self.arena.hardline());
             if let Statement::Assign { target: Var::Local(local), value } = statement
                 && locals.contains(local)
             {
-                let (ty, name) = named(*local);
-                doc = doc.append(self.assignment(self.arena.text(with_value(ty, name)), value));
+                let target = self.arena.text(constant).append(declared_as(*local));
+                doc = doc.append(self.assignment(target, value));
                 continue;
             }
             for local in locals {
-                let (ty, name) = named(local);
-                doc = doc.append(without(ty, name)).append(";").append(self.arena.hardline());
+                doc = doc.append(declared_as(local)).append(";").append(self.arena.hardline());
             }
             doc = doc.append(self.statement(statement, declared));
         }
@@ -208,22 +179,27 @@ impl<'d> Layout<'d> {
                 let between = self.arena.hardline().append(next);
                 self.arena.text(open).append(self.arena.intersperse(lines, between)).append(close)
             }
-            Statement::Assign { target, value } => self.assignment(self.arena.text(self.printer.text(*target)), value),
+            Statement::Assign { target, value } => {
+                self.assignment(self.arena.text(&self.printer.texts[*target]), value)
+            }
             Statement::If { condition, then, otherwise } => {
-                let question = self.printer.language.question;
+                let [first, next, behind, last, end] = self.printer.language.choice;
                 let mut inner = |list| self.list(list, declared).nest(INDENTATION);
-                let mut doc = self.question(question.first, condition).append(inner(then));
+                let asked = |text: &'static str, condition| {
+                    let condition = self.expr(condition).doc.group().nest(2 * INDENTATION);
+                    self.arena.text(text).append(condition).append(behind)
+                };
+                let mut doc = asked(first, condition).append(inner(then));
                 let mut rest = otherwise;
-                // A chain of questions reads as one.
+                // An `if` that is alone in the other branch continues the chain.
                 while let [Statement::If { condition, then, otherwise }] = rest.as_slice() {
-                    doc = doc.append(self.arena.hardline()).append(self.question(question.next, condition));
-                    doc = doc.append(inner(then));
+                    doc = doc.append(self.arena.hardline()).append(asked(next, condition)).append(inner(then));
                     rest = otherwise;
                 }
                 if !rest.is_empty() {
-                    doc = doc.append(self.arena.hardline()).append(question.otherwise).append(inner(rest));
+                    doc = doc.append(self.arena.hardline()).append(last).append(inner(rest));
                 }
-                doc.append(self.arena.hardline()).append(question.end)
+                doc.append(self.arena.hardline()).append(end)
             }
         }
     }
@@ -233,10 +209,5 @@ impl<'d> Layout<'d> {
         let value = self.expr(value).doc.nest(INDENTATION).append(";");
         let value = self.arena.line().append(value).group().nest(INDENTATION);
         target.append(self.printer.language.assign).append(value)
-    }
-
-    fn question(&self, words: &'static str, condition: &'d Expr) -> Doc<'d> {
-        let condition = self.expr(condition).doc.group().nest(2 * INDENTATION);
-        self.arena.text(words).append(condition).append(self.printer.language.question.then)
     }
 }

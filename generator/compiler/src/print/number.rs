@@ -3,11 +3,7 @@
 use portable::Literal;
 
 /// The shortest decimal that reads back to the same bits, with a digit on each side of the point: `0.1`, `1.0e-30`.
-///
-/// # Panics
-/// If the literal is no real number, or not finite: the passes have excluded both.
-#[must_use]
-pub fn decimal(value: Literal) -> String {
+pub(super) fn decimal(value: Literal) -> String {
     let shortest = match value {
         Literal::F64(value) if value.is_finite() => format!("{value:?}"),
         Literal::F32(value) if value.is_finite() => format!("{value:?}"),

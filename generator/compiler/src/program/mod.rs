@@ -3,11 +3,15 @@
 //! Every scalar of the inputs, the outputs and the state is a variable of its own, named by its path in the reference
 //! (`stage[0].filter[0].section[1].s1`). A local is assigned exactly once on each way through the program.
 
+mod expr;
+mod table;
 mod visit;
 
-pub use visit::{map_expressions, rename, rewrite};
+pub use table::Table;
+pub use visit::map_expressions;
+pub(crate) use visit::{rename, rewrite};
 
-use portable::{Literal, RealKind};
+use portable::{Binary, Intrinsic, Literal, RealKind, Unary};
 
 /// A specialised block.
 #[derive(Clone, Debug, PartialEq)]
@@ -114,6 +118,15 @@ impl Type {
             Literal::Usize(_) | Literal::Variant(_) => None,
         }
     }
+
+    /// The type of an intrinsic's value.
+    pub(crate) fn of_intrinsic(intrinsic: Intrinsic) -> Self {
+        match intrinsic {
+            Intrinsic::InRange | Intrinsic::Within => Self::Bool,
+            Intrinsic::FromU32 | Intrinsic::FromI32 => Self::Real,
+            Intrinsic::Truncate | Intrinsic::Nearest => Self::I32,
+        }
+    }
 }
 
 /// A variable or a constant, by its position in the program's list.
@@ -162,11 +175,11 @@ pub enum Expr {
     /// what a variable holds
     Var(Var),
     /// an operator with one operand
-    Unary(portable::Unary, Box<Expr>),
+    Unary(Unary, Box<Expr>),
     /// an operator with two operands
-    Binary(portable::Binary, Box<Expr>, Box<Expr>),
+    Binary(Binary, Box<Expr>, Box<Expr>),
     /// an operation that each target prints in its own way
-    Intrinsic(portable::Intrinsic, Vec<Expr>),
+    Intrinsic(Intrinsic, Vec<Expr>),
 }
 
 impl Program {

@@ -4,7 +4,7 @@ use super::{Expr, Statement, Var};
 
 impl Statement {
     /// Calls `visit` for this statement, then for those inside it.
-    pub fn walk<'a>(&'a self, visit: &mut impl FnMut(&'a Self)) {
+    pub(crate) fn walk<'a>(&'a self, visit: &mut impl FnMut(&'a Self)) {
         visit(self);
         if let Self::If { then, otherwise, .. } = self {
             then.iter().chain(otherwise).for_each(|inner| inner.walk(visit));
@@ -34,7 +34,7 @@ impl Statement {
     }
 
     /// Calls `visit` for every variable that this statement or one inside it reads or writes, as often as it does.
-    pub fn variables(&self, visit: &mut impl FnMut(Var)) {
+    pub(crate) fn variables(&self, visit: &mut impl FnMut(Var)) {
         self.assignments(&mut |target, _| visit(target));
         self.reads(visit);
     }
@@ -50,11 +50,20 @@ impl Statement {
             }
         }
     }
+
+    /// The two lists of an `if`.
+    pub(crate) fn branches_mut(&mut self) -> impl Iterator<Item = &mut Vec<Self>> {
+        let branches = match self {
+            Self::If { then, otherwise, .. } => Some([then, otherwise]),
+            _ => None,
+        };
+        branches.into_iter().flatten()
+    }
 }
 
 impl Expr {
     /// The expressions that this one is made of.
-    fn operands(&self) -> impl Iterator<Item = &Self> {
+    pub(crate) fn operands(&self) -> impl Iterator<Item = &Self> {
         let (first, second, more): (_, _, &[Self]) = match self {
             Self::Literal(_) | Self::Var(_) => (None, None, &[]),
             Self::Unary(_, operand) => (Some(&**operand), None, &[]),
@@ -71,7 +80,7 @@ impl Expr {
     }
 
     /// Calls `visit` for every variable that the expression reads.
-    pub fn variables(&self, visit: &mut impl FnMut(Var)) {
+    pub(crate) fn variables(&self, visit: &mut impl FnMut(Var)) {
         self.parts(&mut |part| {
             if let Self::Var(var) = part {
                 visit(*var);
@@ -80,8 +89,7 @@ impl Expr {
     }
 
     /// Whether the expression reads the variable.
-    #[must_use]
-    pub fn mentions(&self, var: Var) -> bool {
+    pub(crate) fn mentions(&self, var: Var) -> bool {
         *self == Self::Var(var) || self.operands().any(|operand| operand.mentions(var))
     }
 
@@ -105,51 +113,39 @@ pub fn map_expressions(list: &mut [Statement], change: &mut impl FnMut(&mut Expr
     for statement in list {
         match statement {
             Statement::Note(_) => {}
-            Statement::Assign { value, .. } => change(value),
-            Statement::If { condition, then, otherwise } => {
-                change(condition);
-                map_expressions(then, change);
-                map_expressions(otherwise, change);
-            }
+            Statement::Assign { value: expr, .. } | Statement::If { condition: expr, .. } => change(expr),
         }
+        statement.branches_mut().for_each(|list| map_expressions(list, change));
     }
 }
 
 /// Puts another variable in the place of every variable that the statements mention.
-pub fn rename(list: &mut [Statement], renamed: &impl Fn(Var) -> Var) {
+pub(crate) fn rename(list: &mut [Statement], renamed: &impl Fn(Var) -> Var) {
+    map_expressions(list, &mut |expr| {
+        expr.change(&mut |part| {
+            if let Expr::Var(var) = part {
+                *var = renamed(*var);
+            }
+        });
+    });
+    rename_targets(list, renamed);
+}
+
+fn rename_targets(list: &mut [Statement], renamed: &impl Fn(Var) -> Var) {
     for statement in list {
-        match statement {
-            Statement::Note(_) => {}
-            Statement::Assign { target, value } => {
-                *target = renamed(*target);
-                rename_in(value, renamed);
-            }
-            Statement::If { condition, then, otherwise } => {
-                rename_in(condition, renamed);
-                rename(then, renamed);
-                rename(otherwise, renamed);
-            }
+        if let Statement::Assign { target, .. } = statement {
+            *target = renamed(*target);
         }
+        statement.branches_mut().for_each(|list| rename_targets(list, renamed));
     }
 }
 
-fn rename_in(expr: &mut Expr, renamed: &impl Fn(Var) -> Var) {
-    expr.change(&mut |part| {
-        if let Expr::Var(var) = part {
-            *var = renamed(*var);
-        }
-    });
-}
-
 /// Replaces every statement by what `change` pushes for it; the statements inside it have been replaced before.
-pub fn rewrite(list: &mut Vec<Statement>, change: &mut impl FnMut(Statement, &mut Vec<Statement>)) {
+pub(crate) fn rewrite(list: &mut Vec<Statement>, change: &mut impl FnMut(Statement, &mut Vec<Statement>)) {
     let old = std::mem::take(list);
     list.reserve(old.len());
     for mut statement in old {
-        if let Statement::If { then, otherwise, .. } = &mut statement {
-            rewrite(then, change);
-            rewrite(otherwise, change);
-        }
+        statement.branches_mut().for_each(|list| rewrite(list, change));
         change(statement, list);
     }
 }

@@ -52,29 +52,28 @@ impl Specialiser<'_> {
         }
     }
 
-    /// An intrinsic: a question about known values is decided, a conversion of an anonymous literal done.
+    /// An intrinsic: a comparison of known values and a conversion of an anonymous literal are folded.
     fn intrinsic(&self, intrinsic: Intrinsic, operands: Vec<Expr>) -> Expr {
         let known: Option<Vec<Literal>> = operands.iter().map(|operand| self.known(operand)).collect();
         let is_anonymous = operands.iter().all(|operand| matches!(operand, Expr::Literal(_)));
         match known {
             Some(known) if is_anonymous || matches!(intrinsic, Intrinsic::InRange | Intrinsic::Within) => {
-                Expr::Literal(arithmetic::intrinsic(intrinsic, &known, self.real))
+                Expr::Literal(arithmetic::intrinsic(intrinsic, &known, self.program.real))
             }
             _ => Expr::Intrinsic(intrinsic, operands),
         }
     }
 
     fn value_argument(&mut self, argument: &'static Argument, function: &Fn) -> Expr {
-        match argument {
-            Argument::Value { value } => self.expr(value),
-            Argument::Borrow { .. } => panic!("specialise: {} takes a scalar by value", function.name),
-        }
+        let Argument::Value { value } = argument else {
+            panic!("specialise: {} takes a scalar by value", function.name)
+        };
+        self.expr(value)
     }
 
     /// A new name for a value. What can still change, or is computed, gets a local.
     pub(super) fn bind(&mut self, name: &str, value: Expr) -> Rc<Node> {
         let cell = self.settled(name, value);
-        self.cells.push(cell);
-        Rc::new(Node::Leaf(self.cells.len() - 1))
+        self.leaf(cell)
     }
 }

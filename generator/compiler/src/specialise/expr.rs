@@ -1,10 +1,10 @@
 //! Expressions and places: from the portable IR to the program, folding what is known.
 
 use super::node::{Cell, Node};
-use super::{Specialiser, number};
+use super::{Specialiser, run_time};
 use crate::arithmetic;
-use crate::program::{Expr, Var};
-use portable::{Binary, Literal, Projection, Unary};
+use crate::program::Expr;
+use portable::{Binary, Literal, Projection};
 use std::rc::Rc;
 
 impl Specialiser<'_> {
@@ -16,10 +16,10 @@ impl Specialiser<'_> {
                 let node = self.place(place);
                 self.read(&node)
             }
-            portable::Expr::Unary { operator, operand } => {
-                let operand = self.expr(operand);
-                Self::unary(*operator, operand)
-            }
+            portable::Expr::Unary { operator, operand } => match self.expr(operand) {
+                Expr::Literal(literal) => Expr::Literal(arithmetic::unary(*operator, literal)),
+                operand => Expr::Unary(*operator, Box::new(operand)),
+            },
             portable::Expr::Binary { operator, left, right } => {
                 let left = self.expr(left);
                 let right = self.expr(right);
@@ -88,18 +88,7 @@ impl Specialiser<'_> {
 
     /// The value of an expression that is known, named or not.
     pub(super) fn known(&self, expr: &Expr) -> Option<Literal> {
-        match expr {
-            Expr::Literal(literal) => Some(*literal),
-            Expr::Var(Var::Constant(index)) => Some(self.constants[*index].value),
-            _ => None,
-        }
-    }
-
-    fn unary(operator: Unary, operand: Expr) -> Expr {
-        match operand {
-            Expr::Literal(literal) => Expr::Literal(arithmetic::unary(operator, literal)),
-            operand => Expr::Unary(operator, Box::new(operand)),
-        }
+        expr.known(&self.program.constants)
     }
 
     /// An operator on two values. A comparison of known values is decided; arithmetic on a named constant stays, so that
@@ -107,20 +96,11 @@ impl Specialiser<'_> {
     pub(super) fn binary(&self, operator: Binary, left: Expr, right: Expr) -> Expr {
         let known = (self.known(&left), self.known(&right));
         match (operator, known) {
-            (Binary::And, (Some(Literal::Bool(true)), _)) | (Binary::Or, (Some(Literal::Bool(false)), _)) => {
+            (Binary::And | Binary::Or, _) => return Expr::logic(operator, left, right),
+            // The first term of a sum: the only addition that changes no number.
+            (Binary::Add, (Some(start), _)) if [Literal::F64(-0.0), Literal::F32(-0.0)].contains(&start) => {
                 return right;
             }
-            (Binary::And, (_, Some(Literal::Bool(true)))) | (Binary::Or, (_, Some(Literal::Bool(false)))) => {
-                return left;
-            }
-            (Binary::And, (Some(Literal::Bool(false)), _) | (_, Some(Literal::Bool(false)))) => {
-                return Expr::Literal(Literal::Bool(false));
-            }
-            (Binary::Or, (Some(Literal::Bool(true)), _) | (_, Some(Literal::Bool(true)))) => {
-                return Expr::Literal(Literal::Bool(true));
-            }
-            // The first term of a sum: the only addition that changes no number.
-            (Binary::Add, (Some(start), _)) if arithmetic::is_negative_zero(start) => return right,
             (_, (Some(a), Some(b))) => {
                 let computes = matches!(operator, Binary::Add | Binary::Subtract | Binary::Multiply | Binary::Divide);
                 let anonymous = matches!((&left, &right), (Expr::Literal(_), Expr::Literal(_)));
@@ -133,14 +113,6 @@ impl Specialiser<'_> {
             }
             _ => {}
         }
-        Expr::Binary(operator, Box::new(at_run_time(left)), Box::new(at_run_time(right)))
-    }
-}
-
-/// A literal that meets a run-time value: a variant becomes its number.
-fn at_run_time(expr: Expr) -> Expr {
-    match expr {
-        Expr::Literal(literal) => Expr::Literal(number(literal)),
-        other => other,
+        Expr::binary(operator, run_time(left), run_time(right))
     }
 }

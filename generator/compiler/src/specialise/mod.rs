@@ -9,10 +9,10 @@ mod expr;
 mod node;
 mod statement;
 
-use crate::leaves::leaves;
+use crate::leaves;
 use crate::program::{Constant, Expr, Local, Origin, Program, Statement, Switch, Type, Var, Variable};
 use node::{Cell, Node};
-use portable::{Block, Enable, Fn, Literal, Portable, Real, RealKind, Ty};
+use portable::{Block, Enable, Fn, Literal, Portable, Real, Ty};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -23,44 +23,55 @@ use std::rc::Rc;
 /// struct passed by value. That is a defect of the block, not of anybody's input.
 #[must_use]
 pub fn block<R: Real, B: Block<R>>(coeffs: &B::Coeffs, notes: &BTreeMap<String, String>) -> Program {
-    let mut specialiser = Specialiser::new(notes, R::KIND);
-    let coefficients = specialiser.enter_coefficients(<B::Coeffs as Portable>::TY, &leaves(coeffs));
-    let state = specialiser.enter_variables(<B::State as Portable>::TY, &leaves(&B::state()), Space::State);
-    let inputs = specialiser.enter_variables(<B::Inputs as Portable>::TY, &leaves(&B::inputs(coeffs)), Space::Input);
-    let outputs = specialiser.enter_variables(<B::Outputs as Portable>::TY, &leaves(&B::outputs()), Space::Output);
+    let program = Program {
+        block: B::NAME,
+        switch: None,
+        real: R::KIND,
+        inputs: Vec::new(),
+        outputs: Vec::new(),
+        state: Vec::new(),
+        constants: Vec::new(),
+        locals: Vec::new(),
+        init: Vec::new(),
+        step: Vec::new(),
+    };
+    let (coefficients, coefficient_type) = (leaves(coeffs), <B::Coeffs as Portable>::TY);
+    let mut specialiser = Specialiser {
+        notes,
+        program,
+        coefficient_of: vec![None; coefficients.len()],
+        function_of: Vec::new(),
+        cells: Vec::new(),
+        entered: 0,
+        coefficients,
+        coefficient_type,
+        frames: Vec::new(),
+        statements: Vec::new(),
+    };
+    let coefficients = specialiser.enter_coefficients();
+    let state = specialiser.enter_variables(<B::State as Portable>::TY, &leaves(&B::state()), Var::State);
+    let inputs = specialiser.enter_variables(<B::Inputs as Portable>::TY, &leaves(&B::inputs(coeffs)), Var::Input);
+    let outputs = specialiser.enter_variables(<B::Outputs as Portable>::TY, &leaves(&B::outputs()), Var::Output);
     specialiser.entered = specialiser.cells.len();
     let init = specialiser.function(&B::INIT, vec![state.clone()]);
     let step = specialiser.function(&B::STEP, vec![state, coefficients, inputs, outputs]);
     let switch = B::ENABLE.map(|enable| specialiser.switch(enable));
-    specialiser.into_program(B::NAME, switch, init, step)
-}
-
-/// A list of variables of the program.
-#[derive(Clone, Copy)]
-enum Space {
-    Input,
-    Output,
-    State,
+    Program { switch, init, step, ..specialiser.program }
 }
 
 /// What is known at the present point of the function that is being specialised.
 struct Specialiser<'n> {
     notes: &'n BTreeMap<String, String>,
-    real: RealKind,
-    inputs: Vec<Variable>,
-    outputs: Vec<Variable>,
-    state: Vec<Variable>,
-    constants: Vec<Constant>,
+    program: Program,
     /// the constant that each coefficient is, by its position
     coefficient_of: Vec<Option<usize>>,
     /// the constants that functions without parameters are
     function_of: Vec<(&'static Fn, usize)>,
-    locals: Vec<Local>,
     cells: Vec<Cell>,
     /// how many cells no branch can change: coefficients, state, inputs and outputs
     entered: usize,
     coefficients: Vec<Literal>,
-    coefficient_type: Option<Ty>,
+    coefficient_type: Ty,
     frames: Vec<Frame>,
     statements: Vec<Statement>,
 }
@@ -73,59 +84,30 @@ struct Frame {
     function: &'static str,
 }
 
-impl<'n> Specialiser<'n> {
-    fn new(notes: &'n BTreeMap<String, String>, real: RealKind) -> Self {
-        Self {
-            notes,
-            real,
-            inputs: Vec::new(),
-            outputs: Vec::new(),
-            state: Vec::new(),
-            constants: Vec::new(),
-            coefficient_of: Vec::new(),
-            function_of: Vec::new(),
-            locals: Vec::new(),
-            cells: Vec::new(),
-            entered: 0,
-            coefficients: Vec::new(),
-            coefficient_type: None,
-            frames: Vec::new(),
-            statements: Vec::new(),
-        }
-    }
-
+impl Specialiser<'_> {
     /// Enters the coefficients: every leaf is known.
-    fn enter_coefficients(&mut self, ty: Ty, leaves: &[Literal]) -> Rc<Node> {
-        self.coefficient_type = Some(ty);
-        self.coefficients = leaves.to_vec();
-        self.coefficient_of = vec![None; leaves.len()];
+    fn enter_coefficients(&mut self) -> Rc<Node> {
         let mut position = 0;
-        node::build_unnamed(ty, &mut || {
-            self.cells.push(Cell::Coefficient(position));
+        node::build(self.coefficient_type, None, "", &mut |_, _, _| {
             position += 1;
-            self.cells.len() - 1
+            self.cell(Cell::Coefficient(position - 1))
         })
     }
 
     /// Enters inputs, outputs or state: every leaf is a variable.
-    fn enter_variables(&mut self, ty: Ty, leaves: &[Literal], space: Space) -> Rc<Node> {
-        let mut position = 0;
-        node::build(ty, &mut String::new(), "", &mut |leaf, path, doc| {
-            let start = number(leaves[position]);
+    fn enter_variables(&mut self, ty: Ty, leaves: &[Literal], var: fn(usize) -> Var) -> Rc<Node> {
+        let mut leaves = leaves.iter().map(|leaf| number(*leaf)).enumerate();
+        node::build(ty, Some(&mut String::new()), "", &mut |leaf, path, doc| {
+            let (position, start) = leaves.next().expect("specialise: as many values as the type has scalars");
             let variable = Variable { path: path.to_owned(), doc, ty: scalar_type(leaf, path), start };
-            let cell = match space {
-                Space::Input => Cell::Fixed(Var::Input(position)),
-                Space::Output => Cell::Memory(Var::Output(position)),
-                Space::State => Cell::Memory(Var::State(position)),
+            let var = var(position);
+            let (list, cell) = match var {
+                Var::Output(_) => (&mut self.program.outputs, Cell::Memory(var)),
+                Var::State(_) => (&mut self.program.state, Cell::Memory(var)),
+                _ => (&mut self.program.inputs, Cell::Fixed(var)),
             };
-            match space {
-                Space::Input => self.inputs.push(variable),
-                Space::Output => self.outputs.push(variable),
-                Space::State => self.state.push(variable),
-            }
-            position += 1;
-            self.cells.push(cell);
-            self.cells.len() - 1
+            list.push(variable);
+            self.cell(cell)
         })
     }
 
@@ -141,35 +123,22 @@ impl<'n> Specialiser<'n> {
     /// What turns the block off. The number of its mode OFF is named as where the block asks for it.
     fn switch(&mut self, enable: Enable) -> Switch {
         let find = |list: &[Variable], path: &str| list.iter().position(|variable| variable.path == path);
-        let input = find(&self.inputs, enable.input).expect("specialise: the block has the input that turns it off");
+        let input =
+            find(&self.program.inputs, enable.input).expect("specialise: the block has the input that turns it off");
         let Some((off, busy)) = enable.mode else { return Switch { input, off: None, busy: None } };
         let value = match off.body.block.value {
             Some(portable::Expr::Constant { value }) => value(),
             _ => panic!("specialise: {} is no number", off.name),
         };
         let off = Constant { path: off.name.to_owned(), doc: off.doc, value, origin: Origin::Function };
-        Switch { input, off: Some(off), busy: find(&self.state, busy).map(Var::State) }
-    }
-
-    fn into_program(
-        self,
-        block: &'static str,
-        switch: Option<Switch>,
-        init: Vec<Statement>,
-        step: Vec<Statement>,
-    ) -> Program {
-        let Self { real, inputs, outputs, state, constants, locals, .. } = self;
-        Program { block, switch, real, inputs, outputs, state, constants, locals, init, step }
+        Switch { input, off: Some(off), busy: find(&self.program.state, busy).map(Var::State) }
     }
 
     /// The coefficient as a named number, entered where it is first met.
     fn coefficient(&mut self, position: usize) -> Expr {
         let index = self.coefficient_of[position].unwrap_or_else(|| {
-            let ty = self.coefficient_type.expect("specialise: the coefficients were entered");
-            let (path, doc) = node::leaf_at(ty, position);
-            let (value, origin) = (self.coefficients[position], Origin::Coefficient(position));
-            self.constants.push(Constant { path, doc, value, origin });
-            self.constants.len() - 1
+            let (path, doc) = node::leaf_at(self.coefficient_type, position);
+            self.constant(path, doc, self.coefficients[position], Origin::Coefficient(position))
         });
         self.coefficient_of[position] = Some(index);
         Expr::Var(Var::Constant(index))
@@ -180,20 +149,24 @@ impl<'n> Specialiser<'n> {
         let is_same = |known: &Fn| (known.name, known.module) == (function.name, function.module);
         let known = self.function_of.iter().find(|(known, _)| is_same(known)).map(|(_, index)| *index);
         let index = known.unwrap_or_else(|| {
-            let (path, doc) = (function.name.to_owned(), function.doc);
-            self.constants.push(Constant { path, doc, value, origin: Origin::Function });
-            self.function_of.push((function, self.constants.len() - 1));
-            self.constants.len() - 1
+            let index = self.constant(function.name.to_owned(), function.doc, value, Origin::Function);
+            self.function_of.push((function, index));
+            index
         });
         Expr::Var(Var::Constant(index))
+    }
+
+    fn constant(&mut self, path: String, doc: &'static str, value: Literal, origin: Origin) -> usize {
+        self.program.constants.push(Constant { path, doc, value, origin });
+        self.program.constants.len() - 1
     }
 
     /// A new local of the function that is being inlined.
     fn local(&mut self, name: &str) -> Var {
         let context = &self.frame().context;
         let path = if context.is_empty() { name.to_owned() } else { format!("{context}.{name}") };
-        self.locals.push(Local { path, ty: None });
-        Var::Local(self.locals.len() - 1)
+        self.program.locals.push(Local { path, ty: None });
+        Var::Local(self.program.locals.len() - 1)
     }
 
     fn frame(&self) -> &Frame {
@@ -220,6 +193,14 @@ fn scalar_type(ty: Ty, path: &str) -> Type {
 fn number(literal: Literal) -> Literal {
     match literal {
         Literal::Variant(index) => Literal::I32(i32::try_from(index).expect("specialise: an enum has few variants")),
+        other => other,
+    }
+}
+
+/// A value that the program stores or computes with: a variant becomes its number.
+fn run_time(expr: Expr) -> Expr {
+    match expr {
+        Expr::Literal(literal) => Expr::Literal(number(literal)),
         other => other,
     }
 }

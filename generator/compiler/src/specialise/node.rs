@@ -9,18 +9,13 @@ use std::rc::Rc;
 pub(super) enum Node {
     /// a scalar, by its position among the cells
     Leaf(usize),
-    /// a struct
+    /// `path`: where it stands in the coefficients, the state, ...
     Struct {
-        /// where it stands in the coefficients, the state, ...
         path: Rc<str>,
-        /// its fields
         fields: Vec<(&'static str, Rc<Node>)>,
     },
-    /// an array
     Array {
-        /// where it stands
         path: Rc<str>,
-        /// its elements
         elements: Vec<Rc<Node>>,
     },
 }
@@ -48,33 +43,40 @@ impl Node {
     }
 }
 
-/// Builds the tree of a type; `leaf` enters each scalar and gives its cell. `path` is the same afterwards.
+/// Builds the tree of a type; `leaf` enters each scalar and gives its cell. `path` is the same afterwards; without one,
+/// the parts of the tree have no names.
 pub(super) fn build(
     ty: Ty,
-    path: &mut String,
+    mut path: Option<&mut String>,
     doc: &'static str,
     leaf: &mut dyn FnMut(Ty, &str, &'static str) -> usize,
 ) -> Rc<Node> {
-    let outer = path.len();
-    let mut inner = |path: &mut String, part: std::fmt::Arguments<'_>, ty, doc| {
-        path.write_fmt(part).expect("specialise: a string takes all text");
-        let node = build(ty, path, doc, leaf);
-        path.truncate(outer);
+    if !matches!(ty, Ty::Struct { .. } | Ty::Array { .. }) {
+        return Rc::new(Node::Leaf(leaf(ty, path.map_or("", |path| path), doc)));
+    }
+    let here: Rc<str> = path.as_deref().map_or("", String::as_str).into();
+    let mut inner = |part: std::fmt::Arguments<'_>, ty, doc| {
+        if let Some(path) = &mut path {
+            path.write_fmt(part).expect("specialise: a string takes all text");
+        }
+        let node = build(ty, path.as_deref_mut(), doc, leaf);
+        if let Some(path) = &mut path {
+            path.truncate(here.len());
+        }
         node
     };
     Rc::new(match ty {
         Ty::Struct { def } => {
-            let dot = if outer == 0 { "" } else { "." };
-            let field =
-                |field: &Field| (field.name, inner(path, format_args!("{dot}{}", field.name), field.ty, field.doc));
+            let dot = if here.is_empty() { "" } else { "." };
+            let field = |field: &Field| (field.name, inner(format_args!("{dot}{}", field.name), field.ty, field.doc));
             let fields = def.fields.iter().map(field).collect();
-            Node::Struct { path: path.as_str().into(), fields }
+            Node::Struct { path: here, fields }
         }
         Ty::Array { element, len } => {
-            let elements = (0..len).map(|index| inner(path, format_args!("[{index}]"), *element, doc)).collect();
-            Node::Array { path: path.as_str().into(), elements }
+            let elements = (0..len).map(|index| inner(format_args!("[{index}]"), *element, doc)).collect();
+            Node::Array { path: here, elements }
         }
-        scalar => Node::Leaf(leaf(scalar, path, doc)),
+        scalar => unreachable!("{scalar:?} is no aggregate"),
     })
 }
 
@@ -84,16 +86,16 @@ pub(super) fn leaf_at(ty: Ty, position: usize) -> (String, &'static str) {
     loop {
         match ty {
             Ty::Struct { def } => {
-                let mut fields = def.fields.iter();
-                let field = fields.find(|field| {
-                    let leaves = leaves(field.ty);
-                    let inside = position < leaves;
-                    if !inside {
-                        position -= leaves;
-                    }
-                    inside
-                });
-                let field = field.expect("specialise: the position is one of the type's leaves");
+                let mut fields = def.fields.iter().map(|field| (field, leaves(field.ty)));
+                let (field, _) = fields
+                    .find(|(_, leaves)| match position.checked_sub(*leaves) {
+                        Some(rest) => {
+                            position = rest;
+                            false
+                        }
+                        None => true,
+                    })
+                    .expect("specialise: the position is one of the type's leaves");
                 path.push_str(if path.is_empty() { "" } else { "." });
                 path.push_str(field.name);
                 (ty, doc) = (field.ty, field.doc);
@@ -115,24 +117,4 @@ fn leaves(ty: Ty) -> usize {
         Ty::Array { element, len } => len * leaves(*element),
         _ => 1,
     }
-}
-
-/// Builds the tree of a type whose parts need no names.
-pub(super) fn build_unnamed(ty: Ty, leaf: &mut dyn FnMut() -> usize) -> Rc<Node> {
-    let nowhere: Rc<str> = "".into();
-    build_at(ty, &nowhere, leaf)
-}
-
-fn build_at(ty: Ty, nowhere: &Rc<str>, leaf: &mut dyn FnMut() -> usize) -> Rc<Node> {
-    let path = Rc::clone(nowhere);
-    Rc::new(match ty {
-        Ty::Struct { def } => Node::Struct {
-            path,
-            fields: def.fields.iter().map(|field| (field.name, build_at(field.ty, nowhere, leaf))).collect(),
-        },
-        Ty::Array { element, len } => {
-            Node::Array { path, elements: (0..len).map(|_| build_at(*element, nowhere, leaf)).collect() }
-        }
-        _ => Node::Leaf(leaf()),
-    })
 }

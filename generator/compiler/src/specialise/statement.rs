@@ -1,7 +1,7 @@
 //! Statements, branches and loops: the order of effects, and what is known after a branch.
 
 use super::node::{self, Cell, Node};
-use super::{Specialiser, number};
+use super::{Specialiser, run_time};
 use crate::program::{Expr, Statement, Var};
 use portable::{Arm, Binary, CodeBlock, Literal};
 use std::rc::Rc;
@@ -22,19 +22,22 @@ impl Specialiser<'_> {
         match statement {
             portable::Statement::Let { name, value } => {
                 let node = match value {
-                    portable::Expr::Array { elements } => self.array(name, elements),
+                    portable::Expr::Array { elements } => {
+                        let leaf = |element| {
+                            let value = self.expr(element);
+                            self.bind(name, value)
+                        };
+                        let elements = elements.iter().map(leaf).collect();
+                        Rc::new(Node::Array { path: (*name).into(), elements })
+                    }
                     portable::Expr::Repeat { value, len } => {
                         let value = self.expr(value);
                         let cell = self.settled(name, value);
                         let elements = (0..*len).map(|_| self.leaf(cell)).collect();
                         Rc::new(Node::Array { path: (*name).into(), elements })
                     }
-                    portable::Expr::If { .. } | portable::Expr::Match { .. } => {
-                        let value = self.choice(value, name);
-                        self.bind(name, value)
-                    }
                     value => {
-                        let value = self.expr(value);
+                        let value = self.named_value(value, name);
                         self.bind(name, value)
                     }
                 };
@@ -45,10 +48,9 @@ impl Specialiser<'_> {
                 leaves(&mut |literal| values.push(literal));
                 let mut values = values.into_iter();
                 // Nothing of it is a variable of the block: its parts are locals, where they are not known.
-                let node = node::build(*ty, &mut String::new(), "", &mut |_, _, _| {
+                let node = node::build(*ty, None, "", &mut |_, _, _| {
                     let value = values.next().expect("specialise: as many values as the type has scalars");
-                    self.cells.push(Cell::Known(value));
-                    self.cells.len() - 1
+                    self.cell(Cell::Known(value))
                 });
                 self.frame_mut().names.push((name, node));
             }
@@ -58,10 +60,7 @@ impl Specialiser<'_> {
                     portable::Projection::Index { .. } => None,
                 });
                 let name = name.unwrap_or(place.root);
-                let value = match value {
-                    portable::Expr::If { .. } | portable::Expr::Match { .. } => self.choice(value, name),
-                    value => self.expr(value),
-                };
+                let value = self.named_value(value, name);
                 let node = self.place(place);
                 self.assign(&node, name, value);
             }
@@ -84,15 +83,12 @@ impl Specialiser<'_> {
         }
     }
 
-    fn array(&mut self, name: &'static str, elements: &'static [portable::Expr]) -> Rc<Node> {
-        let elements = elements
-            .iter()
-            .map(|element| {
-                let value = self.expr(element);
-                self.bind(name, value)
-            })
-            .collect();
-        Rc::new(Node::Array { path: name.into(), elements })
+    /// The value of an expression; a local that holds a choice gets the name.
+    fn named_value(&mut self, value: &'static portable::Expr, name: &str) -> Expr {
+        match value {
+            portable::Expr::If { .. } | portable::Expr::Match { .. } => self.choice(value, name),
+            value => self.expr(value),
+        }
     }
 
     fn assign(&mut self, node: &Node, name: &str, value: Expr) {
@@ -122,9 +118,13 @@ impl Specialiser<'_> {
         }
     }
 
-    fn leaf(&mut self, cell: Cell) -> Rc<Node> {
+    pub(super) fn leaf(&mut self, cell: Cell) -> Rc<Node> {
+        Rc::new(Node::Leaf(self.cell(cell)))
+    }
+
+    pub(super) fn cell(&mut self, cell: Cell) -> usize {
         self.cells.push(cell);
-        Rc::new(Node::Leaf(self.cells.len() - 1))
+        self.cells.len() - 1
     }
 
     /// The value of an `if` or a `match`; `name` is what a local that holds it is called.
@@ -147,13 +147,13 @@ impl Specialiser<'_> {
         }
     }
 
-    /// The arms of a match, as a chain of `if`s. The last arm needs no question: Rust has made sure that one fits.
+    /// The arms of a match, as a chain of `if`s. The last arm needs no condition: the match is exhaustive.
     fn arms(&mut self, scrutinee: &Expr, arms: &'static [Arm], name: Option<&str>) -> Option<Expr> {
         let (arm, rest) = arms.split_first().expect("specialise: a match has an arm");
         if arm.patterns.is_empty() || rest.is_empty() {
             return self.block(&arm.body);
         }
-        let condition = arm.patterns.iter().fold(Expr::Literal(Literal::Bool(false)), |any, pattern| {
+        let condition = arm.patterns.iter().fold(Expr::bool(false), |any, pattern| {
             let equal = self.binary(Binary::Equal, scrutinee.clone(), Expr::Literal(pattern()));
             self.binary(Binary::Or, any, equal)
         });
@@ -174,44 +174,43 @@ impl Specialiser<'_> {
             Some(Literal::Bool(false)) => return otherwise(self),
             _ => {}
         }
-        let before = self.cells.split_off(self.entered);
         let outer = std::mem::take(&mut self.statements);
-        let run = |this: &mut Self, branch: &mut dyn FnMut(&mut Self) -> Option<Expr>| {
-            this.cells.extend_from_slice(&before);
-            let value = branch(this);
-            let mut cells = this.cells.split_off(this.entered);
-            cells.truncate(before.len());
-            (std::mem::take(&mut this.statements), cells, value)
-        };
-        let (mut then, mut otherwise) = (Some(then), Some(otherwise));
-        let mut yes = run(self, &mut |this| then.take().and_then(|then| then(this)));
-        let mut no = run(self, &mut |this| otherwise.take().and_then(|otherwise| otherwise(this)));
+        let before = self.cells[self.entered..].to_vec();
+        let a = then(self);
+        let mut branches = [std::mem::take(&mut self.statements), Vec::new()];
+        let yes = self.cells.split_off(self.entered);
         self.cells.extend_from_slice(&before);
-        let value = match (name, yes.2.take(), no.2.take()) {
-            (Some(name), Some(a), Some(b)) => Some(self.merge(name, a, b, &mut yes.0, &mut no.0)),
+        let b = otherwise(self);
+        branches[1] = std::mem::replace(&mut self.statements, outer);
+        let no = self.cells.split_off(self.entered);
+        self.cells.extend_from_slice(&before);
+        let value = match (name, a, b) {
+            (Some(name), Some(a), Some(b)) => Some(self.merge(name, [a, b], &mut branches)),
             _ => None,
         };
-        for (cell, (a, b)) in (self.entered..).zip(yes.1.into_iter().zip(no.1)) {
-            self.cells[cell] = a;
-            if a != b {
+        // What the branches declared has ended with them.
+        for (cell, (yes, no)) in (self.entered..self.cells.len()).zip(yes.into_iter().zip(no)) {
+            self.cells[cell] = if yes == no {
+                yes
+            } else {
                 let name = self.name_of(cell);
-                let merged = self.merge(&name, value_of(a), value_of(b), &mut yes.0, &mut no.0);
-                self.cells[cell] = self.settled(&name, merged);
-            }
+                let merged = self.merge(&name, [yes, no].map(value_of), &mut branches);
+                self.settled(&name, merged)
+            };
         }
-        self.statements = outer;
-        self.statements.push(Statement::If { condition, then: yes.0, otherwise: no.0 });
+        let [then, otherwise] = branches;
+        self.statements.push(Statement::If { condition, then, otherwise });
         value
     }
 
     /// One value after two branches.
-    fn merge(&mut self, name: &str, a: Expr, b: Expr, yes: &mut Vec<Statement>, no: &mut Vec<Statement>) -> Expr {
+    fn merge(&mut self, name: &str, [a, b]: [Expr; 2], branches: &mut [Vec<Statement>; 2]) -> Expr {
         if a == b && matches!(a, Expr::Literal(_) | Expr::Var(Var::Constant(_) | Var::Input(_) | Var::Local(_))) {
             return a; // nothing in the branches can have changed it
         }
         let target = self.local(name);
-        yes.push(Statement::Assign { target, value: run_time(a) });
-        no.push(Statement::Assign { target, value: run_time(b) });
+        branches[0].push(Statement::Assign { target, value: run_time(a) });
+        branches[1].push(Statement::Assign { target, value: run_time(b) });
         Expr::Var(target)
     }
 
@@ -237,13 +236,5 @@ fn value_of(cell: Cell) -> Expr {
         Cell::Known(literal) => Expr::Literal(literal),
         Cell::Fixed(var) => Expr::Var(var),
         Cell::Coefficient(_) | Cell::Memory(_) => panic!("specialise: only a local has a value that changes"),
-    }
-}
-
-/// A value that the program stores: a variant becomes its number.
-fn run_time(expr: Expr) -> Expr {
-    match expr {
-        Expr::Literal(literal) => Expr::Literal(number(literal)),
-        other => other,
     }
 }

@@ -1,6 +1,6 @@
 //! Values as text that every implementation of Structured Text reads back to the same bits.
 
-use crate::print::language::{Level, PRIMARY};
+use crate::print::language::Level;
 use crate::print::number::decimal;
 use portable::Literal;
 
@@ -39,9 +39,9 @@ pub(super) fn operand(value: Literal) -> (String, Level) {
         other => literal(other),
     };
     let level = match text.as_bytes() {
-        _ if text.contains(" * ") => super::PRODUCT,
-        [b'-', ..] => super::SIGN,
-        _ => PRIMARY,
+        _ if text.contains(" * ") => Level::Product,
+        [b'-', ..] => Level::Any,
+        _ => Level::Primary,
     };
     (text, level)
 }
