@@ -6,6 +6,7 @@
 //! ```
 //! `pipeline` drives the way to designed axes, `generate` the way from there to files.
 #![forbid(unsafe_code)]
+#![warn(unreachable_pub)] // what no other crate can see does not look as if it could
 
 pub mod axis;
 pub mod blocks;
@@ -27,7 +28,7 @@ pub mod reference_page;
 mod render;
 mod rules;
 pub mod schema;
-pub mod self_test;
+pub(crate) mod self_test;
 pub mod summary;
 pub mod target;
 pub mod vector;

@@ -33,7 +33,7 @@ const BAD_SAMPLE_DISTANCE: usize = 3;
 /// number for a sample: a build that takes it for one goes on with other bits. The state is defined after the first sample.
 ///
 /// `state_paths` are the paths of all leaves of the reference's state; `ranges` are the noise's, each above 0.
-pub fn record<R: Real, B: Reference<R>>(
+pub(crate) fn record<R: Real, B: Reference<R>>(
     coeffs: &B::Coeffs,
     program: &Program,
     state_paths: &[String],

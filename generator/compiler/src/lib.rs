@@ -6,6 +6,7 @@
 //! ```
 //! `program` is the data between the steps, `arithmetic` what folding and the interpreter agree on.
 #![forbid(unsafe_code)]
+#![warn(unreachable_pub)] // what no other crate can see does not look as if it could
 
 pub mod arithmetic;
 mod dump;

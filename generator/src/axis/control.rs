@@ -22,7 +22,7 @@ pub struct Control {
 impl Control {
     /// The unit of its velocities.
     #[must_use]
-    pub fn velocity_unit(&self) -> &'static str {
+    pub(crate) fn velocity_unit(&self) -> &'static str {
         if self.is_rotary { "0.001 deg/s" } else { "um/s" }
     }
 }
@@ -149,7 +149,7 @@ pub struct Resolution {
 impl Resolution {
     /// Whether there is a feed constant: one of its parameters is not 1.
     #[must_use]
-    pub fn has_feed_const(&self) -> bool {
+    pub(crate) fn has_feed_const(&self) -> bool {
         self.feed_const != Ratio { num: 1, denom: 1 }
     }
 }

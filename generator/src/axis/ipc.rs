@@ -19,7 +19,7 @@ pub struct Ipc {
 
 impl Ipc {
     /// The longest fade in cycles: all whole numbers up to 2^24 are exact in f32.
-    pub const MAX_FADE_CYCLES: f64 = 16_777_216.0;
+    pub(crate) const MAX_FADE_CYCLES: f64 = 16_777_216.0;
 
     /// Whether a stage is active.
     #[must_use]
@@ -37,7 +37,7 @@ impl Ipc {
     /// Time of the whole fade [s]: the key `fade`, at least one period of the lowest f0 of all active filters. It is not rounded
     /// up to whole cycles.
     #[must_use]
-    pub fn fade_time(&self) -> f64 {
+    pub(crate) fn fade_time(&self) -> f64 {
         let filters = self.stage.iter().flatten().flat_map(|stage| &stage.filter);
         let lowest = filters.filter_map(Filter::f0).min_by(f64::total_cmp);
         lowest.map_or(self.fade, |f0| self.fade.max(1.0 / f0))
@@ -69,7 +69,7 @@ impl Stage {
 
     /// Index of its first band-pass; 0 where it has none.
     #[must_use]
-    pub fn first_bandpass(&self) -> u32 {
+    pub(crate) fn first_bandpass(&self) -> u32 {
         let mut filters = (0..).zip(&self.filter);
         filters.find(|(_, filter)| filter.kind() == FilterType::Bandpass).map_or(0, |(k, _)| k)
     }

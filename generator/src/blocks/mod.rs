@@ -27,7 +27,7 @@ use crate::axis::Axis;
 use compiler::pass::Defect;
 
 /// All blocks, in the order in which an axis needs them.
-pub const BLOCKS: [&dyn Kind; 4] = [
+pub(crate) const BLOCKS: [&dyn Kind; 4] = [
     &reference::ipc::Ipc,
     &reference::feedforward::Feedforward,
     &reference::position_control::PositionControl,

@@ -34,6 +34,6 @@ pub fn denominator(g: f64, k: f64) -> Denominator {
 /// For a denominator (c0 = 1) both are exact where they are small: the 1 is added to a1 first, because 1 + a2 would be
 /// rounded. Their ratio is g^2, whatever the damping.
 #[must_use]
-pub fn at_dc_and_nyquist(c0: f64, c1: f64, c2: f64) -> [f64; 2] {
+pub(crate) fn at_dc_and_nyquist(c0: f64, c1: f64, c2: f64) -> [f64; 2] {
     [(c0 + c1) + c2, (c0 - c1) + c2]
 }

@@ -19,7 +19,7 @@ pub fn rounded<From: Portable, To: Portable>(value: &From, real: RealKind) -> To
 
 /// A number of double precision as its real type has it.
 #[must_use]
-pub fn in_precision(value: f64, real: RealKind) -> f64 {
+pub(crate) fn in_precision(value: f64, real: RealKind) -> f64 {
     match real {
         RealKind::F64 => value,
         RealKind::F32 => f64::from(f32::lit(value)),

@@ -1,7 +1,8 @@
 //! A file -> a function block that can run, or all its mistakes.
 
 use super::declarations::{self, Variables};
-use super::lower::Lowering;
+use super::kind::Kind;
+use super::lowering::Lowering;
 use super::machine::Op;
 use super::mistake::{Lines, Mistakes};
 use super::source::Source;
@@ -90,7 +91,7 @@ fn block(node: Node<'_>, source: &Source, dialect: Dialect, real: RealKind, mist
     let text = source.text.as_str();
     let (mut variables, mut body, mut name) = (Variables::new(real), Vec::new(), String::new());
     // So that a condition that is wrong has a slot too.
-    variables.slot(declarations::Kind::Bool, None);
+    variables.slot(Kind::Bool, None);
     let (mut place, mut all_declared) = (node, true);
     for (part, field) in children(node) {
         let at = part.start_byte();

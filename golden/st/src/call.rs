@@ -1,16 +1,21 @@
 //! Calls of functions: the conversions on which all compilers agree, and the function that the emitted files bring along.
 
 use super::Dialect;
-use super::declarations::Kind;
-use super::expression::{self, Operand};
-use super::lower::Lowering;
+use super::kind::Kind;
+use super::lowering::{Lowering, Operand, Typed};
 use super::machine::Code;
 use super::names;
 use super::syntax::{children, said, shown};
 use tree_sitter::Node;
 
-/// Lowers a call; `None`: a mistake was said.
-pub(crate) fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
+impl Lowering<'_, '_> {
+    /// Lowers a call; `None`: a mistake was said.
+    pub(crate) fn call(&mut self, node: Node<'_>) -> Option<Operand> {
+        lower(self, node)
+    }
+}
+
+fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
     let text = lowering.text;
     let function = node.child_by_field_name("function")?;
     let name = said(function, text).to_ascii_uppercase();
@@ -57,7 +62,7 @@ fn conversion(
         lowering.say(*argument, "a named argument of a conversion", "its value alone");
         return None;
     }
-    match expression::lower(lowering, *argument)? {
+    match lowering.expression(*argument)? {
         Operand::Slot { kind, slot, passing } if kind == from => {
             Some(lowering.emit(code, Kind::Real, &[(kind, slot, passing)]))
         }
@@ -107,8 +112,8 @@ fn in_range(lowering: &mut Lowering<'_, '_>, node: Node<'_>, arguments: &[Node<'
     Some(lowering.emit(Code::InRange, Kind::Bool, &[a?, b?]))
 }
 
-fn real(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<expression::Typed> {
-    let operand = expression::lower(lowering, node)?;
+fn real(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Typed> {
+    let operand = lowering.expression(node)?;
     let typed = lowering.typed(operand, Kind::Real, node)?;
     if typed.0 == Kind::Real {
         return Some(typed);

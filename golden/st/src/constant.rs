@@ -1,7 +1,7 @@
 //! Values that are known from the text: initial values, and what a REAL variable is assigned from literals.
 
 use super::Dialect;
-use super::declarations::{Kind, Value};
+use super::kind::{Kind, Value};
 use super::mistake::Mistakes;
 use super::number::{self, Constant};
 use super::syntax::{said, shown};

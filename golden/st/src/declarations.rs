@@ -1,6 +1,7 @@
 //! The variables of a block: declarations -> slots.
 
 use super::constant;
+use super::kind::{Kind, Value};
 use super::machine::Slots;
 use super::mistake::Mistakes;
 use super::syntax::{children, said, shown};
@@ -8,38 +9,6 @@ use super::{Dialect, names};
 use portable::RealKind;
 use std::collections::HashMap;
 use tree_sitter::Node;
-
-/// The type of a variable or an expression.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
-    /// REAL or LREAL, as the block says
-    Real,
-    /// BOOL
-    Bool,
-    /// DINT
-    Dint,
-    /// UDINT
-    Udint,
-}
-
-impl Kind {
-    /// Its name in the text.
-    pub(crate) fn name(self, real: RealKind) -> &'static str {
-        match (self, real) {
-            (Self::Real, RealKind::F64) => "LREAL",
-            (Self::Real, RealKind::F32) => "REAL",
-            (Self::Bool, _) => "BOOL",
-            (Self::Dint, _) => "DINT",
-            (Self::Udint, _) => "UDINT",
-        }
-    }
-
-    fn of(name: &str, real: RealKind) -> Option<Self> {
-        [Self::Real, Self::Bool, Self::Dint, Self::Udint]
-            .into_iter()
-            .find(|kind| kind.name(real).eq_ignore_ascii_case(name))
-    }
-}
 
 /// Who writes a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,17 +36,6 @@ pub(crate) struct Variable {
     pub(crate) slot: u32,
     /// whether its type is one of ours; if not, its uses are no further mistakes by themselves
     pub(crate) known: bool,
-}
-
-/// A value at the start.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Value {
-    /// REAL or LREAL
-    Real(f64),
-    /// BOOL
-    Bool(bool),
-    /// DINT or UDINT
-    Word(u32),
 }
 
 /// The variables of a block.

@@ -2,39 +2,23 @@
 
 use super::Dialect;
 use super::constant::{operator, word};
-use super::declarations::{Kind, Role, Value};
-use super::lower::Lowering;
+use super::declarations::Role;
+use super::kind::{Kind, Value};
+use super::lowering::{Lowering, Operand, Typed};
 use super::machine::{Code, Op};
+use super::number;
 use super::syntax::{children, said, shown};
-use super::{call, number};
 use portable::RealKind;
 use tree_sitter::Node;
 
-/// Where the value of an expression is.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Operand {
-    /// in a slot
-    Slot {
-        /// its type
-        kind: Kind,
-        /// its number
-        slot: u32,
-        /// whether the slot is free again once the value was used
-        passing: bool,
-    },
-    /// an integer literal, whose type is that of what it meets
-    Integer(i64),
-}
-
-/// An operand of a known type: its type, its slot, and whether the slot is free again once the value was used.
-pub(crate) type Typed = (Kind, u32, bool);
-
-/// Lowers an expression; `None`: a mistake was said.
-pub(crate) fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
-    if node.has_error() {
-        return None;
+impl Lowering<'_, '_> {
+    /// Lowers an expression; `None`: a mistake was said.
+    pub(crate) fn expression(&mut self, node: Node<'_>) -> Option<Operand> {
+        if node.has_error() {
+            return None;
+        }
+        self.deeper(node, |lowering| inner(lowering, node))?
     }
-    lowering.deeper(node, |lowering| inner(lowering, node))?
 }
 
 fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
@@ -74,11 +58,11 @@ fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
         "real_literal" => real(lowering, node),
         "parenthesized_expression" => {
             let (inside, _) = children(node).into_iter().find(|(part, _)| part.is_named())?;
-            lower(lowering, inside)
+            lowering.expression(inside)
         }
         "unary_expression" => unary(lowering, node),
         "binary_expression" => binary(lowering, node),
-        "call_expression" => call::lower(lowering, node),
+        "call_expression" => lowering.call(node),
         // A string and a number with a type were said of already.
         "string_literal"
         | "typed_literal"
@@ -117,7 +101,7 @@ fn unary(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
         lowering.say(node, "two signs before an operand", "one sign, or parentheses");
         return None;
     }
-    let operand = lower(lowering, inside)?;
+    let operand = lowering.expression(inside)?;
     let operator = operator(node, lowering.text);
     let code = match (operator.to_ascii_uppercase().as_str(), operand) {
         ("-", Operand::Integer(value)) => return value.checked_neg().map(Operand::Integer),
@@ -150,7 +134,7 @@ fn binary(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
         let place = node.child_by_field_name("operator").unwrap_or(node);
         lowering.say(place, format!("`{operator}`"), instead);
     }
-    let (a, b) = (lower(lowering, left), lower(lowering, right));
+    let (a, b) = (lowering.expression(left), lowering.expression(right));
     let (a, b) = (a?, b?);
     if instead.is_some() {
         return None;

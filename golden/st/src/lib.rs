@@ -6,7 +6,8 @@
 //! lexical        letters, comments, pragmas, numbers; number: the forms and values of numbers; names: those to avoid
 //! syntax         text -> tree, by a grammar that is not ours
 //! declarations   VAR blocks -> typed slots; constant: values that the text has
-//! lower          statements -> operations on slots; expression, call: their parts
+//! kind           the types and their values
+//! lower          statements -> operations on slots; expression, call: their parts; lowering: what they share
 //! machine        the operations; run: an instance of a block, cycle by cycle
 //! mistake        what is wrong, and where
 //! ```
@@ -17,8 +18,10 @@ mod call;
 mod constant;
 mod declarations;
 mod expression;
+mod kind;
 mod lexical;
 mod lower;
+mod lowering;
 mod machine;
 mod mistake;
 mod names;

@@ -1,68 +1,16 @@
 //! Statements -> operations.
 
 use super::constant;
-use super::declarations::{Kind, Role, Value, Variables};
-use super::expression::{self, Operand};
+use super::declarations::Role;
+use super::kind::{Kind, Value};
+use super::lowering::{Lowering, Operand, Typed};
 use super::machine::{Code, Op};
-use super::mistake::Mistakes;
 use super::syntax::{children, said, shown};
 use super::{DEPTH, Dialect};
-use portable::RealKind;
 use std::collections::BTreeSet;
 use tree_sitter::Node;
 
-/// A block while it is lowered.
-pub(crate) struct Lowering<'a, 't> {
-    /// the text
-    pub(crate) text: &'a str,
-    /// which file form
-    pub(crate) dialect: Dialect,
-    /// the variables, and the slots of numbers and of parts of expressions
-    pub(crate) variables: &'a mut Variables,
-    /// what is wrong
-    pub(crate) mistakes: &'a mut Mistakes<'t>,
-    /// the operations so far
-    pub(crate) ops: Vec<Op>,
-    /// slots of parts of expressions that are free again, by their types
-    pub(crate) free: [Vec<u32>; 4],
-    /// the temporaries that have a value here on every way, by type and slot
-    pub(crate) assigned: BTreeSet<(usize, u32)>,
-    /// how many levels this place is inside others
-    pub(crate) depth: usize,
-    /// whether too many were said of
-    pub(crate) too_deep: bool,
-    /// whether all declarations can be read
-    pub(crate) all_declared: bool,
-}
-
 impl Lowering<'_, '_> {
-    /// A mistake at a node.
-    pub(crate) fn say(&mut self, node: Node<'_>, found: impl Into<String>, instead: impl Into<String>) {
-        self.mistakes.push(node.start_byte(), found, instead);
-    }
-
-    /// A name that is not declared; it may be where a declaration cannot be read.
-    pub(crate) fn undeclared(&mut self, node: Node<'_>) {
-        if self.all_declared {
-            self.say(node, format!("{}, which is not declared", shown(node, self.text)), "a declared variable");
-        }
-    }
-
-    /// Goes on one level deeper; `None`: that is too deep.
-    pub(crate) fn deeper<T>(&mut self, node: Node<'_>, inside: impl FnOnce(&mut Self) -> T) -> Option<T> {
-        if self.depth == DEPTH {
-            if !self.too_deep {
-                self.say(node, format!("more than {DEPTH} levels inside each other"), "a part of it by itself");
-            }
-            self.too_deep = true;
-            return None;
-        }
-        self.depth += 1;
-        let result = inside(self);
-        self.depth -= 1;
-        Some(result)
-    }
-
     /// Lowers a list of statements, of which there has to be one.
     pub(crate) fn statements(&mut self, list: &[Node<'_>], place: Node<'_>, what: &str) {
         let (mut real, mut taken) = (0, false);
@@ -132,7 +80,7 @@ impl Lowering<'_, '_> {
             };
             return self.store(target?, (Kind::Real, slot, false), right);
         }
-        let value = expression::lower(self, right)?;
+        let value = self.expression(right)?;
         let value = self.typed(value, kind?, right)?;
         self.store(target?, value, right)
     }
@@ -158,7 +106,7 @@ impl Lowering<'_, '_> {
         None
     }
 
-    fn store(&mut self, (kind, to): (Kind, u32), value: expression::Typed, node: Node<'_>) -> Option<()> {
+    fn store(&mut self, (kind, to): (Kind, u32), value: Typed, node: Node<'_>) -> Option<()> {
         let (found, slot, passing) = value;
         if found != kind {
             let (wanted, found) = (self.name(kind), self.name(found));
@@ -188,11 +136,6 @@ impl Lowering<'_, '_> {
             self.assigned.insert((kind as usize, to));
         }
         Some(())
-    }
-
-    /// Whether a real that is not alone right of `:=` needs a name: digits are LREAL to some compilers, and REAL to none.
-    pub(crate) fn has_named_reals(&self) -> bool {
-        self.variables.real == RealKind::F32 || self.dialect == Dialect::Scl
     }
 
     fn choice(&mut self, node: Node<'_>) {
@@ -229,7 +172,7 @@ impl Lowering<'_, '_> {
 
     /// Appends the test of a condition; its jump has no aim yet.
     fn condition(&mut self, node: Node<'_>) -> usize {
-        let operand = expression::lower(self, node);
+        let operand = self.expression(node);
         let operand = operand.and_then(|operand| self.typed(operand, Kind::Bool, node));
         let slot = match operand {
             Some((Kind::Bool, slot, passing)) => {

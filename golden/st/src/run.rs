@@ -1,6 +1,7 @@
 //! An instance of a block: signals by their names, and one cycle after another.
 
-use super::declarations::{Kind, Role, Variable};
+use super::declarations::{Role, Variable};
+use super::kind::Kind;
 use super::machine::Slots;
 use super::{Block, Mistake};
 use portable::{Literal, Real, RealKind};

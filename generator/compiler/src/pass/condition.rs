@@ -44,25 +44,25 @@ pub(super) struct Conditions<'p> {
 }
 
 impl<'p> Conditions<'p> {
-    pub fn none(constants: &'p [Constant]) -> Self {
+    pub(super) fn none(constants: &'p [Constant]) -> Self {
         Self { constants, all: Vec::new(), questions: Vec::new(), asked: Vec::new() }
     }
 
-    pub fn get(&self, id: Id) -> Condition {
+    pub(super) fn get(&self, id: Id) -> Condition {
         self.all[id]
     }
 
-    pub fn question(&self, index: usize) -> &Question {
+    pub(super) fn question(&self, index: usize) -> &Question {
         &self.questions[index]
     }
 
     /// Whether a question reads the variable.
-    pub fn asks(&self, var: Var) -> bool {
+    pub(super) fn asks(&self, var: Var) -> bool {
         self.asked.contains(&var)
     }
 
     /// The number of an expression of type BOOL.
-    pub fn number(&mut self, expr: &Expr) -> Id {
+    pub(super) fn number(&mut self, expr: &Expr) -> Id {
         match expr {
             Expr::Literal(Literal::Bool(value)) => self.add(Condition::Known(*value)),
             Expr::Unary(Unary::Not, operand) => {
@@ -93,7 +93,7 @@ impl<'p> Conditions<'p> {
     }
 
     /// The number of a condition; one with a known operand has become simpler.
-    pub fn add(&mut self, condition: Condition) -> Id {
+    pub(super) fn add(&mut self, condition: Condition) -> Id {
         let known = |id: Id| match self.all[id] {
             Condition::Known(value) => Some(value),
             _ => None,
@@ -113,7 +113,7 @@ impl<'p> Conditions<'p> {
         })
     }
 
-    pub fn mentions(&self, id: Id, var: Var) -> bool {
+    pub(super) fn mentions(&self, id: Id, var: Var) -> bool {
         match self.all[id] {
             Condition::Known(_) => false,
             Condition::Question(index) => self.questions[index].expr.mentions(var),
@@ -122,7 +122,7 @@ impl<'p> Conditions<'p> {
         }
     }
 
-    pub fn expr(&self, id: Id) -> Expr {
+    pub(super) fn expr(&self, id: Id) -> Expr {
         match self.all[id] {
             Condition::Known(value) => Expr::Literal(Literal::Bool(value)),
             Condition::Question(index) => self.questions[index].expr.clone(),
@@ -156,7 +156,7 @@ impl<'p> Conditions<'p> {
     }
 
     /// A known integer, with the smallest and the largest value of its type.
-    pub fn integer(&self, expr: &Expr) -> Option<(i64, (i64, i64))> {
+    pub(super) fn integer(&self, expr: &Expr) -> Option<(i64, (i64, i64))> {
         let value = match expr {
             Expr::Literal(literal) => *literal,
             Expr::Var(Var::Constant(index)) => self.constants[*index].value,

@@ -20,7 +20,7 @@ pub(super) struct Facts {
 
 impl Facts {
     /// The condition with everything replaced whose answer is known.
-    pub fn simplify(&mut self, conditions: &mut Conditions<'_>, id: Id) -> Id {
+    pub(super) fn simplify(&mut self, conditions: &mut Conditions<'_>, id: Id) -> Id {
         let simpler = match conditions.get(id) {
             Condition::Not(operand) => {
                 let operand = self.simplify(conditions, operand);
@@ -50,7 +50,7 @@ impl Facts {
     }
 
     /// From here on the condition holds, or does not hold.
-    pub fn learn(&mut self, conditions: &mut Conditions<'_>, id: Id, holds: bool) {
+    pub(super) fn learn(&mut self, conditions: &mut Conditions<'_>, id: Id, holds: bool) {
         self.note(conditions, id, holds);
         // What was learned may decide an open `and` or `or`, or leave one operand of it.
         let mut position = 0;
@@ -85,7 +85,7 @@ impl Facts {
     }
 
     /// The variable gets a value: what was known of the old one is forgotten.
-    pub fn assign(&mut self, conditions: &mut Conditions<'_>, target: Var, value: &Expr) {
+    pub(super) fn assign(&mut self, conditions: &mut Conditions<'_>, target: Var, value: &Expr) {
         let range = match value {
             Expr::Var(var) if self.range(*var).is_some() => self.range(*var),
             value => conditions.integer(value).map(|(number, _)| (number, number)),
@@ -104,7 +104,7 @@ impl Facts {
     }
 
     /// What holds after two branches: what holds after each of them.
-    pub fn join(mut self, other: &Self) -> Self {
+    pub(super) fn join(mut self, other: &Self) -> Self {
         self.answers.retain(|fact| other.answers.contains(fact));
         self.open.retain(|fact| other.open.contains(fact));
         self.excluded.retain(|(var, number)| other.is_excluded(*var, *number));

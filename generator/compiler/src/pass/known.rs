@@ -14,7 +14,7 @@ use crate::program::{Expr, Program, Statement, Type, Var};
 ///
 /// # Errors
 /// None.
-pub fn run(mut program: Program) -> Result<Program, Defect> {
+pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let step = std::mem::take(&mut program.step);
     program.step = in_list(step, &mut Facts::default(), &mut Conditions::none(&program.constants), &program);
     Ok(program)

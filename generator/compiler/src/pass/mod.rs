@@ -36,7 +36,7 @@ impl fmt::Display for Defect {
 impl std::error::Error for Defect {}
 
 /// A pass.
-pub type Pass = fn(Program) -> Result<Program, Defect>;
+pub(crate) type Pass = fn(Program) -> Result<Program, Defect>;
 
 /// A pass with the name that its result has for `--emit`.
 pub type Stage = (&'static str, Pass);

@@ -13,7 +13,7 @@ use reference::feedforward;
 /// - torque_acceleration: [`scale::torque`] times the plain weight vs_a_faktor / vs_a_nenner.
 /// - torque_jerk: the same times the jerk factor, read in seconds; inferred from units.
 #[must_use]
-pub fn coefficients(axis: &Axis) -> feedforward::Coeffs<f64> {
+pub(crate) fn coefficients(axis: &Axis) -> feedforward::Coeffs<f64> {
     let Some(of) = &axis.control.feedforward else { return feedforward::Coeffs::default() };
     let weight = of.weight.value();
     let t_a = time_constant(of);

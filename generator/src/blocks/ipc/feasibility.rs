@@ -26,7 +26,7 @@ pub struct Refusal {
 
 /// The largest relative difference between a section's centre frequency as designed and as its rounded coefficients
 /// realise it. At a section's quality factor of 20 it turns the phase by 2 degrees.
-pub const MAX_CENTRE_ERROR: f64 = 1e-3;
+pub(crate) const MAX_CENTRE_ERROR: f64 = 1e-3;
 
 /// Says which sections their rounding has spoilt, at the parameter that each depends on.
 pub(crate) fn validate(designed: &Designed, e: &mut Effective<'_>) {

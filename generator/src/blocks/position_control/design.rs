@@ -11,7 +11,7 @@ use reference::{axis, position_control};
 /// - velocity_scale = [`scale::velocity`].
 /// - xerr_scale = 10 R, in increments per um or 0.001 deg, R as in [`scale::resolution`].
 #[must_use]
-pub fn coefficients(axis: &Axis) -> position_control::Coeffs<f64> {
+pub(crate) fn coefficients(axis: &Axis) -> position_control::Coeffs<f64> {
     let Some(of) = &axis.control.position_control else { return position_control::Coeffs::default() };
     let quantities = axis.control.feedforward.as_ref();
     let velocity = of.velocity.as_ref();

@@ -6,7 +6,7 @@ use compiler::program::{Program, Type};
 
 /// A stage as it acts: `gain * section[n-1](... section[0](x))`.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Chain {
+pub(super) struct Chain {
     /// index of the stage
     pub stage: usize,
     /// the input that it looks at, by its position in the program
@@ -20,7 +20,7 @@ pub struct Chain {
 /// A section as it acts: `y = s1 + b0 x; s1 = s2 - a1 s1 + from_x[0] x; s2 = from_x[1] x - a2 s1`, on the right the old
 /// values. In the form of the coefficients `from_x` is `[b1 - a1 b0, b2 - a2 b0]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Section {
+pub(super) struct Section {
     /// from the input to the output of the same cycle
     pub b0: f64,
     /// denominator
@@ -35,7 +35,7 @@ pub struct Section {
 ///
 /// `stages` are the designed sections of each stage, in the order of their execution; `limit` is that of the block: outputs are
 /// measured where it does not act.
-pub fn measure(program: &Program, stages: &[&[design::Section]], limit: f64) -> (Vec<Chain>, f64) {
+pub(super) fn measure(program: &Program, stages: &[&[design::Section]], limit: f64) -> (Vec<Chain>, f64) {
     let mut probe = Probe::new(program, limit);
     let mut error = 0.0_f64;
     let inputs: Vec<usize> = (0..program.inputs.len()).filter(|i| program.inputs[*i].ty == Type::Real).collect();

@@ -4,7 +4,7 @@ use super::chain::Section;
 
 /// Bounds of one section.
 #[derive(Clone, Copy, Debug)]
-pub struct Free {
+pub(super) struct Free {
     /// a1 / 2: minus the mean of the poles
     half: f64,
     /// bound of sum |even(n)|, even(n) = (p1^n + p2^n) / 2: a time constant, in samples
@@ -23,7 +23,7 @@ pub struct Free {
 ///
 /// (p1 - p2)^2 / 4 = a1^2/4 - a2 = ((1 - a2)^2 - (1 + a1 + a2)(1 - a1 + a2)) / 4 is computed in the second form, which
 /// does not cancel where both poles are near 1.
-pub fn bounds(section: &Section) -> Free {
+pub(super) fn bounds(section: &Section) -> Free {
     let (a1, a2) = (section.a1, section.a2);
     let half = a1 / 2.0;
     let [dc, nyquist] = [(1.0 + a1) + a2, (1.0 - a1) + a2];
@@ -47,7 +47,7 @@ pub fn bounds(section: &Section) -> Free {
 impl Free {
     /// Bound of the sum of all |y| = |s1| from a state on, the present one included:
     /// s1(n) = s1 even(n) + (s2 - a1/2 s1) odd(n).
-    pub fn sum(&self, s1: f64, s2: f64) -> f64 {
+    pub(super) fn sum(&self, s1: f64, s2: f64) -> f64 {
         let slope = s2 - self.half * s1;
         if s1 == 0.0 && slope == 0.0 {
             return 0.0;
@@ -58,7 +58,7 @@ impl Free {
     }
 
     /// Bound of the sum of all |s1| from any state with |s1| and |s2| of at most 1; |a1| < 2.
-    pub fn sum_of_any(&self) -> f64 {
+    pub(super) fn sum_of_any(&self) -> f64 {
         self.even + 2.0 * self.odd
     }
 }

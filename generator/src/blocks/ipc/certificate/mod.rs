@@ -100,7 +100,7 @@ impl Certificate {
 
     /// Whether no value inside the block overflows for any sample in range.
     #[must_use]
-    pub fn is_within_precision(&self) -> bool {
+    pub(crate) fn is_within_precision(&self) -> bool {
         let largest = match self.real {
             RealKind::F64 => f64::MAX,
             RealKind::F32 => f64::from(f32::MAX),

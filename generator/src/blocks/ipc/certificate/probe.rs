@@ -8,7 +8,7 @@ use compiler::program::Program;
 use portable::{Literal, RealKind};
 
 /// What is 1 before a step; everything else is 0.
-pub enum Source {
+pub(super) enum Source {
     /// a variable of the state
     State(usize),
     /// an input
@@ -23,7 +23,7 @@ pub enum Source {
 }
 
 /// A machine for single steps.
-pub struct Probe<'p> {
+pub(super) struct Probe<'p> {
     machine: Machine<'p>,
     /// before the first cycle
     fresh: Vec<Literal>,
@@ -44,7 +44,7 @@ impl<'p> Probe<'p> {
     ///
     /// # Panics
     /// If the program is not the block `ipc`.
-    pub fn new(program: &'p Program, limit: f64) -> Self {
+    pub(super) fn new(program: &'p Program, limit: f64) -> Self {
         let output = |path| program.outputs.iter().position(|variable| variable.path == path);
         let mut inputs: Vec<Literal> = program.inputs.iter().map(|variable| variable.start).collect();
         let mode = program.inputs.iter().position(|variable| variable.path == "mode");
@@ -79,7 +79,7 @@ impl<'p> Probe<'p> {
     }
 
     /// The state after one step, for a source of 1.
-    pub fn column(&mut self, source: &Source) -> Vec<f64> {
+    pub(super) fn column(&mut self, source: &Source) -> Vec<f64> {
         let amplitude = self.large();
         self.step(source, amplitude);
         let of = |(value, still): (&Literal, &f64)| (number(*value) - still) / amplitude;
@@ -87,7 +87,7 @@ impl<'p> Probe<'p> {
     }
 
     /// The output of the step, for a source of 1: measured where the limit does not act, nor what makes a small sum 0.
-    pub fn output(&mut self, source: &Source) -> f64 {
+    pub(super) fn output(&mut self, source: &Source) -> f64 {
         if self.limit <= 0.0 {
             return 0.0;
         }

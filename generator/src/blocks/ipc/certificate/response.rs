@@ -39,7 +39,7 @@ impl Point {
 }
 
 /// Centre and edges of every band-pass of a chain's stage.
-pub fn bands(of: &Designed, chain: &Chain) -> Vec<Band> {
+pub(super) fn bands(of: &Designed, chain: &Chain) -> Vec<Band> {
     let cycle_time = of.axis.cycle_time();
     let parts = of.axis.ipc.stage[chain.stage].as_ref().zip(of.ipc.stage[chain.stage].as_ref());
     let (stage, design) = parts.expect("certificate: a chain is one of the axis's stages");
@@ -65,7 +65,7 @@ pub fn bands(of: &Designed, chain: &Chain) -> Vec<Band> {
 ///   (sigma^2 + omega^2) / (sigma^2 + omega^2 - w^2 + 2 j sigma w);
 /// - all-pass: (Omega0^2 - t^2 - j B t) / (Omega0^2 - t^2 + j B t).
 #[must_use]
-pub fn designed(stage: &Stage, cycle_time: f64, t: f64) -> Complex {
+pub(super) fn designed(stage: &Stage, cycle_time: f64, t: f64) -> Complex {
     let mut h = Complex { re: -stage.weight(), im: 0.0 };
     if let Some(damping) = stage.mode.osc_damping() {
         let g = warped(stage.f0(), cycle_time);
@@ -102,7 +102,7 @@ fn low_pass(prototype: Prototype, order: usize, w: f64) -> Complex {
 /// The response of the compiled sections at t = tan(pi f Ts), where z - 1 = 2 j t / (1 - j t) is known without a
 /// cancellation: a low frequency costs no digits here.
 #[must_use]
-pub fn measured(chain: &Chain, t: f64) -> Complex {
+pub(super) fn measured(chain: &Chain, t: f64) -> Complex {
     let step = quotient(Complex { re: 0.0, im: 2.0 * t }, Complex { re: 1.0, im: -t });
     chain.section.iter().fold(Complex { re: chain.gain, im: 0.0 }, |h, section| product(h, of_section(section, step)))
 }

@@ -1,0 +1,46 @@
+//! The types of the portable subset, and the values that they have.
+
+use portable::RealKind;
+
+/// The type of a variable or an expression.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// REAL or LREAL, as the block says
+    Real,
+    /// BOOL
+    Bool,
+    /// DINT
+    Dint,
+    /// UDINT
+    Udint,
+}
+
+impl Kind {
+    /// Its name in the text.
+    pub(crate) fn name(self, real: RealKind) -> &'static str {
+        match (self, real) {
+            (Self::Real, RealKind::F64) => "LREAL",
+            (Self::Real, RealKind::F32) => "REAL",
+            (Self::Bool, _) => "BOOL",
+            (Self::Dint, _) => "DINT",
+            (Self::Udint, _) => "UDINT",
+        }
+    }
+
+    pub(crate) fn of(name: &str, real: RealKind) -> Option<Self> {
+        [Self::Real, Self::Bool, Self::Dint, Self::Udint]
+            .into_iter()
+            .find(|kind| kind.name(real).eq_ignore_ascii_case(name))
+    }
+}
+
+/// A value at the start.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Value {
+    /// REAL or LREAL
+    Real(f64),
+    /// BOOL
+    Bool(bool),
+    /// DINT or UDINT
+    Word(u32),
+}
