@@ -59,9 +59,11 @@ fn filter(is_bandpass: &Value) -> Value {
         let of = |name: &Name| (name.parameter().short().to_owned(), leaf(name.parameter(), true));
         json!({ "properties": names.iter().map(of).collect::<serde_json::Map<_, _>>() })
     };
+    let is_other = |ty: &FilterType| ![FilterType::NoFilter, FilterType::Bandpass].contains(ty);
+    let others: Vec<FilterType> = FilterType::ALL.iter().copied().filter(is_other).collect();
     json!({ "allOf": [
         { "if": is_bandpass, "then": ranges(&[Name::FilterOrder, Name::FilterF0, Name::FilterQ]) },
-        { "if": given(Name::FilterType, &[FilterType::Allpass]), "then": ranges(&[Name::FilterF0, Name::FilterQ]) },
+        { "if": given(Name::FilterType, &others), "then": ranges(&[Name::FilterF0, Name::FilterQ]) },
     ] })
 }
 

@@ -2,8 +2,9 @@
 
 use super::check::{damping_given, is_gantry_slave};
 use super::design::StageDesign;
+use super::filter;
 use super::phase;
-use crate::axis::{Axis, Filter, Mode, Stage};
+use crate::axis::{Axis, Mode, Stage};
 use crate::blocks::designed::Designed;
 use crate::codes;
 use crate::config::values::{Key, Setting, key};
@@ -166,10 +167,7 @@ fn near_nyquist(e: &mut Effective<'_>, i: u32, stage: &Stage, axis: &Axis) {
         let Some(f0) = filter.f0() else { continue };
         let f0_ts = f0 * f64::from(axis.cycle_time_ns) / 1e9;
         if f0_ts > NEAR_NYQUIST {
-            let what = match filter {
-                Filter::Allpass { .. } => "phase above it",
-                Filter::Bandpass { .. } | Filter::NoFilter => "upper skirt",
-            };
+            let what = filter::above(filter);
             let found = format!(
                 "stage[{i}].filter[{k}] lies at {} of the sampling frequency: its {what} is squeezed against one half",
                 rounded(f0_ts)

@@ -6,6 +6,7 @@ pub mod check;
 pub mod design;
 mod diff;
 pub mod feasibility;
+mod filter;
 pub(crate) mod notes;
 mod phase;
 mod stage_diff;

@@ -1,6 +1,7 @@
 //! What each coefficient means physically, one line each, for the reviewer of a generated block. No design.
 
-use super::design::{Element, Passband, Section, StageDesign};
+use super::design::{Element, Section, StageDesign};
+use super::filter;
 use crate::axis::{Axis, Filter, Mode, Stage};
 use crate::blocks::designed::Designed;
 use crate::design::band::{frequency, warped};
@@ -40,7 +41,7 @@ fn of_stage(path: &str, stage: &Stage, design: &StageDesign, cycle_time: f64) ->
     };
     notes.extend(sections(None));
     for (k, (filter, passband)) in stage.filter.iter().zip(&design.passband).enumerate() {
-        notes.extend(of_filter(filter, passband.as_ref()).map(|text| (format!("{path}.filter[{k}]"), text)));
+        notes.extend(filter::note(filter, passband.as_ref()).map(|text| (format!("{path}.filter[{k}]"), text)));
         notes.extend(sections(Some(k)));
     }
     notes
@@ -67,23 +68,6 @@ fn of_oscillation(f0: f64, damping: f64) -> String {
         "simulated oscillation of the load, f0 of the first BANDPASS {f0} Hz (P-AXIS-00751), damping ratio {damping} \
          (P-AXIS-00850): gain 1 at DC, {gain} and {phase} deg at f0"
     )
-}
-
-fn of_filter(filter: &Filter, passband: Option<&Passband>) -> Option<String> {
-    let [lower, upper] = passband?.edges.map(digits);
-    let kind = filter.kind().name();
-    match filter {
-        Filter::NoFilter => None,
-        Filter::Bandpass { prototype, order, f0, q_factor } => Some(format!(
-            "{kind} {} order {order} (P-AXIS-00849, 00848, 00750): centre frequency {f0} Hz (P-AXIS-00751), quality factor \
-             {q_factor} (P-AXIS-00752), -3 dB at {lower} and {upper} Hz",
-            prototype.name()
-        )),
-        Filter::Allpass { f0, q_factor } => Some(format!(
-            "{kind} (P-AXIS-00849): -180 deg at {f0} Hz (P-AXIS-00751), quality factor {q_factor} (P-AXIS-00752), -90 deg at \
-             {lower} and -270 deg at {upper} Hz"
-        )),
-    }
 }
 
 /// An all-pass says all in the note on its filter.

@@ -2,11 +2,12 @@
 
 use super::super::values::is_same;
 use super::design::StageDesign;
+use super::filter;
 use crate::axis::{Filter, Stage};
 use crate::blocks::designed::Designed;
 use crate::design::band::warped;
 use crate::design::response::{magnitude, of_stage, phase};
-use crate::number::{decibels, decimals, pair, percent, significant};
+use crate::number::{decibels, decimals, pair, significant};
 use crate::parameters::words::{FilterType, StageMode, Words};
 use reference::stage::Coeffs;
 
@@ -44,7 +45,7 @@ pub(crate) fn description(of: &Version<'_>) -> String {
         vec![stage.mode.text(), format!("weight {} ({} dB)", significant(weight, 7), decimals(decibels(weight), 2))];
     parts.extend(stage.mode.osc_damping().map(|damping| format!("damping {damping}")));
     let filters = (0..stage.filter.len()).filter(|index| stage.filter[*index].kind() != FilterType::NoFilter);
-    parts.extend(filters.map(|index| filter(of, index)));
+    parts.extend(filters.map(|index| filter::description(&stage.filter[index], edges_of(of, index))));
     parts.join(", ")
 }
 
@@ -68,7 +69,8 @@ fn between(old: &Version<'_>, new: &Version<'_>) -> Option<String> {
     let several = [old, new].iter().any(|of| !of.stage.filter.contains(&Filter::NoFilter));
     for index in 0..old.stage.filter.len() {
         let prefix = if several { format!("filter[{index}]: ") } else { String::new() };
-        let differs = filters(old, new, index);
+        let edges = [old, new].map(|of| edges_of(of, index));
+        let differs = filter::difference([old, new].map(|of| &of.stage.filter[index]), edges);
         parts.extend(differs.map(|differs| format!("{prefix}{differs}")));
     }
     parts.extend(effects(old, new));
@@ -77,65 +79,6 @@ fn between(old: &Version<'_>, new: &Version<'_>) -> Option<String> {
         parts.push(format!("slowest decay to 1/e {} s", pair(decay_old, decay_new, 4)));
     }
     (!parts.is_empty()).then(|| parts.join("; "))
-}
-
-fn filter(of: &Version<'_>, index: usize) -> String {
-    let filter = &of.stage.filter[index];
-    let (kind, edges) = (filter.kind().name(), edges_of(of, index));
-    match *filter {
-        Filter::NoFilter => kind.to_owned(),
-        Filter::Bandpass { prototype, order, f0, .. } => {
-            format!("{kind} {} order {order} at {f0} Hz, edges {} Hz", prototype.name(), range(edges, 4))
-        }
-        Filter::Allpass { f0, .. } => {
-            let [lower, upper] = edges.map(|edge| significant(edge, 4));
-            format!("{kind} with -180 deg at {f0} Hz, -90 at {lower} and -270 at {upper} Hz")
-        }
-    }
-}
-
-fn filters(old: &Version<'_>, new: &Version<'_>, index: usize) -> Option<String> {
-    let edges = [old, new].map(|of| edges_of(of, index));
-    match (old.stage.filter[index], new.stage.filter[index]) {
-        (Filter::NoFilter, Filter::NoFilter) => None,
-        (
-            Filter::Bandpass { prototype: from, order: order_old, f0: f0_old, q_factor: q_old },
-            Filter::Bandpass { prototype: to, order: order_new, f0: f0_new, q_factor: q_new },
-        ) => {
-            let mut parts = bands([f0_old, f0_new], [q_old, q_new], edges);
-            if order_old != order_new {
-                parts.push(format!("order {order_old} -> {order_new}"));
-            }
-            // All prototypes of order 1 are the same filter.
-            if from != to && order_old.max(order_new) > 1 {
-                parts.push(format!("{} -> {}", from.name(), to.name()));
-            }
-            (!parts.is_empty()).then(|| parts.join(", "))
-        }
-        (Filter::Allpass { f0: f0_old, q_factor: q_old }, Filter::Allpass { f0: f0_new, q_factor: q_new }) => {
-            let parts = bands([f0_old, f0_new], [q_old, q_new], edges);
-            (!parts.is_empty()).then(|| format!("{} {}", FilterType::Allpass.name(), parts.join(", ")))
-        }
-        _ => Some(format!("{} -> {}", filter(old, index), filter(new, index))),
-    }
-}
-
-/// Centre, quality factor and edges; the edges move with the cycle time too, by the warping of the frequency axis.
-fn bands([f0_old, f0_new]: [f64; 2], [q_old, q_new]: [f64; 2], edges: [[f64; 2]; 2]) -> Vec<String> {
-    let mut parts = Vec::new();
-    if !is_same(f0_old, f0_new) {
-        parts.push(format!("centre frequency {} Hz{}", pair(f0_old, f0_new, 4), percent(f0_old, f0_new)));
-    }
-    if !is_same(q_old, q_new) {
-        let bandwidth = pair(f0_old / q_old, f0_new / q_new, 4);
-        parts.push(format!("quality factor {}, bandwidth {bandwidth} Hz", pair(q_old, q_new, 4)));
-    }
-    let text = |digits| edges.map(|edges| range(edges, digits));
-    if !parts.is_empty() || text(7)[0] != text(7)[1] {
-        let apart = (4..10).map(text).find(|[a, b]| a != b).unwrap_or_else(|| text(4));
-        parts.push(format!("edges {} Hz", apart.join(" -> ")));
-    }
-    parts
 }
 
 /// The edges of a filter; 0 where there is none.
@@ -177,8 +120,4 @@ fn decay(of: &Version<'_>) -> f64 {
     };
     let poles = of.design.section.iter().map(|section| logarithm([section.a1, section.a2]));
     -of.cycle_time / poles.fold(f64::NEG_INFINITY, f64::max)
-}
-
-fn range(edges: [f64; 2], digits: usize) -> String {
-    edges.map(|edge| significant(edge, digits)).join("..")
 }

@@ -1,7 +1,8 @@
 //! What improved position control of an axis does, in a few lines.
 
 use super::super::part::Summary;
-use crate::axis::{Filter, Stage};
+use super::filter;
+use crate::axis::Stage;
 use crate::blocks::designed::Designed;
 use crate::parameters::words::{StageMode, Words};
 
@@ -23,17 +24,6 @@ pub(crate) fn summary(designed: &Designed) -> Summary {
 
 fn of_stage(stage: &Stage) -> String {
     let damping = stage.mode.osc_damping().map_or_else(String::new, |damping| format!(", damping {damping}"));
-    let filters: Vec<String> = stage.filter.iter().filter_map(of_filter).collect();
+    let filters: Vec<String> = stage.filter.iter().filter_map(filter::summary).collect();
     format!("{}{damping}: {}, weight {}", stage.mode.text(), filters.join(", "), stage.weight())
-}
-
-fn of_filter(filter: &Filter) -> Option<String> {
-    let kind = filter.kind().name();
-    match filter {
-        Filter::NoFilter => None,
-        Filter::Bandpass { prototype, order, f0, q_factor } => {
-            Some(format!("{kind} {} order {order} at {f0} Hz, Q {q_factor}", prototype.name()))
-        }
-        Filter::Allpass { f0, q_factor } => Some(format!("{kind} at {f0} Hz, Q {q_factor}")),
-    }
 }
