@@ -93,6 +93,13 @@ impl fmt::Display for Element {
 }
 
 impl Element {
+    /// The stage that it is part of.
+    pub(crate) fn stage(self) -> usize {
+        match self {
+            Self::Oscillation { stage } | Self::Bandpass { stage, .. } | Self::Allpass { stage, .. } => stage,
+        }
+    }
+
     /// The filter that it is part of.
     pub(crate) fn filter(self) -> Option<usize> {
         match self {

@@ -31,11 +31,10 @@ pub(crate) const MAX_CENTRE_ERROR: f64 = 1e-3;
 /// Says which sections their rounding has spoilt, at the parameter that each depends on.
 pub(crate) fn validate(designed: &Designed, e: &mut Effective<'_>) {
     for Refusal { element, found, allowed, instead } in refusals(designed) {
-        let key = match element {
-            Element::Oscillation { stage } => (damping_given(e, as_index(stage)), [as_index(stage), 0]),
-            Element::Bandpass { stage, filter, .. } | Element::Allpass { stage, filter } => {
-                (Name::FilterF0, [as_index(stage), as_index(filter)])
-            }
+        let stage = as_index(element.stage());
+        let key = match element.filter() {
+            None => (damping_given(e, stage), [stage, 0]),
+            Some(filter) => (Name::FilterF0, [stage, as_index(filter)]),
         };
         e.refuse(codes::ROUNDING, key, format!("{element}: {found}"), [Some(allowed), Some(instead)]);
     }
@@ -80,10 +79,7 @@ fn refusal(section: &Section, designed: &Designed) -> Option<Refusal> {
 
 /// The simulated oscillation depends on its damping, a filter on its frequency.
 fn instead_of(element: Element, real: RealKind) -> String {
-    let damping = match element {
-        Element::Oscillation { .. } => "a larger osc_damping (P-AXIS-00850), ",
-        Element::Bandpass { .. } | Element::Allpass { .. } => "",
-    };
+    let damping = if element.filter().is_none() { "a larger osc_damping (P-AXIS-00850), " } else { "" };
     let precision = match real {
         RealKind::F64 => "",
         RealKind::F32 => "double precision, ",

@@ -70,12 +70,12 @@ fn of_oscillation(f0: f64, damping: f64) -> String {
     )
 }
 
-/// An all-pass says all in the note on its filter.
+/// A filter of one section says all in its own note.
 fn of_section(section: &Section, stage: &Stage, cycle_time: f64) -> Option<String> {
     match section.element {
         Element::Oscillation { .. } => Some(of_oscillation(stage.f0(), stage.mode.osc_damping()?)),
-        Element::Allpass { .. } => None,
-        Element::Bandpass { filter, section: j, .. } => {
+        element => {
+            let Element::Bandpass { filter, section: j, .. } = element else { return None };
             let Filter::Bandpass { order, f0, .. } = stage.filter[filter] else { return None };
             let centre = digits(frequency(section.g, cycle_time));
             let [quality, gain] = [1.0 / section.k, section.c].map(digits);
