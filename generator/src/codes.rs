@@ -59,7 +59,7 @@ codes! {
         "The axis, the target, the stage, the engine, the block, the parameter or the code that the command line names does \
          not exist.";
     EDITED = "AX013", "a generated file that was changed by hand",
-        "The digest in its line `body` is no longer that of its content. Overwriting it would lose the change: make it in the set, \
+        "The digest in its line `checksum` is no longer that of its content. Overwriting it would lose the change: make it in the set, \
          or give --force.";
     NOT_OURS = "AX014", "a file that would be lost",
         "Where the command would write there is a file that it did not make, or that it reads itself. Give another name; \

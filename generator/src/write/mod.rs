@@ -78,7 +78,7 @@ impl Refusal {
 
 fn kept(path: &Path, owner: Owner) -> Diagnostic {
     let (code, found) = match owner {
-        Owner::Other => (codes::NOT_OURS, "was not generated, or its line `body` was taken out"),
+        Owner::Other => (codes::NOT_OURS, "was not generated, or its line `checksum` was taken out"),
         Owner::Edited | Owner::Generated => (codes::EDITED, "was changed by hand after it had been generated"),
     };
     Diagnostic::error(code, Place::whole(path.display()), format!("{found}; nothing was written"))
@@ -124,15 +124,15 @@ impl Drop for Staged {
 pub fn stage(folder: &Folder, file: &File) -> Result<Staged, Refusal> {
     let path = folder::path_in(folder, &file.name)?;
     let text = file.text.as_bytes();
-    let on_its_way = match kind(&path, text) {
-        Ok(kind) => Staged { path, kind },
-        Err(error) => return Err(Refusal::Failed(path, error)),
-    };
-    if on_its_way.kind != Kind::Unchanged
-        && let Err(error) = write_new(&staged(&on_its_way.path), text)
-    {
-        return Err(Refusal::Failed(on_its_way.path.clone(), error));
+    let failed = |error| Refusal::Failed(path.clone(), error);
+    let kind = kind(&path, text).map_err(failed)?;
+    if kind == Kind::Unchanged {
+        return Ok(Staged { path, kind });
     }
+    // What is there already is somebody else's: it is neither followed nor written, and stays.
+    let mut new = fs::OpenOptions::new().write(true).create_new(true).open(staged(&path)).map_err(failed)?;
+    let on_its_way = Staged { path: path.clone(), kind };
+    new.write_all(text).map_err(failed)?;
     Ok(on_its_way)
 }
 
@@ -195,9 +195,4 @@ fn kind(path: &Path, text: &[u8]) -> io::Result<Kind> {
     }
     let old = fs::read(path)?;
     Ok(if old == text { Kind::Unchanged } else { Kind::Replaces(owner(&old)) })
-}
-
-/// Writes a file that is not there yet: nobody can have put a link in its place.
-fn write_new(path: &Path, text: &[u8]) -> io::Result<()> {
-    fs::OpenOptions::new().write(true).create_new(true).open(path)?.write_all(text)
 }

@@ -39,7 +39,7 @@ fn what_was_edited_or_made_by_others_needs_force() {
         format!(
             "{}: error[AX013]: was changed by hand after it had been generated; nothing was written\n    \
              write instead: the change in what the file is made from; or overwrite it with --force\n\
-             {}: error[AX014]: was not generated, or its line `body` was taken out; nothing was written\n    \
+             {}: error[AX014]: was not generated, or its line `checksum` was taken out; nothing was written\n    \
              write instead: the change in what the file is made from; or overwrite it with --force",
             x.display(),
             y.display()

@@ -15,7 +15,7 @@ pub struct Enable {
 /// A function block: called once per position-controller cycle.
 pub trait Block<R: Real> {
     /// Constants of the block, designed from the parameters.
-    type Coeffs: Portable;
+    type Coeffs: Portable + Send + 'static;
     /// What it remembers from one cycle to the next.
     type State: Portable;
     /// What the caller gives each cycle.

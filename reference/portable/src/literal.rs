@@ -102,7 +102,7 @@ pub struct EnumDef {
     message = "`{Self}` is no type of portable Rust",
     label = "put #[portable] on it, or use R, bool, i32, u32, or an array of these"
 )]
-pub trait Portable: Sized + Send + 'static {
+pub trait Portable: Sized {
     /// The type as data.
     const TY: Ty;
 

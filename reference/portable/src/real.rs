@@ -17,6 +17,8 @@ pub enum RealKind {
 pub trait Real:
     Portable
     + Copy
+    + Send
+    + 'static
     + Debug
     + Display
     + Default
