@@ -2,6 +2,7 @@
 //!
 //! Every target language is derived from this source. Coefficients never change in `step`, state is the only thing
 //! that does, and there is no trigonometry, no unit conversion and no parameter id in here: the design has done that.
+#![expect(clippy::assign_op_pattern, reason = "the portable subset has one way to assign")]
 #![no_std]
 #![forbid(unsafe_code)]
 

@@ -31,7 +31,6 @@ fn simplify(expr: &mut Expr, constants: &[Constant]) {
     };
 }
 
-#[expect(clippy::float_cmp, reason = "0, 1 and -1 are exact")]
 fn is(value: Option<Literal>, number: f64) -> bool {
     value.and_then(wide) == Some(number)
 }

@@ -30,7 +30,7 @@ fn mark(statement: &Statement, live: &mut Table<bool>, grows: &mut bool) -> bool
         Statement::Assign { target, value } => (live[*target], value),
         Statement::If { condition, then, otherwise } => {
             let inner = then.iter().chain(otherwise).rev();
-            (inner.fold(false, |alive, inner| mark(inner, live, grows) || alive), condition)
+            (inner.filter(|inner| mark(inner, live, grows)).count() > 0, condition)
         }
     };
     if alive {
