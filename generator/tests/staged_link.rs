@@ -2,7 +2,6 @@
 //! overwritten.
 
 #![cfg(unix)]
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 use generator::target::File;
 use generator::write::{Refusal, commit, open, stage};

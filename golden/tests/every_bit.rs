@@ -1,7 +1,5 @@
 //! Every bit counts: a comparison finds each of them, in every type and at every place, and so does a digest.
 
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
-
 use compiler::program::Type;
 use golden::compare::compare;
 use golden::samples::{Samples, Shape, Signal};

@@ -28,6 +28,9 @@ pub struct Outcome {
     pub failure: Option<String>,
 }
 
+/// Writes outcomes in one of the forms for machines.
+type Form = fn(&str, &[Outcome]) -> String;
+
 impl Files {
     /// Refuses to write over an input of the command.
     pub fn kept_apart(&self, input: &Path) -> Result<(), Exit> {
@@ -37,7 +40,7 @@ impl Files {
 
     /// Writes the files that were asked for.
     pub fn write(&self, suite: &str, outcomes: &[Outcome]) -> Result<(), Exit> {
-        let forms: [(_, fn(&str, &[Outcome]) -> String); 2] = [(&self.junit, junit), (&self.json, as_json)];
+        let forms: [(_, Form); 2] = [(&self.junit, junit), (&self.json, as_json)];
         forms.into_iter().filter_map(|(path, text)| Some((path.as_ref()?, text))).try_for_each(|(path, text)| {
             std::fs::write(path, text(suite, outcomes)).map_err(|error| Exit::unwritable(path.display(), error))
         })

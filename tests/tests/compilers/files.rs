@@ -116,7 +116,9 @@ fn symbols(folder: &Path, options: &[&str]) -> String {
 /// The emitted files in a folder, and what their names begin with.
 fn written(case: &Case) -> (TempDir, String) {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let files = TARGETS[0].files(&header(&case.axis.axis), std::slice::from_ref(&case.block)).unwrap();
+    let files = TARGETS[0]
+        .files(&header(&case.axis.axis), std::slice::from_ref(&case.block))
+        .expect("the target prints the block");
     for File { name, text } in &files {
         std::fs::write(folder.path().join(name), text).expect("room in it");
     }
