@@ -125,7 +125,7 @@ class Axis:
         s[1] = c["osc1_b2"] * x + ANTI_DENORMAL - c["osc1_a2"] * y
         return c["gain0"] * y0 + c["gain1"] * self.bandpass("bp1", y)
 
-    def preset(self, x):
+    def preset_sections(self, x):
         c = self.c
         self.s["bp0"] = [c["bp0_minus_b0"] * x] * 2
         self.s["osc1"] = [c["osc1_preset_s1"] * x, c["osc1_preset_s2"] * x]
@@ -144,7 +144,7 @@ class Axis:
             if i.mode == OFF:
                 self.fade = 0
             else:
-                self.preset(i.v_motor)
+                self.preset_sections(i.v_motor)
                 self.preset = True
                 self.seen["preset"] += 1
             return 0
