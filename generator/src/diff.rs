@@ -5,7 +5,7 @@
 use crate::blocks::designed::Designed;
 use crate::blocks::{self, Kind};
 use crate::number::{pair, significant};
-use portable::{Literal, RealKind};
+use portable::Literal;
 
 /// An axis of one of two sets, or of both.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -89,7 +89,7 @@ fn of_axis(old: &Designed, new: &Designed) -> Vec<String> {
     number("cycle time", &cycle_time, " us");
     number("v_max", &|of| of.axis.ipc.v_max, "");
     if old.axis.real != new.axis.real {
-        lines.push(format!("real type {} -> {}", real(old), real(new)));
+        lines.push(format!("real type {} -> {}", old.axis.real_name(), new.axis.real_name()));
     }
     let [before, after] = [old, new].map(|of| blocks::names(&of.axis).join(", "));
     if before != after {
@@ -101,8 +101,11 @@ fn of_axis(old: &Designed, new: &Designed) -> Vec<String> {
 /// An axis that has no older version.
 fn description(of: &Designed) -> Vec<String> {
     let cycle_time = significant(cycle_time(of), 7);
-    let mut lines =
-        vec![format!("{}, cycle time {cycle_time} us, blocks {}", real(of), blocks::names(&of.axis).join(", "))];
+    let mut lines = vec![format!(
+        "{}, cycle time {cycle_time} us, blocks {}",
+        of.axis.real_name(),
+        blocks::names(&of.axis).join(", ")
+    )];
     lines.extend(blocks::BLOCKS.into_iter().flat_map(|kind| kind.description(of)));
     lines
 }
@@ -110,13 +113,6 @@ fn description(of: &Designed) -> Vec<String> {
 /// In us.
 fn cycle_time(of: &Designed) -> f64 {
     f64::from(of.axis.cycle_time_ns) / 1e3
-}
-
-fn real(of: &Designed) -> &'static str {
-    match of.axis.real {
-        RealKind::F64 => "f64",
-        RealKind::F32 => "f32",
-    }
 }
 
 /// All numbers of an axis's blocks, in their real type.

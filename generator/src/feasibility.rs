@@ -8,11 +8,10 @@ use crate::blocks::position_control::advice as position_control;
 use crate::check::{gear, inert};
 use crate::codes;
 use crate::config::values::key;
+use crate::design::rounding::{largest, sample_limit};
 use crate::design::scale;
 use crate::parameters::Name;
 use crate::rules::effective::Effective;
-use portable::RealKind;
-use reference::signal::sample_limit;
 
 /// Says what is wrong; where nothing is, what a user would want to know.
 pub(crate) fn validate(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
@@ -33,10 +32,7 @@ pub(crate) fn validate(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
 
 /// A scaling whose product with the largest sample in range is no number of the axis's real type.
 fn overflow(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
-    let (sample, largest) = match designed.axis.real {
-        RealKind::F64 => (sample_limit::<f64>(), f64::MAX),
-        RealKind::F32 => (f64::from(sample_limit::<f32>()), f64::from(f32::MAX)),
-    };
+    let (sample, largest) = (sample_limit(designed.axis.real), largest(designed.axis.real));
     let Some(feedforward) = &designed.axis.control.feedforward else { return };
     let weight = feedforward.weight.value();
     let mut factors = vec![(key(Name::VsVFaktor), "the weight of feedforward", weight)];

@@ -2,16 +2,12 @@
 
 use crate::blocks::designed::Designed;
 use crate::blocks::{self, part::Summary};
-use portable::RealKind;
 
 /// The lines for an axis.
 #[must_use]
 pub fn text(designed: &Designed) -> String {
     let axis = &designed.axis;
-    let real = match axis.real {
-        RealKind::F64 => "f64",
-        RealKind::F32 => "f32",
-    };
+    let real = axis.real_name();
     let cycle = f64::from(axis.cycle_time_ns) / 1000.0;
     let summaries: Vec<Summary> = blocks::of_axis(axis).map(|kind| kind.summary(designed)).collect();
     let heads: String = summaries.iter().map(|summary| summary.head.as_str()).collect();

@@ -9,6 +9,7 @@ pub use control::{
 };
 pub use ipc::{Filter, Ipc, Mode, Stage};
 
+use crate::parameters::words::{RealType, Words};
 use portable::RealKind;
 
 /// An axis, ready to be designed.
@@ -29,6 +30,14 @@ pub struct Axis {
 }
 
 impl Axis {
+    /// The real type of its blocks, as sets and lists write it.
+    pub(crate) fn real_name(&self) -> &'static str {
+        match self.real {
+            RealKind::F64 => RealType::F64.name(),
+            RealKind::F32 => RealType::F32.name(),
+        }
+    }
+
     /// Position-controller cycle Ts [s].
     #[must_use]
     pub fn cycle_time(&self) -> f64 {

@@ -1,5 +1,6 @@
 //! What a block's folder says of it. Nothing is done here.
 
+use super::values::{self, Values};
 use crate::axis::Axis;
 use crate::blocks::designed::Designed;
 use compiler::program::Program;
@@ -22,11 +23,20 @@ pub(crate) trait Part: Block<f64> + Block<f32> + Sync {
     /// What it does, for the summary of an axis.
     fn summary(designed: &Designed) -> Summary;
 
+    /// What it does as named values, for the semantic diff.
+    fn values(_: &Designed) -> Values {
+        Values::new()
+    }
+
     /// What differs between two versions of an axis, as far as this block shows it: in words, a line each.
-    fn differences(old: &Designed, new: &Designed) -> Vec<String>;
+    fn differences(old: &Designed, new: &Designed) -> Vec<String> {
+        values::differences(&Self::values(old), &Self::values(new))
+    }
 
     /// The same of an axis that has no older version.
-    fn description(designed: &Designed) -> Vec<String>;
+    fn description(designed: &Designed) -> Vec<String> {
+        values::description(&Self::values(designed))
+    }
 
     /// What is certain of its program, in words, a line each.
     fn certificate(_: &Designed, _: &Program) -> Vec<String> {
@@ -41,4 +51,11 @@ pub struct Summary {
     pub head: String,
     /// lines of its own
     pub lines: Vec<String>,
+}
+
+impl Summary {
+    /// Nothing behind the first line of the axis, and a line of its own, if there is one.
+    pub(crate) fn line(line: Option<String>) -> Self {
+        Self { head: String::new(), lines: line.into_iter().collect() }
+    }
 }

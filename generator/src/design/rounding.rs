@@ -1,6 +1,7 @@
-//! Coefficients of double precision in the real type of a block.
+//! Coefficients of double precision in the real type of a block, and the limits of that type.
 
 use portable::{Literal, Portable, Real, RealKind};
+use reference::signal;
 
 /// The value with every real rounded once to the real type of `To`: [`Real::lit`]. Both types are one portable type of two real
 /// types.
@@ -23,5 +24,21 @@ pub(crate) fn in_precision(value: f64, real: RealKind) -> f64 {
     match real {
         RealKind::F64 => value,
         RealKind::F32 => f64::from(f32::lit(value)),
+    }
+}
+
+/// The largest number of a real type.
+pub(crate) fn largest(real: RealKind) -> f64 {
+    match real {
+        RealKind::F64 => f64::MAX,
+        RealKind::F32 => f64::from(f32::MAX),
+    }
+}
+
+/// The largest magnitude of a sample that a block takes.
+pub(crate) fn sample_limit(real: RealKind) -> f64 {
+    match real {
+        RealKind::F64 => signal::sample_limit::<f64>(),
+        RealKind::F32 => f64::from(signal::sample_limit::<f32>()),
     }
 }

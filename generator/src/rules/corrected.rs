@@ -1,5 +1,6 @@
 //! The conditions that the controller reports and corrects: a warning with its number, and the corrected value.
 
+use super::drive;
 use super::effective::Effective;
 use crate::axis::Ratio;
 use crate::config::values::key;
@@ -49,12 +50,11 @@ pub(crate) fn ratio(
     code: &'static str,
     (consequence, corrected): (&str, Option<u32>),
 ) -> Option<Ratio> {
-    let numerator = e.integer(key(num));
-    let given = e.given(key(denom)).and_then(|setting| setting.value.clone());
-    if given != Some(Value::Integer(0)) {
-        let denominator = e.integer(key(denom));
-        return Some(Ratio { num: numerator?, denom: denominator? });
+    let given = e.given(key(denom)).and_then(|setting| setting.value.as_ref());
+    if given != Some(&Value::Integer(0)) {
+        return drive::ratio(e, key(num), key(denom));
     }
+    let numerator = e.integer(key(num));
     let found = format!("{} is 0: {consequence}", e.title(key(denom)));
     let allowed = format!("1 <= {}", denom.parameter().short());
     e.report.push(Diagnostic::warning(code, e.place_of(key(denom)), found).allowed(allowed));

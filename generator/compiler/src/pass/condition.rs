@@ -124,12 +124,12 @@ impl<'p> Conditions<'p> {
 
     pub(super) fn expr(&self, id: Id) -> Expr {
         match self.all[id] {
-            Condition::Known(value) => Expr::Literal(Literal::Bool(value)),
+            Condition::Known(value) => Expr::bool(value),
             Condition::Question(index) => self.questions[index].expr.clone(),
-            Condition::Not(operand) => Expr::Unary(Unary::Not, Box::new(self.expr(operand))),
+            Condition::Not(operand) => Expr::not(self.expr(operand)),
             Condition::Both(and, left, right) => {
                 let operator = if and { Binary::And } else { Binary::Or };
-                Expr::Binary(operator, Box::new(self.expr(left)), Box::new(self.expr(right)))
+                Expr::binary(operator, self.expr(left), self.expr(right))
             }
         }
     }
@@ -157,12 +157,7 @@ impl<'p> Conditions<'p> {
 
     /// A known integer, with the smallest and the largest value of its type.
     pub(super) fn integer(&self, expr: &Expr) -> Option<(i64, (i64, i64))> {
-        let value = match expr {
-            Expr::Literal(literal) => *literal,
-            Expr::Var(Var::Constant(index)) => self.constants[*index].value,
-            _ => return None,
-        };
-        match value {
+        match expr.known(self.constants)? {
             Literal::I32(value) => Some((value.into(), (i32::MIN.into(), i32::MAX.into()))),
             Literal::U32(value) => Some((value.into(), (0, u32::MAX.into()))),
             _ => None,

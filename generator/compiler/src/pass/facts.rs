@@ -142,7 +142,7 @@ impl Facts {
         let Comparison { var, operator, number, full } = *comparison;
         let (low, high) = self.range(var).unwrap_or(full);
         let decided = |yes: bool, no: bool| (yes || no).then_some(yes);
-        let is_excluded = number < low || number > high || self.excluded.contains(&(var, number));
+        let is_excluded = self.is_excluded(var, number);
         let is_only = low == number && high == number;
         match operator {
             Binary::Less => decided(high < number, low >= number),

@@ -8,12 +8,8 @@
 use super::Defect;
 use super::condition::{Condition, Conditions, Id};
 use super::facts::Facts;
-use crate::program::{Expr, Program, Statement, Type, Var};
+use crate::program::{Expr, Program, Statement, Type};
 
-/// Runs the pass.
-///
-/// # Errors
-/// None.
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let step = std::mem::take(&mut program.step);
     program.step = in_list(step, &mut Facts::default(), &mut Conditions::none(&program.constants), &program);
@@ -31,7 +27,7 @@ fn in_list(
         match statement {
             Statement::Note(text) => kept.push(Statement::Note(text)),
             Statement::Assign { target, mut value } => {
-                if is_bool(target, program) {
+                if program.ty(target) == Some(Type::Bool) {
                     simplify(&mut value, facts, conditions);
                 }
                 facts.assign(conditions, target, &value);
@@ -64,13 +60,4 @@ fn simplify(condition: &mut Expr, facts: &mut Facts, conditions: &mut Conditions
         *condition = conditions.expr(after);
     }
     after
-}
-
-fn is_bool(target: Var, program: &Program) -> bool {
-    match target {
-        Var::Output(index) => program.outputs[index].ty == Type::Bool,
-        Var::State(index) => program.state[index].ty == Type::Bool,
-        Var::Local(index) => program.locals[index].ty == Some(Type::Bool),
-        Var::Input(_) | Var::Constant(_) => false,
-    }
 }

@@ -5,7 +5,7 @@ use super::ipc::notes::{self as ipc_notes, cycle_time, note};
 use super::part::{Part, Summary};
 use super::position_control::design::addition;
 use super::position_control::notes as position_control_notes;
-use super::values::{self, Value, Values};
+use super::values::{Value, Values};
 use crate::blocks::designed::Designed;
 use crate::number::digits;
 use reference::axis::{Axis, Coeffs};
@@ -62,19 +62,11 @@ impl Part for Axis {
             Some(limit) => format!("gantry slave of axis {master}: puts out its v_add, |v_add| <= {}", digits(limit)),
             None => format!("gantry slave of axis {master}"),
         });
-        Summary { head: String::new(), lines: line.into_iter().collect() }
+        Summary::line(line)
     }
 
-    fn differences(old: &Designed, new: &Designed) -> Vec<String> {
-        values::differences(&of_gantry(old), &of_gantry(new))
+    fn values(designed: &Designed) -> Values {
+        let limit = designed.axis.control.master_limit;
+        limit.map(|limit| ("gantry: limit of the master".to_owned(), Value::Number(limit, ""))).into_iter().collect()
     }
-
-    fn description(designed: &Designed) -> Vec<String> {
-        values::description(&of_gantry(designed))
-    }
-}
-
-fn of_gantry(designed: &Designed) -> Values {
-    let limit = designed.axis.control.master_limit;
-    limit.map(|limit| ("gantry: limit of the master".to_owned(), Value::Number(limit, ""))).into_iter().collect()
 }

@@ -8,7 +8,7 @@ pub(crate) mod notes;
 mod summary;
 
 use super::part::{Part, Summary};
-use super::values;
+use super::values::Values;
 use crate::axis::Axis;
 use crate::blocks::designed::Designed;
 use reference::feedforward::{Coeffs, Feedforward};
@@ -32,16 +32,11 @@ impl Part for Feedforward {
     }
 
     fn summary(designed: &Designed) -> Summary {
-        let of = designed.axis.control.feedforward.as_ref();
-        Summary { head: String::new(), lines: of.map(summary::line).into_iter().collect() }
+        Summary::line(designed.axis.control.feedforward.as_ref().map(summary::line))
     }
 
-    fn differences(old: &Designed, new: &Designed) -> Vec<String> {
-        values::differences(&diff::values(&old.axis), &diff::values(&new.axis))
-    }
-
-    fn description(designed: &Designed) -> Vec<String> {
-        values::description(&diff::values(&designed.axis))
+    fn values(designed: &Designed) -> Values {
+        diff::values(&designed.axis)
     }
 }
 

@@ -8,7 +8,7 @@ pub(crate) mod notes;
 mod saturation;
 
 use super::part::{Part, Summary};
-use super::values;
+use super::values::Values;
 use crate::axis::Axis;
 use crate::blocks::designed::Designed;
 use crate::number::digits;
@@ -37,15 +37,10 @@ impl Part for PositionControl {
             let kv = if of.kv > 0 { format!(", Kv {}/s", digits(design::kv(of))) } else { String::new() };
             format!("position control {}{kv}", of.location.text())
         };
-        let of = designed.axis.control.position_control.as_ref();
-        Summary { head: String::new(), lines: of.map(line).into_iter().collect() }
+        Summary::line(designed.axis.control.position_control.as_ref().map(line))
     }
 
-    fn differences(old: &Designed, new: &Designed) -> Vec<String> {
-        values::differences(&diff::values(&old.axis), &diff::values(&new.axis))
-    }
-
-    fn description(designed: &Designed) -> Vec<String> {
-        values::description(&diff::values(&designed.axis))
+    fn values(designed: &Designed) -> Values {
+        diff::values(&designed.axis)
     }
 }

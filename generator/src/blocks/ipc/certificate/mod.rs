@@ -23,6 +23,7 @@ pub use response::{Band, Point};
 
 use super::design::Section;
 use crate::blocks::designed::Designed;
+use crate::design::rounding::{largest, sample_limit};
 use compiler::program::Program;
 use portable::RealKind;
 
@@ -101,18 +102,7 @@ impl Certificate {
     /// Whether no value inside the block overflows for any sample in range.
     #[must_use]
     pub(crate) fn is_within_precision(&self) -> bool {
-        let largest = match self.real {
-            RealKind::F64 => f64::MAX,
-            RealKind::F32 => f64::from(f32::MAX),
-        };
         // An intermediate value is a sum of up to three products of a state and a coefficient of up to 2.
-        self.bound.state.max(self.bound.v_sum).max(1.0) * self.sample_limit * 8.0 <= largest
-    }
-}
-
-fn sample_limit(real: RealKind) -> f64 {
-    match real {
-        RealKind::F64 => reference::signal::sample_limit::<f64>(),
-        RealKind::F32 => f64::from(reference::signal::sample_limit::<f32>()),
+        self.bound.state.max(self.bound.v_sum).max(1.0) * self.sample_limit * 8.0 <= largest(self.real)
     }
 }
