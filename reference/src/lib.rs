@@ -5,6 +5,7 @@
 #![expect(clippy::assign_op_pattern, reason = "the portable subset has one way to assign")]
 #![no_std]
 #![forbid(unsafe_code)]
+#![warn(missing_docs)] // the emitted comments and the subset's rules come from here
 
 pub mod allpass;
 pub mod axis;

@@ -4,6 +4,7 @@
 //! as a constant that rustc itself has resolved. Nothing here knows a target language or an algorithm.
 #![no_std]
 #![forbid(unsafe_code)]
+#![warn(missing_docs)] // the emitted comments and the subset's rules come from here
 
 extern crate self as portable;
 

@@ -5,7 +5,6 @@ use crate::random::rng::Rng;
 
 /// The inputs of all blocks in one cycle; reals are numbers of the block's real type.
 #[derive(Clone, Copy, Debug)]
-#[expect(missing_docs, reason = "the blocks' own names")]
 pub struct Inputs {
     pub x_command: f64,
     pub x_actual: f64,
