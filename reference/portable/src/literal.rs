@@ -75,6 +75,8 @@ pub struct StructDef {
     pub name: &'static str,
     /// the fields
     pub fields: &'static [Field],
+    /// how many scalars they have together
+    pub leaves: usize,
 }
 
 /// A field of a struct.
@@ -86,6 +88,20 @@ pub struct Field {
     pub doc: &'static str,
     /// the type
     pub ty: Ty,
+    /// how many scalars of the struct stand before it
+    pub first: usize,
+}
+
+impl Ty {
+    /// How many scalars a value of the type has.
+    #[must_use]
+    pub const fn leaves(&self) -> usize {
+        match self {
+            Self::Struct { def } => def.leaves,
+            Self::Array { element, len } => *len * element.leaves(),
+            _ => 1,
+        }
+    }
 }
 
 /// An enum of unit variants, numbered from 0 in the order of their declaration.

@@ -1,6 +1,6 @@
 //! Calls: inlined, with borrowed parameters standing for the caller's places.
 
-use super::node::Node;
+use super::part::{Named, Part};
 use super::{Frame, Specialiser};
 use crate::arithmetic;
 use crate::program::{Expr, Statement};
@@ -17,20 +17,19 @@ impl Specialiser<'_> {
         let mut names = Vec::new();
         let mut context = None;
         for (param, argument) in function.params.iter().zip(arguments) {
-            let node = match argument {
+            let (part, path) = match argument {
                 Argument::Borrow { place } => {
-                    let node = self.place(place);
-                    if param.mode == Mode::Mutable && context.is_none() {
-                        context = Some(node.path());
-                    }
-                    node
+                    let part = self.place(place);
+                    let is_changed = param.mode == Mode::Mutable && part.cell().is_none();
+                    (part, if is_changed { self.path(place) } else { None })
                 }
                 Argument::Value { .. } => {
                     let value = self.value_argument(argument, function);
-                    self.bind(param.name, value)
+                    (self.bind(param.name, value), None)
                 }
             };
-            names.push((param.name, node));
+            context = context.or_else(|| path.clone());
+            names.push(Named { name: param.name, part, path });
         }
         let context = context.filter(|path| !path.is_empty()).unwrap_or_else(|| Rc::clone(&self.frame().context));
         if context != self.frame().context
@@ -72,8 +71,8 @@ impl Specialiser<'_> {
     }
 
     /// A new name for a value. What can still change, or is computed, gets a local.
-    pub(super) fn bind(&mut self, name: &str, value: Expr) -> Rc<Node> {
-        let cell = self.settled(name, value);
-        self.leaf(cell)
+    pub(super) fn bind(&mut self, name: &str, value: Expr) -> Part {
+        let cell = self.fixed(name, value);
+        self.scalar(cell)
     }
 }

@@ -1,10 +1,11 @@
 //! Expressions and places: from the portable IR to the program, folding what is known.
 
-use super::node::{Cell, Node};
+use super::part::{Cell, Named, Part};
 use super::{Specialiser, run_time};
 use crate::arithmetic;
 use crate::program::Expr;
 use portable::{Binary, Literal, Projection};
+use std::fmt::Write;
 use std::rc::Rc;
 
 impl Specialiser<'_> {
@@ -13,8 +14,8 @@ impl Specialiser<'_> {
         match expr {
             portable::Expr::Constant { value } => Expr::Literal(value()),
             portable::Expr::Read { place } => {
-                let node = self.place(place);
-                self.read(&node)
+                let part = self.place(place);
+                self.read(part)
             }
             portable::Expr::Unary { operator, operand } => match self.expr(operand) {
                 Expr::Literal(literal) => Expr::Literal(arithmetic::unary(*operator, literal)),
@@ -44,39 +45,45 @@ impl Specialiser<'_> {
     }
 
     /// What a place stands for.
-    pub(super) fn place(&mut self, place: &'static portable::Place) -> Rc<Node> {
-        let mut node = self.lookup(place.root);
+    pub(super) fn place(&mut self, place: &'static portable::Place) -> Part {
+        let mut part = self.lookup(place.root).part;
         for projection in place.projections {
-            let inner = match (projection, &*node) {
-                (Projection::Field { name }, Node::Struct { fields, .. }) => {
-                    fields.iter().find(|(field, _)| field == name).map(|(_, inner)| Rc::clone(inner))
-                }
-                (Projection::Index { index }, Node::Array { .. }) => {
-                    let index = self.known_index(index);
-                    let Node::Array { elements, .. } = &*node else { unreachable!() };
-                    elements.get(index).map(Rc::clone)
-                }
-                _ => None,
+            let inner = match projection {
+                Projection::Field { name } => part.field(name),
+                Projection::Index { index } => part.element(self.known_index(index)),
             };
-            node = inner.unwrap_or_else(|| {
+            part = inner.unwrap_or_else(|| {
                 panic!("specialise: in {}: no such part of `{}`", self.frame().function, place.root)
             });
         }
-        node
+        part
     }
 
-    fn lookup(&self, name: &str) -> Rc<Node> {
-        let names = &self.frame().names;
-        let found = names.iter().rev().find(|(known, _)| *known == name);
-        Rc::clone(&found.unwrap_or_else(|| panic!("specialise: in {}: no name `{name}`", self.frame().function)).1)
+    /// Where a place stands in the state, the inputs or the outputs.
+    pub(super) fn path(&mut self, place: &'static portable::Place) -> Option<Rc<str>> {
+        let root = self.lookup(place.root).path.clone()?;
+        let mut path = root.to_string();
+        for projection in place.projections {
+            let _ = match projection {
+                Projection::Field { name } if path.is_empty() => write!(path, "{name}"),
+                Projection::Field { name } => write!(path, ".{name}"),
+                Projection::Index { index } => write!(path, "[{}]", self.known_index(index)),
+            };
+        }
+        Some(path.into())
+    }
+
+    fn lookup(&self, name: &str) -> &Named {
+        let found = self.frame().names.iter().rfind(|known| known.name == name);
+        found.unwrap_or_else(|| panic!("specialise: in {}: no name `{name}`", self.frame().function))
     }
 
     /// The value of a scalar.
-    fn read(&mut self, node: &Node) -> Expr {
-        let Node::Leaf(cell) = node else {
+    fn read(&mut self, part: Part) -> Expr {
+        let Some(cell) = part.cell() else {
             panic!("specialise: in {}: a struct or an array is no scalar; borrow it", self.frame().function)
         };
-        match self.cells[*cell] {
+        match self.cells[cell] {
             Cell::Coefficient(position) => match self.coefficients[position] {
                 Literal::F64(_) | Literal::F32(_) | Literal::I32(_) | Literal::U32(_) => self.coefficient(position),
                 decides => Expr::Literal(decides),

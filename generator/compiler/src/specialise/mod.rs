@@ -6,12 +6,12 @@
 
 mod call;
 mod expr;
-mod node;
+mod part;
 mod statement;
 
 use crate::leaves;
 use crate::program::{Constant, Expr, Local, Origin, Program, Statement, Switch, Type, Var, Variable};
-use node::{Cell, Node};
+use part::{Cell, Leaf, Named, Part};
 use portable::{Block, Enable, Fn, Literal, Portable, Real, Ty};
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -48,13 +48,14 @@ pub fn block<R: Real, B: Block<R>>(coeffs: &B::Coeffs, notes: &BTreeMap<String, 
         frames: Vec::new(),
         statements: Vec::new(),
     };
-    let coefficients = specialiser.enter_coefficients();
-    let state = specialiser.enter_variables(<B::State as Portable>::TY, &leaves(&B::state()), Var::State);
-    let inputs = specialiser.enter_variables(<B::Inputs as Portable>::TY, &leaves(&B::inputs(coeffs)), Var::Input);
-    let outputs = specialiser.enter_variables(<B::Outputs as Portable>::TY, &leaves(&B::outputs()), Var::Output);
+    let coefficients = (0..specialiser.coefficients.len()).map(Cell::Coefficient);
+    let coefficients = specialiser.enter(<B::Coeffs as Portable>::TY, coefficients);
+    let state = specialiser.variables(<B::State as Portable>::TY, &leaves(&B::state()), Var::State);
+    let inputs = specialiser.variables(<B::Inputs as Portable>::TY, &leaves(&B::inputs(coeffs)), Var::Input);
+    let outputs = specialiser.variables(<B::Outputs as Portable>::TY, &leaves(&B::outputs()), Var::Output);
     specialiser.entered = specialiser.cells.len();
-    let init = specialiser.function(&B::INIT, vec![state.clone()]);
-    let step = specialiser.function(&B::STEP, vec![state, coefficients, inputs, outputs]);
+    let init = specialiser.function(&B::INIT, &[state]);
+    let step = specialiser.function(&B::STEP, &[state, coefficients, inputs, outputs]);
     let switch = B::ENABLE.map(|enable| specialiser.switch(enable));
     Program { switch, init, step, ..specialiser.program }
 }
@@ -78,42 +79,39 @@ struct Specialiser<'n> {
 
 /// A function that is being inlined.
 struct Frame {
-    names: Vec<(&'static str, Rc<Node>)>,
+    names: Vec<Named>,
     /// the path of the state that the function works on, which names its locals
     context: Rc<str>,
     function: &'static str,
 }
 
 impl Specialiser<'_> {
-    /// Enters the coefficients: every leaf is known.
-    fn enter_coefficients(&mut self) -> Rc<Node> {
-        let mut position = 0;
-        node::build(self.coefficient_type, None, "", &mut |_, _, _| {
-            position += 1;
-            self.cell(Cell::Coefficient(position - 1))
-        })
+    /// Enters a value, scalar by scalar.
+    fn enter(&mut self, ty: Ty, cells: impl Iterator<Item = Cell>) -> Part {
+        let first = self.cells.len();
+        self.cells.extend(cells);
+        Part { ty, first }
     }
 
     /// Enters inputs, outputs or state: every leaf is a variable.
-    fn enter_variables(&mut self, ty: Ty, leaves: &[Literal], var: fn(usize) -> Var) -> Rc<Node> {
-        let mut leaves = leaves.iter().map(|leaf| number(*leaf)).enumerate();
-        node::build(ty, Some(&mut String::new()), "", &mut |leaf, path, doc| {
-            let (position, start) = leaves.next().expect("specialise: as many values as the type has scalars");
-            let variable = Variable { path: path.to_owned(), doc, ty: scalar_type(leaf, path), start };
-            let var = var(position);
-            let (list, cell) = match var {
-                Var::Output(_) => (&mut self.program.outputs, Cell::Memory(var)),
-                Var::State(_) => (&mut self.program.state, Cell::Memory(var)),
-                _ => (&mut self.program.inputs, Cell::Fixed(var)),
-            };
-            list.push(variable);
-            self.cell(cell)
-        })
+    fn variables(&mut self, ty: Ty, starts: &[Literal], var: fn(usize) -> Var) -> Part {
+        let variables = starts.iter().enumerate().map(|(position, start)| {
+            let leaf = Leaf::at(ty, position);
+            Variable { ty: scalar_type(&leaf), doc: leaf.doc(), path: leaf.path, start: number(*start) }
+        });
+        let (list, cell): (_, fn(Var) -> Cell) = match var(0) {
+            Var::Output(_) => (&mut self.program.outputs, Cell::Memory),
+            Var::State(_) => (&mut self.program.state, Cell::Memory),
+            _ => (&mut self.program.inputs, Cell::Fixed),
+        };
+        list.extend(variables);
+        self.enter(ty, (0..starts.len()).map(|position| cell(var(position))))
     }
 
     /// Specialises a function without a value.
-    fn function(&mut self, function: &'static Fn, arguments: Vec<Rc<Node>>) -> Vec<Statement> {
-        let names = function.params.iter().map(|param| param.name).zip(arguments).collect();
+    fn function(&mut self, function: &'static Fn, arguments: &[Part]) -> Vec<Statement> {
+        let names = function.params.iter().zip(arguments);
+        let names = names.map(|(param, part)| Named { name: param.name, part: *part, path: Some("".into()) }).collect();
         self.frames.push(Frame { names, context: "".into(), function: function.name });
         self.block(&function.body.block);
         self.frames.pop();
@@ -137,8 +135,8 @@ impl Specialiser<'_> {
     /// The coefficient as a named number, entered where it is first met.
     fn coefficient(&mut self, position: usize) -> Expr {
         let index = self.coefficient_of[position].unwrap_or_else(|| {
-            let (path, doc) = node::leaf_at(self.coefficient_type, position);
-            self.constant(path, doc, self.coefficients[position], Origin::Coefficient(position))
+            let leaf = Leaf::at(self.coefficient_type, position);
+            self.constant(leaf.doc(), leaf.path, self.coefficients[position], Origin::Coefficient(position))
         });
         self.coefficient_of[position] = Some(index);
         Expr::Var(Var::Constant(index))
@@ -149,14 +147,14 @@ impl Specialiser<'_> {
         let is_same = |known: &Fn| (known.name, known.module) == (function.name, function.module);
         let known = self.function_of.iter().find(|(known, _)| is_same(known)).map(|(_, index)| *index);
         let index = known.unwrap_or_else(|| {
-            let index = self.constant(function.name.to_owned(), function.doc, value, Origin::Function);
+            let index = self.constant(function.doc, function.name.to_owned(), value, Origin::Function);
             self.function_of.push((function, index));
             index
         });
         Expr::Var(Var::Constant(index))
     }
 
-    fn constant(&mut self, path: String, doc: &'static str, value: Literal, origin: Origin) -> usize {
+    fn constant(&mut self, doc: &'static str, path: String, value: Literal, origin: Origin) -> usize {
         self.program.constants.push(Constant { path, doc, value, origin });
         self.program.constants.len() - 1
     }
@@ -179,13 +177,13 @@ impl Specialiser<'_> {
 }
 
 /// The type of a scalar variable. A `usize` exists only while specialising.
-fn scalar_type(ty: Ty, path: &str) -> Type {
-    match ty {
+fn scalar_type(leaf: &Leaf) -> Type {
+    match leaf.ty {
         Ty::Bool => Type::Bool,
         Ty::I32 | Ty::Enum { .. } => Type::I32,
         Ty::U32 => Type::U32,
         Ty::Real(_) => Type::Real,
-        Ty::Usize | Ty::Array { .. } | Ty::Struct { .. } => panic!("specialise: `{path}` is no variable: {ty:?}"),
+        ty => panic!("specialise: `{}` is no variable: {ty:?}", leaf.path),
     }
 }
 

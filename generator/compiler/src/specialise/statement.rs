@@ -1,10 +1,9 @@
 //! Statements, branches and loops: the order of effects, and what is known after a branch.
 
-use super::node::{self, Cell, Node};
+use super::part::{Cell, Named, Part};
 use super::{Specialiser, run_time};
 use crate::program::{Expr, Statement, Var};
 use portable::{Arm, Binary, CodeBlock, Literal};
-use std::rc::Rc;
 
 impl Specialiser<'_> {
     /// Runs a block; gives its value. The names that it declares end with it.
@@ -21,38 +20,33 @@ impl Specialiser<'_> {
     fn statement(&mut self, statement: &'static portable::Statement) {
         match statement {
             portable::Statement::Let { name, value } => {
-                let node = match value {
+                let part = match value {
                     portable::Expr::Array { elements } => {
-                        let leaf = |element| {
+                        let cell = |element| {
                             let value = self.expr(element);
-                            self.bind(name, value)
+                            self.fixed(name, value)
                         };
-                        let elements = elements.iter().map(leaf).collect();
-                        Rc::new(Node::Array { path: (*name).into(), elements })
+                        let cells: Vec<Cell> = elements.iter().map(cell).collect();
+                        self.scalars(cells)
                     }
                     portable::Expr::Repeat { value, len } => {
                         let value = self.expr(value);
-                        let cell = self.settled(name, value);
-                        let elements = (0..*len).map(|_| self.leaf(cell)).collect();
-                        Rc::new(Node::Array { path: (*name).into(), elements })
+                        let cell = self.fixed(name, value);
+                        self.scalars(vec![cell; *len])
                     }
                     value => {
                         let value = self.named_value(value, name);
                         self.bind(name, value)
                     }
                 };
-                self.frame_mut().names.push((name, node));
+                self.declare(name, part);
             }
             portable::Statement::Default { name, ty, leaves } => {
-                let mut values = Vec::new();
-                leaves(&mut |literal| values.push(literal));
-                let mut values = values.into_iter();
                 // Nothing of it is a variable of the block: its parts are locals, where they are not known.
-                let node = node::build(*ty, None, "", &mut |_, _, _| {
-                    let value = values.next().expect("specialise: as many values as the type has scalars");
-                    self.cell(Cell::Known(value))
-                });
-                self.frame_mut().names.push((name, node));
+                let mut cells = Vec::new();
+                leaves(&mut |literal| cells.push(Cell::Known(literal)));
+                let part = self.enter(*ty, cells.into_iter());
+                self.declare(name, part);
             }
             portable::Statement::Assign { place, value } => {
                 let name = place.projections.iter().rev().find_map(|projection| match projection {
@@ -61,13 +55,13 @@ impl Specialiser<'_> {
                 });
                 let name = name.unwrap_or(place.root);
                 let value = self.named_value(value, name);
-                let node = self.place(place);
-                self.assign(&node, name, value);
+                let part = self.place(place);
+                self.assign(part, name, value);
             }
             portable::Statement::For { variable, from, to, body } => {
                 for index in self.known_index(from)..self.known_index(to) {
-                    let node = self.leaf(Cell::Known(Literal::Usize(index)));
-                    self.frame_mut().names.push((variable, node));
+                    let part = self.scalar(Cell::Known(Literal::Usize(index)));
+                    self.declare(variable, part);
                     self.block(body);
                     self.frame_mut().names.pop();
                 }
@@ -91,8 +85,12 @@ impl Specialiser<'_> {
         }
     }
 
-    fn assign(&mut self, node: &Node, name: &str, value: Expr) {
-        let Node::Leaf(cell) = *node else {
+    fn declare(&mut self, name: &'static str, part: Part) {
+        self.frame_mut().names.push(Named { name, part, path: None });
+    }
+
+    fn assign(&mut self, part: Part, name: &str, value: Expr) {
+        let Some(cell) = part.cell() else {
             panic!("specialise: in {}: only a scalar can be assigned", self.frame().function)
         };
         match self.cells[cell] {
@@ -100,13 +98,13 @@ impl Specialiser<'_> {
                 let value = run_time(value);
                 self.statements.push(Statement::Assign { target, value });
             }
-            Cell::Known(_) | Cell::Fixed(_) => self.cells[cell] = self.settled(name, value),
+            Cell::Known(_) | Cell::Fixed(_) => self.cells[cell] = self.fixed(name, value),
             Cell::Coefficient(_) => panic!("specialise: in {}: a coefficient is written", self.frame().function),
         }
     }
 
     /// The value in a form that nothing can change any more: what can change, or is computed, goes to a new local.
-    pub(super) fn settled(&mut self, name: &str, value: Expr) -> Cell {
+    pub(super) fn fixed(&mut self, name: &str, value: Expr) -> Cell {
         match value {
             Expr::Literal(literal) => Cell::Known(literal),
             Expr::Var(var @ (Var::Constant(_) | Var::Input(_) | Var::Local(_))) => Cell::Fixed(var),
@@ -118,13 +116,15 @@ impl Specialiser<'_> {
         }
     }
 
-    pub(super) fn leaf(&mut self, cell: Cell) -> Rc<Node> {
-        Rc::new(Node::Leaf(self.cell(cell)))
+    pub(super) fn scalar(&mut self, cell: Cell) -> Part {
+        self.cells.push(cell);
+        Part::scalar(self.cells.len() - 1)
     }
 
-    pub(super) fn cell(&mut self, cell: Cell) -> usize {
-        self.cells.push(cell);
-        self.cells.len() - 1
+    fn scalars(&mut self, cells: Vec<Cell>) -> Part {
+        let part = Part::scalars(self.cells.len(), cells.len());
+        self.cells.extend(cells);
+        part
     }
 
     /// The value of an `if` or a `match`; `name` is what a local that holds it is called.
@@ -140,7 +140,7 @@ impl Specialiser<'_> {
             }
             portable::Expr::Match { scrutinee, arms } => {
                 let scrutinee = self.expr(scrutinee);
-                let scrutinee = value_of(self.settled("choice", scrutinee));
+                let scrutinee = value_of(self.fixed("choice", scrutinee));
                 self.arms(&scrutinee, arms, name)
             }
             other => panic!("specialise: in {}: no branch: {other:?}", self.frame().function),
@@ -195,7 +195,7 @@ impl Specialiser<'_> {
             } else {
                 let name = self.name_of(cell);
                 let merged = self.merge(&name, [yes, no].map(value_of), &mut branches);
-                self.settled(&name, merged)
+                self.fixed(&name, merged)
             };
         }
         let [then, otherwise] = branches;
@@ -217,16 +217,7 @@ impl Specialiser<'_> {
     /// The Rust name that stands for a cell, innermost function first: of a struct, the field's.
     fn name_of(&self, cell: usize) -> String {
         let mut names = self.frames.iter().rev().flat_map(|frame| frame.names.iter().rev());
-        names.find_map(|(name, node)| name_within(name, node, cell)).unwrap_or("value").to_owned()
-    }
-}
-
-/// The name under which a local or a parameter holds the cell: its own, or the field's where it is a struct.
-fn name_within(name: &'static str, node: &Node, cell: usize) -> Option<&'static str> {
-    match node {
-        Node::Leaf(leaf) => (*leaf == cell).then_some(name),
-        Node::Struct { fields, .. } => fields.iter().find_map(|(field, node)| name_within(field, node, cell)),
-        Node::Array { elements, .. } => elements.iter().find_map(|element| name_within(name, element, cell)),
+        names.find_map(|named| named.name_of(cell)).unwrap_or("value").to_owned()
     }
 }
 

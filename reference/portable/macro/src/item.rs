@@ -21,7 +21,7 @@ pub fn describe_struct(item: &syn::ItemStruct, rejections: &mut Rejections) -> T
     }
     let name = &item.ident;
     if !rejections.is_empty() {
-        let def = quote!(::portable::StructDef { name: stringify!(#name), fields: &[] });
+        let def = quote!(::portable::StructDef { name: stringify!(#name), fields: &[], leaves: 0 });
         return undescribed(name, &item.generics, &quote!(::portable::Ty::Struct { def: &#def }));
     }
     let (_, arguments, _) = item.generics.split_for_impl();
@@ -29,6 +29,11 @@ pub fn describe_struct(item: &syn::ItemStruct, rejections: &mut Rejections) -> T
     let field: Vec<_> = item.fields.iter().map(|field| &field.ident).collect();
     let ty: Vec<_> = item.fields.iter().map(|field| &field.ty).collect();
     let doc = item.fields.iter().map(|field| doc(&field.attrs));
+    let leaves = quote!(0 #(+ <#ty as ::portable::Portable>::TY.leaves())*);
+    let first = (0..ty.len()).map(|index| {
+        let before = &ty[..index];
+        quote!(0 #(+ <#before as ::portable::Portable>::TY.leaves())*)
+    });
     quote! {
         impl #bounds ::portable::Portable for #name #arguments {
             const TY: ::portable::Ty = ::portable::Ty::Struct {
@@ -39,8 +44,10 @@ pub fn describe_struct(item: &syn::ItemStruct, rejections: &mut Rejections) -> T
                             name: stringify!(#field),
                             doc: #doc,
                             ty: <#ty as ::portable::Portable>::TY,
+                            first: #first,
                         }
                     ),*],
+                    leaves: #leaves,
                 },
             };
 

@@ -1,0 +1,113 @@
+//! What a Rust name stands for while specialising: cells side by side, in the order of the type's scalars. No evaluation here.
+
+use crate::program::Var;
+use portable::{Literal, Ty};
+use std::fmt::Write;
+use std::rc::Rc;
+
+/// A local or a parameter.
+pub(super) struct Named {
+    pub(super) name: &'static str,
+    pub(super) part: Part,
+    /// where it stands in the state, the inputs or the outputs; `None`: nowhere, or it is a scalar
+    pub(super) path: Option<Rc<str>>,
+}
+
+/// A value or a part of one.
+#[derive(Clone, Copy)]
+pub(super) struct Part {
+    pub(super) ty: Ty,
+    /// the cell of its first scalar
+    pub(super) first: usize,
+}
+
+/// What is known of a scalar.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Cell {
+    /// a coefficient, by its position among their leaves
+    Coefficient(usize),
+    /// a value that is known
+    Known(Literal),
+    /// an input, a local or a named constant: nothing can change it any more
+    Fixed(Var),
+    /// the variable that holds it: part of the state, or an output
+    Memory(Var),
+}
+
+/// The type of a local's scalar: what it is, its value says.
+const SCALAR: Ty = Ty::Bool;
+
+impl Part {
+    pub(super) fn scalar(cell: usize) -> Self {
+        Self { ty: SCALAR, first: cell }
+    }
+
+    pub(super) fn scalars(first: usize, len: usize) -> Self {
+        Self { ty: Ty::Array { element: &SCALAR, len }, first }
+    }
+
+    pub(super) fn field(self, name: &str) -> Option<Self> {
+        let Ty::Struct { def } = self.ty else { return None };
+        let field = def.fields.iter().find(|field| field.name == name)?;
+        Some(Self { ty: field.ty, first: self.first + field.first })
+    }
+
+    pub(super) fn element(self, index: usize) -> Option<Self> {
+        match self.ty {
+            Ty::Array { element, len } if index < len => {
+                Some(Self { ty: *element, first: self.first + index * element.leaves() })
+            }
+            _ => None,
+        }
+    }
+
+    /// The cell, if it has just one.
+    pub(super) fn cell(self) -> Option<usize> {
+        (!matches!(self.ty, Ty::Struct { .. } | Ty::Array { .. })).then_some(self.first)
+    }
+}
+
+impl Named {
+    /// What a cell of it is called: as it is itself, or as the field is where it is a struct.
+    pub(super) fn name_of(&self, cell: usize) -> Option<&'static str> {
+        let position = cell.checked_sub(self.part.first).filter(|position| *position < self.part.ty.leaves())?;
+        Some(Leaf::at(self.part.ty, position).field.map_or(self.name, |(name, _)| name))
+    }
+}
+
+/// A scalar of a type.
+pub(super) struct Leaf {
+    pub(super) ty: Ty,
+    pub(super) path: String,
+    /// name and doc comment of the innermost field that it is, or is in an array of
+    pub(super) field: Option<(&'static str, &'static str)>,
+}
+
+impl Leaf {
+    /// By its position among the leaves of a type.
+    pub(super) fn at(ty: Ty, mut position: usize) -> Self {
+        let mut leaf = Self { ty, path: String::new(), field: None };
+        loop {
+            match leaf.ty {
+                Ty::Struct { def } => {
+                    let field = def.fields.iter().rfind(|field| field.first <= position);
+                    let field = field.expect("specialise: the position is one of the type's leaves");
+                    leaf.path.push_str(if leaf.path.is_empty() { "" } else { "." });
+                    leaf.path.push_str(field.name);
+                    position -= field.first;
+                    (leaf.ty, leaf.field) = (field.ty, Some((field.name, field.doc)));
+                }
+                Ty::Array { element, .. } => {
+                    let each = element.leaves();
+                    let _ = write!(leaf.path, "[{}]", position / each);
+                    (leaf.ty, position) = (*element, position % each);
+                }
+                _ => return leaf,
+            }
+        }
+    }
+
+    pub(super) fn doc(&self) -> &'static str {
+        self.field.map_or("", |(_, doc)| doc)
+    }
+}
