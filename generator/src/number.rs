@@ -10,8 +10,20 @@ pub(crate) fn pair(old: f64, new: f64, digits: usize) -> String {
 /// A number with so many significant digits, no trailing zeros.
 pub(crate) fn significant(value: f64, digits: usize) -> String {
     let text = format!("{value:.*e}", digits.saturating_sub(1));
-    let rounded: f64 = text.parse().expect("number: a formatted number is a number");
-    if rounded != 0.0 && !(1e-4..1e12).contains(&rounded.abs()) { format!("{rounded:e}") } else { format!("{rounded}") }
+    let Some((mantissa, exponent)) = text.split_once('e') else { return text };
+    let mantissa = if digits > 1 { mantissa.trim_end_matches('0').trim_end_matches('.') } else { mantissa };
+    let exponent: i32 = exponent.parse().expect("number: an exponent is a number");
+    if !(-4..12).contains(&exponent) {
+        return format!("{mantissa}e{exponent}");
+    }
+    let (sign, mantissa) = mantissa.split_at(usize::from(value.is_sign_negative()));
+    let (first, rest) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let behind = usize::try_from(exponent);
+    match behind {
+        Ok(behind) if behind < rest.len() => format!("{sign}{first}{}.{}", &rest[..behind], &rest[behind..]),
+        Ok(behind) => format!("{sign}{first}{rest}{}", "0".repeat(behind - rest.len())),
+        Err(_) => format!("{sign}0.{}{first}{rest}", "0".repeat(usize::try_from(-exponent - 1).unwrap_or(0))),
+    }
 }
 
 /// A number with so many decimals at the most, no trailing zeros, no -0.

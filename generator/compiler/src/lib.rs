@@ -21,7 +21,7 @@ use portable::{Literal, Portable, Real};
 
 /// The scalar that a real is.
 pub fn leaf<R: Real>(value: R) -> Literal {
-    leaves(&value)[0]
+    portable::scalar(&value)
 }
 
 /// The scalars of a value, in the order of its type.

@@ -11,7 +11,11 @@ pub(super) fn lines(text: &str, width: usize) -> Vec<String> {
                 line.push(' ');
                 line.push_str(word);
             }
-            _ => lines.push(word.to_owned()),
+            _ => {
+                let mut line = String::with_capacity(width.max(word.len()));
+                line.push_str(word);
+                lines.push(line);
+            }
         }
     }
     lines

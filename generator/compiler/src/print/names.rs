@@ -6,8 +6,10 @@ use std::collections::HashSet;
 /// The identifier of a path: `stage[0].filter[1].y` becomes `stage0_filter1_y`.
 #[must_use]
 pub fn identifier(path: &str) -> String {
+    let mut name = String::with_capacity(path.len());
     let kept = path.chars().filter(|character| !matches!(character, '[' | ']'));
-    kept.map(|character| if character == '.' { '_' } else { character }).collect()
+    name.extend(kept.map(|character| if character == '.' { '_' } else { character }));
+    name
 }
 
 /// The names of one scope, unlike each other in more than the case of their letters.
@@ -26,11 +28,13 @@ impl Names {
 
     /// A name for what stands at the path, unlike every name given before.
     pub(super) fn take(&mut self, path: &str) -> String {
-        let plain = identifier(path);
-        let mut name = if (self.is_reserved)(&plain) { format!("{plain}_value") } else { plain.clone() };
+        let mut name = identifier(path);
+        if (self.is_reserved)(&name) {
+            name.push_str("_value");
+        }
         let mut number = 2;
         while !self.taken.insert(name.to_ascii_lowercase()) {
-            name = format!("{plain}_{number}");
+            name = format!("{}_{number}", identifier(path));
             number += 1;
         }
         name

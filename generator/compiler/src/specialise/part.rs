@@ -2,7 +2,6 @@
 
 use crate::program::Var;
 use portable::{Literal, Ty};
-use std::fmt::Write;
 use std::rc::Rc;
 
 /// A local or a parameter.
@@ -86,7 +85,7 @@ pub(super) struct Leaf {
 impl Leaf {
     /// By its position among the leaves of a type.
     pub(super) fn at(ty: Ty, mut position: usize) -> Self {
-        let mut leaf = Self { ty, path: String::new(), field: None };
+        let mut leaf = Self { ty, path: String::with_capacity(64), field: None };
         loop {
             match leaf.ty {
                 Ty::Struct { def } => {
@@ -99,7 +98,7 @@ impl Leaf {
                 }
                 Ty::Array { element, .. } => {
                     let each = element.leaves();
-                    let _ = write!(leaf.path, "[{}]", position / each);
+                    leaf.path.extend(["[", &(position / each).to_string(), "]"]);
                     (leaf.ty, position) = (*element, position % each);
                 }
                 _ => return leaf,
