@@ -120,8 +120,10 @@ pub fn block_name(axis: &str, block: &str) -> String {
 
 /// A file from its template, behind a mark that some readers want at the very beginning.
 fn rendered(name: String, mark: &str, template: &impl Template) -> File {
-    let text = template.render().expect("target: no input can keep a template from being filled");
-    File { name, text: with_checksum(format!("{mark}{text}\n")) }
+    let mut text = template.render().expect("target: no input can keep a template from being filled");
+    text.insert_str(0, mark);
+    text.push('\n');
+    File { name, text: with_checksum(text) }
 }
 
 fn nothing(_: &[Unit<'_>]) -> Vec<File> {

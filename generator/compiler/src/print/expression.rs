@@ -58,7 +58,7 @@ impl<'d> Layout<'d> {
         ));
         let left = self.bound(self.expr(left), left_least, INDENTATION);
         let doc = if is_logic || level == Level::Sum {
-            left.append(self.arena.line().append(right).group())
+            left.append(self.line_before(right))
         } else {
             left.append(" ").append(right)
         };
@@ -77,7 +77,7 @@ impl<'d> Layout<'d> {
             })
         };
         let doc = match form.text.split_once('\n') {
-            Some((first, second)) => line(first).append(self.arena.line().append(line(second)).group()),
+            Some((first, second)) => line(first).append(self.line_before(line(second))),
             None => line(form.text),
         };
         Printed { doc, level: form.level }

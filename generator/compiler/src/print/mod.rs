@@ -15,7 +15,7 @@ pub use names::{Names, identifier};
 
 use crate::program::{Expr, Program, Statement, Table, Var, Variable};
 use language::Level;
-use pretty::{Arena, DocAllocator, DocBuilder};
+use pretty::{Arena, DocAllocator, DocBuilder, RefDoc};
 
 /// Characters in a line of code, where it can be broken.
 const WIDTH: usize = 120;
@@ -122,7 +122,8 @@ impl<'p> Printer<'p> {
     #[must_use]
     pub fn body(&self, statements: &[Statement], level: isize) -> String {
         let arena = Arena::new();
-        let layout = Layout { printer: self, arena: &arena };
+        let (line, hardline) = (arena.line().into_doc(), arena.hardline().into_doc());
+        let layout = Layout { printer: self, arena: &arena, line, hardline };
         let doc = layout.list(statements, &mut vec![false; self.program.locals.len()]).nest(level * INDENTATION);
         let mut text = String::new();
         doc.render_fmt(WIDTH, &mut text).expect("print: a string takes all text");
@@ -137,6 +138,9 @@ impl<'p> Printer<'p> {
 struct Layout<'d> {
     printer: &'d Printer<'d>,
     arena: &'d Arena<'d>,
+    /// a blank, or a line break where the line is too long
+    line: RefDoc<'d>,
+    hardline: RefDoc<'d>,
 }
 
 impl<'d> Layout<'d> {
@@ -145,7 +149,7 @@ impl<'d> Layout<'d> {
         let mut doc = self.arena.nil();
         let Some(constant) = self.printer.language.constant else {
             for statement in list {
-                doc = doc.append(self.arena.hardline()).append(self.statement(statement, declared));
+                doc = doc.append(self.hardline).append(self.statement(statement, declared));
             }
             return doc;
         };
@@ -155,7 +159,7 @@ impl<'d> Layout<'d> {
                 let ty = program.locals[local].ty.expect("print: the typing pass has typed every local");
                 format!("{} {}", (self.printer.language.ty)(ty, program.real), self.printer.names.locals[local])
             };
-            doc = doc.append(self.arena.hardline());
+            doc = doc.append(self.hardline);
             if let Statement::Assign { target: Var::Local(local), value } = statement
                 && locals.contains(local)
             {
@@ -164,7 +168,7 @@ impl<'d> Layout<'d> {
                 continue;
             }
             for local in locals {
-                doc = doc.append(declared_as(local)).append(";").append(self.arena.hardline());
+                doc = doc.append(declared_as(local)).append(";").append(self.hardline);
             }
             doc = doc.append(self.statement(statement, declared));
         }
@@ -193,13 +197,13 @@ impl<'d> Layout<'d> {
                 let mut rest = otherwise;
                 // An `if` that is alone in the other branch continues the chain.
                 while let [Statement::If { condition, then, otherwise }] = rest.as_slice() {
-                    doc = doc.append(self.arena.hardline()).append(asked(next, condition)).append(inner(then));
+                    doc = doc.append(self.hardline).append(asked(next, condition)).append(inner(then));
                     rest = otherwise;
                 }
                 if !rest.is_empty() {
-                    doc = doc.append(self.arena.hardline()).append(last).append(inner(rest));
+                    doc = doc.append(self.hardline).append(last).append(inner(rest));
                 }
-                doc.append(self.arena.hardline()).append(end)
+                doc.append(self.hardline).append(end)
             }
         }
     }
@@ -207,7 +211,12 @@ impl<'d> Layout<'d> {
     /// An assignment; one that is too long is broken behind its target first.
     fn assignment(&self, target: Doc<'d>, value: &'d Expr) -> Doc<'d> {
         let value = self.expr(value).doc.nest(INDENTATION).append(";");
-        let value = self.arena.line().append(value).group().nest(INDENTATION);
+        let value = self.line_before(value).nest(INDENTATION);
         target.append(self.printer.language.assign).append(value)
+    }
+
+    /// A blank before what fits into the line, else a line break.
+    fn line_before(&self, doc: Doc<'d>) -> Doc<'d> {
+        DocBuilder(self.arena, self.line.into()).append(doc).group()
     }
 }

@@ -14,7 +14,7 @@ impl Specialiser<'_> {
             let operands = arguments.iter().map(|argument| self.value_argument(argument, function)).collect();
             return Some(self.intrinsic(intrinsic, operands));
         }
-        let mut names = Vec::new();
+        let mut names = Vec::with_capacity(function.params.len() + function.body.block.statements.len());
         let mut context = None;
         for (param, argument) in function.params.iter().zip(arguments) {
             let (part, path) = match argument {
