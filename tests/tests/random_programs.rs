@@ -6,7 +6,7 @@
 
 use axgen_tests::random::campaign::{self, Settings};
 use axgen_tests::random::print;
-use inside::defect::Defect;
+use inside::defect::DEFECTS;
 use std::path::PathBuf;
 
 /// Where crates and C are built.
@@ -27,15 +27,11 @@ fn random_programs_agree_in_every_engine() {
 #[test]
 fn a_planted_defect_is_found_and_made_small() {
     let folder = folder();
-    let settings = Settings {
-        folder: &folder,
-        name: "planted-defect",
-        seed: 1,
-        programs: 20,
-        defect: Some(Defect::InterpretedDifference),
-    };
-    let report = campaign::run(&settings).unwrap();
-    let shrunk = report.shrunk.expect("the defect is found");
-    println!("{}", shrunk.text);
-    assert!(print::lines(&shrunk.program) < 25, "{}", shrunk.text);
+    for (name, defect) in DEFECTS {
+        let settings = Settings { folder: &folder, name, seed: 1, programs: 20, defect: Some(defect) };
+        let report = campaign::run(&settings).unwrap();
+        let shrunk = report.shrunk.unwrap_or_else(|| panic!("{name} is not found"));
+        println!("{name}\n{}", shrunk.text);
+        assert!(print::lines(&shrunk.program) < 30, "{name}: {}", shrunk.text);
+    }
 }

@@ -1,7 +1,6 @@
 //! How parameters, values and ranges are written in messages and in the canonical form; nothing is read here.
 
 use super::{Bound, Kind, Parameter, Value, Word};
-use std::fmt::Write;
 
 /// A path template with these indices in place of its letters.
 pub(crate) fn path_with(template: &str, index: [u32; 2]) -> String {
@@ -9,9 +8,7 @@ pub(crate) fn path_with(template: &str, index: [u32; 2]) -> String {
     let mut indices = index.into_iter();
     let mut rest = template;
     while let Some((before, after)) = rest.split_once('[') {
-        path.push_str(before);
-        // Writing to a String cannot fail.
-        let _ = write!(path, "[{}]", indices.next().unwrap_or(0));
+        path.extend([before, "[", &indices.next().unwrap_or(0).to_string(), "]"]);
         rest = after.split_once(']').map_or("", |(_, after)| after);
     }
     path + rest
