@@ -1,6 +1,7 @@
 //! Runs as CSV: a header of signal names, one row a cycle, reals in decimal or as the hexadecimal digits of their bits.
 
 use crate::samples::{Samples, Shape, Signal};
+use crate::table::Table;
 use compiler::program::Type;
 use portable::{Literal, RealKind};
 use std::fmt::Write;
@@ -73,101 +74,90 @@ pub struct Mistake {
 /// # Errors
 /// All mistakes, in the order of the lines: unknown or repeated columns, short or long rows, bad cells.
 pub fn read(text: &str, shape: &Shape) -> Result<Samples, Vec<Mistake>> {
-    let mut lines = text.lines().enumerate();
-    let header = lines.next().map_or("", |(_, line)| line);
-    let columns = columns(header, shape)?;
-    let mut samples = Samples::with_capacity(shape.clone(), text.len() / (2 * shape.signals.len().max(1)));
+    let table = Table::read(text);
+    let signals = signals(&table, shape, &[])?;
+    samples(&table, &signals, shape)
+}
+
+/// The samples of a table in which each column is a signal, or is left out.
+///
+/// # Errors
+/// All mistakes, in the order of the lines: short or long rows, bad cells.
+pub(crate) fn samples(table: &Table<'_>, signals: &[Option<usize>], shape: &Shape) -> Result<Samples, Vec<Mistake>> {
+    let mut samples = Samples::with_capacity(shape.clone(), table.rows.len());
     let start: Vec<Literal> = shape.signals.iter().map(|signal| signal.start).collect();
     let mut values = start.clone();
     let mut mistakes = Vec::new();
-    for (index, line) in lines {
-        let number = index + 1;
-        let cells = line.split(',').count();
-        if cells != columns.len() {
-            mistakes.push(Mistake {
-                line: number,
-                column: 1,
-                found: format!("{cells} cells"),
-                allowed: format!("{} cells, as many as the header has columns", columns.len()),
-            });
-            continue;
-        }
+    for row in &table.rows {
+        let cells = match table.cells(row) {
+            Ok(cells) => cells,
+            Err([found, right]) => {
+                let allowed = format!("{right} cells, as many as the header has columns");
+                mistakes.push(Mistake { line: row.line, column: 1, found: format!("{found} cells"), allowed });
+                continue;
+            }
+        };
         values.copy_from_slice(&start);
-        let mut column = 1;
-        for (content, signal) in line.split(',').zip(&columns) {
-            match parse(content.trim(), &shape.signals[*signal], shape.real) {
-                Some(value) => values[*signal] = value,
+        for ((column, content), signal) in cells.zip(signals) {
+            let Some(signal) = *signal else { continue };
+            match parse(&content, &shape.signals[signal], shape.real) {
+                Some(value) => values[signal] = value,
                 None => mistakes.push(Mistake {
-                    line: number,
+                    line: row.line,
                     column,
-                    found: format!("`{}` for {}", content.escape_default(), shape.signals[*signal].name),
-                    allowed: allowed(shape.signals[*signal].ty, shape.real).to_owned(),
+                    found: format!("`{}` for {}", content.escape_default(), shape.signals[signal].name),
+                    allowed: allowed(shape.signals[signal].ty, shape.real).to_owned(),
                 }),
             }
-            column += content.chars().count() + 1;
         }
         samples.push(&values);
     }
     if mistakes.is_empty() { Ok(samples) } else { Err(mistakes) }
 }
 
-/// A run that was recorded elsewhere: what went into the block, and what came out as far as it was recorded.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Recording {
-    /// all inputs
-    pub inputs: Samples,
-    /// the outputs that have a column
-    pub outputs: Samples,
-    /// their positions among the outputs of the block
-    pub recorded: Vec<usize>,
-}
-
-/// Reads a recording: columns of inputs and outputs in any order. An input without a column keeps its start.
+/// The signal of each column: as the map says, which has names of columns and of signals, else that of the same name, in an
+/// export the same name behind a point. `None`: the column is left out, because the map gives it `-` or an export has it beside.
 ///
 /// # Errors
-/// All mistakes; that there is no column of an output is one.
-pub fn read_recording(text: &str, inputs: &Shape, outputs: &Shape) -> Result<Recording, Vec<Mistake>> {
-    let both = Shape { real: inputs.real, signals: [inputs.signals.as_slice(), &outputs.signals].concat() };
-    let header = text.lines().next().unwrap_or_default();
-    let found = columns(header, &both)?;
-    let first_output = inputs.signals.len();
-    let mut recorded: Vec<usize> = found.into_iter().filter_map(|signal| signal.checked_sub(first_output)).collect();
-    recorded.sort_unstable();
-    if recorded.is_empty() {
-        let allowed = outputs.signals.iter().map(|signal| signal.name.as_str()).collect::<Vec<_>>().join(", ");
-        let found = "no column of an output, so that there is nothing to compare".to_owned();
-        return Err(vec![Mistake { line: 1, column: 1, found, allowed }]);
-    }
-    let samples = read(text, &both)?;
-    let of_outputs: Vec<usize> = recorded.iter().map(|signal| first_output + signal).collect();
-    Ok(Recording {
-        inputs: samples.only(&(0..first_output).collect::<Vec<_>>()),
-        outputs: samples.only(&of_outputs),
-        recorded,
-    })
-}
-
-/// The signal of each column.
-fn columns(header: &str, shape: &Shape) -> Result<Vec<usize>, Vec<Mistake>> {
-    let (mut columns, mut mistakes, mut column) = (Vec::new(), Vec::new(), 1);
-    for name in header.split(',') {
-        let signal = shape.signals.iter().position(|signal| signal.name == name.trim());
-        match signal {
-            Some(signal) if !columns.contains(&signal) => columns.push(signal),
-            found => mistakes.push(Mistake {
-                line: 1,
-                column,
-                found: format!(
-                    "the column `{}`{}",
-                    name.escape_default(),
-                    if found.is_some() { " a second time" } else { "" }
-                ),
-                allowed: shape.signals.iter().map(|signal| signal.name.as_str()).collect::<Vec<_>>().join(", "),
-            }),
+/// All mistakes: unknown and repeated columns, what the map names and is not there.
+pub(crate) fn signals(
+    table: &Table<'_>,
+    shape: &Shape,
+    map: &[(String, String)],
+) -> Result<Vec<Option<usize>>, Vec<Mistake>> {
+    let position = |name: &str| shape.signals.iter().position(|signal| signal.name == name);
+    let names = || shape.signals.iter().map(|signal| signal.name.as_str()).collect::<Vec<_>>().join(", ");
+    let (mut signals, mut mistakes) = (Vec::new(), Vec::new());
+    for column in &table.columns {
+        let mapped = map.iter().find(|(name, _)| name == column.name).map(|(_, signal)| signal.as_str());
+        let last = column.name.rsplit('.').next().filter(|_| table.is_export);
+        let signal = match mapped {
+            Some(signal) => position(signal),
+            None => position(column.name).or_else(|| last.and_then(position)),
+        };
+        let is_left_out = signal.is_none() && mapped.map_or(table.is_export, |signal| signal == "-");
+        if !is_left_out && (signal.is_none() || signals.contains(&signal)) {
+            let again = if signal.is_some() { " a second time" } else { "" };
+            let found = match mapped {
+                Some(signal) => format!("the column `{}` for `{signal}`{again}", column.name.escape_default()),
+                None => format!("the column `{}`{again}", column.name.escape_default()),
+            };
+            let [line, column] = column.place;
+            mistakes.push(Mistake { line, column, found, allowed: names() });
         }
-        column += name.chars().count() + 1;
+        signals.push(signal);
     }
-    if mistakes.is_empty() { Ok(columns) } else { Err(mistakes) }
+    for (name, _) in map.iter().filter(|(name, _)| table.columns.iter().all(|column| column.name != name)) {
+        let allowed = table.columns.iter().map(|column| column.name).collect::<Vec<_>>().join(", ");
+        let found = format!("no column `{}`, which --map names", name.escape_default());
+        mistakes.push(Mistake {
+            line: table.columns.first().map_or(1, |column| column.place[0]),
+            column: 1,
+            found,
+            allowed,
+        });
+    }
+    if mistakes.is_empty() { Ok(signals) } else { Err(mistakes) }
 }
 
 /// The value of a cell.

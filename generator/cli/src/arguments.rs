@@ -3,6 +3,7 @@
 use crate::emit;
 use crate::messages::Format;
 use crate::results::Files;
+use crate::run;
 use crate::verify;
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
@@ -72,6 +73,9 @@ pub enum Command {
         /// CSV file with recorded outputs, and inputs unless --stimulus gives them; counts the bits that differ
         #[arg(long, value_name = "FILE")]
         compare: Option<PathBuf>,
+        /// Which column of the recording is which signal, where the names differ; `SCOPE=-` leaves a column out
+        #[arg(long, value_name = "SCOPE=SIGNAL", requires = "compare", value_parser = run::mapping)]
+        map: Vec<(String, String)>,
         /// CSV file for the outputs, `-`: standard output [default: -, with --compare none]
         #[arg(long, value_name = "FILE")]
         out: Option<PathBuf>,
@@ -86,6 +90,9 @@ pub enum Command {
         /// Samples of each run
         #[arg(long, value_name = "N", default_value = "100000", value_parser = verify::samples)]
         samples: usize,
+        /// Only this engine beside the reference, may be given several times [default: all]
+        #[arg(long = "engine", value_name = "E")]
+        engines: Vec<String>,
         #[command(flatten)]
         results: Files,
     },

@@ -12,8 +12,9 @@ use generator::codes;
 use generator::diagnostics::{Diagnostic, Place, Report};
 use golden::case::named_block;
 use golden::compare::{self, Difference, compare};
-use golden::csv::{self, Reals, Recording};
+use golden::csv::{self, Reals};
 use golden::engine::{self, ENGINES, Engine};
+use golden::recording::{self, Recording};
 use golden::samples::{Samples, Shape};
 use std::fs;
 use std::io;
@@ -31,10 +32,18 @@ pub struct Request {
     pub stimulus: Option<PathBuf>,
     /// a recording of the outputs
     pub compare: Option<PathBuf>,
+    /// which column of the recording is which signal, where the names do not say it
+    pub map: Vec<(String, String)>,
     /// where the outputs go; none: nowhere if they are compared, else standard output
     pub out: Option<PathBuf>,
     /// reals as the digits of their bits
     pub hex: bool,
+}
+
+/// A column and its signal.
+pub fn mapping(text: &str) -> Result<(String, String), &'static str> {
+    let (column, signal) = text.rsplit_once('=').ok_or("SCOPE=SIGNAL is allowed: MAIN.x.v_add=v_add")?;
+    Ok((column.to_owned(), signal.to_owned()))
 }
 
 /// Runs the command.
@@ -42,7 +51,7 @@ pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Resul
     let (set, _) = input::read(arguments, format)?;
     let designed = input::axis(&set, request.axis.as_deref())?;
     let block = block_of(designed, &request.block)?;
-    let engine = named_engine(&request.engine)?;
+    let engine = engine_named(&request.engine)?;
     let out = request.out.as_deref().filter(|out| !is_standard(out));
     if let Some(out) = out {
         let inputs = [Some(arguments.set.as_path()), request.stimulus.as_deref(), request.compare.as_deref()];
@@ -54,7 +63,8 @@ pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Resul
         // Beside a stimulus the recording has only outputs.
         let of =
             if request.stimulus.is_some() { &Shape { real: designed.axis.real, signals: Vec::new() } } else { &inputs };
-        csv::read_recording(&read(file)?, of, &outputs).map_err(|mistakes| wrong(file, &mistakes))
+        recording::read(&read(file)?, [of, &outputs], &request.map, designed.axis.cycle_time_ns)
+            .map_err(|mistakes| wrong(file, &mistakes))
     });
     let recording = recording.transpose()?;
     let inputs = match (request.stimulus.as_deref(), &recording) {
@@ -73,29 +83,83 @@ pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Resul
         None if recording.is_none() || request.out.is_some() => output::print(text())?,
         None => {}
     }
-    recording.map_or(Ok(Exit::Done), |recording| compared(&recording, &found, engine))
+    let Some(recording) = recording else { return Ok(Exit::Done) };
+    let is_own = request.stimulus.is_none();
+    let moved = recording.moved_inputs().filter(|_| is_own);
+    // What the rounding of the inputs changes is asked of the reference: every engine would say the same.
+    let moved = moved.map(|moved| engine::run(Engine::Reference, designed, &block, &moved)).transpose();
+    let moved = moved.unwrap_or_else(|failure| panic!("a defect of axgen: {failure}"));
+    compared(&recording, &Computed { engine, outputs: found, moved }, designed, &block)
+}
+
+/// What an engine gives.
+struct Computed {
+    engine: Engine,
+    outputs: Samples,
+    /// for inputs that would have been recorded the same
+    moved: Option<Samples>,
 }
 
 /// Says how a recording differs from what an engine gives.
-fn compared(recording: &Recording, found: &Samples, engine: Engine) -> Result<Exit, Exit> {
+fn compared(recording: &Recording, computed: &Computed, designed: &Designed, block: &Block) -> Result<Exit, Exit> {
     let names: Vec<&str> = recording.outputs.shape.signals.iter().map(|signal| signal.name.as_str()).collect();
-    let Difference { bits, first } = compare(&found.only(&recording.recorded), &recording.outputs);
+    let outputs = computed.outputs.only(&recording.recorded);
+    let moved = computed.moved.as_ref().map(|moved| moved.only(&recording.recorded));
+    let Difference { bits, first } = compare(&outputs, &recording.outputs);
     let samples = counted(recording.outputs.len(), "sample");
     let bits_said = counted(bits, "differing bit");
-    output::line(format!("{} against engine {engine}, {samples}: {bits_said}", names.join(", ")))?;
-    let Some(compare::FirstDifference { sample, signal, expected, found }) = first else {
-        // Runs of different length differ, though no sample of both does.
-        return Ok(if bits == 0 { Exit::Done } else { Exit::Different });
-    };
+    output::line(format!("{} against engine {}, {samples}: {bits_said}", names.join(", "), computed.engine))?;
+    if !recording.left_out.is_empty() {
+        output::line(format!("left out, no signal of {}: {}", block.program.block, recording.left_out.join(", ")))?;
+    }
+    let errors = recording.errors(&outputs, moved.as_ref());
+    let is_explained = errors.iter().all(|error| error.is_explained) && outputs.len() == recording.outputs.len();
+    if let Some(first) = first.filter(|_| !is_explained) {
+        first_difference(&first, recording)?;
+    }
+    for ((error, name), (position, precision)) in
+        errors.iter().zip(&names).zip(recording.recorded.iter().zip(&recording.output_precision))
+    {
+        if error.largest > 0.0 && error.largest.is_finite() {
+            let recording::Error { largest, sample, is_explained } = *error;
+            let unit = unit(block.program.outputs[*position].doc, designed);
+            let line = recording.lines.get(sample).copied().unwrap_or_default();
+            let verdict = match (precision.digits, is_explained) {
+                (0, true) => "; the digits recorded of the inputs explain it".to_owned(),
+                (0, false) => String::new(),
+                (digits, true) => format!("; agrees within the {} recorded", counted(digits, "digit")),
+                (digits, false) => format!("; more than the {} recorded explain", counted(digits, "digit")),
+            };
+            output::line(format!(
+                "{name}: largest error {largest:.2e}{unit} at sample {sample} (line {line}){verdict}"
+            ))?;
+        }
+    }
+    Ok(if is_explained { Exit::Done } else { Exit::Different })
+}
+
+fn first_difference(first: &compare::FirstDifference, recording: &Recording) -> Result<(), Exit> {
+    let compare::FirstDifference { sample, signal, expected, found } = first;
     let [recorded, computed] = [found, expected].map(|value| {
         let mut texts = [String::new(), String::new()];
-        csv::cell(value, Reals::Decimal, &mut texts[0]);
-        csv::cell(value, Reals::Hexadecimal, &mut texts[1]);
+        csv::cell(*value, Reals::Decimal, &mut texts[0]);
+        csv::cell(*value, Reals::Hexadecimal, &mut texts[1]);
         if texts[0] == texts[1] { texts[0].clone() } else { texts.join(" = ") }
     });
-    let place = format!("sample {sample} (line {}), {signal}", sample + 2);
-    output::line(format!("first: {place}: {recorded} recorded, {computed} computed"))?;
-    Ok(Exit::Different)
+    let line = recording.lines.get(*sample).copied().unwrap_or_default();
+    output::line(format!("first: sample {sample} (line {line}), {signal}: {recorded} recorded, {computed} computed"))
+}
+
+/// The unit in a signal's comment, of this axis: ` um/s` of `[um/s or 0.001 deg/s]`.
+fn unit(doc: &str, designed: &Designed) -> String {
+    let Some((_, rest)) = doc.split_once('[') else { return String::new() };
+    let unit = rest.split_once(']').map_or(rest, |(unit, _)| unit);
+    let of_axis = match unit.split_once(" or ") {
+        Some((_, rotary)) if designed.axis.control.is_rotary => rotary,
+        Some((linear, _)) => linear,
+        None => unit,
+    };
+    format!(" {of_axis}")
 }
 
 /// The mistakes of a CSV file.
@@ -118,7 +182,8 @@ fn block_of(designed: &Designed, name: &str) -> Result<Block, Exit> {
     Ok(named_block(designed, name).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}")))
 }
 
-fn named_engine(name: &str) -> Result<Engine, Exit> {
+/// The engine of that name.
+pub fn engine_named(name: &str) -> Result<Engine, Exit> {
     let names = ENGINES.map(|engine| engine.to_string());
     let found = ENGINES.into_iter().find(|engine| engine.to_string() == name);
     found.ok_or_else(|| Exit::no_such("--engine", "engine", name, &names.each_ref().map(String::as_str)))

@@ -7,32 +7,49 @@ use crate::input;
 use crate::messages::Format;
 use crate::output;
 use crate::results::{Files, Outcome};
+use crate::run::engine_named;
 use generator::blocks::Designed;
 use generator::blocks::{self, Block};
 use generator::codes;
+use generator::diagnostics::{Diagnostic, Place, Report};
 use golden::compare::{FirstDifference, compare};
 use golden::engine::{self, ENGINES, Engine, Failure};
 use golden::samples::{Samples, Shape};
 use golden::{exercise, stimulus};
 use indicatif::{ProgressBar, ProgressStyle};
+use std::collections::BTreeMap;
 
 /// How many samples each run has: without any, nothing would be verified.
 pub fn samples(text: &str) -> Result<usize, &'static str> {
     text.parse().ok().filter(|samples| *samples > 0).ok_or("a whole number from 1 on is allowed")
 }
 
-/// Runs the command.
-pub fn run(arguments: &SetArguments, format: Format, samples: usize, files: &Files) -> Result<Exit, Exit> {
+/// The engines of these names, the reference before them; all, if there is no name.
+fn chosen(names: &[String]) -> Result<Vec<Engine>, Exit> {
+    let engines = names.iter().map(|name| engine_named(name)).collect::<Result<Vec<_>, _>>()?;
+    let is_chosen = |engine: &Engine| *engine == Engine::Reference || engines.is_empty() || engines.contains(engine);
+    Ok(ENGINES.into_iter().filter(is_chosen).collect())
+}
+
+/// Runs the command. An engine that is not there is named at the end; the others have run then.
+pub fn run(
+    arguments: &SetArguments,
+    format: Format,
+    samples: usize,
+    engines: &[String],
+    files: &Files,
+) -> Result<Exit, Exit> {
+    let engines = chosen(engines)?;
     let (set, _) = input::read(arguments, format)?;
     files.kept_apart(&arguments.set)?;
-    let mut outcomes = Vec::new();
+    let mut run = Run { outcomes: Vec::new(), missing: BTreeMap::new() };
     output::line(format!(
         "{:<20} {:<16} {:<10} {:>10} {:>15}  first difference",
         "axis", "block", "engine", "samples", "differing bits"
     ))?;
-    let blocks = set.axes.iter().map(|of| blocks::names(&of.axis).len()).sum();
+    let blocks: usize = set.axes.iter().map(|of| blocks::names(&of.axis).len()).sum();
     // Machines have nothing but objects on standard error.
-    let bar = if format == Format::Json { ProgressBar::hidden() } else { progress(blocks) };
+    let bar = if format == Format::Json { ProgressBar::hidden() } else { progress(blocks * engines.len()) };
     for designed in &set.axes {
         let axis = &designed.axis;
         let blocks = blocks::blocks(designed).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
@@ -40,59 +57,92 @@ pub fn run(arguments: &SetArguments, format: Format, samples: usize, files: &Fil
             let shape = Shape::of(&block.program.inputs, axis.real);
             let inputs = stimulus::samples(&exercise::stimulus(axis, &block.program), &shape, samples)
                 .unwrap_or_else(|mistake| panic!("a defect of axgen: {mistake}"));
-            every_engine(designed, &blocks, which, &inputs, &bar, &mut outcomes)?;
+            run.every_engine(&engines, designed, &blocks, which, &inputs, &bar)?;
         }
     }
     bar.finish_and_clear();
-    files.write("axgen verify", &outcomes)?;
-    Ok(if outcomes.iter().all(|outcome| outcome.failure.is_none()) { Exit::Done } else { Exit::Different })
+    files.write("axgen verify", &run.outcomes)?;
+    if run.outcomes.iter().any(|outcome| outcome.failure.is_some()) {
+        return Ok(Exit::Different);
+    }
+    let missing = run.missing.into_iter();
+    let diagnostics: Vec<Diagnostic> = missing
+        .map(|(engine, why)| Diagnostic::error(codes::NO_ENGINE, Place::whole(format!("engine {engine}")), why))
+        .collect();
+    let report = Report { diagnostics };
+    Ok(if report.has_errors() { Exit::Environment(report) } else { Exit::Done })
 }
 
 /// How far it is, on a terminal; elsewhere nothing.
-fn progress(blocks: usize) -> ProgressBar {
-    let bar = ProgressBar::new((blocks * ENGINES.len()) as u64);
+fn progress(runs: usize) -> ProgressBar {
+    let bar = ProgressBar::new(runs as u64);
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg}");
     bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
     bar
 }
 
-/// Prints a line for each engine, and notes what came of it.
-fn every_engine(
-    designed: &Designed,
-    blocks: &[Block],
-    which: usize,
-    inputs: &Samples,
-    bar: &ProgressBar,
-    outcomes: &mut Vec<Outcome>,
-) -> Result<(), Exit> {
-    let (axis, block) = (&designed.axis, &blocks[which]);
-    let mut expected: Option<Samples> = None;
-    for engine in ENGINES {
-        bar.set_message(format!("{} {} {engine}", axis.name, block.program.block));
-        let (bits, first) = match engine::run_among(engine, designed, blocks, which, inputs) {
-            Ok(found) => {
-                let difference = compare(expected.as_ref().unwrap_or(&found), &found);
-                expected.get_or_insert(found);
-                (difference.bits.to_string(), difference.first.map(place).unwrap_or_default())
-            }
-            Err(Failure::SelfTest(sample)) => ("-".to_owned(), format!("self-test, sample {sample}")),
-            Err(Failure::Broken(text)) if engine != Engine::C || compiler::works() => ("-".to_owned(), text),
-            Err(Failure::Broken(text)) => {
-                return Err(Exit::environment(codes::NO_ENGINE, "engine c", compiler::broken(&text)));
-            }
-            Err(failure) => return Err(Exit::environment(codes::NO_ENGINE, format!("engine {engine}"), failure)),
-        };
-        let failure = (!first.is_empty() || bits != "0").then(|| format!("{bits} differing bits; {first}"));
-        let name = format!("{} {engine}", block.program.block);
-        outcomes.push(Outcome { group: axis.name.clone(), name, failure });
-        let is_reference = if engine == Engine::Reference { "(reference)" } else { &bits };
-        let (name, block, samples) = (&axis.name, block.program.block, inputs.len());
-        let row = format!("{name:<20} {block:<16} {engine:<10} {samples:>10} {is_reference:>15}  {first}");
-        bar.suspend(|| output::line(row))?;
-        bar.inc(1);
-    }
-    Ok(())
+/// What has come of the runs.
+struct Run {
+    outcomes: Vec<Outcome>,
+    /// the engines that are not there, and why
+    missing: BTreeMap<Engine, String>,
 }
+
+impl Run {
+    /// Prints a line for each engine, and notes what came of it.
+    fn every_engine(
+        &mut self,
+        engines: &[Engine],
+        designed: &Designed,
+        blocks: &[Block],
+        which: usize,
+        inputs: &Samples,
+        bar: &ProgressBar,
+    ) -> Result<(), Exit> {
+        let (axis, block) = (&designed.axis, &blocks[which]);
+        let mut expected: Option<Samples> = None;
+        for &engine in engines {
+            bar.set_message(format!("{} {} {engine}", axis.name, block.program.block));
+            let is_missing = self.missing.contains_key(&engine);
+            let found =
+                if is_missing { None } else { Some(engine::run_among(engine, designed, blocks, which, inputs)) };
+            let (bits, first) = match found {
+                Some(Ok(found)) => {
+                    let difference = compare(expected.as_ref().unwrap_or(&found), &found);
+                    expected.get_or_insert(found);
+                    (difference.bits.to_string(), difference.first.map(place).unwrap_or_default())
+                }
+                Some(Err(Failure::SelfTest(sample))) => ("-".to_owned(), format!("self-test, sample {sample}")),
+                Some(Err(Failure::Broken(text))) if engine != Engine::C || compiler::works() => ("-".to_owned(), text),
+                Some(Err(failure)) => {
+                    let why = match failure {
+                        Failure::Broken(text) => compiler::broken(&text),
+                        failure => failure.to_string(),
+                    };
+                    self.missing.insert(engine, why);
+                    ("-".to_owned(), NOT_RUN.to_owned())
+                }
+                None => ("-".to_owned(), NOT_RUN.to_owned()),
+            };
+            let name = format!("{} {engine}", block.program.block);
+            let is_run = !self.missing.contains_key(&engine);
+            let failure =
+                (is_run && (!first.is_empty() || bits != "0")).then(|| format!("{bits} differing bits; {first}"));
+            if is_run {
+                self.outcomes.push(Outcome { group: axis.name.clone(), name, failure });
+            }
+            let is_reference = if engine == Engine::Reference { "(reference)" } else { &bits };
+            let (name, block, samples) = (&axis.name, block.program.block, inputs.len());
+            let row = format!("{name:<20} {block:<16} {engine:<10} {samples:>10} {is_reference:>15}  {first}");
+            bar.suspend(|| output::line(row))?;
+            bar.inc(1);
+        }
+        Ok(())
+    }
+}
+
+/// What stands in the row of an engine that is not there.
+const NOT_RUN: &str = "not run";
 
 fn place(place: FirstDifference) -> String {
     let FirstDifference { sample, signal, expected, found } = place;

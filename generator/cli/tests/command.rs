@@ -289,6 +289,90 @@ fn a_recording_that_differs_is_said_and_ends_with_1() {
     );
 }
 
+/// What a scope exports: keys above the channels, times, decimal commas, few digits, a foreign channel, other names.
+#[test]
+fn an_export_of_a_scope_is_compared() {
+    let folder = folder();
+    let rows = recording(folder.path());
+    let bits = |cell: &str| f64::from_bits(u64::from_str_radix(&cell[2..], 16).unwrap());
+    let comma = |value: f64| format!("{value:.3}").replace('.', ",");
+    let export = |names: [&str; 2], sample_time: &str, error: f64| {
+        let mut text = format!(
+            "\u{feff}Name\tScope Project\r\nFile\tC:\\scope.svdx\r\nStarttime of export\t133000000000000000\r\n\r\n\
+             SymbolName\t{}\tSymbolName\t{}\tSymbolName\tMAIN.temperature\r\n\
+             SampleTime[ms]\t{sample_time}\tSampleTime[ms]\t{sample_time}\tSampleTime[ms]\t10\r\n\r\n",
+            names[0], names[1]
+        );
+        for (sample, row) in rows[1..].iter().enumerate() {
+            let cells: Vec<&str> = row.split(',').collect();
+            let moved = if sample == 7 { error } else { 0.0 };
+            let (v_motor, v_add) = (comma(cells[0].parse().unwrap()), comma(bits(cells[2]) + moved));
+            text += &format!("{sample}\t{v_motor}\t{sample}\t{v_add}\t{sample}\t21,5\t\r\n");
+        }
+        fs::write(folder.path().join("scope.csv"), text + "EOF\r\n").unwrap();
+    };
+    let compare = |more: &[&str]| axgen(folder.path(), &[&RACK[..], &["--compare", "scope.csv"], more].concat());
+    // The inputs were in mode 1, which is the start of `mode`.
+    export(["MAIN.x.v_motor", "MAIN.x.v_add"], "1", 0.0);
+    let run = compare(&[]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""), "{}", run.out);
+    let lines: Vec<&str> = run.out.lines().collect();
+    assert!(lines[0].starts_with("v_add against engine reference, 400 samples: "), "{}", run.out);
+    assert_eq!(lines[1], "left out, no signal of ipc: MAIN.temperature");
+    assert!(lines[2].starts_with("v_add: largest error "), "{}", run.out);
+    assert!(lines[2].contains(" um/s at sample "), "{}", run.out);
+    assert!(lines[2].ends_with("; agrees within the 7 digits recorded"), "{}", run.out);
+    assert_eq!(lines.len(), 3);
+
+    export(["MAIN.x.v_motor", "MAIN.x.v_add"], "1", 0.25);
+    let run = compare(&[]);
+    assert_eq!(run.code, 1, "{}", run.out);
+    assert!(run.out.contains("at sample 7 (line 16); more than the 7 digits recorded explain"), "{}", run.out);
+    assert!(run.out.contains("\nfirst: sample "), "{}", run.out);
+
+    export(["speed", "correction"], "1", 0.0);
+    let run = compare(&[]);
+    assert_eq!(run.code, 2);
+    assert!(run.err.starts_with("scope.csv:1:1: error[AX015]: no column of an output"), "{}", run.err);
+    let run = compare(&["--map", "speed=v_motor", "--map", "correction=v_add", "--map", "MAIN.temperature=-"]);
+    assert_eq!(run.code, 0, "{}{}", run.out, run.err);
+    let run = compare(&["--map", "speed=v_motr", "--map", "heat=v_add"]);
+    assert_eq!(run.code, 2);
+    assert!(run.err.contains("the column `speed` for `v_motr`"), "{}", run.err);
+    assert!(run.err.contains("no column `heat`, which --map names"), "{}", run.err);
+
+    export(["MAIN.x.v_motor", "MAIN.x.v_add"], "2", 0.0);
+    let run = compare(&[]);
+    assert_eq!(run.code, 2);
+    let said = "scope.csv:6:16: error[AX015]: a sample every 2 ms, the block runs every 1 ms";
+    assert!(run.err.starts_with(said), "{}", run.err);
+}
+
+/// A table with a time, semicolons and decimal commas; a column of another name is an error there.
+#[test]
+fn a_table_with_decimal_commas_is_compared() {
+    let folder = folder();
+    let rows = recording(folder.path());
+    let mut text = "Time [s];v_motor;mode;\"v_add\";ready\n".to_owned();
+    for (sample, row) in rows[1..].iter().enumerate() {
+        let cells: Vec<&str> = row.split(',').collect();
+        let v_add = f64::from_bits(u64::from_str_radix(&cells[2][2..], 16).unwrap());
+        let time = format!("{:.3}", f64::from(u32::try_from(sample).unwrap()) / 1000.0);
+        text += &format!("{time};{};{};{v_add:?};1\n", cells[0], cells[1]).replace('.', ",");
+    }
+    fs::write(folder.path().join("table.csv"), text).unwrap();
+    let compare = |more: &[&str]| axgen(folder.path(), &[&RACK[..], &["--compare", "table.csv"], more].concat());
+    let run = compare(&[]);
+    assert_eq!(run.code, 2);
+    assert!(run.err.starts_with("table.csv:1:31: error[AX015]: the column `ready`"), "{}", run.err);
+    let run = compare(&["--map", "ready=-"]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    assert_eq!(
+        run.out,
+        "v_add against engine reference, 400 samples: 0 differing bits\nleft out, no signal of ipc: ready\n"
+    );
+}
+
 /// Outputs alone, beside a stimulus; one output alone; none; and no inputs at all.
 #[test]
 fn what_a_recording_may_lack() {
@@ -316,18 +400,40 @@ fn what_a_recording_may_lack() {
     assert_eq!(run.code, 1, "{}", run.out);
 }
 
+/// The engines that are there have run, and the missing one is named.
 #[test]
 fn a_missing_compiler_is_the_environment() {
     let folder = folder();
-    let output = Command::new(env!("CARGO_BIN_EXE_axgen"))
-        .current_dir(folder.path())
-        .env("CC", "no-such-compiler")
-        .args(["verify", "machine.toml", "--samples", "10"])
-        .output()
-        .unwrap();
-    assert_eq!(output.status.code(), Some(3));
-    let err = String::from_utf8(output.stderr).unwrap();
-    assert!(err.contains("the C compiler `no-such-compiler` does not start"), "{err}");
+    let verify = |more: &[&str]| {
+        let output = Command::new(env!("CARGO_BIN_EXE_axgen"))
+            .current_dir(folder.path())
+            .env("CC", "no-such-compiler")
+            .args(["verify", "machine.toml", "--samples", "10"])
+            .args(more)
+            .output()
+            .unwrap();
+        let [out, err] = [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap());
+        (output.status.code(), out, err)
+    };
+    let (code, out, err) = verify(&[]);
+    assert_eq!(code, Some(3), "{err}");
+    assert!(err.contains("engine c: error[AX910]: the C compiler `no-such-compiler` does not start"), "{err}");
+    assert_eq!(err.matches("no-such-compiler").count(), 1, "{err}");
+    for row in out.lines().skip(1) {
+        let words: Vec<&str> = row.split_whitespace().collect();
+        let expected = match words[2] {
+            "reference" => "(reference)",
+            "c" => "- not run",
+            _ => "0",
+        };
+        assert_eq!(words[4..].join(" "), expected, "{row}");
+    }
+    let (code, out, err) = verify(&["--engine", "st", "--engine", "program"]);
+    assert_eq!((code, err.as_str()), (Some(0), ""));
+    assert_eq!(out.lines().count(), 1 + 3 * 3, "{out}");
+    let (code, _, err) = verify(&["--engine", "pascal"]);
+    assert_eq!(code, Some(2));
+    assert!(err.contains("no engine `pascal`"), "{err}");
 }
 
 #[test]
