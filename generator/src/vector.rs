@@ -1,20 +1,17 @@
 //! A short run of a block that a user can repeat on the controller itself, with the answers of the reference. No NaN, no
 //! infinity: some runtimes stop on them.
 
-use crate::noise::Noise;
+use crate::noise::{Noise, Run, Running, exercised};
+use compiler::leaf;
 use compiler::program::{Program, Type};
-use compiler::{leaf, leaves};
-use portable::Block as Reference;
-use portable::{Literal, Portable, Real};
+use portable::{Block, Literal, Real};
 use reference::signal::sample_limit;
 use std::sync::{Arc, LazyLock};
 
 /// What went in and what came out, sample by sample, in the order of the program's inputs and outputs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vector {
-    /// the inputs of each sample
     pub inputs: Vec<Vec<Literal>>,
-    /// the outputs of each sample
     pub outputs: Vec<Vec<Literal>>,
 }
 
@@ -40,22 +37,20 @@ const OUT_OF_RANGE_DISTANCE: usize = 3;
 /// for one.
 ///
 /// `ranges` are the noise's: first one at which no limit acts, then the full one.
-pub(crate) fn recording<R: Real, B: Reference<R>>(coeffs: B::Coeffs, program: &Program, ranges: [f64; 2]) -> Recording {
+pub(crate) fn recording<R: Real, B: Block<R>>(coeffs: B::Coeffs, program: &Program, ranges: [f64; 2]) -> Recording {
     let types: Vec<Type> = program.inputs.iter().map(|input| input.ty).collect();
-    Arc::new(LazyLock::new(Box::new(move || record::<R, B>(&coeffs, &types, ranges))))
+    Arc::new(LazyLock::new(Box::new(move || record::<R, B>(coeffs, &types, ranges))))
 }
 
-fn record<R: Real, B: Reference<R>>(coeffs: &B::Coeffs, types: &[Type], ranges: [f64; 2]) -> Vector {
-    let mut usual = B::inputs(coeffs);
-    B::exercise(&mut usual);
-    let usual = leaves(&usual);
+fn record<R: Real, B: Block<R>>(coeffs: B::Coeffs, types: &[Type], ranges: [f64; 2]) -> Vector {
+    let usual = exercised::<R, B>(&coeffs);
     let (reals, switches): (Vec<usize>, Vec<usize>) = (0..types.len()).partition(|index| types[*index] == Type::Real);
     debug_assert!(FIRST_SWITCH + switches.len() * SWITCH_DISTANCE <= FIRST_OUT_OF_RANGE);
     debug_assert!(FIRST_OUT_OF_RANGE + reals.len() * OUT_OF_RANGE_DISTANCE <= SAMPLES);
     let beyond = leaf(sample_limit::<R>() + sample_limit::<R>());
-    let (mut state, mut outputs, mut noise) = (B::state(), B::outputs(), Noise::<R>::within(ranges));
-    let mut vector = Vector { inputs: Vec::with_capacity(SAMPLES), outputs: Vec::with_capacity(SAMPLES) };
-    for sample in 0..SAMPLES {
+    let (mut run, mut noise) = (Running::<R, B>::start(coeffs), Noise::<R>::within(ranges));
+    let mut vector = Vector { inputs: Vec::with_capacity(SAMPLES), outputs: vec![Vec::new(); SAMPLES] };
+    for (sample, outputs) in vector.outputs.iter_mut().enumerate() {
         let turned = in_turn(&switches, sample, FIRST_SWITCH, SWITCH_DISTANCE, SWITCH_LENGTH);
         let out_of_range = in_turn(&reals, sample, FIRST_OUT_OF_RANGE, OUT_OF_RANGE_DISTANCE, 1);
         let value = |(index, value): (usize, &Literal)| match types[index] {
@@ -67,11 +62,8 @@ fn record<R: Real, B: Reference<R>>(coeffs: &B::Coeffs, types: &[Type], ranges: 
             _ => *value,
         };
         let inputs: Vec<Literal> = usual.iter().enumerate().map(value).collect();
-        let mut values = inputs.iter().copied();
-        let input = B::Inputs::build(&mut || values.next().expect("vector: as many values as inputs"));
-        B::step(&mut state, coeffs, &input, &mut outputs);
+        run.step(&inputs, outputs);
         vector.inputs.push(inputs);
-        vector.outputs.push(leaves(&outputs));
     }
     vector
 }

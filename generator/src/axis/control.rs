@@ -1,6 +1,7 @@
 //! What surrounds improved position control: feedforward, position control, gantry. Plain data, as the parameters say it.
 
 use crate::parameters::words::{Motor, Width};
+use reference::position_control::Location;
 
 /// Everything of an axis but improved position control.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -59,10 +60,22 @@ pub struct Quantities {
 }
 
 impl Quantities {
-    /// Whether there is one.
-    #[must_use]
-    pub fn any(self) -> bool {
+    pub(crate) fn any(self) -> bool {
         self.velocity || self.acceleration || self.jerk
+    }
+
+    /// Whether one of them is weighted with the time constant of the acceleration.
+    pub(crate) fn use_time(self) -> bool {
+        self.acceleration || self.jerk
+    }
+
+    /// Those of both.
+    pub(crate) fn with(self, other: Self) -> Self {
+        Self {
+            velocity: self.velocity || other.velocity,
+            acceleration: self.acceleration || other.acceleration,
+            jerk: self.jerk || other.jerk,
+        }
     }
 }
 
@@ -95,6 +108,13 @@ pub struct Feedforward {
     pub velocity: Option<Velocity>,
     /// scaling of the additive torque, where it is put out
     pub torque_scale: Option<Torque>,
+}
+
+impl Feedforward {
+    /// What goes out as a velocity, to the position controller or to the drive.
+    pub(crate) fn sums(&self) -> Quantities {
+        self.conventional.with(self.additive)
+    }
 }
 
 /// Scaling of an additive velocity.
@@ -188,27 +208,4 @@ pub struct PositionControl {
     pub resolution: Option<Resolution>,
     /// PROFIdrive: cycles by which the feedforward leads the position (P-AXIS-00165)
     pub shift_time: u32,
-}
-
-/// Where the position is controlled.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Location {
-    /// in the CNC
-    Cnc,
-    /// in the drive
-    Drive,
-    /// in a PROFIdrive drive, which gets the control deviation
-    Profidrive,
-}
-
-impl Location {
-    /// In words.
-    #[must_use]
-    pub fn text(self) -> &'static str {
-        match self {
-            Self::Cnc => "in the CNC",
-            Self::Drive => "in the drive",
-            Self::Profidrive => "in the drive (PROFIdrive)",
-        }
-    }
 }

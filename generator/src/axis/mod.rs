@@ -4,10 +4,9 @@ mod control;
 mod ipc;
 
 pub use crate::parameters::words::{DirectSource, Enable, Motor, Prototype, Width};
-pub use control::{
-    Control, Feedforward, Location, PositionControl, Quantities, Ratio, Resolution, TimeBase, Torque, Velocity,
-};
+pub use control::{Control, Feedforward, PositionControl, Quantities, Ratio, Resolution, TimeBase, Torque, Velocity};
 pub use ipc::{Filter, Ipc, Mode, Stage};
+pub use reference::position_control::Location;
 
 use crate::parameters::words::{RealType, Words};
 use portable::RealKind;

@@ -9,13 +9,11 @@ use crate::axis::Axis;
 /// An axis as it is designed. All coefficients are in double precision; `axis.real` says what they are rounded to.
 #[derive(Clone, Debug)]
 pub struct Designed {
-    /// the axis
     pub axis: Axis,
-    /// improved position control
     pub ipc: ipc::Design,
-    /// feedforward; all 0 where there is none
+    /// all 0 where there is none
     pub feedforward: reference::feedforward::Coeffs<f64>,
-    /// position control; all 0 where there is none
+    /// all 0 where there is none
     pub position_control: reference::position_control::Coeffs<f64>,
 }
 
@@ -26,13 +24,13 @@ impl PartialEq for Designed {
     }
 }
 
-impl Designed {
-    /// Designs an axis.
-    #[must_use]
-    pub fn of(axis: Axis) -> Self {
-        let ipc = ipc::design(&axis);
-        let feedforward = feedforward::coefficients(&axis);
-        let position_control = position_control::coefficients(&axis);
-        Self { axis, ipc, feedforward, position_control }
+impl From<Axis> for Designed {
+    fn from(axis: Axis) -> Self {
+        Self {
+            ipc: ipc::design(&axis),
+            feedforward: feedforward::coefficients(&axis),
+            position_control: position_control::coefficients(&axis),
+            axis,
+        }
     }
 }

@@ -31,7 +31,7 @@ pub(crate) fn cycle_time(values: &Values, missing: Diagnostic, report: &mut Repo
         report.push(missing);
         return None;
     }
-    let mut effective = Effective::of(values, Place::whole(""));
+    let mut effective = Effective::new(values, Place::whole(""));
     let ns = effective.duration(key).and_then(|ns| u32::try_from(ns).ok());
     report.extend(effective.report);
     ns
@@ -56,7 +56,7 @@ pub(crate) struct Checked<'v> {
 /// One axis; its home is where the set names it. Without a cycle time, whose absence has been said, everything that does not
 /// need it is validated all the same.
 pub(crate) fn axis<'v>(name: &str, cycle_time: Option<u32>, values: &'v Values, home: Place) -> Checked<'v> {
-    let mut effective = Effective::of(values, home);
+    let mut effective = Effective::new(values, home);
     if let Some(ns) = cycle_time {
         effective.note(key(Name::CycleTime), &Value::Duration(u64::from(ns)));
     }

@@ -2,10 +2,10 @@
 
 use super::feedforward::notes as feedforward_notes;
 use super::ipc::notes::{self as ipc_notes, cycle_time, note};
-use super::part::{Part, Summary};
 use super::position_control::design::addition;
 use super::position_control::notes as position_control_notes;
 use super::values::{Value, Values};
+use super::{Part, Summary};
 use crate::blocks::designed::Designed;
 use crate::number::digits;
 use reference::axis::{Axis, Coeffs};
@@ -13,11 +13,11 @@ use reference::feedforward::Feedforward;
 use reference::ipc::Ipc;
 
 impl Part for Axis {
-    fn is_asked_for(axis: &crate::axis::Axis) -> bool {
+    fn is_asked_for(&self, axis: &crate::axis::Axis) -> bool {
         axis.control.position_control.is_some()
     }
 
-    fn coefficients(designed: &Designed) -> Coeffs<f64> {
+    fn design(designed: &Designed) -> Coeffs<f64> {
         let axis = &designed.axis;
         let limit = axis.control.master_limit.unwrap_or(0.0);
         Coeffs {
@@ -33,7 +33,7 @@ impl Part for Axis {
     }
 
     /// Its own, and those of its parts.
-    fn notes(designed: &Designed) -> Vec<(String, String)> {
+    fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
         let axis = &designed.axis;
         let within = |part: &'static str, notes: Vec<(String, String)>| {
             notes.into_iter().map(move |(path, text)| (format!("{part}.{path}"), text))
@@ -50,22 +50,22 @@ impl Part for Axis {
         notes
     }
 
-    fn ranges(designed: &Designed) -> [f64; 2] {
-        let [quiet, loud] = Ipc::ranges(designed);
-        let [other_quiet, other_loud] = Feedforward::ranges(designed);
+    fn ranges(&self, designed: &Designed) -> [f64; 2] {
+        let [quiet, loud] = Ipc.ranges(designed);
+        let [other_quiet, other_loud] = Feedforward.ranges(designed);
         [quiet.min(other_quiet), loud.max(other_loud)]
     }
 
-    fn summary(designed: &Designed) -> Summary {
+    fn summary(&self, designed: &Designed) -> Summary {
         let control = &designed.axis.control;
         let line = control.master.map(|master| match control.master_limit {
             Some(limit) => format!("gantry slave of axis {master}: puts out its v_add, |v_add| <= {}", digits(limit)),
             None => format!("gantry slave of axis {master}"),
         });
-        Summary::line(line)
+        Summary { lines: line.into_iter().collect(), ..Summary::default() }
     }
 
-    fn values(designed: &Designed) -> Values {
+    fn values(&self, designed: &Designed) -> Values {
         let limit = designed.axis.control.master_limit;
         limit.map(|limit| ("gantry: limit of the master".to_owned(), Value::Number(limit, ""))).into_iter().collect()
     }

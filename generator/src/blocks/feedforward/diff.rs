@@ -22,15 +22,13 @@ pub(crate) fn values(axis: &Axis) -> Values {
         }
     }
     if of.global_disable || of.default_active {
-        let words = if of.global_disable { "never" } else { "always" };
-        line("active", Value::Words(words.to_owned()));
+        line("active", Value::Words(if of.global_disable { "never" } else { "always" }.to_owned()));
     }
     line("weight", Value::Number(of.weight.value() * 100.0, " %"));
-    let sums = [of.conventional, of.additive];
-    if sums.iter().any(|sum| sum.acceleration || sum.jerk) {
+    if of.sums().use_time() {
         line("time constant", Value::Number(time_constant(of) * 1e3, " ms"));
     }
-    if sums.iter().any(|sum| sum.jerk) || of.torque.jerk {
+    if of.sums().jerk || of.torque.jerk {
         line("jerk factor", Value::Number(of.jerk.value(), ""));
     }
     if of.torque.acceleration {

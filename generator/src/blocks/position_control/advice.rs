@@ -12,13 +12,16 @@ use portable::RealKind;
 
 /// Says what a user would want to know before the block acts.
 pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
-    if let Some(control) = &axis.control.position_control {
-        if let Some(feedforward) = &axis.control.feedforward {
-            twice(control, feedforward, e);
-        }
-        kv_default(control, axis, gear, e);
-        saturation::advise(axis, control, gear, e);
-        single(axis, control, e);
+    let Some(control) = &axis.control.position_control else { return };
+    if let Some(feedforward) = &axis.control.feedforward {
+        twice(control, feedforward, e);
+    }
+    kv_default(control, axis, gear, e);
+    saturation::advise(axis, control, gear, e);
+    if axis.real == RealKind::F32 {
+        let what = if control.location == Location::Cnc { "the position lag" } else { "the drive's position command" };
+        let found = format!("{what} is computed in single precision, which has 24 bits for a position");
+        e.warn(codes::SINGLE_POSITION, key(Name::RealType), found, "real = \"f64\" for this axis".to_owned());
     }
 }
 
@@ -37,7 +40,7 @@ fn twice(control: &PositionControl, feedforward: &Feedforward, e: &mut Effective
             rounded(weight as f64 / 10.0),
             name.parameter().id.unwrap_or_default()
         );
-        e.warn(codes::TWICE, key(name), found, Some("feedforward in one of the two".to_owned()));
+        e.warn(codes::TWICE, key(name), found, "feedforward in one of the two".to_owned());
     }
 }
 
@@ -54,16 +57,7 @@ fn kv_default(control: &PositionControl, axis: &Axis, gear: u32, e: &mut Effecti
         let place = e.place_near(kv_key, |name| {
             matches!(name, Name::FeedforwardMode | Name::GantryMaster) || name.parameter().path.starts_with("getriebe[")
         });
-        e.report
-            .push(Diagnostic::warning(codes::KV_DEFAULT, place, found).instead("the gain of the machine, in 0.01/s"));
-    }
-}
-
-fn single(axis: &Axis, control: &PositionControl, e: &mut Effective<'_>) {
-    if axis.real == RealKind::F32 {
-        let what = if control.location == Location::Cnc { "the position lag" } else { "the drive's position command" };
-        let found = format!("{what} is computed in single precision, which has 24 bits for a position");
-        let instead = Some("real = \"f64\" for this axis".to_owned());
-        e.warn(codes::SINGLE_POSITION, key(Name::RealType), found, instead);
+        let diagnostic = Diagnostic::warning(codes::KV_DEFAULT, place, found);
+        e.report.push(diagnostic.instead("the gain of the machine, in 0.01/s"));
     }
 }

@@ -17,11 +17,7 @@ pub(crate) fn coefficients(axis: &Axis) -> position_control::Coeffs<f64> {
     let velocity = of.velocity.as_ref();
     position_control::Coeffs {
         cycle_time_ns: axis.cycle_time_ns,
-        location: match of.location {
-            Location::Cnc => position_control::Location::Cnc,
-            Location::Drive => position_control::Location::Drive,
-            Location::Profidrive => position_control::Location::Profidrive,
-        },
+        location: of.location,
         feedforward: quantities.is_some_and(|feedforward| feedforward.conventional.any()),
         additive: quantities.is_some_and(|feedforward| feedforward.additive.any()),
         adds: adds(axis, of),

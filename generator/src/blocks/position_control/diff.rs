@@ -11,7 +11,7 @@ pub(crate) fn values(axis: &Axis) -> Values {
     let Some(of) = &axis.control.position_control else { return Values::new() };
     let mut values = Values::new();
     let mut line = |what: &str, value| values.push((format!("position control: {what}"), value));
-    line("place", Value::Words(of.location.text().to_owned()));
+    line("place", Value::Words(place(of.location).to_owned()));
     if of.kv > 0 {
         line("Kv", Value::Number(kv(of), "/s"));
     }
@@ -30,4 +30,13 @@ pub(crate) fn values(axis: &Axis) -> Values {
         line("shift time", Value::Number(f64::from(of.shift_time), " cycles"));
     }
     values
+}
+
+/// Where the position is controlled, in words.
+pub(super) fn place(location: Location) -> &'static str {
+    match location {
+        Location::Cnc => "in the CNC",
+        Location::Drive => "in the drive",
+        Location::Profidrive => "in the drive (PROFIdrive)",
+    }
 }

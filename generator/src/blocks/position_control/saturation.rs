@@ -11,60 +11,43 @@ use crate::rules::effective::Effective;
 
 /// Says where a velocity that the axis may have does not fit into its process datum.
 pub(crate) fn advise(axis: &Axis, control: &PositionControl, gear: u32, e: &mut Effective<'_>) {
-    let unit = axis.control.velocity_unit();
     if control.location == Location::Cnc {
-        let per_velocity = scale::manipulated(control.multi_gain);
-        let largest = Largest { what: "the velocity command at vb_max", velocity: axis.ipc.v_max, unit };
-        fits(
-            e,
-            [key(Name::VelocityCommandData), (Name::MultiGainZ, [gear, 0])],
-            largest,
-            per_velocity,
-            control.command,
-        );
+        let keys = [key(Name::VelocityCommandData), (Name::MultiGainZ, [gear, 0])];
+        let scaling = (scale::manipulated(control.multi_gain), control.command);
+        fits(axis, e, keys, ("the velocity command at vb_max", axis.ipc.v_max), scaling);
     }
     if let Some((velocity, largest)) = control.velocity.zip(additive(axis, control)) {
-        let per_velocity = scale::velocity(&velocity, axis.cycle_time_ns);
-        fits(e, [key(Name::AdditiveVelocityData), key(Name::VResoNum)], largest, per_velocity, velocity.width);
+        let keys = [key(Name::AdditiveVelocityData), key(Name::VResoNum)];
+        fits(axis, e, keys, largest, (scale::velocity(&velocity, axis.cycle_time_ns), velocity.width));
     }
 }
 
-/// A velocity, and where it comes from.
-struct Largest {
-    what: &'static str,
-    velocity: f64,
-    unit: &'static str,
+/// The largest additive velocity and where it comes from: of feedforward, of improved position control, or both; a gantry
+/// slave's is its master's.
+fn additive(axis: &Axis, control: &PositionControl) -> Option<(&'static str, f64)> {
+    if let Some(feedforward) = axis.control.feedforward.as_ref().filter(|feedforward| feedforward.additive.any()) {
+        return Some(("the additive velocity at vb_max", feedforward.weight.value() * axis.ipc.v_max));
+    }
+    let is_active = axis.ipc.is_active() && axis.control.master.is_none() && control.location != Location::Cnc;
+    let limit = axis.ipc.limit();
+    (is_active && limit > 0.0).then_some(("the additive velocity at its limit v_add_max_fact", limit))
 }
 
-/// The largest additive velocity: of feedforward, of improved position control, or both; a gantry slave's is its master's.
-fn additive(axis: &Axis, control: &PositionControl) -> Option<Largest> {
+fn fits(
+    axis: &Axis,
+    e: &mut Effective<'_>,
+    keys: [Key; 2],
+    (what, velocity): (&str, f64),
+    (per_velocity, width): (f64, Width),
+) {
     let unit = axis.control.velocity_unit();
-    let feedforward = axis.control.feedforward.as_ref().filter(|feedforward| feedforward.additive.any());
-    let is_active = axis.ipc.is_active() && axis.control.master.is_none();
-    let limit = if is_active && control.location != Location::Cnc { axis.ipc.limit() } else { 0.0 };
-    match feedforward {
-        Some(feedforward) => {
-            let velocity = feedforward.weight.value() * axis.ipc.v_max;
-            Some(Largest { what: "the additive velocity at vb_max", velocity, unit })
-        }
-        None if limit > 0.0 => {
-            Some(Largest { what: "the additive velocity at its limit v_add_max_fact", velocity: limit, unit })
-        }
-        None => None,
-    }
-}
-
-fn fits(e: &mut Effective<'_>, keys: [Key; 2], largest: Largest, per_velocity: f64, width: Width) {
-    let Largest { what, velocity, unit } = largest;
     let [_, end] = width.range().map(f64::from);
     let increments = velocity * per_velocity;
     if increments <= end {
         return;
     }
     let found = format!(
-        "{}, {} {unit}, is {} increments, and {} ends at {end}: it saturates at {} {unit}",
-        what,
-        velocity,
+        "{what}, {velocity} {unit}, is {} increments, and {} ends at {end}: it saturates at {} {unit}",
         rounded(increments),
         width.name(),
         rounded(end / per_velocity)
@@ -74,5 +57,5 @@ fn fits(e: &mut Effective<'_>, keys: [Key; 2], largest: Largest, per_velocity: f
         Width::Int16 => "INT32, if the drive has it, or a scaling with fewer increments",
         Width::Int32 => "a scaling with fewer increments",
     };
-    e.warn(codes::SATURATES, place, found, Some(instead.to_owned()));
+    e.warn(codes::SATURATES, place, found, instead.to_owned());
 }
