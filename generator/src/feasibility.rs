@@ -1,18 +1,12 @@
 //! What a designed axis must not do on a machine, and what its user should know before it acts: errors, then advice. Nothing is
 //! designed here.
 
-use crate::blocks::Designed;
-use crate::blocks::feedforward::advice as feedforward;
 use crate::blocks::ipc::{advice as ipc, feasibility as sections};
-use crate::blocks::position_control::advice as position_control;
+use crate::blocks::{Designed, feedforward::advice as feedforward, position_control::advice as position_control};
 use crate::check::{gear, inert};
-use crate::codes;
-use crate::config::values::key;
 use crate::design::rounding::{largest, sample_limit};
-use crate::design::scale;
-use crate::diagnostics::Diagnostic;
-use crate::parameters::Name;
-use crate::rules::effective::Effective;
+use crate::{codes, config::values::key, design::scale, diagnostics::Diagnostic};
+use crate::{parameters::Name, rules::effective::Effective};
 
 /// Says what is wrong; where nothing is, what a user would want to know.
 pub(crate) fn validate(designed: &Designed, gear: u32, e: &mut Effective<'_>) {

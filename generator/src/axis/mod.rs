@@ -16,13 +16,11 @@ use portable::RealKind;
 pub struct Axis {
     /// as the set names it
     pub name: String,
-    /// the real type of its blocks
+    /// of its blocks
     pub real: RealKind,
     /// position-controller cycle [ns]
     pub cycle_time_ns: u32,
-    /// improved position control
     pub ipc: Ipc,
-    /// feedforward, position control, gantry
     pub control: Control,
     /// every effective parameter, one `path value` a line, in the order of the parameter table: what the digest covers
     pub canonical: String,

@@ -1,9 +1,7 @@
 //! An axis with everything that design makes of it, made once: what blocks, notes, certificates, summaries and the semantic diff
 //! are made of. No text, no program.
 
-use super::feedforward::design as feedforward;
-use super::ipc::design as ipc;
-use super::position_control::design as position_control;
+use super::{feedforward::design as feedforward, ipc::design as ipc, position_control::design as position_control};
 use crate::axis::Axis;
 
 /// An axis as it is designed. All coefficients are in double precision; `axis.real` says what they are rounded to.

@@ -3,9 +3,8 @@
 use super::build::{self, Block};
 use super::designed::Designed;
 use super::values::{self, Values};
-use crate::axis::Axis;
-use crate::design::rounding::rounded;
 use crate::noise::{Run, Running};
+use crate::{axis::Axis, design::rounding::rounded};
 use compiler::{leaves, pass::Defect, program::Program};
 use portable::{Block as Reference, Literal, RealKind};
 

@@ -11,6 +11,11 @@ pub enum Value {
 /// Values by their names.
 pub(crate) type Values = Vec<(String, Value)>;
 
+/// The values of a part of an axis, as far as it has them.
+pub(crate) fn of_part(part: &str, values: impl IntoIterator<Item = (&'static str, Option<Value>)>) -> Values {
+    values.into_iter().filter_map(|(what, value)| Some((format!("{part}: {what}"), value?))).collect()
+}
+
 /// A line for each value that differs.
 pub(crate) fn differences(old: &Values, new: &Values) -> Vec<String> {
     let kept = old.iter().filter_map(|(what, value)| match of_name(new, what) {

@@ -1,9 +1,8 @@
 //! Gantries: a slave finds its master among the axes of the set. Only what concerns two axes is here.
 
 use crate::axis::{Axis, Location, PositionControl, Velocity};
-use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
-use crate::parameters::words::Words;
+use crate::{codes, parameters::words::Words};
 use std::fmt::Write;
 
 /// Couples the slaves of a set to their masters; gives what is to be said of that. `places` are those of P-AXIS-00070, axis by

@@ -1,11 +1,8 @@
 //! Which gear step of an axis is used, where that may be a surprise: an error where it is not there, else warnings.
 
-use crate::axis::Axis;
-use crate::codes;
 use crate::config::values::{Key, key};
-use crate::diagnostics::Diagnostic;
 use crate::parameters::{Name, path_with};
-use crate::rules::effective::Effective;
+use crate::{axis::Axis, codes, diagnostics::Diagnostic, rules::effective::Effective};
 use std::collections::BTreeSet;
 
 /// The gear step that the set names is one that the axis has, or there are none at all.

@@ -1,11 +1,9 @@
 //! Factors that are 0, and parameters that nothing uses: warnings. It looks at all blocks of an axis at once.
 
-use crate::axis::Axis;
-use crate::codes;
 use crate::config::values::{Key, key};
 use crate::parameters::words::{ProcessDatum, Words};
 use crate::parameters::{Name, Parameter, Value};
-use crate::rules::effective::Effective;
+use crate::{axis::Axis, codes, rules::effective::Effective};
 use std::ops::RangeInclusive;
 
 /// Of the parameters of lists, in the order of their table, those that only feedforward and position control use.

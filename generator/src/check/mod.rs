@@ -13,9 +13,8 @@ pub(crate) mod gear;
 pub(crate) mod inert;
 
 use crate::axis::{Axis, Control, Ipc};
-use crate::blocks::feedforward::check as feedforward;
 use crate::blocks::ipc::check as ipc;
-use crate::blocks::position_control::check as position_control;
+use crate::blocks::{feedforward::check as feedforward, position_control::check as position_control};
 use crate::config::values::{Values, key};
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::words::{AxisType, FeedforwardWord, RealType, Words};

@@ -1,12 +1,9 @@
 //! The conditions that the controller reports and corrects: a warning with its number, and the corrected value.
 
-use super::drive;
-use super::effective::Effective;
-use crate::axis::Ratio;
-use crate::config::values::key;
-use crate::diagnostics::Diagnostic;
+use super::{drive, effective::Effective};
 use crate::parameters::words::{FeedforwardWord, Words};
 use crate::parameters::{Name, Value, path_with, time_text};
+use crate::{axis::Ratio, config::values::key, diagnostics::Diagnostic};
 
 /// Cycles that end every delay.
 pub(crate) const DELAY_CYCLES: u64 = 6;

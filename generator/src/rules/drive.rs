@@ -3,9 +3,8 @@
 use super::effective::Effective;
 use crate::axis::{Location, Ratio, Resolution, TimeBase, Velocity, Width};
 use crate::config::values::{Key, key};
-use crate::parameters::Name;
 use crate::parameters::words::{DriveType, OperationMode, ProcessDatum};
-use crate::{codes, diagnostics::Diagnostic};
+use crate::{codes, diagnostics::Diagnostic, parameters::Name};
 
 /// The drive, as far as every part of the axis needs it.
 #[derive(Clone, Copy, Debug)]

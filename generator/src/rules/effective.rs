@@ -1,14 +1,11 @@
 //! The effective value of a parameter: what was given, else its default; within its range, else a message. No rule
 //! that connects two parameters.
 
-use crate::codes;
-use crate::config::value;
 use crate::config::values::{Key, Setting, Values};
 use crate::diagnostics::{Diagnostic, Place, Report};
-use crate::parameters::words::Words;
 use crate::parameters::{Name, Value, path_with};
-use std::collections::BTreeMap;
-use std::path::Path;
+use crate::{codes, config::value, parameters::words::Words};
+use std::{collections::BTreeMap, path::Path};
 
 /// What an axis was given, what was said about it, and what of it its block uses.
 #[derive(Debug)]

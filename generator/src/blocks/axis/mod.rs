@@ -1,13 +1,9 @@
 //! The block `axis`: feedforward, position control and improved position control in their order; and gantry slaves.
 
-use super::feedforward::notes as feedforward_notes;
 use super::ipc::notes::{self as ipc_notes, cycle_time, note};
-use super::position_control::design::addition;
-use super::position_control::notes as position_control_notes;
 use super::values::{Value, Values};
-use super::{Part, Summary};
-use crate::blocks::designed::Designed;
-use crate::number::digits;
+use super::{Part, Summary, feedforward, position_control};
+use crate::{blocks::designed::Designed, number::digits};
 use reference::axis::{Axis, Coeffs};
 use reference::feedforward::Feedforward;
 use reference::ipc::Ipc;
@@ -22,7 +18,7 @@ impl Part for Axis {
         let limit = axis.control.master_limit.unwrap_or(0.0);
         Coeffs {
             cycle_time_ns: axis.cycle_time_ns,
-            addition: addition(axis),
+            addition: position_control::design::addition(axis),
             has_feedforward: axis.control.feedforward.is_some(),
             master_limit: limit,
             master_lower_limit: 0.0 - limit, // not `-limit`: 0 stays +0
@@ -40,13 +36,13 @@ impl Part for Axis {
         };
         let mut notes = vec![note("cycle_time_ns", cycle_time(axis))];
         if let Some(limit) = axis.control.master_limit {
-            let text =
-                format!("largest |v_add| = {} of the gantry's master (P-AXIS-00070, 00757, 00212)", digits(limit));
+            let limit = digits(limit);
+            let text = format!("largest |v_add| = {limit} of the gantry's master (P-AXIS-00070, 00757, 00212)");
             notes.push(note("master_limit", text));
         }
-        notes.extend(within("feedforward", feedforward_notes::notes(axis)));
+        notes.extend(within("feedforward", feedforward::notes::notes(axis)));
         notes.extend(within("ipc", ipc_notes::notes(designed)));
-        notes.extend(within("position_control", position_control_notes::notes(axis)));
+        notes.extend(within("position_control", position_control::notes::notes(axis)));
         notes
     }
 
@@ -58,10 +54,8 @@ impl Part for Axis {
 
     fn summary(&self, designed: &Designed) -> Summary {
         let control = &designed.axis.control;
-        let line = control.master.map(|master| match control.master_limit {
-            Some(limit) => format!("gantry slave of axis {master}: puts out its v_add, |v_add| <= {}", digits(limit)),
-            None => format!("gantry slave of axis {master}"),
-        });
+        let limit = control.master_limit.map(|limit| format!(": puts out its v_add, |v_add| <= {}", digits(limit)));
+        let line = control.master.map(|master| format!("gantry slave of axis {master}{}", limit.unwrap_or_default()));
         Summary { lines: line.into_iter().collect(), ..Summary::default() }
     }
 

@@ -7,10 +7,8 @@ mod diff;
 pub(crate) mod notes;
 mod summary;
 
-use super::values::Values;
-use super::{Part, Summary};
-use crate::axis::Axis;
-use crate::blocks::designed::Designed;
+use super::{Part, Summary, values::Values};
+use crate::{axis::Axis, blocks::designed::Designed};
 use reference::feedforward::{Coeffs, Feedforward};
 
 impl Part for Feedforward {

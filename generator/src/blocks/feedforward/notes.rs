@@ -3,8 +3,7 @@
 use super::super::ipc::notes::{cycle_time, note};
 use super::design::time_constant;
 use crate::axis::{Axis, Feedforward, Motor, Ratio, TimeBase, Torque, Velocity, Width};
-use crate::design::scale;
-use crate::number::digits;
+use crate::{design::scale, number::digits};
 
 pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
     let Some(of) = &axis.control.feedforward else { return Vec::new() };

@@ -2,12 +2,8 @@
 
 use super::saturation;
 use crate::axis::{Axis, Feedforward, Location, PositionControl};
-use crate::codes;
-use crate::config::values::key;
-use crate::diagnostics::Diagnostic;
-use crate::number::rounded;
 use crate::parameters::{Name, Value};
-use crate::rules::effective::Effective;
+use crate::{codes, config::values::key, diagnostics::Diagnostic, number::rounded, rules::effective::Effective};
 use portable::RealKind;
 
 /// Says what a user would want to know before the block acts.

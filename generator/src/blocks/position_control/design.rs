@@ -10,7 +10,6 @@ use reference::{axis, position_control};
 /// - manipulated_scale = [`scale::manipulated`].
 /// - velocity_scale = [`scale::velocity`].
 /// - xerr_scale = 10 R, in increments per um or 0.001 deg, R as in [`scale::resolution`].
-#[must_use]
 pub(crate) fn coefficients(axis: &Axis) -> position_control::Coeffs<f64> {
     let Some(of) = &axis.control.position_control else { return position_control::Coeffs::default() };
     let quantities = axis.control.feedforward.as_ref();

@@ -7,11 +7,8 @@ mod diff;
 pub(crate) mod notes;
 mod saturation;
 
-use super::values::Values;
-use super::{Part, Summary};
-use crate::axis::Axis;
-use crate::blocks::designed::Designed;
-use crate::number::digits;
+use super::{Part, Summary, values::Values};
+use crate::{axis::Axis, blocks::designed::Designed, number::digits};
 use reference::position_control::{Coeffs, PositionControl};
 
 impl Part for PositionControl {

@@ -4,8 +4,7 @@ use super::super::feedforward::notes::{of_velocity, of_width};
 use super::super::ipc::notes::{cycle_time, note};
 use super::design::kv;
 use crate::axis::{Axis, Location, Ratio};
-use crate::design::scale;
-use crate::number::digits;
+use crate::{design::scale, number::digits};
 
 pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
     let Some(of) = &axis.control.position_control else { return Vec::new() };

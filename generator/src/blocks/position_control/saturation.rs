@@ -1,13 +1,10 @@
 //! Process data that the axis saturates within its own limits: warnings with both numbers.
 
 use crate::axis::{Axis, Location, PositionControl, Width};
-use crate::codes;
 use crate::config::values::{Key, key};
-use crate::design::scale;
-use crate::number::rounded;
-use crate::parameters::Name;
-use crate::parameters::words::Words;
-use crate::rules::effective::Effective;
+use crate::{
+    codes, design::scale, number::rounded, parameters::Name, parameters::words::Words, rules::effective::Effective,
+};
 
 /// Says where a velocity that the axis may have does not fit into its process datum.
 pub(crate) fn advise(axis: &Axis, control: &PositionControl, gear: u32, e: &mut Effective<'_>) {
