@@ -52,8 +52,7 @@ impl Diagnostic {
         Self { code, severity: Severity::Error, place, found: found.into(), allowed: None, instead: None }
     }
 
-    #[must_use]
-    pub fn warning(code: &'static str, place: Place, found: impl Into<String>) -> Self {
+    pub(crate) fn warning(code: &'static str, place: Place, found: impl Into<String>) -> Self {
         Self { severity: Severity::Warning, ..Self::error(code, place, found) }
     }
 
@@ -62,8 +61,7 @@ impl Diagnostic {
         Self { allowed: Some(allowed.into()), ..self }
     }
 
-    #[must_use]
-    pub fn instead(self, instead: impl Into<String>) -> Self {
+    pub(crate) fn instead(self, instead: impl Into<String>) -> Self {
         Self { instead: Some(instead.into()), ..self }
     }
 }

@@ -42,12 +42,9 @@ pub(crate) fn record<R: Real, B: Block<R>>(
     let switches = (0..).zip(&switched).zip(&program.inputs).filter(|((_, value), input)| **value != input.start);
     let reals = (0..program.inputs.len()).filter(|index| program.inputs[*index].ty == Type::Real);
     let bad: Vec<(usize, usize)> = (1..).step_by(BAD_SAMPLE_DISTANCE).zip(reals).collect();
-    let kept: Vec<usize> = program
-        .state
-        .iter()
-        .map(|variable| state_paths.iter().position(|path| *path == variable.path))
-        .map(|leaf| leaf.expect("self-test: the program's state is part of the reference's"))
-        .collect();
+    let kept = program.state.iter().map(|kept| state_paths.iter().position(|path| *path == kept.path));
+    let kept: Option<Vec<usize>> = kept.collect();
+    let kept = kept.expect("self-test: the program's state is part of the reference's");
     let mut noise = Noise::<R>::within(ranges);
     let loud_from = BAD_SAMPLE_DISTANCE * bad.len() + QUIET_SAMPLES;
     let (mut run, mut outputs) = (Running::<R, B>::start(coeffs), Vec::new());

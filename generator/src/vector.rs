@@ -16,10 +16,10 @@ pub struct Vector {
 }
 
 /// A run that is recorded where it is first looked at: few targets print it.
-pub type Recording = Arc<LazyLock<Vector, Box<dyn FnOnce() -> Vector + Send>>>;
+pub(crate) type Recording = Arc<LazyLock<Vector, Box<dyn FnOnce() -> Vector + Send>>>;
 
 /// Samples of a run.
-pub const SAMPLES: usize = 192;
+pub(crate) const SAMPLES: usize = 192;
 /// The first sample with the full noise. Before it no limit acts, and a fade of 100 cycles has ended.
 const LOUD_FROM: usize = 112;
 /// The sample in which the first switch is turned.

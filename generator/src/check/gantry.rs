@@ -71,16 +71,12 @@ fn master_of(axes: &[&mut Axis], slave: usize, number: u32) -> Result<usize, (St
 }
 
 /// Whether an axis follows another one, by way of any number of masters.
-fn follows(axes: &[&mut Axis], mut axis: usize, wanted: usize) -> bool {
-    for _ in 0..axes.len() {
-        let master = axes[axis].control.master;
-        let Some(next) = axes.iter().position(|next| Some(next.control.number) == master) else { return false };
-        if next == wanted {
-            return true;
-        }
-        axis = next;
-    }
-    false
+fn follows(axes: &[&mut Axis], axis: usize, wanted: usize) -> bool {
+    let master_of = |axis: &usize| {
+        let master = axes[*axis].control.master?;
+        axes.iter().position(|other| other.control.number == master)
+    };
+    std::iter::successors(Some(axis), master_of).take(axes.len() + 1).skip(1).any(|master| master == wanted)
 }
 
 /// Unequal scalings are legal, and mostly a mistake.

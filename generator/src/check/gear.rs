@@ -22,7 +22,8 @@ pub(crate) fn advise(axis: &Axis, e: &mut Effective<'_>) {
     let steps = steps(e);
     let gear_key = key(Name::Gear);
     let Some(gear) = e.validated_integer(gear_key) else { return };
-    let Some(other) = first_of_another(e, gear) else { return };
+    // The first parameter of another step, where the surprise is shown.
+    let Some(other) = of_others(e, gear).min_by_key(|(name, [step, _])| (*step, *name)) else { return };
     let lacking = lacking(e, gear, axis.control.position_control.is_none());
     if !lacking.is_empty() {
         let found = format!("gear step {gear} is used, and lacks what other steps have: {}", lacking.join("; "));
@@ -43,18 +44,16 @@ fn is_of_a_gear((name, _): Key) -> bool {
     name.parameter().path.starts_with("getriebe[")
 }
 
-/// The first parameter of another step, where the surprise is shown.
-fn first_of_another(e: &Effective<'_>, gear: u32) -> Option<Key> {
-    let of_others = e.all_given().map(|(key, _)| key).filter(|key| is_of_a_gear(*key) && key.1[0] != gear);
-    of_others.min_by_key(|(name, [step, _])| (*step, *name))
+/// What is given of other steps.
+fn of_others(e: &Effective<'_>, gear: u32) -> impl Iterator<Item = Key> {
+    e.all_given().map(|(key, _)| key).filter(move |key| is_of_a_gear(*key) && key.1[0] != gear)
 }
 
 /// What the step lacks, other steps have and the axis needs: with the default that holds instead.
 fn lacking(e: &Effective<'_>, gear: u32, is_uncontrolled: bool) -> Vec<String> {
-    let of_others = |name: Name| e.all_given().any(|((other, [step, _]), _)| other == name && step != gear);
     let is_needed = |name: Name| name == Name::Kv && is_uncontrolled || e.is_used((name, [gear, 0]));
-    let names = Name::ALL.into_iter().filter(|name| is_of_a_gear((*name, [0, 0])) && of_others(*name));
-    names
+    let names: BTreeSet<Name> = of_others(e, gear).map(|(name, _)| name).collect();
+    (names.into_iter())
         .filter(|name| e.given((*name, [gear, 0])).is_none() && is_needed(*name))
         .map(|name| {
             let parameter = name.parameter();

@@ -19,8 +19,7 @@ use crate::config::values::{Values, key};
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::words::{AxisType, FeedforwardWord, RealType, Words};
 use crate::parameters::{Name, Value};
-use crate::rules::drive::{self, Drive};
-use crate::rules::effective::Effective;
+use crate::rules::{drive, effective::Effective};
 use portable::RealKind;
 
 /// The cycle time of the set, in ns.
@@ -38,7 +37,7 @@ pub(crate) fn cycle_time(values: &Values, missing: Diagnostic, report: &mut Repo
 
 pub(crate) fn targets(values: &Values) -> Vec<String> {
     match values.get(key(Name::Targets)).and_then(|setting| setting.value.as_ref()) {
-        Some(Value::Words(words)) => words.iter().map(|word| (*word).to_owned()).collect(),
+        Some(Value::Words(words)) => words.iter().copied().map(str::to_owned).collect(),
         _ => Vec::new(),
     }
 }
@@ -90,7 +89,7 @@ fn control(e: &mut Effective<'_>, cycle_time: Option<u32>, ipc: Option<&Ipc>) ->
         return Some((Control { number, is_rotary, ..Control::default() }, 0));
     }
     // Without a drive, which has been said, the rest is validated all the same.
-    let drive = drive::check(e).unwrap_or(Drive::UNKNOWN);
+    let drive = drive::check(e).unwrap_or_default();
     let feedforward = feedforward::check(e, cycle_time, &drive)?;
     let position_control = position_control::check(e, &drive, ipc, feedforward.as_ref(), master.is_some())?;
     let control = Control { feedforward, position_control, number, is_rotary, master, master_limit: None };

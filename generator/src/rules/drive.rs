@@ -7,7 +7,7 @@ use crate::parameters::words::{DriveType, OperationMode, ProcessDatum};
 use crate::{codes, diagnostics::Diagnostic, parameters::Name};
 
 /// The drive, as far as every part of the axis needs it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Drive {
     pub(crate) location: Location,
     /// the gear step whose parameters are used
@@ -17,9 +17,6 @@ pub(crate) struct Drive {
 }
 
 impl Drive {
-    /// What is assumed where the drive could not be validated.
-    pub(crate) const UNKNOWN: Self = Self { location: Location::Cnc, gear: 0, velocity: None, torque: None };
-
     /// Scaling of the additive velocity (P-AXIS-00205 to 00207), where it is put out; outer none: an error, which has been said.
     pub(crate) fn velocity(&self, e: &mut Effective<'_>, is_put_out: bool) -> Option<Option<Velocity>> {
         let Some(width) = self.velocity.filter(|_| is_put_out) else { return Some(None) };
