@@ -48,6 +48,10 @@ pub(crate) fn exercised<R: Real, B: Block<R>>(coeffs: &B::Coeffs) -> Vec<Literal
     leaves(&inputs)
 }
 
+pub(crate) fn is_real(value: &Literal) -> bool {
+    matches!(value, Literal::F64(_) | Literal::F32(_))
+}
+
 /// The generator of the self-test's and the vector's noise: scale * (integer of 24 bits - 2^23).
 pub(crate) struct Noise<R> {
     random: u32,
@@ -62,8 +66,13 @@ impl<R: Real> Noise<R> {
         Self { random: 1, scales: ranges.map(scale), real: PhantomData }
     }
 
+    /// The inputs of a cycle: noise on the reals, the others as they are usually.
+    pub(crate) fn inputs(&mut self, usual: &[Literal], is_loud: bool) -> Vec<Literal> {
+        usual.iter().map(|value| if is_real(value) { self.next(is_loud) } else { *value }).collect()
+    }
+
     /// The next number, of the first or the second range.
-    pub(crate) fn next(&mut self, is_loud: bool) -> Literal {
+    fn next(&mut self, is_loud: bool) -> Literal {
         self.random = self.random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
         let scale = R::build(&mut || self.scales[usize::from(is_loud)]);
         leaf((R::from_u32(self.random >> 8) - R::lit(8_388_608.0)) * scale)

@@ -1,8 +1,7 @@
 //! What the self-test of a block does, and the answers that the reference gives. Every target prints it its own way.
 
-use crate::noise::{Noise, Run, Running, exercised};
-use compiler::leaf;
-use compiler::program::{Program, Type};
+use crate::noise::{Noise, Run, Running, exercised, is_real};
+use compiler::{leaf, program::Program};
 use portable::{Block, Literal, Real, RealKind};
 
 /// A short run on noise: it finds a build that fuses, reorders or shortens operations, or that takes a NaN for a number.
@@ -40,7 +39,7 @@ pub(crate) fn record<R: Real, B: Block<R>>(
 ) -> SelfTest {
     let switched = exercised::<R, B>(&coeffs);
     let switches = (0..).zip(&switched).zip(&program.inputs).filter(|((_, value), input)| **value != input.start);
-    let reals = (0..program.inputs.len()).filter(|index| program.inputs[*index].ty == Type::Real);
+    let reals = (0..switched.len()).filter(|index| is_real(&switched[*index]));
     let bad: Vec<(usize, usize)> = (1..).step_by(BAD_SAMPLE_DISTANCE).zip(reals).collect();
     let kept = program.state.iter().map(|kept| state_paths.iter().position(|path| *path == kept.path));
     let kept: Option<Vec<usize>> = kept.collect();
@@ -50,14 +49,10 @@ pub(crate) fn record<R: Real, B: Block<R>>(
     let (mut run, mut outputs) = (Running::<R, B>::start(coeffs), Vec::new());
     let (mut digest, mut expected) = (0, Vec::new());
     for sample in 0..loud_from + LOUD_SAMPLES {
-        let value = |(index, value): (usize, &Literal)| match program.inputs[index].ty {
-            Type::Real => {
-                let noise = noise.next(sample >= loud_from);
-                if bad.contains(&(sample, index)) { leaf(R::lit(f64::NAN)) } else { noise }
-            }
-            _ => *value,
-        };
-        let inputs: Vec<Literal> = switched.iter().enumerate().map(value).collect();
+        let mut inputs = noise.inputs(&switched, sample >= loud_from);
+        for (_, index) in bad.iter().filter(|(bad, _)| *bad == sample) {
+            inputs[*index] = leaf(R::lit(f64::NAN));
+        }
         run.step(&inputs, &mut outputs);
         let state = run.state();
         let values = outputs.iter().chain(kept.iter().map(|leaf| &state[*leaf]));

@@ -1,12 +1,15 @@
 //! A block as its folder describes it, and as the registry has it: everything that can be asked of it, whatever its types are.
 
-use super::build::{self, Block};
 use super::designed::Designed;
 use super::values::{self, Values};
 use crate::noise::{Run, Running};
+use crate::self_test::{self, SelfTest};
+use crate::vector::{self, Recording};
 use crate::{axis::Axis, design::rounding::rounded};
-use compiler::{leaves, pass::Defect, program::Program};
-use portable::{Block as Reference, Literal, RealKind};
+use compiler::pass::{self, Defect};
+use compiler::{leaves, program::Program, specialise};
+use portable::{Block as Reference, Literal, Real, RealKind};
+use std::collections::BTreeMap;
 
 /// What a block's folder says of it: what the parameters of an axis make of a reference.
 pub trait Part: Sync {
@@ -48,6 +51,15 @@ pub trait Part: Sync {
     }
 }
 
+/// What a block does.
+#[derive(Clone, Debug, Default)]
+pub struct Summary {
+    /// behind the first line of its axis
+    pub head: String,
+    /// lines of its own
+    pub lines: Vec<String>,
+}
+
 /// A block that an axis may have, in the real type of the axis.
 pub trait Kind: Part {
     /// Its name in files and on the command line.
@@ -72,6 +84,20 @@ pub trait Kind: Part {
     fn coefficients(&self, designed: &Designed) -> Vec<Literal>;
 }
 
+/// A block of one axis, ready to be printed.
+#[derive(Clone, Debug)]
+pub struct Block {
+    /// verified
+    pub program: Program,
+    /// what the coefficients under a path mean, for a reviewer
+    pub(crate) notes: BTreeMap<String, String>,
+    pub(crate) self_test: SelfTest,
+    /// a recorded run
+    pub vector: Recording,
+    /// what is certain of its range, and its measured response, in words
+    pub certificate: Vec<String>,
+}
+
 impl<P: Part + Reference<f64> + Reference<f32> + 'static> Kind for P {
     fn name(&self) -> &'static str {
         <P as Reference<f64>>::NAME
@@ -79,15 +105,15 @@ impl<P: Part + Reference<f64> + Reference<f32> + 'static> Kind for P {
 
     fn program(&self, designed: &Designed, last: Option<&str>) -> Result<Program, Defect> {
         match designed.axis.real {
-            RealKind::F64 => build::program::<f64, P>(self, designed, last),
-            RealKind::F32 => build::program::<f32, P>(self, designed, last),
+            RealKind::F64 => program::<f64, P>(self, designed, last),
+            RealKind::F32 => program::<f32, P>(self, designed, last),
         }
     }
 
     fn block(&self, designed: &Designed) -> Result<Block, Defect> {
         match designed.axis.real {
-            RealKind::F64 => build::block::<f64, P>(self, designed),
-            RealKind::F32 => build::block::<f32, P>(self, designed),
+            RealKind::F64 => block::<f64, P>(self, designed),
+            RealKind::F32 => block::<f32, P>(self, designed),
         }
     }
 
@@ -108,11 +134,27 @@ impl<P: Part + Reference<f64> + Reference<f32> + 'static> Kind for P {
     }
 }
 
-/// What a block does.
-#[derive(Clone, Debug, Default)]
-pub struct Summary {
-    /// behind the first line of its axis
-    pub head: String,
-    /// lines of its own
-    pub lines: Vec<String>,
+/// The program after the pass of that name; none: as the specialiser gives it.
+fn program<R: Real, P: Part + Reference<f64> + Reference<R>>(
+    part: &P,
+    designed: &Designed,
+    last: Option<&str>,
+) -> Result<Program, Defect> {
+    let notes = part.notes(designed).into_iter().collect();
+    let specialised = specialise::block::<R, P>(&rounded(&P::design(designed), R::KIND), &notes);
+    if last.is_some() { pass::run(specialised, last) } else { Ok(specialised) }
+}
+
+/// Specialises one block and records what it does.
+fn block<R: Real, P: Part + Reference<f64> + Reference<R>>(part: &P, designed: &Designed) -> Result<Block, Defect> {
+    let coeffs = || rounded(&P::design(designed), R::KIND);
+    let ranges = part.ranges(designed);
+    let notes = part.notes(designed).into_iter().collect();
+    let specialised = specialise::block::<R, P>(&coeffs(), &notes);
+    let paths: Vec<String> = specialised.state.iter().map(|variable| variable.path.clone()).collect();
+    let program = pass::run(specialised, None)?;
+    let self_test = self_test::record::<R, P>(coeffs(), &program, &paths, ranges);
+    let certificate = part.certificate(designed, &program);
+    let vector = vector::recording::<R, P>(coeffs(), ranges);
+    Ok(Block { program, notes, self_test, vector, certificate })
 }

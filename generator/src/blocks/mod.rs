@@ -2,15 +2,13 @@
 //!
 //! ```text
 //! designed  an axis with everything that design makes of it, once
-//! kind    what a block's folder says of it, and all that can be asked of it
-//! build   design -> verified program, self-test, recorded run
+//! kind    what a block's folder says of it; what follows: verified program, self-test, recorded run
 //! values  named values beside each other, for the semantic diff
 //! ```
 //! A folder: `check` (rules), `design` (coefficients), `notes` (what each number means), `diff`, `summary`, and what the block
 //! needs beside them.
 
 pub(crate) mod axis;
-mod build;
 mod designed;
 pub(crate) mod feedforward;
 pub mod ipc;
@@ -18,9 +16,8 @@ mod kind;
 pub(crate) mod position_control;
 mod values;
 
-pub use build::Block;
 pub use designed::Designed;
-pub use kind::{Kind, Part, Summary};
+pub use kind::{Block, Kind, Part, Summary};
 pub(crate) use values::{Value, differences};
 
 use crate::axis::Axis;

@@ -1,7 +1,7 @@
 //! The block `axis`: feedforward, position control and improved position control in their order; and gantry slaves.
 
 use super::ipc::notes::{self as ipc_notes, cycle_time, note};
-use super::values::{Value, Values};
+use super::values::{Value, Values, of_part};
 use super::{Part, Summary, feedforward, position_control};
 use crate::{blocks::designed::Designed, number::digits};
 use reference::axis::{Axis, Coeffs};
@@ -61,6 +61,6 @@ impl Part for Axis {
 
     fn values(&self, designed: &Designed) -> Values {
         let limit = designed.axis.control.master_limit;
-        limit.map(|limit| ("gantry: limit of the master".to_owned(), Value::Number(limit, ""))).into_iter().collect()
+        of_part("gantry", [("limit of the master", limit.map(|limit| Value::Number(limit, "")))])
     }
 }

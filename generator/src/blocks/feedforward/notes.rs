@@ -22,10 +22,7 @@ pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
         let cycles = f64::from(us) * 1000.0 / f64::from(axis.cycle_time_ns);
         notes.push(note(path, format!("delay of {us} us = {} cycles (P-AXIS-{id})", digits(cycles))));
     }
-    if let Some(velocity) = &of.velocity {
-        notes.push(note("velocity_scale", of_velocity(velocity, axis.cycle_time_ns)));
-        notes.push(note("velocity_range", of_width(velocity.width)));
-    }
+    notes.extend(of.velocity.iter().flat_map(|velocity| of_velocity(velocity, axis.cycle_time_ns)));
     if let Some(torque) = &of.torque_scale {
         notes.push(note("torque_acceleration", of_torque(torque, of)));
         let jerk = "inferred from units: the jerk factor (P-AXIS-00337/00338) read in seconds".to_owned();
@@ -35,19 +32,20 @@ pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
     notes
 }
 
-/// Scaling of the additive velocity.
-pub(crate) fn of_velocity(velocity: &Velocity, cycle_time_ns: u32) -> String {
+/// Scaling and process data of the additive velocity.
+pub(crate) fn of_velocity(velocity: &Velocity, cycle_time_ns: u32) -> [(String, String); 2] {
     let time = match velocity.time_base {
         TimeBase::Minute => "minute",
         TimeBase::Second => "second",
         TimeBase::Cycle => "cycle",
     };
-    format!(
-        "additive velocity: {} increments at {} um or 0.001 deg per {time} (P-AXIS-00206/00205, 00207): {} for 1 m/min or 1000 deg/min",
-        velocity.reso.num,
-        velocity.reso.denom,
+    let Ratio { num, denom } = velocity.reso;
+    let text = format!(
+        "additive velocity: {num} increments at {denom} um or 0.001 deg per {time} (P-AXIS-00206/00205, 00207): {} for 1 m/min or \
+         1000 deg/min",
         digits(scale::velocity(velocity, cycle_time_ns) * 1e6 / 60.0)
-    )
+    );
+    [note("velocity_scale", text), note("velocity_range", of_width(velocity.width))]
 }
 
 fn of_torque(torque: &Torque, of: &Feedforward) -> String {

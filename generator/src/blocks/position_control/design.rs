@@ -45,12 +45,9 @@ fn adds(axis: &Axis, of: &PositionControl) -> bool {
 
 /// Where the additive velocity comes from.
 pub(crate) fn addition(axis: &Axis) -> axis::Addition {
-    let control = &axis.control;
-    if control.master.is_some() {
-        control.master_limit.map_or(axis::Addition::None, |_| axis::Addition::Master)
-    } else if axis.ipc.is_active() {
-        axis::Addition::Ipc
-    } else {
-        axis::Addition::None
+    match (axis.control.master, axis.control.master_limit) {
+        (Some(_), Some(_)) => axis::Addition::Master,
+        (None, _) if axis.ipc.is_active() => axis::Addition::Ipc,
+        _ => axis::Addition::None,
     }
 }

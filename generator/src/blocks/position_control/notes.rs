@@ -30,9 +30,6 @@ pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
         );
         notes.push(note("xerr_scale", text));
     }
-    if let Some(velocity) = &of.velocity {
-        notes.push(note("velocity_scale", of_velocity(velocity, axis.cycle_time_ns)));
-        notes.push(note("velocity_range", of_width(velocity.width)));
-    }
+    notes.extend(of.velocity.iter().flat_map(|velocity| of_velocity(velocity, axis.cycle_time_ns)));
     notes
 }
