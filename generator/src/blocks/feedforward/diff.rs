@@ -1,9 +1,9 @@
-//! Feedforward of an axis as named values, each in its unit, for the semantic diff.
+//! Feedforward of an axis in words: a line for the summary, and named values, each in its unit, for the semantic diff.
 
 use super::super::values::{Value, Values, of_part};
-use super::{design::time_constant, summary::quantities};
-use crate::axis::{Axis, Quantities, Torque};
-use crate::{design::scale, parameters::words::Words};
+use super::design::time_constant;
+use crate::axis::{Axis, Feedforward, Quantities, Torque};
+use crate::{design::scale, number::digits, parameters::words::Words};
 
 /// Its values; none where there is no feedforward.
 pub(crate) fn values(axis: &Axis) -> Values {
@@ -32,4 +32,28 @@ pub(crate) fn values(axis: &Axis) -> Values {
         ("process data of the torque", of.torque_scale.as_ref().map(width)),
     ];
     of_part("feedforward", values)
+}
+
+/// Which quantities go which way.
+pub(super) fn summary(of: &Feedforward) -> String {
+    let ways = [
+        (of.conventional, "to the position controller", String::new()),
+        (of.additive, "as additive velocity", delayed(&[of.velocity_delay])),
+        (of.torque, "as additive torque", delayed(&[of.acceleration_delay, of.jerk_delay])),
+    ];
+    let said = ways.into_iter().filter(|(what, ..)| what.any());
+    let said: Vec<String> = said.map(|(what, way, delay)| format!("{} {way}{delay}", quantities(what))).collect();
+    let said = if said.is_empty() { "nothing goes out".to_owned() } else { said.join("; ") };
+    format!("feedforward: {said}; weight {}", digits(of.weight.value()))
+}
+
+fn delayed(us: &[u32]) -> String {
+    us.iter().filter(|us| **us > 0).map(|us| format!(", {us} us later")).collect()
+}
+
+/// Which quantities a sum has, in words.
+fn quantities(of: Quantities) -> String {
+    let named = [(of.velocity, "velocity"), (of.acceleration, "acceleration"), (of.jerk, "jerk")];
+    let there: Vec<&str> = named.into_iter().filter(|(is, _)| *is).map(|(_, name)| name).collect();
+    there.join(", ")
 }

@@ -5,7 +5,6 @@ pub(crate) mod check;
 pub(crate) mod design;
 mod diff;
 pub(crate) mod notes;
-mod summary;
 
 use super::{Part, Summary, values::Values};
 use crate::{axis::Axis, blocks::designed::Designed};
@@ -30,7 +29,7 @@ impl Part for Feedforward {
     }
 
     fn summary(&self, designed: &Designed) -> Summary {
-        let line = designed.axis.control.feedforward.as_ref().map(summary::line);
+        let line = designed.axis.control.feedforward.as_ref().map(diff::summary);
         Summary { lines: line.into_iter().collect(), ..Summary::default() }
     }
 

@@ -5,7 +5,6 @@ pub(crate) mod check;
 pub(crate) mod design;
 mod diff;
 pub(crate) mod notes;
-mod saturation;
 
 use super::{Part, Summary, values::Values};
 use crate::{axis::Axis, blocks::designed::Designed, number::digits};
