@@ -52,7 +52,8 @@ pub struct Quantities {
 }
 
 impl Quantities {
-    pub(crate) fn any(self) -> bool {
+    #[must_use]
+    pub fn any(self) -> bool {
         self.velocity || self.use_time()
     }
 
