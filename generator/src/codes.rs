@@ -3,12 +3,10 @@
 //! AX0 files and the command line, AX1 paths and lines, AX2 values, AX3 rules that are errors, AX4 warnings. A code
 //! keeps its meaning for ever.
 
-/// What a code means.
 #[derive(Debug)]
 pub struct Code {
     /// as it is printed
     pub code: &'static str,
-    /// in a few words
     pub title: &'static str,
     /// why it is said, and what to do
     pub explanation: &'static str,

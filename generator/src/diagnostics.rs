@@ -3,7 +3,6 @@
 use crate::codes;
 use std::fmt;
 
-/// How bad it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
     /// nothing is written
@@ -15,11 +14,11 @@ pub enum Severity {
 /// Where it is: lines and columns count from 1, columns count characters.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Place {
-    /// the file as the user named it
+    /// as the user named it
     pub file: String,
-    /// the line; 0: the file as a whole
+    /// 0: the file as a whole
     pub line: usize,
-    /// the column; 0: the line as a whole
+    /// 0: the line as a whole
     pub column: usize,
 }
 
@@ -35,45 +34,34 @@ impl Place {
     }
 }
 
-/// One message.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
     /// from the list in [`crate::codes`]
     pub code: &'static str,
-    /// error or warning
     pub severity: Severity,
-    /// where
     pub place: Place,
-    /// what was found
     pub found: String,
-    /// what is allowed
     pub allowed: Option<String>,
     /// what to write instead
     pub instead: Option<String>,
 }
 
 impl Diagnostic {
-    /// An error.
     #[must_use]
     pub fn error(code: &'static str, place: Place, found: impl Into<String>) -> Self {
         Self { code, severity: Severity::Error, place, found: found.into(), allowed: None, instead: None }
     }
 
-    /// A warning.
-    #[must_use]
-    pub fn warning(code: &'static str, place: Place, found: impl Into<String>) -> Self {
+    pub(crate) fn warning(code: &'static str, place: Place, found: impl Into<String>) -> Self {
         Self { severity: Severity::Warning, ..Self::error(code, place, found) }
     }
 
-    /// With what is allowed.
     #[must_use]
     pub fn allowed(self, allowed: impl Into<String>) -> Self {
         Self { allowed: Some(allowed.into()), ..self }
     }
 
-    /// With what to write instead.
-    #[must_use]
-    pub fn instead(self, instead: impl Into<String>) -> Self {
+    pub(crate) fn instead(self, instead: impl Into<String>) -> Self {
         Self { instead: Some(instead.into()), ..self }
     }
 }
@@ -91,11 +79,8 @@ impl fmt::Display for Diagnostic {
             _ => write!(f, "{file}:{line}:{column}")?,
         }
         write!(f, ": {severity}[{}]: {}", self.code, self.found)?;
-        if let Some(allowed) = &self.allowed {
-            write!(f, "\n    allowed: {allowed}")?;
-        }
-        if let Some(instead) = &self.instead {
-            write!(f, "\n    write instead: {instead}")?;
+        for (what, text) in [("allowed", &self.allowed), ("write instead", &self.instead)] {
+            text.iter().try_for_each(|text| write!(f, "\n    {what}: {text}"))?;
         }
         Ok(())
     }
@@ -127,7 +112,6 @@ impl Report {
         self
     }
 
-    /// Adds a message.
     pub fn push(&mut self, diagnostic: Diagnostic) {
         self.diagnostics.push(diagnostic);
     }
@@ -142,7 +126,6 @@ impl Report {
         self.diagnostics.iter().any(|d| d.severity == Severity::Error)
     }
 
-    /// How many of them are warnings.
     #[must_use]
     pub fn warnings(&self) -> usize {
         self.diagnostics.iter().filter(|d| d.severity == Severity::Warning).count()
@@ -157,9 +140,6 @@ impl From<Diagnostic> for Report {
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for diagnostic in &self.diagnostics {
-            writeln!(f, "{diagnostic}")?;
-        }
-        Ok(())
+        self.diagnostics.iter().try_for_each(|diagnostic| writeln!(f, "{diagnostic}"))
     }
 }

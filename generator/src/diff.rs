@@ -2,112 +2,62 @@
 //!
 //! Two axes do the same where all coefficients of their blocks are the same, however their parameters are written.
 
-use crate::blocks::designed::Designed;
-use crate::blocks::{self, Kind};
-use crate::number::{pair, significant};
+use crate::blocks::{self, BLOCKS, Designed, Value};
+use crate::number::significant;
 use portable::Literal;
 
-/// An axis of one of two sets, or of both.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Change {
-    /// the name of the axis
-    pub axis: String,
-    /// what became of it
-    pub kind: ChangeKind,
-}
-
-/// What became of an axis.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum ChangeKind {
-    /// only in the new set; its blocks in words
-    Added(Vec<String>),
-    /// only in the old set
-    Removed,
-    /// its blocks do something else; in words
-    Changed(Vec<String>),
-    /// its blocks do the same
-    Same,
-}
-
-/// What became of each axis: those of the old set in its order, then those that were added.
+/// What became of each axis, in words, ASCII: those of the old set in its order, then those that were added; and whether some
+/// block does something else, is new or is no longer there.
 #[must_use]
-pub fn changes(old: &[Designed], new: &[Designed]) -> Vec<Change> {
+pub fn lines(old: &[Designed], new: &[Designed]) -> (Vec<String>, bool) {
     let named = |axes: &'_ [Designed], name: &str| axes.iter().position(|of| of.axis.name == name);
-    let kept = old.iter().map(|of| {
-        let kind = named(new, &of.axis.name).map_or(ChangeKind::Removed, |position| between(of, &new[position]));
-        Change { axis: of.axis.name.clone(), kind }
+    let kept = old.iter().map(|of| match named(new, &of.axis.name) {
+        Some(position) => (of, differences(of, &new[position])),
+        None => (of, vec!["removed".to_owned()]),
     });
-    let added = new.iter().filter(|of| named(old, &of.axis.name).is_none());
-    let added = added.map(|of| Change { axis: of.axis.name.clone(), kind: ChangeKind::Added(description(of)) });
-    kept.chain(added).collect()
-}
-
-/// Whether some block does something else, is new or is no longer there.
-#[must_use]
-pub fn differ(changes: &[Change]) -> bool {
-    changes.iter().any(|change| change.kind != ChangeKind::Same)
-}
-
-/// The changes in words, ASCII.
-#[must_use]
-pub fn lines(changes: &[Change]) -> Vec<String> {
-    if !differ(changes) {
-        return vec!["no difference in what the blocks do".to_owned()];
+    let added = new.iter().filter(|of| named(old, &of.axis.name).is_none()).map(|of| (of, description(of)));
+    let changes: Vec<(&Designed, Vec<String>)> = kept.chain(added).collect();
+    if changes.iter().all(|(_, lines)| lines.is_empty()) {
+        return (vec!["no difference in what the blocks do".to_owned()], false);
     }
-    let of = |Change { axis, kind }: &Change| -> Vec<String> {
-        match kind {
-            ChangeKind::Same => vec![format!("axis {axis}: the same")],
-            ChangeKind::Removed => vec![format!("axis {axis}: removed")],
-            ChangeKind::Added(lines) => lines.iter().map(|line| format!("axis {axis}: added: {line}")).collect(),
-            ChangeKind::Changed(lines) => lines.iter().map(|line| format!("axis {axis}: {line}")).collect(),
-        }
-    };
-    changes.iter().flat_map(of).collect()
+    let same = ["the same".to_owned()];
+    let lines = changes.iter().flat_map(|(of, lines)| {
+        let lines = if lines.is_empty() { &same[..] } else { lines };
+        lines.iter().map(|line| format!("axis {}: {line}", of.axis.name))
+    });
+    (lines.collect(), true)
 }
 
-fn between(old: &Designed, new: &Designed) -> ChangeKind {
+/// What the blocks of an axis do otherwise.
+fn differences(old: &Designed, new: &Designed) -> Vec<String> {
     if coefficients(old) == coefficients(new) {
-        return ChangeKind::Same;
+        return Vec::new();
     }
-    let mut lines = of_axis(old, new);
-    lines.extend(blocks::BLOCKS.into_iter().flat_map(|kind| kind.differences(old, new)));
+    let mut lines = blocks::differences(&values(old), &values(new));
+    lines.extend(BLOCKS.into_iter().flat_map(|kind| kind.differences(old, new)));
     if lines.is_empty() {
         lines.push("the coefficients differ by no more than their rounding".to_owned());
     }
-    ChangeKind::Changed(lines)
+    lines
 }
 
-/// What differs in the axis itself, and which blocks it has.
-fn of_axis(old: &Designed, new: &Designed) -> Vec<String> {
-    let mut lines = Vec::new();
-    let mut number = |what: &str, value: &dyn Fn(&Designed) -> f64, unit: &str| {
-        let [old, new] = [value(old), value(new)];
-        if !blocks::is_same(old, new) {
-            lines.push(format!("{what} {}{unit}", pair(old, new, 7)));
-        }
-    };
-    number("cycle time", &cycle_time, " us");
-    number("v_max", &|of| of.axis.ipc.v_max, "");
-    if old.axis.real != new.axis.real {
-        lines.push(format!("real type {} -> {}", old.axis.real_name(), new.axis.real_name()));
-    }
-    let [before, after] = [old, new].map(|of| blocks::names(&of.axis).join(", "));
-    if before != after {
-        lines.push(format!("blocks {before} -> {after}"));
-    }
-    lines
+/// What is true of the axis itself, and which blocks it has.
+fn values(of: &Designed) -> Vec<(String, Value)> {
+    let values = [
+        ("cycle time", Value::Number(cycle_time(of), " us")),
+        ("v_max", Value::Number(of.axis.ipc.v_max, "")),
+        ("real type", Value::Words(of.axis.real_name().to_owned())),
+        ("blocks", Value::Words(blocks::names(&of.axis).join(", "))),
+    ];
+    values.into_iter().map(|(what, value)| (what.to_owned(), value)).collect()
 }
 
 /// An axis that has no older version.
 fn description(of: &Designed) -> Vec<String> {
-    let cycle_time = significant(cycle_time(of), 7);
-    let mut lines = vec![format!(
-        "{}, cycle time {cycle_time} us, blocks {}",
-        of.axis.real_name(),
-        blocks::names(&of.axis).join(", ")
-    )];
-    lines.extend(blocks::BLOCKS.into_iter().flat_map(|kind| kind.description(of)));
-    lines
+    let (real, cycle_time) = (of.axis.real_name(), significant(cycle_time(of), 7));
+    let head = format!("{real}, cycle time {cycle_time} us, blocks {}", blocks::names(&of.axis).join(", "));
+    let lines = std::iter::once(head).chain(BLOCKS.into_iter().flat_map(|kind| kind.description(of)));
+    lines.map(|line| format!("added: {line}")).collect()
 }
 
 /// In us.
@@ -117,5 +67,5 @@ fn cycle_time(of: &Designed) -> f64 {
 
 /// All numbers of an axis's blocks, in their real type.
 fn coefficients(of: &Designed) -> Vec<(&'static str, Vec<Literal>)> {
-    blocks::of_axis(&of.axis).map(|kind: &dyn Kind| (kind.name(), kind.coefficients(of))).collect()
+    blocks::of_axis(&of.axis).map(|kind| (kind.name(), kind.coefficients(of))).collect()
 }

@@ -1,17 +1,12 @@
 //! What a designed axis must not do on a machine, and what its user should know before it acts: errors, then advice. Nothing is
 //! designed here.
 
-use crate::blocks::designed::Designed;
-use crate::blocks::feedforward::advice as feedforward;
 use crate::blocks::ipc::{advice as ipc, feasibility as sections};
-use crate::blocks::position_control::advice as position_control;
+use crate::blocks::{Designed, feedforward::advice as feedforward, position_control::advice as position_control};
 use crate::check::{gear, inert};
-use crate::codes;
-use crate::config::values::key;
 use crate::design::rounding::{largest, sample_limit};
-use crate::design::scale;
-use crate::parameters::Name;
-use crate::rules::effective::Effective;
+use crate::{codes, config::values::key, design::scale, diagnostics::Diagnostic};
+use crate::{parameters::Name, rules::effective::Effective};
 
 /// Says what is wrong; where nothing is, what a user would want to know.
 pub(crate) fn validate(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
@@ -45,6 +40,7 @@ fn overflow(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
     let is_beyond = |factor: f64| factor.is_nan() || factor * weight.max(1.0) * sample * 16.0 > largest;
     if let Some((key, what, factor)) = factors.into_iter().find(|(.., factor)| is_beyond(*factor)) {
         let found = format!("{what} is {factor:e}: a sample in range times it is beyond the numbers of this axis");
-        e.refuse(codes::SCALE, key, found, [None, Some("the scaling of the drive's manual".to_owned())]);
+        let diagnostic = Diagnostic::error(codes::SCALE, e.place_of(key), found);
+        e.report.push(diagnostic.instead("the scaling of the drive's manual"));
     }
 }

@@ -1,10 +1,8 @@
 //! The whole way from a set to its files. Each step is one call.
 
-use crate::axis::Axis;
 use crate::blocks::{self, Designed};
-use crate::digest::digest;
-use crate::pipeline::Set;
 use crate::target::{File, Header, Target, Unit};
+use crate::{axis::Axis, digest::digest, pipeline::Set};
 use compiler::pass::Defect;
 use rayon::prelude::*;
 
@@ -22,11 +20,11 @@ pub fn files<T: Send>(
     take: impl Fn(File) -> T + Sync,
 ) -> Result<Vec<T>, Defect> {
     let chosen = set.axes.par_iter().filter(|of| axes.is_empty() || axes.contains(&of.axis.name));
-    let taken: Result<Vec<Vec<T>>, Defect> =
-        chosen.map(|designed| Ok(axis_files(designed, targets)?.into_iter().map(&take).collect())).collect();
+    let taken = chosen.map(|designed| Ok(axis_files(designed, targets)?.into_iter().map(&take).collect()));
+    let taken: Vec<Vec<T>> = taken.collect::<Result<_, Defect>>()?;
     let units = units(set);
-    let shared = targets.iter().flat_map(|target| (target.shared)(&units)).map(&take).collect();
-    Ok(taken?.into_iter().chain([shared]).flatten().collect())
+    let shared = targets.iter().flat_map(|target| (target.shared)(&units)).map(&take);
+    Ok(taken.into_iter().flatten().chain(shared).collect())
 }
 
 /// What a shared file may know of the axes.

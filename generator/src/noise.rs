@@ -1,36 +1,80 @@
-//! Noise that every target can make itself, exact in both real types. Nothing is recorded here.
+//! What a recorded run is made of: the reference in operation, and noise that every target can make itself, exact in both real
+//! types. Nothing is recorded here.
 
-use compiler::leaf;
-use portable::{Literal, Real};
+use compiler::{leaf, leaves};
+use portable::{Block, Literal, Portable, Real};
 use std::marker::PhantomData;
+
+/// A reference in operation.
+pub trait Run {
+    /// One cycle: takes the scalars of the inputs, gives those of the outputs.
+    fn step(&mut self, inputs: &[Literal], outputs: &mut Vec<Literal>);
+
+    /// The scalars of its state.
+    fn state(&self) -> Vec<Literal>;
+}
+
+pub(crate) struct Running<R: Real, B: Block<R>> {
+    coeffs: B::Coeffs,
+    state: B::State,
+    outputs: B::Outputs,
+}
+
+impl<R: Real, B: Block<R>> Running<R, B> {
+    /// Before the first cycle.
+    pub(crate) fn start(coeffs: B::Coeffs) -> Self {
+        Self { coeffs, state: B::state(), outputs: B::outputs() }
+    }
+}
+
+impl<R: Real, B: Block<R>> Run for Running<R, B> {
+    fn step(&mut self, inputs: &[Literal], outputs: &mut Vec<Literal>) {
+        let mut next = inputs.iter().copied();
+        let inputs = B::Inputs::build(&mut || next.next().expect("run: as many values as inputs"));
+        B::step(&mut self.state, &self.coeffs, &inputs, &mut self.outputs);
+        outputs.clear();
+        self.outputs.visit(&mut |output| outputs.push(output));
+    }
+
+    fn state(&self) -> Vec<Literal> {
+        leaves(&self.state)
+    }
+}
+
+/// The inputs with which a block does all that it can.
+pub(crate) fn exercised<R: Real, B: Block<R>>(coeffs: &B::Coeffs) -> Vec<Literal> {
+    let mut inputs = B::inputs(coeffs);
+    B::exercise(&mut inputs);
+    leaves(&inputs)
+}
+
+pub(crate) fn is_real(value: &Literal) -> bool {
+    matches!(value, Literal::F64(_) | Literal::F32(_))
+}
 
 /// The generator of the self-test's and the vector's noise: scale * (integer of 24 bits - 2^23).
 pub(crate) struct Noise<R> {
     random: u32,
-    scales: [Literal; 2],
+    pub(crate) scales: [Literal; 2],
     real: PhantomData<R>,
 }
 
 impl<R: Real> Noise<R> {
-    /// Noise of two ranges, each above 0.
+    /// Noise of two ranges, each above 0: its factors are powers of two within them.
     pub(crate) fn within(ranges: [f64; 2]) -> Self {
-        Self { random: 1, scales: ranges.map(|range| leaf(Self::scale(range))), real: PhantomData }
+        let scale = |range| leaf(R::lit(libm::exp2(libm::floor(libm::log2(range)) - 23.0)));
+        Self { random: 1, scales: ranges.map(scale), real: PhantomData }
     }
 
-    /// The two factors.
-    pub(crate) fn scales(&self) -> [Literal; 2] {
-        self.scales
+    /// The inputs of a cycle: noise on the reals, the others as they are usually.
+    pub(crate) fn inputs(&mut self, usual: &[Literal], is_loud: bool) -> Vec<Literal> {
+        usual.iter().map(|value| if is_real(value) { self.next(is_loud) } else { *value }).collect()
     }
 
     /// The next number, of the first or the second range.
-    pub(crate) fn next(&mut self, is_loud: bool) -> Literal {
+    fn next(&mut self, is_loud: bool) -> Literal {
         self.random = self.random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        let scale: R = portable::Portable::build(&mut || self.scales[usize::from(is_loud)]);
+        let scale = R::build(&mut || self.scales[usize::from(is_loud)]);
         leaf((R::from_u32(self.random >> 8) - R::lit(8_388_608.0)) * scale)
-    }
-
-    /// A power of two within the range.
-    fn scale(range: f64) -> R {
-        R::lit(libm::exp2(libm::floor(libm::log2(range)) - 23.0))
     }
 }

@@ -1,24 +1,22 @@
 //! What the self-test of a block does, and the answers that the reference gives. Every target prints it its own way.
 
-use crate::noise::Noise;
-use compiler::program::{Program, Type};
-use compiler::{leaf, leaves};
-use portable::Block as Reference;
-use portable::{Literal, Portable, Real, RealKind};
+use crate::noise::{Noise, Run, Running, exercised, is_real};
+use compiler::{leaf, program::Program};
+use portable::{Block, Literal, Real, RealKind};
 
 /// A short run on noise: it finds a build that fuses, reorders or shortens operations, or that takes a NaN for a number.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SelfTest {
+#[derive(Clone, Debug)]
+pub(crate) struct SelfTest {
     /// inputs that differ from their start, by position
-    pub switches: Vec<(usize, Literal)>,
+    pub(crate) switches: Vec<(usize, Literal)>,
     /// the factors of the noise on the real inputs, powers of two: first one at which no limit acts, then the full one
-    pub scales: [Literal; 2],
+    pub(crate) scales: [Literal; 2],
     /// the first sample with the full noise
-    pub loud_from: usize,
+    pub(crate) loud_from: usize,
     /// the samples in which a real input is no number, with the position of the input
-    pub bad: Vec<(usize, usize)>,
+    pub(crate) bad: Vec<(usize, usize)>,
     /// after each sample the digest of all outputs and of the whole state up to there
-    pub expected: Vec<u64>,
+    pub(crate) expected: Vec<u64>,
 }
 
 /// Samples with little noise, behind the bad ones. In each of them every state and every output can show an operation that
@@ -33,51 +31,36 @@ const BAD_SAMPLE_DISTANCE: usize = 3;
 /// number for a sample: a build that takes it for one goes on with other bits. The state is defined after the first sample.
 ///
 /// `state_paths` are the paths of all leaves of the reference's state; `ranges` are the noise's, each above 0.
-pub(crate) fn record<R: Real, B: Reference<R>>(
-    coeffs: &B::Coeffs,
+pub(crate) fn record<R: Real, B: Block<R>>(
+    coeffs: B::Coeffs,
     program: &Program,
     state_paths: &[String],
     ranges: [f64; 2],
 ) -> SelfTest {
-    let mut inputs = B::inputs(coeffs);
-    B::exercise(&mut inputs);
-    let switched = leaves(&inputs);
-    let switches = (0..program.inputs.len()).filter(|index| switched[*index] != program.inputs[*index].start);
-    let reals = (0..program.inputs.len()).filter(|index| program.inputs[*index].ty == Type::Real);
+    let switched = exercised::<R, B>(&coeffs);
+    let switches = (0..).zip(&switched).zip(&program.inputs).filter(|((_, value), input)| **value != input.start);
+    let reals = (0..switched.len()).filter(|index| is_real(&switched[*index]));
     let bad: Vec<(usize, usize)> = (1..).step_by(BAD_SAMPLE_DISTANCE).zip(reals).collect();
-    let kept: Vec<usize> = program
-        .state
-        .iter()
-        .map(|variable| state_paths.iter().position(|path| *path == variable.path))
-        .map(|leaf| leaf.expect("self-test: the program's state is part of the reference's"))
-        .collect();
+    let kept = program.state.iter().map(|kept| state_paths.iter().position(|path| *path == kept.path));
+    let kept: Option<Vec<usize>> = kept.collect();
+    let kept = kept.expect("self-test: the program's state is part of the reference's");
     let mut noise = Noise::<R>::within(ranges);
     let loud_from = BAD_SAMPLE_DISTANCE * bad.len() + QUIET_SAMPLES;
-    let (mut state, mut outputs) = (B::state(), B::outputs());
-    let (mut digest, mut expected, mut remembered) = (0, Vec::new(), Vec::new());
+    let (mut run, mut outputs) = (Running::<R, B>::start(coeffs), Vec::new());
+    let (mut digest, mut expected) = (0, Vec::new());
     for sample in 0..loud_from + LOUD_SAMPLES {
-        let mut values = switched.iter().enumerate().map(|(index, value)| match program.inputs[index].ty {
-            Type::Real => {
-                let noise = noise.next(sample >= loud_from);
-                if bad.contains(&(sample, index)) { leaf(R::lit(f64::NAN)) } else { noise }
-            }
-            _ => *value,
-        });
-        let inputs = B::Inputs::build(&mut || values.next().expect("self-test: as many values as inputs"));
-        B::step(&mut state, coeffs, &inputs, &mut outputs);
-        outputs.visit(&mut |leaf| digest = fold(digest, leaf, R::KIND));
-        remembered.clear();
-        state.visit(&mut |leaf| remembered.push(leaf));
-        digest = kept.iter().fold(digest, |digest, leaf| fold(digest, remembered[*leaf], R::KIND));
+        let mut inputs = noise.inputs(&switched, sample >= loud_from);
+        for (_, index) in bad.iter().filter(|(bad, _)| *bad == sample) {
+            inputs[*index] = leaf(R::lit(f64::NAN));
+        }
+        run.step(&inputs, &mut outputs);
+        let state = run.state();
+        let values = outputs.iter().chain(kept.iter().map(|leaf| &state[*leaf]));
+        digest = values.fold(digest, |digest, value| fold(digest, *value, R::KIND));
         expected.push(digest);
     }
-    SelfTest {
-        switches: switches.map(|index| (index, switched[index])).collect(),
-        scales: noise.scales(),
-        loud_from,
-        bad,
-        expected,
-    }
+    let switches = switches.map(|((index, value), _)| (index, *value)).collect();
+    SelfTest { switches, scales: noise.scales, loud_from, bad, expected }
 }
 
 /// The digest with one more value: turned by five bits, and the bits added, in as many bits as a real has.

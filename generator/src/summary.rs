@@ -1,7 +1,6 @@
 //! What an axis's blocks do, in a few lines for the user.
 
-use crate::blocks::designed::Designed;
-use crate::blocks::{self, part::Summary};
+use crate::blocks::{self, Designed, Summary};
 
 /// The lines for an axis.
 #[must_use]

@@ -1,28 +1,24 @@
 //! A short run of a block that a user can repeat on the controller itself, with the answers of the reference. No NaN, no
 //! infinity: some runtimes stop on them.
 
-use crate::noise::Noise;
-use compiler::program::{Program, Type};
-use compiler::{leaf, leaves};
-use portable::Block as Reference;
-use portable::{Literal, Portable, Real};
+use crate::noise::{Noise, Run, Running, exercised, is_real};
+use compiler::leaf;
+use portable::{Block, Literal, Real};
 use reference::signal::sample_limit;
 use std::sync::{Arc, LazyLock};
 
 /// What went in and what came out, sample by sample, in the order of the program's inputs and outputs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vector {
-    /// the inputs of each sample
     pub inputs: Vec<Vec<Literal>>,
-    /// the outputs of each sample
     pub outputs: Vec<Vec<Literal>>,
 }
 
 /// A run that is recorded where it is first looked at: few targets print it.
-pub type Recording = Arc<LazyLock<Vector, Box<dyn FnOnce() -> Vector + Send>>>;
+pub(crate) type Recording = Arc<LazyLock<Vector, Box<dyn FnOnce() -> Vector + Send>>>;
 
 /// Samples of a run.
-pub const SAMPLES: usize = 192;
+pub(crate) const SAMPLES: usize = 192;
 /// The first sample with the full noise. Before it no limit acts, and a fade of 100 cycles has ended.
 const LOUD_FROM: usize = 112;
 /// The sample in which the first switch is turned.
@@ -40,38 +36,26 @@ const OUT_OF_RANGE_DISTANCE: usize = 3;
 /// for one.
 ///
 /// `ranges` are the noise's: first one at which no limit acts, then the full one.
-pub(crate) fn recording<R: Real, B: Reference<R>>(coeffs: B::Coeffs, program: &Program, ranges: [f64; 2]) -> Recording {
-    let types: Vec<Type> = program.inputs.iter().map(|input| input.ty).collect();
-    Arc::new(LazyLock::new(Box::new(move || record::<R, B>(&coeffs, &types, ranges))))
+pub(crate) fn recording<R: Real, B: Block<R>>(coeffs: B::Coeffs, ranges: [f64; 2]) -> Recording {
+    Arc::new(LazyLock::new(Box::new(move || record::<R, B>(coeffs, ranges))))
 }
 
-fn record<R: Real, B: Reference<R>>(coeffs: &B::Coeffs, types: &[Type], ranges: [f64; 2]) -> Vector {
-    let mut usual = B::inputs(coeffs);
-    B::exercise(&mut usual);
-    let usual = leaves(&usual);
-    let (reals, switches): (Vec<usize>, Vec<usize>) = (0..types.len()).partition(|index| types[*index] == Type::Real);
+fn record<R: Real, B: Block<R>>(coeffs: B::Coeffs, ranges: [f64; 2]) -> Vector {
+    let usual = exercised::<R, B>(&coeffs);
+    let (reals, switches): (Vec<usize>, Vec<usize>) = (0..usual.len()).partition(|index| is_real(&usual[*index]));
     debug_assert!(FIRST_SWITCH + switches.len() * SWITCH_DISTANCE <= FIRST_OUT_OF_RANGE);
     debug_assert!(FIRST_OUT_OF_RANGE + reals.len() * OUT_OF_RANGE_DISTANCE <= SAMPLES);
     let beyond = leaf(sample_limit::<R>() + sample_limit::<R>());
-    let (mut state, mut outputs, mut noise) = (B::state(), B::outputs(), Noise::<R>::within(ranges));
-    let mut vector = Vector { inputs: Vec::with_capacity(SAMPLES), outputs: Vec::with_capacity(SAMPLES) };
-    for sample in 0..SAMPLES {
+    let (mut run, mut noise) = (Running::<R, B>::start(coeffs), Noise::<R>::within(ranges));
+    let mut vector = Vector { inputs: Vec::with_capacity(SAMPLES), outputs: vec![Vec::new(); SAMPLES] };
+    for (sample, outputs) in vector.outputs.iter_mut().enumerate() {
         let turned = in_turn(&switches, sample, FIRST_SWITCH, SWITCH_DISTANCE, SWITCH_LENGTH);
         let out_of_range = in_turn(&reals, sample, FIRST_OUT_OF_RANGE, OUT_OF_RANGE_DISTANCE, 1);
-        let value = |(index, value): (usize, &Literal)| match types[index] {
-            Type::Real => {
-                let noise = noise.next(sample >= LOUD_FROM);
-                if out_of_range == Some(index) { beyond } else { noise }
-            }
-            _ if turned == Some(index) => turn(*value),
-            _ => *value,
-        };
-        let inputs: Vec<Literal> = usual.iter().enumerate().map(value).collect();
-        let mut values = inputs.iter().copied();
-        let input = B::Inputs::build(&mut || values.next().expect("vector: as many values as inputs"));
-        B::step(&mut state, coeffs, &input, &mut outputs);
+        let mut inputs = noise.inputs(&usual, sample >= LOUD_FROM);
+        turned.into_iter().for_each(|index| inputs[index] = turn(inputs[index]));
+        out_of_range.into_iter().for_each(|index| inputs[index] = beyond);
+        run.step(&inputs, outputs);
         vector.inputs.push(inputs);
-        vector.outputs.push(leaves(&outputs));
     }
     vector
 }

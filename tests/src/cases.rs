@@ -46,7 +46,7 @@ fn twin(case: &Case) -> Option<Case> {
         RealKind::F64 => RealKind::F32,
         RealKind::F32 => RealKind::F64,
     };
-    let axis = Designed::of(Axis { real, ..case.axis.axis.clone() });
+    let axis = Designed::from(Axis { real, ..case.axis.axis.clone() });
     let filters = axis.axis.ipc.stage.iter().flatten().flat_map(|stage| &stage.filter);
     let is_too_low = |f0: f64| f0 * f64::from(axis.axis.cycle_time_ns) / 1e9 < lowest_f0_ts(real);
     if filters.filter_map(Filter::f0).any(is_too_low) || !refusals(&axis).is_empty() {

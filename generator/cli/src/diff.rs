@@ -27,11 +27,11 @@ pub fn run(old: &Path, new: &Path, options: &ListOptions, format: Format) -> Res
     {
         before.axis.name.clone_from(&after.axis.name);
     }
-    let changes = diff::changes(&before.axes, &after.axes);
-    for line in diff::lines(&changes) {
+    let (lines, differ) = diff::lines(&before.axes, &after.axes);
+    for line in lines {
         output::line(line)?;
     }
-    Ok(if diff::differ(&changes) { Exit::Different } else { Exit::Done })
+    Ok(if differ { Exit::Different } else { Exit::Done })
 }
 
 /// A set; of one that can be compared only the differences are of interest, not the warnings.

@@ -1,13 +1,12 @@
 //! What surrounds improved position control: feedforward, position control, gantry. Plain data, as the parameters say it.
 
 use crate::parameters::words::{Motor, Width};
+use reference::position_control::Location;
 
 /// Everything of an axis but improved position control.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Control {
-    /// feedforward, if the axis has it
     pub feedforward: Option<Feedforward>,
-    /// position control, if the parameters say how
     pub position_control: Option<PositionControl>,
     /// logical axis number (P-AXIS-00016)
     pub number: u32,
@@ -20,8 +19,6 @@ pub struct Control {
 }
 
 impl Control {
-    /// The unit of its velocities.
-    #[must_use]
     pub(crate) fn velocity_unit(&self) -> &'static str {
         if self.is_rotary { "0.001 deg/s" } else { "um/s" }
     }
@@ -30,15 +27,14 @@ impl Control {
 /// A quotient of two parameters, as written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Ratio {
-    /// numerator
     pub num: u32,
-    /// denominator, above 0
+    /// above 0
     pub denom: u32,
 }
 
 impl Ratio {
     /// 0: what a correction leaves.
-    pub const ZERO: Self = Self { num: 0, denom: 1 };
+    pub(crate) const ZERO: Self = Self { num: 0, denom: 1 };
 
     /// num / denom, rounded once.
     #[must_use]
@@ -50,19 +46,26 @@ impl Ratio {
 /// Which of the planned quantities go one way.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Quantities {
-    /// velocity
     pub velocity: bool,
-    /// acceleration
     pub acceleration: bool,
-    /// jerk
     pub jerk: bool,
 }
 
 impl Quantities {
-    /// Whether there is one.
     #[must_use]
     pub fn any(self) -> bool {
-        self.velocity || self.acceleration || self.jerk
+        self.velocity || self.use_time()
+    }
+
+    /// Whether one of them is weighted with the time constant of the acceleration.
+    pub(crate) fn use_time(self) -> bool {
+        self.acceleration || self.jerk
+    }
+
+    /// Those of both.
+    pub(crate) fn with(self, other: Self) -> Self {
+        let [velocity, acceleration] = [self.velocity || other.velocity, self.acceleration || other.acceleration];
+        Self { velocity, acceleration, jerk: self.jerk || other.jerk }
     }
 }
 
@@ -97,37 +100,38 @@ pub struct Feedforward {
     pub torque_scale: Option<Torque>,
 }
 
+impl Feedforward {
+    /// What goes out as a velocity, to the position controller or to the drive.
+    pub(crate) fn sums(&self) -> Quantities {
+        self.conventional.with(self.additive)
+    }
+}
+
 /// Scaling of an additive velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Velocity {
     /// increments per path (P-AXIS-00206/00205)
     pub reso: Ratio,
-    /// in which time (P-AXIS-00207)
     pub time_base: TimeBase,
-    /// its process data
     pub width: Width,
 }
 
 /// Time base of a velocity (P-AXIS-00207).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TimeBase {
-    /// per minute
     Minute = 0,
-    /// per second
     Second = 1,
-    /// per cycle
     Cycle = 2,
 }
 
 impl TimeBase {
-    /// All, by their numbers.
-    pub const ALL: [Self; 3] = [Self::Minute, Self::Second, Self::Cycle];
+    /// By their numbers.
+    pub(crate) const ALL: [Self; 3] = [Self::Minute, Self::Second, Self::Cycle];
 }
 
 impl Width {
     /// The smallest and the largest value.
-    #[must_use]
-    pub fn range(self) -> [i32; 2] {
+    pub(crate) fn range(self) -> [i32; 2] {
         match self {
             Self::Int16 => [i32::from(i16::MIN), i32::from(i16::MAX)],
             Self::Int32 => [i32::MIN, i32::MAX],
@@ -148,7 +152,6 @@ pub struct Resolution {
 
 impl Resolution {
     /// Whether there is a feed constant: one of its parameters is not 1.
-    #[must_use]
     pub(crate) fn has_feed_const(&self) -> bool {
         self.feed_const != Ratio { num: 1, denom: 1 }
     }
@@ -157,9 +160,9 @@ impl Resolution {
 /// Scaling of an additive torque.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Torque {
-    /// path resolution, of a rotary motor
+    /// of a rotary motor
     pub resolution: Resolution,
-    /// kind of motor (key `motor`)
+    /// key `motor`
     pub motor: Motor,
     /// total load [kg m^2], of a linear motor [kg] (P-AXIS-00391)
     pub load: f64,
@@ -167,14 +170,12 @@ pub struct Torque {
     pub reference: f64,
     /// increments at the nominal torque (P-AXIS-00325/00326)
     pub scale: Ratio,
-    /// its process data
     pub width: Width,
 }
 
-/// Position control.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PositionControl {
-    /// where the position is controlled (P-AXIS-00320, P-AXIS-00020)
+    /// P-AXIS-00320, P-AXIS-00020
     pub location: Location,
     /// gain of the position controller [0.01/s] (P-AXIS-00099)
     pub kv: u32,
@@ -188,27 +189,4 @@ pub struct PositionControl {
     pub resolution: Option<Resolution>,
     /// PROFIdrive: cycles by which the feedforward leads the position (P-AXIS-00165)
     pub shift_time: u32,
-}
-
-/// Where the position is controlled.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Location {
-    /// in the CNC
-    Cnc,
-    /// in the drive
-    Drive,
-    /// in a PROFIdrive drive, which gets the control deviation
-    Profidrive,
-}
-
-impl Location {
-    /// In words.
-    #[must_use]
-    pub fn text(self) -> &'static str {
-        match self {
-            Self::Cnc => "in the CNC",
-            Self::Drive => "in the drive",
-            Self::Profidrive => "in the drive (PROFIdrive)",
-        }
-    }
 }

@@ -4,10 +4,9 @@ mod control;
 mod ipc;
 
 pub use crate::parameters::words::{DirectSource, Enable, Motor, Prototype, Width};
-pub use control::{
-    Control, Feedforward, Location, PositionControl, Quantities, Ratio, Resolution, TimeBase, Torque, Velocity,
-};
+pub use control::{Control, Feedforward, PositionControl, Quantities, Ratio, Resolution, TimeBase, Torque, Velocity};
 pub use ipc::{Filter, Ipc, Mode, Stage};
+pub use reference::position_control::Location;
 
 use crate::parameters::words::{RealType, Words};
 use portable::RealKind;
@@ -17,13 +16,11 @@ use portable::RealKind;
 pub struct Axis {
     /// as the set names it
     pub name: String,
-    /// the real type of its blocks
+    /// of its blocks
     pub real: RealKind,
     /// position-controller cycle [ns]
     pub cycle_time_ns: u32,
-    /// improved position control
     pub ipc: Ipc,
-    /// feedforward, position control, gantry
     pub control: Control,
     /// every effective parameter, one `path value` a line, in the order of the parameter table: what the digest covers
     pub canonical: String,

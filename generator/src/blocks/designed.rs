@@ -1,21 +1,17 @@
 //! An axis with everything that design makes of it, made once: what blocks, notes, certificates, summaries and the semantic diff
 //! are made of. No text, no program.
 
-use super::feedforward::design as feedforward;
-use super::ipc::design as ipc;
-use super::position_control::design as position_control;
+use super::{feedforward::design as feedforward, ipc::design as ipc, position_control::design as position_control};
 use crate::axis::Axis;
 
 /// An axis as it is designed. All coefficients are in double precision; `axis.real` says what they are rounded to.
 #[derive(Clone, Debug)]
 pub struct Designed {
-    /// the axis
     pub axis: Axis,
-    /// improved position control
     pub ipc: ipc::Design,
-    /// feedforward; all 0 where there is none
+    /// all 0 where there is none
     pub feedforward: reference::feedforward::Coeffs<f64>,
-    /// position control; all 0 where there is none
+    /// all 0 where there is none
     pub position_control: reference::position_control::Coeffs<f64>,
 }
 
@@ -26,13 +22,13 @@ impl PartialEq for Designed {
     }
 }
 
-impl Designed {
-    /// Designs an axis.
-    #[must_use]
-    pub fn of(axis: Axis) -> Self {
-        let ipc = ipc::design(&axis);
-        let feedforward = feedforward::coefficients(&axis);
-        let position_control = position_control::coefficients(&axis);
-        Self { axis, ipc, feedforward, position_control }
+impl From<Axis> for Designed {
+    fn from(axis: Axis) -> Self {
+        Self {
+            ipc: ipc::design(&axis),
+            feedforward: feedforward::coefficients(&axis),
+            position_control: position_control::coefficients(&axis),
+            axis,
+        }
     }
 }

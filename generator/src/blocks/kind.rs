@@ -1,22 +1,69 @@
-//! A block as the registry has it: everything that can be asked of it, whatever its types are.
+//! A block as its folder describes it, and as the registry has it: everything that can be asked of it, whatever its types are.
 
-use super::build::{self, Block};
-use super::part::{Part, Summary};
-use crate::axis::Axis;
-use crate::blocks::designed::Designed;
-use crate::design::rounding::rounded;
-use compiler::leaves;
-use compiler::pass::Defect;
-use compiler::program::Program;
-use portable::{Block as Reference, Literal, Portable, Real, RealKind};
+use super::designed::Designed;
+use super::values::{self, Values};
+use crate::noise::{Run, Running};
+use crate::self_test::{self, SelfTest};
+use crate::vector::{self, Recording};
+use crate::{axis::Axis, design::rounding::rounded};
+use compiler::pass::{self, Defect};
+use compiler::{leaves, program::Program, specialise};
+use portable::{Block as Reference, Literal, Real, RealKind};
+use std::collections::BTreeMap;
 
-/// A block that an axis may have.
-pub trait Kind: Sync {
-    /// Its name in files and on the command line.
-    fn name(&self) -> &'static str;
-
+/// What a block's folder says of it: what the parameters of an axis make of a reference.
+pub trait Part: Sync {
     /// Whether the parameters of an axis ask for it.
     fn is_asked_for(&self, axis: &Axis) -> bool;
+
+    /// Its coefficients, in double precision.
+    fn design(designed: &Designed) -> <Self as Reference<f64>>::Coeffs
+    where
+        Self: Reference<f64> + Sized;
+
+    /// What its coefficients mean: a path among them, or the beginning of one, and a text.
+    fn notes(&self, designed: &Designed) -> Vec<(String, String)>;
+
+    /// The ranges of the noise on its real inputs in a self-test: where no limit acts, and where limits do.
+    fn ranges(&self, designed: &Designed) -> [f64; 2];
+
+    /// What it does, for the summary of an axis.
+    fn summary(&self, designed: &Designed) -> Summary;
+
+    /// What it does as named values, for the semantic diff.
+    fn values(&self, _: &Designed) -> Values {
+        Values::new()
+    }
+
+    /// What differs between two versions of an axis, as far as this block shows it: in words, a line each.
+    fn differences(&self, old: &Designed, new: &Designed) -> Vec<String> {
+        values::differences(&self.values(old), &self.values(new))
+    }
+
+    /// The same of an axis that has no older version.
+    fn description(&self, designed: &Designed) -> Vec<String> {
+        values::description(&self.values(designed))
+    }
+
+    /// What is certain of its program, in words, a line each.
+    fn certificate(&self, _: &Designed, _: &Program) -> Vec<String> {
+        Vec::new()
+    }
+}
+
+/// What a block does.
+#[derive(Clone, Debug, Default)]
+pub struct Summary {
+    /// behind the first line of its axis
+    pub head: String,
+    /// lines of its own
+    pub lines: Vec<String>,
+}
+
+/// A block that an axis may have, in the real type of the axis.
+pub trait Kind: Part {
+    /// Its name in files and on the command line.
+    fn name(&self) -> &'static str;
 
     /// The program after the pass of that name; none: as the specialiser gives it.
     ///
@@ -33,110 +80,81 @@ pub trait Kind: Sync {
     /// The reference, before its first cycle.
     fn start(&self, designed: &Designed) -> Box<dyn Run>;
 
-    /// All its coefficients, in its own real type.
+    /// All its coefficients.
     fn coefficients(&self, designed: &Designed) -> Vec<Literal>;
-
-    /// What its coefficients mean: a path among them, or the beginning of one, and a text.
-    fn notes(&self, designed: &Designed) -> Vec<(String, String)>;
-
-    /// What it does, for the summary of an axis.
-    fn summary(&self, designed: &Designed) -> Summary;
-
-    /// What differs between two versions of an axis, a line each.
-    fn differences(&self, old: &Designed, new: &Designed) -> Vec<String>;
-
-    /// The same of an axis that has no older version.
-    fn description(&self, designed: &Designed) -> Vec<String>;
 }
 
-/// A reference in operation.
-pub trait Run {
-    /// One cycle: takes the scalars of the inputs, gives those of the outputs.
-    fn step(&mut self, inputs: &[Literal], outputs: &mut Vec<Literal>);
-
-    /// The scalars of its state.
-    fn state(&self) -> Vec<Literal>;
+/// A block of one axis, ready to be printed.
+#[derive(Clone, Debug)]
+pub struct Block {
+    /// verified
+    pub program: Program,
+    /// what the coefficients under a path mean, for a reviewer
+    pub(crate) notes: BTreeMap<String, String>,
+    pub(crate) self_test: SelfTest,
+    /// a recorded run
+    pub vector: Recording,
+    /// what is certain of its range, and its measured response, in words
+    pub certificate: Vec<String>,
 }
 
-impl<P: Part + 'static> Kind for P {
+impl<P: Part + Reference<f64> + Reference<f32> + 'static> Kind for P {
     fn name(&self) -> &'static str {
         <P as Reference<f64>>::NAME
     }
 
-    fn is_asked_for(&self, axis: &Axis) -> bool {
-        P::is_asked_for(axis)
-    }
-
     fn program(&self, designed: &Designed, last: Option<&str>) -> Result<Program, Defect> {
         match designed.axis.real {
-            RealKind::F64 => build::program::<f64, P>(designed, last),
-            RealKind::F32 => build::program::<f32, P>(designed, last),
+            RealKind::F64 => program::<f64, P>(self, designed, last),
+            RealKind::F32 => program::<f32, P>(self, designed, last),
         }
     }
 
     fn block(&self, designed: &Designed) -> Result<Block, Defect> {
         match designed.axis.real {
-            RealKind::F64 => build::block::<f64, P>(designed),
-            RealKind::F32 => build::block::<f32, P>(designed),
+            RealKind::F64 => block::<f64, P>(self, designed),
+            RealKind::F32 => block::<f32, P>(self, designed),
         }
     }
 
     fn start(&self, designed: &Designed) -> Box<dyn Run> {
-        match designed.axis.real {
-            RealKind::F64 => Box::new(Running::<f64, P>::start(designed)),
-            RealKind::F32 => Box::new(Running::<f32, P>::start(designed)),
+        let (coeffs, real) = (P::design(designed), designed.axis.real);
+        match real {
+            RealKind::F64 => Box::new(Running::<f64, P>::start(coeffs)),
+            RealKind::F32 => Box::new(Running::<f32, P>::start(rounded(&coeffs, real))),
         }
     }
 
     fn coefficients(&self, designed: &Designed) -> Vec<Literal> {
-        let coeffs = P::coefficients(designed);
-        match designed.axis.real {
+        let (coeffs, real) = (P::design(designed), designed.axis.real);
+        match real {
             RealKind::F64 => leaves(&coeffs),
-            RealKind::F32 => leaves(&rounded::<_, <P as Reference<f32>>::Coeffs>(&coeffs, RealKind::F32)),
+            RealKind::F32 => leaves(&rounded::<_, <P as Reference<f32>>::Coeffs>(&coeffs, real)),
         }
     }
-
-    fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
-        P::notes(designed)
-    }
-
-    fn summary(&self, designed: &Designed) -> Summary {
-        P::summary(designed)
-    }
-
-    fn differences(&self, old: &Designed, new: &Designed) -> Vec<String> {
-        P::differences(old, new)
-    }
-
-    fn description(&self, designed: &Designed) -> Vec<String> {
-        P::description(designed)
-    }
 }
 
-/// A reference with its state.
-struct Running<R: Real, B: Reference<R>> {
-    coeffs: B::Coeffs,
-    state: B::State,
-    outputs: B::Outputs,
+/// The program after the pass of that name; none: as the specialiser gives it.
+fn program<R: Real, P: Part + Reference<f64> + Reference<R>>(
+    part: &P,
+    designed: &Designed,
+    last: Option<&str>,
+) -> Result<Program, Defect> {
+    let notes = part.notes(designed).into_iter().collect();
+    let specialised = specialise::block::<R, P>(&rounded(&P::design(designed), R::KIND), &notes);
+    if last.is_some() { pass::run(specialised, last) } else { Ok(specialised) }
 }
 
-impl<R: Real, P: Part + Reference<R>> Running<R, P> {
-    fn start(designed: &Designed) -> Self {
-        let coeffs = rounded(&P::coefficients(designed), R::KIND);
-        Self { coeffs, state: <P as Reference<R>>::state(), outputs: <P as Reference<R>>::outputs() }
-    }
-}
-
-impl<R: Real, B: Reference<R>> Run for Running<R, B> {
-    fn step(&mut self, inputs: &[Literal], outputs: &mut Vec<Literal>) {
-        let mut next = inputs.iter().copied();
-        let inputs = B::Inputs::build(&mut || next.next().expect("kind: as many values as inputs"));
-        B::step(&mut self.state, &self.coeffs, &inputs, &mut self.outputs);
-        outputs.clear();
-        self.outputs.visit(&mut |output| outputs.push(output));
-    }
-
-    fn state(&self) -> Vec<Literal> {
-        leaves(&self.state)
-    }
+/// Specialises one block and records what it does.
+fn block<R: Real, P: Part + Reference<f64> + Reference<R>>(part: &P, designed: &Designed) -> Result<Block, Defect> {
+    let coeffs = || rounded(&P::design(designed), R::KIND);
+    let ranges = part.ranges(designed);
+    let notes = part.notes(designed).into_iter().collect();
+    let specialised = specialise::block::<R, P>(&coeffs(), &notes);
+    let paths: Vec<String> = specialised.state.iter().map(|variable| variable.path.clone()).collect();
+    let program = pass::run(specialised, None)?;
+    let self_test = self_test::record::<R, P>(coeffs(), &program, &paths, ranges);
+    let certificate = part.certificate(designed, &program);
+    let vector = vector::recording::<R, P>(coeffs(), ranges);
+    Ok(Block { program, notes, self_test, vector, certificate })
 }

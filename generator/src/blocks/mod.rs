@@ -2,26 +2,23 @@
 //!
 //! ```text
 //! designed  an axis with everything that design makes of it, once
-//! part    what a block's folder says of it             build   design -> verified program, self-test, recorded run
-//! kind    a block as the registry has it               values  named values beside each other, for the semantic diff
+//! kind    what a block's folder says of it; what follows: verified program, self-test, recorded run
+//! values  named values beside each other, for the semantic diff
 //! ```
 //! A folder: `check` (rules), `design` (coefficients), `notes` (what each number means), `diff`, `summary`, and what the block
 //! needs beside them.
 
 pub(crate) mod axis;
-pub mod build;
-pub(crate) mod designed;
+mod designed;
 pub(crate) mod feedforward;
 pub mod ipc;
-pub mod kind;
-pub(crate) mod part;
+mod kind;
 pub(crate) mod position_control;
 mod values;
 
-pub use build::Block;
 pub use designed::Designed;
-pub use kind::{Kind, Run};
-pub(crate) use values::is_same;
+pub use kind::{Block, Kind, Part, Summary};
+pub(crate) use values::{Value, differences};
 
 use crate::axis::Axis;
 use compiler::pass::Defect;
@@ -39,13 +36,11 @@ pub fn of_axis(axis: &Axis) -> impl Iterator<Item = &'static dyn Kind> {
     BLOCKS.into_iter().filter(|kind| kind.is_asked_for(axis))
 }
 
-/// Their names.
 #[must_use]
 pub fn names(axis: &Axis) -> Vec<&'static str> {
     of_axis(axis).map(Kind::name).collect()
 }
 
-/// The block of that name.
 #[must_use]
 pub fn named(name: &str) -> Option<&'static dyn Kind> {
     BLOCKS.into_iter().find(|kind| kind.name() == name)

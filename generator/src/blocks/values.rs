@@ -2,32 +2,32 @@
 
 use crate::number::{pair, significant};
 
-/// A value with its unit, or words.
-pub(crate) enum Value {
-    /// a number and its unit
+/// A number with its unit, or words.
+pub enum Value {
     Number(f64, &'static str),
-    /// words
     Words(String),
 }
 
 /// Values by their names.
 pub(crate) type Values = Vec<(String, Value)>;
 
+/// The values of a part of an axis, as far as it has them.
+pub(crate) fn of_part(part: &str, values: impl IntoIterator<Item = (&'static str, Option<Value>)>) -> Values {
+    values.into_iter().filter_map(|(what, value)| Some((format!("{part}: {what}"), value?))).collect()
+}
+
 /// A line for each value that differs.
 pub(crate) fn differences(old: &Values, new: &Values) -> Vec<String> {
-    let mut differences = Vec::new();
-    for (what, value) in old {
-        let other = new.iter().find(|(name, _)| name == what).map(|(_, value)| value);
-        match other {
-            Some(other) if value.is_same(other) => {}
-            Some(other) => differences.push(format!("{what} {}", value.to(other))),
-            None => differences.push(format!("{what} {} -> none", value.text())),
-        }
-    }
-    for (what, value) in new.iter().filter(|(what, _)| old.iter().all(|(name, _)| name != what)) {
-        differences.push(format!("{what} none -> {}", value.text()));
-    }
-    differences
+    let kept = old.iter().filter_map(|(what, value)| match of_name(new, what) {
+        Some(other) => value.difference(other).map(|difference| format!("{what} {difference}")),
+        None => Some(format!("{what} {} -> none", value.text())),
+    });
+    let added = new.iter().filter(|(what, _)| of_name(old, what).is_none());
+    kept.chain(added.map(|(what, value)| format!("{what} none -> {}", value.text()))).collect()
+}
+
+fn of_name<'v>(values: &'v Values, what: &str) -> Option<&'v Value> {
+    values.iter().find(|(name, _)| name == what).map(|(_, value)| value)
 }
 
 /// A line for each value.
@@ -48,17 +48,16 @@ impl Value {
         }
     }
 
-    fn is_same(&self, other: &Self) -> bool {
-        match (self, other) {
-            (Self::Number(a, _), Self::Number(b, _)) => is_same(*a, *b),
-            _ => self.text() == other.text(),
-        }
-    }
-
-    fn to(&self, other: &Self) -> String {
-        match (self, other) {
-            (Self::Number(a, unit), Self::Number(b, _)) => format!("{}{unit}", pair(*a, *b, 7)),
-            _ => format!("{} -> {}", self.text(), other.text()),
+    /// `old -> new`; none: they are the same.
+    fn difference(&self, new: &Self) -> Option<String> {
+        match (self, new) {
+            (Self::Number(old, unit), Self::Number(new, _)) => {
+                (!is_same(*old, *new)).then(|| format!("{}{unit}", pair(*old, *new, 7)))
+            }
+            _ => {
+                let [old, new] = [self.text(), new.text()];
+                (old != new).then(|| format!("{old} -> {new}"))
+            }
         }
     }
 }

@@ -1,39 +1,39 @@
 //! Gantries: a slave finds its master among the axes of the set. Only what concerns two axes is here.
 
 use crate::axis::{Axis, Location, PositionControl, Velocity};
-use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
-use crate::parameters::words::Words;
+use crate::{codes, parameters::words::Words};
 use std::fmt::Write;
 
-/// Couples the slaves of a set to their masters. `places` are those of P-AXIS-00070, axis by axis.
-pub(crate) fn couple(axes: &mut [&mut Axis], places: &[Place], report: &mut Report) {
-    for slave in 0..axes.len() {
+/// Couples the slaves of a set to their masters; gives what is to be said of that. `places` are those of P-AXIS-00070, axis by
+/// axis.
+pub(crate) fn couple(axes: &mut [&mut Axis], places: &[Place]) -> Report {
+    let mut report = Report::default();
+    for (slave, place) in places.iter().enumerate() {
         let Some(number) = axes[slave].control.master else { continue };
         match master_of(axes, slave, number) {
             Err((found, instead)) => {
-                let diagnostic = Diagnostic::error(codes::MASTER, places[slave].clone(), found);
-                report.push(diagnostic.instead(instead));
+                report.push(Diagnostic::error(codes::MASTER, place.clone(), found).instead(instead));
             }
             Ok(master) => {
-                compare(axes[slave], axes[master], &places[slave], report);
-                way_out(axes[slave], axes[master], &places[slave], report);
+                compare(axes[slave], axes[master], place, &mut report);
+                way_out(axes[slave], axes[master], place, &mut report);
                 take(axes, slave, master);
             }
         }
     }
+    report
 }
 
 /// A slave whose list stands alone has no master beside it.
-pub(crate) fn alone(axis: &Axis, place: Place, report: &mut Report) {
+pub(crate) fn alone(axis: &Axis, place: Place) -> Report {
     let has_a_way_out = axis.control.position_control.is_some();
-    if let Some(number) = axis.control.master.filter(|_| has_a_way_out) {
-        let found = format!(
-            "the master of the gantry, axis {number} (P-AXIS-00070), is not there: its additive velocity is left out"
-        );
-        let instead = "a set with both axes, whose lists they name";
-        report.push(Diagnostic::warning(codes::MASTER_UNKNOWN, place, found).instead(instead));
-    }
+    let Some(number) = axis.control.master.filter(|_| has_a_way_out) else { return Report::default() };
+    let found = format!(
+        "the master of the gantry, axis {number} (P-AXIS-00070), is not there: its additive velocity is left out"
+    );
+    let instead = "a set with both axes, whose lists they name";
+    Diagnostic::warning(codes::MASTER_UNKNOWN, place, found).instead(instead).into()
 }
 
 /// The position of the master; else what is wrong and what to write instead.
@@ -42,7 +42,7 @@ fn master_of(axes: &[&mut Axis], slave: usize, number: u32) -> Result<usize, (St
     let name = &axes[slave].name;
     match named[..] {
         [] => {
-            let others = axes.iter().enumerate().filter(|(other, _)| *other != slave).map(|(_, axis)| axis);
+            let others = (0..axes.len()).filter(|other| *other != slave).map(|other| &axes[other]);
             let numbers: Vec<String> = others.map(|axis| format!("{} of {}", axis.control.number, axis.name)).collect();
             let found = format!("{name} follows the axis {number}, and no axis of the set has this number");
             let instead = match numbers.is_empty() {
@@ -52,11 +52,11 @@ fn master_of(axes: &[&mut Axis], slave: usize, number: u32) -> Result<usize, (St
             Err((found, instead))
         }
         [master] if axes[master].control.master.is_some() => {
-            let found = if follows(axes, master, slave) {
-                format!("{name} follows {}, which follows {name} in the end", axes[master].name)
-            } else {
-                format!("{name} follows {}, which is a slave itself", axes[master].name)
+            let how = match follows(axes, master, slave) {
+                true => format!("follows {name} in the end"),
+                false => "is a slave itself".to_owned(),
             };
+            let found = format!("{name} follows {}, which {how}", axes[master].name);
             Err((found, "the number of an axis that follows no other".to_owned()))
         }
         [master] => Ok(master),
@@ -71,22 +71,21 @@ fn master_of(axes: &[&mut Axis], slave: usize, number: u32) -> Result<usize, (St
 }
 
 /// Whether an axis follows another one, by way of any number of masters.
-fn follows(axes: &[&mut Axis], mut axis: usize, wanted: usize) -> bool {
-    for _ in 0..axes.len() {
-        let master = axes[axis].control.master;
-        let Some(next) = axes.iter().position(|next| Some(next.control.number) == master) else { return false };
-        if next == wanted {
-            return true;
-        }
-        axis = next;
-    }
-    false
+fn follows(axes: &[&mut Axis], axis: usize, wanted: usize) -> bool {
+    let master_of = |axis: &usize| {
+        let master = axes[*axis].control.master?;
+        axes.iter().position(|other| other.control.number == master)
+    };
+    std::iter::successors(Some(axis), master_of).take(axes.len() + 1).skip(1).any(|master| master == wanted)
 }
 
 /// Unequal scalings are legal, and mostly a mistake.
 fn compare(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
     let (Some(of_slave), Some(of_master)) = (&slave.control.position_control, &master.control.position_control) else {
         return;
+    };
+    let mut warn = |found: String, instead: &str| {
+        report.push(Diagnostic::warning(codes::SCALINGS, place.clone(), found).instead(instead));
     };
     if slave.control.is_rotary != master.control.is_rotary {
         let [of_slave, of_master] = [slave, master].map(|axis| axis.control.velocity_unit());
@@ -95,35 +94,22 @@ fn compare(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
              none of the other",
             slave.name, master.name
         );
-        let instead = "equal axis types, kenngr.achs_typ (P-AXIS-00018)";
-        report.push(Diagnostic::warning(codes::SCALINGS, place.clone(), found).instead(instead));
+        warn(found, "equal axis types, kenngr.achs_typ (P-AXIS-00018)");
     }
-    // What the other way out would scale does not matter.
-    let scaling = |control: &PositionControl| match control.location {
-        Location::Cnc => (Some(control.multi_gain), None),
-        Location::Drive | Location::Profidrive => (None, control.velocity),
-    };
-    if scaling(of_slave) != scaling(of_master) {
+    let [of_slave, of_master] = [of_slave, of_master].map(scaling);
+    if of_slave != of_master {
         let found = format!(
-            "{} and its master {} scale their velocities differently: {}, and {}",
-            slave.name,
-            master.name,
-            described(of_slave),
-            described(of_master)
+            "{} and its master {} scale their velocities differently: {of_slave}, and {of_master}",
+            slave.name, master.name
         );
-        let instead = "equal scalings, unless the drives are different";
-        report.push(Diagnostic::warning(codes::SCALINGS, place.clone(), found).instead(instead));
+        warn(found, "equal scalings, unless the drives are different");
     }
 }
 
 /// A slave that cannot follow what its master adds would pull the gantry askew.
 fn way_out(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
-    let is_shut = slave
-        .control
-        .position_control
-        .as_ref()
-        .is_some_and(|control| control.location != Location::Cnc && control.velocity.is_none());
-    if is_shut && master.ipc.is_active() {
+    let is_shut = |control: &PositionControl| control.location != Location::Cnc && control.velocity.is_none();
+    if slave.control.position_control.as_ref().is_some_and(is_shut) && master.ipc.is_active() {
         let found = format!(
             "{} follows {}, which has improved position control, and its own process data have no additive velocity",
             slave.name, master.name
@@ -136,15 +122,14 @@ fn way_out(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
     }
 }
 
-fn described(control: &PositionControl) -> String {
-    match control.velocity.filter(|_| control.location != Location::Cnc) {
-        Some(Velocity { reso, time_base, width }) => {
+/// Everything that scales the way out that is used, in words.
+fn scaling(control: &PositionControl) -> String {
+    match (control.location, control.velocity) {
+        (Location::Cnc, _) => format!("multi_gain {}/{}", control.multi_gain.num, control.multi_gain.denom),
+        (_, Some(Velocity { reso, time_base, width })) => {
             format!("v_reso {}/{}, v_time_base {}, {}", reso.num, reso.denom, time_base as u32, width.name())
         }
-        None if control.location == Location::Cnc => {
-            format!("multi_gain {}/{}", control.multi_gain.num, control.multi_gain.denom)
-        }
-        None => "no additive velocity".to_owned(),
+        (_, None) => "no additive velocity".to_owned(),
     }
 }
 

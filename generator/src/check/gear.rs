@@ -1,23 +1,19 @@
 //! Which gear step of an axis is used, where that may be a surprise: an error where it is not there, else warnings.
 
-use crate::axis::Axis;
-use crate::codes;
 use crate::config::values::{Key, key};
-use crate::diagnostics::Diagnostic;
 use crate::parameters::{Name, path_with};
-use crate::rules::effective::Effective;
+use crate::{axis::Axis, codes, diagnostics::Diagnostic, rules::effective::Effective};
+use std::collections::BTreeSet;
 
 /// The gear step that the set names is one that the axis has, or there are none at all.
 pub(crate) fn check(e: &mut Effective<'_>) {
     let gear_key = key(Name::Gear);
     let steps = steps(e);
     let Some(gear) = e.validated_integer(gear_key) else { return };
-    if steps.is_empty() || steps.contains(&gear) || e.given(gear_key).is_none() {
-        return;
-    }
+    let Some(first) = steps.first().filter(|_| !steps.contains(&gear) && e.given(gear_key).is_some()) else { return };
     let found = format!("`gear` is {gear}, and the axis has {} only", listed(&steps));
     let diagnostic = Diagnostic::error(codes::NO_GEAR, e.place_of(gear_key), found);
-    let instead = format!("gear = {}, or the parameters getriebe[{gear}]", steps[0]);
+    let instead = format!("gear = {first}, or the parameters getriebe[{gear}]");
     e.report.push(diagnostic.allowed("a gear step that the list or the set has").instead(instead));
 }
 
@@ -26,53 +22,47 @@ pub(crate) fn advise(axis: &Axis, e: &mut Effective<'_>) {
     let steps = steps(e);
     let gear_key = key(Name::Gear);
     let Some(gear) = e.validated_integer(gear_key) else { return };
-    let Some(other) = first_of_another(e, gear) else { return };
+    // The first parameter of another step, where the surprise is shown.
+    let Some(other) = of_others(e, gear).min_by_key(|(name, [step, _])| (*step, *name)) else { return };
     let lacking = lacking(e, gear, axis.control.position_control.is_none());
     if !lacking.is_empty() {
         let found = format!("gear step {gear} is used, and lacks what other steps have: {}", lacking.join("; "));
         let instead = format!("the parameters getriebe[{gear}], or the key `gear` of another step");
-        e.warn(codes::GEAR, other, found, Some(instead));
+        e.warn(codes::GEAR, other, found, instead);
     } else if e.given(gear_key).is_none() {
         let found = format!("{} are given; step {gear} is used", listed(&steps));
-        e.warn(codes::GEAR, other, found, Some("the key `gear` in a set, to choose one".to_owned()));
+        e.warn(codes::GEAR, other, found, "the key `gear` in a set, to choose one".to_owned());
     }
 }
 
 /// The gear steps of which anything is given.
-fn steps(e: &Effective<'_>) -> Vec<u32> {
-    let mut steps: Vec<u32> =
-        e.all_given().filter(|(key, _)| is_of_a_gear(*key)).map(|((_, [step, _]), _)| step).collect();
-    steps.sort_unstable();
-    steps.dedup();
-    steps
+fn steps(e: &Effective<'_>) -> BTreeSet<u32> {
+    e.all_given().filter(|(key, _)| is_of_a_gear(*key)).map(|((_, [step, _]), _)| step).collect()
 }
 
 fn is_of_a_gear((name, _): Key) -> bool {
     name.parameter().path.starts_with("getriebe[")
 }
 
-/// The first parameter of another step, where the surprise is shown.
-fn first_of_another(e: &Effective<'_>, gear: u32) -> Option<Key> {
-    let of_others = e.all_given().map(|(key, _)| key).filter(|key| is_of_a_gear(*key) && key.1[0] != gear);
-    of_others.min_by_key(|(name, [step, _])| (*step, *name))
+/// What is given of other steps.
+fn of_others(e: &Effective<'_>, gear: u32) -> impl Iterator<Item = Key> {
+    e.all_given().map(|(key, _)| key).filter(move |key| is_of_a_gear(*key) && key.1[0] != gear)
 }
 
 /// What the step lacks, other steps have and the axis needs: with the default that holds instead.
 fn lacking(e: &Effective<'_>, gear: u32, is_uncontrolled: bool) -> Vec<String> {
-    let of_others = |name: Name| e.all_given().any(|((other, [step, _]), _)| other == name && step != gear);
     let is_needed = |name: Name| name == Name::Kv && is_uncontrolled || e.is_used((name, [gear, 0]));
-    let names = Name::ALL.into_iter().filter(|name| is_of_a_gear((*name, [0, 0])) && of_others(*name));
-    names
+    let names: BTreeSet<Name> = of_others(e, gear).map(|(name, _)| name).collect();
+    (names.into_iter())
         .filter(|name| e.given((*name, [gear, 0])).is_none() && is_needed(*name))
         .map(|name| {
             let parameter = name.parameter();
             let path = path_with(parameter.path, [gear, 0]);
             let end = path.split_once('.').map_or(path.as_str(), |(_, end)| end);
             let id = parameter.id.unwrap_or_default();
+            let default = parameter.default_at([gear, 0]).unwrap_or_default();
             match e.is_used((name, [gear, 0])) {
-                true => {
-                    format!("{end} ({id}), whose default {} holds", parameter.default_at([gear, 0]).unwrap_or_default())
-                }
+                true => format!("{end} ({id}), whose default {default} holds"),
                 false => format!("{end} ({id}), without which there is no position control"),
             }
         })
@@ -80,7 +70,7 @@ fn lacking(e: &Effective<'_>, gear: u32, is_uncontrolled: bool) -> Vec<String> {
 }
 
 /// `the gear steps 0, 2`.
-fn listed(steps: &[u32]) -> String {
+fn listed(steps: &BTreeSet<u32>) -> String {
     let numbers = steps.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
     format!("the gear step{} {numbers}", if steps.len() == 1 { "" } else { "s" })
 }

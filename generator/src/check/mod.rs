@@ -13,15 +13,13 @@ pub(crate) mod gear;
 pub(crate) mod inert;
 
 use crate::axis::{Axis, Control, Ipc};
-use crate::blocks::feedforward::check as feedforward;
 use crate::blocks::ipc::check as ipc;
-use crate::blocks::position_control::check as position_control;
+use crate::blocks::{feedforward::check as feedforward, position_control::check as position_control};
 use crate::config::values::{Values, key};
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::words::{AxisType, FeedforwardWord, RealType, Words};
 use crate::parameters::{Name, Value};
-use crate::rules::drive::{self, Drive};
-use crate::rules::effective::Effective;
+use crate::rules::{drive, effective::Effective};
 use portable::RealKind;
 
 /// The cycle time of the set, in ns.
@@ -31,7 +29,7 @@ pub(crate) fn cycle_time(values: &Values, missing: Diagnostic, report: &mut Repo
         report.push(missing);
         return None;
     }
-    let mut effective = Effective::of(values, Place::whole(""));
+    let mut effective = Effective::new(values, Place::whole(""));
     let ns = effective.duration(key).and_then(|ns| u32::try_from(ns).ok());
     report.extend(effective.report);
     ns
@@ -39,7 +37,7 @@ pub(crate) fn cycle_time(values: &Values, missing: Diagnostic, report: &mut Repo
 
 pub(crate) fn targets(values: &Values) -> Vec<String> {
     match values.get(key(Name::Targets)).and_then(|setting| setting.value.as_ref()) {
-        Some(Value::Words(words)) => words.iter().map(|word| (*word).to_owned()).collect(),
+        Some(Value::Words(words)) => words.iter().copied().map(str::to_owned).collect(),
         _ => Vec::new(),
     }
 }
@@ -56,7 +54,7 @@ pub(crate) struct Checked<'v> {
 /// One axis; its home is where the set names it. Without a cycle time, whose absence has been said, everything that does not
 /// need it is validated all the same.
 pub(crate) fn axis<'v>(name: &str, cycle_time: Option<u32>, values: &'v Values, home: Place) -> Checked<'v> {
-    let mut effective = Effective::of(values, home);
+    let mut effective = Effective::new(values, home);
     if let Some(ns) = cycle_time {
         effective.note(key(Name::CycleTime), &Value::Duration(u64::from(ns)));
     }
@@ -91,7 +89,7 @@ fn control(e: &mut Effective<'_>, cycle_time: Option<u32>, ipc: Option<&Ipc>) ->
         return Some((Control { number, is_rotary, ..Control::default() }, 0));
     }
     // Without a drive, which has been said, the rest is validated all the same.
-    let drive = drive::check(e).unwrap_or(Drive::UNKNOWN);
+    let drive = drive::check(e).unwrap_or_default();
     let feedforward = feedforward::check(e, cycle_time, &drive)?;
     let position_control = position_control::check(e, &drive, ipc, feedforward.as_ref(), master.is_some())?;
     let control = Control { feedforward, position_control, number, is_rotary, master, master_limit: None };

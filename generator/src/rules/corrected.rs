@@ -1,12 +1,9 @@
 //! The conditions that the controller reports and corrects: a warning with its number, and the corrected value.
 
-use super::drive;
-use super::effective::Effective;
-use crate::axis::Ratio;
-use crate::config::values::key;
-use crate::diagnostics::Diagnostic;
+use super::{drive, effective::Effective};
 use crate::parameters::words::{FeedforwardWord, Words};
 use crate::parameters::{Name, Value, path_with, time_text};
+use crate::{axis::Ratio, config::values::key, diagnostics::Diagnostic};
 
 /// Cycles that end every delay.
 pub(crate) const DELAY_CYCLES: u64 = 6;
@@ -18,16 +15,15 @@ pub(crate) fn delay(
     cycle_time: Option<u32>,
     (code, id): (&'static str, u32),
 ) -> Option<u32> {
-    let given = match e.given(key(name)).map(|setting| setting.value.clone()) {
+    let given = match e.given(key(name)).and_then(|setting| setting.value.clone()) {
+        Some(value) => value,
         // What is no number at all is an error like any other.
-        Some(None) | None => e.validated(key(name))?,
-        Some(Some(value)) => value,
+        None => e.validated(key(name))?,
     };
     let Value::Integer(us) = given else { return None };
     let end = cycle_time.map_or(u64::MAX, |ns| DELAY_CYCLES * u64::from(ns));
-    let within =
-        u64::try_from(us).ok().filter(|us| us.saturating_mul(1000) < end).and_then(|us| u32::try_from(us).ok());
-    let delay = within.unwrap_or_else(|| {
+    let is_within = |us: &u32| u64::from(*us) * 1000 < end;
+    let delay = u32::try_from(us).ok().filter(is_within).unwrap_or_else(|| {
         let cycle = cycle_time.map_or(String::new(), |ns| format!(", {} each", time_text(u64::from(ns))));
         let found =
             format!("{} is {us} us: error {id} of the controller; the delay is corrected to 0", e.title(key(name)));
@@ -71,6 +67,5 @@ pub(crate) fn no_datum(e: &mut Effective<'_>, word: FeedforwardWord, datum: Name
     );
     let instead =
         format!("{} = \"INT32\" or \"INT16\" in a set, if the drive has it", path_with(datum.parameter().path, [0, 0]));
-    let place = e.place_of(key(Name::FeedforwardMode));
-    e.report.push(Diagnostic::warning(code, place, found).instead(instead));
+    e.warn(code, key(Name::FeedforwardMode), found, instead);
 }

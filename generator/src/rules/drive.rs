@@ -3,11 +3,11 @@
 use super::effective::Effective;
 use crate::axis::{Location, Ratio, Resolution, TimeBase, Velocity, Width};
 use crate::config::values::{Key, key};
-use crate::parameters::Name;
 use crate::parameters::words::{DriveType, OperationMode, ProcessDatum};
+use crate::{codes, diagnostics::Diagnostic, parameters::Name};
 
 /// The drive, as far as every part of the axis needs it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Drive {
     pub(crate) location: Location,
     /// the gear step whose parameters are used
@@ -17,8 +17,22 @@ pub(crate) struct Drive {
 }
 
 impl Drive {
-    /// What is assumed where the drive could not be validated.
-    pub(crate) const UNKNOWN: Self = Self { location: Location::Cnc, gear: 0, velocity: None, torque: None };
+    /// Scaling of the additive velocity (P-AXIS-00205 to 00207), where it is put out; outer none: an error, which has been said.
+    pub(crate) fn velocity(&self, e: &mut Effective<'_>, is_put_out: bool) -> Option<Option<Velocity>> {
+        let Some(width) = self.velocity.filter(|_| is_put_out) else { return Some(None) };
+        let reso = ratio(e, key(Name::VResoNum), key(Name::VResoDenom));
+        let time_base = e.integer(key(Name::VTimeBase)).and_then(|base| TimeBase::ALL.get(base as usize).copied());
+        note(e, &[Name::AdditiveVelocityData]);
+        Some(Some(Velocity { reso: reso?, time_base: time_base?, width }))
+    }
+
+    /// The increments per revolution of the gear step are 0 (P-AXIS-00092), and something needs them.
+    pub(crate) fn no_increments(&self, e: &mut Effective<'_>, why: &str) {
+        let key = (Name::IncrPerRev, [self.gear, 0]);
+        let found = format!("{} is 0, and {why}", e.title(key));
+        let diagnostic = Diagnostic::error(codes::RESOLUTION, e.place_of(key), found);
+        e.report.push(diagnostic.allowed("1 <= incr_per_rev [increments/revolution]"));
+    }
 }
 
 /// Where the position is controlled (P-AXIS-00320), by default as the drive type says (P-AXIS-00020); none: an error, which has
@@ -31,10 +45,10 @@ pub(crate) fn check(e: &mut Effective<'_>) -> Option<Drive> {
         OperationMode::CncPositionControl => false,
         OperationMode::DriveDefault => controls_position(drive_type),
     };
-    let location = match (in_drive, drive_type) {
-        (false, _) => Location::Cnc,
-        (true, DriveType::Profidrive) => Location::Profidrive,
-        (true, _) => Location::Drive,
+    let location = match drive_type {
+        _ if !in_drive => Location::Cnc,
+        DriveType::Profidrive => Location::Profidrive,
+        _ => Location::Drive,
     };
     let velocity = datum(e, Name::AdditiveVelocityData);
     Some(Drive { location, gear, velocity, torque: datum(e, Name::AdditiveTorqueData) })
@@ -43,13 +57,8 @@ pub(crate) fn check(e: &mut Effective<'_>) -> Option<Drive> {
 fn controls_position(drive_type: DriveType) -> bool {
     match drive_type {
         DriveType::Sercos | DriveType::Profidrive | DriveType::CanOpen => true,
-        DriveType::Conventional
-        | DriveType::Simulation
-        | DriveType::Lightbus
-        | DriveType::Terminal
-        | DriveType::RtEthernet
-        | DriveType::Virtual
-        | DriveType::CanBus => false,
+        DriveType::Conventional | DriveType::Simulation | DriveType::Lightbus | DriveType::Terminal => false,
+        DriveType::RtEthernet | DriveType::Virtual | DriveType::CanBus => false,
     }
 }
 
@@ -69,14 +78,6 @@ pub(crate) fn note(e: &mut Effective<'_>, names: &[Name]) {
             e.note(key(*name), &value);
         }
     }
-}
-
-/// Scaling of the additive velocity (P-AXIS-00205 to 00207).
-pub(crate) fn velocity(e: &mut Effective<'_>, width: Width) -> Option<Velocity> {
-    let reso = ratio(e, key(Name::VResoNum), key(Name::VResoDenom));
-    let time_base = e.integer(key(Name::VTimeBase)).and_then(|base| TimeBase::ALL.get(base as usize).copied());
-    note(e, &[Name::AdditiveVelocityData]);
-    Some(Velocity { reso: reso?, time_base: time_base?, width })
 }
 
 /// Path resolution (P-AXIS-00092, 00233, 00234, 00362, 00363).

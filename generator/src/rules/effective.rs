@@ -1,15 +1,11 @@
 //! The effective value of a parameter: what was given, else its default; within its range, else a message. No rule
 //! that connects two parameters.
 
-use crate::codes;
-use crate::config::value;
 use crate::config::values::{Key, Setting, Values};
 use crate::diagnostics::{Diagnostic, Place, Report};
-use crate::parameters::words::Words;
 use crate::parameters::{Name, Value, path_with};
-use std::collections::BTreeMap;
-use std::fmt::Write;
-use std::path::Path;
+use crate::{codes, config::value, parameters::words::Words};
+use std::{collections::BTreeMap, path::Path};
 
 /// What an axis was given, what was said about it, and what of it its block uses.
 #[derive(Debug)]
@@ -21,7 +17,7 @@ pub(crate) struct Effective<'a> {
 }
 
 impl<'a> Effective<'a> {
-    pub(crate) fn of(values: &'a Values, home: Place) -> Self {
+    pub(crate) fn new(values: &'a Values, home: Place) -> Self {
         Self { values, home, report: Report::default(), used: BTreeMap::new() }
     }
 
@@ -54,42 +50,34 @@ impl<'a> Effective<'a> {
         near.map_or(place, |(_, setting)| setting.path_place())
     }
 
-    /// The value that holds, validated; it does not go into the canonical form.
+    /// The value that holds, validated; it does not go into the canonical form. Why it cannot be used is said once.
     pub(crate) fn validated(&mut self, key: Key) -> Option<Value> {
-        let (name, index) = key;
-        let parameter = name.parameter();
-        if let Some(setting) = self.given(key) {
-            let Some(value) = setting.value.clone() else {
-                self.say_once(setting.refused.as_ref());
-                return None;
-            };
-            if parameter.contains(&value) {
-                return Some(value);
-            }
-            let found = format!("{} is {}", parameter.title(setting.spelling, index), value.text());
-            let diagnostic = Diagnostic::error(codes::RANGE, setting.value_place(), found);
-            self.say_once(Some(&diagnostic.allowed(parameter.allowed())));
-            return None;
-        }
-        let text = parameter.default_at(index).unwrap_or_default();
-        match value::of_text(parameter, text) {
-            Ok(value) if parameter.contains(&value) => Some(value),
-            _ => {
-                let title = parameter.title(parameter.path, index);
-                let found = format!("{title} is missing; its default {text} is outside of its range");
+        let parameter = key.0.parameter();
+        let refused = match self.given(key) {
+            Some(setting) => match &setting.value {
+                Some(value) if parameter.contains(value) => return Some(value.clone()),
+                Some(value) => {
+                    let found = format!("{} is {}", self.title(key), value.text());
+                    let diagnostic = Diagnostic::error(codes::RANGE, setting.value_place(), found);
+                    Some(diagnostic.allowed(parameter.allowed()))
+                }
+                None => setting.refused.clone(),
+            },
+            None => {
+                let text = parameter.default_at(key.1).unwrap_or_default();
+                let default = value::of_text(parameter, text).ok().filter(|value| parameter.contains(value));
+                if default.is_some() {
+                    return default;
+                }
+                let found = format!("{} is missing; its default {text} is outside of its range", self.title(key));
                 let diagnostic = Diagnostic::error(codes::MISSING, self.place_of(key), found);
-                let instead = format!("{} with a value", path_with(parameter.path, index));
-                self.say_once(Some(&diagnostic.allowed(parameter.allowed()).instead(instead)));
-                None
+                let instead = format!("{} with a value", path_with(parameter.path, key.1));
+                Some(diagnostic.allowed(parameter.allowed()).instead(instead))
             }
-        }
-    }
-
-    /// Says why a value cannot be used, however often it is asked for.
-    fn say_once(&mut self, refused: Option<&Diagnostic>) {
-        if let Some(refused) = refused.filter(|refused| !self.report.diagnostics.contains(refused)) {
-            self.report.push((*refused).clone());
-        }
+        };
+        let unsaid = refused.filter(|refused| !self.report.diagnostics.contains(refused));
+        self.report.diagnostics.extend(unsaid);
+        None
     }
 
     /// The word that holds, validated; it does not go into the canonical form.
@@ -99,7 +87,7 @@ impl<'a> Effective<'a> {
 
     pub(crate) fn validated_words<T: Words>(&mut self, key: Key) -> Option<Vec<T>> {
         match self.validated(key)? {
-            Value::Words(words) => Some(words.into_iter().map(|word| word_named(key, word)).collect()),
+            Value::Words(words) => Some(words.into_iter().map(|word| word_of(key, &Value::Word(word))).collect()),
             other => wrong_kind(key, &other),
         }
     }
@@ -138,20 +126,15 @@ impl<'a> Effective<'a> {
         Some(value)
     }
 
-    pub(crate) fn warn(&mut self, code: &'static str, key: Key, found: String, instead: Option<String>) {
-        let diagnostic = Diagnostic::warning(code, self.place_of(key), found);
-        self.report.push(Diagnostic { instead, ..diagnostic });
-    }
-
-    pub(crate) fn refuse(
+    pub(crate) fn warn(
         &mut self,
         code: &'static str,
         key: Key,
-        found: String,
-        [allowed, instead]: [Option<String>; 2],
+        found: impl Into<String>,
+        instead: impl Into<Option<String>>,
     ) {
-        let diagnostic = Diagnostic::error(code, self.place_of(key), found);
-        self.report.push(Diagnostic { allowed, instead, ..diagnostic });
+        let diagnostic = Diagnostic::warning(code, self.place_of(key), found);
+        self.report.push(Diagnostic { instead: instead.into(), ..diagnostic });
     }
 
     /// Path and id of a parameter as it was given.
@@ -171,12 +154,9 @@ impl<'a> Effective<'a> {
 
     /// What the block uses: one `path value` a line, in the order of the table, independent of how it was written.
     pub(crate) fn canonical(&self) -> String {
-        let mut lines = String::with_capacity(2048);
-        for ((name, index), text) in &self.used {
-            // Writing to a String cannot fail.
-            let _ = writeln!(lines, "{} {text}", path_with(name.parameter().path, *index));
-        }
-        lines
+        let line =
+            |((name, index), text): (&Key, &String)| format!("{} {text}\n", path_with(name.parameter().path, *index));
+        self.used.iter().map(line).collect()
     }
 }
 
@@ -196,10 +176,8 @@ pub(crate) fn as_written(place: &Place, (name, index): Key, words: &[&str]) -> S
 }
 
 fn word_of<T: Words>(key: Key, value: &Value) -> T {
-    match value {
-        Value::Word(word) => word_named(key, word),
-        other => wrong_kind(key, other),
-    }
+    let word = if let Value::Word(word) = value { T::named(word) } else { None };
+    word.unwrap_or_else(|| wrong_kind(key, value))
 }
 
 fn integer_of(key: Key, value: &Value) -> Option<u32> {
@@ -207,10 +185,6 @@ fn integer_of(key: Key, value: &Value) -> Option<u32> {
         Value::Integer(n) => u32::try_from(*n).ok(),
         other => wrong_kind(key, other),
     }
-}
-
-fn word_named<T: Words>(key: Key, word: &'static str) -> T {
-    T::named(word).unwrap_or_else(|| wrong_kind(key, &Value::Word(word)))
 }
 
 /// A rule asks for a value of another kind than the table declares.

@@ -13,7 +13,7 @@ fn it_is_bounded_at_the_lowest_frequency_too() {
     let slow = one_band_pass(RealKind::F64, 62_500, Prototype::Butterworth, 3, 0.016, 10.0);
     let most = sets::axes(200, RealKind::F64).max_by_key(|axis| block(axis).program.state.len()).expect("one");
     for (name, axis) in [("usual", rack_and_pinion(RealKind::F64)), ("slow", slow), ("most", most)] {
-        let (designed, block) = (Designed::of(axis.clone()), block(&axis));
+        let (designed, block) = (Designed::from(axis.clone()), block(&axis));
         let once = |_| {
             let start = Instant::now();
             std::hint::black_box(certify(&designed, &block.program));

@@ -17,12 +17,12 @@ use portable::RealKind;
 
 /// The one block of an axis.
 fn block(axis: &Axis) -> Block {
-    blocks(&Designed::of(axis.clone())).expect("no defect").remove(0)
+    blocks(&Designed::from(axis.clone())).expect("no defect").remove(0)
 }
 
 /// What is certain of it.
 fn certified(axis: &Axis) -> Certificate {
-    certify(&Designed::of(axis.clone()), &block(axis).program)
+    certify(&Designed::from(axis.clone()), &block(axis).program)
 }
 
 /// The rack-and-pinion example: 53 Hz DIRECT with weight 3, 11 Hz INDIRECT with weight 1.9, cycle 1 ms.

@@ -71,7 +71,7 @@ fn a_coefficient_that_is_off_by_one_per_cent_is_seen() {
         }
         let mut wrong = program.clone();
         wrong.constants[index].value = Literal::F64(value * 1.01);
-        let deviation = certify(&Designed::of(axis.clone()), &wrong).deviation().expect("measured");
+        let deviation = certify(&Designed::from(axis.clone()), &wrong).deviation().expect("measured");
         assert!(deviation > 1e-3, "{}: {deviation:e}", program.constants[index].path);
         changed += 1;
     }

@@ -25,7 +25,7 @@ fn example(name: &str) -> Axis {
 
 /// What the drive of an axis gets for a constant input, after the delays have run full.
 fn steady(axis: &Axis, inputs: Inputs<f64>) -> [i32; 2] {
-    let coeffs = Designed::of(axis.clone()).feedforward;
+    let coeffs = Designed::from(axis.clone()).feedforward;
     let inputs = Inputs { feedforward_active: true, feedforward_percentage: 100, position_controlled: true, ..inputs };
     let (mut state, mut outputs) = (<Feedforward as Block<f64>>::state(), <Feedforward as Block<f64>>::outputs());
     for _ in 0..10 {
@@ -123,7 +123,7 @@ fn linear_motor() {
 #[test]
 fn position_controller() {
     let axis = example("X");
-    let coeffs = Designed::of(axis).position_control;
+    let coeffs = Designed::from(axis).position_control;
     assert_eq!((coeffs.kv, coeffs.lag), (20.0, 0.05));
     let mut inputs = <PositionControl as Block<f64>>::inputs(&coeffs);
     inputs.x_command = 1e6 / 60.0 / 20.0; // a lag that is 1 m/min at 20/s
@@ -210,8 +210,8 @@ fn a_gantry_slave_refuses_its_mode() {
     let mut axis = example("Y1");
     axis.control.master = Some(9);
     axis.ipc.enable = Enable::Off;
-    assert_eq!(blocks(&Designed::of(axis.clone())).expect("a slave has blocks").len(), 3);
-    let coeffs = Designed::of(axis).ipc.coeffs;
+    assert_eq!(blocks(&Designed::from(axis.clone())).expect("a slave has blocks").len(), 3);
+    let coeffs = Designed::from(axis).ipc.coeffs;
     let (mut state, mut outputs) = (<Ipc as Block<f64>>::state(), <Ipc as Block<f64>>::outputs());
     for (mode, expected) in [(mode_off(), 0), (mode_on(), 70_600), (mode_dryrun(), 70_600), (7, 2), (mode_off(), 0)] {
         let inputs = reference::ipc::Inputs { mode, ..<Ipc as Block<f64>>::inputs(&coeffs) };

@@ -117,7 +117,7 @@ fn rack_and_pinion() -> Axis {
 
 #[test]
 fn stages_of_the_rack_and_pinion_example() {
-    let coeffs = Designed::of(rack_and_pinion()).ipc.coeffs;
+    let coeffs = Designed::from(rack_and_pinion()).ipc.coeffs;
     let direct = of_stage(&coeffs.stage[0], warped(53.0, TS));
     same(direct.re, -3.0);
     assert!(direct.im.abs() < 3e-13);

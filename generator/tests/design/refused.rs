@@ -21,7 +21,7 @@ fn axis(f0: f64, real: RealKind) -> Axis {
 }
 
 fn refused(axis: &Axis) -> Vec<Refusal> {
-    refusals(&Designed::of(axis.clone()))
+    refusals(&Designed::from(axis.clone()))
 }
 
 #[test]

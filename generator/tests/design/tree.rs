@@ -14,7 +14,7 @@ fn axis() -> Axis {
 }
 
 fn notes(axis: Axis) -> Vec<(String, String)> {
-    named("ipc").expect("the registry has it").notes(&Designed::of(axis))
+    named("ipc").expect("the registry has it").notes(&Designed::from(axis))
 }
 
 fn ipc(axis: &Axis) -> Coeffs<f64> {

@@ -1,28 +1,24 @@
 //! The block `axis`: feedforward, position control and improved position control in their order; and gantry slaves.
 
-use super::feedforward::notes as feedforward_notes;
 use super::ipc::notes::{self as ipc_notes, cycle_time, note};
-use super::part::{Part, Summary};
-use super::position_control::design::addition;
-use super::position_control::notes as position_control_notes;
-use super::values::{Value, Values};
-use crate::blocks::designed::Designed;
-use crate::number::digits;
+use super::values::{Value, Values, of_part};
+use super::{Part, Summary, feedforward, position_control};
+use crate::{blocks::designed::Designed, number::digits};
 use reference::axis::{Axis, Coeffs};
 use reference::feedforward::Feedforward;
 use reference::ipc::Ipc;
 
 impl Part for Axis {
-    fn is_asked_for(axis: &crate::axis::Axis) -> bool {
+    fn is_asked_for(&self, axis: &crate::axis::Axis) -> bool {
         axis.control.position_control.is_some()
     }
 
-    fn coefficients(designed: &Designed) -> Coeffs<f64> {
+    fn design(designed: &Designed) -> Coeffs<f64> {
         let axis = &designed.axis;
         let limit = axis.control.master_limit.unwrap_or(0.0);
         Coeffs {
             cycle_time_ns: axis.cycle_time_ns,
-            addition: addition(axis),
+            addition: position_control::design::addition(axis),
             has_feedforward: axis.control.feedforward.is_some(),
             master_limit: limit,
             master_lower_limit: 0.0 - limit, // not `-limit`: 0 stays +0
@@ -33,40 +29,38 @@ impl Part for Axis {
     }
 
     /// Its own, and those of its parts.
-    fn notes(designed: &Designed) -> Vec<(String, String)> {
+    fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
         let axis = &designed.axis;
         let within = |part: &'static str, notes: Vec<(String, String)>| {
             notes.into_iter().map(move |(path, text)| (format!("{part}.{path}"), text))
         };
         let mut notes = vec![note("cycle_time_ns", cycle_time(axis))];
         if let Some(limit) = axis.control.master_limit {
-            let text =
-                format!("largest |v_add| = {} of the gantry's master (P-AXIS-00070, 00757, 00212)", digits(limit));
+            let limit = digits(limit);
+            let text = format!("largest |v_add| = {limit} of the gantry's master (P-AXIS-00070, 00757, 00212)");
             notes.push(note("master_limit", text));
         }
-        notes.extend(within("feedforward", feedforward_notes::notes(axis)));
+        notes.extend(within("feedforward", feedforward::notes::notes(axis)));
         notes.extend(within("ipc", ipc_notes::notes(designed)));
-        notes.extend(within("position_control", position_control_notes::notes(axis)));
+        notes.extend(within("position_control", position_control::notes::notes(axis)));
         notes
     }
 
-    fn ranges(designed: &Designed) -> [f64; 2] {
-        let [quiet, loud] = Ipc::ranges(designed);
-        let [other_quiet, other_loud] = Feedforward::ranges(designed);
+    fn ranges(&self, designed: &Designed) -> [f64; 2] {
+        let [quiet, loud] = Ipc.ranges(designed);
+        let [other_quiet, other_loud] = Feedforward.ranges(designed);
         [quiet.min(other_quiet), loud.max(other_loud)]
     }
 
-    fn summary(designed: &Designed) -> Summary {
+    fn summary(&self, designed: &Designed) -> Summary {
         let control = &designed.axis.control;
-        let line = control.master.map(|master| match control.master_limit {
-            Some(limit) => format!("gantry slave of axis {master}: puts out its v_add, |v_add| <= {}", digits(limit)),
-            None => format!("gantry slave of axis {master}"),
-        });
-        Summary::line(line)
+        let limit = control.master_limit.map(|limit| format!(": puts out its v_add, |v_add| <= {}", digits(limit)));
+        let line = control.master.map(|master| format!("gantry slave of axis {master}{}", limit.unwrap_or_default()));
+        Summary { lines: line.into_iter().collect(), ..Summary::default() }
     }
 
-    fn values(designed: &Designed) -> Values {
+    fn values(&self, designed: &Designed) -> Values {
         let limit = designed.axis.control.master_limit;
-        limit.map(|limit| ("gantry: limit of the master".to_owned(), Value::Number(limit, ""))).into_iter().collect()
+        of_part("gantry", [("limit of the master", limit.map(|limit| Value::Number(limit, "")))])
     }
 }

@@ -1,14 +1,11 @@
 //! The rules of feedforward: which quantities there are, which way they go, and what is corrected.
 
 use crate::axis::{Feedforward, Location, Quantities, Ratio, Torque};
-use crate::codes;
-use crate::config::values::key;
-use crate::diagnostics::Diagnostic;
 use crate::parameters::words::{AddJerk, AxisType, Boolean, FeedforwardWord, Motor, Words};
 use crate::parameters::{Name, Value};
-use crate::rules::corrected;
 use crate::rules::drive::{self, Drive};
-use crate::rules::effective::Effective;
+use crate::rules::{corrected, effective::Effective};
+use crate::{codes, config::values::key, diagnostics::Diagnostic};
 
 /// Feedforward of one axis; outer none: an error, which has been said; inner none: there is none.
 pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Drive) -> Option<Option<Feedforward>> {
@@ -19,7 +16,7 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Driv
     }
     e.note(key(Name::FeedforwardMode), &Value::Words(words.iter().map(|word| word.name()).collect()));
     refuse_jerk(e, has(FeedforwardWord::AddJerk))?;
-    let Ways { mut conventional, mut additive, mut torque } = ways(&words);
+    let [mut conventional, mut additive, mut torque] = ways(&words);
     if drive.location == Location::Profidrive && has(FeedforwardWord::AddVel) {
         // NSOLL_B takes the whole feedforward, not its velocity alone.
         additive = Quantities { velocity: true, ..conventional };
@@ -35,16 +32,18 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Driv
         torque = Quantities::default();
     }
     without_delay(e, &words)?;
-    let default_active = e.word(key(Name::DefaultActive)).map(is_true);
-    let global_disable = e.word(key(Name::GlobalDisable)).map(is_true);
+    let default_active = e.word::<Boolean>(key(Name::DefaultActive)).map(|word| word == Boolean::True);
+    let global_disable = e.word::<Boolean>(key(Name::GlobalDisable)).map(|word| word == Boolean::True);
     let weight =
         corrected::ratio(e, [Name::VsVFaktor, Name::VsVNenner], codes::DENOMINATOR, ("feedforward is left out", None));
-    let sums = [conventional, additive];
-    let uses_time = sums.iter().any(|sum| sum.acceleration || sum.jerk);
-    let acceleration = if uses_time || torque.acceleration {
-        let acceleration = torque.acceleration || sums.iter().any(|sum| sum.acceleration);
-        let jerk = sums.iter().any(|sum| sum.jerk);
-        let consequence = format!("{} left out", sharing(acceleration, jerk, ["is", "are"]));
+    let sums = conventional.with(additive);
+    let acceleration = if sums.use_time() || torque.acceleration {
+        let weighted = match (torque.acceleration || sums.acceleration, sums.jerk) {
+            (true, true) => "the acceleration, and the jerk that shares its time constant, are",
+            (false, true) => "the jerk, which has the time constant of the acceleration, is",
+            _ => "the acceleration is",
+        };
+        let consequence = format!("{weighted} left out");
         corrected::ratio(e, [Name::VsAFaktor, Name::VsANenner], codes::DENOMINATOR, (&consequence, None))
     } else {
         Some(Ratio::ZERO)
@@ -60,7 +59,7 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Driv
     if is_out(weight) {
         [conventional, additive, torque] = [Quantities::default(); 3];
     }
-    let jerk = if [conventional, additive, torque].iter().any(|sum| sum.jerk) {
+    let jerk = if conventional.with(additive).with(torque).jerk {
         let consequence = ("error 110473 of the controller; it is corrected to 100", Some(100));
         corrected::ratio(e, [Name::JerkFactNum, Name::JerkFactDenom], codes::JERK_FACT, consequence)
     } else {
@@ -73,10 +72,7 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Driv
     let velocity_delay = delay(additive.any(), Name::VelocityDelayTime, (codes::VELOCITY_DELAY, 70349));
     let acceleration_delay = delay(torque.acceleration, Name::AccelerationDelayTime, (codes::TORQUE_DELAY, 70348));
     let jerk_delay = delay(torque.jerk, Name::JerkDelayTime, (codes::TORQUE_DELAY, 70348));
-    let velocity = match drive.velocity.filter(|_| additive.any()) {
-        Some(width) => Some(drive::velocity(e, width)?),
-        None => None,
-    };
+    let velocity = drive.velocity(e, additive.any())?;
     let torque_scale = if torque.any() { torque_of(e, drive)? } else { None };
     if torque_scale.is_none() {
         torque = Quantities::default();
@@ -98,63 +94,29 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Driv
     }))
 }
 
-/// Which quantities go which way.
-#[derive(Default)]
-struct Ways {
-    conventional: Quantities,
-    additive: Quantities,
-    torque: Quantities,
-}
-
-/// Each quantity goes one way: an additive output takes it away from the position controller.
-fn ways(words: &[FeedforwardWord]) -> Ways {
-    let mut ways = Ways::default();
-    for word in words {
-        match word {
-            FeedforwardWord::None => {}
-            FeedforwardWord::Vel => ways.conventional.velocity = true,
-            FeedforwardWord::Acc => ways.conventional.acceleration = true,
-            FeedforwardWord::Jerk => ways.conventional.jerk = true,
-            FeedforwardWord::AddVel => ways.additive.velocity = true,
-            FeedforwardWord::AddAcc => ways.torque.acceleration = true,
-            FeedforwardWord::AddJerk => ways.torque.jerk = true,
-        }
-    }
-    ways.conventional.velocity &= !ways.additive.velocity;
-    ways.conventional.acceleration &= !ways.torque.acceleration;
-    ways.conventional.jerk &= !ways.torque.jerk;
-    ways
-}
-
-fn is_true(word: Boolean) -> bool {
-    match word {
-        Boolean::False => false,
-        Boolean::True => true,
-    }
-}
-
-/// What P-AXIS-00225/00226 weights, with the verb that follows: ADD_JERK does not use them.
-fn sharing(acceleration: bool, jerk: bool, [is, are]: [&str; 2]) -> String {
-    match (acceleration, jerk) {
-        (true, true) => format!("the acceleration, and the jerk that shares its time constant, {are}"),
-        (false, true) => format!("the jerk, which has the time constant of the acceleration, {is}"),
-        _ => format!("the acceleration {is}"),
-    }
+/// Each quantity goes one way, conventional or as additive velocity or torque: an additive output takes it away from the
+/// position controller.
+fn ways(words: &[FeedforwardWord]) -> [Quantities; 3] {
+    let has = |word| words.contains(&word);
+    let velocity = has(FeedforwardWord::AddVel);
+    let [acceleration, jerk] = [FeedforwardWord::AddAcc, FeedforwardWord::AddJerk].map(has);
+    let conventional = Quantities {
+        velocity: has(FeedforwardWord::Vel) && !velocity,
+        acceleration: has(FeedforwardWord::Acc) && !acceleration,
+        jerk: has(FeedforwardWord::Jerk) && !jerk,
+    };
+    let additive = Quantities { velocity, ..Quantities::default() };
+    [conventional, additive, Quantities { velocity: false, acceleration, jerk }]
 }
 
 /// ADD_JERK only where it is asked for by name.
 fn refuse_jerk(e: &mut Effective<'_>, has_jerk: bool) -> Option<()> {
-    if !has_jerk {
+    if !has_jerk || e.word::<AddJerk>(key(Name::AddJerk))? == AddJerk::Experimental {
         return Some(());
     }
-    match e.word(key(Name::AddJerk))? {
-        AddJerk::Experimental => return Some(()),
-        AddJerk::Refused => {}
-    }
     let found = format!("{} has ADD_JERK, whose formula no document gives", e.title(key(Name::FeedforwardMode)));
-    let place = e.place_of(key(Name::FeedforwardMode));
     e.report.push(
-        Diagnostic::error(codes::ADD_JERK, place, found)
+        Diagnostic::error(codes::ADD_JERK, e.place_of(key(Name::FeedforwardMode)), found)
             .allowed("VEL, ACC, JERK, ADD_VEL, ADD_ACC")
             .instead("JERK, or add_jerk = \"experimental\" in a set, to try a formula that is inferred from units"),
     );
@@ -163,18 +125,14 @@ fn refuse_jerk(e: &mut Effective<'_>, has_jerk: bool) -> Option<()> {
 
 /// P-AXIS-00566 holds for VEL alone (110624).
 fn without_delay(e: &mut Effective<'_>, words: &[FeedforwardWord]) -> Option<()> {
-    let is_on = is_true(e.word(key(Name::FeedforwardWithoutDelay))?);
-    if !is_on || words == [FeedforwardWord::Vel] {
+    let key = key(Name::FeedforwardWithoutDelay);
+    if e.word::<Boolean>(key)? == Boolean::False || words == [FeedforwardWord::Vel] {
         return Some(());
     }
-    let found = format!(
-        "{} is TRUE beside {}: error 110624 of the controller",
-        e.title(key(Name::FeedforwardWithoutDelay)),
-        words.iter().map(|word| word.name()).collect::<Vec<_>>().join(" ")
-    );
-    let place = e.place_of(key(Name::FeedforwardWithoutDelay));
+    let words: Vec<&str> = words.iter().map(|word| word.name()).collect();
+    let found = format!("{} is TRUE beside {}: error 110624 of the controller", e.title(key), words.join(" "));
     e.report.push(
-        Diagnostic::error(codes::WITHOUT_DELAY, place, found)
+        Diagnostic::error(codes::WITHOUT_DELAY, e.place_of(key), found)
             .allowed("VEL alone in vorsteuer.vorsteuerung (P-AXIS-00223)")
             .instead("feedforward_without_delay FALSE, or VEL alone"),
     );
@@ -194,21 +152,19 @@ fn torque_of(e: &mut Effective<'_>, drive: &Drive) -> Option<Option<Torque>> {
     let (motor, load, reference, scale, resolution) = (motor?, load?, reference?, scale?, resolution?);
     if motor == Motor::Linear && axis_type? != AxisType::Translator {
         let found = "`motor` is linear, and the axis turns (P-AXIS-00018)";
-        let place = e.place_of(key(Name::Motor));
-        e.report.push(Diagnostic::error(codes::LINEAR_MOTOR, place, found).instead("motor = \"rotary\""));
+        let diagnostic = Diagnostic::error(codes::LINEAR_MOTOR, e.place_of(key(Name::Motor)), found);
+        e.report.push(diagnostic.instead("motor = \"rotary\""));
         return None;
     }
-    let incr_key = (Name::IncrPerRev, [drive.gear, 0]);
     if motor == Motor::Rotary && resolution.incr_per_rev == 0 {
-        let found = format!("{} is 0, and the additive torque needs it", e.title(incr_key));
-        let diagnostic = Diagnostic::error(codes::RESOLUTION, e.place_of(incr_key), found);
-        e.report.push(diagnostic.allowed("1 <= incr_per_rev [increments/revolution]"));
+        drive.no_increments(e, "the additive torque needs it");
         return None;
     }
     if reference <= 0.0 {
-        let found = format!("{} is 0: the additive torque is switched off", e.title(key(Name::AccReferenceValue)));
-        let diagnostic = Diagnostic::warning(codes::NO_REFERENCE, e.place_of(key(Name::AccReferenceValue)), found);
-        e.report.push(diagnostic.instead("the nominal torque of the motor, from its data sheet"));
+        let reference_key = key(Name::AccReferenceValue);
+        let found = format!("{} is 0: the additive torque is switched off", e.title(reference_key));
+        let instead = "the nominal torque of the motor, from its data sheet".to_owned();
+        e.warn(codes::NO_REFERENCE, reference_key, found, instead);
         return Some(None);
     }
     if scale.num == 0 {

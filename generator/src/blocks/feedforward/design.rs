@@ -1,8 +1,7 @@
 //! Feedforward: weights, time constants, delays, scalings.
 
 use crate::axis::{Axis, Feedforward, Quantities, Width};
-use crate::design::delay::delay;
-use crate::design::scale;
+use crate::design::{delay::delay, scale};
 use reference::feedforward;
 
 /// Coefficients of feedforward for one axis; of an axis without it all zero.
@@ -12,7 +11,6 @@ use reference::feedforward;
 /// - t_j = jerk_fact_num / jerk_fact_denom * t_a^2 (P-AXIS-00337/00338).
 /// - torque_acceleration: [`scale::torque`] times the plain weight vs_a_faktor / vs_a_nenner.
 /// - torque_jerk: the same times the jerk factor, read in seconds; inferred from units.
-#[must_use]
 pub(crate) fn coefficients(axis: &Axis) -> feedforward::Coeffs<f64> {
     let Some(of) = &axis.control.feedforward else { return feedforward::Coeffs::default() };
     let weight = of.weight.value();

@@ -1,57 +1,59 @@
-//! Feedforward of an axis as named values, each in its unit, for the semantic diff.
+//! Feedforward of an axis in words: a line for the summary, and named values, each in its unit, for the semantic diff.
 
-use super::super::values::{Value, Values};
+use super::super::values::{Value, Values, of_part};
 use super::design::time_constant;
-use super::summary::quantities;
-use crate::axis::Axis;
-use crate::design::scale;
-use crate::parameters::words::Words;
+use crate::axis::{Axis, Feedforward, Quantities, Torque};
+use crate::{design::scale, number::digits, parameters::words::Words};
 
 /// Its values; none where there is no feedforward.
 pub(crate) fn values(axis: &Axis) -> Values {
     let Some(of) = &axis.control.feedforward else { return Values::new() };
-    let mut values = Values::new();
-    let mut line = |what: &str, value| values.push((format!("feedforward: {what}"), value));
-    for (way, what) in [
-        ("to the position controller", of.conventional),
-        ("as additive velocity", of.additive),
-        ("as additive torque", of.torque),
-    ] {
-        if what.any() {
-            line(way, Value::Words(quantities(what)));
-        }
-    }
-    if of.global_disable || of.default_active {
-        let words = if of.global_disable { "never" } else { "always" };
-        line("active", Value::Words(words.to_owned()));
-    }
-    line("weight", Value::Number(of.weight.value() * 100.0, " %"));
-    let sums = [of.conventional, of.additive];
-    if sums.iter().any(|sum| sum.acceleration || sum.jerk) {
-        line("time constant", Value::Number(time_constant(of) * 1e3, " ms"));
-    }
-    if sums.iter().any(|sum| sum.jerk) || of.torque.jerk {
-        line("jerk factor", Value::Number(of.jerk.value(), ""));
-    }
-    if of.torque.acceleration {
-        line("weight of the torque", Value::Number(of.acceleration.value() * 100.0, " %"));
-    }
-    for (is_used, what, us) in [
-        (of.additive.any(), "delay of the velocity", of.velocity_delay),
-        (of.torque.acceleration, "delay of the torque", of.acceleration_delay),
-        (of.torque.jerk, "delay of the jerk", of.jerk_delay),
-    ] {
-        if is_used {
-            line(what, Value::Number(f64::from(us), " us"));
-        }
-    }
-    if let Some(velocity) = &of.velocity {
-        let scale = scale::velocity(velocity, axis.cycle_time_ns) * 1e6 / 60.0;
-        line("additive velocity", Value::Number(scale, " increments at 1 m/min or 1000 deg/min"));
-    }
-    if let Some(torque) = &of.torque_scale {
-        line("additive torque", Value::Number(scale::torque(torque) * 1e6, " increments at 1 m/s^2 or 1000 deg/s^2"));
-        line("process data of the torque", Value::Words(torque.width.name().to_owned()));
-    }
-    values
+    let way = |way: Quantities| way.any().then(|| Value::Words(quantities(way)));
+    let active = if of.global_disable { "never" } else { "always" };
+    let delay = |is_used: bool, us: u32| is_used.then(|| Value::Number(f64::from(us), " us"));
+    let per_velocity = of.velocity.map(|velocity| scale::velocity(&velocity, axis.cycle_time_ns) * 1e6 / 60.0);
+    let torque = |torque: &Torque| Value::Number(scale::torque(torque) * 1e6, " increments at 1 m/s^2 or 1000 deg/s^2");
+    let width = |torque: &Torque| Value::Words(torque.width.name().to_owned());
+    let has_jerk = of.sums().jerk || of.torque.jerk;
+    let values = [
+        ("to the position controller", way(of.conventional)),
+        ("as additive velocity", way(of.additive)),
+        ("as additive torque", way(of.torque)),
+        ("active", (of.global_disable || of.default_active).then(|| Value::Words(active.to_owned()))),
+        ("weight", Some(Value::Number(of.weight.value() * 100.0, " %"))),
+        ("time constant", of.sums().use_time().then(|| Value::Number(time_constant(of) * 1e3, " ms"))),
+        ("jerk factor", has_jerk.then(|| Value::Number(of.jerk.value(), ""))),
+        ("weight of the torque", of.torque.acceleration.then(|| Value::Number(of.acceleration.value() * 100.0, " %"))),
+        ("delay of the velocity", delay(of.additive.any(), of.velocity_delay)),
+        ("delay of the torque", delay(of.torque.acceleration, of.acceleration_delay)),
+        ("delay of the jerk", delay(of.torque.jerk, of.jerk_delay)),
+        ("additive velocity", per_velocity.map(|x| Value::Number(x, " increments at 1 m/min or 1000 deg/min"))),
+        ("additive torque", of.torque_scale.as_ref().map(torque)),
+        ("process data of the torque", of.torque_scale.as_ref().map(width)),
+    ];
+    of_part("feedforward", values)
+}
+
+/// Which quantities go which way.
+pub(super) fn summary(of: &Feedforward) -> String {
+    let ways = [
+        (of.conventional, "to the position controller", String::new()),
+        (of.additive, "as additive velocity", delayed(&[of.velocity_delay])),
+        (of.torque, "as additive torque", delayed(&[of.acceleration_delay, of.jerk_delay])),
+    ];
+    let said = ways.into_iter().filter(|(what, ..)| what.any());
+    let said: Vec<String> = said.map(|(what, way, delay)| format!("{} {way}{delay}", quantities(what))).collect();
+    let said = if said.is_empty() { "nothing goes out".to_owned() } else { said.join("; ") };
+    format!("feedforward: {said}; weight {}", digits(of.weight.value()))
+}
+
+fn delayed(us: &[u32]) -> String {
+    us.iter().filter(|us| **us > 0).map(|us| format!(", {us} us later")).collect()
+}
+
+/// Which quantities a sum has, in words.
+fn quantities(of: Quantities) -> String {
+    let named = [(of.velocity, "velocity"), (of.acceleration, "acceleration"), (of.jerk, "jerk")];
+    let there: Vec<&str> = named.into_iter().filter(|(is, _)| *is).map(|(_, name)| name).collect();
+    there.join(", ")
 }

@@ -5,37 +5,35 @@ pub(crate) mod check;
 pub(crate) mod design;
 mod diff;
 pub(crate) mod notes;
-mod summary;
 
-use super::part::{Part, Summary};
-use super::values::Values;
-use crate::axis::Axis;
-use crate::blocks::designed::Designed;
+use super::{Part, Summary, values::Values};
+use crate::{axis::Axis, blocks::designed::Designed};
 use reference::feedforward::{Coeffs, Feedforward};
 
 impl Part for Feedforward {
-    fn is_asked_for(axis: &Axis) -> bool {
+    fn is_asked_for(&self, axis: &Axis) -> bool {
         axis.control.feedforward.is_some()
     }
 
-    fn coefficients(designed: &Designed) -> Coeffs<f64> {
+    fn design(designed: &Designed) -> Coeffs<f64> {
         designed.feedforward
     }
 
-    fn notes(designed: &Designed) -> Vec<(String, String)> {
+    fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
         notes::notes(&designed.axis)
     }
 
-    fn ranges(designed: &Designed) -> [f64; 2] {
+    fn ranges(&self, designed: &Designed) -> [f64; 2] {
         let (torque, v_max) = (largest_acceleration(&designed.feedforward), designed.axis.ipc.v_max);
         [torque.min(v_max) / 16.0, torque.max(v_max)]
     }
 
-    fn summary(designed: &Designed) -> Summary {
-        Summary::line(designed.axis.control.feedforward.as_ref().map(summary::line))
+    fn summary(&self, designed: &Designed) -> Summary {
+        let line = designed.axis.control.feedforward.as_ref().map(diff::summary);
+        Summary { lines: line.into_iter().collect(), ..Summary::default() }
     }
 
-    fn values(designed: &Designed) -> Values {
+    fn values(&self, designed: &Designed) -> Values {
         diff::values(&designed.axis)
     }
 }

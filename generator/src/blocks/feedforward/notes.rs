@@ -2,17 +2,18 @@
 
 use super::super::ipc::notes::{cycle_time, note};
 use super::design::time_constant;
-use crate::axis::{Axis, Feedforward, Motor, TimeBase, Torque, Velocity, Width};
-use crate::design::scale;
-use crate::number::digits;
+use crate::axis::{Axis, Feedforward, Motor, Ratio, TimeBase, Torque, Velocity, Width};
+use crate::{design::scale, number::digits};
 
-/// Notes on feedforward.
 pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
     let Some(of) = &axis.control.feedforward else { return Vec::new() };
-    let mut notes = vec![note("cycle_time_ns", cycle_time(axis))];
-    notes.push(note("weight", of_weight(of)));
-    notes.push(note("t_a", of_time(of)));
-    notes.push(note("t_j", of_jerk(of)));
+    let Ratio { num, denom } = of.weight;
+    let weight = digits(of.weight.value());
+    let weight = format!("weight of the whole feedforward {num}/{denom} = {weight} (P-AXIS-00228/00229)");
+    let t_a = format!("time constant Ta = {} ms (P-AXIS-00225/00226)", digits(time_constant(of) * 1e3));
+    let t_j = format!("jerk factor {}/{} (P-AXIS-00337/00338) times Ta^2", of.jerk.num, of.jerk.denom);
+    let mut notes =
+        vec![note("cycle_time_ns", cycle_time(axis)), note("weight", weight), note("t_a", t_a), note("t_j", t_j)];
     for (path, us, id) in [
         ("velocity_delay", of.velocity_delay, "00389"),
         ("acceleration_delay", of.acceleration_delay, "00390"),
@@ -21,51 +22,30 @@ pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
         let cycles = f64::from(us) * 1000.0 / f64::from(axis.cycle_time_ns);
         notes.push(note(path, format!("delay of {us} us = {} cycles (P-AXIS-{id})", digits(cycles))));
     }
-    if let Some(velocity) = &of.velocity {
-        notes.push(note("velocity_scale", of_velocity(velocity, axis.cycle_time_ns)));
-        notes.push(note("velocity_range", of_width(velocity.width)));
-    }
+    notes.extend(of.velocity.iter().flat_map(|velocity| of_velocity(velocity, axis.cycle_time_ns)));
     if let Some(torque) = &of.torque_scale {
         notes.push(note("torque_acceleration", of_torque(torque, of)));
-        notes.push(note(
-            "torque_jerk",
-            "inferred from units: the jerk factor (P-AXIS-00337/00338) read in seconds".to_owned(),
-        ));
+        let jerk = "inferred from units: the jerk factor (P-AXIS-00337/00338) read in seconds".to_owned();
+        notes.push(note("torque_jerk", jerk));
         notes.push(note("torque_range", of_width(torque.width)));
     }
     notes
 }
 
-fn of_weight(of: &Feedforward) -> String {
-    format!(
-        "weight of the whole feedforward {}/{} = {} (P-AXIS-00228/00229)",
-        of.weight.num,
-        of.weight.denom,
-        digits(of.weight.value())
-    )
-}
-
-fn of_time(of: &Feedforward) -> String {
-    format!("time constant Ta = {} ms (P-AXIS-00225/00226)", digits(time_constant(of) * 1e3))
-}
-
-fn of_jerk(of: &Feedforward) -> String {
-    format!("jerk factor {}/{} (P-AXIS-00337/00338) times Ta^2", of.jerk.num, of.jerk.denom)
-}
-
-/// Scaling of the additive velocity.
-pub(crate) fn of_velocity(velocity: &Velocity, cycle_time_ns: u32) -> String {
+/// Scaling and process data of the additive velocity.
+pub(crate) fn of_velocity(velocity: &Velocity, cycle_time_ns: u32) -> [(String, String); 2] {
     let time = match velocity.time_base {
         TimeBase::Minute => "minute",
         TimeBase::Second => "second",
         TimeBase::Cycle => "cycle",
     };
-    format!(
-        "additive velocity: {} increments at {} um or 0.001 deg per {time} (P-AXIS-00206/00205, 00207): {} for 1 m/min or 1000 deg/min",
-        velocity.reso.num,
-        velocity.reso.denom,
+    let Ratio { num, denom } = velocity.reso;
+    let text = format!(
+        "additive velocity: {num} increments at {denom} um or 0.001 deg per {time} (P-AXIS-00206/00205, 00207): {} for 1 m/min or \
+         1000 deg/min",
         digits(scale::velocity(velocity, cycle_time_ns) * 1e6 / 60.0)
-    )
+    );
+    [note("velocity_scale", text), note("velocity_range", of_width(velocity.width))]
 }
 
 fn of_torque(torque: &Torque, of: &Feedforward) -> String {

@@ -7,6 +7,7 @@ use crate::codes;
 use crate::design::band::frequency;
 use crate::design::denominator::at_dc_and_nyquist;
 use crate::design::rounding::in_precision;
+use crate::diagnostics::Diagnostic;
 use crate::parameters::Name;
 use crate::rules::effective::Effective;
 use portable::RealKind;
@@ -36,7 +37,8 @@ pub(crate) fn validate(designed: &Designed, e: &mut Effective<'_>) {
             None => (damping_given(e, stage), [stage, 0]),
             Some(filter) => (Name::FilterF0, [stage, as_index(filter)]),
         };
-        e.refuse(codes::ROUNDING, key, format!("{element}: {found}"), [Some(allowed), Some(instead)]);
+        let diagnostic = Diagnostic::error(codes::ROUNDING, e.place_of(key), format!("{element}: {found}"));
+        e.report.push(diagnostic.allowed(allowed).instead(instead));
     }
 }
 

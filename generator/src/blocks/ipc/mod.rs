@@ -12,47 +12,47 @@ mod phase;
 mod stage_diff;
 mod summary;
 
-use super::part::{Part, Summary};
+use super::{Part, Summary};
 use crate::axis::Axis;
 use crate::blocks::designed::Designed;
 use compiler::program::Program;
 use reference::ipc::{Coeffs, Ipc};
 
 impl Part for Ipc {
-    fn is_asked_for(axis: &Axis) -> bool {
+    fn is_asked_for(&self, axis: &Axis) -> bool {
         let control = &axis.control;
         // An axis of which nothing is asked gets a block that puts out 0, and a warning.
         axis.ipc.is_active() || control.feedforward.is_none() && control.position_control.is_none()
     }
 
-    fn coefficients(designed: &Designed) -> Coeffs<f64> {
+    fn design(designed: &Designed) -> Coeffs<f64> {
         designed.ipc.coeffs
     }
 
-    fn notes(designed: &Designed) -> Vec<(String, String)> {
+    fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
         notes::notes(designed)
     }
 
-    fn ranges(designed: &Designed) -> [f64; 2] {
+    fn ranges(&self, designed: &Designed) -> [f64; 2] {
         let ipc = &designed.axis.ipc;
         let (limit, v_max) = (ipc.limit(), ipc.v_max);
         // A narrow band-pass lets little of the noise pass.
         [if limit > 0.0 { limit / 16.0 } else { v_max }, v_max.max(64.0 * limit)]
     }
 
-    fn summary(designed: &Designed) -> Summary {
+    fn summary(&self, designed: &Designed) -> Summary {
         summary::summary(designed)
     }
 
-    fn differences(old: &Designed, new: &Designed) -> Vec<String> {
+    fn differences(&self, old: &Designed, new: &Designed) -> Vec<String> {
         diff::differences(old, new)
     }
 
-    fn description(designed: &Designed) -> Vec<String> {
+    fn description(&self, designed: &Designed) -> Vec<String> {
         diff::description(designed)
     }
 
-    fn certificate(designed: &Designed, program: &Program) -> Vec<String> {
+    fn certificate(&self, designed: &Designed, program: &Program) -> Vec<String> {
         // A gantry slave's block never acts: there is nothing to measure.
         match designed.axis.control.master {
             Some(_) => Vec::new(),

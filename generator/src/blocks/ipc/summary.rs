@@ -1,6 +1,6 @@
 //! What improved position control of an axis does, in a few lines.
 
-use super::super::part::Summary;
+use super::super::Summary;
 use super::filter;
 use crate::axis::Stage;
 use crate::blocks::designed::Designed;

@@ -1,24 +1,23 @@
 //! What is legal in position control, but inert or dangerous: warnings. Nothing here is an error.
 
-use super::saturation;
-use crate::axis::{Axis, Feedforward, Location, PositionControl};
-use crate::codes;
-use crate::config::values::key;
-use crate::diagnostics::Diagnostic;
-use crate::number::rounded;
-use crate::parameters::{Name, Value};
-use crate::rules::effective::Effective;
+use crate::axis::{Axis, Feedforward, Location, PositionControl, Width};
+use crate::config::values::{Key, key};
+use crate::parameters::{Name, Value, words::Words};
+use crate::{codes, design::scale, diagnostics::Diagnostic, number::rounded, rules::effective::Effective};
 use portable::RealKind;
 
 /// Says what a user would want to know before the block acts.
 pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
-    if let Some(control) = &axis.control.position_control {
-        if let Some(feedforward) = &axis.control.feedforward {
-            twice(control, feedforward, e);
-        }
-        kv_default(control, axis, gear, e);
-        saturation::advise(axis, control, gear, e);
-        single(axis, control, e);
+    let Some(control) = &axis.control.position_control else { return };
+    if let Some(feedforward) = &axis.control.feedforward {
+        twice(control, feedforward, e);
+    }
+    kv_default(control, axis, gear, e);
+    saturation(axis, control, gear, e);
+    if axis.real == RealKind::F32 {
+        let what = if control.location == Location::Cnc { "the position lag" } else { "the drive's position command" };
+        let found = format!("{what} is computed in single precision, which has 24 bits for a position");
+        e.warn(codes::SINGLE_POSITION, key(Name::RealType), found, "real = \"f64\" for this axis".to_owned());
     }
 }
 
@@ -37,7 +36,7 @@ fn twice(control: &PositionControl, feedforward: &Feedforward, e: &mut Effective
             rounded(weight as f64 / 10.0),
             name.parameter().id.unwrap_or_default()
         );
-        e.warn(codes::TWICE, key(name), found, Some("feedforward in one of the two".to_owned()));
+        e.warn(codes::TWICE, key(name), found, "feedforward in one of the two".to_owned());
     }
 }
 
@@ -54,16 +53,58 @@ fn kv_default(control: &PositionControl, axis: &Axis, gear: u32, e: &mut Effecti
         let place = e.place_near(kv_key, |name| {
             matches!(name, Name::FeedforwardMode | Name::GantryMaster) || name.parameter().path.starts_with("getriebe[")
         });
-        e.report
-            .push(Diagnostic::warning(codes::KV_DEFAULT, place, found).instead("the gain of the machine, in 0.01/s"));
+        let diagnostic = Diagnostic::warning(codes::KV_DEFAULT, place, found);
+        e.report.push(diagnostic.instead("the gain of the machine, in 0.01/s"));
     }
 }
 
-fn single(axis: &Axis, control: &PositionControl, e: &mut Effective<'_>) {
-    if axis.real == RealKind::F32 {
-        let what = if control.location == Location::Cnc { "the position lag" } else { "the drive's position command" };
-        let found = format!("{what} is computed in single precision, which has 24 bits for a position");
-        let instead = Some("real = \"f64\" for this axis".to_owned());
-        e.warn(codes::SINGLE_POSITION, key(Name::RealType), found, instead);
+/// Says where a velocity that the axis may have does not fit into its process datum.
+fn saturation(axis: &Axis, control: &PositionControl, gear: u32, e: &mut Effective<'_>) {
+    if control.location == Location::Cnc {
+        let keys = [key(Name::VelocityCommandData), (Name::MultiGainZ, [gear, 0])];
+        let scaling = (scale::manipulated(control.multi_gain), control.command);
+        fits(axis, e, keys, ("the velocity command at vb_max", axis.ipc.v_max), scaling);
     }
+    if let Some((velocity, largest)) = control.velocity.zip(additive(axis, control)) {
+        let keys = [key(Name::AdditiveVelocityData), key(Name::VResoNum)];
+        fits(axis, e, keys, largest, (scale::velocity(&velocity, axis.cycle_time_ns), velocity.width));
+    }
+}
+
+/// The largest additive velocity and where it comes from: of feedforward, of improved position control, or both; a gantry
+/// slave's is its master's.
+fn additive(axis: &Axis, control: &PositionControl) -> Option<(&'static str, f64)> {
+    if let Some(feedforward) = axis.control.feedforward.as_ref().filter(|feedforward| feedforward.additive.any()) {
+        return Some(("the additive velocity at vb_max", feedforward.weight.value() * axis.ipc.v_max));
+    }
+    let is_active = axis.ipc.is_active() && axis.control.master.is_none() && control.location != Location::Cnc;
+    let limit = axis.ipc.limit();
+    (is_active && limit > 0.0).then_some(("the additive velocity at its limit v_add_max_fact", limit))
+}
+
+fn fits(
+    axis: &Axis,
+    e: &mut Effective<'_>,
+    keys: [Key; 2],
+    (what, velocity): (&str, f64),
+    (per_velocity, width): (f64, Width),
+) {
+    let unit = axis.control.velocity_unit();
+    let [_, end] = width.range().map(f64::from);
+    let increments = velocity * per_velocity;
+    if increments <= end {
+        return;
+    }
+    let found = format!(
+        "{what}, {velocity} {unit}, is {} increments, and {} ends at {end}: it saturates at {} {unit}",
+        rounded(increments),
+        width.name(),
+        rounded(end / per_velocity)
+    );
+    let place = keys.into_iter().find(|key| e.given(*key).is_some()).unwrap_or(keys[1]);
+    let instead = match width {
+        Width::Int16 => "INT32, if the drive has it, or a scaling with fewer increments",
+        Width::Int32 => "a scaling with fewer increments",
+    };
+    e.warn(codes::SATURATES, place, found, instead.to_owned());
 }

@@ -1,12 +1,10 @@
 //! The rules of position control, and whether an axis gets it.
 
 use crate::axis::{Enable, Feedforward, Ipc, Location, PositionControl, Ratio, Resolution, Width};
-use crate::codes;
-use crate::config::values::key;
-use crate::diagnostics::Diagnostic;
+use crate::diagnostics::{Diagnostic, Severity};
 use crate::parameters::{Name, Value};
 use crate::rules::drive::{self, Drive, ratio};
-use crate::rules::effective::Effective;
+use crate::{codes, config::values::key, rules::effective::Effective};
 
 /// Position control of one axis; outer none: an error, which has been said; inner none: nothing asks for it.
 ///
@@ -32,10 +30,7 @@ pub(crate) fn check(
     drive::note(e, &[Name::DriveType, Name::OperationMode]);
     let adds = (is_active || is_slave) && in_drive;
     let additive = feedforward.is_some_and(|feedforward| feedforward.additive.any());
-    let velocity = match drive.velocity.filter(|_| additive || adds) {
-        Some(width) => Some(drive::velocity(e, width)?),
-        None => None,
-    };
+    let velocity = drive.velocity(e, additive || adds)?;
     let leads = feedforward.is_some_and(|feedforward| feedforward.conventional.any());
     let kv = if drive.location == Location::Cnc || leads { e.integer(kv_key) } else { Some(0) };
     let gear = drive.gear;
@@ -48,8 +43,14 @@ pub(crate) fn check(
     };
     let is_profidrive = drive.location == Location::Profidrive;
     let resolution = if is_profidrive { Some(drive::resolution(e, gear)?) } else { None };
-    if let Some(resolution) = resolution.filter(|of| of.incr_per_rev == 0 && of.has_feed_const()) {
-        return no_increments(e, gear, &resolution);
+    // With a feed constant the path resolution is a multiple of the increments per revolution.
+    if let Some(Resolution { feed_const, .. }) = resolution.filter(|of| of.incr_per_rev == 0 && of.has_feed_const()) {
+        let why = format!(
+            "with the feed constant {}/{} (P-AXIS-00362/00363) the control deviation XERR is always 0",
+            feed_const.num, feed_const.denom
+        );
+        drive.no_increments(e, &why);
+        return None;
     }
     // A feedforward that is switched off leads nothing: the position must not come later for it.
     let shift_time = if is_profidrive && (leads || additive) { e.integer(key(Name::ShiftTime)) } else { Some(0) };
@@ -64,42 +65,22 @@ pub(crate) fn check(
     }))
 }
 
-/// With a feed constant the path resolution is a multiple of the increments per revolution: of 0 the control deviation is always 0.
-fn no_increments<T>(e: &mut Effective<'_>, gear: u32, resolution: &Resolution) -> Option<T> {
-    let incr_key = (Name::IncrPerRev, [gear, 0]);
-    let found = format!(
-        "{} is 0, and with the feed constant {}/{} (P-AXIS-00362/00363) the control deviation XERR is always 0",
-        e.title(incr_key),
-        resolution.feed_const.num,
-        resolution.feed_const.denom
-    );
-    let diagnostic = Diagnostic::error(codes::RESOLUTION, e.place_of(incr_key), found);
-    e.report.push(diagnostic.allowed("1 <= incr_per_rev [increments/revolution]"));
-    None
-}
-
 /// Improved position control that the drive's process data have no room for: an error where it is enabled.
 fn no_way_out(e: &mut Effective<'_>, is_enabled: bool) {
+    let (code, severity, how) = match is_enabled {
+        true => (codes::NO_WAY_OUT, Severity::Error, "enabled"),
+        false => (codes::NO_WAY_OUT_YET, Severity::Warning, "configured"),
+    };
     let drive_type = e.validated(key(Name::DriveType)).as_ref().map(Value::text).unwrap_or_default();
     let found = format!(
-        "improved position control is {}, the drive controls the position ({drive_type}, P-AXIS-00020), and its process data \
-         have no additive velocity",
-        if is_enabled { "enabled" } else { "configured" }
+        "improved position control is {how}, the drive controls the position ({drive_type}, P-AXIS-00020), and its process data \
+         have no additive velocity"
     );
-    let place = e.place_of(key(Name::Enable));
-    let diagnostic = if is_enabled {
-        Diagnostic::error(codes::NO_WAY_OUT, place, found)
-    } else {
-        Diagnostic::warning(codes::NO_WAY_OUT_YET, place, found)
-    };
-    e.report.push(
-        diagnostic
-            .allowed(
-                "an additive velocity command in the process data: SERCOS S-0-0037, CANopen 60B1h, PROFIdrive NSOLL_B",
-            )
-            .instead(
-                "process_data.additive_velocity = \"INT32\" in a set, if the drive has it, or antr.operation_mode \
-                 CNC_POSITION_CONTROL (P-AXIS-00320)",
-            ),
-    );
+    let diagnostic = Diagnostic::error(code, e.place_of(key(Name::Enable)), found)
+        .allowed("an additive velocity command in the process data: SERCOS S-0-0037, CANopen 60B1h, PROFIdrive NSOLL_B")
+        .instead(
+            "process_data.additive_velocity = \"INT32\" in a set, if the drive has it, or antr.operation_mode \
+             CNC_POSITION_CONTROL (P-AXIS-00320)",
+        );
+    e.report.push(Diagnostic { severity, ..diagnostic });
 }

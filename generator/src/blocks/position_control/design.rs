@@ -10,18 +10,13 @@ use reference::{axis, position_control};
 /// - manipulated_scale = [`scale::manipulated`].
 /// - velocity_scale = [`scale::velocity`].
 /// - xerr_scale = 10 R, in increments per um or 0.001 deg, R as in [`scale::resolution`].
-#[must_use]
 pub(crate) fn coefficients(axis: &Axis) -> position_control::Coeffs<f64> {
     let Some(of) = &axis.control.position_control else { return position_control::Coeffs::default() };
     let quantities = axis.control.feedforward.as_ref();
     let velocity = of.velocity.as_ref();
     position_control::Coeffs {
         cycle_time_ns: axis.cycle_time_ns,
-        location: match of.location {
-            Location::Cnc => position_control::Location::Cnc,
-            Location::Drive => position_control::Location::Drive,
-            Location::Profidrive => position_control::Location::Profidrive,
-        },
+        location: of.location,
         feedforward: quantities.is_some_and(|feedforward| feedforward.conventional.any()),
         additive: quantities.is_some_and(|feedforward| feedforward.additive.any()),
         adds: adds(axis, of),
@@ -50,12 +45,9 @@ fn adds(axis: &Axis, of: &PositionControl) -> bool {
 
 /// Where the additive velocity comes from.
 pub(crate) fn addition(axis: &Axis) -> axis::Addition {
-    let control = &axis.control;
-    if control.master.is_some() {
-        control.master_limit.map_or(axis::Addition::None, |_| axis::Addition::Master)
-    } else if axis.ipc.is_active() {
-        axis::Addition::Ipc
-    } else {
-        axis::Addition::None
+    match (axis.control.master, axis.control.master_limit) {
+        (Some(_), Some(_)) => axis::Addition::Master,
+        (None, _) if axis.ipc.is_active() => axis::Addition::Ipc,
+        _ => axis::Addition::None,
     }
 }

@@ -1,33 +1,36 @@
 //! Position control of an axis as named values, each in its unit, for the semantic diff.
 
-use super::super::values::{Value, Values};
+use super::super::values::{Value, Values, of_part};
 use super::design::kv;
-use crate::axis::{Axis, Location};
-use crate::design::scale;
-use crate::parameters::words::Words;
+use crate::axis::{Axis, Location, Resolution, Velocity, Width};
+use crate::{design::scale, parameters::words::Words};
 
 /// Its values; none where there is no position control.
 pub(crate) fn values(axis: &Axis) -> Values {
     let Some(of) = &axis.control.position_control else { return Values::new() };
-    let mut values = Values::new();
-    let mut line = |what: &str, value| values.push((format!("position control: {what}"), value));
-    line("place", Value::Words(of.location.text().to_owned()));
-    if of.kv > 0 {
-        line("Kv", Value::Number(kv(of), "/s"));
+    let in_cnc = of.location == Location::Cnc;
+    let scaling = |scale: f64| Value::Number(scale * 1e6 / 60.0, " increments at 1 m/min or 1000 deg/min");
+    let additive = |velocity: Velocity| scaling(scale::velocity(&velocity, axis.cycle_time_ns));
+    let width = |width: Width| Value::Words(width.name().to_owned());
+    let resolution = |of: &Resolution| Value::Number(scale::resolution(of) * 1e4, " increments per mm or deg");
+    let values = [
+        ("place", Some(Value::Words(place(of.location).to_owned()))),
+        ("Kv", (of.kv > 0).then(|| Value::Number(kv(of), "/s"))),
+        ("velocity command", in_cnc.then(|| scaling(scale::manipulated(of.multi_gain)))),
+        ("process data of the velocity command", in_cnc.then(|| width(of.command))),
+        ("additive velocity", of.velocity.map(additive)),
+        ("process data of the additive velocity", of.velocity.map(|velocity| width(velocity.width))),
+        ("resolution", of.resolution.as_ref().map(resolution)),
+        ("shift time", of.resolution.map(|_| Value::Number(f64::from(of.shift_time), " cycles"))),
+    ];
+    of_part("position control", values)
+}
+
+/// Where the position is controlled, in words.
+pub(super) fn place(location: Location) -> &'static str {
+    match location {
+        Location::Cnc => "in the CNC",
+        Location::Drive => "in the drive",
+        Location::Profidrive => "in the drive (PROFIdrive)",
     }
-    if of.location == Location::Cnc {
-        let scale = scale::manipulated(of.multi_gain) * 1e6 / 60.0;
-        line("velocity command", Value::Number(scale, " increments at 1 m/min or 1000 deg/min"));
-        line("process data of the velocity command", Value::Words(of.command.name().to_owned()));
-    }
-    if let Some(velocity) = &of.velocity {
-        let scale = scale::velocity(velocity, axis.cycle_time_ns) * 1e6 / 60.0;
-        line("additive velocity", Value::Number(scale, " increments at 1 m/min or 1000 deg/min"));
-        line("process data of the additive velocity", Value::Words(velocity.width.name().to_owned()));
-    }
-    if let Some(resolution) = &of.resolution {
-        line("resolution", Value::Number(scale::resolution(resolution) * 1e4, " increments per mm or deg"));
-        line("shift time", Value::Number(f64::from(of.shift_time), " cycles"));
-    }
-    values
 }

@@ -5,42 +5,38 @@ pub(crate) mod check;
 pub(crate) mod design;
 mod diff;
 pub(crate) mod notes;
-mod saturation;
 
-use super::part::{Part, Summary};
-use super::values::Values;
-use crate::axis::Axis;
-use crate::blocks::designed::Designed;
-use crate::number::digits;
+use super::{Part, Summary, values::Values};
+use crate::{axis::Axis, blocks::designed::Designed, number::digits};
 use reference::position_control::{Coeffs, PositionControl};
 
 impl Part for PositionControl {
-    fn is_asked_for(axis: &Axis) -> bool {
+    fn is_asked_for(&self, axis: &Axis) -> bool {
         axis.control.position_control.is_some()
     }
 
-    fn coefficients(designed: &Designed) -> Coeffs<f64> {
+    fn design(designed: &Designed) -> Coeffs<f64> {
         designed.position_control
     }
 
-    fn notes(designed: &Designed) -> Vec<(String, String)> {
+    fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
         notes::notes(&designed.axis)
     }
 
-    fn ranges(designed: &Designed) -> [f64; 2] {
+    fn ranges(&self, designed: &Designed) -> [f64; 2] {
         let v_max = designed.axis.ipc.v_max;
         [v_max / 16.0, v_max]
     }
 
-    fn summary(designed: &Designed) -> Summary {
+    fn summary(&self, designed: &Designed) -> Summary {
         let line = |of: &crate::axis::PositionControl| {
             let kv = if of.kv > 0 { format!(", Kv {}/s", digits(design::kv(of))) } else { String::new() };
-            format!("position control {}{kv}", of.location.text())
+            format!("position control {}{kv}", diff::place(of.location))
         };
-        Summary::line(designed.axis.control.position_control.as_ref().map(line))
+        Summary { lines: designed.axis.control.position_control.iter().map(line).collect(), ..Summary::default() }
     }
 
-    fn values(designed: &Designed) -> Values {
+    fn values(&self, designed: &Designed) -> Values {
         diff::values(&designed.axis)
     }
 }

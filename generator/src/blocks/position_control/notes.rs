@@ -3,11 +3,9 @@
 use super::super::feedforward::notes::{of_velocity, of_width};
 use super::super::ipc::notes::{cycle_time, note};
 use super::design::kv;
-use crate::axis::{Axis, Location, PositionControl};
-use crate::design::scale;
-use crate::number::digits;
+use crate::axis::{Axis, Location, Ratio};
+use crate::{design::scale, number::digits};
 
-/// Notes on position control.
 pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
     let Some(of) = &axis.control.position_control else { return Vec::new() };
     let mut notes = vec![note("cycle_time_ns", cycle_time(axis))];
@@ -15,7 +13,9 @@ pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
     match of.location {
         Location::Cnc => {
             notes.push(note("kv", format!("position control in the CNC: Kv = {kv}/s (P-AXIS-00099)")));
-            notes.push(note("manipulated_scale", of_gain(of)));
+            let Ratio { num, denom } = of.multi_gain;
+            let gain = format!("{num}/{denom} increments at 1 m/min or 1000 deg/min (P-AXIS-00129/00128)");
+            notes.push(note("manipulated_scale", gain));
             notes.push(note("manipulated_range", of_width(of.command)));
         }
         Location::Drive | Location::Profidrive => {
@@ -30,13 +30,6 @@ pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
         );
         notes.push(note("xerr_scale", text));
     }
-    if let Some(velocity) = &of.velocity {
-        notes.push(note("velocity_scale", of_velocity(velocity, axis.cycle_time_ns)));
-        notes.push(note("velocity_range", of_width(velocity.width)));
-    }
+    notes.extend(of.velocity.iter().flat_map(|velocity| of_velocity(velocity, axis.cycle_time_ns)));
     notes
-}
-
-fn of_gain(of: &PositionControl) -> String {
-    format!("{}/{} increments at 1 m/min or 1000 deg/min (P-AXIS-00129/00128)", of.multi_gain.num, of.multi_gain.denom)
 }
