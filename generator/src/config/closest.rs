@@ -8,10 +8,10 @@ use std::sync::LazyLock;
 const LONGEST: usize = 128;
 
 /// The candidate with the fewest letters that differ, if they are few.
-pub(crate) fn of<'c>(name: &str, candidates: impl Iterator<Item = &'c str>) -> Option<&'c str> {
+pub(crate) fn nearest<'c>(name: &str, candidates: impl Iterator<Item = &'c str>) -> Option<&'c str> {
     let few = 1 + name.len() / 4;
-    let name = Letters::of(name);
-    let near = candidates.filter_map(|candidate| Some((distance(name, Letters::of(candidate), few)?, candidate)));
+    let name = Letters::new(name);
+    let near = candidates.filter_map(|candidate| Some((distance(name, Letters::new(candidate), few)?, candidate)));
     // The first of equals: the order of the candidates is the same on every host.
     near.min_by_key(|(distance, _)| *distance).map(|(_, name)| name)
 }
@@ -43,9 +43,9 @@ pub(crate) fn first_below(written: &str) -> Option<String> {
 
 /// The structures that are ours: which part of a path names each, and how many letters may differ.
 static OURS: [(usize, Letters<'_>, usize); 3] = [
-    (0, Letters::of("vorsteuer"), 2),
-    (1, Letters::of("improved_position_control"), 3),
-    (1, Letters::of("sai_op_mode_change"), 3),
+    (0, Letters::new("vorsteuer"), 2),
+    (1, Letters::new("improved_position_control"), 3),
+    (1, Letters::new("sai_op_mode_change"), 3),
 ];
 
 /// Whether a path lies in a structure that is ours, or nearly.
@@ -59,7 +59,7 @@ pub(crate) fn is_ours(path: &str) -> bool {
         let strange = written.bytes().filter(|byte| name.set & bit(*byte) == 0);
         written.len().abs_diff(name.text.len()) <= most
             && strange.take(most + 1).count() <= most
-            && distance(Letters::of(written), name, most).is_some()
+            && distance(Letters::new(written), name, most).is_some()
     })
 }
 
@@ -76,7 +76,7 @@ static STRUCTURES: LazyLock<Vec<Candidate>> = LazyLock::new(|| candidates(path::
 fn candidates(templates: impl Iterator<Item = &'static str>) -> Vec<Candidate> {
     let of = |template| {
         let plain = path::without_indices(template);
-        Candidate { template, set: Letters::of(&plain).set, plain, end: Letters::of(last(template)) }
+        Candidate { template, set: Letters::new(&plain).set, plain, end: Letters::new(last(template)) }
     };
     templates.map(of).collect()
 }
@@ -84,8 +84,8 @@ fn candidates(templates: impl Iterator<Item = &'static str>) -> Vec<Candidate> {
 fn among(written: &str, candidates: &'static [Candidate]) -> Option<String> {
     let plain = path::without_indices(written);
     let typo = 3.min(1 + plain.len() / 4);
-    let end = Letters::of(last(&plain));
-    let whole = Letters::of(&plain);
+    let end = Letters::new(last(&plain));
+    let whole = Letters::new(&plain);
     let score = |candidate: &'static Candidate| {
         let of_end = distance(end, candidate.end, 1 + end.text.len() / 4);
         let of_whole = distance(whole, Letters { text: &candidate.plain, set: candidate.set }, typo);
@@ -116,7 +116,7 @@ struct Letters<'n> {
 }
 
 impl<'n> Letters<'n> {
-    const fn of(text: &'n str) -> Self {
+    const fn new(text: &'n str) -> Self {
         Self { text, set: set(text.as_bytes()) }
     }
 }
@@ -180,7 +180,7 @@ mod tests {
             let expected = of(a.to_ascii_lowercase().as_bytes(), b.to_ascii_lowercase().as_bytes());
             for most in 0..9 {
                 assert_eq!(
-                    distance(Letters::of(&a), Letters::of(&b), most),
+                    distance(Letters::new(&a), Letters::new(&b), most),
                     Some(expected).filter(|d| *d <= most),
                     "{a} {b} {most}"
                 );

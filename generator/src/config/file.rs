@@ -1,11 +1,13 @@
 //! Reading a file as bytes, bounded; no content is looked at.
 
+use super::source::Source;
 use super::value::shown;
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place};
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read};
 use std::path::Path;
+use std::sync::Arc;
 
 /// How files are read.
 pub type Load<'a> = &'a (dyn Fn(&Path) -> Result<Vec<u8>, Unreadable> + Sync);
@@ -53,18 +55,22 @@ fn of_system(error: io::Error) -> Unreadable {
     })
 }
 
-impl Unreadable {
-    /// The message about a file, at the place where it is named.
-    pub(crate) fn diagnostic(self, file: &str, place: Place) -> Diagnostic {
-        let file = shown(file);
-        match self {
-            Self::TooLarge => {
-                let found = format!("{file} is too large for a set or an axis list");
-                Diagnostic::error(codes::TOO_LARGE, place, found).allowed(format!("{} MiB", LARGEST >> 20))
-            }
-            Self::System(reason) => {
-                Diagnostic::error(codes::UNREADABLE, place, format!("{file} cannot be read: {reason}"))
-            }
+/// Whether a file is a TOML set; any other is an axis list.
+pub(crate) fn is_set(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
+}
+
+/// A file, by the name that messages give it. That it cannot be read is said where it is named; on the command line, of the file.
+pub(crate) fn read(path: &Path, named_at: Option<Place>, load: Load<'_>) -> Result<Arc<Source>, Diagnostic> {
+    let whole = Place::whole(path.display());
+    let file = shown(&whole.file);
+    let (code, found, allowed) = match load(path) {
+        Ok(bytes) => return Ok(Source::new(&whole.file, bytes)),
+        Err(Unreadable::TooLarge) => {
+            let found = format!("{file} is too large for a set or an axis list");
+            (codes::TOO_LARGE, found, Some(format!("{} MiB", LARGEST >> 20)))
         }
-    }
+        Err(Unreadable::System(reason)) => (codes::UNREADABLE, format!("{file} cannot be read: {reason}"), None),
+    };
+    Err(Diagnostic { allowed, ..Diagnostic::error(code, named_at.unwrap_or(whole), found) })
 }

@@ -7,9 +7,9 @@ use crate::config::lines::{self, Content, Line, Statement};
 use crate::config::list;
 use crate::config::source::Source;
 use crate::config::value::of_text;
-use crate::config::values::{Key, Setting, Values};
+use crate::config::values::{Key, Setting, Values, key};
 use crate::diagnostics::{Diagnostic, Report, Severity};
-use crate::parameters::{Name, Scope, path_with};
+use crate::parameters::{Name, Parameter, Scope, Value, path_with};
 use std::collections::BTreeSet;
 
 #[derive(Debug)]
@@ -33,7 +33,7 @@ impl Filling<'_> {
             line_end = line_end.or(Some(line.end).filter(|end| end.ends_with(b"\n")));
             let start = list.len();
             line.append_to(&mut list);
-            if let Some(slot) = slot::of(&line) {
+            if let Some(slot) = slot::in_line(&line) {
                 self.fill(&line, &slot, &mut written, start, &mut list);
             }
         }
@@ -72,14 +72,12 @@ impl Filling<'_> {
             list.splice(range, spelled.bytes());
             return;
         }
-        if slot.own
-            && (written.contains(&slot.key) || !spelled.is_empty() && slot::own_value(slot.key, spelled).is_none())
-        {
+        let is_comment = || !spelled.is_empty() && slot::own_value(slot.key, spelled).is_none();
+        if slot.own && (written.contains(&slot.key) || is_comment()) {
             return;
         }
         let values = if slot.key.0 == Name::CycleTime { &self.top } else { &self.values };
-        let setting = values.get(slot.key);
-        let Some((setting, value)) = setting.and_then(|setting| Some((setting, setting.value.as_ref()?))) else {
+        let Some((setting, Some(value))) = values.get(slot.key).map(|setting| (setting, &setting.value)) else {
             match line.content {
                 Content::Statement(statement) if hole.is_none() => self.warn_of(&statement),
                 // The value was taken out of the set: so is its line, but not the comment behind it.
@@ -93,7 +91,7 @@ impl Filling<'_> {
             return;
         };
         if of_text(parameter, spelled).as_ref() != Ok(value) {
-            list.splice(range, text_of(slot.key.0, setting).bytes());
+            list.splice(range, text_of(parameter, setting, value).bytes());
         } else if hole.is_some() {
             list.splice(range, spelled.bytes());
         }
@@ -102,7 +100,7 @@ impl Filling<'_> {
 
     /// A parameter that this axgen knows, and the one that imported the list did not; or one that was added by hand.
     fn warn_of(&mut self, statement: &Statement<'_>) {
-        let Some(lines) = self.values.get((Name::ImportedLines, [0, 0])) else { return };
+        let Some(lines) = self.values.get(key(Name::ImportedLines)) else { return };
         let found = format!("`{}` stands in the imported lines only: the axis does not have it", statement.path);
         let diagnostic = Diagnostic::warning(codes::PASSED_OVER, lines.value_place(), found);
         self.report.push(diagnostic.instead("the value below the axis, or import the list again"));
@@ -114,17 +112,20 @@ impl Filling<'_> {
         let top = self.top.iter().filter(|((name, _), _)| *name == Name::CycleTime && is_new);
         let mut lines = Vec::new();
         for (key, setting) in top.chain(self.values.iter()) {
-            let (name, index) = key;
-            let path = path_with(setting.spelling, index);
-            let own = slot::is_own(name);
+            let parameter = key.0.parameter();
+            let path = path_with(setting.spelling, key.1);
+            let own = slot::is_own(key.0);
             if own {
                 let found =
                     format!("`{path}` is a key of an axis set: no controller knows it, and it stands in a comment");
                 self.report.push(Diagnostic::warning(codes::KEY_OF_A_SET, setting.path_place(), found));
             }
-            if !written.contains(&key) && setting.value.is_some() && (own || name.parameter().scope == Scope::List) {
+            let Some(value) = setting.value.as_ref().filter(|_| own || parameter.scope == Scope::List) else {
+                continue;
+            };
+            if !written.contains(&key) {
                 let sign = if own { OWN } else { "" };
-                lines.push((setting.path_at, format!("{sign}{path} {}", text_of(name, setting))));
+                lines.push((setting.path_at, format!("{sign}{path} {}", text_of(parameter, setting, value))));
             }
         }
         lines.sort();
@@ -133,7 +134,7 @@ impl Filling<'_> {
 
     /// Reads the list as a controller would: errors in its lines are said, and each value must be the one that was given.
     fn prove(&mut self, list: &[u8]) {
-        let source = Source::of("the exported list", list.to_vec());
+        let source = Source::new("the exported list", list.to_vec());
         let read = list::read_to_keep(&source);
         let errors = read.report.diagnostics.into_iter().filter(|said| said.severity == Severity::Error);
         self.report.diagnostics.extend(errors);
@@ -145,9 +146,6 @@ impl Filling<'_> {
     }
 }
 
-fn text_of(name: Name, setting: &Setting) -> String {
-    let value = setting.value.as_ref();
-    value.map_or_else(String::new, |value| {
-        spelling::in_list(name.parameter(), &setting.source.bytes[setting.value_at..], value)
-    })
+fn text_of(parameter: &Parameter, setting: &Setting, value: &Value) -> String {
+    spelling::in_list(parameter, &setting.source.bytes[setting.value_at..], value)
 }

@@ -5,15 +5,10 @@ use super::slot::{self, HOLE, Slot};
 use super::{spelling, tables};
 use crate::check;
 use crate::codes;
-use crate::config::ListOptions;
-use crate::config::axis_name;
-use crate::config::file::{self, Load};
 use crate::config::lines::{self, Content, Line};
-use crate::config::list;
-use crate::config::source::Source;
-use crate::config::value::of_text;
 use crate::config::value::shown;
-use crate::config::values::{Key, Values};
+use crate::config::values::{Key, Values, key};
+use crate::config::{ListOptions, Load, axis_name, file, given, list};
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Name, Value};
 use std::collections::BTreeSet;
@@ -31,51 +26,36 @@ pub fn import(path: &Path, options: &ListOptions) -> (Option<String>, Report) {
 #[must_use]
 pub fn import_with(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<String>, Report) {
     let mut report = Report::default();
-    let file = path.display().to_string();
-    let place = |file: &str| Place { file: file.to_owned(), line: 0, column: 0 };
-    let bytes = match load(path) {
-        Ok(bytes) => bytes,
-        Err(unreadable) => {
-            report.push(unreadable.diagnostic(&file, place(&file)));
-            return (None, report);
-        }
+    let source = match file::read(path, None, load) {
+        Ok(source) => source,
+        Err(unreadable) => return (None, unreadable.into()),
     };
-    let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-    let name = options.name.clone().unwrap_or_else(|| axis_name::of_stem(&stem));
+    let name = options.name.clone().unwrap_or_else(|| axis_name::of_file(path));
     if !axis_name::is_allowed(&name) {
         let found = format!("{} is no name for an axis", shown(&name));
-        let at = if options.name.is_some() { "--name" } else { &file };
-        report.push(Diagnostic::error(codes::AXIS_NAME, place(at), found).allowed(axis_name::ALLOWED));
+        let place = if options.name.is_some() { Place::whole("--name") } else { source.whole() };
+        report.push(Diagnostic::error(codes::AXIS_NAME, place, found).allowed(axis_name::ALLOWED));
     }
-    let cycle_time = options.cycle_time.as_deref().filter(|text| {
-        let value = of_text(Name::CycleTime.parameter(), text);
-        value
-            .map_err(|refused| report.push(refused.diagnostic(Name::CycleTime, "--cycle-time", place("--cycle-time"))))
-            .is_ok()
-    });
-    let source = Source::of(&file, bytes.clone());
+    let top = given::cycle_time_of(options, &mut report);
     let list = list::read_to_keep(&source);
     report.extend(list.report);
+    // Without a cycle time a usual one: what is asked of it does not depend on it in a list without errors.
+    let cycle_time = match top.get(key(Name::CycleTime)).and_then(|setting| setting.value.as_ref()) {
+        Some(Value::Duration(ns)) => u32::try_from(*ns).ok().filter(|ns| *ns > 0),
+        _ => None,
+    };
+    let cycle_time = cycle_time.unwrap_or(1_000_000);
     // A set without a value that the axis uses would mean something else. What nothing uses is as good as a value of another
     // function: its line is kept.
-    let said = check::axis(&name, Some(cycle_time_or(cycle_time)), &list.values, source.whole()).effective.report;
+    let said = check::axis(&name, Some(cycle_time), &list.values, source.whole()).effective.report;
     report.diagnostics.extend(list.values.refused(&said));
     if report.has_errors() {
         return (None, report);
     }
-    let taken = Taken::of(&bytes, &list.values);
-    let file_name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    let cycle_time = cycle_time.map(str::to_owned).or_else(|| taken.cycle_time.clone());
-    (Some(set(&name, &file_name, cycle_time.as_deref(), taken)), report)
-}
-
-/// The cycle time in ns; without one a usual one, for what is asked of it does not depend on it in a list without errors.
-fn cycle_time_or(given: Option<&str>) -> u32 {
-    let value = given.and_then(|text| of_text(Name::CycleTime.parameter(), text).ok());
-    match value {
-        Some(Value::Duration(ns)) => u32::try_from(ns).ok().filter(|ns| *ns > 0).unwrap_or(1_000_000),
-        _ => 1_000_000,
-    }
+    let taken = Taken::from_list(&source.bytes, &list.values);
+    let file = path.file_name().unwrap_or_default().to_string_lossy();
+    let cycle_time = options.cycle_time.clone().or_else(|| taken.cycle_time.clone());
+    (Some(set(&name, &file, cycle_time.as_deref(), taken)), report)
 }
 
 struct Taken {
@@ -87,7 +67,7 @@ struct Taken {
 }
 
 impl Taken {
-    fn of(bytes: &[u8], values: &Values) -> Self {
+    fn from_list(bytes: &[u8], values: &Values) -> Self {
         let (mark, lines) = lines::split(bytes);
         let mut left = mark.to_vec();
         let mut axis = Table::new();
@@ -95,7 +75,7 @@ impl Taken {
         let mut above = Vec::new();
         let mut own = BTreeSet::new();
         for line in lines {
-            let slot = slot::of(&line);
+            let slot = slot::in_line(&line);
             let value = slot.as_ref().and_then(|slot| value_of(slot, values, &mut own));
             let start = left.len();
             line.append_to(&mut left);
@@ -110,15 +90,8 @@ impl Taken {
                         cycle_time = Some(slot.text.to_owned());
                         continue;
                     }
-                    let template = if slot.misprint { parameter.path } else { slot.spelling };
-                    tables::insert(
-                        &mut axis,
-                        template,
-                        slot.key.1,
-                        toml,
-                        &comments_above(std::mem::take(&mut above)),
-                        &comment_beside(&line),
-                    );
+                    let above = comments_above(std::mem::take(&mut above));
+                    tables::insert(&mut axis, slot.template, slot.key.1, toml, &above, &comment_beside(&line));
                 }
                 (Some(slot), None) if slot.own && slot.text.starts_with(HOLE) => {
                     // A comment that only looks like a hole: a second sign tells.

@@ -1,20 +1,17 @@
 //! How parameters, values and ranges are written in messages and in the canonical form; nothing is read here.
 
-use super::{Bound, Kind, Parameter, Value, Word};
+use super::{Kind, Parameter, Value, Word};
 use std::fmt::Write;
 
 /// A path template with these indices in place of its letters.
 pub(crate) fn path_with(template: &str, index: [u32; 2]) -> String {
-    let mut path = String::with_capacity(template.len());
-    let mut indices = index.into_iter();
-    let mut rest = template;
-    while let Some((before, after)) = rest.split_once('[') {
-        path.push_str(before);
+    let (mut path, mut parts) = (String::with_capacity(template.len()), template.split('['));
+    path.push_str(parts.next().unwrap_or(""));
+    for (part, index) in parts.zip(index) {
         // Writing to a String cannot fail.
-        let _ = write!(path, "[{}]", indices.next().unwrap_or(0));
-        rest = after.split_once(']').map_or("", |(_, after)| after);
+        let _ = write!(path, "[{index}]{}", part.split_once(']').map_or("", |(_, after)| after));
     }
-    path + rest
+    path
 }
 
 /// A time with the largest unit that needs no more than a few digits: `62.5us`, `1ms`.
@@ -66,16 +63,9 @@ impl Parameter {
                 self.numbers.iter().enumerate().map(of).collect::<Vec<_>>().join(", ")
             }
             Kind::Integer { from, to } => format!("{from} <= {short} <= {to}{unit}"),
-            Kind::Real { from, to } => {
-                let from = match from {
-                    Bound::Open(end) => format!("{} <", real_text(end)),
-                    Bound::Closed(end) => format!("{} <=", real_text(end)),
-                };
-                let to = match to {
-                    Bound::Open(end) => format!("< {}", real_text(end)),
-                    Bound::Closed(end) => format!("<= {}", real_text(end)),
-                };
-                format!("{from} {short} {to}{unit}")
+            Kind::Real { from, to, open } => {
+                let [above, below] = open.map(|is_open| if is_open { "<" } else { "<=" });
+                format!("{} {above} {short} {below} {}{unit}", real_text(from), real_text(to))
             }
             Kind::Duration { from, to } => format!("{} <= {short} <= {}", time_text(from), time_text(to)),
             Kind::Text => "a text".to_owned(),
@@ -84,10 +74,7 @@ impl Parameter {
 
     pub(crate) fn title(&self, template: &str, index: [u32; 2]) -> String {
         let path = path_with(template, index);
-        match self.id {
-            Some(id) => format!("`{path}` ({id})"),
-            None => format!("`{path}`"),
-        }
+        self.id.map_or_else(|| format!("`{path}`"), |id| format!("`{path}` ({id})"))
     }
 }
 

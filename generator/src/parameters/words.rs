@@ -25,10 +25,10 @@ pub trait Words: Copy + Eq + 'static {
 
 /// Declares enumerations: `Variant "WORD" = number | "another spelling"`.
 macro_rules! words {
-    ($($(#[$doc:meta])+ $name:ident { $(
+    ($($(#[$doc:meta])* $name:ident { $(
         $(#[$variant_doc:meta])* $variant:ident $word:literal $(= $number:literal)? $(| $also:literal)*
     ),+ $(,)? })+) => {$(
-        $(#[$doc])+
+        $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum $name { $(
             #[doc = concat!("`", $word, "`")]
@@ -39,43 +39,25 @@ macro_rules! words {
         impl Words for $name {
             const ALL: &'static [Self] = &[$(Self::$variant),+];
             const WORDS: &'static [Word] = &[$(
-                Word { name: $word, number: number!($($number)?), also: &[$($also),*] }
+                Word { name: $word, number: <[u32]>::first(&[$($number)?]).copied(), also: &[$($also),*] }
             ),+];
         }
     )+};
 }
 
-macro_rules! number {
-    () => {
-        None
-    };
-    ($number:literal) => {
-        Some($number)
-    };
-}
-
 words! {
-    /// A BOOLEAN.
     Boolean { False "FALSE" = 0, True "TRUE" = 1 }
-    /// Target languages.
     TargetName { C "c", St "st", TwinCat "twincat", Codesys "codesys", Scl "scl" }
     /// What a character of imported lines stands for.
     ListEncoding { Utf8 "utf-8", Latin1 "latin-1" }
     /// How imported lines end.
     LineEnd { Lf "LF", CrLf "CRLF" }
-    /// Real type of the blocks.
     RealType { F64 "f64" | "LREAL", F32 "f32" | "REAL" }
     /// Integer type of process data.
     Width { Int16 "INT16" | "INT", Int32 "INT32" | "DINT" }
     /// Process data that a drive may lack.
     ProcessDatum { None "NONE", Int16 "INT16" | "INT", Int32 "INT32" | "DINT" }
-    /// Kind of motor.
-    Motor {
-        /// torque and inertia
-        Rotary "rotary",
-        /// force and mass
-        Linear "linear",
-    }
+    Motor { Rotary "rotary", Linear "linear" }
     /// Whether the inferred formula of ADD_JERK is generated.
     AddJerk { Refused "refused", Experimental "experimental" }
     /// Axis type (P-AXIS-00018).
@@ -112,9 +94,7 @@ words! {
     }
     /// Mode of improved position control at start (P-AXIS-00758). As a number it is the input `mode`.
     Enable {
-        /// the block is off
         Off "OFF" = 0 | "FALSE",
-        /// the block acts
         On "ON" = 1 | "TRUE",
         /// the block calculates and does not act
         DryRun "DRYRUN",

@@ -3,8 +3,8 @@
 use crate::parameters::Word;
 
 /// A word in any of its spellings and cases, or the number that stands for it.
-pub(super) fn of_words<'w>(words: impl IntoIterator<Item = &'w Word>) -> String {
-    format!("^(?:{})$", alternatives(words))
+pub(super) fn of_words(words: &[&Word]) -> String {
+    format!("^(?:{})$", alternatives(words.iter().copied()))
 }
 
 /// Several words, with blanks or `|` between, in any case; or the number that their bits make.
@@ -44,11 +44,8 @@ pub(super) fn of_duration(from: u64, to: u64) -> String {
 }
 
 fn alternatives<'w>(words: impl IntoIterator<Item = &'w Word>) -> String {
-    let of = |word: &Word| {
-        let spellings = std::iter::once(&word.name).chain(word.also).map(|spelling| any_case(spelling));
-        spellings.chain(word.number.map(number)).collect::<Vec<_>>().join("|")
-    };
-    words.into_iter().map(of).collect::<Vec<_>>().join("|")
+    let alternatives = |word: &'w Word| word.spellings().map(any_case).chain(word.number.map(number));
+    words.into_iter().flat_map(alternatives).collect::<Vec<_>>().join("|")
 }
 
 fn any_case(text: &str) -> String {
