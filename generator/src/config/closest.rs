@@ -65,8 +65,7 @@ pub(crate) fn is_ours(path: &str) -> bool {
 
 struct Candidate {
     template: &'static str,
-    plain: String,
-    set: u32,
+    whole: Letters<'static>,
     end: Letters<'static>,
 }
 
@@ -74,11 +73,11 @@ static TEMPLATES: LazyLock<Vec<Candidate>> = LazyLock::new(|| candidates(path::t
 static STRUCTURES: LazyLock<Vec<Candidate>> = LazyLock::new(|| candidates(path::structures()));
 
 fn candidates(templates: impl Iterator<Item = &'static str>) -> Vec<Candidate> {
-    let of = |template| {
-        let plain = path::without_indices(template);
-        Candidate { template, set: Letters::new(&plain).set, plain, end: Letters::new(last(template)) }
+    let candidate = |template| {
+        let whole = path::without_indices(template).leak();
+        Candidate { template, whole: Letters::new(whole), end: Letters::new(last(whole)) }
     };
-    templates.map(of).collect()
+    templates.map(candidate).collect()
 }
 
 fn among(written: &str, candidates: &'static [Candidate]) -> Option<String> {
@@ -88,7 +87,7 @@ fn among(written: &str, candidates: &'static [Candidate]) -> Option<String> {
     let whole = Letters::new(&plain);
     let score = |candidate: &'static Candidate| {
         let of_end = distance(end, candidate.end, 1 + end.text.len() / 4);
-        let of_whole = distance(whole, Letters { text: &candidate.plain, set: candidate.set }, typo);
+        let of_whole = distance(whole, candidate.whole, typo);
         let is_near = of_whole.is_some() || of_end.is_some();
         is_near.then_some(((of_whole.unwrap_or(usize::MAX), of_end), candidate.template))
     };

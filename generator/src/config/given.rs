@@ -10,8 +10,7 @@ use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::Name;
 use rayon::prelude::*;
-use std::path::Path;
-use std::sync::Arc;
+use std::{path::Path, sync::Arc};
 
 /// What no axis list holds, for a list that stands alone.
 #[derive(Clone, Debug, Default)]
@@ -64,11 +63,11 @@ fn of_set(path: &Path, source: &Arc<Source>, options: &ListOptions, load: Load<'
         }
     }
     let Some(table) = set::parse(source, &mut report) else { return Err(report) };
-    let top = set::top(source, table.get_ref(), &mut report);
-    let axes = top.axes.par_iter().map(|axis| of_axis(source, *axis, path, load)).collect();
+    let (top, axes) = set::top(source, table.get_ref(), &mut report);
+    let axes = axes.par_iter().map(|axis| of_axis(source, *axis, path, load)).collect();
     let no_cycle_time = Diagnostic::error(codes::CYCLE_TIME, source.whole(), "the set has no cycle time")
         .instead("cycle_time = \"1ms\", if that is its cycle");
-    Ok(Given { top: top.values, no_cycle_time, is_list: false, axes, report })
+    Ok(Given { top, no_cycle_time, is_list: false, axes, report })
 }
 
 /// The keys of an axis over the values of its list.

@@ -72,23 +72,6 @@ impl<'a> Iterator for Lines<'a> {
     }
 }
 
-impl Line<'_> {
-    pub(crate) fn append_to(&self, bytes: &mut Vec<u8>) {
-        match self.content {
-            Content::Remark { indent, comment } => bytes.extend([indent, comment].concat()),
-            Content::Statement(statement) => {
-                let Statement { indent, path, gap, value, space, comment } = statement;
-                for part in [indent, path, gap, value, space] {
-                    bytes.extend(part.as_bytes());
-                }
-                bytes.extend(comment);
-            }
-            Content::Unreadable { text, .. } => bytes.extend(text),
-        }
-        bytes.extend(self.end);
-    }
-}
-
 impl Statement<'_> {
     pub(crate) fn path_at(&self) -> usize {
         self.indent.len()

@@ -24,3 +24,7 @@ pub(crate) mod values;
 
 pub use file::{Load, Unreadable};
 pub use given::ListOptions;
+pub(crate) use set::AxisTable;
+pub(crate) use source::Source;
+pub(crate) use value::{of_text, of_toml, shown};
+pub(crate) use values::{Key, Setting, Values, key};

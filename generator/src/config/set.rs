@@ -7,17 +7,9 @@ use super::{axis_name, closest, list, value};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Name, Scope, path_with};
-use std::collections::HashMap;
-use std::sync::Arc;
+use std::{collections::HashMap, sync::Arc};
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
-
-#[derive(Debug, Default)]
-pub(crate) struct Top<'a> {
-    /// `cycle_time`, `targets`
-    pub(crate) values: Values,
-    pub(crate) axes: Vec<AxisTable<'a>>,
-}
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct AxisTable<'a> {
@@ -45,17 +37,22 @@ pub(crate) fn parse<'s>(source: &'s Source, report: &mut Report) -> Option<Spann
     errors.is_empty().then_some(table)
 }
 
-pub(crate) fn top<'a>(source: &Arc<Source>, table: &'a DeTable<'a>, report: &mut Report) -> Top<'a> {
-    let mut top = Top::default();
+/// The keys of the set itself, and its axes.
+pub(crate) fn top<'a>(
+    source: &Arc<Source>,
+    table: &'a DeTable<'a>,
+    report: &mut Report,
+) -> (Values, Vec<AxisTable<'a>>) {
+    let (mut values, mut axes) = (Values::default(), Vec::new());
     for (key, value) in in_file_order(table) {
         let written: &str = key.get_ref();
         let place = || source.place(key.span().start);
         match (path::find(written), value.get_ref()) {
-            (_, DeValue::Table(axes)) if written == "axis" => top.axes = axes_of(source, axes, report),
+            (_, DeValue::Table(tables)) if written == "axis" => axes = axes_of(source, tables, report),
             (_, other) if written == "axis" => report.push(no_table("axis", other, place())),
             (Path::Known { name, index, spelling, .. }, _) if name.parameter().scope == Scope::Set => {
                 let setting = setting(source, (name, spelling), key, (written, value), report);
-                top.values.insert((name, index), setting);
+                values.insert((name, index), setting);
             }
             _ => {
                 let of_a_set = Name::ALL.map(Name::parameter).into_iter().filter(|p| p.scope == Scope::Set);
@@ -68,10 +65,10 @@ pub(crate) fn top<'a>(source: &Arc<Source>, table: &'a DeTable<'a>, report: &mut
             }
         }
     }
-    if top.axes.is_empty() && !report.has_errors() {
+    if axes.is_empty() && !report.has_errors() {
         report.push(Diagnostic::error(codes::NO_AXIS, source.whole(), "the set has no axis").instead("[axis.X]"));
     }
-    top
+    (values, axes)
 }
 
 /// The axes with allowed names, each a table.

@@ -43,13 +43,23 @@ pub(crate) fn of_text(parameter: &Parameter, text: &str) -> Result<Value, Refuse
 pub(crate) fn of_toml(parameter: &Parameter, value: &Spanned<DeValue<'_>>) -> Result<Value, Vec<(usize, Refused)>> {
     let found = match (parameter.kind, value.get_ref()) {
         (Kind::Words(words), DeValue::Array(array)) => return of_array(parameter, words, array),
-        (Kind::Word(_) | Kind::Flags(_) | Kind::Duration { .. } | Kind::Text, text @ DeValue::String(_))
-        | (Kind::Word(_) | Kind::Flags(_) | Kind::Integer { .. } | Kind::Real { .. }, text @ DeValue::Integer(_))
-        | (Kind::Integer { .. } | Kind::Real { .. }, text @ DeValue::Float(_))
-        | (Kind::Word(_), text @ DeValue::Boolean(_)) => of_text(parameter, &scalar(text)),
+        (kind, value) if toml_types(kind).1.contains(&value.type_str()) => of_text(parameter, &scalar(value)),
         (_, other) => Err(wrong_type(parameter, other)),
     };
     found.map_err(|refused| vec![(value.span().start, refused)])
+}
+
+/// What a value of this kind is in a set, for a message, and the scalar types of TOML that it may have.
+fn toml_types(kind: Kind) -> (&'static str, &'static [&'static str]) {
+    match kind {
+        Kind::Text => ("a string", &["string"]),
+        Kind::Word(_) => ("a string", &["string", "integer", "boolean"]),
+        Kind::Duration { .. } => ("a string: a number with a unit (s, ms, us or ns)", &["string"]),
+        Kind::Words(_) => ("an array of strings", &[]),
+        Kind::Flags(_) => ("a string or a whole number", &["string", "integer"]),
+        Kind::Integer { .. } => ("a whole number", &["integer", "float"]),
+        Kind::Real { .. } => ("a number", &["integer", "float"]),
+    }
 }
 
 /// A text from a file, fit for a message: on one line, and not too long.
@@ -239,14 +249,7 @@ fn with_unit(number: &str, time: f64) -> String {
 }
 
 fn wrong_type(parameter: &Parameter, value: &DeValue<'_>) -> Refused {
-    let needed = match parameter.kind {
-        Kind::Word(_) | Kind::Text => "a string",
-        Kind::Duration { .. } => "a string: a number with a unit (s, ms, us or ns)",
-        Kind::Words(_) => "an array of strings",
-        Kind::Flags(_) => "a string or a whole number",
-        Kind::Integer { .. } => "a whole number",
-        Kind::Real { .. } => "a number",
-    };
+    let (needed, _) = toml_types(parameter.kind);
     let instead = match (parameter.kind, value) {
         (Kind::Integer { .. } | Kind::Real { .. }, DeValue::String(text)) => {
             of_text(parameter, text).ok().map(|value| format!("{}, without quotes", value.text()))
@@ -273,10 +276,9 @@ fn scalar<'v>(value: &'v DeValue<'_>) -> Cow<'v, str> {
     match value {
         DeValue::String(text) => Cow::Borrowed(text),
         DeValue::Integer(n) if n.radix() == 10 => Cow::Borrowed(n.as_str()),
-        DeValue::Integer(n) => match i64::from_str_radix(n.as_str(), n.radix()) {
-            Ok(number) => Cow::Owned(number.to_string()),
-            Err(_) => Cow::Owned(n.to_string()),
-        },
+        DeValue::Integer(n) => {
+            Cow::Owned(i64::from_str_radix(n.as_str(), n.radix()).map_or_else(|_| n.to_string(), |n| n.to_string()))
+        }
         DeValue::Float(x) => Cow::Borrowed(x.as_str()),
         DeValue::Boolean(true) => Cow::Borrowed("TRUE"),
         DeValue::Boolean(false) => Cow::Borrowed("FALSE"),

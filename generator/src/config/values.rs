@@ -3,8 +3,7 @@
 use super::source::Source;
 use crate::diagnostics::{Diagnostic, Place, Report, Severity};
 use crate::parameters::{Name, Value, words::Words};
-use std::collections::BTreeMap;
-use std::collections::btree_map::Entry;
+use std::collections::{BTreeMap, btree_map::Entry};
 use std::sync::Arc;
 
 /// A parameter with its indices; an index that the parameter lacks is 0.

@@ -3,16 +3,11 @@
 use super::encoding::Encoded;
 use super::fill::Filling;
 use crate::codes;
-use crate::config::file::{self, Load};
-use crate::config::source::Source;
-use crate::config::value::shown;
-use crate::config::values::Values;
-use crate::config::{given, list, set};
+use crate::config::{AxisTable, Load, Source, Values, file, given, list, set, shown};
 use crate::diagnostics::{Diagnostic, Report};
 use crate::parameters::Name;
 use crate::parameters::words::{LineEnd, ListEncoding};
-use std::path::Path;
-use std::sync::Arc;
+use std::{path::Path, sync::Arc};
 
 /// An axis of a TOML set (`.toml`) as an axis list; without a name the only one. An axis list (any other extension) is
 /// given as it is. The list is there if, and only if, no message is an error. The rules between parameters are not judged.
@@ -44,15 +39,15 @@ fn of_set(
     report: &mut Report,
 ) -> Option<Vec<u8>> {
     let table = set::parse(source, report)?;
-    let top = set::top(source, table.get_ref(), report);
-    let axis = named(source, &top.axes, axis, report)?;
+    let (top, axes) = set::top(source, table.get_ref(), report);
+    let axis = named(source, &axes, axis, report)?;
     let keys = set::values_of(source, axis, report);
     if report.has_errors() {
         return None;
     }
     let Some(list) = given::list_of(&keys, path, load) else {
         let base = imported(&keys).map_err(|refused| report.push(refused)).ok()?;
-        return Filling { values: keys, top: top.values, report }.list(base.as_deref());
+        return Filling { values: top.overridden_by(keys), report }.list(base.as_deref());
     };
     let list = list.map_err(|unreadable| report.push(unreadable)).ok()?;
     let read = list::read_to_keep(&list);
@@ -62,15 +57,15 @@ fn of_set(
     if report.has_errors() {
         return None;
     }
-    Filling { values: read.values.overridden_by(keys), top: Values::default(), report }.list(Some(&list.bytes))
+    Filling { values: read.values.overridden_by(keys), report }.list(Some(&list.bytes))
 }
 
 fn named<'a>(
     source: &Source,
-    axes: &[set::AxisTable<'a>],
+    axes: &[AxisTable<'a>],
     name: Option<&str>,
     report: &mut Report,
-) -> Option<set::AxisTable<'a>> {
+) -> Option<AxisTable<'a>> {
     let found = match (name, axes) {
         (None, [axis]) => return Some(*axis),
         // That has been said.

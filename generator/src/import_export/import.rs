@@ -3,14 +3,11 @@
 use super::encoding::{Encoded, encoded, latin_1, toml_string};
 use super::slot::{self, HOLE, Slot};
 use super::{spelling, tables};
-use crate::check;
-use crate::codes;
 use crate::config::lines::{self, Content, Line};
-use crate::config::value::shown;
-use crate::config::values::{Key, Values, key};
-use crate::config::{ListOptions, Load, axis_name, file, given, list};
+use crate::config::{Key, ListOptions, Load, Values, axis_name, file, given, key, list, shown};
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Name, Value};
+use crate::{check, codes};
 use std::collections::BTreeSet;
 use std::path::Path;
 use toml_edit::Table;
@@ -52,10 +49,9 @@ pub fn import_with(path: &Path, options: &ListOptions, load: Load<'_>) -> (Optio
     if report.has_errors() {
         return (None, report);
     }
-    let taken = Taken::from_list(&source.bytes, &list.values);
     let file = path.file_name().unwrap_or_default().to_string_lossy();
-    let cycle_time = options.cycle_time.clone().or_else(|| taken.cycle_time.clone());
-    (Some(set(&name, &file, cycle_time.as_deref(), taken)), report)
+    let taken = Taken::from_list(&source.bytes, &list.values);
+    (Some(taken.set(&name, &file, options.cycle_time.clone())), report)
 }
 
 struct Taken {
@@ -74,36 +70,61 @@ impl Taken {
         let mut cycle_time = None;
         let mut above = Vec::new();
         let mut own = BTreeSet::new();
-        for line in lines {
+        for (line, text) in lines.zip(bytes[mark.len()..].split_inclusive(|byte| *byte == b'\n')) {
             let slot = slot::in_line(&line);
             let value = slot.as_ref().and_then(|slot| value_of(slot, values, &mut own));
-            let start = left.len();
-            line.append_to(&mut left);
+            let mut text = text.to_vec();
             match (slot, value) {
                 (Some(slot), Some(value)) => {
                     let parameter = slot.key.0.parameter();
                     let toml = spelling::in_toml(parameter, slot.text, &value);
                     let same = spelling::in_list(parameter, toml.to_string().as_bytes(), &value) == slot.text;
                     let hole = format!("{HOLE}{}", if same { "" } else { slot.text });
-                    left.splice(start + slot.range.start..start + slot.range.end, hole.bytes());
+                    text.splice(slot.range, hole.bytes());
                     if slot.key.0 == Name::CycleTime {
                         cycle_time = Some(slot.text.to_owned());
-                        continue;
+                    } else {
+                        let above = comments_above(std::mem::take(&mut above));
+                        tables::insert(&mut axis, slot.template, slot.key.1, toml, &above, &comment_beside(&line));
                     }
-                    let above = comments_above(std::mem::take(&mut above));
-                    tables::insert(&mut axis, slot.template, slot.key.1, toml, &above, &comment_beside(&line));
                 }
                 (Some(slot), None) if slot.own && slot.text.starts_with(HOLE) => {
                     // A comment that only looks like a hole: a second sign tells.
-                    left.insert(start + slot.range.start, HOLE as u8);
+                    text.insert(slot.range.start, HOLE as u8);
                 }
                 _ => match line.content {
                     Content::Remark { comment, .. } => above.push(comment_text(comment)),
                     _ => above.clear(),
                 },
             }
+            left.extend(text);
         }
         Self { axis, lines: encoded(&left), cycle_time }
+    }
+
+    /// The text of the set; the cycle time is that of the command line.
+    fn set(self, name: &str, file: &str, cycle_time: Option<String>) -> String {
+        let cycle_time = match cycle_time.or(self.cycle_time) {
+            Some(text) => {
+                let text = toml_edit::Value::from(text);
+                format!("# Cycle of the position controller; no axis list holds it.\ncycle_time = {text}\n")
+            }
+            None => "# Cycle of the position controller: no axis list holds it. Write yours, without the first `#`.\n\
+                     # cycle_time = \"1ms\"\n"
+                .to_owned(),
+        };
+        let Encoded { text, latin_1, crlf } = self.lines;
+        let axis = tables::text(name, self.axis);
+        let encoding = if latin_1 { "encoding = \"latin-1\" # a character is the byte of its number\n" } else { "" };
+        let line_end = if crlf { "line_end = \"CRLF\"\n" } else { "" };
+        let lines = toml_string(&text);
+        let file = comment_text(format!("# {file}").as_bytes());
+        format!(
+            "{file}, imported by axgen\n{cycle_time}\n{axis}\n\
+             # The list, line by line; `axgen export` writes it back. `=` stands for a value that stands above, `=0X1` for one that was\n\
+             # spelled so. Change values above. Parameters of other functions stand here, and all comments: those above are copies.\n\
+             [axis.{name}.imported_list]\n{encoding}{line_end}lines = {lines}\n"
+        )
     }
 }
 
@@ -143,28 +164,4 @@ fn comment_text(comment: &[u8]) -> String {
         text.chars().map(|c| if c.is_control() && c != '\t' { char::REPLACEMENT_CHARACTER } else { c }).collect();
     let sign = if text.starts_with('(') { "# " } else { "" };
     format!("{sign}{}", text.trim_end())
-}
-
-fn set(name: &str, file: &str, cycle_time: Option<&str>, taken: Taken) -> String {
-    let cycle_time = match cycle_time {
-        Some(text) => {
-            let text = toml_edit::Value::from(text);
-            format!("# Cycle of the position controller; no axis list holds it.\ncycle_time = {text}\n")
-        }
-        None => "# Cycle of the position controller: no axis list holds it. Write yours, without the first `#`.\n\
-                 # cycle_time = \"1ms\"\n"
-            .to_owned(),
-    };
-    let Encoded { text, latin_1, crlf } = taken.lines;
-    let axis = tables::text(name, taken.axis);
-    let encoding = if latin_1 { "encoding = \"latin-1\" # a character is the byte of its number\n" } else { "" };
-    let line_end = if crlf { "line_end = \"CRLF\"\n" } else { "" };
-    let lines = toml_string(&text);
-    let file = comment_text(format!("# {file}").as_bytes());
-    format!(
-        "{file}, imported by axgen\n{cycle_time}\n{axis}\n\
-         # The list, line by line; `axgen export` writes it back. `=` stands for a value that stands above, `=0X1` for one that was\n\
-         # spelled so. Change values above. Parameters of other functions stand here, and all comments: those above are copies.\n\
-         [axis.{name}.imported_list]\n{encoding}{line_end}lines = {lines}\n"
-    )
 }

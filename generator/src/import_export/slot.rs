@@ -2,8 +2,7 @@
 
 use crate::config::lines::{Content, Line};
 use crate::config::path::{self, Path};
-use crate::config::value::of_text;
-use crate::config::values::Key;
+use crate::config::{Key, of_text};
 use crate::parameters::{Name, Scope, Value};
 use std::ops::Range;
 

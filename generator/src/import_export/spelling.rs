@@ -1,6 +1,6 @@
 //! The text of a value in a list, and the same value in TOML, spelled alike wherever both allow it.
 
-use crate::config::value::{of_text, of_toml};
+use crate::config::{of_text, of_toml};
 use crate::parameters::{Parameter, Value};
 use toml::de::DeValue;
 

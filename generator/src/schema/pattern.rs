@@ -33,10 +33,8 @@ pub(super) fn of_duration(from: u64, to: u64) -> String {
         let fraction = if digits == 0 { r"(?:\.0*)?".to_owned() } else { format!(r"(?:\.[0-9]{{0,{digits}}}0*)?") };
         let whole = at_most(to / ns);
         // Without a digit before the point there is one behind it.
-        let below_one = (digits > 0).then(|| format!(r"\.[0-9]{{1,{digits}}}0*"));
-        let numbers =
-            [Some(format!("0*{whole}{fraction}")), below_one].into_iter().flatten().collect::<Vec<_>>().join("|");
-        format!(r"(?:{numbers})\s*(?:{unit})")
+        let below_one = if digits == 0 { String::new() } else { format!(r"|\.[0-9]{{1,{digits}}}0*") };
+        format!(r"(?:0*{whole}{fraction}{below_one})\s*(?:{unit})")
     };
     let units = [("s", 1_000_000_000, 9), ("ms", 1_000_000, 6), ("us|\u{b5}s|\u{3bc}s", 1000, 3), ("ns", 1, 0)];
     let times = units.map(of_unit).join("|");
