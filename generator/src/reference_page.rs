@@ -3,8 +3,6 @@
 use crate::parameters::{Name, Parameter, Scope};
 use std::fmt::Write;
 
-/// The page.
-#[must_use]
 pub fn text() -> String {
     let mut page = String::from(
         "# Parameters\n\nMade by `axgen params --markdown` from the one table of parameters. Parameters with an id are the vendor's; the \

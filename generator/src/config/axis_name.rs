@@ -5,7 +5,6 @@ use std::path::Path;
 /// With the longest suffix that a target adds, a name stays within the 63 characters that every compiler tells apart.
 const LONGEST: usize = 32;
 
-/// What is allowed, for a message.
 pub(crate) const ALLOWED: &str =
     "1 to 32 letters, digits and single underscores, a letter first and no underscore last (what C and ST both accept)";
 

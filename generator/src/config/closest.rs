@@ -16,9 +16,11 @@ pub(crate) fn nearest<'c>(name: &str, candidates: impl Iterator<Item = &'c str>)
     near.min_by_key(|(distance, _)| *distance).map(|(_, name)| name)
 }
 
-/// The path that a path was probably meant to be: one that differs in a few letters, or ends alike.
-pub(crate) fn path(path: &str) -> Option<String> {
-    among(path, &TEMPLATES).or_else(|| among(path, &STRUCTURES))
+/// The path that a path was probably meant to be: one that differs in a few letters, or ends alike; of a table mostly a
+/// structure.
+pub(crate) fn path(path: &str, is_table: bool) -> Option<String> {
+    let [first, second] = if is_table { [&STRUCTURES, &TEMPLATES] } else { [&TEMPLATES, &STRUCTURES] };
+    among(path, first).or_else(|| among(path, second))
 }
 
 /// A template with the indices that a path has at the same parts.
@@ -27,11 +29,6 @@ pub(crate) fn with_indices_of(template: &str, written: &str) -> String {
     let numbers = parts.filter(|(part, _)| part.contains('[')).map(|(_, written)| indices(written)[0]);
     let mut numbers = numbers.chain([0, 0]);
     path_with(template, std::array::from_fn(|_| numbers.next().unwrap_or(0)))
-}
-
-/// The structure that the name of a table was probably meant to be.
-pub(crate) fn structure(path: &str) -> Option<String> {
-    among(path, &STRUCTURES)
 }
 
 /// The first parameter below a structure, with the indices that the structure is written with.
@@ -164,25 +161,17 @@ fn at_least(a: u32, b: u32) -> usize {
 mod tests {
     use super::*;
 
-    /// Beside the definition: no filter refuses what is near.
-    #[test]
-    fn distances() {
-        let of = |a: &[u8], b: &[u8]| strsim::generic_levenshtein(&a.to_vec(), &b.to_vec());
-        let mut random = 1u64;
-        let mut draw = |below: u64| {
-            random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (random >> 33) % below
-        };
-        for _ in 0..20_000 {
-            let mut name = || (0..draw(9)).map(|_| b"abAB_1q"[usize::try_from(draw(7)).unwrap()]).collect::<Vec<_>>();
-            let (a, b) = (String::from_utf8(name()).unwrap(), String::from_utf8(name()).unwrap());
-            let expected = of(a.to_ascii_lowercase().as_bytes(), b.to_ascii_lowercase().as_bytes());
+    proptest::proptest! {
+        #![proptest_config(proptest::prelude::ProptestConfig::with_cases(20_000))]
+
+        /// Beside the definition: no filter refuses what is near.
+        #[test]
+        fn distances(a in "[abAB_1q]{0,8}", b in "[abAB_1q]{0,8}") {
+            let small = [&a, &b].map(|name| name.to_ascii_lowercase().into_bytes());
+            let expected = strsim::generic_levenshtein(&small[0], &small[1]);
             for most in 0..9 {
-                assert_eq!(
-                    distance(Letters::new(&a), Letters::new(&b), most),
-                    Some(expected).filter(|d| *d <= most),
-                    "{a} {b} {most}"
-                );
+                let found = distance(Letters::new(&a), Letters::new(&b), most);
+                assert_eq!(found, Some(expected).filter(|d| *d <= most), "{a} {b} {most}");
             }
         }
     }

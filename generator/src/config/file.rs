@@ -1,17 +1,14 @@
 //! Reading a file as bytes, bounded; no content is looked at.
 
-use super::source::Source;
-use super::value::shown;
+use super::{source::Source, value::shown};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place};
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read};
 use std::{path::Path, sync::Arc};
 
-/// How files are read.
 pub type Load<'a> = &'a (dyn Fn(&Path) -> Result<Vec<u8>, Unreadable> + Sync);
 
-/// Why a file cannot be read.
 #[derive(Debug)]
 pub enum Unreadable {
     /// it holds more bytes than any set or list
@@ -23,7 +20,8 @@ pub enum Unreadable {
 /// A set of 10,000 axes that are written out in full has 20 MB; what is larger is something else.
 const LARGEST: u64 = 64 << 20;
 
-pub(crate) fn load(path: &Path) -> Result<Vec<u8>, Unreadable> {
+/// The bytes of a file on this host.
+pub fn load(path: &Path) -> Result<Vec<u8>, Unreadable> {
     // Opening a pipe waits for somebody to write into it, a device never ends: both are told before.
     let metadata = fs::metadata(path).map_err(of_system)?;
     if metadata.is_dir() {

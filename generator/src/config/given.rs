@@ -1,14 +1,10 @@
 //! What a set or a list gives: the values of its top and of each of its axes. Files are read here; nothing is validated.
 
-use super::file::Load;
-use super::set::AxisTable;
-use super::source::Source;
 use super::value::{self, shown};
 use super::values::{Setting, Values, key};
-use super::{axis_name, file, list, set};
-use crate::codes;
+use super::{axis_name, file, file::Load, list, set, set::AxisTable, source::Source};
 use crate::diagnostics::{Diagnostic, Place, Report};
-use crate::parameters::Name;
+use crate::{codes, parameters::Name};
 use rayon::prelude::*;
 use std::{path::Path, sync::Arc};
 
@@ -21,7 +17,6 @@ pub struct ListOptions {
     pub name: Option<String>,
 }
 
-#[derive(Debug)]
 pub(crate) struct Given {
     /// `cycle_time`, `targets`
     pub(crate) top: Values,
@@ -32,7 +27,6 @@ pub(crate) struct Given {
     pub(crate) report: Report,
 }
 
-#[derive(Debug)]
 pub(crate) struct GivenAxis {
     pub(crate) name: String,
     /// where the set names it; of a list the whole file

@@ -1,17 +1,15 @@
 //! Reading an axis list: what its lines say. No default, no range, no rule, no file access; `lines.rs` splits the lines.
 
-use super::closest;
 use super::lines::{self, Content, Statement};
 use super::path::{self, Path};
-use super::source::Source;
 use super::value::{self, Refused};
 use super::values::{Key, Setting, Values};
+use super::{closest, source::Source};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Kind, Name, Parameter, Scope, Value, path_with};
 use std::sync::Arc;
 
-#[derive(Debug)]
 pub(crate) struct List {
     /// the parameters that are in the table
     pub(crate) values: Values,
@@ -88,8 +86,8 @@ impl List {
                 let found = format!("`{written}` is a key of an axis set; no axis list has it");
                 error(codes::KEY_OF_A_SET, found).instead(instead_of_key(name, index))
             }
-            Path::Known { name, index, spelling, misprint } => {
-                self.give(source, start, statement, (name, index), spelling, misprint);
+            Path::Known { name, index, spelling, .. } => {
+                self.give(source, start, statement, (name, index), spelling);
                 return true;
             }
             Path::OutOfRange { name, .. } => out_of_range(name, written, place()),
@@ -103,7 +101,7 @@ impl List {
                 None if path::is_structure(written) => {
                     unknown("a structure: its parameters have values", closest::first_below(written))
                 }
-                None => match closest::path(written) {
+                None => match closest::path(written, false) {
                     Some(known) => unknown("not known", Some(known)),
                     None => {
                         self.foreign += 1;
@@ -124,30 +122,22 @@ impl List {
     }
 
     /// Takes the value of a parameter.
-    fn give(
-        &mut self,
-        source: &Arc<Source>,
-        start: usize,
-        statement: &Statement<'_>,
-        (name, index): Key,
-        spelling: &'static str,
-        is_misprint: bool,
-    ) {
-        let (written, parameter) = (statement.path, name.parameter());
-        let (path_at, value_at) = (start + statement.path_at(), start + statement.value_at());
-        if is_misprint {
+    fn give(&mut self, source: &Arc<Source>, start: usize, line: &Statement<'_>, key: Key, spelling: &'static str) {
+        let (written, parameter) = (line.path, key.0.parameter());
+        let (path_at, value_at) = (start + line.path_at(), start + line.value_at());
+        if parameter.misprints.contains(&spelling) {
             let found = format!("`{written}` is a misprint of the manual");
             let said = Diagnostic::warning(codes::MISPRINT, source.place(path_at), found);
-            self.report.push(said.instead(path_with(parameter.path, index)));
+            self.report.push(said.instead(path_with(parameter.path, key.1)));
         }
         let mut setting =
             Setting { value: None, refused: None, spelling, source: Arc::clone(source), path_at, value_at };
-        match value_of(parameter, statement) {
+        match value_of(parameter, line) {
             Ok(value) => setting.value = Some(value),
             Err(refused) => {
-                let refused = refused.diagnostic(name, written, setting.value_place());
+                let refused = refused.diagnostic(key.0, written, setting.value_place());
                 // `=` begins what `import` leaves in the place of a value: it is never one of another function's.
-                if parameter.is_shared && !statement.value.starts_with('=') {
+                if parameter.is_shared && !line.value.starts_with('=') {
                     // Said where something uses it.
                     setting.refused = Some(refused);
                 } else {
@@ -155,7 +145,7 @@ impl List {
                 }
             }
         }
-        if let Some(first) = self.values.insert((name, index), setting) {
+        if let Some(first) = self.values.insert(key, setting) {
             let found = format!("`{written}` is given twice, first in line {}", first.path_place().line);
             let said = Diagnostic::error(codes::GIVEN_TWICE, source.place(path_at), found);
             self.report.push(said.instead("one of the two lines"));

@@ -22,7 +22,7 @@ pub(crate) mod source;
 pub(crate) mod value;
 pub(crate) mod values;
 
-pub use file::{Load, Unreadable};
+pub use file::{Load, Unreadable, load};
 pub use given::ListOptions;
 pub(crate) use set::AxisTable;
 pub(crate) use source::Source;

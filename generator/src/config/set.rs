@@ -1,9 +1,8 @@
 //! Reading a TOML set: its keys, its axes and the tables below them. No default, no rule, no file access of its own.
 
 use super::path::{self, Path};
-use super::source::Source;
 use super::values::{Setting, Values};
-use super::{axis_name, closest, list, value};
+use super::{axis_name, closest, list, source::Source, value};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Name, Scope, path_with};
@@ -21,8 +20,6 @@ pub(crate) struct AxisTable<'a> {
 /// More faults of syntax than these are not listed: they follow from the first.
 const SYNTAX_FAULTS: usize = 20;
 
-type Entry<'a> = (&'a Spanned<DeString<'a>>, &'a Spanned<DeValue<'a>>);
-
 /// Parses the file; none: it is no TOML, which has been said.
 pub(crate) fn parse<'s>(source: &'s Source, report: &mut Report) -> Option<Spanned<DeTable<'s>>> {
     let text = str::from_utf8(&source.bytes).map_err(|error| {
@@ -38,11 +35,9 @@ pub(crate) fn parse<'s>(source: &'s Source, report: &mut Report) -> Option<Spann
 }
 
 /// The keys of the set itself, and its axes.
-pub(crate) fn top<'a>(
-    source: &Arc<Source>,
-    table: &'a DeTable<'a>,
-    report: &mut Report,
-) -> (Values, Vec<AxisTable<'a>>) {
+type Top<'a> = (Values, Vec<AxisTable<'a>>);
+
+pub(crate) fn top<'a>(source: &Arc<Source>, table: &'a DeTable<'a>, report: &mut Report) -> Top<'a> {
     let (mut values, mut axes) = (Values::default(), Vec::new());
     for (key, value) in in_file_order(table) {
         let written: &str = key.get_ref();
@@ -172,8 +167,7 @@ fn unknown(path: &str, value: &DeValue<'_>, place: Place) -> Diagnostic {
         }
         _ => {
             let is_table = matches!(value, DeValue::Table(_) | DeValue::Array(_));
-            let structure = if is_table { closest::structure(path) } else { None };
-            ("not known", structure.or_else(|| closest::path(path)))
+            ("not known", closest::path(path, is_table))
         }
     };
     Diagnostic { instead, ..Diagnostic::error(codes::UNKNOWN, place, format!("{shown} is {what}")) }
@@ -184,8 +178,8 @@ fn no_table(path: &str, value: &DeValue<'_>, place: Place) -> Diagnostic {
     Diagnostic::error(codes::TYPE, place, found).allowed("a table")
 }
 
-fn in_file_order<'a>(table: &'a DeTable<'a>) -> Vec<Entry<'a>> {
-    let mut entries: Vec<Entry<'a>> = table.iter().collect();
+fn in_file_order<'a>(table: &'a DeTable<'a>) -> Vec<(&'a Spanned<DeString<'a>>, &'a Spanned<DeValue<'a>>)> {
+    let mut entries: Vec<_> = table.iter().collect();
     entries.sort_by_key(|(key, _)| key.span().start);
     entries
 }

@@ -5,8 +5,7 @@ use crate::codes;
 use crate::diagnostics::{Diagnostic, Place};
 use crate::parameters::{Kind, Name, Parameter, Value, Word};
 use std::borrow::Cow;
-use toml::Spanned;
-use toml::de::DeValue;
+use toml::{Spanned, de::DeValue};
 
 /// Why a text is no value of a parameter.
 #[derive(Debug, PartialEq, Eq)]
@@ -280,8 +279,7 @@ fn scalar<'v>(value: &'v DeValue<'_>) -> Cow<'v, str> {
             Cow::Owned(i64::from_str_radix(n.as_str(), n.radix()).map_or_else(|_| n.to_string(), |n| n.to_string()))
         }
         DeValue::Float(x) => Cow::Borrowed(x.as_str()),
-        DeValue::Boolean(true) => Cow::Borrowed("TRUE"),
-        DeValue::Boolean(false) => Cow::Borrowed("FALSE"),
+        DeValue::Boolean(is_true) => Cow::Borrowed(if *is_true { "TRUE" } else { "FALSE" }),
         other => Cow::Borrowed(other.type_str()),
     }
 }

@@ -2,23 +2,16 @@
 
 use super::encoding::Encoded;
 use super::fill::Filling;
-use crate::codes;
 use crate::config::{AxisTable, Load, Source, Values, file, given, list, set, shown};
 use crate::diagnostics::{Diagnostic, Report};
-use crate::parameters::Name;
 use crate::parameters::words::{LineEnd, ListEncoding};
+use crate::{codes, parameters::Name};
 use std::{path::Path, sync::Arc};
 
 /// An axis of a TOML set (`.toml`) as an axis list; without a name the only one. An axis list (any other extension) is
 /// given as it is. The list is there if, and only if, no message is an error. The rules between parameters are not judged.
 #[must_use]
-pub fn export(path: &Path, axis: Option<&str>) -> (Option<Vec<u8>>, Report) {
-    export_with(path, axis, &file::load)
-}
-
-/// The same with another source of files.
-#[must_use]
-pub fn export_with(path: &Path, axis: Option<&str>, load: Load<'_>) -> (Option<Vec<u8>>, Report) {
+pub fn export(path: &Path, axis: Option<&str>, load: Load<'_>) -> (Option<Vec<u8>>, Report) {
     let mut report = Report::default();
     let list = match file::read(path, None, load) {
         Ok(source) if file::is_set(path) => of_set(&source, path, axis, load, &mut report),

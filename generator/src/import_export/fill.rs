@@ -9,7 +9,6 @@ use crate::diagnostics::{Diagnostic, Report, Severity};
 use crate::parameters::{Name, Parameter, Scope, Value, path_with};
 use std::collections::BTreeSet;
 
-#[derive(Debug)]
 pub(super) struct Filling<'r> {
     /// what the axis was given, its list included, and what stands at the top of the set
     pub(super) values: Values,

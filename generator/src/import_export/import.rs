@@ -3,7 +3,7 @@
 use super::encoding::{Encoded, encoded, latin_1, toml_string};
 use super::slot::{self, HOLE, Slot};
 use super::{spelling, tables};
-use crate::config::lines::{self, Content, Line};
+use crate::config::lines::{self, Content};
 use crate::config::{Key, ListOptions, Load, Values, axis_name, file, given, key, list, shown};
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Name, Value};
@@ -15,13 +15,7 @@ use toml_edit::Table;
 /// The axis list of a file as a TOML set. The set is there if, and only if, no message is an error. It has no cycle time
 /// unless the options, or a list that [`super::export`] wrote, give one.
 #[must_use]
-pub fn import(path: &Path, options: &ListOptions) -> (Option<String>, Report) {
-    import_with(path, options, &file::load)
-}
-
-/// The same with another source of files.
-#[must_use]
-pub fn import_with(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<String>, Report) {
+pub fn import(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<String>, Report) {
     let mut report = Report::default();
     let source = match file::read(path, None, load) {
         Ok(source) => source,
@@ -38,10 +32,9 @@ pub fn import_with(path: &Path, options: &ListOptions, load: Load<'_>) -> (Optio
     report.extend(list.report);
     // Without a cycle time a usual one: what is asked of it does not depend on it in a list without errors.
     let cycle_time = match top.get(key(Name::CycleTime)).and_then(|setting| setting.value.as_ref()) {
-        Some(Value::Duration(ns)) => u32::try_from(*ns).ok().filter(|ns| *ns > 0),
-        _ => None,
+        Some(Value::Duration(ns @ 1..)) => u32::try_from(*ns).unwrap_or(1_000_000),
+        _ => 1_000_000,
     };
-    let cycle_time = cycle_time.unwrap_or(1_000_000);
     // A set without a value that the axis uses would mean something else. What nothing uses is as good as a value of another
     // function: its line is kept.
     let said = check::axis(&name, Some(cycle_time), &list.values, source.whole()).effective.report;
@@ -85,7 +78,11 @@ impl Taken {
                         cycle_time = Some(slot.text.to_owned());
                     } else {
                         let above = comments_above(std::mem::take(&mut above));
-                        tables::insert(&mut axis, slot.template, slot.key.1, toml, &above, &comment_beside(&line));
+                        let beside = match line.content {
+                            Content::Statement(statement) => format!(" {}", comment_text(statement.comment)),
+                            _ => String::new(),
+                        };
+                        tables::insert(&mut axis, slot.template, slot.key.1, toml, &above, beside.trim_end());
                     }
                 }
                 (Some(slot), None) if slot.own && slot.text.starts_with(HOLE) => {
@@ -137,24 +134,10 @@ fn value_of(slot: &Slot<'_>, values: &Values, own: &mut BTreeSet<Key>) -> Option
     own.insert(slot.key).then_some(value)
 }
 
-/// The comments above a value, a line each; a blank line where one stood before them.
+/// The comments above a value, a line each. Several blank lines are one, also before them.
 fn comments_above(mut comments: Vec<String>) -> String {
-    let text = comments.iter().position(|comment| !comment.is_empty()).unwrap_or(comments.len());
-    let is_apart = text > 0;
-    comments.drain(..text);
-    // A blank line between the comments and the value, or two between comments, are one.
     comments.dedup_by(|next, last| next.is_empty() && last.is_empty());
-    let lines = comments.into_iter().map(|comment| comment + "\n");
-    std::iter::once("\n".to_owned()).filter(|_| is_apart).chain(lines).collect()
-}
-
-fn comment_beside(line: &Line<'_>) -> String {
-    match line.content {
-        Content::Statement(statement) if !statement.comment.is_empty() => {
-            format!(" {}", comment_text(statement.comment))
-        }
-        _ => String::new(),
-    }
+    comments.into_iter().map(|comment| comment + "\n").collect()
 }
 
 /// A comment as one of TOML: `(` gets a `#`, bytes that are not UTF-8 are latin-1, control characters cannot stand there.

@@ -12,7 +12,6 @@ pub(super) const OWN: &str = "# axgen: ";
 /// What stands for a value that the set has: `=`, or `=` and the spelling that the list had.
 pub(super) const HOLE: char = '=';
 
-#[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Slot<'a> {
     pub(super) key: Key,
     /// the path template by which it was found; of a misprint the proper one

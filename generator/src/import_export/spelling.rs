@@ -38,8 +38,6 @@ pub(super) fn in_list(parameter: &Parameter, toml: &[u8], value: &Value) -> Stri
 /// Whether every reader of TOML takes the text for what it is without quotes: a number beyond 64 bits is none for some.
 fn is_bare(text: &str) -> bool {
     let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
-    let whole = unsigned.split(['.', 'e', 'E']).next().unwrap_or_default();
-    let is_whole =
-        whole.len() == unsigned.len() && !whole.is_empty() && whole.bytes().all(|byte| byte.is_ascii_digit());
+    let is_whole = !unsigned.is_empty() && unsigned.bytes().all(|byte| byte.is_ascii_digit());
     !is_whole || text.parse::<i64>().is_ok()
 }

@@ -16,7 +16,7 @@ pub struct Parameter {
     pub path: &'static str,
     /// older paths of the same parameter; an index that they lack is 0
     pub aliases: &'static [&'static str],
-    /// paths that are printed wrongly in a manual
+    /// printed wrongly in a manual
     pub misprints: &'static [&'static str],
     /// how many values each index has
     pub(crate) indices: &'static [u32],
@@ -52,58 +52,40 @@ pub enum Scope {
     Set,
 }
 
+/// `Words` are several different ones of a few, `Flags` the bits of a number, each with a word; the ends of a real range do not
+/// belong to it where it is `open`; a duration is in ns.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Kind {
     Word(&'static [Word]),
-    /// several different words of a few
     Words(&'static [Word]),
-    /// bits of a number, each with a word
     Flags(&'static [Word]),
-    Integer {
-        from: u32,
-        to: u32,
-    },
-    Real {
-        from: f64,
-        to: f64,
-        /// whether the range is without its ends
-        open: [bool; 2],
-    },
-    /// the shortest and the longest, in ns
-    Duration {
-        from: u64,
-        to: u64,
-    },
+    Integer { from: u32, to: u32 },
+    Real { from: f64, to: f64, open: [bool; 2] },
+    Duration { from: u64, to: u64 },
     Text,
 }
 
-/// A word of an enumeration.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Word {
     /// as we write it
     pub name: &'static str,
-    /// the number that stands for it
     pub number: Option<u32>,
     /// further spellings
     pub also: &'static [&'static str],
 }
 
-/// A value, as its parameter's kind demands.
+/// A word as we write it, a finite real number, a time in ns.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Value {
-    /// as we write it
     Word(&'static str),
     Words(Vec<&'static str>),
     Integer(i64),
-    /// finite
     Real(f64),
-    /// in ns
     Duration(u64),
     Text(String),
 }
 
 impl Name {
-    #[must_use]
     pub fn parameter(self) -> &'static Parameter {
         &TABLE[self as usize]
     }

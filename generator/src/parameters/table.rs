@@ -79,7 +79,6 @@ macro_rules! table {
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum Name { $($(#[doc = $meaning])+ $name),+ }
 
-        /// All parameters.
         pub(crate) static TABLE: [Parameter; [$(Name::$name),+].len()] = [$(
             Parameter {
                 path: $path,
@@ -91,7 +90,6 @@ macro_rules! table {
         ),+];
 
         impl Name {
-            /// All names, in the order of the table.
             pub const ALL: [Name; [$(Name::$name),+].len()] = [$(Name::$name),+];
         }
     };

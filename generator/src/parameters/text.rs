@@ -50,7 +50,6 @@ impl Value {
 
 impl Parameter {
     /// What is allowed, for a message: `1 <= order <= 3`.
-    #[must_use]
     pub fn allowed(&self) -> String {
         let short = self.short();
         let unit = if self.unit.is_empty() { String::new() } else { format!(" [{}]", self.unit) };

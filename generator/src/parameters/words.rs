@@ -3,14 +3,11 @@
 
 use super::Word;
 
-/// An enumeration of the table.
 pub trait Words: Copy + Eq + 'static {
-    /// All words, in their order.
     const ALL: &'static [Self];
-    /// How each of them is written, in the same order.
+    /// In the order of `ALL`.
     const WORDS: &'static [Word];
 
-    /// How it is written.
     fn name(self) -> &'static str {
         let position = Self::ALL.iter().position(|word| *word == self);
         position.map_or("", |position| Self::WORDS[position].name)
@@ -31,7 +28,6 @@ macro_rules! words {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum $name { $(
-            #[doc = concat!("`", $word, "`")]
             $(#[$variant_doc])*
             $variant
         ),+ }
@@ -48,9 +44,7 @@ macro_rules! words {
 words! {
     Boolean { False "FALSE" = 0, True "TRUE" = 1 }
     TargetName { C "c", St "st", TwinCat "twincat", Codesys "codesys", Scl "scl" }
-    /// What a character of imported lines stands for.
     ListEncoding { Utf8 "utf-8", Latin1 "latin-1" }
-    /// How imported lines end.
     LineEnd { Lf "LF", CrLf "CRLF" }
     RealType { F64 "f64" | "LREAL", F32 "f32" | "REAL" }
     /// Integer type of process data.

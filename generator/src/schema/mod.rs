@@ -8,7 +8,6 @@ use crate::parameters::{Kind, Name, Parameter, Scope, Word};
 use serde_json::{Map, Value, json};
 
 /// The schema, JSON Schema draft 2020-12, as text.
-#[must_use]
 pub fn text() -> String {
     let mut axis = Node::tree(|parameter| parameter.scope != Scope::Set).schema();
     axis["allOf"] = validated::rules();
@@ -131,8 +130,9 @@ fn words<'w>(words: impl IntoIterator<Item = &'w Word>) -> Value {
     if !numbers.is_empty() {
         choices.push(json!({ "type": "integer", "enum": numbers }));
     }
-    let booleans: Vec<bool> =
-        [("FALSE", false), ("TRUE", true)].iter().filter(|(word, _)| spellings.contains(word)).map(|b| b.1).collect();
+    let words_of = [("FALSE", false), ("TRUE", true)];
+    let booleans = words_of.iter().filter(|(word, _)| spellings.contains(word));
+    let booleans: Vec<bool> = booleans.map(|(_, boolean)| *boolean).collect();
     if !booleans.is_empty() {
         choices.push(json!({ "enum": booleans }));
     }
