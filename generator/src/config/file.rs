@@ -1,8 +1,8 @@
 //! Reading a file as bytes, bounded; no content is looked at.
 
-use super::{source::Source, value::shown};
+use super::{source::Source, value::shown, values::Setting};
 use crate::codes;
-use crate::diagnostics::{Diagnostic, Place};
+use crate::diagnostics::{Diagnostic, Place, Report};
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read};
 use std::{path::Path, sync::Arc};
@@ -58,16 +58,19 @@ pub(crate) fn is_set(path: &Path) -> bool {
 }
 
 /// A file, by the name that messages give it. That it cannot be read is said where it is named; on the command line, of the file.
-pub(crate) fn read(path: &Path, named_at: Option<Place>, load: Load<'_>) -> Result<Arc<Source>, Diagnostic> {
+pub(crate) fn read(path: &Path, named_at: Option<&Setting>, load: Load<'_>) -> Result<Arc<Source>, Report> {
     let whole = Place::whole(path.display());
-    let file = shown(&whole.file);
-    let (code, found, allowed) = match load(path) {
+    let unreadable = match load(path) {
         Ok(bytes) => return Ok(Source::new(&whole.file, bytes)),
-        Err(Unreadable::TooLarge) => {
-            let found = format!("{file} is too large for a set or an axis list");
-            (codes::TOO_LARGE, found, Some(format!("{} MiB", LARGEST >> 20)))
-        }
-        Err(Unreadable::System(reason)) => (codes::UNREADABLE, format!("{file} cannot be read: {reason}"), None),
+        Err(unreadable) => unreadable,
     };
-    Err(Diagnostic { allowed, ..Diagnostic::error(code, named_at.unwrap_or(whole), found) })
+    let file = shown(&whole.file);
+    let error = |code, found| Diagnostic::error(code, named_at.map_or(whole, Setting::value_place), found);
+    Err(Report::from(match unreadable {
+        Unreadable::TooLarge => {
+            let said = error(codes::TOO_LARGE, format!("{file} is too large for a set or an axis list"));
+            said.allowed(format!("{} MiB", LARGEST >> 20))
+        }
+        Unreadable::System(reason) => error(codes::UNREADABLE, format!("{file} cannot be read: {reason}")),
+    }))
 }

@@ -72,7 +72,7 @@ fn of_axis(source: &Arc<Source>, axis: AxisTable<'_>, set: &Path, load: Load<'_>
     let mut given = GivenAxis { name: axis.name.to_owned(), home, values: None, foreign: 0, report };
     match list_of(&keys, set, load) {
         None => given.values = Some(keys),
-        Some(Err(unreadable)) => given.report.push(unreadable),
+        Some(Err(unreadable)) => given.report.extend(unreadable),
         Some(Ok(source)) => {
             let list = list::read(&source);
             given.report.extend(list.report);
@@ -84,10 +84,10 @@ fn of_axis(source: &Arc<Source>, axis: AxisTable<'_>, set: &Path, load: Load<'_>
 }
 
 /// The list that an axis of a set names; none: it names none.
-pub(crate) fn list_of(keys: &Values, set: &Path, load: Load<'_>) -> Option<Result<Arc<Source>, Diagnostic>> {
+pub(crate) fn list_of(keys: &Values, set: &Path, load: Load<'_>) -> Option<Result<Arc<Source>, Report>> {
     let (list, setting) = keys.text(Name::List)?;
     let path = set.parent().unwrap_or(Path::new("")).join(list);
-    Some(file::read(&path, Some(setting.value_place()), load))
+    Some(file::read(&path, Some(setting), load))
 }
 
 fn of_list(path: &Path, source: &Arc<Source>, options: &ListOptions) -> Given {

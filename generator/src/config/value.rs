@@ -205,7 +205,8 @@ fn real(text: &str) -> Option<f64> {
 }
 
 fn signed(text: &str) -> (bool, &str) {
-    (text.starts_with('-'), text.strip_prefix(['-', '+']).unwrap_or(text))
+    let sign = text.as_bytes().first().filter(|sign| matches!(sign, b'-' | b'+'));
+    (sign == Some(&b'-'), &text[usize::from(sign.is_some())..])
 }
 
 /// A time with its unit, exactly: `1ms`, `62.5us`, `0.1 s`.

@@ -19,7 +19,7 @@ pub fn export(path: &Path, axis: Option<&str>, load: Load<'_>) -> (Option<Vec<u8
             report.extend(list::read_to_keep(&source).report);
             Some(source.bytes.clone())
         }
-        Err(unreadable) => return (None, unreadable.into()),
+        Err(unreadable) => return (None, unreadable),
     };
     (list.filter(|_| !report.has_errors()), report)
 }
@@ -39,10 +39,10 @@ fn of_set(
         return None;
     }
     let Some(list) = given::list_of(&keys, path, load) else {
-        let base = imported(&keys).map_err(|refused| report.push(refused)).ok()?;
+        let base = imported(&keys).map_err(|refused| report.extend(refused)).ok()?;
         return Filling { values: top.overridden_by(keys), report }.list(base.as_deref());
     };
-    let list = list.map_err(|unreadable| report.push(unreadable)).ok()?;
+    let list = list.map_err(|unreadable| report.extend(unreadable)).ok()?;
     let read = list::read_to_keep(&list);
     report.extend(read.report);
     // Their lines stay as they are.
@@ -76,7 +76,7 @@ fn named<'a>(
 }
 
 /// The lines of the list that the axis was imported from, if it was.
-fn imported(keys: &Values) -> Result<Option<Vec<u8>>, Diagnostic> {
+fn imported(keys: &Values) -> Result<Option<Vec<u8>>, Report> {
     let Some((text, setting)) = keys.text(Name::ImportedLines) else { return Ok(None) };
     // An editor, or a version control, may have saved the whole set with other line ends.
     let is_saved = setting.source.bytes[setting.value_at..].starts_with(b"\"\"\"\r\n");
@@ -85,7 +85,7 @@ fn imported(keys: &Values) -> Result<Option<Vec<u8>>, Diagnostic> {
     let crlf = keys.word(Name::ImportedLineEnd) == Some(LineEnd::CrLf);
     Encoded { text, latin_1, crlf }.bytes().map(Some).map_err(|character| {
         let found = format!("the lines have the character {character:?}, which is none of latin-1");
-        Diagnostic::error(codes::BYTE, setting.value_place(), found)
-            .allowed("characters up to U+00FF, or another encoding")
+        let said = Diagnostic::error(codes::BYTE, setting.value_place(), found);
+        Report::from(said.allowed("characters up to U+00FF, or another encoding"))
     })
 }

@@ -19,7 +19,7 @@ pub fn import(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<Str
     let mut report = Report::default();
     let source = match file::read(path, None, load) {
         Ok(source) => source,
-        Err(unreadable) => return (None, unreadable.into()),
+        Err(unreadable) => return (None, unreadable),
     };
     let name = options.name.clone().unwrap_or_else(|| axis_name::of_file(path));
     if !axis_name::is_allowed(&name) {

@@ -9,7 +9,8 @@ pub(crate) fn path_with(template: &str, index: [u32; 2]) -> String {
     path.push_str(parts.next().unwrap_or(""));
     for (part, index) in parts.zip(index) {
         // Writing to a String cannot fail.
-        let _ = write!(path, "[{index}]{}", part.split_once(']').map_or("", |(_, after)| after));
+        let _ = write!(path, "[{index}]");
+        path.push_str(part.split_once(']').map_or("", |(_, after)| after));
     }
     path
 }

@@ -9,9 +9,8 @@ use std::collections::BTreeSet;
 
 /// A path as it is looked for: with `[]` for an index; whatever its case, so that a message can name what is alike.
 fn plain(path: &str) -> String {
-    let mut parts = path.split('[');
-    let first = parts.next().unwrap().to_owned();
-    parts.fold(first, |plain, part| plain + "[]" + part.split_once(']').unwrap().1).to_ascii_lowercase()
+    let outside: Vec<&str> = path.split(['[', ']']).step_by(2).collect();
+    outside.join("[]").to_ascii_lowercase()
 }
 
 #[test]
