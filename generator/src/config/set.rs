@@ -92,38 +92,46 @@ fn axes_of<'a>(source: &Source, axes: &'a DeTable<'a>, report: &mut Report) -> V
 
 pub(crate) fn values_of(source: &Arc<Source>, axis: AxisTable<'_>, report: &mut Report) -> Values {
     let mut values = Values::default();
-    below(source, axis.table, "", &mut values, report);
+    below(source, axis.table, &mut String::new(), &mut values, report);
     values
 }
 
-/// The values below a table; `above` is its path with a point behind it, but for the axis itself.
-fn below(source: &Arc<Source>, table: &DeTable<'_>, above: &str, values: &mut Values, report: &mut Report) {
+/// The values below a table; its path has a point at its end, but for the axis itself.
+fn below(source: &Arc<Source>, table: &DeTable<'_>, path: &mut String, values: &mut Values, report: &mut Report) {
+    let above = path.len();
     for (key, value) in in_file_order(table) {
-        let path = [above, key.get_ref()].concat();
+        path.truncate(above);
+        path.push_str(key.get_ref());
         let place = || source.place(key.span().start);
-        match (path::find(&path), value.get_ref()) {
+        match (path::find(path), value.get_ref()) {
             (Path::Known { name, index, spelling, misprint: false }, _) if name.parameter().scope != Scope::Set => {
-                let setting = setting(source, (name, spelling), key, (&path, value), report);
+                let setting = setting(source, (name, spelling), key, (path, value), report);
                 if let Some(first) = values.insert((name, index), setting) {
                     let line = first.path_place().line;
-                    let found = format!("{} is given twice, first in line {line}", value::shown(&path));
+                    let found = format!("{} is given twice, first in line {line}", value::shown(path));
                     report.push(Diagnostic::error(codes::GIVEN_TWICE, place(), found).instead("one of the two"));
                 }
             }
-            (Path::OutOfRange { name, .. }, _) => report.push(list::out_of_range(name, &path, place())),
-            (_, DeValue::Table(table)) if path::is_structure(&path) => {
-                below(source, table, &(path + "."), values, report);
+            (Path::OutOfRange { name, .. }, _) => report.push(list::out_of_range(name, path, place())),
+            (_, DeValue::Table(table)) if path::is_structure(path) => {
+                path.push('.');
+                below(source, table, path, values, report);
             }
             (_, DeValue::Array(array)) if path::is_structure(&format!("{path}[]")) => {
+                let length = path.len();
                 for (i, element) in array.iter().enumerate() {
-                    let path = format!("{path}[{i}]");
+                    path.truncate(length);
+                    path.push_str(&format!("[{i}]"));
                     match element.get_ref() {
-                        DeValue::Table(table) => below(source, table, &(path + "."), values, report),
-                        other => report.push(no_table(&path, other, source.place(element.span().start))),
+                        DeValue::Table(table) => {
+                            path.push('.');
+                            below(source, table, path, values, report);
+                        }
+                        other => report.push(no_table(path, other, source.place(element.span().start))),
                     }
                 }
             }
-            (_, other) => report.push(unknown(&path, other, place())),
+            (_, other) => report.push(unknown(path, other, place())),
         }
     }
 }

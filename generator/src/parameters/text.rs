@@ -5,14 +5,16 @@ use std::fmt::Write;
 
 /// A path template with these indices in place of its letters.
 pub(crate) fn path_with(template: &str, index: [u32; 2]) -> String {
-    let (mut path, mut parts) = (String::with_capacity(template.len()), template.split('['));
-    path.push_str(parts.next().unwrap_or(""));
-    for (part, index) in parts.zip(index) {
+    let mut path = String::with_capacity(template.len());
+    let mut indices = index.into_iter();
+    let mut rest = template;
+    while let Some((before, after)) = rest.split_once('[') {
+        path.push_str(before);
         // Writing to a String cannot fail.
-        let _ = write!(path, "[{index}]");
-        path.push_str(part.split_once(']').map_or("", |(_, after)| after));
+        let _ = write!(path, "[{}]", indices.next().unwrap_or(0));
+        rest = after.split_once(']').map_or("", |(_, after)| after);
     }
-    path
+    path + rest
 }
 
 /// A time with the largest unit that needs no more than a few digits: `62.5us`, `1ms`.

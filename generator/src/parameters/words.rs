@@ -23,14 +23,11 @@ pub trait Words: Copy + Eq + 'static {
 /// Declares enumerations: `Variant "WORD" = number | "another spelling"`.
 macro_rules! words {
     ($($(#[$doc:meta])* $name:ident { $(
-        $(#[$variant_doc:meta])* $variant:ident $word:literal $(= $number:literal)? $(| $also:literal)*
+        $variant:ident $word:literal $(= $number:literal)? $(| $also:literal)*
     ),+ $(,)? })+) => {$(
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        pub enum $name { $(
-            $(#[$variant_doc])*
-            $variant
-        ),+ }
+        pub enum $name { $($variant),+ }
 
         impl Words for $name {
             const ALL: &'static [Self] = &[$(Self::$variant),+];
@@ -69,9 +66,8 @@ words! {
         Virtual "VIRTUAL" = 16 | "ANTR_TYP_VIRTUELL",
         CanBus "CAN_BUS" = 32 | "ANTR_TYP_CAN",
     }
-    /// Where the position is controlled (P-AXIS-00320).
+    /// Where the position is controlled (P-AXIS-00320); by default as the drive type says.
     OperationMode {
-        /// as the drive type says
         DriveDefault "DRIVE_DEFAULT",
         DrivePositionControl "DRIVE_POSITION_CONTROL",
         CncPositionControl "CNC_POSITION_CONTROL",
@@ -86,31 +82,15 @@ words! {
         AddAcc "ADD_ACC" = 0x202,
         AddJerk "ADD_JERK" = 0x804,
     }
-    /// Mode of improved position control at start (P-AXIS-00758). As a number it is the input `mode`.
-    Enable {
-        Off "OFF" = 0 | "FALSE",
-        On "ON" = 1 | "TRUE",
-        /// the block calculates and does not act
-        DryRun "DRYRUN",
-    }
+    /// Mode of improved position control at start (P-AXIS-00758); DRYRUN calculates and does not act. As a number it is the
+    /// input `mode`.
+    Enable { Off "OFF" = 0 | "FALSE", On "ON" = 1 | "TRUE", DryRun "DRYRUN" }
     /// Mode of a stage (P-AXIS-00753).
     StageMode { NotActive "NOT_ACTIVE" = 0, Direct "DIRECT" = 1, Indirect "INDIRECT" = 2, SetPoint "SET_POINT" = 3 }
-    /// Which measured velocity a DIRECT stage takes (key `direct_source`).
-    DirectSource {
-        /// the motor encoder (v_ist1)
-        Motor "v_motor",
-        /// the direct measuring system (v_ist2)
-        Direct "v_direct",
-    }
+    /// Whose velocity a DIRECT stage takes (key `direct_source`): motor encoder (v_ist1), direct measuring system (v_ist2).
+    DirectSource { Motor "v_motor", Direct "v_direct" }
     /// Type of a filter (P-AXIS-00849).
     FilterType { NoFilter "NO_FILTER", Bandpass "BANDPASS", Allpass "ALLPASS" }
-    /// Low-pass prototype of a band-pass (P-AXIS-00848).
-    Prototype {
-        /// all poles in one place
-        CritDamping "CRIT_DAMPING",
-        /// flattest amplitude
-        Butterworth "BUTTERWORTH",
-        /// flattest delay
-        Bessel "BESSEL",
-    }
+    /// Low-pass prototype of a band-pass (P-AXIS-00848): all poles in one place, flattest amplitude, flattest delay.
+    Prototype { CritDamping "CRIT_DAMPING", Butterworth "BUTTERWORTH", Bessel "BESSEL" }
 }
