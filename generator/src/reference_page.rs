@@ -3,8 +3,6 @@
 use crate::parameters::{Name, Parameter, Scope};
 use std::fmt::Write;
 
-/// The page.
-#[must_use]
 pub fn text() -> String {
     let mut page = String::from(
         "# Parameters\n\nMade by `axgen params --markdown` from the one table of parameters. Parameters with an id are the vendor's; the \
@@ -29,34 +27,20 @@ pub fn text() -> String {
 }
 
 fn row(parameter: &Parameter, page: &mut String) {
+    let quoted = |paths: &[&str]| paths.iter().map(|path| format!("`{path}`")).collect::<Vec<_>>().join(", ");
     let mut meaning = parameter.meaning.to_owned();
-    if !parameter.aliases.is_empty() {
-        let also: Vec<String> = parameter.aliases.iter().map(|alias| format!("`{alias}`")).collect();
-        let _ = write!(meaning, "; also {}", also.join(", "));
+    for (what, text) in [
+        ("also", quoted(parameter.aliases)),
+        ("misprinted as", quoted(parameter.misprints)),
+        ("printed:", parameter.printed.to_owned()),
+    ] {
+        if !text.is_empty() {
+            let _ = write!(meaning, "; {what} {text}");
+        }
     }
-    if !parameter.misprints.is_empty() {
-        let misprints: Vec<String> = parameter.misprints.iter().map(|misprint| format!("`{misprint}`")).collect();
-        let _ = write!(meaning, "; misprinted as {}", misprints.join(", "));
-    }
-    if !parameter.printed.is_empty() {
-        let _ = write!(meaning, "; printed: {}", parameter.printed);
-    }
-    let _ = writeln!(
-        page,
-        "| {} | `{}` | {} | {} | {} | {} | {} | {} | {} |",
-        parameter.id.unwrap_or(""),
-        parameter.path,
-        parameter.data_type,
-        cell(&parameter.allowed()),
-        cell(&parameter.default.join(", ")),
-        parameter.unit,
-        parameter.since,
-        parameter.drives,
-        cell(&meaning),
-    );
-}
-
-/// A text that does not end its cell.
-fn cell(text: &str) -> String {
-    text.replace('|', "\\|")
+    let &Parameter { id, data_type, unit, since, drives, .. } = parameter;
+    let (path, allowed, default) = (quoted(&[parameter.path]), parameter.allowed(), parameter.default.join(", "));
+    let cells = [id.unwrap_or(""), &path, data_type, &allowed, &default, unit, since, drives, &meaning];
+    // A bar would end its cell.
+    let _ = writeln!(page, "| {} |", cells.map(|cell| cell.replace('|', "\\|")).join(" | "));
 }

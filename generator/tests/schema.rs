@@ -3,7 +3,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
-use generator::config::{ListOptions, Unreadable};
+use generator::config::{self, ListOptions, Unreadable};
 use generator::diagnostics::Report;
 use generator::import_export::import;
 use generator::pipeline::read_with;
@@ -62,7 +62,7 @@ fn it_takes_the_sets_of_the_repository_and_what_import_makes_of_its_lists() {
     assert!(lists.len() > 1);
     for path in lists {
         let options = ListOptions { cycle_time: Some("1ms".to_owned()), name: Some("X".to_owned()) };
-        let set = import(&path, &options).0.unwrap();
+        let set = import(&path, &options, &config::load).0.unwrap();
         assert_eq!(mistakes(&validator, &set), [""; 0], "{}\n{set}", path.display());
     }
 }

@@ -1,9 +1,10 @@
 //! Which names an axis may have, and which name a list's file gives it; nothing is looked up here.
 
+use std::path::Path;
+
 /// With the longest suffix that a target adds, a name stays within the 63 characters that every compiler tells apart.
 const LONGEST: usize = 32;
 
-/// What is allowed, for a message.
 pub(crate) const ALLOWED: &str =
     "1 to 32 letters, digits and single underscores, a letter first and no underscore last (what C and ST both accept)";
 
@@ -15,7 +16,8 @@ pub(crate) fn is_allowed(name: &str) -> bool {
 }
 
 /// The name that the stem of a file's name gives: what is not allowed becomes an underscore; `axis_` before a digit.
-pub(crate) fn of_stem(stem: &str) -> String {
+pub(crate) fn of_file(path: &Path) -> String {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let words: Vec<&str> = stem.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).collect();
     let name = words.join("_");
     if name.starts_with(|c: char| c.is_ascii_digit()) { format!("axis_{name}") } else { name }

@@ -8,17 +8,19 @@ use std::sync::LazyLock;
 const LONGEST: usize = 128;
 
 /// The candidate with the fewest letters that differ, if they are few.
-pub(crate) fn of<'c>(name: &str, candidates: impl Iterator<Item = &'c str>) -> Option<&'c str> {
+pub(crate) fn nearest<'c>(name: &str, candidates: impl Iterator<Item = &'c str>) -> Option<&'c str> {
     let few = 1 + name.len() / 4;
-    let name = Letters::of(name);
-    let near = candidates.filter_map(|candidate| Some((distance(name, Letters::of(candidate), few)?, candidate)));
+    let name = Letters::new(name);
+    let near = candidates.filter_map(|candidate| Some((distance(name, Letters::new(candidate), few)?, candidate)));
     // The first of equals: the order of the candidates is the same on every host.
     near.min_by_key(|(distance, _)| *distance).map(|(_, name)| name)
 }
 
-/// The path that a path was probably meant to be: one that differs in a few letters, or ends alike.
-pub(crate) fn path(path: &str) -> Option<String> {
-    among(path, &TEMPLATES).or_else(|| among(path, &STRUCTURES))
+/// The path that a path was probably meant to be: one that differs in a few letters, or ends alike; of a table mostly a
+/// structure.
+pub(crate) fn path(path: &str, is_table: bool) -> Option<String> {
+    let [first, second] = if is_table { [&STRUCTURES, &TEMPLATES] } else { [&TEMPLATES, &STRUCTURES] };
+    among(path, first).or_else(|| among(path, second))
 }
 
 /// A template with the indices that a path has at the same parts.
@@ -27,11 +29,6 @@ pub(crate) fn with_indices_of(template: &str, written: &str) -> String {
     let numbers = parts.filter(|(part, _)| part.contains('[')).map(|(_, written)| indices(written)[0]);
     let mut numbers = numbers.chain([0, 0]);
     path_with(template, std::array::from_fn(|_| numbers.next().unwrap_or(0)))
-}
-
-/// The structure that the name of a table was probably meant to be.
-pub(crate) fn structure(path: &str) -> Option<String> {
-    among(path, &STRUCTURES)
 }
 
 /// The first parameter below a structure, with the indices that the structure is written with.
@@ -43,9 +40,9 @@ pub(crate) fn first_below(written: &str) -> Option<String> {
 
 /// The structures that are ours: which part of a path names each, and how many letters may differ.
 static OURS: [(usize, Letters<'_>, usize); 3] = [
-    (0, Letters::of("vorsteuer"), 2),
-    (1, Letters::of("improved_position_control"), 3),
-    (1, Letters::of("sai_op_mode_change"), 3),
+    (0, Letters::new("vorsteuer"), 2),
+    (1, Letters::new("improved_position_control"), 3),
+    (1, Letters::new("sai_op_mode_change"), 3),
 ];
 
 /// Whether a path lies in a structure that is ours, or nearly.
@@ -59,14 +56,13 @@ pub(crate) fn is_ours(path: &str) -> bool {
         let strange = written.bytes().filter(|byte| name.set & bit(*byte) == 0);
         written.len().abs_diff(name.text.len()) <= most
             && strange.take(most + 1).count() <= most
-            && distance(Letters::of(written), name, most).is_some()
+            && distance(Letters::new(written), name, most).is_some()
     })
 }
 
 struct Candidate {
     template: &'static str,
-    plain: String,
-    set: u32,
+    whole: Letters<'static>,
     end: Letters<'static>,
 }
 
@@ -74,21 +70,21 @@ static TEMPLATES: LazyLock<Vec<Candidate>> = LazyLock::new(|| candidates(path::t
 static STRUCTURES: LazyLock<Vec<Candidate>> = LazyLock::new(|| candidates(path::structures()));
 
 fn candidates(templates: impl Iterator<Item = &'static str>) -> Vec<Candidate> {
-    let of = |template| {
-        let plain = path::without_indices(template);
-        Candidate { template, set: Letters::of(&plain).set, plain, end: Letters::of(last(template)) }
+    let candidate = |template| {
+        let whole = path::without_indices(template).leak();
+        Candidate { template, whole: Letters::new(whole), end: Letters::new(last(whole)) }
     };
-    templates.map(of).collect()
+    templates.map(candidate).collect()
 }
 
 fn among(written: &str, candidates: &'static [Candidate]) -> Option<String> {
     let plain = path::without_indices(written);
     let typo = 3.min(1 + plain.len() / 4);
-    let end = Letters::of(last(&plain));
-    let whole = Letters::of(&plain);
+    let end = Letters::new(last(&plain));
+    let whole = Letters::new(&plain);
     let score = |candidate: &'static Candidate| {
         let of_end = distance(end, candidate.end, 1 + end.text.len() / 4);
-        let of_whole = distance(whole, Letters { text: &candidate.plain, set: candidate.set }, typo);
+        let of_whole = distance(whole, candidate.whole, typo);
         let is_near = of_whole.is_some() || of_end.is_some();
         is_near.then_some(((of_whole.unwrap_or(usize::MAX), of_end), candidate.template))
     };
@@ -116,7 +112,7 @@ struct Letters<'n> {
 }
 
 impl<'n> Letters<'n> {
-    const fn of(text: &'n str) -> Self {
+    const fn new(text: &'n str) -> Self {
         Self { text, set: set(text.as_bytes()) }
     }
 }
@@ -165,25 +161,17 @@ fn at_least(a: u32, b: u32) -> usize {
 mod tests {
     use super::*;
 
-    /// Beside the definition: no filter refuses what is near.
-    #[test]
-    fn distances() {
-        let of = |a: &[u8], b: &[u8]| strsim::generic_levenshtein(&a.to_vec(), &b.to_vec());
-        let mut random = 1u64;
-        let mut draw = |below: u64| {
-            random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (random >> 33) % below
-        };
-        for _ in 0..20_000 {
-            let mut name = || (0..draw(9)).map(|_| b"abAB_1q"[usize::try_from(draw(7)).unwrap()]).collect::<Vec<_>>();
-            let (a, b) = (String::from_utf8(name()).unwrap(), String::from_utf8(name()).unwrap());
-            let expected = of(a.to_ascii_lowercase().as_bytes(), b.to_ascii_lowercase().as_bytes());
+    proptest::proptest! {
+        #![proptest_config(proptest::prelude::ProptestConfig::with_cases(20_000))]
+
+        /// Beside the definition: no filter refuses what is near.
+        #[test]
+        fn distances(a in "[abAB_1q]{0,8}", b in "[abAB_1q]{0,8}") {
+            let small = [&a, &b].map(|name| name.to_ascii_lowercase().into_bytes());
+            let expected = strsim::generic_levenshtein(&small[0], &small[1]);
             for most in 0..9 {
-                assert_eq!(
-                    distance(Letters::of(&a), Letters::of(&b), most),
-                    Some(expected).filter(|d| *d <= most),
-                    "{a} {b} {most}"
-                );
+                let found = distance(Letters::new(&a), Letters::new(&b), most);
+                assert_eq!(found, Some(expected).filter(|d| *d <= most), "{a} {b} {most}");
             }
         }
     }

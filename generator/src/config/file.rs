@@ -1,16 +1,14 @@
 //! Reading a file as bytes, bounded; no content is looked at.
 
-use super::value::shown;
+use super::{source::Source, value::shown, values::Setting};
 use crate::codes;
-use crate::diagnostics::{Diagnostic, Place};
+use crate::diagnostics::{Diagnostic, Place, Report};
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read};
-use std::path::Path;
+use std::{path::Path, sync::Arc};
 
-/// How files are read.
 pub type Load<'a> = &'a (dyn Fn(&Path) -> Result<Vec<u8>, Unreadable> + Sync);
 
-/// Why a file cannot be read.
 #[derive(Debug)]
 pub enum Unreadable {
     /// it holds more bytes than any set or list
@@ -22,7 +20,8 @@ pub enum Unreadable {
 /// A set of 10,000 axes that are written out in full has 20 MB; what is larger is something else.
 const LARGEST: u64 = 64 << 20;
 
-pub(crate) fn load(path: &Path) -> Result<Vec<u8>, Unreadable> {
+/// The bytes of a file on this host.
+pub fn load(path: &Path) -> Result<Vec<u8>, Unreadable> {
     // Opening a pipe waits for somebody to write into it, a device never ends: both are told before.
     let metadata = fs::metadata(path).map_err(of_system)?;
     if metadata.is_dir() {
@@ -53,18 +52,25 @@ fn of_system(error: io::Error) -> Unreadable {
     })
 }
 
-impl Unreadable {
-    /// The message about a file, at the place where it is named.
-    pub(crate) fn diagnostic(self, file: &str, place: Place) -> Diagnostic {
-        let file = shown(file);
-        match self {
-            Self::TooLarge => {
-                let found = format!("{file} is too large for a set or an axis list");
-                Diagnostic::error(codes::TOO_LARGE, place, found).allowed(format!("{} MiB", LARGEST >> 20))
-            }
-            Self::System(reason) => {
-                Diagnostic::error(codes::UNREADABLE, place, format!("{file} cannot be read: {reason}"))
-            }
+/// Whether a file is a TOML set; any other is an axis list.
+pub(crate) fn is_set(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
+}
+
+/// A file, by the name that messages give it. That it cannot be read is said where it is named; on the command line, of the file.
+pub(crate) fn read(path: &Path, named_at: Option<&Setting>, load: Load<'_>) -> Result<Arc<Source>, Report> {
+    let whole = Place::whole(path.display());
+    let unreadable = match load(path) {
+        Ok(bytes) => return Ok(Source::new(&whole.file, bytes)),
+        Err(unreadable) => unreadable,
+    };
+    let file = shown(&whole.file);
+    let error = |code, found| Diagnostic::error(code, named_at.map_or(whole, Setting::value_place), found);
+    Err(Report::from(match unreadable {
+        Unreadable::TooLarge => {
+            let said = error(codes::TOO_LARGE, format!("{file} is too large for a set or an axis list"));
+            said.allowed(format!("{} MiB", LARGEST >> 20))
         }
-    }
+        Unreadable::System(reason) => error(codes::UNREADABLE, format!("{file} cannot be read: {reason}")),
+    }))
 }

@@ -11,19 +11,13 @@ pub(crate) struct Line<'a> {
     pub(crate) end: &'a [u8],
 }
 
+/// A comment begins with its sign, or is empty: none. What is `Unreadable` has a byte that only a comment may have outside of one,
+/// the first at `at`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Content<'a> {
-    Remark {
-        indent: &'a [u8],
-        /// the comment from its sign on; empty: none
-        comment: &'a [u8],
-    },
+    Remark { indent: &'a [u8], comment: &'a [u8] },
     Statement(Statement<'a>),
-    /// a byte that only a comment may have stands outside of one
-    Unreadable {
-        text: &'a [u8],
-        at: usize,
-    },
+    Unreadable { text: &'a [u8], at: usize },
 }
 
 /// A line with a path, in the order of its parts.
@@ -36,7 +30,6 @@ pub(crate) struct Statement<'a> {
     pub(crate) value: &'a str,
     /// blanks before the comment, or before the end
     pub(crate) space: &'a str,
-    /// the comment from its sign on; empty: none
     pub(crate) comment: &'a [u8],
 }
 
@@ -69,23 +62,6 @@ impl<'a> Iterator for Lines<'a> {
         let text = text.strip_suffix(b"\r").unwrap_or(text);
         let (text, end) = line.split_at(text.len());
         Some(Line { at, content: content(text, self.text.map(|whole| &whole[at..])), end })
-    }
-}
-
-impl Line<'_> {
-    pub(crate) fn append_to(&self, bytes: &mut Vec<u8>) {
-        match self.content {
-            Content::Remark { indent, comment } => bytes.extend([indent, comment].concat()),
-            Content::Statement(statement) => {
-                let Statement { indent, path, gap, value, space, comment } = statement;
-                for part in [indent, path, gap, value, space] {
-                    bytes.extend(part.as_bytes());
-                }
-                bytes.extend(comment);
-            }
-            Content::Unreadable { text, .. } => bytes.extend(text),
-        }
-        bytes.extend(self.end);
     }
 }
 

@@ -1,17 +1,15 @@
 //! Reading an axis list: what its lines say. No default, no range, no rule, no file access; `lines.rs` splits the lines.
 
-use super::closest;
 use super::lines::{self, Content, Statement};
 use super::path::{self, Path};
-use super::source::Source;
 use super::value::{self, Refused};
-use super::values::{Setting, Values};
+use super::values::{Key, Setting, Values};
+use super::{closest, source::Source};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
-use crate::parameters::{Kind, Name, Scope, Value, path_with};
+use crate::parameters::{Kind, Name, Parameter, Scope, Value, path_with};
 use std::sync::Arc;
 
-#[derive(Debug)]
 pub(crate) struct List {
     /// the parameters that are in the table
     pub(crate) values: Values,
@@ -25,46 +23,46 @@ pub(crate) struct List {
 const UNREADABLE_LINES: usize = 20;
 
 pub(crate) fn read(source: &Arc<Source>) -> List {
-    read_where(source, |_, _| false)
+    read_lines(source, |_| false)
 }
 
 /// The same for a list whose lines are kept as they are: in the line of a parameter of another function a byte that only a
 /// comment may have is a warning.
 pub(crate) fn read_to_keep(source: &Arc<Source>) -> List {
-    read_where(source, |text, bad| {
-        let text = text[..bad].trim_ascii_start();
-        let path = text.iter().position(|byte| matches!(byte, b' ' | b'\t')).map(|end| &text[..end]);
-        let path = path.and_then(|path| str::from_utf8(path).ok());
+    read_lines(source, |before| {
+        let before = before.trim_ascii_start();
+        let end = before.iter().position(|byte| matches!(byte, b' ' | b'\t'));
+        let path = end.and_then(|end| str::from_utf8(&before[..end]).ok());
         path.is_some_and(|path| {
             path::find(path) == Path::Foreign && !closest::is_ours(path) && path::with_other_indices(path).is_none()
         })
     })
 }
 
-/// Reads a list; `tolerated` tells whether a line may have its bad byte, which is at that place.
-fn read_where(source: &Arc<Source>, tolerated: impl Fn(&[u8], usize) -> bool) -> List {
+/// Reads a list; `is_tolerated` tells whether a line may have a bad byte behind these.
+fn read_lines(source: &Arc<Source>, is_tolerated: impl Fn(&[u8]) -> bool) -> List {
     let mut list = List { values: Values::default(), foreign: 0, report: Report::default(), complete: true };
     let mut unreadable = 0;
     for line in lines::split(&source.bytes).1 {
-        let readable = match line.content {
+        let is_readable = match line.content {
             Content::Remark { .. } => true,
             Content::Statement(statement) => list.take(source, line.at, &statement),
-            Content::Unreadable { text, at } if tolerated(text, at) => {
-                let Diagnostic { place, found, .. } = bad_byte(source, line.at + at);
-                list.report.push(Diagnostic::warning(codes::BYTE, place, found));
-                list.foreign += 1;
-                true
-            }
-            Content::Unreadable { at, .. } => {
-                list.report.push(bad_byte(source, line.at + at));
-                false
+            Content::Unreadable { text, at } => {
+                let said = bad_byte(source, line.at + at);
+                let is_foreign = is_tolerated(&text[..at]);
+                list.foreign += usize::from(is_foreign);
+                list.report.push(match is_foreign {
+                    true => Diagnostic::warning(codes::BYTE, said.place, said.found),
+                    false => said,
+                });
+                is_foreign
             }
         };
-        unreadable += usize::from(!readable);
-        if !readable && unreadable == UNREADABLE_LINES {
+        unreadable += usize::from(!is_readable);
+        if unreadable == UNREADABLE_LINES {
             let found = format!("{UNREADABLE_LINES} lines that no axis list has; the rest is not read");
-            list.report
-                .push(Diagnostic::error(codes::NO_LIST, source.whole(), found).instead("the name of an axis list"));
+            let said = Diagnostic::error(codes::NO_LIST, source.whole(), found);
+            list.report.push(said.instead("the name of an axis list"));
             list.complete = false;
             break;
         }
@@ -75,79 +73,87 @@ fn read_where(source: &Arc<Source>, tolerated: impl Fn(&[u8], usize) -> bool) ->
 impl List {
     /// Takes what a line says; false if it is no line of a list.
     fn take(&mut self, source: &Arc<Source>, start: usize, statement: &Statement<'_>) -> bool {
-        let &Statement { path: written, value, .. } = statement;
-        let (path_at, value_at) = (statement.path_at(), statement.value_at());
-        let place = || source.place(start + path_at);
+        let written = statement.path;
+        let place = || source.place(start + statement.path_at());
+        let error = |code, found: String| Diagnostic::error(code, place(), found);
         let unknown = |what: &str, instead| {
             let found = format!("{} is {what}", value::shown(written));
-            Diagnostic { instead, ..Diagnostic::error(codes::UNKNOWN, place(), found) }
+            Diagnostic { instead, ..error(codes::UNKNOWN, found) }
         };
-        match path::find(written) {
+        let path = path::find(written);
+        let said = match path {
             Path::Known { name, index, .. } if name.parameter().scope != Scope::List => {
                 let found = format!("`{written}` is a key of an axis set; no axis list has it");
-                self.report
-                    .push(Diagnostic::error(codes::KEY_OF_A_SET, place(), found).instead(instead_of_key(name, index)));
+                error(codes::KEY_OF_A_SET, found).instead(instead_of_key(name, index))
             }
-            Path::Known { name, index, spelling, misprint } => {
-                if misprint {
-                    let found = format!("`{written}` is a misprint of the manual");
-                    let instead = path_with(name.parameter().path, index);
-                    self.report.push(Diagnostic::warning(codes::MISPRINT, place(), found).instead(instead));
-                }
-                // `=` begins what `import` leaves in the place of a value: it is never one of another function's.
-                let can_wait = name.parameter().is_shared && !value.starts_with('=');
-                let value = value_of(name, statement)
-                    .map_err(|refused| refused.diagnostic(name, written, source.place(start + value_at)));
-                let (value, refused) = match value {
-                    Ok(value) => (Some(value), None),
-                    // Said where something uses it.
-                    Err(refused) if can_wait => (None, Some(refused)),
-                    Err(refused) => {
-                        self.report.push(refused);
-                        (None, None)
-                    }
-                };
-                let (path_at, value_at) = (start + path_at, start + value_at);
-                let setting = Setting { value, refused, spelling, source: Arc::clone(source), path_at, value_at };
-                if let Some(first) = self.values.insert((name, index), setting) {
-                    let found = format!("`{written}` is given twice, first in line {}", first.path_place().line);
-                    let instead = "one of the two lines";
-                    self.report.push(Diagnostic::error(codes::GIVEN_TWICE, place(), found).instead(instead));
-                }
+            Path::Known { name, index, spelling, .. } => {
+                self.give(source, start, statement, (name, index), spelling);
+                return true;
             }
-            Path::OutOfRange { name, .. } => self.report.push(out_of_range(name, written, place())),
+            Path::OutOfRange { name, .. } => out_of_range(name, written, place()),
             Path::Foreign => match path::with_other_indices(written) {
-                Some(known) => self.report.push(unknown("not known", Some(closest::with_indices_of(known, written)))),
+                Some(known) => unknown("not known", Some(closest::with_indices_of(known, written))),
                 // Mostly so, and asked once: comparing letters takes its time.
-                None if !closest::is_ours(written) => self.foreign += 1,
-                None if path::is_structure(written) => {
-                    let below = closest::first_below(written);
-                    self.report.push(unknown("a structure: its parameters have values", below));
+                None if !closest::is_ours(written) => {
+                    self.foreign += 1;
+                    return true;
                 }
-                None => match closest::path(written) {
-                    Some(known) => self.report.push(unknown("not known", Some(known))),
+                None if path::is_structure(written) => {
+                    unknown("a structure: its parameters have values", closest::first_below(written))
+                }
+                None => match closest::path(written, false) {
+                    Some(known) => unknown("not known", Some(known)),
                     None => {
                         self.foreign += 1;
                         let found = format!("{} is not known, and passed over", value::shown(written));
-                        self.report.push(Diagnostic::warning(codes::PASSED_OVER, place(), found));
+                        Diagnostic::warning(codes::PASSED_OVER, place(), found)
                     }
                 },
             },
             Path::Malformed => {
                 let found = format!("{} is no path", value::shown(written));
-                let diagnostic = Diagnostic::error(codes::LINE, place(), found).allowed("path value # comment");
-                let equals = written.contains('=') || value.starts_with('=');
-                self.report.push(if equals { diagnostic.instead("the same without `=`") } else { diagnostic });
-                return false;
+                let has_equals = written.contains('=') || statement.value.starts_with('=');
+                let instead = has_equals.then(|| "the same without `=`".to_owned());
+                Diagnostic { instead, ..error(codes::LINE, found).allowed("path value # comment") }
+            }
+        };
+        self.report.push(said);
+        path != Path::Malformed
+    }
+
+    /// Takes the value of a parameter.
+    fn give(&mut self, source: &Arc<Source>, start: usize, line: &Statement<'_>, key: Key, spelling: &'static str) {
+        let (written, parameter) = (line.path, key.0.parameter());
+        let (path_at, value_at) = (start + line.path_at(), start + line.value_at());
+        if parameter.misprints.contains(&spelling) {
+            let found = format!("`{written}` is a misprint of the manual");
+            let said = Diagnostic::warning(codes::MISPRINT, source.place(path_at), found);
+            self.report.push(said.instead(path_with(parameter.path, key.1)));
+        }
+        let mut setting =
+            Setting { value: None, refused: None, spelling, source: Arc::clone(source), path_at, value_at };
+        match value_of(parameter, line) {
+            Ok(value) => setting.value = Some(value),
+            Err(refused) => {
+                let refused = refused.diagnostic(key.0, written, setting.value_place());
+                // `=` begins what `import` leaves in the place of a value: it is never one of another function's.
+                if parameter.is_shared && !line.value.starts_with('=') {
+                    // Said where something uses it.
+                    setting.refused = Some(refused);
+                } else {
+                    self.report.push(refused);
+                }
             }
         }
-        true
+        if let Some(first) = self.values.insert(key, setting) {
+            let found = format!("`{written}` is given twice, first in line {}", first.path_place().line);
+            let said = Diagnostic::error(codes::GIVEN_TWICE, source.place(path_at), found);
+            self.report.push(said.instead("one of the two lines"));
+        }
     }
 }
 
-fn value_of(name: Name, statement: &Statement<'_>) -> Result<Value, Refused> {
-    let parameter = name.parameter();
-    let &Statement { path, value: text, .. } = statement;
+fn value_of(parameter: &Parameter, &Statement { path, value: text, .. }: &Statement<'_>) -> Result<Value, Refused> {
     let refused = |code, found, instead| Err(Refused { code, found, allowed: parameter.allowed(), instead });
     if text.is_empty() {
         refused(codes::NO_VALUE, "has no value".to_owned(), None)
@@ -163,15 +169,10 @@ fn value_of(name: Name, statement: &Statement<'_>) -> Result<Value, Refused> {
 
 pub(super) fn out_of_range(name: Name, written: &str, place: Place) -> Diagnostic {
     let parameter = name.parameter();
-    let sizes: Vec<String> = parameter
-        .path
-        .split('[')
-        .skip(1)
-        .zip(parameter.indices)
-        .map(|(rest, size)| format!("0 <= {} <= {}", rest.split(']').next().unwrap_or(""), size - 1))
-        .collect();
+    let letters = parameter.path.split('[').skip(1).map(|rest| &rest[..1]);
+    let sizes = letters.zip(parameter.indices).map(|(letter, size)| format!("0 <= {letter} <= {}", size - 1));
     Diagnostic::error(codes::INDEX, place, format!("{} has an index that does not exist", value::shown(written)))
-        .allowed(format!("{} with {}", parameter.path, sizes.join(", ")))
+        .allowed(format!("{} with {}", parameter.path, sizes.collect::<Vec<_>>().join(", ")))
 }
 
 fn bad_byte(source: &Source, at: usize) -> Diagnostic {

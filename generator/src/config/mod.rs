@@ -22,5 +22,9 @@ pub(crate) mod source;
 pub(crate) mod value;
 pub(crate) mod values;
 
-pub use file::{Load, Unreadable};
+pub use file::{Load, Unreadable, load};
 pub use given::ListOptions;
+pub(crate) use set::AxisTable;
+pub(crate) use source::Source;
+pub(crate) use value::{of_text, of_toml, shown};
+pub(crate) use values::{Key, Setting, Values, key};

@@ -1,24 +1,14 @@
 //! From a path as written (`stage[0].filter.order`) to the parameter and its indices; no value and no message is here.
 
-use crate::parameters::{Name, Scope, TABLE};
-use std::sync::LazyLock;
+use crate::parameters::{Name, Parameter, Scope, TABLE};
+use std::{collections::BTreeSet, sync::LazyLock};
 
+/// A parameter; one of the table with an index that does not exist; well-formed, but not in the table; no path at all.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Path {
-    Known {
-        name: Name,
-        index: [u32; 2],
-        spelling: &'static str,
-        misprint: bool,
-    },
-    /// a parameter of the table with an index that does not exist
-    OutOfRange {
-        name: Name,
-        spelling: &'static str,
-    },
-    /// well-formed, not in the table
+    Known { name: Name, index: [u32; 2], spelling: &'static str, misprint: bool },
+    OutOfRange { name: Name, spelling: &'static str },
     Foreign,
-    /// no path at all
     Malformed,
 }
 
@@ -69,16 +59,9 @@ fn in_drawers<T>(all: impl Iterator<Item = (usize, T)>) -> Vec<Vec<T>> {
 
 /// Every prefix of a path below an axis that ends before a point: the structures of a set's tables, with `[]` for an
 /// index.
-static STRUCTURES: LazyLock<Vec<String>> = LazyLock::new(|| {
-    let mut structures: Vec<String> = templates()
-        .flat_map(|template| {
-            let path = without_indices(template);
-            path.match_indices('.').map(|(at, _)| path[..at].to_owned()).collect::<Vec<_>>()
-        })
-        .collect();
-    structures.sort_unstable();
-    structures.dedup();
-    structures
+static STRUCTURES: LazyLock<BTreeSet<String>> = LazyLock::new(|| {
+    let prefixes = |path: String| path.match_indices('.').map(|(at, _)| path[..at].to_owned()).collect::<Vec<_>>();
+    templates().map(without_indices).flat_map(prefixes).collect()
 });
 
 /// The template that a path would name with other indices, in other letters: `getriebe[i].kv` for `getriebe.kv`.
@@ -173,8 +156,7 @@ static OF_NAME: [bool; 256] = {
 
 /// Whether parameters stand below this path in a set: `lr_param`, `lr_param.improved_position_control.stage[0]`.
 pub(crate) fn is_structure(path: &str) -> bool {
-    let plain = without_indices(path);
-    STRUCTURES.binary_search(&plain).is_ok()
+    STRUCTURES.contains(&without_indices(path))
 }
 
 pub(crate) fn structures() -> impl Iterator<Item = &'static str> {
@@ -183,8 +165,7 @@ pub(crate) fn structures() -> impl Iterator<Item = &'static str> {
 
 /// All templates that may stand below an axis.
 pub(crate) fn templates() -> impl Iterator<Item = &'static str> {
-    let below_an_axis = TABLE.iter().filter(|parameter| parameter.scope != Scope::Set);
-    below_an_axis.flat_map(|parameter| std::iter::once(&parameter.path).chain(parameter.aliases)).copied()
+    TABLE.iter().filter(|parameter| parameter.scope != Scope::Set).flat_map(Parameter::paths)
 }
 
 /// `stage[0].mode` and `stage[i].mode` as `stage[].mode`.

@@ -1,24 +1,14 @@
 //! Reading a TOML set: its keys, its axes and the tables below them. No default, no rule, no file access of its own.
 
 use super::path::{self, Path};
-use super::source::Source;
 use super::values::{Setting, Values};
-use super::{axis_name, closest, list, value};
+use super::{axis_name, closest, list, source::Source, value};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
-use crate::parameters::{Kind, Name, Scope, path_with};
-use std::collections::HashMap;
-use std::ops::Range;
-use std::sync::Arc;
+use crate::parameters::{Name, Scope, path_with};
+use std::{collections::HashMap, sync::Arc};
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
-
-#[derive(Debug, Default)]
-pub(crate) struct Top<'a> {
-    /// `cycle_time`, `targets`
-    pub(crate) values: Values,
-    pub(crate) axes: Vec<AxisTable<'a>>,
-}
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct AxisTable<'a> {
@@ -30,58 +20,50 @@ pub(crate) struct AxisTable<'a> {
 /// More faults of syntax than these are not listed: they follow from the first.
 const SYNTAX_FAULTS: usize = 20;
 
-type Entry<'a> = (&'a Spanned<DeString<'a>>, &'a Spanned<DeValue<'a>>);
-
-/// Parses the file.
-pub(crate) fn parse(source: &Source) -> Result<Spanned<DeTable<'_>>, Report> {
-    let mut report = Report::default();
-    let text = match str::from_utf8(&source.bytes) {
-        Ok(text) => text,
-        Err(error) => {
-            let place = source.place(error.valid_up_to());
-            report.push(Diagnostic::error(codes::UTF8, place, "not UTF-8").allowed("a TOML file is UTF-8"));
-            return Err(report);
-        }
-    };
-    let (table, errors) = DeTable::parse_recoverable(text);
-    if errors.is_empty() {
-        return Ok(table);
-    }
+/// Parses the file; none: it is no TOML, which has been said.
+pub(crate) fn parse<'s>(source: &'s Source, report: &mut Report) -> Option<Spanned<DeTable<'s>>> {
+    let text = str::from_utf8(&source.bytes).map_err(|error| {
+        let place = source.place(error.valid_up_to());
+        report.push(Diagnostic::error(codes::UTF8, place, "not UTF-8").allowed("a TOML file is UTF-8"));
+    });
+    let (table, errors) = DeTable::parse_recoverable(text.ok()?);
     for error in errors.iter().take(SYNTAX_FAULTS) {
         let place = source.place(error.span().map_or(0, |span| span.start).min(source.bytes.len()));
         report.push(Diagnostic::error(codes::SYNTAX, place, format!("no TOML: {}", error.message())));
     }
-    Err(report)
+    errors.is_empty().then_some(table)
 }
 
+/// The keys of the set itself, and its axes.
+type Top<'a> = (Values, Vec<AxisTable<'a>>);
+
 pub(crate) fn top<'a>(source: &Arc<Source>, table: &'a DeTable<'a>, report: &mut Report) -> Top<'a> {
-    let mut top = Top::default();
+    let (mut values, mut axes) = (Values::default(), Vec::new());
     for (key, value) in in_file_order(table) {
+        let written: &str = key.get_ref();
         let place = || source.place(key.span().start);
-        match (key.get_ref().as_ref(), path::find(key.get_ref())) {
-            ("axis", _) => match value.get_ref() {
-                DeValue::Table(axes) => top.axes = axes_of(source, axes, report),
-                other => report.push(no_table("axis", other, place())),
-            },
-            (_, Path::Known { name, index, spelling, .. }) if name.parameter().scope == Scope::Set => {
-                let setting = setting(source, (name, spelling), key, (key.get_ref(), value), report);
-                top.values.insert((name, index), setting);
+        match (path::find(written), value.get_ref()) {
+            (_, DeValue::Table(tables)) if written == "axis" => axes = axes_of(source, tables, report),
+            (_, other) if written == "axis" => report.push(no_table("axis", other, place())),
+            (Path::Known { name, index, spelling, .. }, _) if name.parameter().scope == Scope::Set => {
+                let setting = setting(source, (name, spelling), key, (written, value), report);
+                values.insert((name, index), setting);
             }
-            (written, _) => {
-                let keys =
-                    Name::ALL.iter().map(|name| name.parameter()).filter(|p| p.scope == Scope::Set).map(|p| p.path);
+            _ => {
+                let of_a_set = Name::ALL.map(Name::parameter).into_iter().filter(|p| p.scope == Scope::Set);
+                let keys: Vec<&str> = of_a_set.map(|parameter| parameter.path).collect();
                 let found = format!("{} is no key of a set", value::shown(written));
-                let known = closest::of(written, keys.clone().chain(["axis"]));
-                let allowed = keys.chain(["axis.NAME"]).collect::<Vec<_>>().join(", ");
-                let diagnostic = Diagnostic::error(codes::UNKNOWN, place(), found).allowed(allowed);
+                let known = closest::nearest(written, keys.iter().copied().chain(["axis"]));
+                let diagnostic = Diagnostic::error(codes::UNKNOWN, place(), found);
+                let diagnostic = diagnostic.allowed(format!("{}, axis.NAME", keys.join(", ")));
                 report.push(Diagnostic { instead: known.map(str::to_owned), ..diagnostic });
             }
         }
     }
-    if top.axes.is_empty() && !report.has_errors() {
+    if axes.is_empty() && !report.has_errors() {
         report.push(Diagnostic::error(codes::NO_AXIS, source.whole(), "the set has no axis").instead("[axis.X]"));
     }
-    top
+    (values, axes)
 }
 
 /// The axes with allowed names, each a table.
@@ -110,48 +92,48 @@ fn axes_of<'a>(source: &Source, axes: &'a DeTable<'a>, report: &mut Report) -> V
 
 pub(crate) fn values_of(source: &Arc<Source>, axis: AxisTable<'_>, report: &mut Report) -> Values {
     let mut values = Values::default();
-    let mut path = String::new();
-    below(source, axis.table, &mut path, &mut values, report);
+    below(source, axis.table, &mut String::new(), &mut values, report);
     values
 }
 
+/// The values below a table; its path has a point at its end, but for the axis itself.
 fn below(source: &Arc<Source>, table: &DeTable<'_>, path: &mut String, values: &mut Values, report: &mut Report) {
-    let length = path.len();
+    let above = path.len();
     for (key, value) in in_file_order(table) {
-        path.truncate(length);
-        if length > 0 {
-            path.push('.');
-        }
+        path.truncate(above);
         path.push_str(key.get_ref());
+        let place = || source.place(key.span().start);
         match (path::find(path), value.get_ref()) {
             (Path::Known { name, index, spelling, misprint: false }, _) if name.parameter().scope != Scope::Set => {
                 let setting = setting(source, (name, spelling), key, (path, value), report);
                 if let Some(first) = values.insert((name, index), setting) {
                     let line = first.path_place().line;
                     let found = format!("{} is given twice, first in line {line}", value::shown(path));
-                    let diagnostic = Diagnostic::error(codes::GIVEN_TWICE, source.place(key.span().start), found);
-                    report.push(diagnostic.instead("one of the two"));
+                    report.push(Diagnostic::error(codes::GIVEN_TWICE, place(), found).instead("one of the two"));
                 }
             }
-            (Path::OutOfRange { name, .. }, _) => {
-                report.push(list::out_of_range(name, path, source.place(key.span().start)));
+            (Path::OutOfRange { name, .. }, _) => report.push(list::out_of_range(name, path, place())),
+            (_, DeValue::Table(table)) if path::is_structure(path) => {
+                path.push('.');
+                below(source, table, path, values, report);
             }
-            (_, DeValue::Table(table)) if path::is_structure(path) => below(source, table, path, values, report),
             (_, DeValue::Array(array)) if path::is_structure(&format!("{path}[]")) => {
                 let length = path.len();
                 for (i, element) in array.iter().enumerate() {
                     path.truncate(length);
                     path.push_str(&format!("[{i}]"));
                     match element.get_ref() {
-                        DeValue::Table(table) => below(source, table, path, values, report),
+                        DeValue::Table(table) => {
+                            path.push('.');
+                            below(source, table, path, values, report);
+                        }
                         other => report.push(no_table(path, other, source.place(element.span().start))),
                     }
                 }
             }
-            (_, other) => report.push(unknown(path, other, source.place(key.span().start))),
+            (_, other) => report.push(unknown(path, other, place())),
         }
     }
-    path.truncate(length);
 }
 
 /// What was given for a parameter: its value, unless that is none, which is said.
@@ -162,18 +144,13 @@ fn setting(
     (written, value): (&str, &Spanned<DeValue<'_>>),
     report: &mut Report,
 ) -> Setting {
-    let Range { start: value_at, .. } = value.span();
-    let said = |at, refused: value::Refused| refused.diagnostic(name, written, source.place(at));
-    let parameter = name.parameter();
     // A list may have a value that nobody can read for other functions; a set is written for us, and none of its keys is.
-    let value = match (parameter.kind, value.get_ref()) {
-        // Each wrong word is told at its own place.
-        (Kind::Words(words), DeValue::Array(array)) => value::of_array(parameter, words, array)
-            .map_err(|wrong| report.diagnostics.extend(wrong.into_iter().map(|(at, refused)| said(at, refused))))
-            .ok(),
-        (_, other) => value::of_toml(parameter, other).map_err(|refused| report.push(said(value_at, refused))).ok(),
-    };
-    Setting { value, refused: None, spelling, source: Arc::clone(source), path_at: key.span().start, value_at }
+    let read = value::of_toml(name.parameter(), value).map_err(|wrong| {
+        let said = wrong.into_iter().map(|(at, refused)| refused.diagnostic(name, written, source.place(at)));
+        report.diagnostics.extend(said);
+    });
+    let (path_at, value_at) = (key.span().start, value.span().start);
+    Setting { value: read.ok(), refused: None, spelling, source: Arc::clone(source), path_at, value_at }
 }
 
 /// A key that is not in the table, or a table or an array where the other is needed.
@@ -188,19 +165,20 @@ fn unknown(path: &str, value: &DeValue<'_>, place: Place) -> Diagnostic {
         let instead = format!("{end} = [{{ ... }}], or [[...{end}]] for each");
         return Diagnostic::error(codes::TYPE, place, found).allowed("an array of tables").instead(instead);
     }
-    if let Path::Known { name, index, misprint: true, .. } = path::find(path) {
-        let found = format!("{shown} is a misprint of the manual");
-        return Diagnostic::error(codes::UNKNOWN, place, found).instead(path_with(name.parameter().path, index));
-    }
-    if let Path::Known { name, .. } = path::find(path) {
-        let found = format!("{shown} is a key of the set, not of an axis");
-        let instead = format!("`{}` before the first table", name.parameter().path);
-        return Diagnostic::error(codes::UNKNOWN, place, found).instead(instead);
-    }
-    let is_table = matches!(value, DeValue::Table(_) | DeValue::Array(_));
-    let known = if is_table { closest::structure(path) } else { None }.or_else(|| closest::path(path));
-    let diagnostic = Diagnostic::error(codes::UNKNOWN, place, format!("{shown} is not known"));
-    Diagnostic { instead: known, ..diagnostic }
+    let (what, instead) = match path::find(path) {
+        Path::Known { name, index, misprint: true, .. } => {
+            ("a misprint of the manual", Some(path_with(name.parameter().path, index)))
+        }
+        Path::Known { name, .. } => {
+            let instead = format!("`{}` before the first table", name.parameter().path);
+            ("a key of the set, not of an axis", Some(instead))
+        }
+        _ => {
+            let is_table = matches!(value, DeValue::Table(_) | DeValue::Array(_));
+            ("not known", closest::path(path, is_table))
+        }
+    };
+    Diagnostic { instead, ..Diagnostic::error(codes::UNKNOWN, place, format!("{shown} is {what}")) }
 }
 
 fn no_table(path: &str, value: &DeValue<'_>, place: Place) -> Diagnostic {
@@ -208,8 +186,8 @@ fn no_table(path: &str, value: &DeValue<'_>, place: Place) -> Diagnostic {
     Diagnostic::error(codes::TYPE, place, found).allowed("a table")
 }
 
-fn in_file_order<'a>(table: &'a DeTable<'a>) -> Vec<Entry<'a>> {
-    let mut entries: Vec<Entry<'a>> = table.iter().collect();
+fn in_file_order<'a>(table: &'a DeTable<'a>) -> Vec<(&'a Spanned<DeString<'a>>, &'a Spanned<DeValue<'a>>)> {
+    let mut entries: Vec<_> = table.iter().collect();
     entries.sort_by_key(|(key, _)| key.span().start);
     entries
 }

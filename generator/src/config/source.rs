@@ -24,7 +24,7 @@ struct Lines {
 }
 
 impl Source {
-    pub(crate) fn of(name: &str, bytes: Vec<u8>) -> Arc<Self> {
+    pub(crate) fn new(name: &str, bytes: Vec<u8>) -> Arc<Self> {
         Arc::new(Self { name: name.to_owned(), bytes, is_option: false, lines: OnceLock::new() })
     }
 
@@ -41,7 +41,7 @@ impl Source {
         if self.is_option {
             return self.whole();
         }
-        let lines = self.lines.get_or_init(|| Lines::of(&self.bytes));
+        let lines = self.lines.get_or_init(|| Lines::new(&self.bytes));
         let line = lines.starts.partition_point(|start| *start <= offset);
         let start = lines.starts[line - 1];
         let characters = offset - start + lines.continuations_before(&self.bytes, start)
@@ -51,7 +51,7 @@ impl Source {
 }
 
 impl Lines {
-    fn of(bytes: &[u8]) -> Self {
+    fn new(bytes: &[u8]) -> Self {
         let mut starts = vec![0];
         starts.extend(bytes.iter().enumerate().filter(|(_, byte)| **byte == b'\n').map(|(at, _)| at + 1));
         let mut sum = 0;

@@ -5,7 +5,7 @@ use crate::codes;
 use crate::diagnostics::{Diagnostic, Place};
 use crate::parameters::{Kind, Name, Parameter, Value, Word};
 use std::borrow::Cow;
-use toml::de::DeValue;
+use toml::{Spanned, de::DeValue};
 
 /// Why a text is no value of a parameter.
 #[derive(Debug, PartialEq, Eq)]
@@ -30,12 +30,7 @@ impl Refused {
 pub(crate) fn of_text(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
     match parameter.kind {
         Kind::Word(words) => of_word(parameter, words, text).map(Value::Word),
-        Kind::Words(words) => text
-            .split_ascii_whitespace()
-            .map(|text| of_word(parameter, words, text))
-            .collect::<Result<_, _>>()
-            .map(Value::Words),
-        Kind::Flags(words) => of_flags(parameter, words, text),
+        Kind::Words(words) | Kind::Flags(words) => of_flags(parameter, words, text),
         Kind::Integer { .. } => of_integer(parameter, text),
         Kind::Real { .. } => of_real(parameter, text),
         Kind::Duration { .. } => of_duration(parameter, text),
@@ -43,22 +38,26 @@ pub(crate) fn of_text(parameter: &Parameter, text: &str) -> Result<Value, Refuse
     }
 }
 
-/// The value of a parameter in a set.
-pub(crate) fn of_toml(parameter: &Parameter, value: &DeValue<'_>) -> Result<Value, Refused> {
-    match (parameter.kind, value) {
-        (Kind::Word(_) | Kind::Duration { .. } | Kind::Text, DeValue::String(text)) => of_text(parameter, text),
-        (Kind::Word(words), DeValue::Integer(_) | DeValue::Boolean(_)) => {
-            of_word(parameter, words, &scalar(value)).map(Value::Word)
-        }
-        (Kind::Words(words), DeValue::Array(array)) => {
-            of_array(parameter, words, array).map_err(|mut wrong| wrong.swap_remove(0).1)
-        }
-        (Kind::Flags(_), DeValue::String(text)) => of_text(parameter, text),
-        (Kind::Flags(_), DeValue::Integer(_)) => of_text(parameter, &scalar(value)),
-        (Kind::Integer { .. } | Kind::Real { .. }, DeValue::Integer(_) | DeValue::Float(_)) => {
-            of_text(parameter, &scalar(value))
-        }
-        _ => Err(wrong_type(parameter, value)),
+/// The value of a parameter in a set; else all that is wrong with it, each at its place.
+pub(crate) fn of_toml(parameter: &Parameter, value: &Spanned<DeValue<'_>>) -> Result<Value, Vec<(usize, Refused)>> {
+    let found = match (parameter.kind, value.get_ref()) {
+        (Kind::Words(words), DeValue::Array(array)) => return of_array(parameter, words, array),
+        (kind, value) if toml_types(kind).1.contains(&value.type_str()) => of_text(parameter, &scalar(value)),
+        (_, other) => Err(wrong_type(parameter, other)),
+    };
+    found.map_err(|refused| vec![(value.span().start, refused)])
+}
+
+/// What a value of this kind is in a set, for a message, and the scalar types of TOML that it may have.
+fn toml_types(kind: Kind) -> (&'static str, &'static [&'static str]) {
+    match kind {
+        Kind::Text => ("a string", &["string"]),
+        Kind::Word(_) => ("a string", &["string", "integer", "boolean"]),
+        Kind::Duration { .. } => ("a string: a number with a unit (s, ms, us or ns)", &["string"]),
+        Kind::Words(_) => ("an array of strings", &[]),
+        Kind::Flags(_) => ("a string or a whole number", &["string", "integer"]),
+        Kind::Integer { .. } => ("a whole number", &["integer", "float"]),
+        Kind::Real { .. } => ("a number", &["integer", "float"]),
     }
 }
 
@@ -71,22 +70,32 @@ pub(crate) fn shown(text: &str) -> String {
 }
 
 fn of_word(parameter: &Parameter, words: &'static [Word], text: &str) -> Result<&'static str, Refused> {
-    let is_spelling = |word: &&Word| {
-        let mut spellings = std::iter::once(&word.name).chain(word.also);
-        spellings.any(|spelling| spelling.eq_ignore_ascii_case(text))
+    let is_meant = |word: &&Word| {
+        word.spellings().any(|spelling| spelling.eq_ignore_ascii_case(text))
             || word.number.is_some_and(|number| integer(text) == Some(i64::from(number)))
     };
-    words.iter().find(is_spelling).map(|word| word.name).ok_or_else(|| Refused {
+    words.iter().find(is_meant).map(|word| word.name).ok_or_else(|| Refused {
         code: codes::WORD,
         found: format!("is {}", shown(text)),
         allowed: parameter.allowed(),
-        instead: closest::of(text, words.iter().map(|word| word.name)).map(str::to_owned),
+        instead: closest::nearest(text, words.iter().map(|word| word.name)).map(str::to_owned),
     })
 }
 
-fn given_twice(parameter: &Parameter, word: &str) -> Refused {
-    let found = format!("names {} twice", shown(word));
-    Refused { code: codes::GIVEN_TWICE, found, allowed: parameter.allowed(), instead: None }
+/// Adds a word to those that were found, where it must not be yet.
+fn add_word(
+    parameter: &Parameter,
+    words: &'static [Word],
+    text: &str,
+    found: &mut Vec<&'static str>,
+) -> Result<(), Refused> {
+    let word = of_word(parameter, words, text)?;
+    if found.contains(&word) {
+        let found = format!("names {} twice", shown(word));
+        return Err(Refused { code: codes::GIVEN_TWICE, found, allowed: parameter.allowed(), instead: None });
+    }
+    found.push(word);
+    Ok(())
 }
 
 /// Words with blanks or `|` between, or the number that their bits make.
@@ -96,71 +105,57 @@ fn of_flags(parameter: &Parameter, words: &'static [Word], text: &str) -> Result
     }
     let mut found = Vec::new();
     for part in text.split(|c: char| c.is_ascii_whitespace() || c == '|').filter(|part| !part.is_empty()) {
-        let word = of_word(parameter, words, part)?;
-        if found.contains(&word) {
-            return Err(given_twice(parameter, word));
-        }
-        found.push(word);
+        add_word(parameter, words, part, &mut found)?;
     }
-    found.sort_by_key(|found| words.iter().position(|word| word.name == *found));
-    if found.len() > 1 {
-        found.retain(|found| words.iter().any(|word| word.name == *found && word.number != Some(0)));
-    }
-    Ok(Value::Words(found))
+    let is_kept = |word: &&Word| found.contains(&word.name) && (found.len() == 1 || word.number != Some(0));
+    Ok(Value::Words(words.iter().filter(is_kept).map(|word| word.name).collect()))
 }
 
 /// The words whose bits make a number, those with more bits first. What is left over means nothing.
 fn of_bits(parameter: &Parameter, words: &'static [Word], number: i64, text: &str) -> Result<Value, Refused> {
     let mut rest = number;
-    let mut found: Vec<&'static str> = Vec::new();
+    let mut found = Vec::new();
     for word in words.iter().rev() {
         let bits = i64::from(word.number.unwrap_or(0));
-        if bits > 0 && rest & bits == bits && rest >= 0 {
+        if rest & bits == bits && (bits > 0 || found.is_empty()) {
             rest &= !bits;
             found.insert(0, word.name);
         }
     }
-    if rest != 0 {
-        let found = match rest > 0 {
-            true => format!("is {}: the bits 0x{rest:x} stand for nothing alone", shown(text)),
-            false => format!("is {}, which has a sign", shown(text)),
-        };
-        let instead = if rest > 0 { meant(words, number, rest) } else { None };
-        return Err(Refused { code: codes::WORD, found, allowed: parameter.allowed(), instead });
-    }
-    if found.is_empty() {
-        found.extend(words.iter().find(|word| word.number == Some(0)).map(|word| word.name));
-    }
-    Ok(Value::Words(found))
+    let (found, instead) = match rest {
+        0 => return Ok(Value::Words(found)),
+        1.. => {
+            let found = format!("is {}: the bits 0x{rest:x} stand for nothing alone", shown(text));
+            (found, meant(words, number, rest))
+        }
+        _ => (format!("is {}, which has a sign", shown(text)), None),
+    };
+    Err(Refused { code: codes::WORD, found, allowed: parameter.allowed(), instead })
 }
 
 /// What a number was probably meant to be of which bits are left over: with all bits of the word that has them. The bit 0x400, which
 /// would continue the pattern of ADD_VEL and ADD_ACC, belongs to no word: ADD_JERK has 0x800.
 fn meant(words: &[Word], number: i64, rest: i64) -> Option<String> {
     let bits = if rest == 0x400 { 0x800 } else { rest };
-    let of = |word: &Word| word.number.map(i64::from).filter(|all| all & bits == bits).map(|all| (word.name, all));
-    let (name, all) = words.iter().find_map(of)?;
+    let with_all = |word: &Word| word.number.map(i64::from).filter(|all| all & bits == bits).zip(Some(word.name));
+    let (all, name) = words.iter().find_map(with_all)?;
     Some(format!("0x{:03x}, if {name} is meant", number & !rest | all))
 }
 
 /// Words, each an element of an array.
-pub(crate) fn of_array(
+fn of_array(
     parameter: &Parameter,
     words: &'static [Word],
-    array: &[toml::Spanned<DeValue<'_>>],
+    array: &[Spanned<DeValue<'_>>],
 ) -> Result<Value, Vec<(usize, Refused)>> {
     let mut found = Vec::with_capacity(array.len());
     let mut wrong = Vec::new();
     for element in array {
-        let word = match element.get_ref() {
-            DeValue::String(text) => of_word(parameter, words, text),
+        let added = match element.get_ref() {
+            DeValue::String(text) => add_word(parameter, words, text, &mut found),
             other => Err(wrong_type(parameter, other)),
         };
-        match word {
-            Err(refused) => wrong.push((element.span().start, refused)),
-            Ok(word) if found.contains(&word) => wrong.push((element.span().start, given_twice(parameter, word))),
-            Ok(word) => found.push(word),
-        }
+        wrong.extend(added.err().map(|refused| (element.span().start, refused)));
     }
     if wrong.is_empty() { Ok(Value::Words(found)) } else { Err(wrong) }
 }
@@ -189,10 +184,8 @@ fn of_real(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
 /// Decimal or 0x, with a sign.
 fn integer(text: &str) -> Option<i64> {
     let (negative, digits) = signed(text);
-    let (digits, radix) = match digits.get(..2) {
-        Some("0x" | "0X") => (&digits[2..], 16),
-        _ => (digits, 10),
-    };
+    let hexadecimal = digits.strip_prefix("0x").or(digits.strip_prefix("0X"));
+    let (digits, radix) = hexadecimal.map_or((digits, 10), |digits| (digits, 16));
     // The standard parser takes a second sign.
     let magnitude =
         digits.starts_with(|c: char| c.is_ascii_hexdigit()).then(|| i64::from_str_radix(digits, radix).ok())??;
@@ -212,20 +205,17 @@ fn real(text: &str) -> Option<f64> {
 }
 
 fn signed(text: &str) -> (bool, &str) {
-    match text.as_bytes().first() {
-        Some(b'-') => (true, &text[1..]),
-        Some(b'+') => (false, &text[1..]),
-        _ => (false, text),
-    }
+    let sign = text.as_bytes().first().filter(|sign| matches!(sign, b'-' | b'+'));
+    (sign == Some(&b'-'), &text[usize::from(sign.is_some())..])
 }
 
 /// A time with its unit, exactly: `1ms`, `62.5us`, `0.1 s`.
 fn of_duration(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
     let number_end = text.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(text.len());
     let (number, unit) = text.split_at(number_end);
-    let refused = |found: String, instead: Option<String>| Refused {
+    let refused = |what: &str, instead: Option<String>| Refused {
         code: codes::DURATION,
-        found,
+        found: format!("is {}, {what}", shown(text)),
         allowed: format!("a number with a unit (s, ms, us or ns), {}", parameter.allowed()),
         instead,
     };
@@ -234,24 +224,19 @@ fn of_duration(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
         "ms" => 6,
         "us" | "\u{b5}s" | "\u{3bc}s" => 3,
         "ns" => 0,
-        "" => {
-            let found = format!("is {}, which has no unit", shown(text));
-            return Err(refused(found, real(number).map(|time| with_unit(number, time))));
-        }
-        _ => return Err(refused(format!("is {}, not a duration", shown(text)), None)),
+        "" => return Err(refused("which has no unit", real(number).map(|time| with_unit(number, time)))),
+        _ => return Err(refused("not a duration", None)),
     };
     let (whole, fraction) = number.split_once('.').unwrap_or((number, ""));
     let fraction = fraction.trim_end_matches('0');
     if (whole.is_empty() && fraction.is_empty()) || fraction.contains('.') {
-        return Err(refused(format!("is {}, not a duration", shown(text)), None));
+        return Err(refused("not a duration", None));
     }
     if fraction.len() > digits {
-        return Err(refused(format!("is {}, no whole number of nanoseconds", shown(text)), None));
+        return Err(refused("no whole number of nanoseconds", None));
     }
-    format!("{whole}{fraction:0<digits$}")
-        .parse()
-        .map(Value::Duration)
-        .map_err(|_| refused(format!("is {}, far too long", shown(text)), None))
+    let ns = format!("{whole}{fraction:0<digits$}").parse();
+    ns.map(Value::Duration).map_err(|_| refused("far too long", None))
 }
 
 /// A time without a unit with the units that are likely.
@@ -264,14 +249,7 @@ fn with_unit(number: &str, time: f64) -> String {
 }
 
 fn wrong_type(parameter: &Parameter, value: &DeValue<'_>) -> Refused {
-    let needed = match parameter.kind {
-        Kind::Word(_) | Kind::Text => "a string",
-        Kind::Duration { .. } => "a string: a number with a unit (s, ms, us or ns)",
-        Kind::Words(_) => "an array of strings",
-        Kind::Flags(_) => "a string or a whole number",
-        Kind::Integer { .. } => "a whole number",
-        Kind::Real { .. } => "a number",
-    };
+    let (needed, _) = toml_types(parameter.kind);
     let instead = match (parameter.kind, value) {
         (Kind::Integer { .. } | Kind::Real { .. }, DeValue::String(text)) => {
             of_text(parameter, text).ok().map(|value| format!("{}, without quotes", value.text()))
@@ -293,17 +271,16 @@ fn wrong_type(parameter: &Parameter, value: &DeValue<'_>) -> Refused {
     }
 }
 
-/// A number or a truth value of a set as a list would write it.
+/// A text, a number or a truth value of a set as a list would write it.
 fn scalar<'v>(value: &'v DeValue<'_>) -> Cow<'v, str> {
     match value {
+        DeValue::String(text) => Cow::Borrowed(text),
         DeValue::Integer(n) if n.radix() == 10 => Cow::Borrowed(n.as_str()),
-        DeValue::Integer(n) => match i64::from_str_radix(n.as_str(), n.radix()) {
-            Ok(number) => Cow::Owned(number.to_string()),
-            Err(_) => Cow::Owned(n.to_string()),
-        },
+        DeValue::Integer(n) => {
+            Cow::Owned(i64::from_str_radix(n.as_str(), n.radix()).map_or_else(|_| n.to_string(), |n| n.to_string()))
+        }
         DeValue::Float(x) => Cow::Borrowed(x.as_str()),
-        DeValue::Boolean(true) => Cow::Borrowed("TRUE"),
-        DeValue::Boolean(false) => Cow::Borrowed("FALSE"),
+        DeValue::Boolean(is_true) => Cow::Borrowed(if *is_true { "TRUE" } else { "FALSE" }),
         other => Cow::Borrowed(other.type_str()),
     }
 }

@@ -2,10 +2,8 @@
 
 use super::source::Source;
 use crate::diagnostics::{Diagnostic, Place, Report, Severity};
-use crate::parameters::words::Words;
-use crate::parameters::{Name, Value};
-use std::collections::BTreeMap;
-use std::collections::btree_map::Entry;
+use crate::parameters::{Name, Value, words::Words};
+use std::collections::{BTreeMap, btree_map::Entry};
 use std::sync::Arc;
 
 /// A parameter with its indices; an index that the parameter lacks is 0.
@@ -82,16 +80,19 @@ impl Values {
         }
     }
 
-    pub(crate) fn text(&self, name: Name) -> Option<&str> {
-        match &self.get(key(name))?.value {
-            Some(Value::Text(text)) => Some(text),
+    /// A text, with what else is known of it.
+    pub(crate) fn text(&self, name: Name) -> Option<(&str, &Setting)> {
+        let setting = self.get(key(name))?;
+        match &setting.value {
+            Some(Value::Text(text)) => Some((text, setting)),
             _ => None,
         }
     }
 
-    /// Lets the values of a set take the place of those of its list.
-    pub(crate) fn override_with(&mut self, other: Self) {
+    /// The values of a list; those of its set take their place.
+    pub(crate) fn overridden_by(mut self, other: Self) -> Self {
         self.settings.extend(other.settings);
+        self
     }
 
     pub(crate) fn iter(&self) -> impl Iterator<Item = (Key, &Setting)> {

@@ -1,9 +1,6 @@
 //! The lines of a list, arbitrary bytes, as a text of TOML, and back; which lines they are does not matter.
 
-use std::fmt::Write;
-
 /// Lines that a text of TOML can hold.
-#[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Encoded {
     /// the lines, with `\n` where a line ends
     pub(super) text: String,
@@ -49,18 +46,18 @@ pub(super) fn toml_string(text: &str) -> String {
     let mut characters = text.chars().peekable();
     while let Some(character) = characters.next() {
         let next = characters.peek().copied();
-        // Writing to a String cannot fail.
-        let _ = match character {
-            '\\' => string.write_str("\\\\"),
-            '"' if matches!(next, None | Some('"')) => string.write_str("\\\""),
-            '\r' => string.write_str("\\r"),
-            '\t' | ' ' if !matches!(next, None | Some('\n' | '\r')) => string.write_char(character),
-            '\t' => string.write_str("\\t"),
-            '\n' => string.write_char('\n'),
-            ' ' | '\u{feff}' | '\u{85}' | '\u{2028}' | '\u{2029}' => write!(string, "\\u{:04X}", u32::from(character)),
-            control if control.is_control() => write!(string, "\\u{:04X}", u32::from(control)),
-            other => string.write_char(other),
-        };
+        match character {
+            '\\' => string.push_str("\\\\"),
+            '"' if matches!(next, None | Some('"')) => string.push_str("\\\""),
+            '\r' => string.push_str("\\r"),
+            '\t' | ' ' if !matches!(next, None | Some('\n' | '\r')) => string.push(character),
+            '\t' => string.push_str("\\t"),
+            '\n' => string.push('\n'),
+            ' ' | '\u{feff}' | '\u{2028}' | '\u{2029}' | '\0'..='\u{1f}' | '\u{7f}'..='\u{9f}' => {
+                string.push_str(&format!("\\u{:04X}", u32::from(character)));
+            }
+            other => string.push(other),
+        }
     }
     string.push_str("\"\"\"");
     string

@@ -4,20 +4,14 @@ use super::slot::{self, HOLE, OWN, Slot};
 use super::spelling;
 use crate::codes;
 use crate::config::lines::{self, Content, Line, Statement};
-use crate::config::list;
-use crate::config::source::Source;
-use crate::config::value::of_text;
-use crate::config::values::{Key, Setting, Values};
+use crate::config::{Key, Setting, Source, Values, key, list, of_text};
 use crate::diagnostics::{Diagnostic, Report, Severity};
-use crate::parameters::{Name, Scope, path_with};
+use crate::parameters::{Name, Parameter, Scope, Value, path_with};
 use std::collections::BTreeSet;
 
-#[derive(Debug)]
 pub(super) struct Filling<'r> {
-    /// what the axis was given, its list included
+    /// what the axis was given, its list included, and what stands at the top of the set
     pub(super) values: Values,
-    /// what stands at the top of the set
-    pub(super) top: Values,
     pub(super) report: &'r mut Report,
 }
 
@@ -25,17 +19,18 @@ impl Filling<'_> {
     /// The lines of a list with the values that hold now, then lines for the others; without a list all of them. None: a
     /// reader of lists finds errors in that, and they have been said.
     pub(super) fn list(mut self, base: Option<&[u8]>) -> Option<Vec<u8>> {
-        let (mark, lines) = lines::split(base.unwrap_or_default());
+        let bytes = base.unwrap_or_default();
+        let (mark, lines) = lines::split(bytes);
         let mut list = mark.to_vec();
         let mut written = BTreeSet::new();
         let mut line_end = None;
-        for line in lines {
+        for (line, text) in lines.zip(bytes[mark.len()..].split_inclusive(|byte| *byte == b'\n')) {
             line_end = line_end.or(Some(line.end).filter(|end| end.ends_with(b"\n")));
-            let start = list.len();
-            line.append_to(&mut list);
-            if let Some(slot) = slot::of(&line) {
-                self.fill(&line, &slot, &mut written, start, &mut list);
+            let mut text = text.to_vec();
+            if let Some(slot) = slot::in_line(&line) {
+                self.fill(&line, &slot, &mut written, &mut text);
             }
+            list.extend(text);
         }
         let line_end = line_end.unwrap_or(b"\n");
         let mut rest = self.rest(&written, base.is_none());
@@ -54,55 +49,44 @@ impl Filling<'_> {
         (!self.report.has_errors()).then_some(list)
     }
 
-    /// Puts the value that holds into the line that begins there.
-    fn fill(
-        &mut self,
-        line: &Line<'_>,
-        slot: &Slot<'_>,
-        written: &mut BTreeSet<Key>,
-        start: usize,
-        list: &mut Vec<u8>,
-    ) {
+    /// Puts the value that holds into the text of a line.
+    fn fill(&mut self, line: &Line<'_>, slot: &Slot<'_>, written: &mut BTreeSet<Key>, text: &mut Vec<u8>) {
         let parameter = slot.key.0.parameter();
-        let range = start + slot.range.start..start + slot.range.end;
+        let range = slot.range.clone();
         let hole = slot.text.strip_prefix(HOLE);
         let spelled = hole.unwrap_or(slot.text);
         if slot.own && spelled.starts_with(HOLE) {
             // A comment that only looks like a hole.
-            list.splice(range, spelled.bytes());
+            text.splice(range, spelled.bytes());
             return;
         }
-        if slot.own
-            && (written.contains(&slot.key) || !spelled.is_empty() && slot::own_value(slot.key, spelled).is_none())
-        {
+        let is_comment = || !spelled.is_empty() && slot::own_value(slot.key, spelled).is_none();
+        if slot.own && (written.contains(&slot.key) || is_comment()) {
             return;
         }
-        let values = if slot.key.0 == Name::CycleTime { &self.top } else { &self.values };
-        let setting = values.get(slot.key);
-        let Some((setting, value)) = setting.and_then(|setting| Some((setting, setting.value.as_ref()?))) else {
+        let Some((setting, Some(value))) = self.values.get(slot.key).map(|setting| (setting, &setting.value)) else {
             match line.content {
                 Content::Statement(statement) if hole.is_none() => self.warn_of(&statement),
                 // The value was taken out of the set: so is its line, but not the comment behind it.
                 Content::Statement(statement) if !statement.comment.is_empty() => {
-                    let path_at = start + statement.path_at();
-                    list.drain(path_at..range.end + statement.space.len());
+                    text.drain(statement.path_at()..range.end + statement.space.len());
                 }
-                _ if hole.is_some() => list.truncate(start),
+                _ if hole.is_some() => text.clear(),
                 _ => {}
             }
             return;
         };
         if of_text(parameter, spelled).as_ref() != Ok(value) {
-            list.splice(range, text_of(slot.key.0, setting).bytes());
+            text.splice(range, text_of(parameter, setting, value).bytes());
         } else if hole.is_some() {
-            list.splice(range, spelled.bytes());
+            text.splice(range, spelled.bytes());
         }
         written.insert(slot.key);
     }
 
     /// A parameter that this axgen knows, and the one that imported the list did not; or one that was added by hand.
     fn warn_of(&mut self, statement: &Statement<'_>) {
-        let Some(lines) = self.values.get((Name::ImportedLines, [0, 0])) else { return };
+        let Some(lines) = self.values.get(key(Name::ImportedLines)) else { return };
         let found = format!("`{}` stands in the imported lines only: the axis does not have it", statement.path);
         let diagnostic = Diagnostic::warning(codes::PASSED_OVER, lines.value_place(), found);
         self.report.push(diagnostic.instead("the value below the axis, or import the list again"));
@@ -111,20 +95,23 @@ impl Filling<'_> {
     /// Lines for what has none, in the order of the set; keys that no controller knows in comments, with a warning.
     fn rest(&mut self, written: &BTreeSet<Key>, is_new: bool) -> Vec<String> {
         // The list that an axis came from had no cycle time either.
-        let top = self.top.iter().filter(|((name, _), _)| *name == Name::CycleTime && is_new);
+        let values = self.values.iter().filter(|((name, _), _)| *name != Name::CycleTime || is_new);
         let mut lines = Vec::new();
-        for (key, setting) in top.chain(self.values.iter()) {
-            let (name, index) = key;
-            let path = path_with(setting.spelling, index);
-            let own = slot::is_own(name);
+        for (key, setting) in values {
+            let parameter = key.0.parameter();
+            let path = path_with(setting.spelling, key.1);
+            let own = slot::is_own(key.0);
             if own {
                 let found =
                     format!("`{path}` is a key of an axis set: no controller knows it, and it stands in a comment");
                 self.report.push(Diagnostic::warning(codes::KEY_OF_A_SET, setting.path_place(), found));
             }
-            if !written.contains(&key) && setting.value.is_some() && (own || name.parameter().scope == Scope::List) {
+            let Some(value) = setting.value.as_ref().filter(|_| own || parameter.scope == Scope::List) else {
+                continue;
+            };
+            if !written.contains(&key) {
                 let sign = if own { OWN } else { "" };
-                lines.push((setting.path_at, format!("{sign}{path} {}", text_of(name, setting))));
+                lines.push((setting.path_at, format!("{sign}{path} {}", text_of(parameter, setting, value))));
             }
         }
         lines.sort();
@@ -133,7 +120,7 @@ impl Filling<'_> {
 
     /// Reads the list as a controller would: errors in its lines are said, and each value must be the one that was given.
     fn prove(&mut self, list: &[u8]) {
-        let source = Source::of("the exported list", list.to_vec());
+        let source = Source::new("the exported list", list.to_vec());
         let read = list::read_to_keep(&source);
         let errors = read.report.diagnostics.into_iter().filter(|said| said.severity == Severity::Error);
         self.report.diagnostics.extend(errors);
@@ -145,9 +132,6 @@ impl Filling<'_> {
     }
 }
 
-fn text_of(name: Name, setting: &Setting) -> String {
-    let value = setting.value.as_ref();
-    value.map_or_else(String::new, |value| {
-        spelling::in_list(name.parameter(), &setting.source.bytes[setting.value_at..], value)
-    })
+fn text_of(parameter: &Parameter, setting: &Setting, value: &Value) -> String {
+    spelling::in_list(parameter, &setting.source.bytes[setting.value_at..], value)
 }

@@ -3,19 +3,11 @@
 use super::encoding::{Encoded, encoded, latin_1, toml_string};
 use super::slot::{self, HOLE, Slot};
 use super::{spelling, tables};
-use crate::check;
-use crate::codes;
-use crate::config::ListOptions;
-use crate::config::axis_name;
-use crate::config::file::{self, Load};
-use crate::config::lines::{self, Content, Line};
-use crate::config::list;
-use crate::config::source::Source;
-use crate::config::value::of_text;
-use crate::config::value::shown;
-use crate::config::values::{Key, Values};
+use crate::config::lines::{self, Content};
+use crate::config::{Key, ListOptions, Load, Values, axis_name, file, given, key, list, shown};
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Name, Value};
+use crate::{check, codes};
 use std::collections::BTreeSet;
 use std::path::Path;
 use toml_edit::Table;
@@ -23,59 +15,36 @@ use toml_edit::Table;
 /// The axis list of a file as a TOML set. The set is there if, and only if, no message is an error. It has no cycle time
 /// unless the options, or a list that [`super::export`] wrote, give one.
 #[must_use]
-pub fn import(path: &Path, options: &ListOptions) -> (Option<String>, Report) {
-    import_with(path, options, &file::load)
-}
-
-/// The same with another source of files.
-#[must_use]
-pub fn import_with(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<String>, Report) {
+pub fn import(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<String>, Report) {
     let mut report = Report::default();
-    let file = path.display().to_string();
-    let place = |file: &str| Place { file: file.to_owned(), line: 0, column: 0 };
-    let bytes = match load(path) {
-        Ok(bytes) => bytes,
-        Err(unreadable) => {
-            report.push(unreadable.diagnostic(&file, place(&file)));
-            return (None, report);
-        }
+    let source = match file::read(path, None, load) {
+        Ok(source) => source,
+        Err(unreadable) => return (None, unreadable),
     };
-    let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-    let name = options.name.clone().unwrap_or_else(|| axis_name::of_stem(&stem));
+    let name = options.name.clone().unwrap_or_else(|| axis_name::of_file(path));
     if !axis_name::is_allowed(&name) {
         let found = format!("{} is no name for an axis", shown(&name));
-        let at = if options.name.is_some() { "--name" } else { &file };
-        report.push(Diagnostic::error(codes::AXIS_NAME, place(at), found).allowed(axis_name::ALLOWED));
+        let place = if options.name.is_some() { Place::whole("--name") } else { source.whole() };
+        report.push(Diagnostic::error(codes::AXIS_NAME, place, found).allowed(axis_name::ALLOWED));
     }
-    let cycle_time = options.cycle_time.as_deref().filter(|text| {
-        let value = of_text(Name::CycleTime.parameter(), text);
-        value
-            .map_err(|refused| report.push(refused.diagnostic(Name::CycleTime, "--cycle-time", place("--cycle-time"))))
-            .is_ok()
-    });
-    let source = Source::of(&file, bytes.clone());
+    let top = given::cycle_time_of(options, &mut report);
     let list = list::read_to_keep(&source);
     report.extend(list.report);
+    // Without a cycle time a usual one: what is asked of it does not depend on it in a list without errors.
+    let cycle_time = match top.get(key(Name::CycleTime)).and_then(|setting| setting.value.as_ref()) {
+        Some(Value::Duration(ns @ 1..)) => u32::try_from(*ns).unwrap_or(1_000_000),
+        _ => 1_000_000,
+    };
     // A set without a value that the axis uses would mean something else. What nothing uses is as good as a value of another
     // function: its line is kept.
-    let said = check::axis(&name, Some(cycle_time_or(cycle_time)), &list.values, source.whole()).effective.report;
+    let said = check::axis(&name, Some(cycle_time), &list.values, source.whole()).effective.report;
     report.diagnostics.extend(list.values.refused(&said));
     if report.has_errors() {
         return (None, report);
     }
-    let taken = Taken::of(&bytes, &list.values);
-    let file_name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    let cycle_time = cycle_time.map(str::to_owned).or_else(|| taken.cycle_time.clone());
-    (Some(set(&name, &file_name, cycle_time.as_deref(), taken)), report)
-}
-
-/// The cycle time in ns; without one a usual one, for what is asked of it does not depend on it in a list without errors.
-fn cycle_time_or(given: Option<&str>) -> u32 {
-    let value = given.and_then(|text| of_text(Name::CycleTime.parameter(), text).ok());
-    match value {
-        Some(Value::Duration(ns)) => u32::try_from(ns).ok().filter(|ns| *ns > 0).unwrap_or(1_000_000),
-        _ => 1_000_000,
-    }
+    let file = path.file_name().unwrap_or_default().to_string_lossy();
+    let taken = Taken::from_list(&source.bytes, &list.values);
+    (Some(taken.set(&name, &file, options.cycle_time.clone())), report)
 }
 
 struct Taken {
@@ -87,50 +56,72 @@ struct Taken {
 }
 
 impl Taken {
-    fn of(bytes: &[u8], values: &Values) -> Self {
+    fn from_list(bytes: &[u8], values: &Values) -> Self {
         let (mark, lines) = lines::split(bytes);
         let mut left = mark.to_vec();
         let mut axis = Table::new();
         let mut cycle_time = None;
         let mut above = Vec::new();
         let mut own = BTreeSet::new();
-        for line in lines {
-            let slot = slot::of(&line);
+        for (line, text) in lines.zip(bytes[mark.len()..].split_inclusive(|byte| *byte == b'\n')) {
+            let slot = slot::in_line(&line);
             let value = slot.as_ref().and_then(|slot| value_of(slot, values, &mut own));
-            let start = left.len();
-            line.append_to(&mut left);
+            let mut text = text.to_vec();
             match (slot, value) {
                 (Some(slot), Some(value)) => {
                     let parameter = slot.key.0.parameter();
                     let toml = spelling::in_toml(parameter, slot.text, &value);
                     let same = spelling::in_list(parameter, toml.to_string().as_bytes(), &value) == slot.text;
                     let hole = format!("{HOLE}{}", if same { "" } else { slot.text });
-                    left.splice(start + slot.range.start..start + slot.range.end, hole.bytes());
+                    text.splice(slot.range, hole.bytes());
                     if slot.key.0 == Name::CycleTime {
                         cycle_time = Some(slot.text.to_owned());
-                        continue;
+                    } else {
+                        let above = comments_above(std::mem::take(&mut above));
+                        let beside = match line.content {
+                            Content::Statement(statement) => format!(" {}", comment_text(statement.comment)),
+                            _ => String::new(),
+                        };
+                        tables::insert(&mut axis, slot.template, slot.key.1, toml, &above, beside.trim_end());
                     }
-                    let template = if slot.misprint { parameter.path } else { slot.spelling };
-                    tables::insert(
-                        &mut axis,
-                        template,
-                        slot.key.1,
-                        toml,
-                        &comments_above(std::mem::take(&mut above)),
-                        &comment_beside(&line),
-                    );
                 }
                 (Some(slot), None) if slot.own && slot.text.starts_with(HOLE) => {
                     // A comment that only looks like a hole: a second sign tells.
-                    left.insert(start + slot.range.start, HOLE as u8);
+                    text.insert(slot.range.start, HOLE as u8);
                 }
                 _ => match line.content {
                     Content::Remark { comment, .. } => above.push(comment_text(comment)),
                     _ => above.clear(),
                 },
             }
+            left.extend(text);
         }
         Self { axis, lines: encoded(&left), cycle_time }
+    }
+
+    /// The text of the set; the cycle time is that of the command line.
+    fn set(self, name: &str, file: &str, cycle_time: Option<String>) -> String {
+        let cycle_time = match cycle_time.or(self.cycle_time) {
+            Some(text) => {
+                let text = toml_edit::Value::from(text);
+                format!("# Cycle of the position controller; no axis list holds it.\ncycle_time = {text}\n")
+            }
+            None => "# Cycle of the position controller: no axis list holds it. Write yours, without the first `#`.\n\
+                     # cycle_time = \"1ms\"\n"
+                .to_owned(),
+        };
+        let Encoded { text, latin_1, crlf } = self.lines;
+        let axis = tables::text(name, self.axis);
+        let encoding = if latin_1 { "encoding = \"latin-1\" # a character is the byte of its number\n" } else { "" };
+        let line_end = if crlf { "line_end = \"CRLF\"\n" } else { "" };
+        let lines = toml_string(&text);
+        let file = comment_text(format!("# {file}").as_bytes());
+        format!(
+            "{file}, imported by axgen\n{cycle_time}\n{axis}\n\
+             # The list, line by line; `axgen export` writes it back. `=` stands for a value that stands above, `=0X1` for one that was\n\
+             # spelled so. Change values above. Parameters of other functions stand here, and all comments: those above are copies.\n\
+             [axis.{name}.imported_list]\n{encoding}{line_end}lines = {lines}\n"
+        )
     }
 }
 
@@ -143,24 +134,10 @@ fn value_of(slot: &Slot<'_>, values: &Values, own: &mut BTreeSet<Key>) -> Option
     own.insert(slot.key).then_some(value)
 }
 
-/// The comments above a value, a line each; a blank line where one stood before them.
+/// The comments above a value, a line each. Several blank lines are one, also before them.
 fn comments_above(mut comments: Vec<String>) -> String {
-    let text = comments.iter().position(|comment| !comment.is_empty()).unwrap_or(comments.len());
-    let is_apart = text > 0;
-    comments.drain(..text);
-    // A blank line between the comments and the value, or two between comments, are one.
     comments.dedup_by(|next, last| next.is_empty() && last.is_empty());
-    let lines = comments.into_iter().map(|comment| comment + "\n");
-    std::iter::once("\n".to_owned()).filter(|_| is_apart).chain(lines).collect()
-}
-
-fn comment_beside(line: &Line<'_>) -> String {
-    match line.content {
-        Content::Statement(statement) if !statement.comment.is_empty() => {
-            format!(" {}", comment_text(statement.comment))
-        }
-        _ => String::new(),
-    }
+    comments.into_iter().map(|comment| comment + "\n").collect()
 }
 
 /// A comment as one of TOML: `(` gets a `#`, bytes that are not UTF-8 are latin-1, control characters cannot stand there.
@@ -170,28 +147,4 @@ fn comment_text(comment: &[u8]) -> String {
         text.chars().map(|c| if c.is_control() && c != '\t' { char::REPLACEMENT_CHARACTER } else { c }).collect();
     let sign = if text.starts_with('(') { "# " } else { "" };
     format!("{sign}{}", text.trim_end())
-}
-
-fn set(name: &str, file: &str, cycle_time: Option<&str>, taken: Taken) -> String {
-    let cycle_time = match cycle_time {
-        Some(text) => {
-            let text = toml_edit::Value::from(text);
-            format!("# Cycle of the position controller; no axis list holds it.\ncycle_time = {text}\n")
-        }
-        None => "# Cycle of the position controller: no axis list holds it. Write yours, without the first `#`.\n\
-                 # cycle_time = \"1ms\"\n"
-            .to_owned(),
-    };
-    let Encoded { text, latin_1, crlf } = taken.lines;
-    let axis = tables::text(name, taken.axis);
-    let encoding = if latin_1 { "encoding = \"latin-1\" # a character is the byte of its number\n" } else { "" };
-    let line_end = if crlf { "line_end = \"CRLF\"\n" } else { "" };
-    let lines = toml_string(&text);
-    let file = comment_text(format!("# {file}").as_bytes());
-    format!(
-        "{file}, imported by axgen\n{cycle_time}\n{axis}\n\
-         # The list, line by line; `axgen export` writes it back. `=` stands for a value that stands above, `=0X1` for one that was\n\
-         # spelled so. Change values above. Parameters of other functions stand here, and all comments: those above are copies.\n\
-         [axis.{name}.imported_list]\n{encoding}{line_end}lines = {lines}\n"
-    )
 }

@@ -17,5 +17,5 @@ mod slot;
 mod spelling;
 mod tables;
 
-pub use export::{export, export_with};
-pub use import::{import, import_with};
+pub use export::export;
+pub use import::import;

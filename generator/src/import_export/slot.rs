@@ -2,8 +2,7 @@
 
 use crate::config::lines::{Content, Line};
 use crate::config::path::{self, Path};
-use crate::config::value::of_text;
-use crate::config::values::Key;
+use crate::config::{Key, of_text};
 use crate::parameters::{Name, Scope, Value};
 use std::ops::Range;
 
@@ -13,35 +12,34 @@ pub(super) const OWN: &str = "# axgen: ";
 /// What stands for a value that the set has: `=`, or `=` and the spelling that the list had.
 pub(super) const HOLE: char = '=';
 
-#[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Slot<'a> {
     pub(super) key: Key,
-    /// the path template by which it was found, a misprint included
-    pub(super) spelling: &'static str,
-    pub(super) misprint: bool,
+    /// the path template by which it was found; of a misprint the proper one
+    pub(super) template: &'static str,
     pub(super) text: &'a str,
     pub(super) range: Range<usize>,
     /// whether it is a key of our own, in a comment
     pub(super) own: bool,
 }
 
-pub(super) fn of<'a>(line: &Line<'a>) -> Option<Slot<'a>> {
+pub(super) fn in_line<'a>(line: &Line<'a>) -> Option<Slot<'a>> {
     match line.content {
         Content::Statement(statement) => {
             let Path::Known { name, index, spelling, misprint } = path::find(statement.path) else { return None };
+            let template = if misprint { name.parameter().path } else { spelling };
             let (text, at) = (statement.value, statement.value_at());
-            let known = name.parameter().scope == Scope::List;
-            let range = at..at + text.len();
-            known.then_some(Slot { key: (name, index), spelling, misprint, text, range, own: false })
+            let slot = Slot { key: (name, index), template, text, range: at..at + text.len(), own: false };
+            (name.parameter().scope == Scope::List).then_some(slot)
         }
         Content::Remark { indent, comment } => {
             let (path, text) = str::from_utf8(comment).ok()?.strip_prefix(OWN)?.split_once(' ')?;
-            let Path::Known { name, index, spelling, misprint: false } = path::find(path) else { return None };
-            let plain = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_graphic());
+            let Path::Known { name, index, spelling: template, misprint: false } = path::find(path) else {
+                return None;
+            };
+            let is_plain = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_graphic());
             let at = indent.len() + OWN.len() + path.len() + 1;
-            let slot =
-                Slot { key: (name, index), spelling, misprint: false, text, range: at..at + text.len(), own: true };
-            (plain && is_own(name)).then_some(slot)
+            let slot = Slot { key: (name, index), template, text, range: at..at + text.len(), own: true };
+            (is_plain && is_own(name)).then_some(slot)
         }
         Content::Unreadable { .. } => None,
     }

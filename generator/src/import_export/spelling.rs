@@ -1,29 +1,21 @@
 //! The text of a value in a list, and the same value in TOML, spelled alike wherever both allow it.
 
-use crate::config::source::Source;
-use crate::config::value::of_text;
-use crate::config::{set, value};
+use crate::config::{of_text, of_toml};
 use crate::parameters::{Parameter, Value};
 use toml::de::DeValue;
 
 /// The value of a list as TOML: as it is spelled there if TOML reads that as the same value, else as the canonical form.
 pub(super) fn in_toml(parameter: &Parameter, text: &str, value: &Value) -> toml_edit::Value {
     let canonical = value.text();
-    let of = |text: &str| {
+    let forms = |text: &str| {
         let bare = Some(text).filter(|text| is_bare(text)).and_then(|text| text.parse().ok());
         let words = text.split_ascii_whitespace().collect();
         bare.into_iter().chain([toml_edit::Value::from(text), words])
     };
-    let mut same = of(text).chain(of(&canonical)).filter(|candidate| {
-        let line = format!("value = {candidate}\n");
-        let source = Source::of("", line.into_bytes());
-        let table = set::parse(&source);
-        table.is_ok_and(|table| {
-            let found = table.get_ref().get("value").map(|value| value.get_ref());
-            found.is_some_and(|found: &DeValue<'_>| value::of_toml(parameter, found).as_ref() == Ok(value))
-        })
-    });
-    same.next().unwrap_or_else(|| canonical.as_str().into())
+    let is_same = |form: &toml_edit::Value| {
+        DeValue::parse(&form.to_string()).is_ok_and(|form| of_toml(parameter, &form).as_ref() == Ok(value))
+    };
+    forms(text).chain(forms(&canonical)).find(is_same).unwrap_or_else(|| canonical.as_str().into())
 }
 
 /// The value that begins these bytes of a set, as a list has it: as it is spelled there if a list reads that as the same
@@ -46,8 +38,6 @@ pub(super) fn in_list(parameter: &Parameter, toml: &[u8], value: &Value) -> Stri
 /// Whether every reader of TOML takes the text for what it is without quotes: a number beyond 64 bits is none for some.
 fn is_bare(text: &str) -> bool {
     let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
-    let whole = unsigned.split(['.', 'e', 'E']).next().unwrap_or_default();
-    let is_whole =
-        whole.len() == unsigned.len() && !whole.is_empty() && whole.bytes().all(|byte| byte.is_ascii_digit());
+    let is_whole = !unsigned.is_empty() && unsigned.bytes().all(|byte| byte.is_ascii_digit());
     !is_whole || text.parse::<i64>().is_ok()
 }

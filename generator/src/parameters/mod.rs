@@ -8,25 +8,22 @@ pub use table::Name;
 pub(crate) use table::{FILTERS, STAGES, TABLE};
 pub(crate) use text::{path_with, real_text, time_text};
 
-/// One declaration of the table.
 #[derive(Debug)]
 pub struct Parameter {
-    /// the vendor's id; a key of our own has none
+    /// the vendor's; a key of our own has none
     pub id: Option<&'static str>,
     /// where it stands, with a letter for each index: `stage[i].filter[k].order`
     pub path: &'static str,
     /// older paths of the same parameter; an index that they lack is 0
     pub aliases: &'static [&'static str],
-    /// paths that are printed wrongly in a manual
+    /// printed wrongly in a manual
     pub misprints: &'static [&'static str],
     /// how many values each index has
-    pub indices: &'static [u32],
-    /// in which file it may stand
+    pub(crate) indices: &'static [u32],
     pub scope: Scope,
     pub(crate) kind: Kind,
     /// the vendor's data type, where the manuals print it: UNS16, SGN32, REAL64, BOOLEAN, STRING
     pub data_type: &'static str,
-    /// the unit of a number
     pub unit: &'static str,
     /// the value that holds when none is given, as a list would write it: one for all, or one for each value of the last
     /// index; it may lie outside the range, then the parameter must be given where it is used
@@ -36,12 +33,11 @@ pub struct Parameter {
     /// the range as the manual prints it, where that is not the range used here
     pub printed: &'static str,
     /// of a whole number: what each of its few values means, from 0 on
-    pub numbers: &'static [&'static str],
+    pub(crate) numbers: &'static [&'static str],
     /// the drive types for which the manual prints it
     pub drives: &'static str,
     /// whether it is validated where it is used only: a real machine's list has it for functions that are not generated
-    pub is_shared: bool,
-    /// what it means
+    pub(crate) is_shared: bool,
     pub meaning: &'static str,
 }
 
@@ -56,71 +52,58 @@ pub enum Scope {
     Set,
 }
 
-/// What a value looks like.
+/// `Words` are several different ones of a few, `Flags` the bits of a number, each with a word; the ends of a real range do not
+/// belong to it where it is `open`; a duration is in ns.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Kind {
     Word(&'static [Word]),
-    /// several different words of a few
     Words(&'static [Word]),
-    /// bits of a number, each with a word
     Flags(&'static [Word]),
-    Integer {
-        from: u32,
-        to: u32,
-    },
-    Real {
-        from: Bound,
-        to: Bound,
-    },
-    /// the shortest and the longest, in ns
-    Duration {
-        from: u64,
-        to: u64,
-    },
+    Integer { from: u32, to: u32 },
+    Real { from: f64, to: f64, open: [bool; 2] },
+    Duration { from: u64, to: u64 },
     Text,
 }
 
-/// An end of a range; it belongs to the range where it is closed.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Bound {
-    Open(f64),
-    Closed(f64),
-}
-
-/// A word of an enumeration.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Word {
     /// as we write it
     pub name: &'static str,
-    /// the number that stands for it
     pub number: Option<u32>,
     /// further spellings
     pub also: &'static [&'static str],
 }
 
-/// A value, as its parameter's kind demands.
+/// A word as we write it, a finite real number, a time in ns.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Value {
-    /// as we write it
     Word(&'static str),
     Words(Vec<&'static str>),
     Integer(i64),
-    /// a finite real number
     Real(f64),
-    /// a time, in ns
     Duration(u64),
     Text(String),
 }
 
 impl Name {
-    /// Its declaration.
-    #[must_use]
     pub fn parameter(self) -> &'static Parameter {
         &TABLE[self as usize]
     }
 }
 
+impl Word {
+    /// The name first.
+    pub(crate) fn spellings(&self) -> impl Iterator<Item = &'static str> {
+        std::iter::once(&self.name).chain(self.also).copied()
+    }
+}
+
 impl Parameter {
+    /// The path, then its aliases.
+    pub(crate) fn paths(&self) -> impl Iterator<Item = &'static str> {
+        std::iter::once(&self.path).chain(self.aliases).copied()
+    }
+
     /// The last part of the path: `order`.
     pub(crate) fn short(&self) -> &'static str {
         self.path.rsplit('.').next().unwrap_or(self.path)
@@ -136,16 +119,8 @@ impl Parameter {
     pub(crate) fn contains(&self, value: &Value) -> bool {
         match (&self.kind, value) {
             (Kind::Integer { from, to }, Value::Integer(n)) => (i64::from(*from)..=i64::from(*to)).contains(n),
-            (Kind::Real { from, to }, Value::Real(x)) => {
-                let above = match *from {
-                    Bound::Open(end) => *x > end,
-                    Bound::Closed(end) => *x >= end,
-                };
-                let below = match *to {
-                    Bound::Open(end) => *x < end,
-                    Bound::Closed(end) => *x <= end,
-                };
-                above && below
+            (Kind::Real { from, to, open: [above, below] }, Value::Real(x)) => {
+                (from..=to).contains(&x) && !(*above && x <= from) && !(*below && x >= to)
             }
             (Kind::Duration { from, to }, Value::Duration(ns)) => (from..=to).contains(&ns),
             _ => true,

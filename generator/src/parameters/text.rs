@@ -1,6 +1,6 @@
 //! How parameters, values and ranges are written in messages and in the canonical form; nothing is read here.
 
-use super::{Bound, Kind, Parameter, Value, Word};
+use super::{Kind, Parameter, Value, Word};
 
 /// A path template with these indices in place of its letters.
 pub(crate) fn path_with(template: &str, index: [u32; 2]) -> String {
@@ -50,7 +50,6 @@ impl Value {
 
 impl Parameter {
     /// What is allowed, for a message: `1 <= order <= 3`.
-    #[must_use]
     pub fn allowed(&self) -> String {
         let short = self.short();
         let unit = if self.unit.is_empty() { String::new() } else { format!(" [{}]", self.unit) };
@@ -63,16 +62,9 @@ impl Parameter {
                 self.numbers.iter().enumerate().map(of).collect::<Vec<_>>().join(", ")
             }
             Kind::Integer { from, to } => format!("{from} <= {short} <= {to}{unit}"),
-            Kind::Real { from, to } => {
-                let from = match from {
-                    Bound::Open(end) => format!("{} <", real_text(end)),
-                    Bound::Closed(end) => format!("{} <=", real_text(end)),
-                };
-                let to = match to {
-                    Bound::Open(end) => format!("< {}", real_text(end)),
-                    Bound::Closed(end) => format!("<= {}", real_text(end)),
-                };
-                format!("{from} {short} {to}{unit}")
+            Kind::Real { from, to, open } => {
+                let [above, below] = open.map(|is_open| if is_open { "<" } else { "<=" });
+                format!("{} {above} {short} {below} {}{unit}", real_text(from), real_text(to))
             }
             Kind::Duration { from, to } => format!("{} <= {short} <= {}", time_text(from), time_text(to)),
             Kind::Text => "a text".to_owned(),
@@ -81,10 +73,7 @@ impl Parameter {
 
     pub(crate) fn title(&self, template: &str, index: [u32; 2]) -> String {
         let path = path_with(template, index);
-        match self.id {
-            Some(id) => format!("`{path}` ({id})"),
-            None => format!("`{path}`"),
-        }
+        self.id.map_or_else(|| format!("`{path}`"), |id| format!("`{path}` ({id})"))
     }
 }
 

@@ -3,14 +3,11 @@
 
 use super::Word;
 
-/// An enumeration of the table.
 pub trait Words: Copy + Eq + 'static {
-    /// All words, in their order.
     const ALL: &'static [Self];
-    /// How each of them is written, in the same order.
+    /// In the order of `ALL`.
     const WORDS: &'static [Word];
 
-    /// How it is written.
     fn name(self) -> &'static str {
         let position = Self::ALL.iter().position(|word| *word == self);
         position.map_or("", |position| Self::WORDS[position].name)
@@ -25,57 +22,33 @@ pub trait Words: Copy + Eq + 'static {
 
 /// Declares enumerations: `Variant "WORD" = number | "another spelling"`.
 macro_rules! words {
-    ($($(#[$doc:meta])+ $name:ident { $(
-        $(#[$variant_doc:meta])* $variant:ident $word:literal $(= $number:literal)? $(| $also:literal)*
+    ($($(#[$doc:meta])* $name:ident { $(
+        $variant:ident $word:literal $(= $number:literal)? $(| $also:literal)*
     ),+ $(,)? })+) => {$(
-        $(#[$doc])+
+        $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        pub enum $name { $(
-            #[doc = concat!("`", $word, "`")]
-            $(#[$variant_doc])*
-            $variant
-        ),+ }
+        pub enum $name { $($variant),+ }
 
         impl Words for $name {
             const ALL: &'static [Self] = &[$(Self::$variant),+];
             const WORDS: &'static [Word] = &[$(
-                Word { name: $word, number: number!($($number)?), also: &[$($also),*] }
+                Word { name: $word, number: <[u32]>::first(&[$($number)?]).copied(), also: &[$($also),*] }
             ),+];
         }
     )+};
 }
 
-macro_rules! number {
-    () => {
-        None
-    };
-    ($number:literal) => {
-        Some($number)
-    };
-}
-
 words! {
-    /// A BOOLEAN.
     Boolean { False "FALSE" = 0, True "TRUE" = 1 }
-    /// Target languages.
     TargetName { C "c", St "st", TwinCat "twincat", Codesys "codesys", Scl "scl" }
-    /// What a character of imported lines stands for.
     ListEncoding { Utf8 "utf-8", Latin1 "latin-1" }
-    /// How imported lines end.
     LineEnd { Lf "LF", CrLf "CRLF" }
-    /// Real type of the blocks.
     RealType { F64 "f64" | "LREAL", F32 "f32" | "REAL" }
     /// Integer type of process data.
     Width { Int16 "INT16" | "INT", Int32 "INT32" | "DINT" }
     /// Process data that a drive may lack.
     ProcessDatum { None "NONE", Int16 "INT16" | "INT", Int32 "INT32" | "DINT" }
-    /// Kind of motor.
-    Motor {
-        /// torque and inertia
-        Rotary "rotary",
-        /// force and mass
-        Linear "linear",
-    }
+    Motor { Rotary "rotary", Linear "linear" }
     /// Whether the inferred formula of ADD_JERK is generated.
     AddJerk { Refused "refused", Experimental "experimental" }
     /// Axis type (P-AXIS-00018).
@@ -93,9 +66,8 @@ words! {
         Virtual "VIRTUAL" = 16 | "ANTR_TYP_VIRTUELL",
         CanBus "CAN_BUS" = 32 | "ANTR_TYP_CAN",
     }
-    /// Where the position is controlled (P-AXIS-00320).
+    /// Where the position is controlled (P-AXIS-00320); by default as the drive type says.
     OperationMode {
-        /// as the drive type says
         DriveDefault "DRIVE_DEFAULT",
         DrivePositionControl "DRIVE_POSITION_CONTROL",
         CncPositionControl "CNC_POSITION_CONTROL",
@@ -110,33 +82,15 @@ words! {
         AddAcc "ADD_ACC" = 0x202,
         AddJerk "ADD_JERK" = 0x804,
     }
-    /// Mode of improved position control at start (P-AXIS-00758). As a number it is the input `mode`.
-    Enable {
-        /// the block is off
-        Off "OFF" = 0 | "FALSE",
-        /// the block acts
-        On "ON" = 1 | "TRUE",
-        /// the block calculates and does not act
-        DryRun "DRYRUN",
-    }
+    /// Mode of improved position control at start (P-AXIS-00758); DRYRUN calculates and does not act. As a number it is the
+    /// input `mode`.
+    Enable { Off "OFF" = 0 | "FALSE", On "ON" = 1 | "TRUE", DryRun "DRYRUN" }
     /// Mode of a stage (P-AXIS-00753).
     StageMode { NotActive "NOT_ACTIVE" = 0, Direct "DIRECT" = 1, Indirect "INDIRECT" = 2, SetPoint "SET_POINT" = 3 }
-    /// Which measured velocity a DIRECT stage takes (key `direct_source`).
-    DirectSource {
-        /// the motor encoder (v_ist1)
-        Motor "v_motor",
-        /// the direct measuring system (v_ist2)
-        Direct "v_direct",
-    }
+    /// Whose velocity a DIRECT stage takes (key `direct_source`): motor encoder (v_ist1), direct measuring system (v_ist2).
+    DirectSource { Motor "v_motor", Direct "v_direct" }
     /// Type of a filter (P-AXIS-00849).
     FilterType { NoFilter "NO_FILTER", Bandpass "BANDPASS", Allpass "ALLPASS" }
-    /// Low-pass prototype of a band-pass (P-AXIS-00848).
-    Prototype {
-        /// all poles in one place
-        CritDamping "CRIT_DAMPING",
-        /// flattest amplitude
-        Butterworth "BUTTERWORTH",
-        /// flattest delay
-        Bessel "BESSEL",
-    }
+    /// Low-pass prototype of a band-pass (P-AXIS-00848): all poles in one place, flattest amplitude, flattest delay.
+    Prototype { CritDamping "CRIT_DAMPING", Butterworth "BUTTERWORTH", Bessel "BESSEL" }
 }

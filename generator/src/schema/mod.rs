@@ -4,17 +4,15 @@
 mod pattern;
 mod validated;
 
-use crate::parameters::{Bound, Kind, Name, Parameter, Scope, Word};
+use crate::parameters::{Kind, Name, Parameter, Scope, Word};
 use serde_json::{Map, Value, json};
 
 /// The schema, JSON Schema draft 2020-12, as text.
-#[must_use]
 pub fn text() -> String {
-    let mut axis = Node::of(|parameter| parameter.scope != Scope::Set).schema();
+    let mut axis = Node::tree(|parameter| parameter.scope != Scope::Set).schema();
     axis["allOf"] = validated::rules();
-    let mut set = Node::of(|parameter| parameter.scope == Scope::Set);
-    set.description = "A set of axes for axgen".to_owned();
-    let mut set = set.schema();
+    let mut set = Node::tree(|parameter| parameter.scope == Scope::Set).schema();
+    set["description"] = json!("A set of axes for axgen");
     set["$schema"] = json!("https://json-schema.org/draft/2020-12/schema");
     set["title"] = json!("axgen set");
     set["properties"]["axis"] = json!({
@@ -30,7 +28,6 @@ pub fn text() -> String {
 
 #[derive(Default)]
 struct Node {
-    description: String,
     leaf: Option<Value>,
     children: Vec<(String, Node)>,
     /// whether it may be given as an array of tables, and how many
@@ -40,12 +37,10 @@ struct Node {
 }
 
 impl Node {
-    fn of(chosen: impl Fn(&Parameter) -> bool) -> Self {
+    fn tree(chosen: impl Fn(&Parameter) -> bool) -> Self {
         let mut root = Self::default();
         for parameter in Name::ALL.map(Name::parameter).into_iter().filter(|parameter| chosen(parameter)) {
-            for path in [parameter.path].into_iter().chain(parameter.aliases.iter().copied()) {
-                root.enter(path, parameter);
-            }
+            parameter.paths().for_each(|path| root.enter(path, parameter));
         }
         root
     }
@@ -69,24 +64,17 @@ impl Node {
         node.single = false;
         // Where something else may decide whether a value is used, its range is only told.
         let is_always_validated = !parameter.is_shared && parameter.indices.is_empty();
-        node.leaf = Some(leaf(parameter, is_always_validated));
-        node.description = description(parameter);
+        let mut leaf = leaf(parameter, is_always_validated);
+        leaf["description"] = json!(description(parameter));
+        node.leaf = Some(leaf);
     }
 
     fn schema(&self) -> Value {
         if let Some(leaf) = &self.leaf {
-            let mut leaf = leaf.clone();
-            leaf["description"] = json!(self.description);
-            return leaf;
+            return leaf.clone();
         }
-        let mut properties = Map::new();
-        for (name, child) in &self.children {
-            properties.insert(name.clone(), child.schema());
-        }
-        let mut table = json!({ "type": "object", "properties": properties, "additionalProperties": false });
-        if !self.description.is_empty() {
-            table["description"] = json!(self.description);
-        }
+        let properties: Map<_, _> = self.children.iter().map(|(name, child)| (name.clone(), child.schema())).collect();
+        let table = json!({ "type": "object", "properties": properties, "additionalProperties": false });
         match self.items {
             Some(count) if self.single => {
                 json!({ "anyOf": [{ "type": "array", "items": table, "maxItems": count }, table] })
@@ -99,15 +87,12 @@ impl Node {
 
 fn description(parameter: &Parameter) -> String {
     let of_vendor = parameter.id.map_or_else(String::new, |id| {
-        let data_type = if parameter.data_type.is_empty() { "" } else { ", " };
-        format!(" ({id}{data_type}{})", parameter.data_type)
+        let comma = if parameter.data_type.is_empty() { "" } else { ", " };
+        format!(" ({id}{comma}{})", parameter.data_type)
     });
-    match parameter.kind {
-        Kind::Integer { .. } | Kind::Real { .. } => {
-            format!("{}{of_vendor}: {}", parameter.meaning, parameter.allowed())
-        }
-        _ => format!("{}{of_vendor}", parameter.meaning),
-    }
+    let is_number = matches!(parameter.kind, Kind::Integer { .. } | Kind::Real { .. });
+    let range = if is_number { format!(": {}", parameter.allowed()) } else { String::new() };
+    format!("{}{of_vendor}{range}", parameter.meaning)
 }
 
 /// What a value may be; without its range where it is not validated. A default outside of the range means that there is none.
@@ -122,15 +107,9 @@ fn leaf(parameter: &Parameter, is_validated: bool) -> Value {
         ] }),
         Kind::Integer { from, to } if is_validated => json!({ "type": "integer", "minimum": from, "maximum": to }),
         Kind::Integer { .. } => json!({ "type": "integer" }),
-        Kind::Real { from, to } if is_validated => {
-            let (low, from) = match from {
-                Bound::Open(end) => ("exclusiveMinimum", end),
-                Bound::Closed(end) => ("minimum", end),
-            };
-            let (high, to) = match to {
-                Bound::Open(end) => ("exclusiveMaximum", end),
-                Bound::Closed(end) => ("maximum", end),
-            };
+        Kind::Real { from, to, open: [above, below] } if is_validated => {
+            let low = if above { "exclusiveMinimum" } else { "minimum" };
+            let high = if below { "exclusiveMaximum" } else { "maximum" };
             json!({ "type": "number", low: from, high: to })
         }
         Kind::Real { .. } => json!({ "type": "number" }),
@@ -142,18 +121,18 @@ fn leaf(parameter: &Parameter, is_validated: bool) -> Value {
 /// One of the words: spelled so that an editor completes it, or in any case, or by its number.
 fn words<'w>(words: impl IntoIterator<Item = &'w Word>) -> Value {
     let words: Vec<&Word> = words.into_iter().collect();
-    let spellings = words.iter().flat_map(|word| std::iter::once(word.name).chain(word.also.iter().copied()));
+    let spellings: Vec<&str> = words.iter().flat_map(|word| word.spellings()).collect();
     let mut choices = vec![
-        json!({ "type": "string", "enum": spellings.collect::<Vec<_>>() }),
-        json!({ "type": "string", "pattern": pattern::of_words(words.iter().copied()) }),
+        json!({ "type": "string", "enum": spellings }),
+        json!({ "type": "string", "pattern": pattern::of_words(&words) }),
     ];
     let numbers: Vec<u32> = words.iter().filter_map(|word| word.number).collect();
     if !numbers.is_empty() {
         choices.push(json!({ "type": "integer", "enum": numbers }));
     }
-    let is = |wanted: &str| words.iter().any(|word| word.name == wanted || word.also.contains(&wanted));
-    let booleans: Vec<bool> =
-        [("FALSE", false), ("TRUE", true)].into_iter().filter(|(word, _)| is(word)).map(|(_, b)| b).collect();
+    let words_of = [("FALSE", false), ("TRUE", true)];
+    let booleans = words_of.iter().filter(|(word, _)| spellings.contains(word));
+    let booleans: Vec<bool> = booleans.map(|(_, boolean)| *boolean).collect();
     if !booleans.is_empty() {
         choices.push(json!({ "enum": booleans }));
     }

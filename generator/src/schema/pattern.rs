@@ -3,8 +3,8 @@
 use crate::parameters::Word;
 
 /// A word in any of its spellings and cases, or the number that stands for it.
-pub(super) fn of_words<'w>(words: impl IntoIterator<Item = &'w Word>) -> String {
-    format!("^(?:{})$", alternatives(words))
+pub(super) fn of_words(words: &[&Word]) -> String {
+    format!("^(?:{})$", alternatives(words.iter().copied()))
 }
 
 /// Several words, with blanks or `|` between, in any case; or the number that their bits make.
@@ -33,10 +33,8 @@ pub(super) fn of_duration(from: u64, to: u64) -> String {
         let fraction = if digits == 0 { r"(?:\.0*)?".to_owned() } else { format!(r"(?:\.[0-9]{{0,{digits}}}0*)?") };
         let whole = at_most(to / ns);
         // Without a digit before the point there is one behind it.
-        let below_one = (digits > 0).then(|| format!(r"\.[0-9]{{1,{digits}}}0*"));
-        let numbers =
-            [Some(format!("0*{whole}{fraction}")), below_one].into_iter().flatten().collect::<Vec<_>>().join("|");
-        format!(r"(?:{numbers})\s*(?:{unit})")
+        let below_one = if digits == 0 { String::new() } else { format!(r"|\.[0-9]{{1,{digits}}}0*") };
+        format!(r"(?:0*{whole}{fraction}{below_one})\s*(?:{unit})")
     };
     let units = [("s", 1_000_000_000, 9), ("ms", 1_000_000, 6), ("us|\u{b5}s|\u{3bc}s", 1000, 3), ("ns", 1, 0)];
     let times = units.map(of_unit).join("|");
@@ -44,11 +42,8 @@ pub(super) fn of_duration(from: u64, to: u64) -> String {
 }
 
 fn alternatives<'w>(words: impl IntoIterator<Item = &'w Word>) -> String {
-    let of = |word: &Word| {
-        let spellings = std::iter::once(&word.name).chain(word.also).map(|spelling| any_case(spelling));
-        spellings.chain(word.number.map(number)).collect::<Vec<_>>().join("|")
-    };
-    words.into_iter().map(of).collect::<Vec<_>>().join("|")
+    let alternatives = |word: &'w Word| word.spellings().map(any_case).chain(word.number.map(number));
+    words.into_iter().flat_map(alternatives).collect::<Vec<_>>().join("|")
 }
 
 fn any_case(text: &str) -> String {

@@ -15,6 +15,7 @@ mod list;
 mod phase;
 mod rules;
 mod set;
+mod spellings;
 mod values;
 mod wording;
 

@@ -1,7 +1,7 @@
 //! Bytes that neither a list nor TOML takes lightly.
 
 use generator::config::ListOptions;
-use generator::import_export::import_with;
+use generator::import_export;
 use std::path::Path;
 
 use super::{import, import_at, meaning, round_trip};
@@ -130,6 +130,6 @@ fn a_cycle_time_or_a_name_that_is_none() {
          write instead: \"1ms\", if milliseconds are meant\n"
     );
     let options = ListOptions { name: Some("1".to_owned()), ..ListOptions::default() };
-    let (_, report) = import_with(Path::new("x.lis"), &options, &|_| Ok(Vec::new()));
+    let (_, report) = import_export::import(Path::new("x.lis"), &options, &|_| Ok(Vec::new()));
     assert!(report.to_string().starts_with("--name: error[AX006]: `1` is no name for an axis\n"), "{report}");
 }

@@ -11,7 +11,7 @@ mod unread;
 
 use generator::config::{ListOptions, Unreadable};
 use generator::diagnostics::Report;
-use generator::import_export::{export_with, import_with};
+use generator::import_export;
 use generator::pipeline::read_with;
 use std::path::Path;
 
@@ -33,7 +33,7 @@ fn import(list: impl AsRef<[u8]>) -> (Option<String>, Report) {
 fn import_at(cycle_time: Option<&str>, list: impl AsRef<[u8]>) -> (Option<String>, Report) {
     let options = ListOptions { cycle_time: cycle_time.map(str::to_owned), name: Some("X".to_owned()) };
     let files: [File<'_>; 1] = [("x.lis", list.as_ref())];
-    let (set, report) = import_with(Path::new("x.lis"), &options, &|path| load(&files, path));
+    let (set, report) = import_export::import(Path::new("x.lis"), &options, &|path| load(&files, path));
     assert_eq!(set.is_none(), report.has_errors(), "{report}");
     (set, report)
 }
@@ -48,7 +48,7 @@ fn imported(list: impl AsRef<[u8]>) -> String {
 fn export_beside(set: &str, others: &[File<'_>]) -> (Option<Vec<u8>>, Report) {
     let mut files: Vec<File<'_>> = others.to_vec();
     files.push(("set.toml", set.as_bytes()));
-    let (list, report) = export_with(Path::new("set.toml"), None, &|path| load(&files, path));
+    let (list, report) = import_export::export(Path::new("set.toml"), None, &|path| load(&files, path));
     assert_eq!(list.is_none(), report.has_errors(), "{report}");
     (list, report)
 }
