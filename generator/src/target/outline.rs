@@ -2,14 +2,38 @@
 //! together. How a type, a number or a comment looks is the language's business.
 
 use super::Legal;
-use crate::render::{ConstantText, Group, Member};
-use compiler::print::comment;
-use compiler::print::{Appearance, Language, Printer};
-use compiler::program::{Expr, Origin, Program, Type, Var, Variable};
+use compiler::print::{Appearance, Language, Printer, comment};
+use compiler::program::{Expr, Local, Origin, Program, Type, Var, Variable};
 use std::fmt::Write;
 
 /// Characters in a line of a comment, without the marks around it.
 pub(super) const COMMENT_WIDTH: usize = 110;
+
+/// A variable that is declared.
+pub(super) struct Member {
+    pub(super) ty: &'static str,
+    pub(super) name: String,
+    /// its meaning
+    pub(super) doc: String,
+    /// its first value
+    pub(super) start: String,
+}
+
+/// Constants that belong together.
+pub(super) struct Group {
+    /// what they belong to; empty: said already
+    pub(super) note: String,
+    pub(super) constants: Vec<ConstantText>,
+}
+
+/// A named number.
+pub(super) struct ConstantText {
+    pub(super) ty: &'static str,
+    pub(super) name: String,
+    pub(super) value: String,
+    /// its meaning
+    pub(super) doc: String,
+}
 
 /// What is listed of a block, in a language.
 pub(super) struct Outline<'l> {
@@ -41,7 +65,6 @@ impl Outline<'_> {
         members
     }
 
-    /// The state.
     pub(super) fn state(&self) -> Vec<Member> {
         self.members(&self.block.program.state, &self.printer.names().state)
     }
@@ -49,13 +72,13 @@ impl Outline<'_> {
     /// The intermediate values; what they mean is said where they are computed.
     pub(super) fn locals(&self) -> Vec<Member> {
         let (program, names) = (&*self.block.program, &self.printer.names().locals);
-        let of = |(local, name): (&compiler::program::Local, &String)| Member {
+        let member = |(local, name): (&Local, &String)| Member {
             ty: self.ty(local.ty.expect("outline: the typing pass has typed every local")),
             name: name.clone(),
             doc: String::new(),
             start: String::new(),
         };
-        program.locals.iter().zip(names).map(of).collect()
+        program.locals.iter().zip(names).map(member).collect()
     }
 
     fn members(&self, variables: &[Variable], names: &[String]) -> Vec<Member> {
