@@ -16,7 +16,7 @@ extern "C" {
 /* Written by the caller. {{ block.prefix }}_inputs_init fills in what is said to be the start. */
 typedef struct {
 {%- for member in block.inputs %}
-    {{ member.ty }} {{ member.name }}; /* {{ member.doc }}; start {{ member.start }} */
+    {{ member.ty }} {{ member.name }}; /* {{ member.doc }}; start {{ member.value }} */
 {%- endfor %}
 } {{ block.prefix }}_inputs;
 

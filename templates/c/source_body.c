@@ -61,7 +61,7 @@ void {{ block.prefix }}_init({{ block.prefix }}_state *state)
 void {{ block.prefix }}_inputs_init({{ block.prefix }}_inputs *inputs)
 {
 {%- for member in block.inputs %}
-    inputs->{{ member.name }} = {{ member.start }};
+    inputs->{{ member.name }} = {{ member.value }};
 {%- endfor %}
 }
 

@@ -78,7 +78,7 @@ pub(super) fn files(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
         RealKind::F64 => (64, "", Literal::F64(portable::nearly_half())),
         RealKind::F32 => (32, "f", Literal::F32(portable::nearly_half())),
     };
-    let real = (LANGUAGE.ty)(Type::Real, axis.real);
+    let real = LANGUAGE.ty(Type::Real, axis.real);
     let uses = |wanted: &[Intrinsic]| blocks.iter().any(|block| asks_for(&block.program, wanted));
     let source_body = CSource {
         header: &header,
@@ -112,7 +112,7 @@ fn asks_for(program: &Program, wanted: &[Intrinsic]) -> bool {
 
 fn block_text<'a>(axis: &str, block: &'a Legal<'_>, constants: Vec<String>, names: Names) -> CBlock<'a> {
     let (program, self_test) = (&*block.program, &block.block.self_test);
-    let printer = &Printer::beside(program, &LANGUAGE, constants, names);
+    let printer = &Printer::beside(program, &LANGUAGE, names, Some(constants));
     let outline = Outline { block, language: &LANGUAGE, printer, next_line: "\n * " };
     let word = |bits: &u64| match program.real {
         RealKind::F64 => format!("UINT64_C(0x{bits:016x})"),

@@ -9,30 +9,20 @@ use std::fmt::Write;
 /// Characters in a line of a comment, without the marks around it.
 pub(super) const COMMENT_WIDTH: usize = 110;
 
-/// A variable that is declared.
+/// A variable with its first value, or a named number.
 pub(super) struct Member {
     pub(super) ty: &'static str,
     pub(super) name: String,
     /// its meaning
     pub(super) doc: String,
-    /// its first value
-    pub(super) start: String,
+    pub(super) value: String,
 }
 
 /// Constants that belong together.
 pub(super) struct Group {
     /// what they belong to; empty: said already
     pub(super) note: String,
-    pub(super) constants: Vec<ConstantText>,
-}
-
-/// A named number.
-pub(super) struct ConstantText {
-    pub(super) ty: &'static str,
-    pub(super) name: String,
-    pub(super) value: String,
-    /// its meaning
-    pub(super) doc: String,
+    pub(super) constants: Vec<Member>,
 }
 
 /// What is listed of a block, in a language.
@@ -60,7 +50,7 @@ impl Outline<'_> {
         let program = &*self.block.program;
         let mut members = self.members(&program.outputs, &self.printer.names().outputs);
         for (member, _) in members.iter_mut().zip(is_constant(program)).filter(|(_, is_constant)| *is_constant) {
-            let _ = write!(member.doc, "; always {} for this axis", member.start);
+            let _ = write!(member.doc, "; always {} for this axis", member.value);
         }
         members
     }
@@ -76,7 +66,7 @@ impl Outline<'_> {
             ty: self.ty(local.ty.expect("outline: the typing pass has typed every local")),
             name: name.clone(),
             doc: String::new(),
-            start: String::new(),
+            value: String::new(),
         };
         program.locals.iter().zip(names).map(member).collect()
     }
@@ -86,13 +76,13 @@ impl Outline<'_> {
             ty: self.ty(variable.ty),
             name: name.clone(),
             doc: comment::harmless(variable.doc).into_owned(),
-            start: (self.language.literal)(variable.start),
+            value: (self.language.literal)(variable.start),
         };
         variables.iter().zip(names).map(member).collect()
     }
 
     fn ty(&self, ty: Type) -> &'static str {
-        (self.language.ty)(ty, self.block.program.real)
+        self.language.ty(ty, self.block.program.real)
     }
 
     /// The constants that appear in this way, in their order, a new group where another note of the block begins.
@@ -114,8 +104,10 @@ impl Outline<'_> {
                 groups.push(Group { note, constants: Vec::new() });
             }
             if let (Some(group), true) = (groups.last_mut(), *appearance == wanted) {
-                group.constants.push(ConstantText {
-                    ty: self.ty(Type::of(constant.value).expect("outline: the passes leave what exists at run time")),
+                group.constants.push(Member {
+                    ty: self
+                        .ty(Type::of_literal(constant.value)
+                            .expect("outline: the passes leave what exists at run time")),
                     name: name.clone(),
                     value: match wanted {
                         Appearance::Assigned => (self.language.operand)(constant.value).0,

@@ -18,10 +18,9 @@ use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::digest::has_right_checksum;
 use crate::target::File;
 use beside::{remove, staged};
-use std::fmt;
-use std::fs;
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::{fmt, fs, iter};
 
 /// What was done.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -58,18 +57,18 @@ impl Refusal {
     /// What is said about it: a message for each file.
     #[must_use]
     pub fn report(&self) -> Report {
-        let of = |path: &Path, code, found: String| Diagnostic::error(code, Place::whole(path.display()), found);
+        let unwritable =
+            |path: &Path, found: String| Diagnostic::error(codes::UNWRITABLE, Place::whole(path.display()), found);
         let diagnostics = match self {
             Self::Edited(files) => files.iter().map(|(path, owner)| kept(path, *owner)).collect(),
-            Self::Failed(path, error) => vec![of(path, codes::UNWRITABLE, format!("{error}; nothing was written"))],
+            Self::Failed(path, error) => vec![unwritable(path, format!("{error}; nothing was written"))],
             Self::Torn(path, error, torn) => {
                 let found = format!("{error}; but for the files named below all are as they were before");
                 let not_put_back = |path: &PathBuf| {
-                    let found =
-                        format!("could not be put back; as it was before it is {}", beside::kept(path).display());
-                    of(path, codes::UNWRITABLE, found)
+                    let kept = beside::kept(path);
+                    unwritable(path, format!("could not be put back; as it was before it is {}", kept.display()))
                 };
-                [of(path, codes::UNWRITABLE, found)].into_iter().chain(torn.iter().map(not_put_back)).collect()
+                iter::once(unwritable(path, found)).chain(torn.iter().map(not_put_back)).collect()
             }
         };
         Report { diagnostics }
@@ -122,7 +121,7 @@ impl Drop for Staged {
 /// # Errors
 /// The folder does not take it.
 pub fn stage(folder: &Folder, file: &File) -> Result<Staged, Refusal> {
-    let path = folder::path_in(folder, &file.name)?;
+    let path = folder.path_of(&file.name)?;
     let text = file.text.as_bytes();
     let failed = |error| Refusal::Failed(path.clone(), error);
     let kind = kind(&path, text).map_err(failed)?;

@@ -35,7 +35,7 @@ fn in_list(
             }
             Statement::If { mut condition, then, otherwise } => {
                 let id = simplify(&mut condition, facts, conditions);
-                if let Condition::Known(holds) = conditions.get(id) {
+                if let Condition::Known(holds) = conditions.all[id] {
                     kept.extend(in_list(if holds { then } else { otherwise }, facts, conditions, program));
                     continue;
                 }

@@ -12,7 +12,7 @@ use std::sync::LazyLock;
 pub static LANGUAGE: Language = Language {
     is_reserved: |name| RESERVED.contains(name),
     kept: &[],
-    ty: type_name,
+    types: ["bool", "int32_t", "uint32_t", "double", "float"],
     literal,
     operand: |value| (literal(value), if is_negative(value) { Level::Sign } else { Level::Primary }),
     symbols: ["+", "-", "*", "/", "<", "<=", ">", ">=", "==", "!=", "&&", "||"],
@@ -43,17 +43,6 @@ static RESERVED: LazyLock<HashSet<&'static str>> = LazyLock::new(|| {
     .split_ascii_whitespace()
     .collect()
 });
-
-/// The C name of a type.
-fn type_name(ty: Type, real: RealKind) -> &'static str {
-    match (ty, real) {
-        (Type::Bool, _) => "bool",
-        (Type::I32, _) => "int32_t",
-        (Type::U32, _) => "uint32_t",
-        (Type::Real, RealKind::F64) => "double",
-        (Type::Real, RealKind::F32) => "float",
-    }
-}
 
 fn literal(value: Literal) -> String {
     match value {

@@ -6,7 +6,7 @@ pub mod comment;
 mod expression;
 mod language;
 mod names;
-pub mod number;
+mod number;
 mod scope;
 pub mod st;
 
@@ -69,16 +69,12 @@ impl<'p> Printer<'p> {
     /// A program that has a scope for itself; the names of the interface are taken first.
     #[must_use]
     pub fn new(program: &'p Program, language: &'p Language) -> Self {
-        Self::named(program, language, Names::new(language), None)
+        Self::beside(program, language, Names::new(language), None)
     }
 
-    /// A program whose constants have their names, in a scope with those of others: its locals have none of them.
+    /// A program in a scope in which some names are taken: its locals have none of them. `known`: those of its constants.
     #[must_use]
-    pub fn beside(program: &'p Program, language: &'p Language, constants: Vec<String>, names: Names) -> Self {
-        Self::named(program, language, names, Some(constants))
-    }
-
-    fn named(program: &'p Program, language: &'p Language, mut names: Names, known: Option<Vec<String>>) -> Self {
+    pub fn beside(program: &'p Program, language: &'p Language, mut names: Names, known: Option<Vec<String>>) -> Self {
         let names = Scope {
             inputs: members(&program.inputs, language, &mut names),
             outputs: members(&program.outputs, language, &mut names),
@@ -153,7 +149,7 @@ impl<'d> Layout<'d> {
             let declared_as = |local: usize| {
                 let program = self.printer.program;
                 let ty = program.locals[local].ty.expect("print: the typing pass has typed every local");
-                format!("{} {}", (self.printer.language.ty)(ty, program.real), self.printer.names.locals[local])
+                format!("{} {}", self.printer.language.ty(ty, program.real), self.printer.names.locals[local])
             };
             doc = doc.append(self.arena.hardline());
             if let Statement::Assign { target: Var::Local(local), value } = statement

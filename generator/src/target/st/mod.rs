@@ -11,7 +11,7 @@ pub(super) mod twincat;
 use super::outline::{COMMENT_WIDTH, Group, Member, Outline};
 use super::{Header, Legal, Unit, block_name};
 use askama::Template;
-use compiler::print::{Appearance, Language, Printer, comment, st::type_name};
+use compiler::print::{Appearance, Language, Printer, comment, st::PLAIN};
 use compiler::program::Type;
 use portable::RealKind;
 
@@ -79,7 +79,7 @@ fn listings(axis: &Header, blocks: &[Legal<'_>], prefix: &str, dialect: &'static
 fn origin<'a>(axis: &'a Header, file: &'a str, blocks: &[Legal<'_>]) -> Origin<'a> {
     let certificates: Vec<&String> = blocks.iter().flat_map(|block| &block.block.certificate).collect();
     let certificate = comment::wrapped(&certificates, COMMENT_WIDTH, "\n   ");
-    Origin { file, axis, real: type_name(Type::Real, axis.real), certificate }
+    Origin { file, axis, real: PLAIN.ty(Type::Real, axis.real), certificate }
 }
 
 /// The real types that a set uses.

@@ -16,7 +16,7 @@ use std::sync::LazyLock;
 pub static PLAIN: Language = Language {
     is_reserved: |name| RESERVED.contains(&*name.to_ascii_lowercase()),
     kept: &["Enable", "Valid", "Busy", "Error", "ErrorID"],
-    ty: type_name,
+    types: ["BOOL", "DINT", "UDINT", "LREAL", "REAL"],
     literal,
     operand: literal::operand,
     symbols: ["+", "-", "*", "/", "<", "<=", ">", ">=", "=", "<>", "AND", "OR"],
@@ -61,18 +61,6 @@ static RESERVED: LazyLock<HashSet<&'static str>> = LazyLock::new(|| {
     .collect()
 });
 
-/// The name of a type.
-#[must_use]
-pub fn type_name(ty: Type, real: RealKind) -> &'static str {
-    match (ty, real) {
-        (Type::Bool, _) => "BOOL",
-        (Type::I32, _) => "DINT",
-        (Type::U32, _) => "UDINT",
-        (Type::Real, RealKind::F64) => "LREAL",
-        (Type::Real, RealKind::F32) => "REAL",
-    }
-}
-
 /// The function that looks at a sample's exponent bits.
 #[must_use]
 pub fn in_range(real: RealKind) -> &'static str {
@@ -104,14 +92,10 @@ fn form(operation: &Expr, _: Type, real: RealKind) -> Option<Form> {
 }
 
 fn form_of_codesys(operation: &Expr, ty: Type, real: RealKind) -> Option<Form> {
-    let text = match (operation, real) {
-        (Expr::Intrinsic(Intrinsic::InRange, _), RealKind::F64) => {
-            "F_axgen_in_range_LREAL(value := {0}, largest := {1})"
-        }
-        (Expr::Intrinsic(Intrinsic::InRange, _), RealKind::F32) => {
-            "F_axgen_in_range_REAL(value := {0}, largest := {1})"
-        }
-        _ => return form(operation, ty, real),
+    let Expr::Intrinsic(Intrinsic::InRange, _) = operation else { return form(operation, ty, real) };
+    let text = match real {
+        RealKind::F64 => "F_axgen_in_range_LREAL(value := {0}, largest := {1})",
+        RealKind::F32 => "F_axgen_in_range_REAL(value := {0}, largest := {1})",
     };
     Some(Form { level: Level::And, text, least: [Level::Any; 2] })
 }
@@ -122,8 +106,8 @@ fn declared(program: &Program) -> Vec<Appearance> {
 
 /// Digits in an expression are LREAL in every implementation: they must not stand beside a REAL.
 fn among_statements(program: &Program) -> Vec<Appearance> {
-    let of = |value| if matches!(value, Literal::F32(_)) { Appearance::Assigned } else { Appearance::Inline };
-    let mut appearances: Vec<Appearance> = program.constants.iter().map(|constant| of(constant.value)).collect();
+    let usual = |value| if matches!(value, Literal::F32(_)) { Appearance::Assigned } else { Appearance::Inline };
+    let mut appearances: Vec<Appearance> = program.constants.iter().map(|constant| usual(constant.value)).collect();
     let mut look = |expr: &Expr| expr.parts(&mut |part| assign_alone(part, program, &mut appearances));
     program.step.iter().for_each(|statement| statement.expressions(&mut look));
     appearances

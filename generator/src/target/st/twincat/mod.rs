@@ -10,7 +10,7 @@ pub(crate) use project::shared;
 use super::{Origin, StBlock, TcInRange, listings, origin};
 use crate::target::{self, File, Header, Legal};
 use askama::Template;
-use compiler::print::st::{self, CODESYS, type_name};
+use compiler::print::st::{self, CODESYS};
 use compiler::program::Type;
 use portable::RealKind;
 use std::slice::from_ref;
@@ -75,7 +75,7 @@ pub(super) fn in_range(real: RealKind) -> TcInRange<'static> {
         RealKind::F64 => "16#7FF0000000000000",
         RealKind::F32 => "16#7F800000",
     };
-    TcInRange { id: guid("POU", name), name, real: type_name(Type::Real, real), word: word_name(real), exponent }
+    TcInRange { id: guid("POU", name), name, real: CODESYS.ty(Type::Real, real), word: word_name(real), exponent }
 }
 
 /// The GUID of an object of some kind, in braces: version 5 of `KIND NAME`, so that the same object has the same in every run.

@@ -4,7 +4,7 @@ use super::{DUTS, FOLDER, POUS, TESTS, block_name, guid, in_range, rendered, sui
 use crate::target::st::real_types;
 use crate::target::{self, File, Unit};
 use askama::Template;
-use compiler::print::st::type_name;
+use compiler::print::st::CODESYS;
 use compiler::program::Type;
 use portable::RealKind;
 
@@ -78,7 +78,7 @@ pub(crate) fn shared(units: &[Unit<'_>]) -> Vec<File> {
 }
 
 fn bits(real: RealKind) -> File {
-    let (real, word) = (type_name(Type::Real, real), word_name(real));
+    let (real, word) = (CODESYS.ty(Type::Real, real), word_name(real));
     let name = format!("U_axgen_{real}");
     rendered(TESTS, &format!("{name}.TcDUT"), &TcUnion { id: guid("DUT", &name), real, word })
 }

@@ -6,9 +6,9 @@ use crate::target::st::{Origin, origin};
 use crate::target::{File, Header, Legal};
 use askama::Template;
 use compiler::print::signals;
-use compiler::print::st::{CODESYS, literal, type_name};
+use compiler::print::st::{CODESYS, literal};
 use compiler::program::{Type, Variable};
-use portable::{Literal, RealKind};
+use portable::Literal;
 
 /// The suite that runs a block with its vector.
 #[derive(Template)]
@@ -40,7 +40,7 @@ struct TcVector<'a> {
 /// A signal of a recorded run.
 struct Track {
     name: String,
-    /// the type of its values
+    /// the type of its values: reals as their bits
     ty: &'static str,
     /// whether the values are the bits of reals
     is_bits: bool,
@@ -54,7 +54,7 @@ pub(crate) fn files(axis: &Header, block: &Legal<'_>, name: &str) -> [File; 2] {
     let [input_names, output_names] = signals(program, &CODESYS);
     let track = |index: usize, variable: &Variable, names: &[String], samples: &[Vec<Literal>]| Track {
         name: names[index].clone(),
-        ty: stored_as(variable.ty, axis.real),
+        ty: if variable.ty == Type::Real { word_name(axis.real) } else { CODESYS.ty(variable.ty, axis.real) },
         is_bits: variable.ty == Type::Real,
         values: values(&samples.iter().map(|sample| sample[index]).collect::<Vec<_>>()),
     };
@@ -70,7 +70,7 @@ pub(crate) fn files(axis: &Header, block: &Legal<'_>, name: &str) -> [File; 2] {
         block: name,
         vector: &list,
         samples: vector.inputs.len(),
-        real: type_name(Type::Real, axis.real),
+        real: CODESYS.ty(Type::Real, axis.real),
         inputs: inputs.map(|(index, (variable, _))| track(index, variable, &input_names, &vector.inputs)).collect(),
         outputs: outputs.map(|(index, variable)| track(index, variable, &output_names, &vector.outputs)).collect(),
     };
@@ -86,11 +86,6 @@ pub(crate) fn suite_name(block: &str) -> String {
 /// The name of the list with the vector of a function block.
 pub(crate) fn vector_name(block: &str) -> String {
     format!("GVL_{}_vector", &block[PREFIX.len()..])
-}
-
-/// The type that the values of a signal have in a vector: reals as their bits.
-fn stored_as(ty: Type, real: RealKind) -> &'static str {
-    if ty == Type::Real { word_name(real) } else { type_name(ty, real) }
 }
 
 /// The values of a track, a run of equal ones as `count(value)`, in lines. Reals are their bits.
