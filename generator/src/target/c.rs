@@ -92,8 +92,8 @@ pub(super) fn files(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
     };
     let header_body = CHeader { guard: format!("{}_H", stem.to_ascii_uppercase()), blocks: &texts };
     vec![
-        rendered(header.clone(), "", &CFile { file: &header, axis, real, body: header_body }),
-        rendered(source.clone(), "", &CFile { file: &source, axis, real, body: source_body }),
+        rendered(&header, "", &CFile { file: &header, axis, real, body: header_body }),
+        rendered(&source, "", &CFile { file: &source, axis, real, body: source_body }),
     ]
 }
 

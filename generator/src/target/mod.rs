@@ -33,15 +33,10 @@ pub struct Target {
 
 pub const TARGETS: [Target; 5] = [
     Target { name: "c", passes: &[], files: c::files, shared: |_| Vec::new() },
-    Target { name: "st", passes: legalise::WITH_DIGITS, files: st::plain::files, shared: |_| Vec::new() },
+    Target { name: "st", passes: legalise::WITH_DIGITS, files: st::plain, shared: |_| Vec::new() },
     Target { name: "twincat", passes: legalise::WITH_ENABLE, files: st::twincat::files, shared: st::twincat::shared },
-    Target {
-        name: "codesys",
-        passes: legalise::STRUCTURED_TEXT,
-        files: st::codesys::files,
-        shared: st::codesys::shared,
-    },
-    Target { name: "scl", passes: legalise::STRUCTURED_TEXT, files: st::scl::files, shared: |_| Vec::new() },
+    Target { name: "codesys", passes: legalise::WITH_NAMES, files: st::codesys::files, shared: st::codesys::shared },
+    Target { name: "scl", passes: legalise::WITH_NAMES, files: st::scl, shared: |_| Vec::new() },
 ];
 
 /// The targets of a set that names none.
@@ -112,7 +107,7 @@ pub fn block_name(axis: &str, block: &str) -> String {
 }
 
 /// A file from its template, behind a mark that some readers want at the very beginning.
-fn rendered(name: String, mark: &str, template: &impl Template) -> File {
+fn rendered(name: &str, mark: &str, template: &impl Template) -> File {
     let text = template.render().expect("target: no input can keep a template from being filled");
-    File { name, text: with_checksum(format!("{mark}{text}\n")) }
+    File { name: name.to_owned(), text: with_checksum(format!("{mark}{text}\n")) }
 }

@@ -13,7 +13,6 @@ pub(super) const COMMENT_WIDTH: usize = 110;
 pub(super) struct Member {
     pub(super) ty: &'static str,
     pub(super) name: String,
-    /// its meaning
     pub(super) doc: String,
     pub(super) value: String,
 }

@@ -95,22 +95,13 @@ impl fmt::Display for Refusal {
 pub struct Staged {
     /// where it goes
     pub path: PathBuf,
-    kind: Kind,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    /// nothing: it is there, to the byte
-    Unchanged,
-    /// none is there
-    New,
-    /// an older one is there
-    Replaces(Owner),
+    /// whose file is there, ours if none is; `None`: it is there already, to the byte, and nothing is to be done
+    replaces: Option<Owner>,
 }
 
 impl Drop for Staged {
     fn drop(&mut self) {
-        if self.kind != Kind::Unchanged {
+        if self.replaces.is_some() {
             remove(&staged(&self.path)); // not there any more, if it was renamed
         }
     }
@@ -124,13 +115,13 @@ pub fn stage(folder: &Folder, file: &File) -> Result<Staged, Refusal> {
     let path = folder.path_of(&file.name)?;
     let text = file.text.as_bytes();
     let failed = |error| Refusal::Failed(path.clone(), error);
-    let kind = kind(&path, text).map_err(failed)?;
-    if kind == Kind::Unchanged {
-        return Ok(Staged { path, kind });
+    let replaces = replaced(&path, text).map_err(failed)?;
+    if replaces.is_none() {
+        return Ok(Staged { path, replaces });
     }
     // What is there already is somebody else's: it is neither followed nor written, and stays.
     let mut new = fs::OpenOptions::new().write(true).create_new(true).open(staged(&path)).map_err(failed)?;
-    let on_its_way = Staged { path: path.clone(), kind };
+    let on_its_way = Staged { path: path.clone(), replaces };
     new.write_all(text).map_err(failed)?;
     Ok(on_its_way)
 }
@@ -142,16 +133,13 @@ pub fn stage(folder: &Folder, file: &File) -> Result<Staged, Refusal> {
 /// Why nothing was written; the folder's files are as they were before.
 pub fn commit(folder: Folder, results: Vec<Result<Staged, Refusal>>, force: bool) -> Result<Written, Refusal> {
     let mut files = results.into_iter().collect::<Result<Vec<Staged>, Refusal>>()?;
-    let edited = files.iter().filter_map(|file| match file.kind {
-        Kind::Replaces(owner) if owner != Owner::Generated && !force => Some((file.path.clone(), owner)),
-        _ => None,
-    });
-    let edited: Vec<_> = edited.collect();
-    if !edited.is_empty() {
+    let foreign = |file: &Staged| Some((file.path.clone(), file.replaces.filter(|owner| *owner != Owner::Generated)?));
+    let edited: Vec<_> = files.iter().filter_map(foreign).collect();
+    if !edited.is_empty() && !force {
         return Err(Refusal::Edited(edited));
     }
     let all = files.len();
-    files.retain(|file| file.kind != Kind::Unchanged);
+    files.retain(|file| file.replaces.is_some());
     replace::all(&files)?;
     let written = Written { changed: files.len(), unchanged: all - files.len() };
     drop(files);
@@ -172,16 +160,16 @@ pub fn owner(content: &[u8]) -> Owner {
     }
 }
 
-/// What has to be done where a file goes. Through a link nothing is written, and nothing but a file is read.
-fn kind(path: &Path, text: &[u8]) -> io::Result<Kind> {
+/// Whose file a text is to replace. Through a link nothing is written, and nothing but a file is read.
+fn replaced(path: &Path, text: &[u8]) -> io::Result<Option<Owner>> {
     let found = match fs::symlink_metadata(path) {
-        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Kind::New),
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Some(Owner::Generated)),
         found => found?.file_type(),
     };
     if found.is_symlink() {
         let is_file = fs::metadata(path).is_ok_and(|metadata| metadata.is_file());
         return if is_file && fs::read(path)? == text {
-            Ok(Kind::Unchanged)
+            Ok(None)
         } else {
             Err(io::Error::other("is a symbolic link, through which nothing is written"))
         };
@@ -193,5 +181,5 @@ fn kind(path: &Path, text: &[u8]) -> io::Result<Kind> {
         return Err(io::Error::other("is no regular file"));
     }
     let old = fs::read(path)?;
-    Ok(if old == text { Kind::Unchanged } else { Kind::Replaces(owner(&old)) })
+    Ok((old != text).then(|| owner(&old)))
 }

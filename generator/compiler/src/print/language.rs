@@ -58,7 +58,6 @@ pub struct Language {
 }
 
 impl Language {
-    /// The name of a type.
     #[must_use]
     pub fn ty(&self, ty: Type, real: RealKind) -> &'static str {
         self.types[match (ty, real) {
@@ -73,7 +72,6 @@ impl Language {
 
 /// How an operation is written.
 pub(super) struct Form {
-    /// how tightly it binds
     pub level: Level,
     /// its text: `{0}` and `{1}` are its operands, a line break is a blank or, in a line that is too long, a new line
     pub text: &'static str,

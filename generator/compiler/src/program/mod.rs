@@ -90,7 +90,6 @@ pub struct Local {
     pub ty: Option<Type>,
 }
 
-/// The type of a scalar.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Type {
     Bool,
@@ -115,7 +114,6 @@ impl Type {
         }
     }
 
-    /// The type of an intrinsic's value.
     pub(crate) fn of_intrinsic(intrinsic: Intrinsic) -> Self {
         match intrinsic {
             Intrinsic::InRange | Intrinsic::Within => Self::Bool,
@@ -164,8 +162,7 @@ pub enum Expr {
 
 impl Program {
     /// The type of a variable; `None`: of a local that the typing pass has not met.
-    #[must_use]
-    pub fn ty(&self, var: Var) -> Option<Type> {
+    pub(crate) fn ty(&self, var: Var) -> Option<Type> {
         match var {
             Var::Input(index) => Some(self.inputs[index].ty),
             Var::Output(index) => Some(self.outputs[index].ty),

@@ -27,11 +27,11 @@ pub(crate) fn files(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
     let name = &stem(&axis.name);
     let file = format!("{name}.xml");
     let text = CodesysFile { origin: origin(axis, &file, blocks), name, blocks: listings(axis, blocks, "", &CODESYS) };
-    vec![rendered(file.clone(), "", &text)]
+    vec![rendered(&file, "", &text)]
 }
 
 pub(crate) fn shared(units: &[Unit<'_>]) -> Vec<File> {
     let name = "axgen_shared";
     let text = CodesysInRange { name, functions: real_types(units).map(in_range).collect() };
-    vec![rendered(format!("{name}.xml"), "", &text)]
+    vec![rendered(&format!("{name}.xml"), "", &text)]
 }

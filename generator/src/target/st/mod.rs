@@ -1,17 +1,16 @@
-//! The files of Structured Text, dialect by dialect, and what they have in common: the comment at the top, and a block as a
-//! dialect lists it.
+//! The files of Structured Text: what they have in common, the comment at the top and a block as a dialect lists it; and the
+//! targets `st` and `scl`, whose files have nothing else.
 //!
 //! Whatever implementations disagree on is not printed: see `docs/structured-text.md`.
 
 pub(super) mod codesys;
-pub(super) mod plain;
-pub(super) mod scl;
 pub(super) mod twincat;
 
 use super::outline::{COMMENT_WIDTH, Group, Member, Outline};
-use super::{Header, Legal, Unit, block_name};
+use super::{File, Header, Legal, Unit, block_name, rendered, stem};
 use askama::Template;
-use compiler::print::{Appearance, Language, Printer, comment, st::PLAIN};
+use compiler::print::st::{PLAIN, SCL};
+use compiler::print::{Appearance, Language, Printer, comment};
 use compiler::program::Type;
 use portable::RealKind;
 
@@ -42,6 +41,20 @@ struct StBlock {
     body: String,
 }
 
+#[derive(Template)]
+#[template(path = "st/file.st")]
+struct PlainFile<'a> {
+    origin: Origin<'a>,
+    blocks: Vec<StBlock>,
+}
+
+#[derive(Template)]
+#[template(path = "scl/file.scl")]
+struct SclFile<'a> {
+    origin: Origin<'a>,
+    blocks: Vec<StBlock>,
+}
+
 /// The function that looks at a sample's exponent bits before it compares it: TwinCAT's file, of which CODESYS takes the parts.
 #[derive(Template)]
 #[template(path = "twincat/in_range.TcPOU")]
@@ -53,6 +66,20 @@ struct TcInRange<'a> {
     word: &'a str,
     /// the exponent's bits
     exponent: &'a str,
+}
+
+/// The file of an axis for any compiler of the standard's second edition.
+pub(super) fn plain(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
+    let name = format!("{}.st", stem(&axis.name));
+    let file = PlainFile { origin: origin(axis, &name, blocks), blocks: listings(axis, blocks, "", &PLAIN) };
+    vec![rendered(&name, "", &file)]
+}
+
+/// The file of an axis for Siemens S7-1200 and S7-1500: an external source.
+pub(super) fn scl(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
+    let name = format!("{}.scl", stem(&axis.name));
+    let file = SclFile { origin: origin(axis, &name, blocks), blocks: listings(axis, blocks, "FB_", &SCL) };
+    vec![rendered(&name, "", &file)]
 }
 
 /// The blocks of an axis; a dialect puts a prefix before their names.

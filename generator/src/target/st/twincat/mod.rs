@@ -1,18 +1,18 @@
 //! The target `twincat`: function blocks, what they share, and TcUnit suites, in the folders of a TwinCAT 3 PLC project.
 
-mod cdata;
 mod project;
 mod suite;
 
-pub(crate) use cdata::Cdata;
 pub(crate) use project::shared;
 
 use super::{Origin, StBlock, TcInRange, listings, origin};
 use crate::target::{self, File, Header, Legal};
 use askama::Template;
+use askama::filters::Escaper;
 use compiler::print::st::{self, CODESYS};
 use compiler::program::Type;
 use portable::RealKind;
+use std::fmt::Write;
 use std::slice::from_ref;
 use uuid::{Uuid, uuid};
 
@@ -84,17 +84,24 @@ fn guid(kind: &str, name: &str) -> String {
 }
 
 fn rendered(folder: &str, file: &str, template: &impl Template) -> File {
-    target::rendered(format!("{FOLDER}/{folder}/{file}"), BYTE_ORDER_MARK, template)
+    target::rendered(&format!("{FOLDER}/{folder}/{file}"), BYTE_ORDER_MARK, template)
+}
+
+/// The escaper of TwinCAT's files: in a CDATA section only the mark that ends it has to be taken apart.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Cdata;
+
+impl Escaper for Cdata {
+    fn write_escaped_str<W: Write>(&self, mut to: W, text: &str) -> std::fmt::Result {
+        let mut pieces = text.split("]]>");
+        to.write_str(pieces.next().unwrap_or_default())?;
+        pieces.try_for_each(|piece| {
+            to.write_str("]]]]><![CDATA[>")?;
+            to.write_str(piece)
+        })
+    }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Figures of Python's module `uuid`: `uuid5(NAMESPACE_URL, "axgen")`, and `uuid5` of that.
-    #[test]
-    fn others_derive_the_same() {
-        assert_eq!(Uuid::new_v5(&Uuid::NAMESPACE_URL, b"axgen"), NAMESPACE);
-        assert_eq!(guid("POU", "PRG_axgen_tests"), "{ebd13820-5460-597f-88e6-b9a2a6e8e69d}");
-    }
-}
+#[path = "../../../../unit/twincat.rs"]
+mod tests;

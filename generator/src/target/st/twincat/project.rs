@@ -73,7 +73,7 @@ pub(crate) fn shared(units: &[Unit<'_>]) -> Vec<File> {
         having.map(|unit| block_name(unit.axis, block)).min().unwrap_or_default()
     };
     let guide = TcGuide { damping: &first("ipc"), axis: &first("axis") };
-    files.extend([project, target::rendered(format!("{FOLDER}/IMPORT.md"), "", &guide)]);
+    files.extend([project, target::rendered(&format!("{FOLDER}/IMPORT.md"), "", &guide)]);
     files
 }
 
@@ -93,5 +93,5 @@ fn project(shared: &[File], blocks: &[String]) -> File {
     let mut entries: Vec<String> = shared.chain(blocks.iter().flat_map(of_block)).collect();
     entries.sort();
     let (tests, objects) = entries.into_iter().partition(|entry| entry.starts_with(TESTS));
-    target::rendered(format!("{FOLDER}/axgen.plcproj"), "", &TcProject { objects, tests })
+    target::rendered(&format!("{FOLDER}/axgen.plcproj"), "", &TcProject { objects, tests })
 }
