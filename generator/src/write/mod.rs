@@ -20,7 +20,7 @@ use crate::target::File;
 use beside::{remove, staged};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
-use std::{fmt, fs, iter};
+use std::{fs, iter};
 
 /// What was done.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -82,12 +82,6 @@ fn kept(path: &Path, owner: Owner) -> Diagnostic {
     };
     Diagnostic::error(code, Place::whole(path.display()), format!("{found}; nothing was written"))
         .instead("the change in what the file is made from; or overwrite it with --force")
-}
-
-impl fmt::Display for Refusal {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.report().to_string().trim_end())
-    }
 }
 
 /// A file on its way into a folder. What was staged is gone when this is, whatever happens in between.

@@ -36,25 +36,17 @@ pub(super) struct Comparison {
     pub full: (i64, i64),
 }
 
-/// All conditions of a program.
+/// All conditions of a program that were looked at.
+#[derive(Default)]
 pub(super) struct Conditions<'p> {
-    constants: &'p [Constant],
+    pub constants: &'p [Constant],
     pub all: Vec<Condition>,
     pub questions: Vec<Question>,
     /// what the questions read
-    asked: Vec<Var>,
+    pub asked: Vec<Var>,
 }
 
-impl<'p> Conditions<'p> {
-    pub(super) fn none(constants: &'p [Constant]) -> Self {
-        Self { constants, all: Vec::new(), questions: Vec::new(), asked: Vec::new() }
-    }
-
-    /// Whether a question reads the variable.
-    pub(super) fn asks(&self, var: Var) -> bool {
-        self.asked.contains(&var)
-    }
-
+impl Conditions<'_> {
     /// The number of an expression of type BOOL.
     pub(super) fn number(&mut self, expr: &Expr) -> Id {
         match expr {
@@ -67,23 +59,21 @@ impl<'p> Conditions<'p> {
                 let (left, right) = (self.number(left), self.number(right));
                 self.add(Condition::Both(*operator == Binary::And, left, right))
             }
-            question => match self.questions.iter().find(|known| known.expr == *question) {
-                Some(known) => known.id,
-                None => self.ask(question),
-            },
-        }
-    }
-
-    fn ask(&mut self, question: &Expr) -> Id {
-        let (id, comparison) = (self.all.len(), self.comparison(question));
-        self.all.push(Condition::Question(self.questions.len()));
-        self.questions.push(Question { expr: question.clone(), comparison, id });
-        question.variables(&mut |var| {
-            if !self.asked.contains(&var) {
-                self.asked.push(var);
+            question => {
+                if let Some(known) = self.questions.iter().find(|known| known.expr == *question) {
+                    return known.id;
+                }
+                let (id, comparison) = (self.all.len(), self.comparison(question));
+                self.all.push(Condition::Question(self.questions.len()));
+                self.questions.push(Question { expr: question.clone(), comparison, id });
+                question.variables(&mut |var| {
+                    if !self.asked.contains(&var) {
+                        self.asked.push(var);
+                    }
+                });
+                id
             }
-        });
-        id
+        }
     }
 
     /// The number of a condition; one with a known operand has become simpler.

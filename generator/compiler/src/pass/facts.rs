@@ -90,7 +90,7 @@ impl Facts {
             Expr::Var(var) if self.range(*var).is_some() => self.range(*var),
             value => conditions.integer(value).map(|(number, _)| (number, number)),
         };
-        if conditions.asks(target) {
+        if conditions.asked.contains(&target) {
             self.answers.retain(|(index, _)| !conditions.questions[*index].expr.mentions(target));
             self.open.retain(|(id, _)| !conditions.mentions(*id, target));
         }

@@ -60,7 +60,7 @@ struct SclFile<'a> {
 #[template(path = "twincat/in_range.TcPOU")]
 struct TcInRange<'a> {
     id: String,
-    name: &'a str,
+    name: String,
     real: &'a str,
     /// the bit string of the same size
     word: &'a str,

@@ -9,7 +9,7 @@ use super::{Origin, StBlock, TcInRange, listings, origin};
 use crate::target::{self, File, Header, Legal};
 use askama::Template;
 use askama::filters::Escaper;
-use compiler::print::st::{self, CODESYS};
+use compiler::print::st::CODESYS;
 use compiler::program::Type;
 use portable::RealKind;
 use std::fmt::Write;
@@ -69,13 +69,15 @@ fn word_name(real: RealKind) -> &'static str {
     }
 }
 
+/// The function that the statements call by this name.
 pub(super) fn in_range(real: RealKind) -> TcInRange<'static> {
-    let name = st::in_range(real);
     let exponent = match real {
         RealKind::F64 => "16#7FF0000000000000",
         RealKind::F32 => "16#7F800000",
     };
-    TcInRange { id: guid("POU", name), name, real: CODESYS.ty(Type::Real, real), word: word_name(real), exponent }
+    let (real, word) = (CODESYS.ty(Type::Real, real), word_name(real));
+    let name = format!("F_axgen_in_range_{real}");
+    TcInRange { id: guid("POU", &name), name, real, word, exponent }
 }
 
 /// The GUID of an object of some kind, in braces: version 5 of `KIND NAME`, so that the same object has the same in every run.
