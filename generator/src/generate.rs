@@ -38,7 +38,7 @@ pub fn units<'s>(set: &'s Set) -> Vec<Unit<'s>> {
 #[must_use]
 pub fn header(axis: &Axis) -> Header {
     Header {
-        axis: axis.name.clone(),
+        name: axis.name.clone(),
         real: axis.real,
         cycle_time_ns: axis.cycle_time_ns,
         parameters_digest: digest(axis.canonical.as_bytes()),

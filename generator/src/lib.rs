@@ -25,7 +25,6 @@ mod number;
 pub mod parameters;
 pub mod pipeline;
 pub mod reference_page;
-mod render;
 mod rules;
 pub mod schema;
 mod self_test;

@@ -16,7 +16,7 @@ extern "C" {
 /* Written by the caller. {{ block.prefix }}_inputs_init fills in what is said to be the start. */
 typedef struct {
 {%- for member in block.inputs %}
-    {{ member.ty }} {{ member.name }}; /* {{ member.doc }}; start {{ member.start }} */
+    {{ member.ty }} {{ member.name }}; /* {{ member.doc }}; start {{ member.value }} */
 {%- endfor %}
 } {{ block.prefix }}_inputs;
 
@@ -49,7 +49,7 @@ void {{ block.prefix }}_step(
     const {{ block.prefix }}_inputs *inputs,
     {{ block.prefix }}_outputs *outputs);
 
-/* Compares a run of {{ block.samples }} samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
+/* Compares a run of {{ block.expected.len() }} samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
  * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
  * precision. Run it once at start-up, on the machine and with the compiler options that the block runs with: it finds a
  * build that fuses or reorders floating-point operations, too, or that takes a NaN for a number. */

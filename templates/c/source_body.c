@@ -23,9 +23,9 @@
 static {{ real }} magnitude({{ real }} value)
 {
 #if defined(__GNUC__)
-    return {{ builtin_magnitude }}(value);
+    return __builtin_fabs{{ suffix }}(value);
 #else
-    return value < {{ zero }} ? -value : value;
+    return value < 0.0{{ suffix }} ? -value : value;
 #endif
 }
 {%- endif %}
@@ -36,9 +36,9 @@ static {{ real }} magnitude({{ real }} value)
 static int32_t nearest({{ real }} value)
 {
 #if defined(__GNUC__)
-    return (int32_t)(value + {{ builtin_copysign }}({{ nearly_half }}, value));
+    return (int32_t)(value + __builtin_copysign{{ suffix }}({{ nearly_half }}, value));
 #else
-    return (int32_t)(value < {{ zero }} ? value - {{ nearly_half }} : value + {{ nearly_half }});
+    return (int32_t)(value < 0.0{{ suffix }} ? value - {{ nearly_half }} : value + {{ nearly_half }});
 #endif
 }
 {%- endif %}
@@ -61,7 +61,7 @@ void {{ block.prefix }}_init({{ block.prefix }}_state *state)
 void {{ block.prefix }}_inputs_init({{ block.prefix }}_inputs *inputs)
 {
 {%- for member in block.inputs %}
-    inputs->{{ member.name }} = {{ member.start }};
+    inputs->{{ member.name }} = {{ member.value }};
 {%- endfor %}
 }
 
@@ -75,5 +75,5 @@ void {{ block.prefix }}_step(
 {%- endif %}
 {{ block.step }}}
 
-{{ block.self_test }}
+{% include "c/self_test.c" %}
 {%- endfor %}

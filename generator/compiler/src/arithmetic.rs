@@ -3,8 +3,7 @@
 //! Integers wrap around, reals round to nearest, comparisons with a NaN are false. An operator that does not fit its
 //! operands is a defect that the typing pass has excluded.
 
-use portable::{Binary, Intrinsic, Literal, Real, RealKind, Unary};
-use std::cmp::Ordering;
+use portable::{Binary, Intrinsic, Literal, RealKind, Unary};
 
 /// The value of an operator with one operand.
 ///
@@ -28,68 +27,56 @@ pub fn unary(operator: Unary, operand: Literal) -> Literal {
 #[must_use]
 pub fn binary(operator: Binary, left: Literal, right: Literal) -> Literal {
     use std::ops::{Add, Mul, Sub};
-    let computed = match (left, right) {
-        (Literal::F64(a), Literal::F64(b)) => real(operator, a, b).map(Literal::F64),
-        (Literal::F32(a), Literal::F32(b)) => real(operator, a, b).map(Literal::F32),
-        (Literal::I32(a), Literal::I32(b)) => {
-            integer(operator, a, b, [i32::wrapping_add, i32::wrapping_sub, i32::wrapping_mul]).map(Literal::I32)
-        }
-        (Literal::U32(a), Literal::U32(b)) => {
-            integer(operator, a, b, [u32::wrapping_add, u32::wrapping_sub, u32::wrapping_mul]).map(Literal::U32)
-        }
-        (Literal::Usize(a), Literal::Usize(b)) => {
-            integer(operator, a, b, [usize::add, usize::sub, usize::mul]).map(Literal::Usize)
-        }
-        (Literal::Bool(a), Literal::Bool(b)) => match operator {
-            Binary::And => Some(Literal::Bool(a && b)),
-            Binary::Or => Some(Literal::Bool(a || b)),
-            _ => None,
-        },
-        _ => None,
-    };
-    computed.unwrap_or_else(|| Literal::Bool(compare(operator, left, right)))
-}
-
-fn real<R: Real>(operator: Binary, a: R, b: R) -> Option<R> {
-    match operator {
-        Binary::Add => Some(a + b),
-        Binary::Subtract => Some(a - b),
-        Binary::Multiply => Some(a * b),
-        Binary::Divide => Some(a / b),
-        _ => None,
-    }
-}
-
-fn integer<T>(operator: Binary, a: T, b: T, [add, subtract, multiply]: [fn(T, T) -> T; 3]) -> Option<T> {
-    match operator {
-        Binary::Add => Some(add(a, b)),
-        Binary::Subtract => Some(subtract(a, b)),
-        Binary::Multiply => Some(multiply(a, b)),
-        _ => None,
-    }
-}
-
-fn compare(operator: Binary, left: Literal, right: Literal) -> bool {
-    let order = match (left, right) {
-        (Literal::F64(a), Literal::F64(b)) => a.partial_cmp(&b),
-        (Literal::F32(a), Literal::F32(b)) => a.partial_cmp(&b),
-        (Literal::I32(a), Literal::I32(b)) => Some(a.cmp(&b)),
-        (Literal::U32(a), Literal::U32(b)) => Some(a.cmp(&b)),
-        (Literal::Usize(a), Literal::Usize(b)) => Some(a.cmp(&b)),
-        (Literal::Variant(a), Literal::Variant(b)) => Some(a.cmp(&b)),
-        (Literal::Bool(a), Literal::Bool(b)) => Some(a.cmp(&b)),
-        _ => None,
-    };
-    match operator {
-        Binary::Less => order.is_some_and(Ordering::is_lt),
-        Binary::LessEqual => order.is_some_and(Ordering::is_le),
-        Binary::Greater => order.is_some_and(Ordering::is_gt),
-        Binary::GreaterEqual => order.is_some_and(Ordering::is_ge),
+    let value = match (left, right, operator) {
+        (Literal::F64(a), Literal::F64(b), Binary::Divide) => Some(Literal::F64(a / b)),
+        (Literal::F32(a), Literal::F32(b), Binary::Divide) => Some(Literal::F32(a / b)),
         // Reals are compared by order only, as the typing pass says.
-        Binary::Equal if order.is_some() && wide(left).is_none() => order == Some(Ordering::Equal),
-        Binary::NotEqual if order.is_some() && wide(left).is_none() => order != Some(Ordering::Equal),
-        _ => panic!("arithmetic: {operator:?} of {left:?} and {right:?}"),
+        (Literal::F64(_) | Literal::F32(_), _, Binary::Equal | Binary::NotEqual) => None,
+        (Literal::F64(a), Literal::F64(b), _) => compute(operator, a, b, Literal::F64, [f64::add, f64::sub, f64::mul]),
+        (Literal::F32(a), Literal::F32(b), _) => compute(operator, a, b, Literal::F32, [f32::add, f32::sub, f32::mul]),
+        (Literal::I32(a), Literal::I32(b), _) => {
+            compute(operator, a, b, Literal::I32, [i32::wrapping_add, i32::wrapping_sub, i32::wrapping_mul])
+        }
+        (Literal::U32(a), Literal::U32(b), _) => {
+            compute(operator, a, b, Literal::U32, [u32::wrapping_add, u32::wrapping_sub, u32::wrapping_mul])
+        }
+        (Literal::Usize(a), Literal::Usize(b), _) => {
+            compute(operator, a, b, Literal::Usize, [usize::add, usize::sub, usize::mul])
+        }
+        (Literal::Bool(a), Literal::Bool(b), Binary::And) => Some(Literal::Bool(a && b)),
+        (Literal::Bool(a), Literal::Bool(b), Binary::Or) => Some(Literal::Bool(a || b)),
+        (Literal::Bool(a), Literal::Bool(b), _) => compare(operator, a, b),
+        (Literal::Variant(a), Literal::Variant(b), _) => compare(operator, a, b),
+        _ => None,
+    };
+    value.unwrap_or_else(|| panic!("arithmetic: {operator:?} of {left:?} and {right:?}"))
+}
+
+fn compute<T: PartialOrd>(
+    operator: Binary,
+    a: T,
+    b: T,
+    literal: fn(T) -> Literal,
+    [add, subtract, multiply]: [fn(T, T) -> T; 3],
+) -> Option<Literal> {
+    match operator {
+        Binary::Add => Some(literal(add(a, b))),
+        Binary::Subtract => Some(literal(subtract(a, b))),
+        Binary::Multiply => Some(literal(multiply(a, b))),
+        _ => compare(operator, a, b),
     }
+}
+
+fn compare<T: PartialOrd>(operator: Binary, a: T, b: T) -> Option<Literal> {
+    Some(Literal::Bool(match operator {
+        Binary::Less => a < b,
+        Binary::LessEqual => a <= b,
+        Binary::Greater => a > b,
+        Binary::GreaterEqual => a >= b,
+        Binary::Equal => a == b,
+        Binary::NotEqual => a != b,
+        _ => return None,
+    }))
 }
 
 /// The value of an operation that each target prints in its own way.

@@ -5,6 +5,7 @@ mod outline;
 mod st;
 
 pub use outline::is_read;
+pub(crate) use st::twincat::Cdata;
 
 use crate::blocks::Block;
 use crate::digest::with_checksum;
@@ -16,9 +17,8 @@ use portable::RealKind;
 use std::borrow::Cow;
 
 /// The tool's version, which every generated file names.
-const VERSION: &str = env!("CARGO_PKG_VERSION");
+pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// A target language.
 #[derive(Clone, Copy, Debug)]
 pub struct Target {
     /// the name on the command line and in a set
@@ -31,24 +31,17 @@ pub struct Target {
     pub shared: fn(&[Unit<'_>]) -> Vec<File>,
 }
 
-/// All targets.
 pub const TARGETS: [Target; 5] = [
-    Target { name: "c", passes: &[], files: c::files, shared: nothing },
-    Target { name: "st", passes: legalise::WITH_DIGITS, files: st::plain::files, shared: nothing },
+    Target { name: "c", passes: &[], files: c::files, shared: |_| Vec::new() },
+    Target { name: "st", passes: legalise::WITH_DIGITS, files: st::plain, shared: |_| Vec::new() },
     Target { name: "twincat", passes: legalise::WITH_ENABLE, files: st::twincat::files, shared: st::twincat::shared },
-    Target {
-        name: "codesys",
-        passes: legalise::STRUCTURED_TEXT,
-        files: st::codesys::files,
-        shared: st::codesys::shared,
-    },
-    Target { name: "scl", passes: legalise::STRUCTURED_TEXT, files: st::scl::files, shared: nothing },
+    Target { name: "codesys", passes: legalise::WITH_NAMES, files: st::codesys::files, shared: st::codesys::shared },
+    Target { name: "scl", passes: legalise::WITH_NAMES, files: st::scl, shared: |_| Vec::new() },
 ];
 
 /// The targets of a set that names none.
 pub const DEFAULT_TARGETS: [&str; 2] = ["c", "st"];
 
-/// The target of that name.
 #[must_use]
 pub fn named(name: &str) -> Option<Target> {
     TARGETS.into_iter().find(|target| target.name == name)
@@ -69,9 +62,7 @@ impl Target {
 /// What the head of a file says of an axis.
 #[derive(Clone, Debug)]
 pub struct Header {
-    /// its name
-    pub axis: String,
-    /// its real type
+    pub name: String,
     pub real: RealKind,
     /// the cycle of its position controller
     pub cycle_time_ns: u32,
@@ -89,9 +80,7 @@ pub struct Legal<'b> {
 /// What a shared file may know of an axis: nothing that changes with a parameter other than the real type.
 #[derive(Clone, Debug)]
 pub struct Unit<'a> {
-    /// its name
     pub axis: &'a str,
-    /// its real type
     pub real: RealKind,
     /// the names of its blocks
     pub blocks: Vec<&'static str>,
@@ -102,7 +91,6 @@ pub struct Unit<'a> {
 pub struct File {
     /// the name; folders are separated by `/`
     pub name: String,
-    /// the content
     pub text: String,
 }
 
@@ -119,13 +107,10 @@ pub fn block_name(axis: &str, block: &str) -> String {
 }
 
 /// A file from its template, behind a mark that some readers want at the very beginning.
-fn rendered(name: String, mark: &str, template: &impl Template) -> File {
+fn rendered(name: &str, mark: &str, template: &impl Template) -> File {
     let mut text = template.render().expect("target: no input can keep a template from being filled");
     text.insert_str(0, mark);
-    text.push('\n');
-    File { name, text: with_checksum(text) }
-}
-
-fn nothing(_: &[Unit<'_>]) -> Vec<File> {
-    Vec::new()
+    text.push('
+');
+    File { name: name.to_owned(), text: with_checksum(text) }
 }

@@ -2,14 +2,27 @@
 //! together. How a type, a number or a comment looks is the language's business.
 
 use super::Legal;
-use crate::render::{ConstantText, Group, Member};
-use compiler::print::comment;
-use compiler::print::{Appearance, Language, Printer};
-use compiler::program::{Expr, Origin, Program, Type, Var, Variable};
+use compiler::print::{Appearance, Language, Printer, comment};
+use compiler::program::{Expr, Local, Origin, Program, Type, Var, Variable};
 use std::fmt::Write;
 
 /// Characters in a line of a comment, without the marks around it.
 pub(super) const COMMENT_WIDTH: usize = 110;
+
+/// A variable with its first value, or a named number.
+pub(super) struct Member {
+    pub(super) ty: &'static str,
+    pub(super) name: String,
+    pub(super) doc: String,
+    pub(super) value: String,
+}
+
+/// Constants that belong together.
+pub(super) struct Group {
+    /// what they belong to; empty: said already
+    pub(super) note: String,
+    pub(super) constants: Vec<Member>,
+}
 
 /// What is listed of a block, in a language.
 pub(super) struct Outline<'l> {
@@ -36,12 +49,11 @@ impl Outline<'_> {
         let program = &*self.block.program;
         let mut members = self.members(&program.outputs, &self.printer.names().outputs);
         for (member, _) in members.iter_mut().zip(is_constant(program)).filter(|(_, is_constant)| *is_constant) {
-            let _ = write!(member.doc, "; always {} for this axis", member.start);
+            let _ = write!(member.doc, "; always {} for this axis", member.value);
         }
         members
     }
 
-    /// The state.
     pub(super) fn state(&self) -> Vec<Member> {
         self.members(&self.block.program.state, &self.printer.names().state)
     }
@@ -49,13 +61,13 @@ impl Outline<'_> {
     /// The intermediate values; what they mean is said where they are computed.
     pub(super) fn locals(&self) -> Vec<Member> {
         let (program, names) = (&*self.block.program, &self.printer.names().locals);
-        let of = |(local, name): (&compiler::program::Local, &String)| Member {
+        let member = |(local, name): (&Local, &String)| Member {
             ty: self.ty(local.ty.expect("outline: the typing pass has typed every local")),
             name: name.clone(),
             doc: String::new(),
-            start: String::new(),
+            value: String::new(),
         };
-        program.locals.iter().zip(names).map(of).collect()
+        program.locals.iter().zip(names).map(member).collect()
     }
 
     fn members(&self, variables: &[Variable], names: &[String]) -> Vec<Member> {
@@ -63,13 +75,13 @@ impl Outline<'_> {
             ty: self.ty(variable.ty),
             name: name.clone(),
             doc: comment::harmless(variable.doc).into_owned(),
-            start: (self.language.literal)(variable.start),
+            value: (self.language.literal)(variable.start),
         };
         variables.iter().zip(names).map(member).collect()
     }
 
     fn ty(&self, ty: Type) -> &'static str {
-        (self.language.ty)(ty, self.block.program.real)
+        self.language.ty(ty, self.block.program.real)
     }
 
     /// The constants that appear in this way, in their order, a new group where another note of the block begins.
@@ -91,8 +103,10 @@ impl Outline<'_> {
                 groups.push(Group { note, constants: Vec::new() });
             }
             if let (Some(group), true) = (groups.last_mut(), *appearance == wanted) {
-                group.constants.push(ConstantText {
-                    ty: self.ty(Type::of(constant.value).expect("outline: the passes leave what exists at run time")),
+                group.constants.push(Member {
+                    ty: self
+                        .ty(Type::of_literal(constant.value)
+                            .expect("outline: the passes leave what exists at run time")),
                     name: name.clone(),
                     value: match wanted {
                         Appearance::Assigned => (self.language.operand)(constant.value).0,

@@ -20,22 +20,13 @@ fn beside(path: &Path, what: &str) -> PathBuf {
     path.with_file_name(name)
 }
 
-#[derive(Debug, PartialEq, Eq)]
-pub(super) enum LeftOver<'n> {
-    Staged,
-    /// old content of the target of that name
-    Kept(&'n str),
-}
-
-pub(super) fn left_over(name: &str) -> Option<LeftOver<'_>> {
+/// What a file of that name is, `staged` or `kept`, and the name of its target; `None`: it is none of ours.
+pub(super) fn left_over(name: &str) -> Option<(&str, &str)> {
     let (target, rest) = name.rsplit_once(MARK)?;
     let (what, process) = rest.split_once('-')?;
     let is_number = !process.is_empty() && process.bytes().all(|byte| byte.is_ascii_digit());
-    match what {
-        "staged" if is_number => Some(LeftOver::Staged),
-        "kept" if is_number && !target.is_empty() => Some(LeftOver::Kept(target)),
-        _ => None,
-    }
+    let is_ours = what == "staged" || what == "kept" && !target.is_empty();
+    (is_number && is_ours).then_some((what, target))
 }
 
 /// Removes a file of ours. That it may not be there, or cannot be removed, changes nothing for the caller.

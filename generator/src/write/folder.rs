@@ -1,7 +1,7 @@
 //! The folder that files go into: made if need be, held by one process at a time, cleared of what a killed one left.
 
 use super::Refusal;
-use super::beside::{LeftOver, left_over, remove};
+use super::beside::{left_over, remove};
 use std::collections::BTreeSet;
 use std::fs;
 use std::io::{self, ErrorKind};
@@ -45,45 +45,54 @@ pub fn open(path: &Path) -> Result<Folder, Refusal> {
     let mut last = ErrorKind::NotFound.into();
     for _ in 0..TRIES {
         let below = folder.below.get_mut().unwrap_or_else(PoisonError::into_inner);
-        // Another run may take the folder, or one above it, away while it is being made.
-        match make(path, &mut below.made) {
+        match make(path, &mut below.made).and_then(|()| lock(path)) {
+            Ok(lock) => {
+                folder.lock = lock;
+                folder.clear(path);
+                return Ok(folder);
+            }
+            // Another run may take the folder, or one above it, away while it is being made.
             Err(error) if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::AlreadyExists) && !path.is_file() => {
                 last = error;
-                continue;
             }
-            made => made.map_err(|error| Refusal::Failed(path.to_owned(), error))?,
+            Err(error) => return Err(Refusal::Failed(path.to_owned(), error)),
         }
-        match lock(path) {
-            Ok(lock) => folder.lock = lock,
-            Err(error) => {
-                last = error;
-                continue;
-            }
-        }
-        if folder.lock.is_some() {
-            clear(path);
-        }
-        return Ok(folder);
     }
     Err(Refusal::Failed(path.to_owned(), last))
 }
 
-/// Where a file of that name goes; its folder is there afterwards.
-pub(super) fn path_in(folder: &Folder, name: &str) -> Result<PathBuf, Refusal> {
-    let path = folder.path.join(name);
-    if name.contains('/')
-        && let Some(parent) = path.parent()
-    {
-        let mut below = folder.below.lock().unwrap_or_else(PoisonError::into_inner);
-        if !below.ready.contains(parent) {
-            make(parent, &mut below.made).map_err(|error| Refusal::Failed(parent.to_owned(), error))?;
-            if folder.lock.is_some() {
-                clear(parent);
+impl Folder {
+    /// Where a file of that name goes; its folder is there afterwards.
+    pub(super) fn path_of(&self, name: &str) -> Result<PathBuf, Refusal> {
+        let path = self.path.join(name);
+        if name.contains('/')
+            && let Some(parent) = path.parent()
+        {
+            let mut below = self.below.lock().unwrap_or_else(PoisonError::into_inner);
+            if !below.ready.contains(parent) {
+                make(parent, &mut below.made).map_err(|error| Refusal::Failed(parent.to_owned(), error))?;
+                self.clear(parent);
+                below.ready.insert(parent.to_owned());
             }
-            below.ready.insert(parent.to_owned());
+        }
+        Ok(path)
+    }
+
+    /// Removes what a killed run left. Only if this is held: what lies beside a target then belongs to nobody.
+    fn clear(&self, folder: &Path) {
+        if self.lock.is_none() {
+            return;
+        }
+        for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+            match entry.file_name().to_str().and_then(left_over) {
+                Some(("kept", target)) if fs::symlink_metadata(folder.join(target)).is_err() => {
+                    let _ = fs::rename(entry.path(), folder.join(target));
+                }
+                Some(_) => remove(&entry.path()),
+                None => {}
+            }
         }
     }
-    Ok(path)
 }
 
 /// Makes a folder with those above it, and notes which.
@@ -121,17 +130,4 @@ fn is_at(folder: &fs::File, path: &Path) -> bool {
 #[cfg(not(unix))]
 fn is_at(_: &fs::File, path: &Path) -> bool {
     path.is_dir()
-}
-
-/// Removes what a killed run left. Only for a folder that is held: what lies beside a target then belongs to nobody.
-fn clear(folder: &Path) {
-    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
-        match entry.file_name().to_str().and_then(left_over) {
-            Some(LeftOver::Kept(target)) if fs::symlink_metadata(folder.join(target)).is_err() => {
-                let _ = fs::rename(entry.path(), folder.join(target));
-            }
-            Some(_) => remove(&entry.path()),
-            None => {}
-        }
-    }
 }

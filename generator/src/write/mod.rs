@@ -18,10 +18,9 @@ use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::digest::has_right_checksum;
 use crate::target::File;
 use beside::{remove, staged};
-use std::fmt;
-use std::fs;
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::{fs, iter};
 
 /// What was done.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -58,18 +57,18 @@ impl Refusal {
     /// What is said about it: a message for each file.
     #[must_use]
     pub fn report(&self) -> Report {
-        let of = |path: &Path, code, found: String| Diagnostic::error(code, Place::whole(path.display()), found);
+        let unwritable =
+            |path: &Path, found: String| Diagnostic::error(codes::UNWRITABLE, Place::whole(path.display()), found);
         let diagnostics = match self {
             Self::Edited(files) => files.iter().map(|(path, owner)| kept(path, *owner)).collect(),
-            Self::Failed(path, error) => vec![of(path, codes::UNWRITABLE, format!("{error}; nothing was written"))],
+            Self::Failed(path, error) => vec![unwritable(path, format!("{error}; nothing was written"))],
             Self::Torn(path, error, torn) => {
                 let found = format!("{error}; but for the files named below all are as they were before");
                 let not_put_back = |path: &PathBuf| {
-                    let found =
-                        format!("could not be put back; as it was before it is {}", beside::kept(path).display());
-                    of(path, codes::UNWRITABLE, found)
+                    let kept = beside::kept(path);
+                    unwritable(path, format!("could not be put back; as it was before it is {}", kept.display()))
                 };
-                [of(path, codes::UNWRITABLE, found)].into_iter().chain(torn.iter().map(not_put_back)).collect()
+                iter::once(unwritable(path, found)).chain(torn.iter().map(not_put_back)).collect()
             }
         };
         Report { diagnostics }
@@ -85,33 +84,18 @@ fn kept(path: &Path, owner: Owner) -> Diagnostic {
         .instead("the change in what the file is made from; or overwrite it with --force")
 }
 
-impl fmt::Display for Refusal {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.report().to_string().trim_end())
-    }
-}
-
 /// A file on its way into a folder. What was staged is gone when this is, whatever happens in between.
 #[derive(Debug)]
 pub struct Staged {
     /// where it goes
     pub path: PathBuf,
-    kind: Kind,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    /// nothing: it is there, to the byte
-    Unchanged,
-    /// none is there
-    New,
-    /// an older one is there
-    Replaces(Owner),
+    /// whose file is there, ours if none is; `None`: it is there already, to the byte, and nothing is to be done
+    replaces: Option<Owner>,
 }
 
 impl Drop for Staged {
     fn drop(&mut self) {
-        if self.kind != Kind::Unchanged {
+        if self.replaces.is_some() {
             remove(&staged(&self.path)); // not there any more, if it was renamed
         }
     }
@@ -122,16 +106,16 @@ impl Drop for Staged {
 /// # Errors
 /// The folder does not take it.
 pub fn stage(folder: &Folder, file: &File) -> Result<Staged, Refusal> {
-    let path = folder::path_in(folder, &file.name)?;
+    let path = folder.path_of(&file.name)?;
     let text = file.text.as_bytes();
     let failed = |error| Refusal::Failed(path.clone(), error);
-    let kind = kind(&path, text).map_err(failed)?;
-    if kind == Kind::Unchanged {
-        return Ok(Staged { path, kind });
+    let replaces = replaced(&path, text).map_err(failed)?;
+    if replaces.is_none() {
+        return Ok(Staged { path, replaces });
     }
     // What is there already is somebody else's: it is neither followed nor written, and stays.
     let mut new = fs::OpenOptions::new().write(true).create_new(true).open(staged(&path)).map_err(failed)?;
-    let on_its_way = Staged { path: path.clone(), kind };
+    let on_its_way = Staged { path: path.clone(), replaces };
     new.write_all(text).map_err(failed)?;
     Ok(on_its_way)
 }
@@ -143,16 +127,13 @@ pub fn stage(folder: &Folder, file: &File) -> Result<Staged, Refusal> {
 /// Why nothing was written; the folder's files are as they were before.
 pub fn commit(folder: Folder, results: Vec<Result<Staged, Refusal>>, force: bool) -> Result<Written, Refusal> {
     let mut files = results.into_iter().collect::<Result<Vec<Staged>, Refusal>>()?;
-    let edited = files.iter().filter_map(|file| match file.kind {
-        Kind::Replaces(owner) if owner != Owner::Generated && !force => Some((file.path.clone(), owner)),
-        _ => None,
-    });
-    let edited: Vec<_> = edited.collect();
-    if !edited.is_empty() {
+    let foreign = |file: &Staged| Some((file.path.clone(), file.replaces.filter(|owner| *owner != Owner::Generated)?));
+    let edited: Vec<_> = files.iter().filter_map(foreign).collect();
+    if !edited.is_empty() && !force {
         return Err(Refusal::Edited(edited));
     }
     let all = files.len();
-    files.retain(|file| file.kind != Kind::Unchanged);
+    files.retain(|file| file.replaces.is_some());
     replace::all(&files)?;
     let written = Written { changed: files.len(), unchanged: all - files.len() };
     drop(files);
@@ -173,16 +154,16 @@ pub fn owner(content: &[u8]) -> Owner {
     }
 }
 
-/// What has to be done where a file goes. Through a link nothing is written, and nothing but a file is read.
-fn kind(path: &Path, text: &[u8]) -> io::Result<Kind> {
+/// Whose file a text is to replace. Through a link nothing is written, and nothing but a file is read.
+fn replaced(path: &Path, text: &[u8]) -> io::Result<Option<Owner>> {
     let found = match fs::symlink_metadata(path) {
-        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Kind::New),
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Some(Owner::Generated)),
         found => found?.file_type(),
     };
     if found.is_symlink() {
         let is_file = fs::metadata(path).is_ok_and(|metadata| metadata.is_file());
         return if is_file && fs::read(path)? == text {
-            Ok(Kind::Unchanged)
+            Ok(None)
         } else {
             Err(io::Error::other("is a symbolic link, through which nothing is written"))
         };
@@ -194,5 +175,5 @@ fn kind(path: &Path, text: &[u8]) -> io::Result<Kind> {
         return Err(io::Error::other("is no regular file"));
     }
     let old = fs::read(path)?;
-    Ok(if old == text { Kind::Unchanged } else { Kind::Replaces(owner(&old)) })
+    Ok((old != text).then(|| owner(&old)))
 }

@@ -10,7 +10,12 @@ use std::path::{Path, PathBuf};
 pub(super) fn all(files: &[Staged]) -> Result<(), Refusal> {
     let mut replaced: Vec<Replaced<'_>> = Vec::with_capacity(files.len());
     for Staged { path, .. } in files {
-        if let Err(error) = one(path, &mut replaced) {
+        let done = keep(path).and_then(|old| {
+            let done = fs::rename(staged(path), path);
+            replaced.push(Replaced { path, old, new: done.is_ok() });
+            done
+        });
+        if let Err(error) = done {
             let torn: Vec<PathBuf> = replaced.iter().rev().filter_map(put_back).collect();
             let path = path.clone();
             return Err(if torn.is_empty() { Refusal::Failed(path, error) } else { Refusal::Torn(path, error, torn) });
@@ -25,13 +30,6 @@ struct Replaced<'p> {
     path: &'p Path,
     old: bool,
     new: bool,
-}
-
-fn one<'p>(path: &'p Path, replaced: &mut Vec<Replaced<'p>>) -> io::Result<()> {
-    let old = keep(path)?;
-    let done = fs::rename(staged(path), path);
-    replaced.push(Replaced { path, old, new: done.is_ok() });
-    done
 }
 
 fn keep(path: &Path) -> io::Result<bool> {

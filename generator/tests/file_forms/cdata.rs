@@ -1,4 +1,4 @@
-//! Text inside CDATA sections: it stands there as it is. What marks become in it, `render/cdata.rs` tests.
+//! Text inside CDATA sections: it stands there as it is. What marks become in it, `unit/twincat.rs` tests.
 
 use crate::{CASES, OBJECTS};
 

@@ -35,7 +35,7 @@ fn what_was_edited_or_made_by_others_needs_force() {
     let refused = write(folder.path(), &files, false).unwrap_err();
     let [x, y] = ["x.c", "y.c"].map(|name| folder.path().join(name));
     assert_eq!(
-        refused.to_string(),
+        refused.report().to_string().trim_end(),
         format!(
             "{}: error[AX013]: was changed by hand after it had been generated; nothing was written\n    \
              write instead: the change in what the file is made from; or overwrite it with --force\n\
@@ -45,7 +45,7 @@ fn what_was_edited_or_made_by_others_needs_force() {
             y.display()
         )
     );
-    let Refusal::Edited(paths) = refused else { panic!("{refused}") };
+    let Refusal::Edited(paths) = refused else { panic!("{refused:?}") };
     assert_eq!(paths, [(x, Owner::Edited), (y, Owner::Other)]);
     assert_eq!(content(folder.path()), [pair("x.c", &edited), pair("y.c", "mine")]);
     write(folder.path(), &files, true).unwrap();

@@ -83,7 +83,7 @@ fn layout(stem: &str, block: &Block) -> String {
         variables.iter().zip(names).fold(String::new(), |mut text, (variable, name)| {
             let written = match variable.ty {
                 Type::Bool => write!(text, " {verb}_BOOL({name})"),
-                ty => write!(text, " {verb}({}, {name})", (LANGUAGE.ty)(ty, real)),
+                ty => write!(text, " {verb}({}, {name})", LANGUAGE.ty(ty, real)),
             };
             written.expect("engine: a string takes all text");
             text

@@ -3,7 +3,7 @@
 use super::emit::{counts, samples};
 use super::judge::Compiled;
 use compiler::legalise::{self, WITH_DIGITS};
-use compiler::print::st::{PLAIN, type_name};
+use compiler::print::st::PLAIN;
 use compiler::print::{Appearance, Printer};
 use compiler::program::{Expr, Program, Statement, Type, Var, Variable};
 use std::fmt::Write;
@@ -41,14 +41,14 @@ impl Blocks {
         let mut inner = declared(&program.state, &names.state);
         inner.extend(names.locals.iter().cloned().zip(locals));
         inner.extend(assigned.iter().map(|(constant, name)| {
-            ((*name).clone(), Type::of(constant.value).expect("blocks: a constant exists at run time"))
+            ((*name).clone(), Type::of_literal(constant.value).expect("blocks: a constant exists at run time"))
         }));
         let (inputs, outputs) = (declared(&program.inputs, &names.inputs), declared(&program.outputs, &names.outputs));
         for (keyword, variables) in [("VAR_INPUT", &inputs), ("VAR_OUTPUT", &outputs), ("VAR", &inner)] {
             if !variables.is_empty() {
                 let _ = writeln!(text, "{keyword}");
                 for (name, ty) in variables {
-                    let _ = writeln!(text, "    {name} : {};", type_name(*ty, program.real));
+                    let _ = writeln!(text, "    {name} : {};", PLAIN.ty(*ty, program.real));
                 }
                 text.push_str("END_VAR\n");
             }

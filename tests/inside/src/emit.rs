@@ -60,7 +60,7 @@ fn source(number: usize, program: &Program) -> String {
             return "    bool nothing;\n".to_owned();
         }
         let member = |(variable, name): (&Variable, &String)| {
-            format!("    {} {name};\n", (LANGUAGE.ty)(variable.ty, program.real))
+            format!("    {} {name};\n", LANGUAGE.ty(variable.ty, program.real))
         };
         variables.iter().zip(names).map(member).collect()
     };
@@ -94,8 +94,8 @@ fn mentions(statements: &[Statement], var: Var) -> bool {
 }
 
 fn named(constant: &Constant, name: &str, program: &Program) -> String {
-    let ty = Type::of(constant.value).expect("emit: a constant exists at run time");
-    format!("    static const {} {name} = {};\n", (LANGUAGE.ty)(ty, program.real), (LANGUAGE.literal)(constant.value))
+    let ty = Type::of_literal(constant.value).expect("emit: a constant exists at run time");
+    format!("    static const {} {name} = {};\n", LANGUAGE.ty(ty, program.real), (LANGUAGE.literal)(constant.value))
 }
 
 /// Where each scalar stands: state, then outputs, then inputs.

@@ -17,7 +17,7 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let fault = output("fault").ok_or_else(|| missing("fault"))?;
     let error_id = output("error_id").ok_or_else(|| missing("error_id"))?;
     let added = add_signals(&mut program, &switch);
-    let of = |output: usize| Expr::Var(Var::Output(output + added));
+    let value_of = |output: usize| Expr::Var(Var::Output(output + added));
     // What the block reads is no longer the input, but what `Enable` makes of it.
     let (input, enabled) = (Var::Input(switch.input + 1), Var::Local(program.locals.len()));
     let variable = &program.inputs[switch.input + 1];
@@ -38,10 +38,10 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
         None => enable.clone(),
     };
     program.step.extend([
-        assign(Var::Output(0), Expr::binary(Binary::And, enable, Expr::not(of(fault)))),
+        assign(Var::Output(0), Expr::binary(Binary::And, enable, Expr::not(value_of(fault)))),
         assign(Var::Output(1), busy),
-        assign(Var::Output(2), of(fault)),
-        assign(Var::Output(3), of(error_id)),
+        assign(Var::Output(2), value_of(fault)),
+        assign(Var::Output(3), value_of(error_id)),
     ]);
     Ok(program)
 }

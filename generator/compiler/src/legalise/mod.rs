@@ -11,13 +11,13 @@ use crate::program::Program;
 use std::borrow::Cow;
 
 /// What every dialect of Structured Text needs where numbers have names.
-pub const STRUCTURED_TEXT: &[Stage] = &[("started", start::run), ("rounded", nearest::run), ("named", operands::run)];
+pub const WITH_NAMES: &[Stage] = &[("started", start::run), ("rounded", nearest::run), ("named", operands::run)];
 
 /// What Structured Text needs where the digits of an LREAL may stand in an expression.
 pub const WITH_DIGITS: &[Stage] =
     &[("started", start::run), ("rounded", nearest::run), ("named", operands::run_single)];
 
-/// The same with the signals of PLCopen around the block.
+/// What they need with the signals of PLCopen around the block.
 pub const WITH_ENABLE: &[Stage] =
     &[("enabled", enable::run), ("started", start::run), ("rounded", nearest::run), ("named", operands::run)];
 

@@ -12,7 +12,8 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
         if let Expr::Literal(value @ (Literal::F64(_) | Literal::F32(_))) = *part {
             let known = constants[first..].iter().position(|constant| constant.value == value);
             let number = known.unwrap_or_else(|| {
-                constants.push(named(constants.len() - first, value));
+                let path = format!("number[{}]", constants.len() - first);
+                constants.push(Constant { path, doc: "a number of the algorithm", value, origin: Origin::Function });
                 constants.len() - 1 - first
             });
             *part = Expr::Var(Var::Constant(first + number));
@@ -29,8 +30,4 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
 /// The same where reals are single: the digits of an LREAL may stand beside an LREAL.
 pub(super) fn run_single(program: Program) -> Result<Program, Defect> {
     if program.real == RealKind::F32 { run(program) } else { Ok(program) }
-}
-
-fn named(number: usize, value: Literal) -> Constant {
-    Constant { path: format!("number[{number}]"), doc: "a number of the algorithm", value, origin: Origin::Function }
 }

@@ -28,39 +28,25 @@ pub(super) struct Question {
 #[derive(Clone, Copy)]
 pub(super) struct Comparison {
     pub var: Var,
-    pub operator: Binary,
-    pub number: i64,
+    /// the answer for the values from the first to the last of `within`; the others have the other one
+    pub answer: bool,
+    /// one value, or all up to one end of the type
+    pub within: (i64, i64),
     /// smallest and largest value of the type
     pub full: (i64, i64),
 }
 
-/// All conditions of a program.
+/// All conditions of a program that were looked at.
+#[derive(Default)]
 pub(super) struct Conditions<'p> {
-    constants: &'p [Constant],
-    all: Vec<Condition>,
-    questions: Vec<Question>,
+    pub constants: &'p [Constant],
+    pub all: Vec<Condition>,
+    pub questions: Vec<Question>,
     /// what the questions read
-    asked: Vec<Var>,
+    pub asked: Vec<Var>,
 }
 
-impl<'p> Conditions<'p> {
-    pub(super) fn none(constants: &'p [Constant]) -> Self {
-        Self { constants, all: Vec::new(), questions: Vec::new(), asked: Vec::new() }
-    }
-
-    pub(super) fn get(&self, id: Id) -> Condition {
-        self.all[id]
-    }
-
-    pub(super) fn question(&self, index: usize) -> &Question {
-        &self.questions[index]
-    }
-
-    /// Whether a question reads the variable.
-    pub(super) fn asks(&self, var: Var) -> bool {
-        self.asked.contains(&var)
-    }
-
+impl Conditions<'_> {
     /// The number of an expression of type BOOL.
     pub(super) fn number(&mut self, expr: &Expr) -> Id {
         match expr {
@@ -73,36 +59,33 @@ impl<'p> Conditions<'p> {
                 let (left, right) = (self.number(left), self.number(right));
                 self.add(Condition::Both(*operator == Binary::And, left, right))
             }
-            question => match self.questions.iter().find(|known| known.expr == *question) {
-                Some(known) => known.id,
-                None => self.ask(question),
-            },
-        }
-    }
-
-    fn ask(&mut self, question: &Expr) -> Id {
-        let (id, comparison) = (self.all.len(), self.comparison(question));
-        self.all.push(Condition::Question(self.questions.len()));
-        self.questions.push(Question { expr: question.clone(), comparison, id });
-        question.variables(&mut |var| {
-            if !self.asked.contains(&var) {
-                self.asked.push(var);
+            question => {
+                if let Some(known) = self.questions.iter().find(|known| known.expr == *question) {
+                    return known.id;
+                }
+                let (id, comparison) = (self.all.len(), self.comparison(question));
+                self.all.push(Condition::Question(self.questions.len()));
+                self.questions.push(Question { expr: question.clone(), comparison, id });
+                question.variables(&mut |var| {
+                    if !self.asked.contains(&var) {
+                        self.asked.push(var);
+                    }
+                });
+                id
             }
-        });
-        id
+        }
     }
 
     /// The number of a condition; one with a known operand has become simpler.
     pub(super) fn add(&mut self, condition: Condition) -> Id {
-        let known = |id: Id| match self.all[id] {
-            Condition::Known(value) => Some(value),
-            _ => None,
-        };
         let simpler = match condition {
-            Condition::Not(operand) => known(operand).map_or(condition, |value| Condition::Known(!value)),
-            Condition::Both(and, left, right) => match (known(left), known(right)) {
-                (Some(value), _) => return if value == and { right } else { left },
-                (_, Some(value)) => return if value == and { left } else { right },
+            Condition::Not(operand) => match self.all[operand] {
+                Condition::Known(value) => Condition::Known(!value),
+                _ => condition,
+            },
+            Condition::Both(and, left, right) => match (self.all[left], self.all[right]) {
+                (Condition::Known(value), _) => return if value == and { right } else { left },
+                (_, Condition::Known(value)) => return if value == and { left } else { right },
                 _ => condition,
             },
             Condition::Known(_) | Condition::Question(_) => condition,
@@ -137,22 +120,20 @@ impl<'p> Conditions<'p> {
     fn comparison(&self, question: &Expr) -> Option<Comparison> {
         use Binary::{Equal, Greater, GreaterEqual, Less, LessEqual, NotEqual};
         let Expr::Binary(operator, left, right) = question else { return None };
-        let (var, operator, (number, full)) = match (&**left, &**right) {
-            (Expr::Var(Var::Constant(_)) | Expr::Literal(_), Expr::Var(var)) => {
-                let turned = match operator {
-                    Less => Greater,
-                    LessEqual => GreaterEqual,
-                    Greater => Less,
-                    GreaterEqual => LessEqual,
-                    other => *other,
-                };
-                (var, turned, self.integer(left)?)
-            }
-            (Expr::Var(var), right) => (var, *operator, self.integer(right)?),
+        let (var, (number, full), is_turned) = match (&**left, &**right) {
+            (Expr::Var(Var::Constant(_)) | Expr::Literal(_), Expr::Var(var)) => (*var, self.integer(left)?, true),
+            (Expr::Var(var), right) => (*var, self.integer(right)?, false),
             _ => return None,
         };
-        let compares = matches!(operator, Less | LessEqual | Greater | GreaterEqual | Equal | NotEqual);
-        compares.then_some(Comparison { var: *var, operator, number, full })
+        let within = match (operator, is_turned) {
+            (Less, false) | (Greater, true) => (full.0, number - 1),
+            (LessEqual, false) | (GreaterEqual, true) => (full.0, number),
+            (Greater, false) | (Less, true) => (number + 1, full.1),
+            (GreaterEqual, false) | (LessEqual, true) => (number, full.1),
+            (Equal | NotEqual, _) => (number, number),
+            _ => return None,
+        };
+        Some(Comparison { var, answer: *operator != NotEqual, within, full })
     }
 
     /// A known integer, with the smallest and the largest value of its type.

@@ -3,7 +3,7 @@
 
 use super::condition::{Comparison, Condition, Conditions, Id};
 use crate::program::{Expr, Var};
-use portable::{Binary, Literal};
+use portable::Literal;
 
 /// What holds at the present point. Each list only grows while a condition is looked at, so that a mark leads back.
 #[derive(Clone, Default)]
@@ -21,7 +21,7 @@ pub(super) struct Facts {
 impl Facts {
     /// The condition with everything replaced whose answer is known.
     pub(super) fn simplify(&mut self, conditions: &mut Conditions<'_>, id: Id) -> Id {
-        let simpler = match conditions.get(id) {
+        let simpler = match conditions.all[id] {
             Condition::Not(operand) => {
                 let operand = self.simplify(conditions, operand);
                 conditions.add(Condition::Not(operand))
@@ -69,7 +69,7 @@ impl Facts {
 
     /// Learns the condition alone, not what follows from it together with what is open.
     fn note(&mut self, conditions: &Conditions<'_>, id: Id, holds: bool) {
-        match conditions.get(id) {
+        match conditions.all[id] {
             Condition::Known(_) => {}
             Condition::Not(operand) => self.note(conditions, operand, !holds),
             Condition::Both(and, left, right) if and == holds => {
@@ -77,7 +77,7 @@ impl Facts {
                 self.note(conditions, right, holds);
             }
             Condition::Both(..) => self.open.push((id, holds)),
-            Condition::Question(index) => match &conditions.question(index).comparison {
+            Condition::Question(index) => match &conditions.questions[index].comparison {
                 Some(comparison) => self.narrow(comparison, holds),
                 None => self.answers.push((index, holds)),
             },
@@ -90,8 +90,8 @@ impl Facts {
             Expr::Var(var) if self.range(*var).is_some() => self.range(*var),
             value => conditions.integer(value).map(|(number, _)| (number, number)),
         };
-        if conditions.asks(target) {
-            self.answers.retain(|(index, _)| !conditions.question(*index).expr.mentions(target));
+        if conditions.asked.contains(&target) {
+            self.answers.retain(|(index, _)| !conditions.questions[*index].expr.mentions(target));
             self.open.retain(|(id, _)| !conditions.mentions(*id, target));
         }
         self.excluded.retain(|(var, _)| *var != target);
@@ -127,9 +127,9 @@ impl Facts {
     }
 
     fn answer(&self, conditions: &Conditions<'_>, id: Id) -> Option<bool> {
-        let found = match conditions.get(id) {
+        let found = match conditions.all[id] {
             Condition::Known(value) => return Some(value),
-            Condition::Question(index) => match &conditions.question(index).comparison {
+            Condition::Question(index) => match &conditions.questions[index].comparison {
                 Some(comparison) => return self.compare(comparison),
                 None => self.answers.iter().find(|(known, _)| *known == index),
             },
@@ -139,34 +139,25 @@ impl Facts {
     }
 
     fn compare(&self, comparison: &Comparison) -> Option<bool> {
-        let Comparison { var, operator, number, full } = *comparison;
+        let Comparison { var, answer, within: (first, last), full } = *comparison;
         let (low, high) = self.range(var).unwrap_or(full);
-        let decided = |yes: bool, no: bool| (yes || no).then_some(yes);
-        let is_excluded = self.is_excluded(var, number);
-        let is_only = low == number && high == number;
-        match operator {
-            Binary::Less => decided(high < number, low >= number),
-            Binary::LessEqual => decided(high <= number, low > number),
-            Binary::Greater => decided(low > number, high <= number),
-            Binary::GreaterEqual => decided(low >= number, high < number),
-            Binary::Equal => decided(is_only, is_excluded),
-            _ => decided(is_excluded, is_only),
-        }
+        let is_within = first <= low && high <= last;
+        let is_beyond = high < first || last < low || first == last && self.is_excluded(var, first);
+        (is_within || is_beyond).then_some(is_within == answer)
     }
 
     fn narrow(&mut self, comparison: &Comparison, holds: bool) {
-        let Comparison { var, operator, number, full } = *comparison;
+        let Comparison { var, answer, within: (first, last), full } = *comparison;
         let (low, high) = self.range(var).unwrap_or(full);
-        let range = match (operator, holds) {
-            (Binary::Less, true) | (Binary::GreaterEqual, false) => (low, high.min(number - 1)),
-            (Binary::LessEqual, true) | (Binary::Greater, false) => (low, high.min(number)),
-            (Binary::Greater, true) | (Binary::LessEqual, false) => (low.max(number + 1), high),
-            (Binary::GreaterEqual, true) | (Binary::Less, false) => (low.max(number), high),
-            (Binary::Equal, true) | (Binary::NotEqual, false) => (number, number),
-            _ => {
-                self.excluded.push((var, number));
-                (if low == number { low + 1 } else { low }, if high == number { high - 1 } else { high })
-            }
+        let range = if holds == answer {
+            (low.max(first), high.min(last))
+        } else if first == full.0 {
+            (low.max(last + 1), high)
+        } else if last == full.1 {
+            (low, high.min(first - 1))
+        } else {
+            self.excluded.push((var, first));
+            (if low == first { low + 1 } else { low }, if high == last { high - 1 } else { high })
         };
         self.ranges.push((var, range));
     }

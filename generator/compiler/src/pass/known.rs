@@ -12,7 +12,8 @@ use crate::program::{Expr, Program, Statement, Type};
 
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let step = std::mem::take(&mut program.step);
-    program.step = in_list(step, &mut Facts::default(), &mut Conditions::none(&program.constants), &program);
+    let mut conditions = Conditions { constants: &program.constants, ..Conditions::default() };
+    program.step = in_list(step, &mut Facts::default(), &mut conditions, &program);
     Ok(program)
 }
 
@@ -35,7 +36,7 @@ fn in_list(
             }
             Statement::If { mut condition, then, otherwise } => {
                 let id = simplify(&mut condition, facts, conditions);
-                if let Condition::Known(holds) = conditions.get(id) {
+                if let Condition::Known(holds) = conditions.all[id] {
                     kept.extend(in_list(if holds { then } else { otherwise }, facts, conditions, program));
                     continue;
                 }

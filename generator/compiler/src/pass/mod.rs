@@ -21,9 +21,7 @@ use std::fmt;
 /// A program that breaks the rules: a defect of a block or of a pass, never of anybody's input.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Defect {
-    /// which pass found it
     pub pass: &'static str,
-    /// what it is
     pub message: String,
 }
 
@@ -35,7 +33,6 @@ impl fmt::Display for Defect {
 
 impl std::error::Error for Defect {}
 
-/// A pass.
 pub(crate) type Pass = fn(Program) -> Result<Program, Defect>;
 
 /// A pass with the name that its result has for `--emit`.

@@ -36,7 +36,9 @@ fn type_statements(statements: &[Statement], program: &mut Program) -> Result<()
 /// The type of an expression whose locals are typed.
 fn type_of(expr: &Expr, program: &Program) -> Result<Type, Defect> {
     match expr {
-        Expr::Literal(literal) => Type::of(*literal).ok_or_else(|| defect(format!("{literal:?} is left at run time"))),
+        Expr::Literal(literal) => {
+            Type::of_literal(*literal).ok_or_else(|| defect(format!("{literal:?} is left at run time")))
+        }
         Expr::Var(var) => variable_type(*var, program),
         Expr::Unary(operator, operand) => {
             let found = type_of(operand, program)?;

@@ -44,11 +44,9 @@ fn statements(list: &[Statement], written: &mut Table<bool>, program: &Program) 
                 let mut yes = written.clone();
                 statements(then, &mut yes, program)?;
                 statements(otherwise, written, program)?;
-                let both = |one: &mut [bool], other: &[bool]| {
-                    one.iter_mut().zip(other).for_each(|(one, other)| *one &= other);
-                };
-                both(&mut written.locals, &yes.locals);
-                both(&mut written.outputs, &yes.outputs);
+                for (no, yes) in [(&mut written.locals, yes.locals), (&mut written.outputs, yes.outputs)] {
+                    no.iter_mut().zip(yes).for_each(|(no, yes)| *no &= yes);
+                }
             }
         }
     }
@@ -56,18 +54,16 @@ fn statements(list: &[Statement], written: &mut Table<bool>, program: &Program) 
 }
 
 fn readable(expr: &Expr, written: &Table<bool>, program: &Program) -> Result<(), Defect> {
-    let mut unwritten = None;
+    let mut result = Ok(());
     expr.variables(&mut |var| {
         if let Var::Local(index) = var
             && !written[var]
         {
-            unwritten = Some(&program.locals[index].path);
+            let path = &program.locals[index].path;
+            result = Err(defect(format!("`{path}` is read where it may have no value")));
         }
     });
-    match unwritten {
-        Some(path) => Err(defect(format!("`{path}` is read where it may have no value"))),
-        None => Ok(()),
-    }
+    result
 }
 
 fn defect(message: String) -> Defect {

@@ -2,7 +2,6 @@
 
 use super::language::{Appearance, Form, Language, Level};
 use super::number::decimal;
-use crate::arithmetic::wide;
 use crate::program::{Expr, Type};
 use portable::{Binary, Intrinsic, Literal, RealKind, Unary};
 use std::collections::HashSet;
@@ -12,9 +11,13 @@ use std::sync::LazyLock;
 pub static LANGUAGE: Language = Language {
     is_reserved: |name| RESERVED.contains(name),
     kept: &[],
-    ty: type_name,
+    types: ["bool", "int32_t", "uint32_t", "double", "float"],
     literal,
-    operand: |value| (literal(value), if is_negative(value) { Level::Sign } else { Level::Primary }),
+    operand: |value| {
+        let text = literal(value);
+        let level = if text.starts_with('-') { Level::Sign } else { Level::Primary };
+        (text, level)
+    },
     symbols: ["+", "-", "*", "/", "<", "<=", ">", ">=", "==", "!=", "&&", "||"],
     // `&&` beside `||` is legal and misread.
     logic: [Level::And, Level::Comparison],
@@ -44,17 +47,6 @@ static RESERVED: LazyLock<HashSet<&'static str>> = LazyLock::new(|| {
     .collect()
 });
 
-/// The C name of a type.
-fn type_name(ty: Type, real: RealKind) -> &'static str {
-    match (ty, real) {
-        (Type::Bool, _) => "bool",
-        (Type::I32, _) => "int32_t",
-        (Type::U32, _) => "uint32_t",
-        (Type::Real, RealKind::F64) => "double",
-        (Type::Real, RealKind::F32) => "float",
-    }
-}
-
 fn literal(value: Literal) -> String {
     match value {
         Literal::Bool(value) => value.to_string(),
@@ -64,14 +56,6 @@ fn literal(value: Literal) -> String {
         Literal::F64(_) => decimal(value),
         Literal::F32(_) => decimal(value) + "f",
         Literal::Usize(_) | Literal::Variant(_) => panic!("c: {value:?} has no counterpart"),
-    }
-}
-
-/// Whether the literal's text begins with a sign.
-fn is_negative(value: Literal) -> bool {
-    match value {
-        Literal::I32(value) => value < 0 && value != i32::MIN,
-        other => wide(other).is_some_and(f64::is_sign_negative),
     }
 }
 

@@ -6,7 +6,6 @@ use crate::program::Expr;
 use portable::Binary;
 use pretty::DocAllocator;
 
-/// An expression that has been printed.
 #[derive(Clone)]
 pub(super) struct Printed<'d> {
     pub doc: Doc<'d>,

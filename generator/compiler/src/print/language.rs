@@ -8,11 +8,8 @@ use portable::{Literal, RealKind};
 pub enum Level {
     /// gets parentheses beside every operator
     Any,
-    /// `or`
     Or,
-    /// `and`
     And,
-    /// a comparison
     Comparison,
     /// a sum or a difference
     Sum,
@@ -31,8 +28,8 @@ pub struct Language {
     pub(super) is_reserved: fn(&str) -> bool,
     /// names that are given as they are, although they are reserved: signals that a legalising pass adds
     pub(super) kept: &'static [&'static str],
-    /// the name of a type
-    pub ty: fn(Type, RealKind) -> &'static str,
+    /// the names of BOOL, DINT, UDINT, LREAL and REAL
+    pub(super) types: [&'static str; 5],
     /// the text of a value in a declaration
     pub literal: fn(Literal) -> String,
     /// the text of a value in a statement, and how tightly it binds
@@ -60,9 +57,21 @@ pub struct Language {
     pub(super) comment: [&'static str; 3],
 }
 
+impl Language {
+    #[must_use]
+    pub fn ty(&self, ty: Type, real: RealKind) -> &'static str {
+        self.types[match (ty, real) {
+            (Type::Bool, _) => 0,
+            (Type::I32, _) => 1,
+            (Type::U32, _) => 2,
+            (Type::Real, RealKind::F64) => 3,
+            (Type::Real, RealKind::F32) => 4,
+        }]
+    }
+}
+
 /// How an operation is written.
 pub(super) struct Form {
-    /// how tightly it binds
     pub level: Level,
     /// its text: `{0}` and `{1}` are its operands, a line break is a blank or, in a line that is too long, a new line
     pub text: &'static str,

@@ -6,7 +6,7 @@ pub mod comment;
 mod expression;
 mod language;
 mod names;
-pub mod number;
+mod number;
 mod scope;
 pub mod st;
 
@@ -69,16 +69,12 @@ impl<'p> Printer<'p> {
     /// A program that has a scope for itself; the names of the interface are taken first.
     #[must_use]
     pub fn new(program: &'p Program, language: &'p Language) -> Self {
-        Self::named(program, language, Names::new(language), None)
+        Self::beside(program, language, Names::new(language), None)
     }
 
-    /// A program whose constants have their names, in a scope with those of others: its locals have none of them.
+    /// A program in a scope in which some names are taken: its locals have none of them. `known`: those of its constants.
     #[must_use]
-    pub fn beside(program: &'p Program, language: &'p Language, constants: Vec<String>, names: Names) -> Self {
-        Self::named(program, language, names, Some(constants))
-    }
-
-    fn named(program: &'p Program, language: &'p Language, mut names: Names, known: Option<Vec<String>>) -> Self {
+    pub fn beside(program: &'p Program, language: &'p Language, mut names: Names, known: Option<Vec<String>>) -> Self {
         let names = Scope {
             inputs: members(&program.inputs, language, &mut names),
             outputs: members(&program.outputs, language, &mut names),
@@ -146,21 +142,20 @@ struct Layout<'d> {
 impl<'d> Layout<'d> {
     /// Statements, each behind a line break. `declared` knows the locals that an outer list declares.
     fn list(&self, list: &'d [Statement], declared: &mut [bool]) -> Doc<'d> {
-        let mut doc = self.arena.nil();
-        let Some(constant) = self.printer.language.constant else {
-            for statement in list {
-                doc = doc.append(self.hardline).append(self.statement(statement, declared));
-            }
-            return doc;
+        let Printer { program, language, names, .. } = self.printer;
+        // None where locals are declared elsewhere.
+        let mut declarations =
+            language.constant.map_or_else(Vec::new, |_| scope::declarations(list, declared)).into_iter();
+        let declared_as = |local: usize| {
+            let ty = program.locals[local].ty.expect("print: the typing pass has typed every local");
+            format!("{} {}", language.ty(ty, program.real), names.locals[local])
         };
-        for (statement, locals) in list.iter().zip(scope::declarations(list, declared)) {
-            let declared_as = |local: usize| {
-                let program = self.printer.program;
-                let ty = program.locals[local].ty.expect("print: the typing pass has typed every local");
-                format!("{} {}", (self.printer.language.ty)(ty, program.real), self.printer.names.locals[local])
-            };
+        let mut doc = self.arena.nil();
+        for statement in list {
+            let locals = declarations.next().unwrap_or_default();
             doc = doc.append(self.hardline);
-            if let Statement::Assign { target: Var::Local(local), value } = statement
+            if let (Some(constant), Statement::Assign { target: Var::Local(local), value }) =
+                (language.constant, statement)
                 && locals.contains(local)
             {
                 let target = self.arena.text(constant).append(declared_as(*local));

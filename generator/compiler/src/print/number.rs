@@ -14,16 +14,3 @@ pub(super) fn decimal(value: Literal) -> String {
         _ => shortest,
     }
 }
-
-/// The bits of a real number.
-///
-/// # Panics
-/// If the literal is no real number.
-#[must_use]
-pub fn bits(value: Literal) -> u64 {
-    match value {
-        Literal::F64(value) => value.to_bits(),
-        Literal::F32(value) => u64::from(value.to_bits()),
-        other => panic!("number: {other:?} has no such bits"),
-    }
-}

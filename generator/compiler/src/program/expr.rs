@@ -24,20 +24,9 @@ impl Expr {
     pub(crate) fn logic(operator: Binary, left: Self, right: Self) -> Self {
         let neutral = operator == Binary::And;
         match (&left, &right) {
-            (Self::Literal(Literal::Bool(value)), _) => {
-                if *value == neutral {
-                    right
-                } else {
-                    left
-                }
-            }
-            (_, Self::Literal(Literal::Bool(value))) => {
-                if *value == neutral {
-                    left
-                } else {
-                    right
-                }
-            }
+            (Self::Literal(Literal::Bool(value)), _) if *value == neutral => right,
+            (_, Self::Literal(Literal::Bool(value))) if *value != neutral => right,
+            (Self::Literal(Literal::Bool(_)), _) | (_, Self::Literal(Literal::Bool(_))) => left,
             _ => Self::binary(operator, left, right),
         }
     }
@@ -55,7 +44,9 @@ impl Expr {
     pub(crate) fn ty(&self, program: &Program) -> Type {
         use Binary::{Add, And, Divide, Multiply, Or, Subtract};
         match self {
-            Self::Literal(literal) => Type::of(*literal).expect("program: the passes leave what exists at run time"),
+            Self::Literal(literal) => {
+                Type::of_literal(*literal).expect("program: the passes leave what exists at run time")
+            }
             Self::Var(var) => program.ty(*var).expect("program: the typing pass has typed every local"),
             Self::Unary(_, operand) => operand.ty(program),
             Self::Binary(Add | Subtract | Multiply | Divide | And | Or, left, _) => left.ty(program),

@@ -56,7 +56,6 @@ pub struct Variable {
     pub path: String,
     /// the doc comment of the field
     pub doc: &'static str,
-    /// its type
     pub ty: Type,
     /// its value before anything was written
     pub start: Literal,
@@ -69,9 +68,7 @@ pub struct Constant {
     pub path: String,
     /// the doc comment of the field or function
     pub doc: &'static str,
-    /// its value
     pub value: Literal,
-    /// where it comes from
     pub origin: Origin,
 }
 
@@ -93,10 +90,8 @@ pub struct Local {
     pub ty: Option<Type>,
 }
 
-/// The type of a scalar.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Type {
-    /// BOOL
     Bool,
     /// DINT; an enum's variants are its numbers
     I32,
@@ -109,7 +104,7 @@ pub enum Type {
 impl Type {
     /// The type of a value that exists at run time.
     #[must_use]
-    pub fn of(value: Literal) -> Option<Self> {
+    pub fn of_literal(value: Literal) -> Option<Self> {
         match value {
             Literal::Bool(_) => Some(Self::Bool),
             Literal::I32(_) => Some(Self::I32),
@@ -119,7 +114,6 @@ impl Type {
         }
     }
 
-    /// The type of an intrinsic's value.
     pub(crate) fn of_intrinsic(intrinsic: Intrinsic) -> Self {
         match intrinsic {
             Intrinsic::InRange | Intrinsic::Within => Self::Bool,
@@ -129,40 +123,28 @@ impl Type {
     }
 }
 
-/// A variable or a constant, by its position in the program's list.
+/// A variable or a constant, by its position in the program's list of its kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Var {
-    /// of [`Program::inputs`]
     Input(usize),
-    /// of [`Program::outputs`]
     Output(usize),
-    /// of [`Program::state`]
     State(usize),
-    /// of [`Program::constants`]
     Constant(usize),
-    /// of [`Program::locals`]
     Local(usize),
 }
 
-/// A statement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Statement {
     /// what the next statements are
     Note(String),
     /// writes an output, a part of the state or a local
     Assign {
-        /// what is written
         target: Var,
-        /// with what
         value: Expr,
     },
-    /// chooses
     If {
-        /// decides
         condition: Expr,
-        /// if it holds
         then: Vec<Statement>,
-        /// if not
         otherwise: Vec<Statement>,
     },
 }
@@ -170,13 +152,9 @@ pub enum Statement {
 /// An expression without effect.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Expr {
-    /// a value
     Literal(Literal),
-    /// what a variable holds
     Var(Var),
-    /// an operator with one operand
     Unary(Unary, Box<Expr>),
-    /// an operator with two operands
     Binary(Binary, Box<Expr>, Box<Expr>),
     /// an operation that each target prints in its own way
     Intrinsic(Intrinsic, Vec<Expr>),
@@ -184,13 +162,12 @@ pub enum Expr {
 
 impl Program {
     /// The type of a variable; `None`: of a local that the typing pass has not met.
-    #[must_use]
-    pub fn ty(&self, var: Var) -> Option<Type> {
+    pub(crate) fn ty(&self, var: Var) -> Option<Type> {
         match var {
             Var::Input(index) => Some(self.inputs[index].ty),
             Var::Output(index) => Some(self.outputs[index].ty),
             Var::State(index) => Some(self.state[index].ty),
-            Var::Constant(index) => Type::of(self.constants[index].value),
+            Var::Constant(index) => Type::of_literal(self.constants[index].value),
             Var::Local(index) => self.locals[index].ty,
         }
     }

@@ -1,32 +1,26 @@
-//! A value for each variable of a program.
+//! A value for each variable of a program, in the order of its lists.
 
 use super::{Program, Var};
 use std::ops::{Index, IndexMut};
 
-/// A value for each variable of a program, in the order of its lists.
 #[derive(Clone, Debug, Default)]
 pub struct Table<T> {
-    /// of the inputs
     pub inputs: Vec<T>,
-    /// of the outputs
     pub outputs: Vec<T>,
-    /// of the state
     pub state: Vec<T>,
-    /// of the constants
     pub constants: Vec<T>,
-    /// of the locals
     pub locals: Vec<T>,
 }
 
 impl<T: Clone> Table<T> {
     pub(crate) fn filled(program: &Program, value: T) -> Self {
-        let of = |length| vec![value.clone(); length];
+        let all = |length| vec![value.clone(); length];
         Self {
-            inputs: of(program.inputs.len()),
-            outputs: of(program.outputs.len()),
-            state: of(program.state.len()),
-            constants: of(program.constants.len()),
-            locals: of(program.locals.len()),
+            inputs: all(program.inputs.len()),
+            outputs: all(program.outputs.len()),
+            state: all(program.state.len()),
+            constants: all(program.constants.len()),
+            locals: all(program.locals.len()),
         }
     }
 }

@@ -110,34 +110,33 @@ impl Expr {
 
 /// Calls `change` for every expression of the statements, each as a whole.
 pub fn map_expressions(list: &mut [Statement], change: &mut impl FnMut(&mut Expr)) {
+    change_each(list, &mut |expr, _| change(expr));
+}
+
+/// Calls `change` for every expression of the statements, with the variable that gets its value.
+fn change_each(list: &mut [Statement], change: &mut impl FnMut(&mut Expr, Option<&mut Var>)) {
     for statement in list {
         match statement {
             Statement::Note(_) => {}
-            Statement::Assign { value: expr, .. } | Statement::If { condition: expr, .. } => change(expr),
+            Statement::Assign { target, value } => change(value, Some(target)),
+            Statement::If { condition, .. } => change(condition, None),
         }
-        statement.branches_mut().for_each(|list| map_expressions(list, change));
+        statement.branches_mut().for_each(|list| change_each(list, change));
     }
 }
 
 /// Puts another variable in the place of every variable that the statements mention.
 pub(crate) fn rename(list: &mut [Statement], renamed: &impl Fn(Var) -> Var) {
-    map_expressions(list, &mut |expr| {
+    change_each(list, &mut |expr, target| {
         expr.change(&mut |part| {
             if let Expr::Var(var) = part {
                 *var = renamed(*var);
             }
         });
-    });
-    rename_targets(list, renamed);
-}
-
-fn rename_targets(list: &mut [Statement], renamed: &impl Fn(Var) -> Var) {
-    for statement in list {
-        if let Statement::Assign { target, .. } = statement {
+        if let Some(target) = target {
             *target = renamed(*target);
         }
-        statement.branches_mut().for_each(|list| rename_targets(list, renamed));
-    }
+    });
 }
 
 /// Replaces every statement by what `change` pushes for it; the statements inside it have been replaced before.

@@ -1,24 +1,37 @@
 //! The target `codesys`: PLCopen XML (tc6_0200) for each axis, and a file with the function that all of them call.
 
-use super::block::listings;
-use super::{real_types, twincat};
-use crate::digest::NO_CHECKSUM;
-use crate::render::{CodesysFile, CodesysInRange};
-use crate::target::{File, Header, Legal, Unit, VERSION, rendered, stem};
+use super::twincat::in_range;
+use super::{Origin, StBlock, TcInRange, listings, origin, real_types};
+use crate::target::{File, Header, Legal, Unit, rendered, stem};
+use askama::Template;
 use compiler::print::st::CODESYS;
 
-/// The file of an axis.
-pub(crate) fn files(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
-    let stem = stem(&axis.axis);
-    let name = format!("{stem}.xml");
-    let (origin, blocks) = listings(axis, &name, blocks, "", &CODESYS);
-    vec![rendered(name, "", &CodesysFile { origin: &origin, version: VERSION, name: &stem, blocks: &blocks })]
+#[derive(Template)]
+#[template(path = "codesys/file.xml")]
+struct CodesysFile<'a> {
+    origin: Origin<'a>,
+    name: &'a str,
+    blocks: Vec<StBlock>,
 }
 
 /// The file that all axes share.
+#[derive(Template)]
+#[template(path = "codesys/in_range.xml")]
+struct CodesysInRange<'a> {
+    name: &'a str,
+    /// one function for each real type
+    functions: Vec<TcInRange<'a>>,
+}
+
+pub(crate) fn files(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
+    let name = &stem(&axis.name);
+    let file = format!("{name}.xml");
+    let text = CodesysFile { origin: origin(axis, &file, blocks), name, blocks: listings(axis, blocks, "", &CODESYS) };
+    vec![rendered(&file, "", &text)]
+}
+
 pub(crate) fn shared(units: &[Unit<'_>]) -> Vec<File> {
-    let functions: Vec<_> = real_types(units).map(twincat::in_range).collect();
     let name = "axgen_shared";
-    let file = CodesysInRange { version: VERSION, name, checksum: NO_CHECKSUM, functions: &functions };
-    vec![rendered(format!("{name}.xml"), "", &file)]
+    let text = CodesysInRange { name, functions: real_types(units).map(in_range).collect() };
+    vec![rendered(&format!("{name}.xml"), "", &text)]
 }

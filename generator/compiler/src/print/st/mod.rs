@@ -16,7 +16,7 @@ use std::sync::LazyLock;
 pub static PLAIN: Language = Language {
     is_reserved: |name| RESERVED.contains(&*name.to_ascii_lowercase()),
     kept: &["Enable", "Valid", "Busy", "Error", "ErrorID"],
-    ty: type_name,
+    types: ["BOOL", "DINT", "UDINT", "LREAL", "REAL"],
     literal,
     operand: literal::operand,
     symbols: ["+", "-", "*", "/", "<", "<=", ">", ">=", "=", "<>", "AND", "OR"],
@@ -31,8 +31,8 @@ pub static PLAIN: Language = Language {
     comment: ["(* ", "   ", " *)"],
 };
 
-/// TwinCAT 3 and CODESYS 3.5, one family of runtimes: a comparison with a NaN can stop them, so that [`in_range`] looks at a
-/// sample's bits before it is compared.
+/// TwinCAT 3 and CODESYS 3.5, one family of runtimes: a comparison with a NaN can stop them, so that a function looks at
+/// a sample's bits before it is compared.
 pub static CODESYS: Language = Language { form: form_of_codesys, appearances: declared, ..PLAIN };
 
 /// Siemens SCL for S7-1200 and S7-1500.
@@ -61,27 +61,6 @@ static RESERVED: LazyLock<HashSet<&'static str>> = LazyLock::new(|| {
     .collect()
 });
 
-/// The name of a type.
-#[must_use]
-pub fn type_name(ty: Type, real: RealKind) -> &'static str {
-    match (ty, real) {
-        (Type::Bool, _) => "BOOL",
-        (Type::I32, _) => "DINT",
-        (Type::U32, _) => "UDINT",
-        (Type::Real, RealKind::F64) => "LREAL",
-        (Type::Real, RealKind::F32) => "REAL",
-    }
-}
-
-/// The function that looks at a sample's exponent bits.
-#[must_use]
-pub fn in_range(real: RealKind) -> &'static str {
-    match real {
-        RealKind::F64 => "F_axgen_in_range_LREAL",
-        RealKind::F32 => "F_axgen_in_range_REAL",
-    }
-}
-
 /// A sign and a negation always get parentheses: they are `Any`.
 fn form(operation: &Expr, _: Type, real: RealKind) -> Option<Form> {
     use Level::{And, Any, Primary, Sum};
@@ -104,14 +83,10 @@ fn form(operation: &Expr, _: Type, real: RealKind) -> Option<Form> {
 }
 
 fn form_of_codesys(operation: &Expr, ty: Type, real: RealKind) -> Option<Form> {
-    let text = match (operation, real) {
-        (Expr::Intrinsic(Intrinsic::InRange, _), RealKind::F64) => {
-            "F_axgen_in_range_LREAL(value := {0}, largest := {1})"
-        }
-        (Expr::Intrinsic(Intrinsic::InRange, _), RealKind::F32) => {
-            "F_axgen_in_range_REAL(value := {0}, largest := {1})"
-        }
-        _ => return form(operation, ty, real),
+    let Expr::Intrinsic(Intrinsic::InRange, _) = operation else { return form(operation, ty, real) };
+    let text = match real {
+        RealKind::F64 => "F_axgen_in_range_LREAL(value := {0}, largest := {1})",
+        RealKind::F32 => "F_axgen_in_range_REAL(value := {0}, largest := {1})",
     };
     Some(Form { level: Level::And, text, least: [Level::Any; 2] })
 }
@@ -122,22 +97,20 @@ fn declared(program: &Program) -> Vec<Appearance> {
 
 /// Digits in an expression are LREAL in every implementation: they must not stand beside a REAL.
 fn among_statements(program: &Program) -> Vec<Appearance> {
-    let of = |value| if matches!(value, Literal::F32(_)) { Appearance::Assigned } else { Appearance::Inline };
-    let mut appearances: Vec<Appearance> = program.constants.iter().map(|constant| of(constant.value)).collect();
-    let mut look = |expr: &Expr| expr.parts(&mut |part| assign_alone(part, program, &mut appearances));
-    program.step.iter().for_each(|statement| statement.expressions(&mut look));
-    appearances
-}
-
-/// Digits have no type of their own: an operator or a conversion that has nothing but integer digits would be anything.
-fn assign_alone(expr: &Expr, program: &Program, appearances: &mut [Appearance]) {
-    let is_integer = |value: Literal| matches!(value, Literal::I32(_) | Literal::U32(_));
-    let is_digits = |operand: &Expr| operand.known(&program.constants).is_some_and(is_integer);
-    if expr.operands().all(is_digits) {
-        for operand in expr.operands() {
-            if let Expr::Var(Var::Constant(index)) = operand {
-                appearances[*index] = Appearance::Assigned;
+    let usual = |value| if matches!(value, Literal::F32(_)) { Appearance::Assigned } else { Appearance::Inline };
+    let mut appearances: Vec<Appearance> = program.constants.iter().map(|constant| usual(constant.value)).collect();
+    // Digits have no type of their own: an operator or a conversion that has nothing but integer digits would be anything.
+    let is_digits =
+        |operand: &Expr| matches!(operand.known(&program.constants), Some(Literal::I32(_) | Literal::U32(_)));
+    let mut assign_alone = |part: &Expr| {
+        if part.operands().all(is_digits) {
+            for operand in part.operands() {
+                if let Expr::Var(Var::Constant(index)) = operand {
+                    appearances[*index] = Appearance::Assigned;
+                }
             }
         }
-    }
+    };
+    program.step.iter().for_each(|statement| statement.expressions(&mut |expr| expr.parts(&mut assign_alone)));
+    appearances
 }

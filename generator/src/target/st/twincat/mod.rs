@@ -1,19 +1,20 @@
 //! The target `twincat`: function blocks, what they share, and TcUnit suites, in the folders of a TwinCAT 3 PLC project.
 
-mod guid;
 mod project;
 mod suite;
 
 pub(crate) use project::shared;
 
-use super::block::{listing, origin};
-use crate::digest::NO_CHECKSUM;
-use crate::render::{TcInRange, TcPou};
-use crate::target::{self, File, Header, Legal, VERSION};
+use super::{Origin, StBlock, TcInRange, listings, origin};
+use crate::target::{self, File, Header, Legal};
 use askama::Template;
-use compiler::print::st::{self, CODESYS, type_name};
+use askama::filters::Escaper;
+use compiler::print::st::CODESYS;
 use compiler::program::Type;
 use portable::RealKind;
+use std::fmt::Write;
+use std::slice::from_ref;
+use uuid::{Uuid, uuid};
 
 /// Where the files lie, below the output folder.
 const FOLDER: &str = "twincat";
@@ -24,35 +25,40 @@ const DUTS: &str = "DUTs";
 /// The folder of what only tests need.
 const TESTS: &str = "Tests";
 
+/// What the names of function blocks begin with.
+const PREFIX: &str = "FB_";
+
 /// TwinCAT's files begin with a byte order mark.
 const BYTE_ORDER_MARK: &str = "\u{feff}";
 
-/// The files of an axis: for each block the function block, and a suite with its vector.
-pub(crate) fn files(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
-    blocks
-        .iter()
-        .flat_map(|block| {
-            let name = block_name(&axis.axis, block.program.block);
-            [function_block(axis, block, &name)].into_iter().chain(suite::files(axis, block, &name))
-        })
-        .collect()
+/// The namespace of all GUIDs that axgen makes: version 5 of the name `axgen` in RFC 9562's namespace of URLs. Another
+/// namespace would give every object of every project another GUID.
+const NAMESPACE: Uuid = uuid!("4af64489-b926-5bad-acb2-20dca8f42d6a");
+
+/// A function block.
+#[derive(Template)]
+#[template(path = "twincat/block.TcPOU")]
+struct TcPou<'a> {
+    origin: Origin<'a>,
+    id: String,
+    block: &'a StBlock,
 }
 
-/// The function block of a block.
-fn function_block(axis: &Header, block: &Legal<'_>, name: &str) -> File {
-    let file = format!("{name}.TcPOU");
-    let listing = listing(name.to_owned(), block, &CODESYS);
-    let pou = TcPou {
-        origin: &origin(axis, &file, std::slice::from_ref(block)),
-        id: &guid::derive("POU", name),
-        block: &listing,
+/// The files of an axis: for each block the function block, and a suite with its vector.
+pub(crate) fn files(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
+    let files = |(block, listing): (&Legal<'_>, &StBlock)| {
+        let file = format!("{}.TcPOU", listing.name);
+        let origin = origin(axis, &file, from_ref(block));
+        let pou = rendered(POUS, &file, &TcPou { origin, id: guid("POU", &listing.name), block: listing });
+        let [vector, suite] = suite::files(axis, block, &listing.name);
+        [pou, vector, suite]
     };
-    rendered(POUS, file, &pou)
+    blocks.iter().zip(&listings(axis, blocks, PREFIX, &CODESYS)).flat_map(files).collect()
 }
 
 /// The name of the function block of a block of an axis.
-pub(crate) fn block_name(axis: &str, block: &str) -> String {
-    format!("FB_{}", target::block_name(axis, block))
+fn block_name(axis: &str, block: &str) -> String {
+    format!("{PREFIX}{}", target::block_name(axis, block))
 }
 
 /// The bit string of a real's size.
@@ -63,18 +69,41 @@ fn word_name(real: RealKind) -> &'static str {
     }
 }
 
-/// The function that looks at a sample's exponent bits before it compares it.
-pub(crate) fn in_range(real: RealKind) -> TcInRange<'static> {
-    let name = st::in_range(real);
+/// The function that the statements call by this name.
+pub(super) fn in_range(real: RealKind) -> TcInRange<'static> {
     let exponent = match real {
         RealKind::F64 => "16#7FF0000000000000",
         RealKind::F32 => "16#7F800000",
     };
-    let (real, word) = (type_name(Type::Real, real), word_name(real));
-    TcInRange { version: VERSION, checksum: NO_CHECKSUM, id: guid::derive("POU", name), name, real, word, exponent }
+    let (real, word) = (CODESYS.ty(Type::Real, real), word_name(real));
+    let name = format!("F_axgen_in_range_{real}");
+    TcInRange { id: guid("POU", &name), name, real, word, exponent }
 }
 
-/// A file from its template.
-fn rendered(folder: &str, file: String, template: &impl Template) -> File {
-    target::rendered(format!("{FOLDER}/{folder}/{file}"), BYTE_ORDER_MARK, template)
+/// The GUID of an object of some kind, in braces: version 5 of `KIND NAME`, so that the same object has the same in every run.
+fn guid(kind: &str, name: &str) -> String {
+    Uuid::new_v5(&NAMESPACE, format!("{kind} {name}").as_bytes()).braced().to_string()
 }
+
+fn rendered(folder: &str, file: &str, template: &impl Template) -> File {
+    target::rendered(&format!("{FOLDER}/{folder}/{file}"), BYTE_ORDER_MARK, template)
+}
+
+/// The escaper of TwinCAT's files: in a CDATA section only the mark that ends it has to be taken apart.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Cdata;
+
+impl Escaper for Cdata {
+    fn write_escaped_str<W: Write>(&self, mut to: W, text: &str) -> std::fmt::Result {
+        let mut pieces = text.split("]]>");
+        to.write_str(pieces.next().unwrap_or_default())?;
+        pieces.try_for_each(|piece| {
+            to.write_str("]]]]><![CDATA[>")?;
+            to.write_str(piece)
+        })
+    }
+}
+
+#[cfg(test)]
+#[path = "../../../../unit/twincat.rs"]
+mod tests;
