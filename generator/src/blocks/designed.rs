@@ -2,17 +2,20 @@
 //! are made of. No text, no program.
 
 use super::feedforward::design as feedforward;
-use super::ipc::design as ipc;
+use super::ipc::design::{self as ipc, StageDesign};
 use super::position_control::design as position_control;
 use crate::axis::Axis;
+use reference::ipc::STAGES;
 
 /// An axis as it is designed. All coefficients are in double precision; `axis.real` says what they are rounded to.
 #[derive(Clone, Debug)]
 pub struct Designed {
     /// the axis
     pub axis: Axis,
+    /// the stages of improved position control; an inactive one is `None`
+    pub(crate) stage: [Option<StageDesign>; STAGES],
     /// improved position control
-    pub ipc: ipc::Design,
+    pub ipc: reference::ipc::Coeffs<f64>,
     /// feedforward; all 0 where there is none
     pub feedforward: reference::feedforward::Coeffs<f64>,
     /// position control; all 0 where there is none
@@ -30,9 +33,9 @@ impl Designed {
     /// Designs an axis.
     #[must_use]
     pub fn of(axis: Axis) -> Self {
-        let ipc = ipc::design(&axis);
+        let (stage, ipc) = ipc::design(&axis);
         let feedforward = feedforward::coefficients(&axis);
         let position_control = position_control::coefficients(&axis);
-        Self { axis, ipc, feedforward, position_control }
+        Self { axis, stage, ipc, feedforward, position_control }
     }
 }

@@ -12,7 +12,7 @@ pub(crate) mod axis;
 pub mod build;
 pub(crate) mod designed;
 pub(crate) mod feedforward;
-pub mod ipc;
+pub(crate) mod ipc;
 pub mod kind;
 pub(crate) mod part;
 pub(crate) mod position_control;
@@ -20,6 +20,7 @@ mod values;
 
 pub use build::Block;
 pub use designed::Designed;
+pub use ipc::{check::lowest_f0_ts, feasibility::refusals};
 pub use kind::{Kind, Run};
 pub(crate) use values::is_same;
 

@@ -1,23 +1,16 @@
 //! The low-pass prototypes of the band-passes as poles. No frequency, no section, no coefficient.
 
 use crate::axis::Prototype;
+use core::f64::consts::FRAC_1_SQRT_2;
 
 /// A real pole or a conjugate pair of a low-pass prototype, in the left half plane of s, normalised to its -3 dB
 /// frequency.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Pole {
+#[derive(Clone, Copy)]
+pub(crate) enum Pole {
     /// s = -sigma
-    Real {
-        /// distance from the imaginary axis
-        sigma: f64,
-    },
+    Real { sigma: f64 },
     /// s = -sigma +- j omega
-    Pair {
-        /// distance from the imaginary axis
-        sigma: f64,
-        /// distance from the real axis
-        omega: f64,
-    },
+    Pair { sigma: f64, omega: f64 },
 }
 
 /// Poles of the low-pass prototype with |H(0)| = 1 and |H(j)|^2 = 1/2 (P-AXIS-00848, P-AXIS-00750).
@@ -31,15 +24,12 @@ pub enum Pole {
 ///
 /// # Panics
 /// If the order is not 1, 2 or 3, which the check excludes.
-#[must_use]
-pub fn poles(prototype: Prototype, order: usize) -> &'static [Pole] {
+pub(crate) fn poles(prototype: Prototype, order: usize) -> &'static [Pole] {
     match (prototype, order) {
         (_, 1) => &[Pole::Real { sigma: 1.0 }],
         (Prototype::CritDamping, 2) => &[Pole::Real { sigma: 1.553_773_974_030_037_4 }; 2],
         (Prototype::CritDamping, 3) => &[Pole::Real { sigma: 1.961_459_176_700_619_8 }; 3],
-        (Prototype::Butterworth, 2) => {
-            const { &[Pole::Pair { sigma: core::f64::consts::FRAC_1_SQRT_2, omega: core::f64::consts::FRAC_1_SQRT_2 }] }
-        }
+        (Prototype::Butterworth, 2) => &[Pole::Pair { sigma: FRAC_1_SQRT_2, omega: FRAC_1_SQRT_2 }],
         (Prototype::Butterworth, 3) => {
             &[Pole::Real { sigma: 1.0 }, Pole::Pair { sigma: 0.5, omega: 0.866_025_403_784_438_6 }]
         }

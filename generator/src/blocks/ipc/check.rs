@@ -17,7 +17,6 @@ const MAX_F0_TS: f64 = 0.45;
 /// The lowest f0 Ts of a filter. Measured against extended precision with a third-order Butterworth band-pass, Q 10, a
 /// vibration of 1 on a velocity of 500: double keeps 98 dB at 1e-6 (125 dB at 6e-6, 73 dB at 3e-7), single 80 dB at 0.01
 /// (39 dB at 7e-4). Below, what a biquad adds is more and more its own rounding.
-#[must_use]
 pub fn lowest_f0_ts(real: RealKind) -> f64 {
     match real {
         RealKind::F64 => 1e-6,

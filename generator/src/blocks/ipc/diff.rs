@@ -1,7 +1,7 @@
 //! Improved position control of two versions of an axis beside each other: its own values, and which stages to compare.
 
 use super::super::values::is_same;
-use super::stage_diff::{self, Version};
+use super::stage_diff;
 use crate::blocks::designed::Designed;
 use crate::number::{pair, significant};
 use crate::parameters::words::Words;
@@ -24,8 +24,8 @@ pub(crate) fn differences(old: &Designed, new: &Designed) -> Vec<String> {
     if !is_same(fades[0], fades[1]) {
         lines.push(format!("fade {} s", pair(fades[0], fades[1], 4)));
     }
-    for index in 0..old.axis.ipc.stage.len() {
-        let line = stage_diff::difference(Version::at(old, index).as_ref(), Version::at(new, index).as_ref());
+    for (index, (old, new)) in old.stage.iter().zip(&new.stage).enumerate() {
+        let line = stage_diff::difference(old.as_ref(), new.as_ref());
         lines.extend(line.map(|line| format!("stage[{index}]: {line}")));
     }
     lines
@@ -41,8 +41,8 @@ pub(crate) fn description(of: &Designed) -> Vec<String> {
         ipc.enable.name(),
         significant(fade(of), 4),
     )];
-    let stages = (0..ipc.stage.len()).filter_map(|index| Some((index, Version::at(of, index)?)));
-    lines.extend(stages.map(|(index, version)| format!("stage[{index}]: {}", stage_diff::description(&version))));
+    let stages = of.stage.iter().flatten();
+    lines.extend(stages.map(|stage| format!("stage[{}]: {}", stage.index, stage_diff::description(stage))));
     lines
 }
 
@@ -53,5 +53,5 @@ fn part(of: &Designed) -> f64 {
 
 /// What the block does, in whole cycles [s].
 fn fade(of: &Designed) -> f64 {
-    f64::from(of.ipc.coeffs.fade_cycles) * of.axis.cycle_time()
+    f64::from(of.ipc.fade_cycles) * of.axis.cycle_time()
 }

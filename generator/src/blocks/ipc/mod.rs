@@ -1,11 +1,11 @@
 //! The block `ipc`: improved position control.
 
 pub(crate) mod advice;
-pub mod certificate;
-pub mod check;
-pub mod design;
+pub(crate) mod certificate;
+pub(crate) mod check;
+pub(crate) mod design;
 mod diff;
-pub mod feasibility;
+pub(crate) mod feasibility;
 mod filter;
 pub(crate) mod notes;
 mod phase;
@@ -26,7 +26,7 @@ impl Part for Ipc {
     }
 
     fn coefficients(designed: &Designed) -> Coeffs<f64> {
-        designed.ipc.coeffs
+        designed.ipc
     }
 
     fn notes(designed: &Designed) -> Vec<(String, String)> {

@@ -20,10 +20,10 @@ const MUCH_DELAY: f64 = 60.0;
 const NEARLY_INVERTED: f64 = 10.0;
 
 /// Says where the phase of an active stage may be another than its user thinks.
-pub(crate) fn advise(e: &mut Effective<'_>, i: u32, stage: &Stage, design: &StageDesign, cycle_time: f64) {
-    direct_source(e, i, stage);
-    delay(e, i, stage, cycle_time);
-    polarity(e, i, stage, design, cycle_time);
+pub(crate) fn advise(e: &mut Effective<'_>, i: u32, design: &StageDesign) {
+    direct_source(e, i, &design.stage);
+    delay(e, i, design);
+    polarity(e, i, design);
 }
 
 /// What is fed back from the load lags more than what is fed back from the motor.
@@ -43,7 +43,7 @@ fn direct_source(e: &mut Effective<'_>, i: u32, stage: &Stage) {
 }
 
 /// The delay of the loop turns the phase, which an all-pass turns back. A pre-filter (SET_POINT) has no loop.
-fn delay(e: &mut Effective<'_>, i: u32, stage: &Stage, cycle_time: f64) {
+fn delay(e: &mut Effective<'_>, i: u32, StageDesign { stage, cycle_time, .. }: &StageDesign) {
     let given = delay_cycles(e);
     let cycles = given.map_or(LEAST_DELAY_CYCLES, f64::from) + HOLD_CYCLES;
     let lag = 360.0 * stage.f0() * cycle_time * cycles;
@@ -65,10 +65,10 @@ fn delay(e: &mut Effective<'_>, i: u32, stage: &Stage, cycle_time: f64) {
 }
 
 /// An all-pass at the frequency of the band-pass, or nearly there, turns by 180 degrees.
-fn polarity(e: &mut Effective<'_>, i: u32, stage: &Stage, design: &StageDesign, cycle_time: f64) {
-    for ((k, filter), passband) in (0..FILTERS).zip(&stage.filter).zip(&design.passband) {
+fn polarity(e: &mut Effective<'_>, i: u32, StageDesign { stage, passband, cycle_time, .. }: &StageDesign) {
+    for ((k, filter), passband) in (0..FILTERS).zip(&stage.filter).zip(passband) {
         let (Filter::Allpass { f0, .. }, Some(passband)) = (*filter, passband) else { continue };
-        let turn = turn(&passband.band, warped(stage.f0(), cycle_time));
+        let turn = turn(&passband.band, warped(stage.f0(), *cycle_time));
         if (turn + 180.0).abs() > NEARLY_INVERTED {
             continue;
         }

@@ -3,32 +3,14 @@
 use super::super::values::is_same;
 use super::design::StageDesign;
 use super::filter;
-use crate::axis::{Filter, Stage};
-use crate::blocks::designed::Designed;
+use crate::axis::Filter;
 use crate::design::band::warped;
 use crate::design::response::{magnitude, of_stage, phase};
 use crate::number::{decibels, decimals, pair, significant};
 use crate::parameters::words::{FilterType, StageMode, Words};
-use reference::stage::Coeffs;
-
-/// A stage of a version of an axis, with what design made of it.
-pub(crate) struct Version<'d> {
-    stage: &'d Stage,
-    design: &'d StageDesign,
-    coeffs: &'d Coeffs<f64>,
-    cycle_time: f64,
-}
-
-impl<'d> Version<'d> {
-    /// The stage of that index, if it is active.
-    pub(crate) fn at(of: &'d Designed, index: usize) -> Option<Self> {
-        let (stage, design) = (of.axis.ipc.stage[index].as_ref()?, of.ipc.stage[index].as_ref()?);
-        Some(Self { stage, design, coeffs: &of.ipc.coeffs.stage[index], cycle_time: of.axis.cycle_time() })
-    }
-}
 
 /// What differs, in one line; none: nothing.
-pub(crate) fn difference(old: Option<&Version<'_>>, new: Option<&Version<'_>>) -> Option<String> {
+pub(crate) fn difference(old: Option<&StageDesign>, new: Option<&StageDesign>) -> Option<String> {
     match (old, new) {
         (None, None) => None,
         (Some(old), None) => Some(format!("{} -> {}", description(old), StageMode::NotActive.name())),
@@ -38,8 +20,8 @@ pub(crate) fn difference(old: Option<&Version<'_>>, new: Option<&Version<'_>>) -
 }
 
 /// A stage that has no older version.
-pub(crate) fn description(of: &Version<'_>) -> String {
-    let stage = of.stage;
+pub(crate) fn description(of: &StageDesign) -> String {
+    let stage = &of.stage;
     let weight = stage.weight();
     let mut parts =
         vec![stage.mode.text(), format!("weight {} ({} dB)", significant(weight, 7), decimals(decibels(weight), 2))];
@@ -49,7 +31,7 @@ pub(crate) fn description(of: &Version<'_>) -> String {
     parts.join(", ")
 }
 
-fn between(old: &Version<'_>, new: &Version<'_>) -> Option<String> {
+fn between(old: &StageDesign, new: &StageDesign) -> Option<String> {
     let mut parts = Vec::new();
     let [source_old, source_new] = [old, new].map(|of| of.stage.mode.text());
     if source_old != source_new {
@@ -82,23 +64,23 @@ fn between(old: &Version<'_>, new: &Version<'_>) -> Option<String> {
 }
 
 /// The edges of a filter; 0 where there is none.
-fn edges_of(of: &Version<'_>, index: usize) -> [f64; 2] {
-    of.design.passband[index].map_or([0.0; 2], |passband| passband.edges)
+fn edges_of(of: &StageDesign, index: usize) -> [f64; 2] {
+    of.passband[index].map_or([0.0; 2], |passband| passband.edges)
 }
 
 /// What the whole stage does at the old and at the new centre frequency, before and after; what stays is left out.
-fn effects(old: &Version<'_>, new: &Version<'_>) -> Vec<String> {
+fn effects(old: &StageDesign, new: &StageDesign) -> Vec<String> {
     let [f0_old, f0_new] = [old, new].map(|of| of.stage.f0());
     let second = (!is_same(f0_old, f0_new)).then_some(f0_new);
     [Some(f0_old), second].into_iter().flatten().filter_map(|f0| effect(old, new, f0)).collect()
 }
 
-fn effect(old: &Version<'_>, new: &Version<'_>, f0: f64) -> Option<String> {
+fn effect(old: &StageDesign, new: &StageDesign, f0: f64) -> Option<String> {
     // Beyond half the sampling frequency there is nothing to see.
     if [old, new].iter().any(|of| f0 * of.cycle_time >= 0.5) {
         return None;
     }
-    let [before, after] = [old, new].map(|of| of_stage(of.coeffs, warped(f0, of.cycle_time)));
+    let [before, after] = [old, new].map(|of| of_stage(&of.coeffs, warped(f0, of.cycle_time)));
     let gains = [before, after].map(|h| decimals(decibels(magnitude(h)), 2));
     let from = phase(before);
     let from = if from < -179.95 { from + 360.0 } else { from };
@@ -113,11 +95,11 @@ fn effect(old: &Version<'_>, new: &Version<'_>, f0: f64) -> Option<String> {
 }
 
 /// Time in which the slowest pole of a stage decays to 1/e [s]: -Ts / ln r, r its distance from the origin.
-fn decay(of: &Version<'_>) -> f64 {
+fn decay(of: &StageDesign) -> f64 {
     let logarithm = |[a1, a2]: [f64; 2]| {
         let square = a1 * a1 / 4.0 - a2;
         if square < 0.0 { libm::log1p(a2 - 1.0) / 2.0 } else { libm::log(a1.abs() / 2.0 + libm::sqrt(square)) }
     };
-    let poles = of.design.section.iter().map(|section| logarithm([section.a1, section.a2]));
+    let poles = of.section.iter().map(|section| logarithm(section.denominator));
     -of.cycle_time / poles.fold(f64::NEG_INFINITY, f64::max)
 }

@@ -13,7 +13,7 @@ pub(crate) fn summary(designed: &Designed) -> Summary {
         ", starts {}, |v_add| <= {}, fades in {} cycles",
         ipc.enable.name(),
         ipc.limit(),
-        designed.ipc.coeffs.fade_cycles
+        designed.ipc.fade_cycles
     );
     let line = |(index, stage): (usize, &Option<Stage>)| {
         let what = stage.as_ref().map_or_else(|| StageMode::NotActive.name().to_owned(), of_stage);

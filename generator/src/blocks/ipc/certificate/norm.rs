@@ -8,18 +8,16 @@ use portable::RealKind;
 use std::collections::BTreeMap;
 
 /// Largest magnitudes for inputs within +-1; infinite where none is certain.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bound {
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bound {
     /// of any state of a section
     pub state: f64,
     /// of the sum before the limit
     pub v_sum: f64,
-    /// how much of `v_sum` was added up sample by sample
-    pub summed: f64,
 }
 
 /// Samples times sections that are added up at the most: some 50 us, whatever the parameters.
-const BUDGET: usize = 8_192;
+pub(crate) const BUDGET: usize = 8_192;
 /// Samples from one look at the rest to the next.
 const BLOCK: usize = 64;
 /// A rest of this part of the sum is small enough.
@@ -27,41 +25,32 @@ const SMALL: f64 = 1e-4;
 /// What the roundings of this computation itself may amount to, many times over.
 const SLACK: f64 = 1e-6;
 
-/// Bounds of the whole block and of each stage.
+/// Bounds of the whole block.
 ///
 /// A block starts in the steady state of its input, which an input that was constant for ever has led to: what holds
 /// for every sequence of samples holds from there on too.
-pub(super) fn bounds(chains: &[Chain], real: RealKind) -> (Bound, Vec<Bound>) {
+pub(super) fn bounds(chains: &[Chain], real: RealKind) -> Bound {
     let sections: usize = chains.iter().map(|chain| chain.section.len()).sum();
     let budget = BUDGET / sections.max(1);
     let runs: Vec<Run> = chains.iter().map(|chain| run(chain, budget, real)).collect();
-    let of_stages = runs.iter().map(|run| {
-        let summed = run.response.iter().map(|h| h.abs()).sum::<f64>();
-        finished(run.state, summed, run.rest, run.rounding)
-    });
     let mut of_input: BTreeMap<usize, Vec<f64>> = BTreeMap::new();
     for (chain, run) in chains.iter().zip(&runs) {
         let sum = of_input.entry(chain.input).or_default();
         sum.resize(sum.len().max(run.response.len()), 0.0);
         sum.iter_mut().zip(&run.response).for_each(|(sum, h)| *sum += h);
     }
-    let of_stages: Vec<Bound> = of_stages.collect();
-    let summed = of_input.values().flatten().map(|h| h.abs()).sum();
-    let rest = runs.iter().map(|run| run.rest).sum();
+    let certain = |rounding: f64| (1.0 + SLACK) * rounding;
+    let summed = of_input.values().flatten().map(|h| h.abs()).sum::<f64>();
+    let rest = runs.iter().map(|run| run.rest).sum::<f64>();
     let rounding = runs.iter().map(|run| run.rounding).fold(1.0, f64::max);
-    let state = of_stages.iter().map(|bound| bound.state).fold(0.0, f64::max);
-    (Bound { state, ..finished(state, summed, rest, rounding) }, of_stages)
-}
-
-fn finished(state: f64, summed: f64, rest: f64, rounding: f64) -> Bound {
-    let certain = (1.0 + SLACK) * rounding;
-    Bound { state: state * certain, v_sum: (summed + rest) * certain, summed }
+    let state = runs.iter().map(|run| run.state * certain(run.rounding)).fold(0.0, f64::max);
+    Bound { state, v_sum: (summed + rest) * certain(rounding) }
 }
 
 /// What one stage does with an impulse.
-struct Run {
+pub(crate) struct Run {
     /// v_stage, as far as it was added up
-    response: Vec<f64>,
+    pub response: Vec<f64>,
     /// bound of the sum of all |v_stage| behind that
     rest: f64,
     /// bound of the L1 norm to any state
@@ -80,7 +69,7 @@ struct Sums {
     sum: [f64; 2],
 }
 
-fn run(chain: &Chain, budget: usize, real: RealKind) -> Run {
+pub(crate) fn run(chain: &Chain, budget: usize, real: RealKind) -> Run {
     let sums = |section: &Section| {
         let free = free::bounds(section);
         let norm = section.b0.abs() + free.sum(section.from_x[0], section.from_x[1]);
