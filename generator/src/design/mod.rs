@@ -3,8 +3,7 @@
 //!
 //! ```text
 //! band         f0, Q, Ts -> warped centre and bandwidth
-//! prototype    prototype, order -> poles of the low-pass
-//! bandpass     poles, band -> sections, in the order of their execution
+//! bandpass     prototype, order, band -> sections, in the order of their execution
 //! section      warped centre, damping -> coefficients of a band-pass, an all-pass, the simulated oscillation
 //! delay        time, cycle -> whole cycles and a fraction
 //! scale        what the drive gets for a velocity, an acceleration
@@ -18,7 +17,6 @@
 pub(crate) mod band;
 pub(crate) mod bandpass;
 pub(crate) mod delay;
-pub(crate) mod prototype;
 pub(crate) mod response;
 pub(crate) mod rounding;
 pub(crate) mod scale;

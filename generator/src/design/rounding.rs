@@ -19,32 +19,20 @@ pub(crate) fn rounded<From: Portable, To: Portable>(value: &From, real: RealKind
 
 /// A number of double precision as its real type has it.
 pub(crate) fn in_precision(value: f64, real: RealKind) -> f64 {
-    match real {
-        RealKind::F64 => value,
-        RealKind::F32 => f64::from(f32::lit(value)),
-    }
+    if real == RealKind::F64 { value } else { f32::lit(value).into() }
 }
 
 /// The largest number of a real type.
 pub(crate) fn largest(real: RealKind) -> f64 {
-    match real {
-        RealKind::F64 => f64::MAX,
-        RealKind::F32 => f64::from(f32::MAX),
-    }
+    if real == RealKind::F64 { f64::MAX } else { f32::MAX.into() }
 }
 
 /// The largest magnitude of a sample that a block takes.
 pub(crate) fn sample_limit(real: RealKind) -> f64 {
-    match real {
-        RealKind::F64 => signal::sample_limit::<f64>(),
-        RealKind::F32 => f64::from(signal::sample_limit::<f32>()),
-    }
+    if real == RealKind::F64 { signal::sample_limit() } else { signal::sample_limit::<f32>().into() }
 }
 
 /// The name of a real type's precision.
 pub(crate) fn precision(real: RealKind) -> &'static str {
-    match real {
-        RealKind::F64 => "double",
-        RealKind::F32 => "single",
-    }
+    if real == RealKind::F64 { "double" } else { "single" }
 }

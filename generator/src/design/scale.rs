@@ -1,7 +1,7 @@
 //! Scalings: from path units to what the drive gets, and the ranges of process data. No filter.
 
 use crate::axis::{Motor, Ratio, Resolution, TimeBase, Torque, Velocity, Width};
-use portable::RealKind;
+use portable::{Real, RealKind};
 use reference::process_data;
 
 /// Additive velocity: increments for 1 um/s or 0.001 deg/s,
@@ -70,18 +70,13 @@ pub(crate) fn torque(torque: &Torque) -> f64 {
 /// rounded beyond. In single precision they differ from the boundaries: 2147483647 itself would become 2^31.
 pub(crate) fn range(width: Width, real: RealKind) -> process_data::Coeffs<f64> {
     let [lowest, highest] = width.range();
-    let below = |boundary: f64| match real {
-        RealKind::F64 => boundary.next_down(),
-        RealKind::F32 => f64::from(single_below(boundary)),
+    // The largest number of the real type below a boundary; what was rounded up is taken back.
+    let below = |boundary: f64| match (real, f32::lit(boundary)) {
+        (RealKind::F64, _) => boundary.next_down(),
+        (RealKind::F32, nearest) if f64::from(nearest) < boundary => nearest.into(),
+        (RealKind::F32, nearest) => nearest.next_down().into(),
     };
     let upper_limit = below(f64::from(highest) + 0.5);
     let lower_limit = 0.0 - below(0.5 - f64::from(lowest));
     process_data::Coeffs { lowest, highest, lower_limit, upper_limit }
-}
-
-/// The largest number of single precision below another.
-#[expect(clippy::cast_possible_truncation, reason = "what is rounded up is taken back")]
-fn single_below(boundary: f64) -> f32 {
-    let nearest = boundary as f32;
-    if f64::from(nearest) < boundary { nearest } else { nearest.next_down() }
 }

@@ -2,16 +2,15 @@
 
 use super::check::{damping_given, is_gantry_slave};
 use super::design::StageDesign;
-use super::filter;
 use super::phase;
-use crate::axis::{Axis, Mode, Stage};
+use crate::axis::{Axis, Filter, Mode, Stage};
 use crate::blocks::designed::Designed;
 use crate::codes;
 use crate::config::values::{Key, Setting, key};
 use crate::diagnostics::Diagnostic;
 use crate::number::rounded;
 use crate::parameters::words::{Enable, FilterType, StageMode, Words};
-use crate::parameters::{FILTERS, Name, Value, path_with, real_text};
+use crate::parameters::{FILTERS, Name, STAGES, Value, path_with, real_text};
 use crate::rules::effective::{Effective, as_written};
 
 /// Above this f0 * Ts the upper skirt of a band-pass is squeezed against half the sampling frequency.
@@ -23,7 +22,7 @@ const MUCH_GAIN: f64 = 2.0 * Stage::MAX_WEIGHT;
 pub(crate) fn advise(designed: &Designed, e: &mut Effective<'_>) {
     let axis = &designed.axis;
     whole(axis, e);
-    for (i, design) in (0..).zip(&designed.stage) {
+    for (i, design) in (0..STAGES).zip(&designed.stage) {
         inert_source(e, i, design.as_ref());
         if let Some(design) = design {
             damping_generations(e, i, &design.stage);
@@ -106,13 +105,9 @@ fn filter_without_type(e: &mut Effective<'_>, i: u32, stage: &Stage) {
         let typed = e.given((Name::FilterType, [i, k])).is_some();
         if let Some(name) = described.filter(|_| !typed) {
             let found = format!("stage[{i}].filter[{k}] has parameters and no type: it is NO_FILTER (P-AXIS-00849)");
-            let place = e.place_of((name, [i, k]));
-            let instead = as_written(
-                &place,
-                (Name::FilterType, [i, k]),
-                &[FilterType::Bandpass.name(), FilterType::Allpass.name()],
-            );
-            e.report.push(Diagnostic::warning(codes::NO_TYPE, place, found).instead(instead));
+            let words = [FilterType::Bandpass, FilterType::Allpass].map(Words::name);
+            let instead = as_written(&e.place_of((name, [i, k])), (Name::FilterType, [i, k]), &words);
+            e.warn(codes::NO_TYPE, (name, [i, k]), found, Some(instead));
         }
     }
 }
@@ -167,7 +162,10 @@ fn near_nyquist(e: &mut Effective<'_>, i: u32, stage: &Stage, cycle_time_ns: u32
         let Some(f0) = filter.f0() else { continue };
         let f0_ts = f0 * f64::from(cycle_time_ns) / 1e9;
         if f0_ts > NEAR_NYQUIST {
-            let what = filter::above(filter);
+            let what = match filter {
+                Filter::Allpass { .. } => "phase above it",
+                Filter::Bandpass { .. } | Filter::NoFilter => "upper skirt",
+            };
             let found = format!(
                 "stage[{i}].filter[{k}] lies at {} of the sampling frequency: its {what} is squeezed against one half",
                 rounded(f0_ts)

@@ -159,10 +159,7 @@ pub(crate) fn stage(index: usize, of: &Stage, cycle_time: f64) -> StageDesign {
 impl StageDesign {
     /// Designs a filter (P-AXIS-00849); the coefficients that its type does not use stay 0.
     fn filter(&mut self, index: usize) {
-        let (Filter::Bandpass { f0, q_factor, .. } | Filter::Allpass { f0, q_factor }) = self.stage.filter[index]
-        else {
-            return;
-        };
+        let Some([f0, q_factor]) = self.stage.filter[index].f0_and_q() else { return };
         let band = band(f0, q_factor, self.cycle_time);
         self.passband[index] = Some(Passband { band, edges: edges(&band).map(|t| frequency(t, self.cycle_time)) });
         let coeffs = &mut self.coeffs.filter[index];

@@ -16,12 +16,9 @@ use portable::RealKind;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
     pub(crate) element: Element,
-    /// what is wrong
-    pub found: String,
-    /// what would be allowed
-    pub allowed: String,
-    /// what to write instead
-    pub instead: String,
+    pub(crate) found: String,
+    pub(crate) allowed: String,
+    pub(crate) instead: String,
 }
 
 /// The largest relative difference between a section's centre frequency as designed and as its rounded coefficients

@@ -64,7 +64,7 @@ fn chain(probe: &mut Probe<'_>, places: &[[usize; 2]], input: usize, from_input:
         } else if i > 0 {
             probe.output(&Source::State(places[i - 1][0])) / gain
         } else {
-            probe.output(&Source::Alone { input, states: places[0] }) / gain
+            probe.output(&Source::Alone(input, places[0])) / gain
         };
         Section { b0, a1: -columns[i][s1], a2: -columns[i][s2], from_x: [reaching[s1], reaching[s2]] }
     };

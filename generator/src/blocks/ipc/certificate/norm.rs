@@ -79,8 +79,9 @@ pub(crate) fn run(chain: &Chain, budget: usize, real: RealKind) -> Run {
     let slowest = sections.iter().map(|sums| sums.free.even).fold(0.0, f64::max);
     let mut response = Vec::new();
     let mut total = 0.0;
+    let mut behind = rest(&sections, 1.0, chain.gain);
     // Where decay takes far longer than the budget, adding up a part of it gains nothing.
-    if slowest < LONG * as_f64(budget) {
+    if slowest < LONG * budget as f64 {
         while response.len() + BLOCK <= budget {
             let mut signal = [0.0; BLOCK];
             if response.is_empty() {
@@ -90,15 +91,14 @@ pub(crate) fn run(chain: &Chain, budget: usize, real: RealKind) -> Run {
             let signal = signal.map(|y| chain.gain * y);
             total += signal.iter().map(|h| h.abs()).sum::<f64>();
             response.extend(signal);
-            let (rest, state) = rest(&sections, 0.0, chain.gain);
+            behind = rest(&sections, 0.0, chain.gain);
             let so_far = sections.iter().flat_map(|sums| sums.sum).fold(0.0, f64::max);
-            if rest <= SMALL * total && state - so_far <= SMALL * so_far {
+            if behind.0 <= SMALL * total && behind.1 - so_far <= SMALL * so_far {
                 break;
             }
         }
     }
-    let x = if response.is_empty() { 1.0 } else { 0.0 };
-    let (rest, state) = rest(&sections, x, chain.gain);
+    let (rest, state) = behind;
     Run { response, rest, state, rounding: rounding(&sections, real) }
 }
 
@@ -142,18 +142,10 @@ impl Sums {
 /// on like a state of its own: with N = [`Free::sum_of_any`] all of them together add at most e N to the states, those
 /// that they cause in turn included 1 / (1 - 32 u N). Where that is not small, nothing is certain.
 fn rounding(sections: &[Sums], real: RealKind) -> f64 {
-    let unit = match real {
-        RealKind::F64 => f64::EPSILON / 2.0,
-        RealKind::F32 => f64::from(f32::EPSILON) / 2.0,
-    };
+    let unit = if real == RealKind::F64 { f64::EPSILON } else { f32::EPSILON.into() } / 2.0;
     let factor = |sums: &Sums| {
         let part = 32.0 * unit * sums.free.sum_of_any();
         if part < 0.5 { 1.0 / (1.0 - part) } else { f64::INFINITY }
     };
     sections.iter().map(factor).product()
-}
-
-#[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
-fn as_f64(count: usize) -> f64 {
-    count as f64
 }

@@ -5,7 +5,7 @@
 
 use compiler::interp::Machine;
 use compiler::program::{Program, Variable};
-use portable::{Literal, RealKind};
+use portable::{Literal, Real, RealKind};
 
 /// What is 1 before a step; everything else is 0. Variables and inputs by their positions in the program.
 pub(crate) enum Source {
@@ -13,10 +13,7 @@ pub(crate) enum Source {
     State(usize),
     Input(usize),
     /// an input, all sections but the one of these states at rest at it: they put out 0
-    Alone {
-        input: usize,
-        states: [usize; 2],
-    },
+    Alone(usize, [usize; 2]),
 }
 
 /// A machine for single steps.
@@ -59,10 +56,7 @@ impl<'p> Probe<'p> {
 
     /// The largest amplitude: within the sample limit, 1e15 or 1e9, and far above what a section at rest holds.
     fn large(&self) -> f64 {
-        match self.real {
-            RealKind::F64 => libm::ldexp(1.0, 49),
-            RealKind::F32 => libm::ldexp(1.0, 29),
-        }
+        libm::ldexp(1.0, if self.real == RealKind::F64 { 49 } else { 29 })
     }
 
     /// The state after one step, for a source of 1.
@@ -96,14 +90,13 @@ impl<'p> Probe<'p> {
     fn step(&mut self, source: &Source, amplitude: f64) {
         let value = match self.real {
             RealKind::F64 => Literal::F64(amplitude),
-            #[expect(clippy::cast_possible_truncation, reason = "a power of two")]
-            RealKind::F32 => Literal::F32(amplitude as f32),
+            RealKind::F32 => Literal::F32(f32::lit(amplitude)),
         };
         let (mut state, mut inputs) = (self.rest.clone(), self.inputs.clone());
         match source {
             Source::State(index) => state[*index] = value,
             Source::Input(input) => inputs[*input] = value,
-            Source::Alone { input, states } => {
+            Source::Alone(input, states) => {
                 inputs[*input] = value;
                 self.machine.set_state(&self.fresh);
                 self.machine.step(&inputs, &mut self.outputs);

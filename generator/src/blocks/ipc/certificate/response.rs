@@ -5,7 +5,7 @@ use super::super::design::{Passband, StageDesign};
 use super::chain::{Chain, Section};
 use crate::axis::{Filter, Prototype};
 use crate::design::band::{edges, frequency, warped};
-use crate::design::prototype::{Pole, poles};
+use crate::design::bandpass::{Pole, poles};
 use crate::design::response::{Complex, magnitude, product, quotient};
 
 /// The response of a stage at one frequency: from the velocity that it looks at to what it adds.
