@@ -1,7 +1,6 @@
 //! A band-pass of order 1 to 3: the poles of its low-pass prototype, its second-order sections. No coefficient.
 
-use super::band::Band;
-use super::section::Shape;
+use super::{band::Band, section::Shape};
 use crate::axis::Prototype;
 use core::f64::consts::FRAC_1_SQRT_2;
 

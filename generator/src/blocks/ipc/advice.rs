@@ -1,17 +1,13 @@
 //! What is legal, but inert, out of date or dangerous: warnings about an axis that is valid. Nothing here is an error.
 
 use super::check::{damping_given, is_gantry_slave};
-use super::design::StageDesign;
-use super::phase;
+use super::{design::StageDesign, phase};
 use crate::axis::{Axis, Filter, Mode, Stage};
-use crate::blocks::designed::Designed;
-use crate::codes;
 use crate::config::values::{Key, Setting, key};
-use crate::diagnostics::Diagnostic;
-use crate::number::rounded;
 use crate::parameters::words::{Enable, FilterType, StageMode, Words};
 use crate::parameters::{FILTERS, Name, STAGES, Value, path_with, real_text};
 use crate::rules::effective::{Effective, as_written};
+use crate::{blocks::designed::Designed, codes, diagnostics::Diagnostic, number::rounded};
 
 /// Above this f0 * Ts the upper skirt of a band-pass is squeezed against half the sampling frequency.
 const NEAR_NYQUIST: f64 = 0.35;
@@ -199,9 +195,7 @@ fn overlaps(designed: &Designed, e: &mut Effective<'_>) {
 }
 
 /// The band in which all band-passes of a stage lose at most 3 dB, in Hz.
-fn band_of(StageDesign { stage, passband, .. }: &StageDesign) -> [f64; 2] {
-    let filters = stage.filter.iter().zip(passband).filter(|(filter, _)| filter.kind() == FilterType::Bandpass);
-    filters
-        .filter_map(|(_, passband)| *passband)
-        .fold([0.0, f64::INFINITY], |[low, high], passband| [passband.edges[0].max(low), passband.edges[1].min(high)])
+fn band_of(design: &StageDesign) -> [f64; 2] {
+    let filters = design.filter.iter().flatten().filter(|of| of.filter.kind() == FilterType::Bandpass);
+    filters.fold([0.0, f64::INFINITY], |[low, high], of| [of.edges[0].max(low), of.edges[1].min(high)])
 }

@@ -1,12 +1,10 @@
 //! The rules of improved position control that are errors: a block that breaks one must not act on a machine.
 
 use crate::axis::{Filter, Ipc, Mode, Stage};
-use crate::codes;
-use crate::config::values::key;
-use crate::number::rounded;
 use crate::parameters::words::{Enable, FilterType, Prototype, StageMode, Words};
 use crate::parameters::{Name, Value, path_with, real_text, time_text};
 use crate::rules::effective::{Effective, as_written};
+use crate::{codes, config::values::key, number::rounded};
 use portable::{Real, RealKind};
 use reference::signal::sample_limit;
 

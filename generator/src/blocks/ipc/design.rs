@@ -1,12 +1,11 @@
 //! Improved position control as it is designed, once: the bands, the sections with their places, the coefficients.
 
-use crate::axis::{Axis, DirectSource, Filter, Mode, Stage};
+use crate::axis::{Axis, DirectSource, Filter, Ipc, Mode, Stage};
 use crate::design::band::{Band, band, edges, frequency, warped};
 use crate::design::{bandpass, section, section::Shape};
 use portable::RealKind;
 use reference::ipc::{Coeffs, STAGES};
-use reference::stage::FILTERS;
-use reference::{filter, stage};
+use reference::{filter, stage, stage::FILTERS};
 use std::fmt;
 
 /// An active stage.
@@ -17,16 +16,17 @@ pub(crate) struct StageDesign {
     pub stage: Stage,
     /// the same [s]
     pub cycle_time: f64,
-    /// where its filters lie; none: no filter
-    pub passband: [Option<Passband>; FILTERS],
+    pub filter: [Option<FilterDesign>; FILTERS],
     /// all its sections, in the order of their execution
     pub section: Vec<Section>,
     pub coeffs: stage::Coeffs<f64>,
 }
 
-/// Where a filter lies.
+/// A filter and where it lies.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Passband {
+pub(crate) struct FilterDesign {
+    pub index: usize,
+    pub filter: Filter,
     pub band: Band,
     /// lower and upper edge [Hz]: -3 dB of a band-pass, -90 and -270 degrees of an all-pass
     pub edges: [f64; 2],
@@ -112,16 +112,13 @@ pub(crate) fn rest_exponent(real: RealKind) -> i32 {
 ///
 /// # Panics
 /// If there are more than 2^24 cycles, which the check excludes: beyond, f32 cannot count.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number, 1 to 2^24")]
 pub(crate) fn fade_cycles(axis: &Axis) -> u32 {
     let quotient = axis.ipc.fade_time() * 1e9 / f64::from(axis.cycle_time_ns);
     let nearest = libm::round(quotient);
     let cycles = if (quotient - nearest).abs() <= 1e-9 * quotient { nearest } else { libm::ceil(quotient) };
-    let most = crate::axis::Ipc::MAX_FADE_CYCLES;
-    assert!(cycles <= most, "design: the check lets no fade of {cycles} cycles through");
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number, 1 to 2^24")]
-    {
-        cycles.max(1.0) as u32
-    }
+    assert!(cycles <= Ipc::MAX_FADE_CYCLES, "design: the check lets no fade of {cycles} cycles through");
+    cycles.max(1.0) as u32
 }
 
 /// A stage at the cycle time [s].
@@ -139,7 +136,7 @@ pub(crate) fn stage(index: usize, of: &Stage, cycle_time: f64) -> StageDesign {
         index,
         stage: of.clone(),
         cycle_time,
-        passband: [None; FILTERS],
+        filter: [None; FILTERS],
         section: Vec::with_capacity(1 + FILTERS * filter::MAX_ORDER),
         coeffs: stage::Coeffs { mode, direct_source, gain: -of.weight(), ..stage::Coeffs::default() },
     };
@@ -151,23 +148,25 @@ pub(crate) fn stage(index: usize, of: &Stage, cycle_time: f64) -> StageDesign {
         design.coeffs.oscillation = coeffs;
     }
     for k in 0..FILTERS {
-        design.filter(k);
+        design.design_filter(k);
     }
     design
 }
 
 impl StageDesign {
     /// Designs a filter (P-AXIS-00849); the coefficients that its type does not use stay 0.
-    fn filter(&mut self, index: usize) {
-        let Some([f0, q_factor]) = self.stage.filter[index].f0_and_q() else { return };
+    fn design_filter(&mut self, index: usize) {
+        let filter = self.stage.filter[index];
+        let Some([f0, q_factor]) = filter.f0_and_q() else { return };
         let band = band(f0, q_factor, self.cycle_time);
-        self.passband[index] = Some(Passband { band, edges: edges(&band).map(|t| frequency(t, self.cycle_time)) });
+        let edges = edges(&band).map(|t| frequency(t, self.cycle_time));
+        self.filter[index] = Some(FilterDesign { index, filter, band, edges });
         let coeffs = &mut self.coeffs.filter[index];
         let mut push = |section, shape, a1, a2| {
             let element = Element { stage: self.index, filter: Some(index), section };
             self.section.push(Section { element, shape, denominator: [a1, a2] });
         };
-        if let Filter::Bandpass { prototype, order, .. } = self.stage.filter[index] {
+        if let Filter::Bandpass { prototype, order, .. } = filter {
             (coeffs.kind, coeffs.order) = (filter::Type::Bandpass, order);
             for (i, shape) in bandpass::sections(prototype, order, &band).into_iter().enumerate() {
                 let of_section = section::bandpass(&shape);

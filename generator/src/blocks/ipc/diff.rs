@@ -2,13 +2,11 @@
 //! does at the centre frequencies.
 
 use super::super::values::is_same;
-use super::design::StageDesign;
-use super::filter;
-use crate::axis::Filter;
+use super::{design::StageDesign, filter};
 use crate::blocks::designed::Designed;
 use crate::design::{band::warped, response};
 use crate::number::{decibels, decimals, pair, significant};
-use crate::parameters::words::{FilterType, StageMode, Words};
+use crate::parameters::words::{StageMode, Words};
 
 /// What differs: limit, start and fade, a line each, then a line for each stage.
 pub(crate) fn differences(old: &Designed, new: &Designed) -> Vec<String> {
@@ -77,8 +75,7 @@ fn of_stage(of: &StageDesign) -> String {
     let mut parts =
         vec![stage.mode.text(), format!("weight {} ({} dB)", significant(weight, 7), decimals(decibels(weight), 2))];
     parts.extend(stage.mode.osc_damping().map(|damping| format!("damping {damping}")));
-    let filters = (0..stage.filter.len()).filter(|index| stage.filter[*index].kind() != FilterType::NoFilter);
-    parts.extend(filters.map(|index| filter::description(&stage.filter[index], edges_of(of, index))));
+    parts.extend(of.filter.iter().flatten().map(filter::description));
     parts.join(", ")
 }
 
@@ -99,11 +96,10 @@ fn between(old: &StageDesign, new: &StageDesign) -> Option<String> {
         [None, Some(b)] => parts.push(format!("damping none -> {b}")),
         _ => {}
     }
-    let several = [old, new].iter().any(|of| !of.stage.filter.contains(&Filter::NoFilter));
-    for index in 0..old.stage.filter.len() {
+    let several = [old, new].iter().any(|of| of.filter.iter().all(Option::is_some));
+    for (index, both) in old.filter.iter().zip(&new.filter).enumerate() {
         let prefix = if several { format!("filter[{index}]: ") } else { String::new() };
-        let edges = [old, new].map(|of| edges_of(of, index));
-        let differs = filter::difference([old, new].map(|of| &of.stage.filter[index]), edges);
+        let differs = filter::difference([both.0.as_ref(), both.1.as_ref()]);
         parts.extend(differs.map(|differs| format!("{prefix}{differs}")));
     }
     parts.extend(effects(old, new));
@@ -112,11 +108,6 @@ fn between(old: &StageDesign, new: &StageDesign) -> Option<String> {
         parts.push(format!("slowest decay to 1/e {} s", pair(decay_old, decay_new, 4)));
     }
     (!parts.is_empty()).then(|| parts.join("; "))
-}
-
-/// The edges of a filter; 0 where there is none.
-fn edges_of(of: &StageDesign, index: usize) -> [f64; 2] {
-    of.passband[index].map_or([0.0; 2], |passband| passband.edges)
 }
 
 /// What the whole stage does at the old and at the new centre frequency, before and after; what stays is left out.

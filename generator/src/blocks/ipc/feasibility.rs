@@ -2,14 +2,9 @@
 
 use super::check::damping_given;
 use super::design::{Element, Section};
-use crate::axis::Axis;
-use crate::blocks::designed::Designed;
-use crate::codes;
-use crate::design::band::frequency;
 use crate::design::rounding::{in_precision, precision};
-use crate::design::section::at_dc_and_nyquist;
-use crate::parameters::Name;
-use crate::rules::effective::Effective;
+use crate::design::{band::frequency, section::at_dc_and_nyquist};
+use crate::{axis::Axis, blocks::designed::Designed, codes, parameters::Name, rules::effective::Effective};
 use portable::RealKind;
 
 /// Why a section would endanger the machine.

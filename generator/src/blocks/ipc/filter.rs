@@ -1,7 +1,7 @@
 //! What is said of a filter, by its type: its note, its part of the summary, what differs between two of them.
 
 use super::super::values::is_same;
-use super::design::Passband;
+use super::design::FilterDesign;
 use crate::axis::Filter;
 use crate::number::{digits, pair, percent, significant};
 use crate::parameters::words::{FilterType, Words};
@@ -20,10 +20,10 @@ pub(crate) fn summary(filter: &Filter) -> Option<String> {
     Some(format!("{} at {f0} Hz, Q {q_factor}", kind(filter)))
 }
 
-pub(crate) fn note(filter: &Filter, passband: Option<&Passband>) -> Option<String> {
-    let [lower, upper] = passband?.edges.map(digits);
-    let kind = kind(filter);
-    match filter {
+pub(crate) fn note(of: &FilterDesign) -> Option<String> {
+    let [lower, upper] = of.edges.map(digits);
+    let kind = kind(&of.filter);
+    match of.filter {
         Filter::NoFilter => None,
         Filter::Bandpass { f0, q_factor, .. } => Some(format!(
             "{kind} (P-AXIS-00849, 00848, 00750): centre frequency {f0} Hz (P-AXIS-00751), quality factor {q_factor} \
@@ -37,41 +37,45 @@ pub(crate) fn note(filter: &Filter, passband: Option<&Passband>) -> Option<Strin
 }
 
 /// A filter with its edges [Hz].
-pub(crate) fn description(filter: &Filter, edges: [f64; 2]) -> String {
-    let kind = kind(filter);
-    match filter {
+pub(crate) fn description(of: &FilterDesign) -> String {
+    let kind = kind(&of.filter);
+    match of.filter {
         Filter::NoFilter => kind,
-        Filter::Bandpass { f0, .. } => format!("{kind} at {f0} Hz, edges {} Hz", range(edges, 4)),
+        Filter::Bandpass { f0, .. } => format!("{kind} at {f0} Hz, edges {} Hz", range(of.edges, 4)),
         Filter::Allpass { f0, .. } => {
-            let [lower, upper] = edges.map(|edge| significant(edge, 4));
+            let [lower, upper] = of.edges.map(|edge| significant(edge, 4));
             format!("{kind} with -180 deg at {f0} Hz, -90 at {lower} and -270 at {upper} Hz")
         }
     }
 }
 
 /// What differs between two filters at the same place.
-pub(crate) fn difference([old, new]: [&Filter; 2], edges: [[f64; 2]; 2]) -> Option<String> {
-    if old.kind() != new.kind() {
-        return Some(format!("{} -> {}", description(old, edges[0]), description(new, edges[1])));
+pub(crate) fn difference(both: [Option<&FilterDesign>; 2]) -> Option<String> {
+    let [kind, other] = both.map(|of| of.map_or(FilterType::NoFilter, |of| of.filter.kind()));
+    if kind != other {
+        let words = both.map(|of| of.map_or_else(|| FilterType::NoFilter.name().to_owned(), description));
+        return Some(words.join(" -> "));
     }
-    let mut parts = bands(old.f0_and_q()?, new.f0_and_q()?, edges);
+    let [old, new] = [both[0]?, both[1]?];
+    let mut parts = bands(old.filter.f0_and_q()?, new.filter.f0_and_q()?, [old.edges, new.edges]);
     if let (
         Filter::Bandpass { prototype: from, order: order_old, .. },
         Filter::Bandpass { prototype: to, order: order_new, .. },
-    ) = (old, new)
+    ) = (old.filter, new.filter)
     {
         if order_old != order_new {
             parts.push(format!("order {order_old} -> {order_new}"));
         }
         // All prototypes of order 1 are the same filter.
-        if from != to && order_old.max(order_new) > &1 {
+        if from != to && order_old.max(order_new) > 1 {
             parts.push(format!("{} -> {}", from.name(), to.name()));
         }
     }
-    if !parts.is_empty() && old.kind() == FilterType::Allpass {
-        parts[0] = format!("{} {}", FilterType::Allpass.name(), parts[0]);
+    if parts.is_empty() {
+        return None;
     }
-    (!parts.is_empty()).then(|| parts.join(", "))
+    let which = if kind == FilterType::Allpass { format!("{} ", kind.name()) } else { String::new() };
+    Some(format!("{which}{}", parts.join(", ")))
 }
 
 /// Centre, quality factor and edges; the edges move with the cycle time too, by the warping of the frequency axis.

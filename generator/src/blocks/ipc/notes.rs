@@ -5,8 +5,7 @@ use super::filter;
 use crate::axis::{Axis, Filter, Mode, Stage};
 use crate::blocks::designed::Designed;
 use crate::design::band::{frequency, warped};
-use crate::design::response;
-use crate::design::section::Shape;
+use crate::design::{response, section::Shape};
 use crate::number::digits;
 use crate::parameters::words::Words;
 
@@ -40,9 +39,9 @@ fn of_stage(design: &StageDesign) -> Vec<(String, String)> {
         of_filter.filter_map(|section| Some((section.element.to_string(), of_section(section, design)?)))
     };
     notes.extend(sections(None));
-    for (k, (filter, passband)) in stage.filter.iter().zip(&design.passband).enumerate() {
-        notes.extend(filter::note(filter, passband.as_ref()).map(|text| (format!("{path}.filter[{k}]"), text)));
-        notes.extend(sections(Some(k)));
+    for filter in design.filter.iter().flatten() {
+        notes.extend(filter::note(filter).map(|text| (format!("{path}.filter[{}]", filter.index), text)));
+        notes.extend(sections(Some(filter.index)));
     }
     notes.push((format!("{path}.gain"), of_gain(design)));
     notes

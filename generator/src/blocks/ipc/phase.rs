@@ -1,14 +1,12 @@
 //! What turns the phase of a stage: the delay of its loop, the load, an all-pass. Warnings about an axis that is valid.
 
 use super::check::delay_cycles;
-use super::design::StageDesign;
+use super::design::{FilterDesign, StageDesign};
 use crate::axis::{Filter, Mode, Stage};
-use crate::codes;
 use crate::design::band::{Band, warped};
-use crate::number::rounded;
 use crate::parameters::words::{DirectSource, FilterType};
 use crate::parameters::{FILTERS, Name, real_text};
-use crate::rules::effective::Effective;
+use crate::{codes, number::rounded, rules::effective::Effective};
 
 /// A loop through the measured velocity costs one cycle of transport at the least.
 const LEAST_DELAY_CYCLES: f64 = 1.0;
@@ -65,10 +63,10 @@ fn delay(e: &mut Effective<'_>, i: u32, StageDesign { stage, cycle_time, .. }: &
 }
 
 /// An all-pass at the frequency of the band-pass, or nearly there, turns by 180 degrees.
-fn polarity(e: &mut Effective<'_>, i: u32, StageDesign { stage, passband, cycle_time, .. }: &StageDesign) {
-    for ((k, filter), passband) in (0..FILTERS).zip(&stage.filter).zip(passband) {
-        let (Filter::Allpass { f0, .. }, Some(passband)) = (*filter, passband) else { continue };
-        let turn = turn(&passband.band, warped(stage.f0(), *cycle_time));
+fn polarity(e: &mut Effective<'_>, i: u32, StageDesign { stage, filter, cycle_time, .. }: &StageDesign) {
+    for (k, filter) in (0..FILTERS).zip(filter) {
+        let Some(FilterDesign { filter: Filter::Allpass { f0, .. }, band, .. }) = filter else { continue };
+        let turn = turn(band, warped(stage.f0(), *cycle_time));
         if (turn + 180.0).abs() > NEARLY_INVERTED {
             continue;
         }

@@ -18,9 +18,8 @@ pub(crate) mod probe;
 mod response;
 
 use super::design::StageDesign;
-use crate::axis::Axis;
-use crate::blocks::designed::Designed;
 use crate::design::rounding::{largest, sample_limit};
+use crate::{axis::Axis, blocks::designed::Designed};
 use compiler::program::Program;
 pub(crate) use lines::lines;
 use portable::RealKind;

@@ -1,7 +1,7 @@
 //! Gain and phase of a stage: as its compiled sections have it, and as the formulas of its filters do. No rounding of
 //! a coefficient is in the designed values.
 
-use super::super::design::{Passband, StageDesign};
+use super::super::design::{FilterDesign, StageDesign};
 use super::chain::{Chain, Section};
 use crate::axis::{Filter, Prototype};
 use crate::design::band::{edges, frequency, warped};
@@ -30,12 +30,12 @@ impl Point {
 pub(super) fn bands(of: &StageDesign, chain: &Chain) -> Vec<(usize, [Point; 3])> {
     let point = |frequency, t| Point { frequency, designed: designed(of, t), measured: measured(chain, t) };
     let edge = |t| point(frequency(t, of.cycle_time), t);
-    let band = |(filter, passband): (&Filter, &Option<Passband>)| {
-        let (Filter::Bandpass { f0, .. }, Some(passband)) = (filter, passband) else { return None };
-        let [lower, upper] = edges(&passband.band).map(edge);
-        Some((of.index, [point(*f0, warped(*f0, of.cycle_time)), lower, upper]))
+    let band = |filter: &FilterDesign| {
+        let Filter::Bandpass { f0, .. } = filter.filter else { return None };
+        let [lower, upper] = edges(&filter.band).map(edge);
+        Some((of.index, [point(f0, warped(f0, of.cycle_time)), lower, upper]))
     };
-    of.stage.filter.iter().zip(&of.passband).filter_map(band).collect()
+    of.filter.iter().flatten().filter_map(band).collect()
 }
 
 /// The designed response at t = tan(pi f Ts): -weight, the simulated oscillation, the filters.
@@ -52,8 +52,7 @@ fn designed(of: &StageDesign, t: f64) -> Complex {
         let im = 2.0 * damping * g * t;
         h = product(h, quotient(Complex { re: g * g, im }, Complex { re: (g - t) * (g + t), im }));
     }
-    for (filter, passband) in stage.filter.iter().zip(&of.passband) {
-        let Some(Passband { band, .. }) = passband else { continue };
+    for FilterDesign { filter, band, .. } in of.filter.iter().flatten() {
         let (omega0, im) = (band.omega0, band.bandwidth * t);
         h = match *filter {
             Filter::Bandpass { prototype, order, .. } => {
