@@ -1,6 +1,6 @@
 //! What is legal, but inert, out of date or dangerous: warnings about an axis that is valid. Nothing here is an error.
 
-use super::check::{damping_given, is_gantry_slave};
+use super::check::{damping_given, master};
 use super::{design::StageDesign, phase};
 use crate::axis::{Axis, Filter, Mode, Stage};
 use crate::config::values::{Key, Setting, key};
@@ -34,7 +34,7 @@ pub(crate) fn advise(designed: &Designed, e: &mut Effective<'_>) {
 
 fn whole(axis: &Axis, e: &mut Effective<'_>) {
     let active = axis.ipc.stage.iter().flatten().count();
-    let slave = is_gantry_slave(e);
+    let slave = master(e).is_some();
     if slave && active > 0 && axis.ipc.enable == Enable::Off {
         let found =
             "the axis is a gantry slave with active stages: its input `mode` must stay OFF (error 70600)".to_owned();

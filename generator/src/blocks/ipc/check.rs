@@ -15,10 +15,7 @@ const MAX_F0_TS: f64 = 0.45;
 /// vibration of 1 on a velocity of 500: double keeps 98 dB at 1e-6 (125 dB at 6e-6, 73 dB at 3e-7), single 80 dB at 0.01
 /// (39 dB at 7e-4). Below, what a biquad adds is more and more its own rounding.
 pub fn lowest_f0_ts(real: RealKind) -> f64 {
-    match real {
-        RealKind::F64 => 1e-6,
-        RealKind::F32 => 0.01,
-    }
+    if real == RealKind::F64 { 1e-6 } else { 0.01 }
 }
 
 /// Improved position control of one axis; none: an error, which has been said.
@@ -51,7 +48,7 @@ pub(crate) fn delay_cycles(e: &mut Effective<'_>) -> Option<u32> {
 
 /// A gantry slave gets the master's additive velocity: of its own it must have none (70600).
 fn gantry(e: &mut Effective<'_>, enable: Option<Enable>) {
-    if !is_gantry_slave(e) || enable.is_none_or(|enable| enable == Enable::Off) {
+    if master(e).is_none() || enable.is_none_or(|enable| enable == Enable::Off) {
         return;
     }
     let master = e.given(key(Name::GantryMaster)).and_then(|setting| setting.value.as_ref());
@@ -66,12 +63,7 @@ fn gantry(e: &mut Effective<'_>, enable: Option<Enable>) {
     e.refuse(codes::GANTRY_SLAVE, key, found, [None, Some(instead)]);
 }
 
-/// Whether the axis follows another one.
-pub(crate) fn is_gantry_slave(e: &mut Effective<'_>) -> bool {
-    master(e).is_some()
-}
-
-/// The logical number of the axis that this one follows.
+/// The logical number of the axis that this one, a gantry slave, follows.
 pub(crate) fn master(e: &mut Effective<'_>) -> Option<u32> {
     let own = e.validated_integer(key(Name::AxisNumber));
     e.validated_integer(key(Name::GantryMaster)).filter(|master| *master > 0 && own != Some(*master))

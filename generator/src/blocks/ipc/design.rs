@@ -98,10 +98,7 @@ pub(crate) fn design(axis: &Axis) -> ([Option<StageDesign>; STAGES], Coeffs<f64>
 
 /// The part of v_max below which a sum counts as 0, as a power of 2.
 pub(crate) fn rest_exponent(real: RealKind) -> i32 {
-    match real {
-        RealKind::F64 => -60,
-        RealKind::F32 => -40,
-    }
+    if real == RealKind::F64 { -60 } else { -40 }
 }
 
 /// Cycles of the whole fade: ceil(fade time / Ts), at least 1.

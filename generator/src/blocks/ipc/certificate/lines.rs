@@ -21,23 +21,18 @@ fn range(certificate: &Certificate) -> String {
     if !bound.state.is_finite() || !bound.v_sum.is_finite() {
         return "range: no bound is certain, a section is so weakly damped that its roundings may add up".to_owned();
     }
-    let sample_limit = sample_limit(*real);
-    let state = digits(bound.state * v_max);
-    let (gives, largest) = if *limit > 0.0 {
-        let v_sum = digits(bound.v_sum * v_max);
-        (
-            format!("gives |v_add| <= {v_sum} before the limit and no |state| above {state}"),
-            bound.state.max(bound.v_sum),
-        )
+    let (muted, v_add) = if *limit > 0.0 {
+        ("", format!("|v_add| <= {} before the limit and ", digits(bound.v_sum * v_max)))
     } else {
-        (format!("gives no |state| above {state}"), bound.state)
+        ("the limit is 0, v_add is always 0; ", String::new())
     };
+    let sample_limit = sample_limit(*real);
     format!(
-        "range: {}|v| <= {} {gives}; for |v| <= {}: {}, {} {} precision",
-        if *limit > 0.0 { "" } else { "the limit is 0, v_add is always 0; " },
+        "range: {muted}|v| <= {} gives {v_add}no |state| above {}; for |v| <= {}: {}, {} {} precision",
         digits(*v_max),
+        digits(bound.state * v_max),
         digits(sample_limit),
-        digits(largest * sample_limit),
+        digits(bound.state.max(bound.v_sum) * sample_limit),
         if certificate.is_within_precision() { "within" } else { "NOT within" },
         precision(*real)
     )

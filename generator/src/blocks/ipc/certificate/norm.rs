@@ -18,6 +18,8 @@ pub(crate) struct Bound {
 
 /// Samples times sections that are added up at the most: some 50 us, whatever the parameters.
 pub(crate) const BUDGET: usize = 8_192;
+/// Time constants that are worth adding up, as a part of the budget.
+const LONG: f64 = 0.5;
 /// Samples from one look at the rest to the next.
 const BLOCK: usize = 64;
 /// A rest of this part of the sum is small enough.
@@ -101,9 +103,6 @@ pub(crate) fn run(chain: &Chain, budget: usize, real: RealKind) -> Run {
     let (rest, state) = behind;
     Run { response, rest, state, rounding: rounding(&sections, real) }
 }
-
-/// Time constants that are worth adding up, as a part of the budget.
-const LONG: f64 = 0.5;
 
 /// Bound of the sum of all |v_stage| to come, of an input whose |x| to come sum up to `x`; and the bound of the largest
 /// sum of all |state|.
