@@ -13,7 +13,7 @@ pub mod blocks;
 mod check;
 pub mod codes;
 pub mod config;
-pub mod design;
+mod design;
 pub mod diagnostics;
 pub mod diff;
 pub mod digest;
@@ -32,3 +32,7 @@ pub mod summary;
 pub mod target;
 mod vector;
 pub mod write;
+
+#[cfg(test)]
+#[path = "../unit/mod.rs"]
+mod unit;

@@ -1,9 +1,7 @@
 //! The golden cases, and each of them in the other real type as well, where its filters bear it.
 
 use generator::axis::{Axis, Filter};
-use generator::blocks::Designed;
-use generator::blocks::ipc::check::lowest_f0_ts;
-use generator::blocks::ipc::feasibility::refusals;
+use generator::blocks::{Designed, lowest_f0_ts, refusals};
 use golden::case::{self, Case};
 use portable::RealKind;
 use std::path::{Path, PathBuf};

@@ -103,7 +103,7 @@ fn largest(mode: Mode, filter: [Filter; 2]) -> f64 {
         control: generator::axis::Control::default(),
         canonical: String::new(),
     };
-    let coeffs = Designed::from(axis).ipc.coeffs;
+    let coeffs = Designed::from(axis).ipc;
     let (mut state, mut outputs) = (<Ipc as Block<f64>>::state(), <Ipc as Block<f64>>::outputs());
     let mut inputs = <Ipc as Block<f64>>::inputs(&coeffs);
     inputs.v_motor = 123_456.789;

@@ -21,22 +21,18 @@ impl Ipc {
     /// The longest fade in cycles: all whole numbers up to 2^24 are exact in f32.
     pub(crate) const MAX_FADE_CYCLES: f64 = 16_777_216.0;
 
-    /// Whether a stage is active.
-    #[must_use]
-    pub fn is_active(&self) -> bool {
+    pub(crate) fn is_active(&self) -> bool {
         self.stage.iter().any(Option::is_some)
     }
 
     /// Largest |v_add| = v_add_max_fact / 1000 * v_max, in the unit of v_max (P-AXIS-00757, P-AXIS-00212). The product is exact
     /// for every whole v_max, so that there is one rounding.
-    #[must_use]
     pub fn limit(&self) -> f64 {
         f64::from(self.v_add_max_fact) * self.v_max / 1000.0
     }
 
     /// Time of the whole fade [s]: the key `fade`, at least one period of the lowest f0 of all active filters. It is not rounded
     /// up to whole cycles.
-    #[must_use]
     pub(crate) fn fade_time(&self) -> f64 {
         let filters = self.stage.iter().flatten().flat_map(|stage| &stage.filter);
         let lowest = filters.filter_map(Filter::f0).min_by(f64::total_cmp);
@@ -62,13 +58,11 @@ impl Stage {
     pub const MAX_WEIGHT: f64 = 7.0;
 
     /// weight = min(num / denom, 7).
-    #[must_use]
-    pub fn weight(&self) -> f64 {
+    pub(crate) fn weight(&self) -> f64 {
         (f64::from(self.weight_fact_num) / f64::from(self.weight_fact_denom)).min(Self::MAX_WEIGHT)
     }
 
     /// Index of its first band-pass; 0 where it has none.
-    #[must_use]
     pub(crate) fn first_bandpass(&self) -> u32 {
         let mut filters = (0..).zip(&self.filter);
         filters.find(|(_, filter)| filter.kind() == FilterType::Bandpass).map_or(0, |(k, _)| k)
@@ -78,7 +72,6 @@ impl Stage {
     ///
     /// # Panics
     /// If there is no band-pass, which the check excludes.
-    #[must_use]
     pub fn f0(&self) -> f64 {
         let bandpass = self.filter.iter().find(|filter| filter.kind() == FilterType::Bandpass);
         bandpass.and_then(Filter::f0).expect("check: an active stage has a band-pass")
@@ -89,26 +82,16 @@ impl Stage {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mode {
     /// a measured velocity
-    Direct {
-        /// which one
-        source: DirectSource,
-    },
-    /// the oscillation simulated from the motor's velocity
-    Indirect {
-        /// damping ratio D of the simulated oscillation (P-AXIS-00850, formerly P-AXIS-00756)
-        osc_damping: f64,
-    },
-    /// the oscillation simulated from the command velocity
-    SetPoint {
-        /// damping ratio D of the simulated oscillation (P-AXIS-00850, formerly P-AXIS-00756)
-        osc_damping: f64,
-    },
+    Direct { source: DirectSource },
+    /// the oscillation simulated from the motor's velocity, with the damping ratio D (P-AXIS-00850, formerly P-AXIS-00756)
+    Indirect { osc_damping: f64 },
+    /// the same from the command velocity
+    SetPoint { osc_damping: f64 },
 }
 
 impl Mode {
     /// Damping ratio of the simulated oscillation (P-AXIS-00850) where the mode has one.
-    #[must_use]
-    pub fn osc_damping(self) -> Option<f64> {
+    pub(crate) fn osc_damping(self) -> Option<f64> {
         match self {
             Self::Direct { .. } => None,
             Self::Indirect { osc_damping } | Self::SetPoint { osc_damping } => Some(osc_damping),
@@ -116,7 +99,6 @@ impl Mode {
     }
 
     /// Its word (P-AXIS-00753) and the velocity that it looks at: `DIRECT from v_motor`.
-    #[must_use]
     pub fn text(self) -> String {
         let (word, source) = match self {
             Self::Direct { source } => (StageMode::Direct, source.name()),
@@ -132,7 +114,6 @@ impl Mode {
 pub enum Filter {
     /// the input passes unchanged
     NoFilter,
-    /// band-pass
     Bandpass {
         /// P-AXIS-00848
         prototype: Prototype,
@@ -143,7 +124,6 @@ pub enum Filter {
         /// quality factor: centre frequency / bandwidth (P-AXIS-00752)
         q_factor: f64,
     },
-    /// all-pass
     Allpass {
         /// frequency of -180 degrees [Hz] (P-AXIS-00751)
         f0: f64,
@@ -154,16 +134,19 @@ pub enum Filter {
 
 impl Filter {
     /// Centre frequency [Hz] (P-AXIS-00751).
-    #[must_use]
     pub fn f0(&self) -> Option<f64> {
+        Some(self.f0_and_q()?[0])
+    }
+
+    /// Centre frequency [Hz] and quality factor (P-AXIS-00751, P-AXIS-00752).
+    pub(crate) fn f0_and_q(&self) -> Option<[f64; 2]> {
         match *self {
             Self::NoFilter => None,
-            Self::Bandpass { f0, .. } | Self::Allpass { f0, .. } => Some(f0),
+            Self::Bandpass { f0, q_factor, .. } | Self::Allpass { f0, q_factor } => Some([f0, q_factor]),
         }
     }
 
     /// Its type (P-AXIS-00849).
-    #[must_use]
     pub fn kind(&self) -> FilterType {
         match self {
             Self::NoFilter => FilterType::NoFilter,

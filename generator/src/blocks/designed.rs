@@ -1,14 +1,19 @@
 //! An axis with everything that design makes of it, made once: what blocks, notes, certificates, summaries and the semantic diff
 //! are made of. No text, no program.
 
-use super::{feedforward::design as feedforward, ipc::design as ipc, position_control::design as position_control};
+use super::feedforward::design as feedforward;
+use super::ipc::design::{self as ipc, StageDesign};
+use super::position_control::design as position_control;
 use crate::axis::Axis;
+use reference::ipc::STAGES;
 
 /// An axis as it is designed. All coefficients are in double precision; `axis.real` says what they are rounded to.
 #[derive(Clone, Debug)]
 pub struct Designed {
     pub axis: Axis,
-    pub ipc: ipc::Design,
+    /// the stages of improved position control; an inactive one is `None`
+    pub(crate) stage: [Option<StageDesign>; STAGES],
+    pub ipc: reference::ipc::Coeffs<f64>,
     /// all 0 where there is none
     pub feedforward: reference::feedforward::Coeffs<f64>,
     /// all 0 where there is none
@@ -24,11 +29,9 @@ impl PartialEq for Designed {
 
 impl From<Axis> for Designed {
     fn from(axis: Axis) -> Self {
-        Self {
-            ipc: ipc::design(&axis),
-            feedforward: feedforward::coefficients(&axis),
-            position_control: position_control::coefficients(&axis),
-            axis,
-        }
+        let (stage, ipc) = ipc::design(&axis);
+        let feedforward = feedforward::coefficients(&axis);
+        let position_control = position_control::coefficients(&axis);
+        Self { axis, stage, ipc, feedforward, position_control }
     }
 }

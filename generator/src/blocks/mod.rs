@@ -11,12 +11,13 @@
 pub(crate) mod axis;
 mod designed;
 pub(crate) mod feedforward;
-pub mod ipc;
+pub(crate) mod ipc;
 mod kind;
 pub(crate) mod position_control;
 mod values;
 
 pub use designed::Designed;
+pub use ipc::{check::lowest_f0_ts, feasibility::refusals};
 pub use kind::{Block, Kind, Part, Summary};
 pub(crate) use values::{Value, differences};
 

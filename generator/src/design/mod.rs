@@ -3,10 +3,8 @@
 //!
 //! ```text
 //! band         f0, Q, Ts -> warped centre and bandwidth
-//! prototype    prototype, order -> poles of the low-pass
-//! bandpass     poles, band -> sections, in the order of their execution -> coefficients
-//! allpass      band -> coefficients
-//! oscillation  warped centre, damping ratio -> coefficients
+//! bandpass     prototype, order, band -> sections, in the order of their execution
+//! section      warped centre, damping -> coefficients of a band-pass, an all-pass, the simulated oscillation
 //! delay        time, cycle -> whole cycles and a fraction
 //! scale        what the drive gets for a velocity, an acceleration
 //! response     what coefficients do
@@ -16,13 +14,10 @@
 //! Everything is computed in f64 with the `libm` crate, so that every host finds the same bits; a coefficient is rounded once,
 //! in `rounding`.
 
-pub mod allpass;
-pub mod band;
-pub mod bandpass;
-pub mod delay;
-pub mod denominator;
-pub mod oscillation;
-pub mod prototype;
-pub mod response;
-pub mod rounding;
-pub mod scale;
+pub(crate) mod band;
+pub(crate) mod bandpass;
+pub(crate) mod delay;
+pub(crate) mod response;
+pub(crate) mod rounding;
+pub(crate) mod scale;
+pub(crate) mod section;

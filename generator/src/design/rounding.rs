@@ -5,8 +5,7 @@ use reference::signal;
 
 /// The value with every real rounded once to the real type of `To`: [`Real::lit`]. Both types are one portable type of two real
 /// types.
-#[must_use]
-pub fn rounded<From: Portable, To: Portable>(value: &From, real: RealKind) -> To {
+pub(crate) fn rounded<From: Portable, To: Portable>(value: &From, real: RealKind) -> To {
     let mut leaves = Vec::new();
     value.visit(&mut |leaf| {
         leaves.push(match (leaf, real) {
@@ -19,26 +18,21 @@ pub fn rounded<From: Portable, To: Portable>(value: &From, real: RealKind) -> To
 }
 
 /// A number of double precision as its real type has it.
-#[must_use]
 pub(crate) fn in_precision(value: f64, real: RealKind) -> f64 {
-    match real {
-        RealKind::F64 => value,
-        RealKind::F32 => f64::from(f32::lit(value)),
-    }
+    if real == RealKind::F64 { value } else { f32::lit(value).into() }
 }
 
 /// The largest number of a real type.
 pub(crate) fn largest(real: RealKind) -> f64 {
-    match real {
-        RealKind::F64 => f64::MAX,
-        RealKind::F32 => f64::from(f32::MAX),
-    }
+    if real == RealKind::F64 { f64::MAX } else { f32::MAX.into() }
 }
 
 /// The largest magnitude of a sample that a block takes.
 pub(crate) fn sample_limit(real: RealKind) -> f64 {
-    match real {
-        RealKind::F64 => signal::sample_limit::<f64>(),
-        RealKind::F32 => f64::from(signal::sample_limit::<f32>()),
-    }
+    if real == RealKind::F64 { signal::sample_limit() } else { signal::sample_limit::<f32>().into() }
+}
+
+/// The name of a real type's precision.
+pub(crate) fn precision(real: RealKind) -> &'static str {
+    if real == RealKind::F64 { "double" } else { "single" }
 }

@@ -1,7 +1,7 @@
 //! Scalings: from path units to what the drive gets, and the ranges of process data. No filter.
 
 use crate::axis::{Motor, Ratio, Resolution, TimeBase, Torque, Velocity, Width};
-use portable::RealKind;
+use portable::{Real, RealKind};
 use reference::process_data;
 
 /// Additive velocity: increments for 1 um/s or 0.001 deg/s,
@@ -11,8 +11,7 @@ use reference::process_data;
 /// ```
 ///
 /// (P-AXIS-00205 to 00207). The numerator is exact up to 2^53, so that there is one rounding.
-#[must_use]
-pub fn velocity(velocity: &Velocity, cycle_time_ns: u32) -> f64 {
+pub(crate) fn velocity(velocity: &Velocity, cycle_time_ns: u32) -> f64 {
     let (num, denom) = (f64::from(velocity.reso.num), f64::from(velocity.reso.denom));
     match velocity.time_base {
         TimeBase::Minute => num * 60.0 / denom,
@@ -22,8 +21,7 @@ pub fn velocity(velocity: &Velocity, cycle_time_ns: u32) -> f64 {
 }
 
 /// Manipulated variable: increments for 1 um/s or 0.001 deg/s, `60e-6 multi_gain_z / multi_gain_n` (P-AXIS-00129/00128).
-#[must_use]
-pub fn manipulated(multi_gain: Ratio) -> f64 {
+pub(crate) fn manipulated(multi_gain: Ratio) -> f64 {
     f64::from(multi_gain.num) * 60.0 / (f64::from(multi_gain.denom) * 1e6)
 }
 
@@ -35,8 +33,7 @@ pub fn manipulated(multi_gain: Ratio) -> f64 {
 /// ```
 ///
 /// (P-AXIS-00092, 00233, 00234, 00362, 00363). A feed constant is given where one of its parameters is not 1.
-#[must_use]
-pub fn resolution(resolution: &Resolution) -> f64 {
+pub(crate) fn resolution(resolution: &Resolution) -> f64 {
     let (wegauf, feed) = (resolution.wegauf, resolution.feed_const);
     if !resolution.has_feed_const() {
         return wegauf.value();
@@ -47,8 +44,7 @@ pub fn resolution(resolution: &Resolution) -> f64 {
 
 /// Angular acceleration of the motor for an acceleration of 1 um/s^2 or 0.001 deg/s^2 [rad/s^2]:
 /// `alpha = 10 a R / incr_per_rev 2 pi`, with a in um/s^2.
-#[must_use]
-pub fn angular_acceleration(of: &Resolution) -> f64 {
+pub(crate) fn angular_acceleration(of: &Resolution) -> f64 {
     10.0 * resolution(of) / f64::from(of.incr_per_rev) * 2.0 * std::f64::consts::PI
 }
 
@@ -60,8 +56,7 @@ pub fn angular_acceleration(of: &Resolution) -> f64 {
 /// ```
 ///
 /// (P-AXIS-00391, 00392, 00325, 00326), before it is weighted.
-#[must_use]
-pub fn torque(torque: &Torque) -> f64 {
+pub(crate) fn torque(torque: &Torque) -> f64 {
     let per_acceleration = match torque.motor {
         Motor::Rotary => torque.load * angular_acceleration(&torque.resolution),
         Motor::Linear => torque.load * 1e-6,
@@ -73,21 +68,15 @@ pub fn torque(torque: &Torque) -> f64 {
 ///
 /// The limits are the outermost numbers of the real type that are rounded to its boundaries, so that no number within them is
 /// rounded beyond. In single precision they differ from the boundaries: 2147483647 itself would become 2^31.
-#[must_use]
-pub fn range(width: Width, real: RealKind) -> process_data::Coeffs<f64> {
+pub(crate) fn range(width: Width, real: RealKind) -> process_data::Coeffs<f64> {
     let [lowest, highest] = width.range();
-    let below = |boundary: f64| match real {
-        RealKind::F64 => boundary.next_down(),
-        RealKind::F32 => f64::from(single_below(boundary)),
+    // The largest number of the real type below a boundary; what was rounded up is taken back.
+    let below = |boundary: f64| match (real, f32::lit(boundary)) {
+        (RealKind::F64, _) => boundary.next_down(),
+        (RealKind::F32, nearest) if f64::from(nearest) < boundary => nearest.into(),
+        (RealKind::F32, nearest) => nearest.next_down().into(),
     };
     let upper_limit = below(f64::from(highest) + 0.5);
     let lower_limit = 0.0 - below(0.5 - f64::from(lowest));
     process_data::Coeffs { lowest, highest, lower_limit, upper_limit }
-}
-
-/// The largest number of single precision below another.
-#[expect(clippy::cast_possible_truncation, reason = "what is rounded up is taken back")]
-fn single_below(boundary: f64) -> f32 {
-    let nearest = boundary as f32;
-    if f64::from(nearest) < boundary { nearest } else { nearest.next_down() }
 }

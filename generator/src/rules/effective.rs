@@ -137,6 +137,17 @@ impl<'a> Effective<'a> {
         self.report.push(Diagnostic { instead: instead.into(), ..diagnostic });
     }
 
+    pub(crate) fn refuse(
+        &mut self,
+        code: &'static str,
+        key: Key,
+        found: impl Into<String>,
+        [allowed, instead]: [Option<String>; 2],
+    ) {
+        let diagnostic = Diagnostic::error(code, self.place_of(key), found);
+        self.report.push(Diagnostic { allowed, instead, ..diagnostic });
+    }
+
     /// Path and id of a parameter as it was given.
     pub(crate) fn title(&self, key: Key) -> String {
         let spelling = self.given(key).map_or(key.0.parameter().path, |setting| setting.spelling);

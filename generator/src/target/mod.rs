@@ -110,7 +110,6 @@ pub fn block_name(axis: &str, block: &str) -> String {
 fn rendered(name: &str, mark: &str, template: &impl Template) -> File {
     let mut text = template.render().expect("target: no input can keep a template from being filled");
     text.insert_str(0, mark);
-    text.push('
-');
+    text.push('\n');
     File { name: name.to_owned(), text: with_checksum(text) }
 }

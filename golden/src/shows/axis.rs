@@ -1,7 +1,7 @@
 //! The constructs of an axis, in words.
 
 use generator::axis::{Axis, Enable, Filter, Mode, Stage};
-use generator::blocks::ipc::check::lowest_f0_ts;
+use generator::blocks::lowest_f0_ts;
 use generator::parameters::words::{StageMode, Words};
 use portable::RealKind;
 use std::collections::BTreeSet;

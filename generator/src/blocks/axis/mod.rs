@@ -23,7 +23,7 @@ impl Part for Axis {
             master_limit: limit,
             master_lower_limit: 0.0 - limit, // not `-limit`: 0 stays +0
             feedforward: designed.feedforward,
-            ipc: designed.ipc.coeffs,
+            ipc: designed.ipc,
             position_control: designed.position_control,
         }
     }

@@ -1,18 +1,13 @@
 //! What is legal, but inert, out of date or dangerous: warnings about an axis that is valid. Nothing here is an error.
 
-use super::check::{damping_given, is_gantry_slave};
-use super::design::StageDesign;
-use super::filter;
-use super::phase;
-use crate::axis::{Axis, Mode, Stage};
-use crate::blocks::designed::Designed;
-use crate::codes;
+use super::check::{damping_given, master};
+use super::{design::StageDesign, phase};
+use crate::axis::{Axis, Filter, Mode, Stage};
 use crate::config::values::{Key, Setting, key};
-use crate::diagnostics::Diagnostic;
-use crate::number::rounded;
 use crate::parameters::words::{Enable, FilterType, StageMode, Words};
 use crate::parameters::{FILTERS, Name, STAGES, Value, path_with, real_text};
 use crate::rules::effective::{Effective, as_written};
+use crate::{blocks::designed::Designed, codes, diagnostics::Diagnostic, number::rounded};
 
 /// Above this f0 * Ts the upper skirt of a band-pass is squeezed against half the sampling frequency.
 const NEAR_NYQUIST: f64 = 0.35;
@@ -23,15 +18,15 @@ const MUCH_GAIN: f64 = 2.0 * Stage::MAX_WEIGHT;
 pub(crate) fn advise(designed: &Designed, e: &mut Effective<'_>) {
     let axis = &designed.axis;
     whole(axis, e);
-    for ((i, stage), design) in (0..STAGES).zip(&axis.ipc.stage).zip(&designed.ipc.stage) {
-        inert_source(e, i, stage.as_ref());
-        if let (Some(stage), Some(design)) = (stage, design) {
-            damping_generations(e, i, stage);
-            filter_without_type(e, i, stage);
-            weight(e, i, stage);
-            resonance(e, i, stage);
-            near_nyquist(e, i, stage, axis);
-            phase::advise(e, i, stage, design, axis.cycle_time());
+    for (i, design) in (0..STAGES).zip(&designed.stage) {
+        inert_source(e, i, design.as_ref());
+        if let Some(design) = design {
+            damping_generations(e, i, &design.stage);
+            filter_without_type(e, i, &design.stage);
+            weight(e, i, &design.stage);
+            resonance(e, i, &design.stage);
+            near_nyquist(e, i, &design.stage, axis.cycle_time_ns);
+            phase::advise(e, i, design);
         }
     }
     overlaps(designed, e);
@@ -39,7 +34,7 @@ pub(crate) fn advise(designed: &Designed, e: &mut Effective<'_>) {
 
 fn whole(axis: &Axis, e: &mut Effective<'_>) {
     let active = axis.ipc.stage.iter().flatten().count();
-    let slave = is_gantry_slave(e);
+    let slave = master(e).is_some();
     if slave && active > 0 && axis.ipc.enable == Enable::Off {
         let found =
             "the axis is a gantry slave with active stages: its input `mode` must stay OFF (error 70600)".to_owned();
@@ -106,13 +101,9 @@ fn filter_without_type(e: &mut Effective<'_>, i: u32, stage: &Stage) {
         let typed = e.given((Name::FilterType, [i, k])).is_some();
         if let Some(name) = described.filter(|_| !typed) {
             let found = format!("stage[{i}].filter[{k}] has parameters and no type: it is NO_FILTER (P-AXIS-00849)");
-            let place = e.place_of((name, [i, k]));
-            let instead = as_written(
-                &place,
-                (Name::FilterType, [i, k]),
-                &[FilterType::Bandpass.name(), FilterType::Allpass.name()],
-            );
-            e.report.push(Diagnostic::warning(codes::NO_TYPE, place, found).instead(instead));
+            let words = [FilterType::Bandpass, FilterType::Allpass].map(Words::name);
+            let instead = as_written(&e.place_of((name, [i, k])), (Name::FilterType, [i, k]), &words);
+            e.warn(codes::NO_TYPE, (name, [i, k]), found, Some(instead));
         }
     }
 }
@@ -153,21 +144,24 @@ fn resonance(e: &mut Effective<'_>, i: u32, stage: &Stage) {
 }
 
 /// A source that no stage takes.
-fn inert_source(e: &mut Effective<'_>, i: u32, stage: Option<&Stage>) {
+fn inert_source(e: &mut Effective<'_>, i: u32, design: Option<&StageDesign>) {
     let key = (Name::DirectSource, [i, 0]);
-    let is_direct = stage.is_some_and(|stage| matches!(stage.mode, Mode::Direct { .. }));
+    let is_direct = design.is_some_and(|design| matches!(design.stage.mode, Mode::Direct { .. }));
     if !is_direct && e.given(key).is_some() {
         let found = format!("stage[{i}].direct_source has no effect: the stage is not DIRECT");
         e.warn(codes::INERT, key, found, None);
     }
 }
 
-fn near_nyquist(e: &mut Effective<'_>, i: u32, stage: &Stage, axis: &Axis) {
+fn near_nyquist(e: &mut Effective<'_>, i: u32, stage: &Stage, cycle_time_ns: u32) {
     for (k, filter) in (0..FILTERS).zip(&stage.filter) {
         let Some(f0) = filter.f0() else { continue };
-        let f0_ts = f0 * f64::from(axis.cycle_time_ns) / 1e9;
+        let f0_ts = f0 * f64::from(cycle_time_ns) / 1e9;
         if f0_ts > NEAR_NYQUIST {
-            let what = filter::above(filter);
+            let what = match filter {
+                Filter::Allpass { .. } => "phase above it",
+                Filter::Bandpass { .. } | Filter::NoFilter => "upper skirt",
+            };
             let found = format!(
                 "stage[{i}].filter[{k}] lies at {} of the sampling frequency: its {what} is squeezed against one half",
                 rounded(f0_ts)
@@ -181,21 +175,19 @@ fn near_nyquist(e: &mut Effective<'_>, i: u32, stage: &Stage, axis: &Axis) {
 
 /// Stages whose bands intersect influence each other.
 fn overlaps(designed: &Designed, e: &mut Effective<'_>) {
-    let stages = (0..STAGES).zip(designed.axis.ipc.stage.iter().zip(&designed.ipc.stage));
-    let bands: Vec<(u32, &Stage, [f64; 2])> = stages
-        .filter_map(|(i, (stage, design))| Some((i, stage.as_ref()?, band_of(stage.as_ref()?, design.as_ref()?))))
-        .collect();
-    for (n, (i, _, [low, high])) in bands.iter().enumerate() {
-        for (j, other, [other_low, other_high]) in &bands[n + 1..] {
-            if low.max(*other_low) < high.min(*other_high) {
+    let bands: Vec<_> = (0..).zip(&designed.stage).filter_map(|(j, stage)| Some((j, stage.as_ref()?))).collect();
+    for (n, (i, stage)) in bands.iter().enumerate() {
+        for (j, other) in &bands[n + 1..] {
+            let [[low, high], [other_low, other_high]] = [stage, other].map(|design| band_of(design));
+            if low.max(other_low) < high.min(other_high) {
                 let found = format!(
                     "stage[{i}] ({} to {} Hz) and stage[{j}] ({} to {} Hz) overlap, and influence each other",
-                    rounded(*low),
-                    rounded(*high),
-                    rounded(*other_low),
-                    rounded(*other_high)
+                    rounded(low),
+                    rounded(high),
+                    rounded(other_low),
+                    rounded(other_high)
                 );
-                let key = (Name::FilterF0, [*j, other.first_bandpass()]);
+                let key = (Name::FilterF0, [*j, other.stage.first_bandpass()]);
                 e.warn(codes::OVERLAP, key, found, Some("a higher q_factor, or other frequencies".to_owned()));
             }
         }
@@ -203,9 +195,7 @@ fn overlaps(designed: &Designed, e: &mut Effective<'_>) {
 }
 
 /// The band in which all band-passes of a stage lose at most 3 dB, in Hz.
-fn band_of(stage: &Stage, design: &StageDesign) -> [f64; 2] {
-    let filters = stage.filter.iter().zip(&design.passband).filter(|(filter, _)| filter.kind() == FilterType::Bandpass);
-    filters
-        .filter_map(|(_, passband)| *passband)
-        .fold([0.0, f64::INFINITY], |[low, high], passband| [passband.edges[0].max(low), passband.edges[1].min(high)])
+fn band_of(design: &StageDesign) -> [f64; 2] {
+    let filters = design.filter.iter().flatten().filter(|of| of.filter.kind() == FilterType::Bandpass);
+    filters.fold([0.0, f64::INFINITY], |[low, high], of| [of.edges[0].max(low), of.edges[1].min(high)])
 }

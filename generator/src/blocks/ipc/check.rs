@@ -1,13 +1,10 @@
 //! The rules of improved position control that are errors: a block that breaks one must not act on a machine.
 
 use crate::axis::{Filter, Ipc, Mode, Stage};
-use crate::codes;
-use crate::config::values::key;
-use crate::diagnostics::Diagnostic;
-use crate::number::rounded;
 use crate::parameters::words::{Enable, FilterType, Prototype, StageMode, Words};
-use crate::parameters::{FILTERS, Name, STAGES, Value, path_with, real_text, time_text};
+use crate::parameters::{Name, Value, path_with, real_text, time_text};
 use crate::rules::effective::{Effective, as_written};
+use crate::{codes, config::values::key, number::rounded};
 use portable::{Real, RealKind};
 use reference::signal::sample_limit;
 
@@ -17,12 +14,8 @@ const MAX_F0_TS: f64 = 0.45;
 /// The lowest f0 Ts of a filter. Measured against extended precision with a third-order Butterworth band-pass, Q 10, a
 /// vibration of 1 on a velocity of 500: double keeps 98 dB at 1e-6 (125 dB at 6e-6, 73 dB at 3e-7), single 80 dB at 0.01
 /// (39 dB at 7e-4). Below, what a biquad adds is more and more its own rounding.
-#[must_use]
 pub fn lowest_f0_ts(real: RealKind) -> f64 {
-    match real {
-        RealKind::F64 => 1e-6,
-        RealKind::F32 => 0.01,
-    }
+    if real == RealKind::F64 { 1e-6 } else { 0.01 }
 }
 
 /// Improved position control of one axis; none: an error, which has been said.
@@ -33,13 +26,11 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option
     let v_max = v_max(e, real);
     let fade = e.duration(key(Name::Fade));
     // Every stage is judged, so that all errors of all stages are told.
-    let stages: [Option<Option<Stage>>; STAGES as usize] =
-        std::array::from_fn(|i| u32::try_from(i).ok().and_then(|i| stage(e, i, cycle_time, real)));
+    let stages = [0, 1, 2].map(|i| stage(e, i, cycle_time, real));
     if stages.iter().any(|stage| !matches!(stage, Some(None))) {
         delay_cycles(e);
     }
     let [first, second, third] = stages;
-    #[expect(clippy::cast_precision_loss, reason = "at most 1e12 ns")]
     let fade = fade? as f64 / 1e9;
     let ipc =
         Ipc { enable: enable?, v_add_max_fact: v_add_max_fact?, v_max: v_max?, fade, stage: [first?, second?, third?] };
@@ -57,8 +48,7 @@ pub(crate) fn delay_cycles(e: &mut Effective<'_>) -> Option<u32> {
 
 /// A gantry slave gets the master's additive velocity: of its own it must have none (70600).
 fn gantry(e: &mut Effective<'_>, enable: Option<Enable>) {
-    let enabled = enable.is_some_and(|enable| enable != Enable::Off);
-    if !is_gantry_slave(e) || !enabled {
+    if master(e).is_none() || enable.is_none_or(|enable| enable == Enable::Off) {
         return;
     }
     let master = e.given(key(Name::GantryMaster)).and_then(|setting| setting.value.as_ref());
@@ -67,18 +57,13 @@ fn gantry(e: &mut Effective<'_>, enable: Option<Enable>) {
         "improved position control is enabled on a gantry slave, whose master is axis {master} (P-AXIS-00070): error \
          70600 of the controller"
     );
-    let place = e.place_of(key(Name::Enable));
-    let off = as_written(&place, key(Name::Enable), &[Enable::Off.name()]);
+    let key = key(Name::Enable);
+    let off = as_written(&e.place_of(key), key, &[Enable::Off.name()]);
     let instead = format!("{off} here, and the stages in the list of axis {master}");
-    e.report.push(Diagnostic::error(codes::GANTRY_SLAVE, place, found).instead(instead));
+    e.refuse(codes::GANTRY_SLAVE, key, found, [None, Some(instead)]);
 }
 
-/// Whether the axis follows another one.
-pub(crate) fn is_gantry_slave(e: &mut Effective<'_>) -> bool {
-    master(e).is_some()
-}
-
-/// The logical number of the axis that this one follows.
+/// The logical number of the axis that this one, a gantry slave, follows.
 pub(crate) fn master(e: &mut Effective<'_>) -> Option<u32> {
     let own = e.validated_integer(key(Name::AxisNumber));
     e.validated_integer(key(Name::GantryMaster)).filter(|master| *master > 0 && own != Some(*master))
@@ -95,11 +80,8 @@ fn v_max(e: &mut Effective<'_>, real: Option<RealKind>) -> Option<f64> {
             path_with(key.0.parameter().path, key.1),
             2.0 * largest
         );
-        e.report.push(
-            Diagnostic::error(codes::TOO_FAST, e.place_of(key), found)
-                .allowed(format!("vb_max <= {largest} in single precision"))
-                .instead("real = \"f64\" for this axis"),
-        );
+        let allowed = format!("vb_max <= {largest} in single precision");
+        e.refuse(codes::TOO_FAST, key, found, [Some(allowed), Some("real = \"f64\" for this axis".to_owned())]);
         return None;
     }
     Some(v_max)
@@ -116,19 +98,14 @@ fn stage(e: &mut Effective<'_>, i: u32, cycle_time: Option<u32>, real: Option<Re
     };
     let weight_fact_num = e.integer((Name::WeightFactNum, [i, 0]));
     let weight_fact_denom = e.integer((Name::WeightFactDenom, [i, 0]));
-    let filters: [Option<Filter>; FILTERS as usize] =
-        std::array::from_fn(|k| u32::try_from(k).ok().and_then(|k| filter(e, [i, k], cycle_time, real)));
-    let [first, second] = filters;
+    let [first, second] = [0, 1].map(|k| filter(e, [i, k], cycle_time, real));
     let filter = [first?, second?];
     if filter.iter().all(|filter| filter.kind() != FilterType::Bandpass) {
-        let place = e.place_of((Name::FilterType, [i, 0]));
+        let key = (Name::FilterType, [i, 0]);
         let found = format!("stage[{i}] is {} and has no band-pass", word.name());
-        let instead = as_written(&place, (Name::FilterType, [i, 0]), &[FilterType::Bandpass.name()]);
-        e.report.push(
-            Diagnostic::error(codes::NO_BANDPASS, place, found)
-                .allowed("at least one BANDPASS in every active stage (P-AXIS-00849)")
-                .instead(instead),
-        );
+        let allowed = "at least one BANDPASS in every active stage (P-AXIS-00849)".to_owned();
+        let instead = as_written(&e.place_of(key), key, &[FilterType::Bandpass.name()]);
+        e.refuse(codes::NO_BANDPASS, key, found, [Some(allowed), Some(instead)]);
         return None;
     }
     Some(Some(Stage { mode: mode?, weight_fact_num: weight_fact_num?, weight_fact_denom: weight_fact_denom?, filter }))
@@ -137,32 +114,27 @@ fn stage(e: &mut Effective<'_>, i: u32, cycle_time: Option<u32>, real: Option<Re
 /// Damping ratio from P-AXIS-00850 or its predecessor P-AXIS-00756; both with different values: an error.
 fn osc_damping(e: &mut Effective<'_>, i: u32) -> Option<f64> {
     let keys = [(Name::OscDamping, [i, 0]), (Name::FilterDamping, [i, 0])];
-    let [new, old] = keys.map(|key| e.given(key));
-    if [new, old].into_iter().flatten().any(|setting| setting.value.is_none()) {
+    let given = keys.map(|key| e.given(key));
+    if given.into_iter().flatten().any(|setting| setting.value.is_none()) {
         return None;
     }
-    let [new_value, old_value] = [new, old].map(|setting| match setting.and_then(|setting| setting.value.as_ref()) {
-        Some(Value::Real(x)) if *x > 0.0 => Some(*x),
+    let [new, old] = given.map(|setting| match setting?.value {
+        Some(Value::Real(x)) if x > 0.0 => Some(x),
         _ => None,
     });
-    if let (Some(new_value), Some(old_value), Some(old)) = (new_value, old_value, old)
-        && new_value.to_bits() != old_value.to_bits()
+    if let (Some(new), Some(old)) = (new, old)
+        && new.to_bits() != old.to_bits()
     {
-        let found = format!(
-            "{} is {}, and its predecessor {} is {}",
-            Name::OscDamping.parameter().title(Name::OscDamping.parameter().path, keys[0].1),
-            real_text(new_value),
-            Name::FilterDamping.parameter().title(old.spelling, keys[1].1),
-            real_text(old_value)
-        );
-        let diagnostic = Diagnostic::error(codes::DAMPING, e.place_of(keys[0]), found);
-        e.report.push(diagnostic.allowed("one of the two, or equal values").instead("only P-AXIS-00850"));
+        let parameter = Name::OscDamping.parameter();
+        let [title, old_title] = [parameter.title(parameter.path, keys[0].1), e.title(keys[1])];
+        let found = format!("{title} is {}, and its predecessor {old_title} is {}", real_text(new), real_text(old));
+        let [allowed, instead] = ["one of the two, or equal values", "only P-AXIS-00850"].map(str::to_owned);
+        e.refuse(codes::DAMPING, keys[0], found, [Some(allowed), Some(instead)]);
         return None;
     }
     // What was given is judged: of two that are none, the newer one.
-    let key =
-        if new_value.is_none() && (old_value.is_some() || new.is_none() && old.is_some()) { keys[1] } else { keys[0] };
-    let value = e.validated(key)?;
+    let is_old = new.is_none() && (old.is_some() || given[0].is_none() && given[1].is_some());
+    let value = e.validated(keys[usize::from(is_old)])?;
     // Which of the two it came from changes nothing in the block.
     e.note(keys[0], &value);
     match value {
@@ -206,10 +178,9 @@ fn prototype(e: &mut Effective<'_>, index: [u32; 2]) -> Option<Prototype> {
             parameter.title(parameter.path, index),
             index[1]
         );
-        let place = e.place_of((Name::FilterType, index));
-        let instead = as_written(&place, key, &[Prototype::CritDamping.name()]);
-        let diagnostic = Diagnostic::error(codes::PROTOTYPE, place, found);
-        e.report.push(diagnostic.allowed(parameter.allowed()).instead(instead));
+        let of_type = (Name::FilterType, index);
+        let instead = as_written(&e.place_of(of_type), key, &[Prototype::CritDamping.name()]);
+        e.refuse(codes::PROTOTYPE, of_type, found, [Some(parameter.allowed()), Some(instead)]);
         return None;
     }
     e.word(key)
@@ -228,7 +199,7 @@ fn f0(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u32>, real: Opt
         let found = format!("{} is {} Hz, {} of the sampling frequency", e.title(key), real_text(f0), rounded(f0_ts));
         let allowed =
             format!("fg_f0 <= {highest} Hz at a cycle time of {time} ({MAX_F0_TS} of the sampling frequency)");
-        e.report.push(Diagnostic::error(codes::NYQUIST, e.place_of(key), found).allowed(allowed));
+        e.refuse(codes::NYQUIST, key, found, [Some(allowed), None]);
         return None;
     }
     let Some(real) = real else { return Some(f0) };
@@ -246,8 +217,7 @@ fn f0(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u32>, real: Opt
             real_text(rounded(f0_ts))
         );
         let allowed = format!("fg_f0 >= {least} Hz in {precision} at a cycle time of {time}");
-        let diagnostic = Diagnostic::error(codes::TOO_LOW, e.place_of(key), found);
-        e.report.push(diagnostic.allowed(allowed).instead(instead));
+        e.refuse(codes::TOO_LOW, key, found, [Some(allowed), Some(instead.to_owned())]);
         return None;
     }
     Some(f0)
@@ -267,6 +237,6 @@ fn fade_cycles(e: &mut Effective<'_>, ipc: &Ipc, cycle_time: Option<u32>) -> Opt
     let found = format!("`fade` {how} {} s, {} cycles", real_text(ipc.fade_time()), cycles.ceil());
     let allowed = format!("{} cycles: {} s at a cycle time of {time}", Ipc::MAX_FADE_CYCLES, real_text(longest));
     let instead = format!("fade = \"{}s\" at the most, or a longer cycle time", real_text(longest));
-    e.report.push(Diagnostic::error(codes::FADE, e.place_of(key), found).allowed(allowed).instead(instead));
+    e.refuse(codes::FADE, key, found, [Some(allowed), Some(instead)]);
     None
 }

@@ -1,10 +1,12 @@
-//! Improved position control of two versions of an axis beside each other: its own values, and which stages to compare.
+//! Improved position control of two versions of an axis beside each other: its own values; of each stage what was set, and what it
+//! does at the centre frequencies.
 
 use super::super::values::is_same;
-use super::stage_diff::{self, Version};
+use super::{design::StageDesign, filter};
 use crate::blocks::designed::Designed;
-use crate::number::{pair, significant};
-use crate::parameters::words::Words;
+use crate::design::{band::warped, response};
+use crate::number::{decibels, decimals, pair, significant};
+use crate::parameters::words::{StageMode, Words};
 
 /// What differs: limit, start and fade, a line each, then a line for each stage.
 pub(crate) fn differences(old: &Designed, new: &Designed) -> Vec<String> {
@@ -24,8 +26,8 @@ pub(crate) fn differences(old: &Designed, new: &Designed) -> Vec<String> {
     if !is_same(fades[0], fades[1]) {
         lines.push(format!("fade {} s", pair(fades[0], fades[1], 4)));
     }
-    for index in 0..old.axis.ipc.stage.len() {
-        let line = stage_diff::difference(Version::at(old, index).as_ref(), Version::at(new, index).as_ref());
+    for (index, (old, new)) in old.stage.iter().zip(&new.stage).enumerate() {
+        let line = of_stages(old.as_ref(), new.as_ref());
         lines.extend(line.map(|line| format!("stage[{index}]: {line}")));
     }
     lines
@@ -41,8 +43,8 @@ pub(crate) fn description(of: &Designed) -> Vec<String> {
         ipc.enable.name(),
         significant(fade(of), 4),
     )];
-    let stages = (0..ipc.stage.len()).filter_map(|index| Some((index, Version::at(of, index)?)));
-    lines.extend(stages.map(|(index, version)| format!("stage[{index}]: {}", stage_diff::description(&version))));
+    let stages = of.stage.iter().flatten();
+    lines.extend(stages.map(|stage| format!("stage[{}]: {}", stage.index, of_stage(stage))));
     lines
 }
 
@@ -53,5 +55,93 @@ fn part(of: &Designed) -> f64 {
 
 /// What the block does, in whole cycles [s].
 fn fade(of: &Designed) -> f64 {
-    f64::from(of.ipc.coeffs.fade_cycles) * of.axis.cycle_time()
+    f64::from(of.ipc.fade_cycles) * of.axis.cycle_time()
+}
+
+/// What differs between two versions of a stage, in one line; none: nothing.
+fn of_stages(old: Option<&StageDesign>, new: Option<&StageDesign>) -> Option<String> {
+    match (old, new) {
+        (None, None) => None,
+        (Some(old), None) => Some(format!("{} -> {}", of_stage(old), StageMode::NotActive.name())),
+        (None, Some(new)) => Some(format!("{} -> {}", StageMode::NotActive.name(), of_stage(new))),
+        (Some(old), Some(new)) => between(old, new),
+    }
+}
+
+/// A stage that has no older version.
+fn of_stage(of: &StageDesign) -> String {
+    let stage = &of.stage;
+    let weight = stage.weight();
+    let mut parts =
+        vec![stage.mode.text(), format!("weight {} ({} dB)", significant(weight, 7), decimals(decibels(weight), 2))];
+    parts.extend(stage.mode.osc_damping().map(|damping| format!("damping {damping}")));
+    parts.extend(of.filter.iter().flatten().map(filter::description));
+    parts.join(", ")
+}
+
+fn between(old: &StageDesign, new: &StageDesign) -> Option<String> {
+    let mut parts = Vec::new();
+    let [source_old, source_new] = [old, new].map(|of| of.stage.mode.text());
+    if source_old != source_new {
+        parts.push(format!("{source_old} -> {source_new}"));
+    }
+    let [weight_old, weight_new] = [old, new].map(|of| of.stage.weight());
+    if !is_same(weight_old, weight_new) {
+        let [a, b] = [weight_old, weight_new].map(|weight| decimals(decibels(weight), 2));
+        parts.push(format!("weight {} ({a} -> {b} dB)", pair(weight_old, weight_new, 4)));
+    }
+    match [old, new].map(|of| of.stage.mode.osc_damping()) {
+        [Some(a), Some(b)] if !is_same(a, b) => parts.push(format!("damping {}", pair(a, b, 4))),
+        [Some(a), None] => parts.push(format!("damping {a} -> none")),
+        [None, Some(b)] => parts.push(format!("damping none -> {b}")),
+        _ => {}
+    }
+    let several = [old, new].iter().any(|of| of.filter.iter().all(Option::is_some));
+    for (index, both) in old.filter.iter().zip(&new.filter).enumerate() {
+        let prefix = if several { format!("filter[{index}]: ") } else { String::new() };
+        let differs = filter::difference([both.0.as_ref(), both.1.as_ref()]);
+        parts.extend(differs.map(|differs| format!("{prefix}{differs}")));
+    }
+    parts.extend(effects(old, new));
+    let [decay_old, decay_new] = [old, new].map(decay);
+    if significant(decay_old, 4) != significant(decay_new, 4) {
+        parts.push(format!("slowest decay to 1/e {} s", pair(decay_old, decay_new, 4)));
+    }
+    (!parts.is_empty()).then(|| parts.join("; "))
+}
+
+/// What the whole stage does at the old and at the new centre frequency, before and after; what stays is left out.
+fn effects(old: &StageDesign, new: &StageDesign) -> Vec<String> {
+    let [f0_old, f0_new] = [old, new].map(|of| of.stage.f0());
+    let second = (!is_same(f0_old, f0_new)).then_some(f0_new);
+    [Some(f0_old), second].into_iter().flatten().filter_map(|f0| effect(old, new, f0)).collect()
+}
+
+fn effect(old: &StageDesign, new: &StageDesign, f0: f64) -> Option<String> {
+    // Beyond half the sampling frequency there is nothing to see.
+    if [old, new].iter().any(|of| f0 * of.cycle_time >= 0.5) {
+        return None;
+    }
+    let [before, after] = [old, new].map(|of| response::of_stage(&of.coeffs, warped(f0, of.cycle_time)));
+    let gains = [before, after].map(|h| decimals(decibels(response::magnitude(h)), 2));
+    let from = response::phase(before);
+    let from = if from < -179.95 { from + 360.0 } else { from };
+    // The shorter way round.
+    let turn = response::phase(after) - from;
+    let phases = [from, from + turn - 360.0 * libm::round(turn / 360.0)].map(|degrees| decimals(degrees, 1));
+    if gains[0] == gains[1] && phases[0] == phases[1] {
+        return None;
+    }
+    let text = |[a, b]: [String; 2]| if a == b { a } else { format!("{a} -> {b}") };
+    Some(format!("at {} Hz: {} dB, {} deg", significant(f0, 7), text(gains), text(phases)))
+}
+
+/// Time in which the slowest pole of a stage decays to 1/e [s]: -Ts / ln r, r its distance from the origin.
+fn decay(of: &StageDesign) -> f64 {
+    let logarithm = |[a1, a2]: [f64; 2]| {
+        let square = a1 * a1 / 4.0 - a2;
+        if square < 0.0 { libm::log1p(a2 - 1.0) / 2.0 } else { libm::log(a1.abs() / 2.0 + libm::sqrt(square)) }
+    };
+    let poles = of.section.iter().map(|section| logarithm(section.denominator));
+    -of.cycle_time / poles.fold(f64::NEG_INFINITY, f64::max)
 }

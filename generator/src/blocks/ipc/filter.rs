@@ -1,31 +1,33 @@
-//! What is said of a filter, by its type: its note, its part of the summary and of an advice, what differs between two of them.
+//! What is said of a filter, by its type: its note, its part of the summary, what differs between two of them.
 
 use super::super::values::is_same;
-use super::design::Passband;
+use super::design::FilterDesign;
 use crate::axis::Filter;
 use crate::number::{digits, pair, percent, significant};
 use crate::parameters::words::{FilterType, Words};
 
-pub(crate) fn summary(filter: &Filter) -> Option<String> {
+/// Its type; of a band-pass its prototype and its order too.
+fn kind(filter: &Filter) -> String {
     let kind = filter.kind().name();
     match filter {
-        Filter::NoFilter => None,
-        Filter::Bandpass { prototype, order, f0, q_factor } => {
-            Some(format!("{kind} {} order {order} at {f0} Hz, Q {q_factor}", prototype.name()))
-        }
-        Filter::Allpass { f0, q_factor } => Some(format!("{kind} at {f0} Hz, Q {q_factor}")),
+        Filter::NoFilter | Filter::Allpass { .. } => kind.to_owned(),
+        Filter::Bandpass { prototype, order, .. } => format!("{kind} {} order {order}", prototype.name()),
     }
 }
 
-pub(crate) fn note(filter: &Filter, passband: Option<&Passband>) -> Option<String> {
-    let [lower, upper] = passband?.edges.map(digits);
-    let kind = filter.kind().name();
-    match filter {
+pub(crate) fn summary(filter: &Filter) -> Option<String> {
+    let [f0, q_factor] = filter.f0_and_q()?;
+    Some(format!("{} at {f0} Hz, Q {q_factor}", kind(filter)))
+}
+
+pub(crate) fn note(of: &FilterDesign) -> Option<String> {
+    let [lower, upper] = of.edges.map(digits);
+    let kind = kind(&of.filter);
+    match of.filter {
         Filter::NoFilter => None,
-        Filter::Bandpass { prototype, order, f0, q_factor } => Some(format!(
-            "{kind} {} order {order} (P-AXIS-00849, 00848, 00750): centre frequency {f0} Hz (P-AXIS-00751), quality factor \
-             {q_factor} (P-AXIS-00752), -3 dB at {lower} and {upper} Hz",
-            prototype.name()
+        Filter::Bandpass { f0, q_factor, .. } => Some(format!(
+            "{kind} (P-AXIS-00849, 00848, 00750): centre frequency {f0} Hz (P-AXIS-00751), quality factor {q_factor} \
+             (P-AXIS-00752), -3 dB at {lower} and {upper} Hz"
         )),
         Filter::Allpass { f0, q_factor } => Some(format!(
             "{kind} (P-AXIS-00849): -180 deg at {f0} Hz (P-AXIS-00751), quality factor {q_factor} (P-AXIS-00752), -90 deg at \
@@ -35,56 +37,49 @@ pub(crate) fn note(filter: &Filter, passband: Option<&Passband>) -> Option<Strin
 }
 
 /// A filter with its edges [Hz].
-pub(crate) fn description(filter: &Filter, edges: [f64; 2]) -> String {
-    let kind = filter.kind().name();
-    match *filter {
-        Filter::NoFilter => kind.to_owned(),
-        Filter::Bandpass { prototype, order, f0, .. } => {
-            format!("{kind} {} order {order} at {f0} Hz, edges {} Hz", prototype.name(), range(edges, 4))
-        }
+pub(crate) fn description(of: &FilterDesign) -> String {
+    let kind = kind(&of.filter);
+    match of.filter {
+        Filter::NoFilter => kind,
+        Filter::Bandpass { f0, .. } => format!("{kind} at {f0} Hz, edges {} Hz", range(of.edges, 4)),
         Filter::Allpass { f0, .. } => {
-            let [lower, upper] = edges.map(|edge| significant(edge, 4));
+            let [lower, upper] = of.edges.map(|edge| significant(edge, 4));
             format!("{kind} with -180 deg at {f0} Hz, -90 at {lower} and -270 at {upper} Hz")
         }
     }
 }
 
-/// What lies above its centre frequency.
-pub(crate) fn above(filter: &Filter) -> &'static str {
-    match filter {
-        Filter::Allpass { .. } => "phase above it",
-        Filter::Bandpass { .. } | Filter::NoFilter => "upper skirt",
-    }
-}
-
 /// What differs between two filters at the same place.
-pub(crate) fn difference([old, new]: [&Filter; 2], edges: [[f64; 2]; 2]) -> Option<String> {
-    match (*old, *new) {
-        (Filter::NoFilter, Filter::NoFilter) => None,
-        (
-            Filter::Bandpass { prototype: from, order: order_old, f0: f0_old, q_factor: q_old },
-            Filter::Bandpass { prototype: to, order: order_new, f0: f0_new, q_factor: q_new },
-        ) => {
-            let mut parts = bands([f0_old, f0_new], [q_old, q_new], edges);
-            if order_old != order_new {
-                parts.push(format!("order {order_old} -> {order_new}"));
-            }
-            // All prototypes of order 1 are the same filter.
-            if from != to && order_old.max(order_new) > 1 {
-                parts.push(format!("{} -> {}", from.name(), to.name()));
-            }
-            (!parts.is_empty()).then(|| parts.join(", "))
-        }
-        (Filter::Allpass { f0: f0_old, q_factor: q_old }, Filter::Allpass { f0: f0_new, q_factor: q_new }) => {
-            let parts = bands([f0_old, f0_new], [q_old, q_new], edges);
-            (!parts.is_empty()).then(|| format!("{} {}", FilterType::Allpass.name(), parts.join(", ")))
-        }
-        _ => Some(format!("{} -> {}", description(old, edges[0]), description(new, edges[1]))),
+pub(crate) fn difference(both: [Option<&FilterDesign>; 2]) -> Option<String> {
+    let [kind, other] = both.map(|of| of.map_or(FilterType::NoFilter, |of| of.filter.kind()));
+    if kind != other {
+        let words = both.map(|of| of.map_or_else(|| FilterType::NoFilter.name().to_owned(), description));
+        return Some(words.join(" -> "));
     }
+    let [old, new] = [both[0]?, both[1]?];
+    let mut parts = bands(old.filter.f0_and_q()?, new.filter.f0_and_q()?, [old.edges, new.edges]);
+    if let (
+        Filter::Bandpass { prototype: from, order: order_old, .. },
+        Filter::Bandpass { prototype: to, order: order_new, .. },
+    ) = (old.filter, new.filter)
+    {
+        if order_old != order_new {
+            parts.push(format!("order {order_old} -> {order_new}"));
+        }
+        // All prototypes of order 1 are the same filter.
+        if from != to && order_old.max(order_new) > 1 {
+            parts.push(format!("{} -> {}", from.name(), to.name()));
+        }
+    }
+    if parts.is_empty() {
+        return None;
+    }
+    let which = if kind == FilterType::Allpass { format!("{} ", kind.name()) } else { String::new() };
+    Some(format!("{which}{}", parts.join(", ")))
 }
 
 /// Centre, quality factor and edges; the edges move with the cycle time too, by the warping of the frequency axis.
-fn bands([f0_old, f0_new]: [f64; 2], [q_old, q_new]: [f64; 2], edges: [[f64; 2]; 2]) -> Vec<String> {
+fn bands([f0_old, q_old]: [f64; 2], [f0_new, q_new]: [f64; 2], edges: [[f64; 2]; 2]) -> Vec<String> {
     let mut parts = Vec::new();
     if !is_same(f0_old, f0_new) {
         parts.push(format!("centre frequency {} Hz{}", pair(f0_old, f0_new, 4), percent(f0_old, f0_new)));

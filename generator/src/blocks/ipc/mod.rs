@@ -1,20 +1,19 @@
 //! The block `ipc`: improved position control.
 
 pub(crate) mod advice;
-pub mod certificate;
-pub mod check;
-pub mod design;
+pub(crate) mod certificate;
+pub(crate) mod check;
+pub(crate) mod design;
 mod diff;
-pub mod feasibility;
+pub(crate) mod feasibility;
 mod filter;
 pub(crate) mod notes;
 mod phase;
-mod stage_diff;
-mod summary;
 
 use super::{Part, Summary};
-use crate::axis::Axis;
+use crate::axis::{Axis, Stage};
 use crate::blocks::designed::Designed;
+use crate::parameters::words::{StageMode, Words};
 use compiler::program::Program;
 use reference::ipc::{Coeffs, Ipc};
 
@@ -26,7 +25,7 @@ impl Part for Ipc {
     }
 
     fn design(designed: &Designed) -> Coeffs<f64> {
-        designed.ipc.coeffs
+        designed.ipc
     }
 
     fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
@@ -40,8 +39,16 @@ impl Part for Ipc {
         [if limit > 0.0 { limit / 16.0 } else { v_max }, v_max.max(64.0 * limit)]
     }
 
+    /// How it starts, its limit and its fade; a line for each stage.
     fn summary(&self, designed: &Designed) -> Summary {
-        summary::summary(designed)
+        let (ipc, fade_cycles) = (&designed.axis.ipc, designed.ipc.fade_cycles);
+        let start = ipc.enable.name();
+        let head = format!(", starts {start}, |v_add| <= {}, fades in {fade_cycles} cycles", ipc.limit());
+        let line = |(index, stage): (usize, &Option<Stage>)| {
+            let what = stage.as_ref().map_or_else(|| StageMode::NotActive.name().to_owned(), in_short);
+            format!("stage[{index}] {what}")
+        };
+        Summary { head, lines: ipc.stage.iter().enumerate().map(line).collect() }
     }
 
     fn differences(&self, old: &Designed, new: &Designed) -> Vec<String> {
@@ -59,4 +66,10 @@ impl Part for Ipc {
             None => certificate::lines(&certificate::certify(designed, program)),
         }
     }
+}
+
+fn in_short(stage: &Stage) -> String {
+    let damping = stage.mode.osc_damping().map_or_else(String::new, |damping| format!(", damping {damping}"));
+    let filters: Vec<String> = stage.filter.iter().filter_map(filter::summary).collect();
+    format!("{}{damping}: {}, weight {}", stage.mode.text(), filters.join(", "), stage.weight())
 }

@@ -1,14 +1,13 @@
 //! What each coefficient means physically, one line each, for the reviewer of a generated block. No design.
 
-use super::design::{Element, Section, StageDesign};
+use super::design::{Section, StageDesign, rest_exponent};
 use super::filter;
 use crate::axis::{Axis, Filter, Mode, Stage};
 use crate::blocks::designed::Designed;
 use crate::design::band::{frequency, warped};
-use crate::design::response;
+use crate::design::{response, section::Shape};
 use crate::number::digits;
 use crate::parameters::words::Words;
-use portable::RealKind;
 
 /// Path prefixes in the tree of coefficients (`stage[0].filter[1]`, `limit`) and what stands there, in the order of the
 /// tree; what is not there, or says all in its doc comment, has no note. ASCII; a parameter as the user wrote it, a computed number with seven digits.
@@ -16,14 +15,12 @@ pub(crate) fn notes(designed: &Designed) -> Vec<(String, String)> {
     let axis = &designed.axis;
     let enable = format!("mode at start: {} (P-AXIS-00758)", axis.ipc.enable.name());
     let mut notes = vec![note("cycle_time_ns", cycle_time(axis)), note("enable", enable)];
-    for (i, (stage, design)) in axis.ipc.stage.iter().zip(&designed.ipc.stage).enumerate() {
-        if let (Some(stage), Some(design)) = (stage, design) {
-            notes.extend(of_stage(&format!("stage[{i}]"), stage, design, axis.cycle_time()));
-            notes.push((format!("stage[{i}].gain"), of_gain(i, stage, designed)));
-        }
+    for design in designed.stage.iter().flatten() {
+        notes.extend(of_stage(design));
     }
     notes.push(note("limit", of_limit(axis)));
-    notes.push(note("rest", of_rest(axis.real)));
+    let rest = rest_exponent(axis.real);
+    notes.push(note("rest", format!("P-AXIS-00212 * 2^{rest}: a sum below it is exactly 0")));
     notes.push(note("fade_cycles", of_fade(axis)));
     notes
 }
@@ -33,17 +30,20 @@ pub(crate) fn cycle_time(axis: &Axis) -> String {
     format!("cycle time {} us, the coefficients hold for no other", digits(f64::from(axis.cycle_time_ns) / 1000.0))
 }
 
-fn of_stage(path: &str, stage: &Stage, design: &StageDesign, cycle_time: f64) -> Vec<(String, String)> {
-    let mut notes = vec![note(path, format!("{}, {}", of_mode(stage.mode), of_weight(stage)))];
+fn of_stage(design: &StageDesign) -> Vec<(String, String)> {
+    let stage = &design.stage;
+    let path = format!("stage[{}]", design.index);
+    let mut notes = vec![note(&path, format!("{}, {}", of_mode(stage.mode), of_weight(stage)))];
     let sections = |of: Option<usize>| {
-        let of_filter = design.section.iter().filter(move |section| section.element.filter() == of);
-        of_filter.filter_map(|section| Some((section.element.to_string(), of_section(section, stage, cycle_time)?)))
+        let of_filter = design.section.iter().filter(move |section| section.element.filter == of);
+        of_filter.filter_map(|section| Some((section.element.to_string(), of_section(section, design)?)))
     };
     notes.extend(sections(None));
-    for (k, (filter, passband)) in stage.filter.iter().zip(&design.passband).enumerate() {
-        notes.extend(filter::note(filter, passband.as_ref()).map(|text| (format!("{path}.filter[{k}]"), text)));
-        notes.extend(sections(Some(k)));
+    for filter in design.filter.iter().flatten() {
+        notes.extend(filter::note(filter).map(|text| (format!("{path}.filter[{}]", filter.index), text)));
+        notes.extend(sections(Some(filter.index)));
     }
+    notes.push((format!("{path}.gain"), of_gain(design)));
     notes
 }
 
@@ -70,29 +70,25 @@ fn of_oscillation(f0: f64, damping: f64) -> String {
     )
 }
 
-/// A filter of one section says all in its own note.
-fn of_section(section: &Section, stage: &Stage, cycle_time: f64) -> Option<String> {
-    match section.element {
-        Element::Oscillation { .. } => Some(of_oscillation(stage.f0(), stage.mode.osc_damping()?)),
-        element => {
-            let Element::Bandpass { filter, section: j, .. } = element else { return None };
-            let Filter::Bandpass { order, f0, .. } = stage.filter[filter] else { return None };
-            let centre = digits(frequency(section.g, cycle_time));
-            let [quality, gain] = [1.0 / section.k, section.c].map(digits);
-            Some(format!(
-                "section {} of {order}: centre frequency {centre} Hz, quality factor {quality}, gain {gain} there and 1 at {f0} Hz",
-                j + 1
-            ))
-        }
-    }
+/// An all-pass says all in the note of its filter.
+fn of_section(section: &Section, design: &StageDesign) -> Option<String> {
+    let stage = &design.stage;
+    let Some(filter) = section.element.filter else {
+        return Some(of_oscillation(stage.f0(), stage.mode.osc_damping()?));
+    };
+    let Filter::Bandpass { order, f0, .. } = stage.filter[filter] else { return None };
+    let Shape { g, k, c } = section.shape;
+    let [centre, quality, gain] = [frequency(g, design.cycle_time), 1.0 / k, c].map(digits);
+    Some(format!(
+        "section {} of {order}: centre frequency {centre} Hz, quality factor {quality}, gain {gain} there and 1 at {f0} Hz",
+        section.element.section? + 1
+    ))
 }
 
-fn of_gain(index: usize, stage: &Stage, designed: &Designed) -> String {
-    let f0 = stage.f0();
-    let h = response::of_stage(&designed.ipc.coeffs.stage[index], warped(f0, designed.axis.cycle_time()));
-    let magnitude = digits(response::magnitude(h));
-    let phase = response::phase(h);
-    let phase = digits(if phase < -179.9999999 { phase + 360.0 } else { phase });
+fn of_gain(design: &StageDesign) -> String {
+    let f0 = design.stage.f0();
+    let h = response::of_stage(&design.coeffs, warped(f0, design.cycle_time));
+    let [magnitude, phase] = [response::magnitude(h), response::angle(h)].map(digits);
     format!("-weight, against the vibration; at {f0} Hz the stage adds {magnitude} times its source at {phase} deg")
 }
 
@@ -100,14 +96,6 @@ fn of_limit(axis: &Axis) -> String {
     let (fact, v_max) = (axis.ipc.v_add_max_fact, axis.ipc.v_max);
     let limit = digits(axis.ipc.limit());
     format!("largest |v_add| = {limit}: {fact} * 0.1 % (P-AXIS-00757) of {v_max} (P-AXIS-00212)")
-}
-
-fn of_rest(real: RealKind) -> String {
-    let exponent = match real {
-        RealKind::F64 => -60,
-        RealKind::F32 => -40,
-    };
-    format!("P-AXIS-00212 * 2^{exponent}: a sum below it is exactly 0")
 }
 
 fn of_fade(axis: &Axis) -> String {

@@ -1,14 +1,12 @@
 //! What turns the phase of a stage: the delay of its loop, the load, an all-pass. Warnings about an axis that is valid.
 
 use super::check::delay_cycles;
-use super::design::StageDesign;
+use super::design::{FilterDesign, StageDesign};
 use crate::axis::{Filter, Mode, Stage};
-use crate::codes;
 use crate::design::band::{Band, warped};
-use crate::number::rounded;
 use crate::parameters::words::{DirectSource, FilterType};
 use crate::parameters::{FILTERS, Name, real_text};
-use crate::rules::effective::Effective;
+use crate::{codes, number::rounded, rules::effective::Effective};
 
 /// A loop through the measured velocity costs one cycle of transport at the least.
 const LEAST_DELAY_CYCLES: f64 = 1.0;
@@ -20,10 +18,10 @@ const MUCH_DELAY: f64 = 60.0;
 const NEARLY_INVERTED: f64 = 10.0;
 
 /// Says where the phase of an active stage may be another than its user thinks.
-pub(crate) fn advise(e: &mut Effective<'_>, i: u32, stage: &Stage, design: &StageDesign, cycle_time: f64) {
-    direct_source(e, i, stage);
-    delay(e, i, stage, cycle_time);
-    polarity(e, i, stage, design, cycle_time);
+pub(crate) fn advise(e: &mut Effective<'_>, i: u32, design: &StageDesign) {
+    direct_source(e, i, &design.stage);
+    delay(e, i, design);
+    polarity(e, i, design);
 }
 
 /// What is fed back from the load lags more than what is fed back from the motor.
@@ -43,7 +41,7 @@ fn direct_source(e: &mut Effective<'_>, i: u32, stage: &Stage) {
 }
 
 /// The delay of the loop turns the phase, which an all-pass turns back. A pre-filter (SET_POINT) has no loop.
-fn delay(e: &mut Effective<'_>, i: u32, stage: &Stage, cycle_time: f64) {
+fn delay(e: &mut Effective<'_>, i: u32, StageDesign { stage, cycle_time, .. }: &StageDesign) {
     let given = delay_cycles(e);
     let cycles = given.map_or(LEAST_DELAY_CYCLES, f64::from) + HOLD_CYCLES;
     let lag = 360.0 * stage.f0() * cycle_time * cycles;
@@ -65,10 +63,10 @@ fn delay(e: &mut Effective<'_>, i: u32, stage: &Stage, cycle_time: f64) {
 }
 
 /// An all-pass at the frequency of the band-pass, or nearly there, turns by 180 degrees.
-fn polarity(e: &mut Effective<'_>, i: u32, stage: &Stage, design: &StageDesign, cycle_time: f64) {
-    for ((k, filter), passband) in (0..FILTERS).zip(&stage.filter).zip(&design.passband) {
-        let (Filter::Allpass { f0, .. }, Some(passband)) = (*filter, passband) else { continue };
-        let turn = turn(&passband.band, warped(stage.f0(), cycle_time));
+fn polarity(e: &mut Effective<'_>, i: u32, StageDesign { stage, filter, cycle_time, .. }: &StageDesign) {
+    for (k, filter) in (0..FILTERS).zip(filter) {
+        let Some(FilterDesign { filter: Filter::Allpass { f0, .. }, band, .. }) = filter else { continue };
+        let turn = turn(band, warped(stage.f0(), *cycle_time));
         if (turn + 180.0).abs() > NEARLY_INVERTED {
             continue;
         }

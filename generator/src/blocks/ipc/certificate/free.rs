@@ -1,9 +1,9 @@
 //! What a second-order section can still do when it is left to itself, in closed form. No step is run.
 
 use super::chain::Section;
+use crate::design::section::at_dc_and_nyquist;
 
 /// Bounds of one section.
-#[derive(Clone, Copy, Debug)]
 pub(super) struct Free {
     /// a1 / 2: minus the mean of the poles
     half: f64,
@@ -26,7 +26,7 @@ pub(super) struct Free {
 pub(super) fn bounds(section: &Section) -> Free {
     let (a1, a2) = (section.a1, section.a2);
     let half = a1 / 2.0;
-    let [dc, nyquist] = [(1.0 + a1) + a2, (1.0 - a1) + a2];
+    let [dc, nyquist] = at_dc_and_nyquist(1.0, a1, a2);
     let square = ((1.0 - a2) * (1.0 - a2) - dc * nyquist) / 4.0;
     if !(a2.abs() < 1.0 && dc > 0.0 && nyquist > 0.0) {
         return Free { half, even: f64::INFINITY, odd: f64::INFINITY, imaginary: None };

@@ -1,15 +1,14 @@
 //! A certificate in words: short lines of ASCII for the head of a file and for the terminal. Nothing is computed.
 
-use super::{Certificate, Point, StageCertificate};
-use crate::design::response::{Complex, magnitude, phase};
+use super::{Certificate, Point};
+use crate::design::response::{Complex, angle, magnitude};
+use crate::design::rounding::{precision, sample_limit};
 use crate::number::digits;
-use portable::RealKind;
 
 /// The lines: the range, the response of each stage at each of its band-passes, the largest deviation.
-#[must_use]
-pub fn lines(certificate: &Certificate) -> Vec<String> {
+pub(crate) fn lines(certificate: &Certificate) -> Vec<String> {
     let mut lines = vec![range(certificate)];
-    lines.extend(certificate.stage.iter().flat_map(responses));
+    lines.extend(certificate.response.iter().map(|(stage, points)| response(*stage, points)));
     lines.push(certificate.deviation().map_or_else(
         || "response: not measured, a limit of 0 mutes the block (P-AXIS-00757)".to_owned(),
         |deviation| format!("largest deviation of measured from designed: {deviation:.1e}"),
@@ -18,49 +17,37 @@ pub fn lines(certificate: &Certificate) -> Vec<String> {
 }
 
 fn range(certificate: &Certificate) -> String {
-    let Certificate { v_max, sample_limit, limit, bound, .. } = certificate;
+    let Certificate { real, v_max, limit, bound, .. } = certificate;
     if !bound.state.is_finite() || !bound.v_sum.is_finite() {
         return "range: no bound is certain, a section is so weakly damped that its roundings may add up".to_owned();
     }
-    let precision = match certificate.real {
-        RealKind::F64 => "double",
-        RealKind::F32 => "single",
+    let (muted, v_add) = if *limit > 0.0 {
+        ("", format!("|v_add| <= {} before the limit and ", digits(bound.v_sum * v_max)))
+    } else {
+        ("the limit is 0, v_add is always 0; ", String::new())
     };
-    let verdict = if certificate.is_within_precision() { "within" } else { "NOT within" };
-    let [state, largest_state] = [v_max, sample_limit].map(|scale| digits(bound.state * scale));
-    if *limit <= 0.0 {
-        return format!(
-            "range: the limit is 0, v_add is always 0; |v| <= {} gives no |state| above {state}; for |v| <= {}: \
-             {largest_state}, {verdict} {precision} precision",
-            digits(*v_max),
-            digits(*sample_limit),
-        );
-    }
+    let sample_limit = sample_limit(*real);
     format!(
-        "range: |v| <= {} gives |v_add| <= {} before the limit and no |state| above {state}; for |v| <= {}: {}, \
-         {verdict} {precision} precision",
+        "range: {muted}|v| <= {} gives {v_add}no |state| above {}; for |v| <= {}: {}, {} {} precision",
         digits(*v_max),
-        digits(bound.v_sum * v_max),
-        digits(*sample_limit),
+        digits(bound.state * v_max),
+        digits(sample_limit),
         digits(bound.state.max(bound.v_sum) * sample_limit),
+        if certificate.is_within_precision() { "within" } else { "NOT within" },
+        precision(*real)
     )
 }
 
-fn responses(stage: &StageCertificate) -> Vec<String> {
-    let line = |points: &[Point]| {
-        let points = points.iter().map(|point| {
-            let Point { frequency, designed, measured } = point;
-            format!("at {} Hz: designed {}, measured {}", digits(*frequency), polar(*designed), polar(*measured))
-        });
-        format!("stage[{}] {}", stage.index, points.collect::<Vec<_>>().join("; "))
-    };
-    stage.band.iter().map(|band| line(&band.point)).collect()
+fn response(stage: usize, points: &[Point]) -> String {
+    let points = points.iter().map(|Point { frequency, designed, measured }| {
+        format!("at {} Hz: designed {}, measured {}", digits(*frequency), polar(*designed), polar(*measured))
+    });
+    format!("stage[{stage}] {}", points.collect::<Vec<_>>().join("; "))
 }
 
 /// Gain and phase, the latter above -179.9999999 and up to 180 degrees.
 fn polar(h: Complex) -> String {
-    let angle = phase(h);
-    let angle = if angle < -179.999_999_9 { angle + 360.0 } else { angle };
+    let angle = angle(h);
     let angle = if angle.abs() < 5e-8 { 0.0 } else { angle }; // nothing but rounding
     format!("{} at {} deg", digits(magnitude(h)), digits(angle))
 }

@@ -10,51 +10,33 @@
 //! ```
 //! Nothing here decides anything; no coefficient is taken from the design, only what it is compared with.
 
-mod chain;
+pub(crate) mod chain;
 mod free;
 mod lines;
-mod norm;
-mod probe;
+pub(crate) mod norm;
+pub(crate) mod probe;
 mod response;
 
-pub use lines::lines;
-pub use norm::Bound;
-pub use response::{Band, Point};
-
-use super::design::Section;
-use crate::blocks::designed::Designed;
+use super::design::StageDesign;
 use crate::design::rounding::{largest, sample_limit};
+use crate::{axis::Axis, blocks::designed::Designed};
 use compiler::program::Program;
+pub(crate) use lines::lines;
 use portable::RealKind;
+use response::Point;
 
 /// What is certain of a block.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Certificate {
-    /// the real type of the block
+pub(crate) struct Certificate {
     pub real: RealKind,
     /// largest velocity of the axis [um/s or 0.001 deg/s] (P-AXIS-00212)
     pub v_max: f64,
     /// largest |v_add|, in the same unit (P-AXIS-00757)
     pub limit: f64,
-    /// largest magnitude of a sample in range, in the same unit
-    pub sample_limit: f64,
-    /// of the whole block, for inputs within +-1: every bound is proportional to the inputs
-    pub bound: Bound,
-    /// the active stages
-    pub stage: Vec<StageCertificate>,
-    /// the largest relative difference between a single step of the block and what its sections predict for it
-    pub chain_error: f64,
-}
-
-/// What is certain of a stage.
-#[derive(Clone, Debug, PartialEq)]
-pub struct StageCertificate {
-    /// its index
-    pub index: usize,
-    /// of this stage alone, for inputs within +-1
-    pub bound: Bound,
-    /// its response at the band-passes; empty where a limit of 0 mutes the block, since nothing can be measured there
-    pub band: Vec<Band>,
+    /// for inputs within +-1: every bound is proportional to the inputs
+    pub bound: norm::Bound,
+    /// the response of a stage, by its index, at centre and edges of a band-pass; none where a limit of 0 mutes the block, since
+    /// nothing can be measured there
+    pub response: Vec<(usize, [Point; 3])>,
 }
 
 /// Measures the block `ipc` of an axis by single steps of its program and computes its bounds.
@@ -64,45 +46,24 @@ pub struct StageCertificate {
 ///
 /// # Panics
 /// If the program is not the block `ipc` of this axis.
-#[must_use]
-pub fn certify(designed: &Designed, program: &Program) -> Certificate {
-    let axis = &designed.axis;
-    let limit = axis.ipc.limit();
-    let stages: Vec<&[Section]> = designed
-        .ipc
-        .stage
-        .iter()
-        .map(|stage| stage.as_ref().map_or(&[][..], |stage| stage.section.as_slice()))
-        .collect();
-    let (chains, chain_error) = chain::measure(program, &stages, limit);
-    let (bound, of_stages) = norm::bounds(&chains, axis.real);
-    let stage = chains.iter().zip(of_stages).map(|(chain, bound)| {
-        let band = if limit > 0.0 { response::bands(designed, chain) } else { Vec::new() };
-        StageCertificate { index: chain.stage, bound, band }
-    });
-    Certificate {
-        real: axis.real,
-        v_max: axis.ipc.v_max,
-        limit,
-        sample_limit: sample_limit(axis.real),
-        bound,
-        stage: stage.collect(),
-        chain_error,
-    }
+pub(crate) fn certify(designed: &Designed, program: &Program) -> Certificate {
+    let Axis { real, ipc, .. } = &designed.axis;
+    let stages: Vec<&StageDesign> = designed.stage.iter().flatten().collect();
+    let chains = chain::measure(program, &stages, ipc.limit());
+    let measured = stages.iter().zip(&chains).filter(|_| ipc.limit() > 0.0);
+    let response = measured.flat_map(|(stage, chain)| response::bands(stage, chain)).collect();
+    Certificate { real: *real, v_max: ipc.v_max, limit: ipc.limit(), bound: norm::bounds(&chains, *real), response }
 }
 
 impl Certificate {
     /// The largest |measured - designed| / |designed| of all points; none where nothing was measured.
-    #[must_use]
-    pub fn deviation(&self) -> Option<f64> {
-        let points = self.stage.iter().flat_map(|stage| &stage.band).flat_map(|band| &band.point);
-        points.map(Point::deviation).max_by(f64::total_cmp)
+    pub(crate) fn deviation(&self) -> Option<f64> {
+        self.response.iter().flat_map(|(_, points)| points).map(Point::deviation).max_by(f64::total_cmp)
     }
 
     /// Whether no value inside the block overflows for any sample in range.
-    #[must_use]
-    pub(crate) fn is_within_precision(&self) -> bool {
+    fn is_within_precision(&self) -> bool {
         // An intermediate value is a sum of up to three products of a state and a coefficient of up to 2.
-        self.bound.state.max(self.bound.v_sum).max(1.0) * self.sample_limit * 8.0 <= largest(self.real)
+        self.bound.state.max(self.bound.v_sum).max(1.0) * sample_limit(self.real) * 8.0 <= largest(self.real)
     }
 }

@@ -8,18 +8,18 @@ use portable::RealKind;
 use std::collections::BTreeMap;
 
 /// Largest magnitudes for inputs within +-1; infinite where none is certain.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bound {
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bound {
     /// of any state of a section
     pub state: f64,
     /// of the sum before the limit
     pub v_sum: f64,
-    /// how much of `v_sum` was added up sample by sample
-    pub summed: f64,
 }
 
 /// Samples times sections that are added up at the most: some 50 us, whatever the parameters.
-const BUDGET: usize = 8_192;
+pub(crate) const BUDGET: usize = 8_192;
+/// Time constants that are worth adding up, as a part of the budget.
+const LONG: f64 = 0.5;
 /// Samples from one look at the rest to the next.
 const BLOCK: usize = 64;
 /// A rest of this part of the sum is small enough.
@@ -27,41 +27,32 @@ const SMALL: f64 = 1e-4;
 /// What the roundings of this computation itself may amount to, many times over.
 const SLACK: f64 = 1e-6;
 
-/// Bounds of the whole block and of each stage.
+/// Bounds of the whole block.
 ///
 /// A block starts in the steady state of its input, which an input that was constant for ever has led to: what holds
 /// for every sequence of samples holds from there on too.
-pub(super) fn bounds(chains: &[Chain], real: RealKind) -> (Bound, Vec<Bound>) {
+pub(super) fn bounds(chains: &[Chain], real: RealKind) -> Bound {
     let sections: usize = chains.iter().map(|chain| chain.section.len()).sum();
     let budget = BUDGET / sections.max(1);
     let runs: Vec<Run> = chains.iter().map(|chain| run(chain, budget, real)).collect();
-    let of_stages = runs.iter().map(|run| {
-        let summed = run.response.iter().map(|h| h.abs()).sum::<f64>();
-        finished(run.state, summed, run.rest, run.rounding)
-    });
     let mut of_input: BTreeMap<usize, Vec<f64>> = BTreeMap::new();
     for (chain, run) in chains.iter().zip(&runs) {
         let sum = of_input.entry(chain.input).or_default();
         sum.resize(sum.len().max(run.response.len()), 0.0);
         sum.iter_mut().zip(&run.response).for_each(|(sum, h)| *sum += h);
     }
-    let of_stages: Vec<Bound> = of_stages.collect();
-    let summed = of_input.values().flatten().map(|h| h.abs()).sum();
-    let rest = runs.iter().map(|run| run.rest).sum();
+    let certain = |rounding: f64| (1.0 + SLACK) * rounding;
+    let summed = of_input.values().flatten().map(|h| h.abs()).sum::<f64>();
+    let rest = runs.iter().map(|run| run.rest).sum::<f64>();
     let rounding = runs.iter().map(|run| run.rounding).fold(1.0, f64::max);
-    let state = of_stages.iter().map(|bound| bound.state).fold(0.0, f64::max);
-    (Bound { state, ..finished(state, summed, rest, rounding) }, of_stages)
-}
-
-fn finished(state: f64, summed: f64, rest: f64, rounding: f64) -> Bound {
-    let certain = (1.0 + SLACK) * rounding;
-    Bound { state: state * certain, v_sum: (summed + rest) * certain, summed }
+    let state = runs.iter().map(|run| run.state * certain(run.rounding)).fold(0.0, f64::max);
+    Bound { state, v_sum: (summed + rest) * certain(rounding) }
 }
 
 /// What one stage does with an impulse.
-struct Run {
+pub(crate) struct Run {
     /// v_stage, as far as it was added up
-    response: Vec<f64>,
+    pub response: Vec<f64>,
     /// bound of the sum of all |v_stage| behind that
     rest: f64,
     /// bound of the L1 norm to any state
@@ -80,7 +71,7 @@ struct Sums {
     sum: [f64; 2],
 }
 
-fn run(chain: &Chain, budget: usize, real: RealKind) -> Run {
+pub(crate) fn run(chain: &Chain, budget: usize, real: RealKind) -> Run {
     let sums = |section: &Section| {
         let free = free::bounds(section);
         let norm = section.b0.abs() + free.sum(section.from_x[0], section.from_x[1]);
@@ -90,8 +81,9 @@ fn run(chain: &Chain, budget: usize, real: RealKind) -> Run {
     let slowest = sections.iter().map(|sums| sums.free.even).fold(0.0, f64::max);
     let mut response = Vec::new();
     let mut total = 0.0;
+    let mut behind = rest(&sections, 1.0, chain.gain);
     // Where decay takes far longer than the budget, adding up a part of it gains nothing.
-    if slowest < LONG * as_f64(budget) {
+    if slowest < LONG * budget as f64 {
         while response.len() + BLOCK <= budget {
             let mut signal = [0.0; BLOCK];
             if response.is_empty() {
@@ -101,20 +93,16 @@ fn run(chain: &Chain, budget: usize, real: RealKind) -> Run {
             let signal = signal.map(|y| chain.gain * y);
             total += signal.iter().map(|h| h.abs()).sum::<f64>();
             response.extend(signal);
-            let (rest, state) = rest(&sections, 0.0, chain.gain);
+            behind = rest(&sections, 0.0, chain.gain);
             let so_far = sections.iter().flat_map(|sums| sums.sum).fold(0.0, f64::max);
-            if rest <= SMALL * total && state - so_far <= SMALL * so_far {
+            if behind.0 <= SMALL * total && behind.1 - so_far <= SMALL * so_far {
                 break;
             }
         }
     }
-    let x = if response.is_empty() { 1.0 } else { 0.0 };
-    let (rest, state) = rest(&sections, x, chain.gain);
+    let (rest, state) = behind;
     Run { response, rest, state, rounding: rounding(&sections, real) }
 }
-
-/// Time constants that are worth adding up, as a part of the budget.
-const LONG: f64 = 0.5;
 
 /// Bound of the sum of all |v_stage| to come, of an input whose |x| to come sum up to `x`; and the bound of the largest
 /// sum of all |state|.
@@ -153,18 +141,10 @@ impl Sums {
 /// on like a state of its own: with N = [`Free::sum_of_any`] all of them together add at most e N to the states, those
 /// that they cause in turn included 1 / (1 - 32 u N). Where that is not small, nothing is certain.
 fn rounding(sections: &[Sums], real: RealKind) -> f64 {
-    let unit = match real {
-        RealKind::F64 => f64::EPSILON / 2.0,
-        RealKind::F32 => f64::from(f32::EPSILON) / 2.0,
-    };
+    let unit = if real == RealKind::F64 { f64::EPSILON } else { f32::EPSILON.into() } / 2.0;
     let factor = |sums: &Sums| {
         let part = 32.0 * unit * sums.free.sum_of_any();
         if part < 0.5 { 1.0 / (1.0 - part) } else { f64::INFINITY }
     };
     sections.iter().map(factor).product()
-}
-
-#[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
-fn as_f64(count: usize) -> f64 {
-    count as f64
 }

@@ -4,27 +4,23 @@
 //! are powers of two, so that dividing by them rounds nothing.
 
 use compiler::interp::Machine;
-use compiler::program::Program;
-use portable::{Literal, RealKind};
+use compiler::program::{Program, Variable};
+use portable::{Literal, Real, RealKind};
 
-/// What is 1 before a step; everything else is 0.
-pub(super) enum Source {
+/// What is 1 before a step; everything else is 0. Variables and inputs by their positions in the program.
+pub(crate) enum Source {
     /// a variable of the state
     State(usize),
-    /// an input
     Input(usize),
-    /// an input, all sections but these at rest at it: they put out 0
-    Alone {
-        /// which one
-        input: usize,
-        /// of these sections
-        states: Vec<usize>,
-    },
+    /// an input, all sections but the one of these states at rest at it: they put out 0
+    Alone(usize, [usize; 2]),
 }
 
 /// A machine for single steps.
-pub(super) struct Probe<'p> {
+pub(crate) struct Probe<'p> {
     machine: Machine<'p>,
+    real: RealKind,
+    limit: f64,
     /// before the first cycle
     fresh: Vec<Literal>,
     /// preset, all sections 0
@@ -33,53 +29,38 @@ pub(super) struct Probe<'p> {
     still: Vec<f64>,
     inputs: Vec<Literal>,
     outputs: Vec<Literal>,
-    real: RealKind,
-    limit: f64,
     v_add: usize,
     limited: usize,
 }
 
 impl<'p> Probe<'p> {
-    /// A machine of this block.
-    ///
     /// # Panics
     /// If the program is not the block `ipc`.
-    pub(super) fn new(program: &'p Program, limit: f64) -> Self {
-        let output = |path| program.outputs.iter().position(|variable| variable.path == path);
-        let mut inputs: Vec<Literal> = program.inputs.iter().map(|variable| variable.start).collect();
-        let mode = program.inputs.iter().position(|variable| variable.path == "mode");
-        inputs[mode.expect("certificate: the block has a mode")] = Literal::I32(reference::ipc::mode_on());
-        let machine = Machine::start(program);
-        let fresh = machine.state().to_vec();
-        let mut probe = Self {
-            machine,
-            rest: fresh.clone(),
-            fresh,
-            still: Vec::new(),
-            inputs,
-            outputs: Vec::new(),
-            real: program.real,
-            limit,
-            v_add: output("v_add_calculated").expect("certificate: the block has the output v_add_calculated"),
-            limited: output("limited").expect("certificate: the block has the output limited"),
+    pub(crate) fn new(program: &'p Program, limit: f64) -> Self {
+        let at = |variables: &[Variable], path| {
+            let found = variables.iter().position(|variable| variable.path == path);
+            found.unwrap_or_else(|| panic!("certificate: the block has no {path}"))
         };
-        probe.machine.step(&probe.inputs, &mut probe.outputs);
-        probe.rest = probe.machine.state().to_vec();
-        probe.machine.step(&probe.inputs, &mut probe.outputs);
-        probe.still = probe.machine.state().iter().map(|value| number(*value)).collect();
-        probe
+        let mut inputs: Vec<_> = program.inputs.iter().map(|variable| variable.start).collect();
+        inputs[at(&program.inputs, "mode")] = Literal::I32(reference::ipc::mode_on());
+        let mut outputs = Vec::new();
+        let mut machine = Machine::start(program);
+        let fresh = machine.state().to_vec();
+        machine.step(&inputs, &mut outputs);
+        let rest = machine.state().to_vec();
+        machine.step(&inputs, &mut outputs);
+        let still = machine.state().iter().map(|value| number(*value)).collect();
+        let [v_add, limited] = ["v_add_calculated", "limited"].map(|path| at(&program.outputs, path));
+        Self { machine, real: program.real, limit, fresh, rest, still, inputs, outputs, v_add, limited }
     }
 
     /// The largest amplitude: within the sample limit, 1e15 or 1e9, and far above what a section at rest holds.
     fn large(&self) -> f64 {
-        match self.real {
-            RealKind::F64 => libm::ldexp(1.0, 49),
-            RealKind::F32 => libm::ldexp(1.0, 29),
-        }
+        libm::ldexp(1.0, if self.real == RealKind::F64 { 49 } else { 29 })
     }
 
     /// The state after one step, for a source of 1.
-    pub(super) fn column(&mut self, source: &Source) -> Vec<f64> {
+    pub(crate) fn column(&mut self, source: &Source) -> Vec<f64> {
         let amplitude = self.large();
         self.step(source, amplitude);
         let of = |(value, still): (&Literal, &f64)| (number(*value) - still) / amplitude;
@@ -87,7 +68,7 @@ impl<'p> Probe<'p> {
     }
 
     /// The output of the step, for a source of 1: measured where the limit does not act, nor what makes a small sum 0.
-    pub(super) fn output(&mut self, source: &Source) -> f64 {
+    pub(crate) fn output(&mut self, source: &Source) -> f64 {
         if self.limit <= 0.0 {
             return 0.0;
         }
@@ -109,34 +90,22 @@ impl<'p> Probe<'p> {
     fn step(&mut self, source: &Source, amplitude: f64) {
         let value = match self.real {
             RealKind::F64 => Literal::F64(amplitude),
-            #[expect(clippy::cast_possible_truncation, reason = "a power of two")]
-            RealKind::F32 => Literal::F32(amplitude as f32),
+            RealKind::F32 => Literal::F32(f32::lit(amplitude)),
         };
-        let input = match source {
-            Source::State(index) => {
-                let before = std::mem::replace(&mut self.rest[*index], value);
-                self.machine.set_state(&self.rest);
-                self.rest[*index] = before;
-                None
+        let (mut state, mut inputs) = (self.rest.clone(), self.inputs.clone());
+        match source {
+            Source::State(index) => state[*index] = value,
+            Source::Input(input) => inputs[*input] = value,
+            Source::Alone(input, states) => {
+                inputs[*input] = value;
+                self.machine.set_state(&self.fresh);
+                self.machine.step(&inputs, &mut self.outputs);
+                state = self.machine.state().to_vec();
+                states.iter().for_each(|at| state[*at] = self.rest[*at]);
             }
-            Source::Input(input) => {
-                self.machine.set_state(&self.rest);
-                Some(*input)
-            }
-            Source::Alone { input, .. } => Some(*input),
-        };
-        let before = input.map(|input| std::mem::replace(&mut self.inputs[input], value));
-        if let Source::Alone { states, .. } = source {
-            self.machine.set_state(&self.fresh);
-            self.machine.step(&self.inputs, &mut self.outputs);
-            let mut preset = self.machine.state().to_vec();
-            states.iter().for_each(|state| preset[*state] = self.rest[*state]);
-            self.machine.set_state(&preset);
         }
-        self.machine.step(&self.inputs, &mut self.outputs);
-        if let (Some(input), Some(before)) = (input, before) {
-            self.inputs[input] = before;
-        }
+        self.machine.set_state(&state);
+        self.machine.step(&inputs, &mut self.outputs);
     }
 }
 

@@ -1,26 +1,15 @@
 //! Gain and phase of a stage: as its compiled sections have it, and as the formulas of its filters do. No rounding of
 //! a coefficient is in the designed values.
 
-use super::super::design::Passband;
+use super::super::design::{FilterDesign, StageDesign};
 use super::chain::{Chain, Section};
-use crate::axis::{Filter, Prototype, Stage};
-use crate::blocks::designed::Designed;
-use crate::design::band::{band, edges, frequency, warped};
-use crate::design::prototype::{Pole, poles};
-use crate::design::response::{Complex, magnitude};
-
-/// A band-pass of a stage and the response of the whole stage at it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Band {
-    /// index of the filter
-    pub filter: usize,
-    /// centre, lower and upper -3 dB edge
-    pub point: Vec<Point>,
-}
+use crate::axis::{Filter, Prototype};
+use crate::design::band::{edges, frequency, warped};
+use crate::design::bandpass::{Pole, poles};
+use crate::design::response::{Complex, magnitude, product, quotient};
 
 /// The response of a stage at one frequency: from the velocity that it looks at to what it adds.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point {
+pub(crate) struct Point {
     /// frequency [Hz]
     pub frequency: f64,
     /// by the formulas
@@ -31,31 +20,22 @@ pub struct Point {
 
 impl Point {
     /// |measured - designed| / |designed|
-    #[must_use]
-    pub fn deviation(&self) -> f64 {
+    pub(crate) fn deviation(&self) -> f64 {
         let Self { designed, measured, .. } = self;
         magnitude(Complex { re: measured.re - designed.re, im: measured.im - designed.im }) / magnitude(*designed)
     }
 }
 
-/// Centre and edges of every band-pass of a chain's stage.
-pub(super) fn bands(of: &Designed, chain: &Chain) -> Vec<Band> {
-    let cycle_time = of.axis.cycle_time();
-    let parts = of.axis.ipc.stage[chain.stage].as_ref().zip(of.ipc.stage[chain.stage].as_ref());
-    let (stage, design) = parts.expect("certificate: a chain is one of the axis's stages");
-    let band = |(filter, (of, passband)): (usize, (&Filter, &Option<Passband>))| {
-        let (Filter::Bandpass { f0, .. }, Some(passband)) = (of, passband) else { return None };
-        let at = |(frequency, t)| Point {
-            frequency,
-            designed: designed(stage, cycle_time, t),
-            measured: measured(chain, t),
-        };
-        let edge = |t| (frequency(t, cycle_time), t);
-        let [lower, upper] = edges(&passband.band);
-        let point = [(*f0, warped(*f0, cycle_time)), edge(lower), edge(upper)].map(at).to_vec();
-        Some(Band { filter, point })
+/// The index of a stage with centre, lower and upper -3 dB edge, for each of its band-passes.
+pub(super) fn bands(of: &StageDesign, chain: &Chain) -> Vec<(usize, [Point; 3])> {
+    let point = |frequency, t| Point { frequency, designed: designed(of, t), measured: measured(chain, t) };
+    let edge = |t| point(frequency(t, of.cycle_time), t);
+    let band = |filter: &FilterDesign| {
+        let Filter::Bandpass { f0, .. } = filter.filter else { return None };
+        let [lower, upper] = edges(&filter.band).map(edge);
+        Some((of.index, [point(f0, warped(f0, of.cycle_time)), lower, upper]))
     };
-    stage.filter.iter().zip(&design.passband).enumerate().filter_map(band).collect()
+    of.filter.iter().flatten().filter_map(band).collect()
 }
 
 /// The designed response at t = tan(pi f Ts): -weight, the simulated oscillation, the filters.
@@ -64,30 +44,31 @@ pub(super) fn bands(of: &Designed, chain: &Chain) -> Vec<Band> {
 /// - band-pass: its low-pass prototype at w = (t^2 - Omega0^2) / (B t): the product of sigma / (sigma + j w) and of
 ///   (sigma^2 + omega^2) / (sigma^2 + omega^2 - w^2 + 2 j sigma w);
 /// - all-pass: (Omega0^2 - t^2 - j B t) / (Omega0^2 - t^2 + j B t).
-#[must_use]
-pub(super) fn designed(stage: &Stage, cycle_time: f64, t: f64) -> Complex {
-    let mut h = Complex { re: -stage.weight(), im: 0.0 };
+fn designed(of: &StageDesign, t: f64) -> Complex {
+    let stage = &of.stage;
+    let mut h = Complex::real(-stage.weight());
     if let Some(damping) = stage.mode.osc_damping() {
-        let g = warped(stage.f0(), cycle_time);
+        let g = warped(stage.f0(), of.cycle_time);
         let im = 2.0 * damping * g * t;
         h = product(h, quotient(Complex { re: g * g, im }, Complex { re: (g - t) * (g + t), im }));
     }
-    stage.filter.iter().fold(h, |h, filter| match *filter {
-        Filter::NoFilter => h,
-        Filter::Bandpass { prototype, order, f0, q_factor } => {
-            let band = band(f0, q_factor, cycle_time);
-            product(h, low_pass(prototype, order, (t - band.omega0) * (t + band.omega0) / (band.bandwidth * t)))
-        }
-        Filter::Allpass { f0, q_factor } => {
-            let band = band(f0, q_factor, cycle_time);
-            let (re, im) = ((band.omega0 - t) * (band.omega0 + t), band.bandwidth * t);
-            product(h, quotient(Complex { re, im: -im }, Complex { re, im }))
-        }
-    })
+    for FilterDesign { filter, band, .. } in of.filter.iter().flatten() {
+        let (omega0, im) = (band.omega0, band.bandwidth * t);
+        h = match *filter {
+            Filter::Bandpass { prototype, order, .. } => {
+                product(h, low_pass(prototype, order, (t - omega0) * (t + omega0) / im))
+            }
+            _ => {
+                let re = (omega0 - t) * (omega0 + t);
+                product(h, quotient(Complex { re, im: -im }, Complex { re, im }))
+            }
+        };
+    }
+    h
 }
 
 fn low_pass(prototype: Prototype, order: usize, w: f64) -> Complex {
-    poles(prototype, order).iter().fold(Complex { re: 1.0, im: 0.0 }, |h, pole| {
+    poles(prototype, order).iter().fold(Complex::ONE, |h, pole| {
         let (dc, denominator) = match *pole {
             Pole::Real { sigma } => (sigma, Complex { re: sigma, im: w }),
             Pole::Pair { sigma, omega } => {
@@ -95,16 +76,15 @@ fn low_pass(prototype: Prototype, order: usize, w: f64) -> Complex {
                 (square, Complex { re: square - w * w, im: 2.0 * sigma * w })
             }
         };
-        product(h, quotient(Complex { re: dc, im: 0.0 }, denominator))
+        product(h, quotient(Complex::real(dc), denominator))
     })
 }
 
 /// The response of the compiled sections at t = tan(pi f Ts), where z - 1 = 2 j t / (1 - j t) is known without a
 /// cancellation: a low frequency costs no digits here.
-#[must_use]
-pub(super) fn measured(chain: &Chain, t: f64) -> Complex {
+fn measured(chain: &Chain, t: f64) -> Complex {
     let step = quotient(Complex { re: 0.0, im: 2.0 * t }, Complex { re: 1.0, im: -t });
-    chain.section.iter().fold(Complex { re: chain.gain, im: 0.0 }, |h, section| product(h, of_section(section, step)))
+    chain.section.iter().fold(Complex::real(chain.gain), |h, section| product(h, of_section(section, step)))
 }
 
 /// b0 + (z from_x[0] + from_x[1]) / (z^2 + a1 z + a2), z = 1 + `step`.
@@ -115,13 +95,4 @@ fn of_section(section: &Section, step: Complex) -> Complex {
     let re = square.re + step.re * (2.0 + a1) + ((1.0 + a1) + a2);
     let state = quotient(numerator, Complex { re, im: square.im + step.im * (2.0 + a1) });
     Complex { re: b0 + state.re, im: state.im }
-}
-
-fn product(a: Complex, b: Complex) -> Complex {
-    Complex { re: a.re * b.re - a.im * b.im, im: a.re * b.im + a.im * b.re }
-}
-
-fn quotient(a: Complex, b: Complex) -> Complex {
-    let square = b.re * b.re + b.im * b.im;
-    Complex { re: (a.re * b.re + a.im * b.im) / square, im: (a.im * b.re - a.re * b.im) / square }
 }

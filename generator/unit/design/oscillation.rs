@@ -1,10 +1,10 @@
 //! The simulated oscillation: what the coefficients of 12,000 random ones do.
 
 use super::rounding::{demanded, of_numerator, of_section};
-use super::sets::{Random, sets};
-use generator::design::band::warped;
-use generator::design::oscillation;
-use generator::design::response::{Complex, magnitude, of_biquad};
+use crate::design::band::warped;
+use crate::design::response::{Complex, magnitude, of_biquad};
+use crate::design::section::{Shape, oscillation};
+use crate::unit::sets::{Random, sets};
 use reference::biquad;
 
 /// H = (2 D j w + 1) / (1 - w^2 + 2 D j w), w = t / Omega0: 1 + 1 / (2 j D) at the centre.
@@ -15,7 +15,7 @@ fn response_is_that_of_a_load_behind_a_visco_elastic_coupling() {
     for set in sets(12_000) {
         let damping = 0.001 + 0.998 * random.unit();
         let omega0 = warped(set.f0, set.cycle_time());
-        let coeffs = oscillation::coefficients::<f64>(omega0, damping);
+        let coeffs = oscillation(&Shape { g: omega0, k: 2.0 * damping, c: 1.0 });
         for w in [0.0, 0.1, 0.5, 1.0, 2.0, 10.0] {
             let h = of_biquad(&coeffs, w * omega0);
             let expected = visco_elastic(damping, w);
@@ -43,7 +43,7 @@ fn visco_elastic(damping: f64, w: f64) -> Complex {
 #[test]
 fn a_constant_input_is_preset_where_it_stays() {
     for set in sets(1_000) {
-        let coeffs = oscillation::coefficients::<f64>(warped(set.f0, set.cycle_time()), 0.3);
+        let coeffs = oscillation(&Shape { g: warped(set.f0, set.cycle_time()), k: 0.6, c: 1.0 });
         assert_eq!(coeffs.preset_s1.to_bits(), (1.0 - coeffs.b0).to_bits());
         assert_eq!(coeffs.preset_s2.to_bits(), (coeffs.b2 - coeffs.a2).to_bits());
     }

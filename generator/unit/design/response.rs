@@ -1,9 +1,9 @@
 //! The frequency response that `design::response` computes, against what the reference's own `step` does to an impulse.
 
-use super::sets::axes;
-use generator::blocks::ipc::design::stage_of;
-use generator::design::band::warped;
-use generator::design::response::{Complex, magnitude, of_stage};
+use crate::blocks::ipc::design::stage;
+use crate::design::band::warped;
+use crate::design::response::{Complex, magnitude, of_stage};
+use crate::unit::sets::axes;
 use portable::RealKind;
 use reference::stage::{Coeffs, State, step};
 
@@ -15,7 +15,7 @@ fn it_is_what_step_does() {
     let mut compared = 0;
     for axis in axes(60, RealKind::F64) {
         for designed in axis.ipc.stage.iter().flatten() {
-            let coeffs = stage_of(0, designed, axis.cycle_time()).1;
+            let coeffs = stage(0, designed, axis.cycle_time()).coeffs;
             for part in [0.3, 0.8, 1.0, 1.1, 1.9] {
                 let product = (part * designed.f0() * axis.cycle_time()).min(0.499); // f Ts
                 let found = transform_of_impulse_response(&coeffs, product);

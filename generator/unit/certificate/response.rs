@@ -1,15 +1,16 @@
 //! The measured response against the designed one, and what it sees of a wrong block.
 
-use super::{block, certified, one_band_pass, rack_and_pinion, sets};
-use generator::axis::{Axis, Prototype};
-use generator::blocks::Designed;
-use generator::blocks::ipc::certificate::{Certificate, certify};
-use generator::design::response::Complex;
+use super::{block, certified, one_band_pass, rack_and_pinion};
+use crate::axis::{Axis, Prototype};
+use crate::blocks::Designed;
+use crate::blocks::ipc::certificate::{Certificate, certify};
+use crate::design::response::Complex;
+use crate::unit::sets;
 use portable::{Literal, RealKind};
 use proptest::prelude::*;
 
 fn measured(certificate: &Certificate, stage: usize, point: usize) -> Complex {
-    certificate.stage[stage].band[0].point[point].measured
+    certificate.response[stage].1[point].measured
 }
 
 /// The numbers of the definition: DIRECT -3 at 53 Hz, INDIRECT -1.9 + 1.1875 j at 11 Hz; 3 dB less at the edges.
@@ -24,7 +25,6 @@ fn the_stages_of_the_rack_and_pinion_example_do_what_they_should() {
         let Complex { re, im } = measured(&certificate, 0, edge);
         assert!((libm::hypot(re, im) - 3.0 / core::f64::consts::SQRT_2).abs() < 1e-12);
     }
-    assert!(certificate.chain_error < 1e-15, "{:e}", certificate.chain_error);
 }
 
 /// Relative tolerances that the definition gives against an independent implementation.
@@ -51,8 +51,6 @@ fn of_whole_blocks_too() {
             let certificate = certified(&axis);
             let found = certificate.deviation().expect("measured");
             assert!(found <= allowed, "{found:e}: {axis:?}");
-            let rounding = if real == RealKind::F64 { 1e-12 } else { 1e-4 };
-            assert!(certificate.chain_error < rounding, "{:e}: {axis:?}", certificate.chain_error);
         }
     }
 }
@@ -85,7 +83,7 @@ fn a_limit_of_0_is_said_and_nothing_is_measured() {
     let certificate = certified(&axis);
     assert_eq!(certificate.deviation(), None);
     assert!(certificate.bound.state > 1.0);
-    let lines = generator::blocks::ipc::certificate::lines(&certificate);
+    let lines = crate::blocks::ipc::certificate::lines(&certificate);
     assert!(lines[0].starts_with("range: the limit is 0, v_add is always 0; |v| <= 530000 gives no |state| above "));
     assert_eq!(lines[1], "response: not measured, a limit of 0 mutes the block (P-AXIS-00757)");
 }

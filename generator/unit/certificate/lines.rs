@@ -1,8 +1,8 @@
 //! The certificate in words.
 
 use super::{certified, rack_and_pinion};
-use generator::axis::Mode;
-use generator::blocks::ipc::certificate::lines;
+use crate::axis::Mode;
+use crate::blocks::ipc::certificate::lines;
 use portable::RealKind;
 
 #[test]

@@ -9,5 +9,4 @@ mod refused;
 mod response;
 mod rounding;
 mod scipy;
-mod sets;
 mod tree;

@@ -1,11 +1,11 @@
 //! All-passes: what the coefficients of 12,000 random ones do.
 
 use super::rounding::{demanded, of_section};
-use super::sets::filter as coefficients_of;
-use super::sets::sets;
-use generator::axis::{Filter, Prototype};
-use generator::design::band::{band, edges, warped};
-use generator::design::response::{Complex, magnitude, of_allpass, of_biquad};
+use crate::axis::{Filter, Prototype};
+use crate::design::band::{band, edges, warped};
+use crate::design::response::{Complex, magnitude, of_allpass, of_biquad};
+use crate::unit::sets::filter as coefficients_of;
+use crate::unit::sets::sets;
 use reference::biquad;
 
 /// -90 degrees at the lower edge, -180 at the centre, -270 at the upper edge; the phase is seen as H itself, which

@@ -1,11 +1,11 @@
 //! The whole tree of coefficients: what is copied, what stays 0, the limit, the fade, single precision, the notes.
 
-use super::sets::axes;
-use generator::axis::{Axis, Filter, Mode, Prototype};
-use generator::blocks::Designed;
-use generator::blocks::ipc::design::{design, fade_cycles};
-use generator::blocks::named;
-use generator::design::rounding::rounded;
+use crate::axis::{Axis, Filter, Mode, Prototype};
+use crate::blocks::Designed;
+use crate::blocks::ipc::design::{design, fade_cycles};
+use crate::blocks::named;
+use crate::design::rounding::rounded;
+use crate::unit::sets::axes;
 use portable::{Literal, Portable, RealKind, Ty};
 use reference::ipc::Coeffs;
 
@@ -18,7 +18,7 @@ fn notes(axis: Axis) -> Vec<(String, String)> {
 }
 
 fn ipc(axis: &Axis) -> Coeffs<f64> {
-    design(axis).coeffs
+    design(axis).1
 }
 
 /// Each scalar with its path.

@@ -2,11 +2,11 @@
 //! how they were made: by its own methods, from the edges of the band, and not from our sections.
 
 use super::rounding::of_section;
-use super::sets::filter as coefficients_of;
-use generator::axis::{Filter, Prototype};
-use generator::design::band::warped;
-use generator::design::oscillation;
-use generator::design::response::{Complex, magnitude, of_biquad, of_filter};
+use crate::axis::{Filter, Prototype};
+use crate::design::band::warped;
+use crate::design::response::{Complex, magnitude, of_biquad, of_filter};
+use crate::design::section::{Shape, oscillation};
+use crate::unit::sets::filter as coefficients_of;
 use reference::biquad;
 
 const DATA: &str = include_str!("../data/scipy_designs.csv");
@@ -63,7 +63,7 @@ fn complex(cell: &str) -> Complex {
 fn ours(kind: &str, order: usize, f0: f64, q_or_d: f64, cycle_time: f64) -> Ours {
     let filter = match kind {
         "OSCILLATION" => {
-            let coeffs = oscillation::coefficients::<f64>(warped(f0, cycle_time), q_or_d);
+            let coeffs = oscillation(&Shape { g: warped(f0, cycle_time), k: 2.0 * q_or_d, c: 1.0 });
             let biquad::Coeffs { b0, a1, a2, .. } = coeffs;
             return Ours { denominators: vec![[a1, a2]], gain: b0, response: Box::new(move |t| of_biquad(&coeffs, t)) };
         }

@@ -1,6 +1,6 @@
 //! Random filters, the same in every run. No assertion.
 
-use generator::axis::{Axis, DirectSource, Enable, Filter, Ipc, Mode, Prototype, Stage};
+use crate::axis::{Axis, DirectSource, Enable, Filter, Ipc, Mode, Prototype, Stage};
 use portable::RealKind;
 
 /// Cycle times [ns].
@@ -8,30 +8,30 @@ const CYCLES: [u32; 7] = [62_500, 125_000, 250_000, 500_000, 1_000_000, 2_000_00
 
 /// A band-pass or an all-pass to be.
 #[derive(Clone, Copy, Debug)]
-pub struct Set {
+pub(crate) struct Set {
     /// of a band-pass
-    pub prototype: Prototype,
+    pub(crate) prototype: Prototype,
     /// of a band-pass
-    pub order: usize,
+    pub(crate) order: usize,
     /// centre frequency [Hz]
-    pub f0: f64,
+    pub(crate) f0: f64,
     /// quality factor, 1 to 10
-    pub q_factor: f64,
+    pub(crate) q_factor: f64,
     /// cycle time [ns]
-    pub cycle_time_ns: u32,
+    pub(crate) cycle_time_ns: u32,
     /// f0 Ts, 6e-6 to 0.45
-    pub product: f64,
+    pub(crate) product: f64,
 }
 
 impl Set {
     /// Cycle time [s].
-    pub fn cycle_time(&self) -> f64 {
+    pub(crate) fn cycle_time(&self) -> f64 {
         f64::from(self.cycle_time_ns) / 1e9
     }
 }
 
 /// `count` sets: each prototype and order in turn, f0 Ts evenly in the logarithm, Q evenly.
-pub fn sets(count: usize) -> impl Iterator<Item = Set> {
+pub(crate) fn sets(count: usize) -> impl Iterator<Item = Set> {
     let mut random = Random(0x9E37_79B9_7F4A_7C15);
     (0..count).map(move |i| {
         let prototype = [Prototype::CritDamping, Prototype::Butterworth, Prototype::Bessel][i % 3];
@@ -49,7 +49,7 @@ pub fn sets(count: usize) -> impl Iterator<Item = Set> {
 }
 
 /// `count` axes of up to three stages: all modes, all kinds of filter, one cycle time for an axis.
-pub fn axes(count: usize, real: RealKind) -> impl Iterator<Item = Axis> {
+pub(crate) fn axes(count: usize, real: RealKind) -> impl Iterator<Item = Axis> {
     let mut random = Random(0xD1B5_4A32_D192_ED03);
     (0..count).map(move |i| {
         let cycle_time_ns = CYCLES[random.below(CYCLES.len())];
@@ -63,7 +63,7 @@ pub fn axes(count: usize, real: RealKind) -> impl Iterator<Item = Axis> {
             real,
             cycle_time_ns,
             ipc: Ipc { enable, v_add_max_fact, v_max, fade: random.unit(), stage },
-            control: generator::axis::Control::default(),
+            control: crate::axis::Control::default(),
             canonical: String::new(),
         }
     })
@@ -105,7 +105,7 @@ fn f0(random: &mut Random, cycle_time_ns: u32) -> f64 {
 }
 
 /// xorshift64
-pub struct Random(pub u64);
+pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
     fn next(&mut self) -> u64 {
@@ -116,18 +116,20 @@ impl Random {
     }
 
     /// In 0..1.
-    pub fn unit(&mut self) -> f64 {
+    pub(crate) fn unit(&mut self) -> f64 {
         let [high, low] = [self.next() >> 38, self.next() >> 38].map(|bits| u32::try_from(bits).expect("26 bits"));
         (f64::from(high) + f64::from(low) / 67_108_864.0) / 67_108_864.0
     }
 
     /// In 0..`count`.
-    pub fn below(&mut self, count: usize) -> usize {
+    pub(crate) fn below(&mut self, count: usize) -> usize {
         usize::try_from(self.next() >> 33).expect("31 bits") % count
     }
 }
 
 /// Coefficients of a filter at the cycle time [s].
-pub fn filter(filter: &Filter, cycle_time: f64) -> reference::filter::Coeffs<f64> {
-    generator::blocks::ipc::design::filter_of([0, 0], filter, cycle_time, &mut Vec::new())
+pub(crate) fn filter(filter: &Filter, cycle_time: f64) -> reference::filter::Coeffs<f64> {
+    let mode = Mode::Direct { source: DirectSource::Motor };
+    let stage = Stage { mode, weight_fact_num: 1, weight_fact_denom: 1, filter: [*filter, Filter::NoFilter] };
+    crate::blocks::ipc::design::stage(0, &stage, cycle_time).coeffs.filter[0]
 }

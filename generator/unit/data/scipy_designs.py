@@ -1,4 +1,4 @@
-"""Designs of all filters by scipy, by its own methods: the numbers that tests/design/scipy.rs compares with.
+"""Designs of all filters by scipy, by its own methods: the numbers that unit/design/scipy.rs compares with.
 
 Made with (in this folder)
     python3 -m venv /tmp/venv && /tmp/venv/bin/pip install scipy==1.17.1 numpy==2.4.6

@@ -1,14 +1,14 @@
 //! The worked figures of the manual (ISG FCT-D2 "Feedforward control", 4.1 and 4.2) and of the formulas beside it, to the
 //! last digit that they are printed with; what the drive gets is an integer and compared as one.
 
-use generator::axis::{Axis, Enable, Motor, Ratio, Resolution, TimeBase, Torque, Velocity, Width};
-use generator::blocks::Designed;
-use generator::blocks::blocks;
-use generator::config::ListOptions;
-use generator::design::delay::delay as design_delay;
-use generator::design::rounding::rounded;
-use generator::design::scale::{self, angular_acceleration};
-use generator::pipeline::read;
+use crate::axis::{Axis, Enable, Motor, Ratio, Resolution, TimeBase, Torque, Velocity, Width};
+use crate::blocks::Designed;
+use crate::blocks::blocks;
+use crate::config::ListOptions;
+use crate::design::delay::delay as design_delay;
+use crate::design::rounding::rounded;
+use crate::design::scale::{self, angular_acceleration};
+use crate::pipeline::read;
 use portable::{Block, RealKind};
 use reference::feedforward::{Feedforward, Inputs};
 use reference::ipc::{Ipc, mode_dryrun, mode_off, mode_on};
@@ -211,7 +211,7 @@ fn a_gantry_slave_refuses_its_mode() {
     axis.control.master = Some(9);
     axis.ipc.enable = Enable::Off;
     assert_eq!(blocks(&Designed::from(axis.clone())).expect("a slave has blocks").len(), 3);
-    let coeffs = Designed::from(axis).ipc.coeffs;
+    let coeffs = Designed::from(axis).ipc;
     let (mut state, mut outputs) = (<Ipc as Block<f64>>::state(), <Ipc as Block<f64>>::outputs());
     for (mode, expected) in [(mode_off(), 0), (mode_on(), 70_600), (mode_dryrun(), 70_600), (7, 2), (mode_off(), 0)] {
         let inputs = reference::ipc::Inputs { mode, ..<Ipc as Block<f64>>::inputs(&coeffs) };

@@ -1,18 +1,15 @@
 //! The certificate of a block against brute force, closed forms and blocks that are made wrong. No golden files.
 
-#[path = "../design/sets.rs"]
-#[allow(dead_code, reason = "the tests of the design use all of it")]
-mod sets;
-
+mod chain;
 mod cost;
 mod lines;
 mod range;
 mod response;
 
-use generator::axis::{Axis, DirectSource, Enable, Filter, Ipc, Mode, Prototype, Stage};
-use generator::blocks::Designed;
-use generator::blocks::ipc::certificate::{Certificate, certify};
-use generator::blocks::{Block, blocks};
+use crate::axis::{Axis, DirectSource, Enable, Filter, Ipc, Mode, Prototype, Stage};
+use crate::blocks::Designed;
+use crate::blocks::ipc::certificate::{Certificate, certify};
+use crate::blocks::{Block, blocks};
 use portable::RealKind;
 
 /// The one block of an axis.
@@ -47,7 +44,7 @@ fn axis(real: RealKind, cycle_time_ns: u32, stage: [Option<Stage>; 3]) -> Axis {
         real,
         cycle_time_ns,
         ipc: Ipc { enable: Enable::On, v_add_max_fact: 1000, v_max: 530_000.0, fade: 0.1, stage },
-        control: generator::axis::Control::default(),
+        control: crate::axis::Control::default(),
         canonical: String::new(),
     }
 }

@@ -1,9 +1,9 @@
 //! Which axes are refused although each of their parameters is in its range.
 
-use super::sets::axes;
-use generator::axis::{Axis, Filter, Mode, Prototype};
-use generator::blocks::Designed;
-use generator::blocks::ipc::feasibility::{Refusal, refusals};
+use crate::axis::{Axis, Filter, Mode, Prototype};
+use crate::blocks::Designed;
+use crate::blocks::ipc::feasibility::{Refusal, refusals};
+use crate::unit::sets::axes;
 use portable::RealKind;
 
 /// An axis with one INDIRECT stage: 62.5 us, Q 10, and an all-pass beside a band-pass of order 3.

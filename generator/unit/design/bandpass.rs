@@ -1,12 +1,13 @@
 //! Band-passes: what the coefficients of 12,000 random ones do, against the closed forms of their prototypes.
 
 use super::rounding::{demanded, of_sections};
-use super::sets::filter as coefficients_of;
-use super::sets::{Set, sets};
-use generator::axis::{Filter, Prototype};
-use generator::design::band::{Band, band, edges, frequency, warped};
-use generator::design::bandpass;
-use generator::design::response::{magnitude, of_bandpass, of_filter, phase};
+use crate::axis::{Filter, Prototype};
+use crate::design::band::{Band, band, edges, frequency, warped};
+use crate::design::bandpass;
+use crate::design::response::{magnitude, of_bandpass, of_filter, phase};
+use crate::design::section::Shape;
+use crate::unit::sets::filter as coefficients_of;
+use crate::unit::sets::{Set, sets};
 use reference::filter::Coeffs;
 
 const COUNT: usize = 12_000;
@@ -191,7 +192,7 @@ fn sections_follow_with_rising_quality_and_equal_ones_with_rising_centre() {
 fn sections_have_the_designed_gain_and_no_more_than_the_largest() {
     within("peak", |set, band, coeffs| {
         let sections = bandpass::sections(set.prototype, set.order, band);
-        let one = |(section, coeffs): (&bandpass::Section, &reference::bandpass::Coeffs<f64>)| {
+        let one = |(section, coeffs): (&Shape, &reference::bandpass::Coeffs<f64>)| {
             assert!(section.c <= largest_gain(set), "{}: {set:?}", section.c);
             let gain = -2.0 * coeffs.b2 / (1.0 - coeffs.a2);
             ((gain / section.c - 1.0).abs(), of_sections(core::slice::from_ref(coeffs), section.g))

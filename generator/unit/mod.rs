@@ -1,0 +1,5 @@
+//! Tests of the inside of this crate: of the design, and of the certificates. No golden files.
+
+mod certificate;
+mod design;
+mod sets;
