@@ -141,9 +141,9 @@ pub enum Command {
         #[arg(long, conflicts_with = "parameter")]
         markdown: bool,
     },
-    /// Explains the code of a message, and what to do
+    /// Explains the code of a message, an error of the controller or an error_id of a block, and what to do
     Explain {
-        /// The code (AX304) [default: all codes]
+        /// The code (AX304), the error (70350, P-ERR-70350) or the error_id (12) [default: all codes]
         code: Option<String>,
     },
     /// Writes a commented set to start from

@@ -1,8 +1,8 @@
-//! `axgen explain`: what a code of a message means, and what to do.
+//! `axgen explain`: what a code of a message, an error of the controller or an error id of a block means, and what to do.
 
 use crate::exit::Exit;
 use crate::output;
-use generator::codes::{self, CODES, explain};
+use generator::codes::{self, CODES, Code, error_id, explain, of_controller};
 
 /// Runs the command; without a code it lists all.
 pub fn run(code: Option<&str>) -> Result<Exit, Exit> {
@@ -12,11 +12,39 @@ pub fn run(code: Option<&str>) -> Result<Exit, Exit> {
         }
         return Ok(Exit::Done);
     };
-    let Some(code) = explain(wanted) else {
+    let found = match number(wanted) {
+        Some(number) => of_number(number),
+        None => explain(wanted).into_iter().map(text).collect(),
+    };
+    if found.is_empty() {
         let wanted = wanted.escape_default();
         let found = format!("no code `{wanted}`; `axgen explain` lists all, from AX001 on");
         return Err(Exit::input(codes::NO_SUCH, "axgen explain", found));
-    };
-    output::line(format!("{}: {}\n\n{}", code.code, code.title, code.explanation))?;
+    }
+    output::line(found.join("\n\n"))?;
     Ok(Exit::Done)
+}
+
+/// The number in `70350`, `P-ERR-70350` or `error_id 12`.
+fn number(wanted: &str) -> Option<u32> {
+    let lower = wanted.to_ascii_lowercase();
+    let digits = ["p-err-", "error_id"].iter().find_map(|mark| lower.strip_prefix(mark)).unwrap_or(&lower);
+    digits.trim_start_matches([' ', '=', ':']).parse().ok()
+}
+
+fn text(code: &Code) -> String {
+    format!("{}: {}\n\n{}", code.code, code.title, code.explanation)
+}
+
+/// What the controller and the blocks mean by a number.
+fn of_number(number: u32) -> Vec<String> {
+    let of_block = error_id(number).map(|why| {
+        format!(
+            "error_id {number} of a block: {why}\n\nThe block cannot act in a cycle in which `fault` is TRUE. It starts anew in the \
+             first cycle without the cause; the page of the block in docs says what it puts out until then."
+        )
+    });
+    let of_controller =
+        of_controller(number).map(|code| format!("Error {number} of the controller.\n\n{}", text(code)));
+    of_block.into_iter().chain(of_controller).collect()
 }

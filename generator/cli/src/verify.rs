@@ -70,7 +70,7 @@ pub fn run(
         .map(|(engine, why)| Diagnostic::error(codes::NO_ENGINE, Place::whole(format!("engine {engine}")), why))
         .collect();
     let report = Report { diagnostics };
-    Ok(if report.has_errors() { Exit::Environment(report) } else { Exit::Done })
+    if report.has_errors() { Err(Exit::Environment(report)) } else { Ok(Exit::Done) }
 }
 
 /// How far it is, on a terminal; elsewhere nothing.

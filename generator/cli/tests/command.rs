@@ -278,7 +278,7 @@ fn a_recording_that_differs_is_said_and_ends_with_1() {
     fs::write(folder.path().join("recorded.csv"), rows.join("\n")).unwrap();
     let run = axgen(folder.path(), &[&RACK[..], &["--engine", "st", "--compare", "recorded.csv"]].concat());
     let lines: Vec<&str> = run.out.lines().collect();
-    assert_eq!((run.code, lines.len()), (1, 2), "{}", run.out);
+    assert_eq!((run.code, lines.len()), (1, 3), "{}", run.out);
     assert!(lines[0].ends_with("against engine st, 400 samples: 1 differing bit"), "{}", run.out);
     assert_eq!(
         lines[1],
@@ -287,6 +287,7 @@ fn a_recording_that_differs_is_said_and_ends_with_1() {
             bits ^ 1
         )
     );
+    assert_eq!(lines[2], "v_add: largest error 1.42e-14 um/s at sample 200 (line 202)");
 }
 
 /// What a scope exports: keys above the channels, times, decimal commas, few digits, a foreign channel, other names.
@@ -321,13 +322,13 @@ fn an_export_of_a_scope_is_compared() {
     assert_eq!(lines[1], "left out, no signal of ipc: MAIN.temperature");
     assert!(lines[2].starts_with("v_add: largest error "), "{}", run.out);
     assert!(lines[2].contains(" um/s at sample "), "{}", run.out);
-    assert!(lines[2].ends_with("; agrees within the 7 digits recorded"), "{}", run.out);
+    assert!(lines[2].ends_with("; agrees within the 6 digits recorded"), "{}", run.out);
     assert_eq!(lines.len(), 3);
 
     export(["MAIN.x.v_motor", "MAIN.x.v_add"], "1", 0.25);
     let run = compare(&[]);
     assert_eq!(run.code, 1, "{}", run.out);
-    assert!(run.out.contains("at sample 7 (line 16); more than the 7 digits recorded explain"), "{}", run.out);
+    assert!(run.out.contains("at sample 7 (line 15); more than the 6 digits recorded explain"), "{}", run.out);
     assert!(run.out.contains("\nfirst: sample "), "{}", run.out);
 
     export(["speed", "correction"], "1", 0.0);
@@ -417,7 +418,7 @@ fn a_missing_compiler_is_the_environment() {
     };
     let (code, out, err) = verify(&[]);
     assert_eq!(code, Some(3), "{err}");
-    assert!(err.contains("engine c: error[AX910]: the C compiler `no-such-compiler` does not start"), "{err}");
+    assert!(err.contains("engine c: error[AX018]: the C compiler `no-such-compiler` does not start"), "{err}");
     assert_eq!(err.matches("no-such-compiler").count(), 1, "{err}");
     for row in out.lines().skip(1) {
         let words: Vec<&str> = row.split_whitespace().collect();

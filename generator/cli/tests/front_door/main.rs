@@ -195,6 +195,35 @@ fn the_reference_page_is_what_the_table_says() {
     assert!(kept == page, "docs/parameters.md: axgen params --markdown >docs/parameters.md");
 }
 
+/// The errors of the controller, however they are written, and the error ids of the blocks: those that the reference has.
+#[test]
+fn every_number_is_explained() {
+    let folder = started();
+    for number in [70348, 70349, 70350, 70351, 70600, 110_465, 110_473, 110_624] {
+        for written in [number.to_string(), format!("P-ERR-{number}")] {
+            let (exit, out, err) = axgen(folder.path(), &["explain", &written]);
+            assert_eq!((exit, err.as_str()), (0, ""), "{written}");
+            assert!(out.contains(&format!("Error {number} of the controller.\n\nAX")), "{out}");
+        }
+    }
+    let reference = include_str!("../../../../reference/src/signal.rs");
+    let ids = reference.split("/// error_id: ").skip(1).map(|rest| {
+        let (why, rest) = rest.split_once('\n').unwrap();
+        let id = rest.split_once("{\n").unwrap().1.split_once("u32").unwrap().0.trim();
+        (id.replace('_', ""), why)
+    });
+    let mut count = 0;
+    for (id, why) in ids.filter(|(id, _)| id != "0") {
+        let (exit, out, _) = axgen(folder.path(), &["explain", &id]);
+        assert_eq!(exit, 0, "{id}");
+        assert!(out.starts_with(&format!("error_id {id} of a block: {why}\n")), "{out}");
+        count += 1;
+    }
+    assert_eq!(count, 15);
+    assert_eq!(axgen(folder.path(), &["explain", "error_id 12"]), axgen(folder.path(), &["explain", "12"]));
+    assert_eq!(axgen(folder.path(), &["explain", "99"]).0, 2);
+}
+
 #[test]
 fn every_code_is_explained() {
     let folder = tempfile::tempdir().unwrap();
