@@ -98,7 +98,10 @@ fn write_crates(batch: &Batch<'_>, crates: &Path, shards: &[&[usize]]) -> std::i
              [dependencies]\n{dependencies}"
         )
     };
-    let names: Vec<String> = (0..shards.len()).map(|shard| format!("shard{shard}")).collect();
+    // To cargo two crates of one name at one place below two workspaces are one, and all batches share a folder for what it
+    // makes: without the batch in its name a crate would be taken for another batch's.
+    let batch_name = batch.name.replace('-', "_");
+    let names: Vec<String> = (0..shards.len()).map(|shard| format!("{batch_name}_shard{shard}")).collect();
     let (mut members, mut needs, mut calls) = (String::new(), dependencies.clone(), String::new());
     for (name, shard) in names.iter().zip(shards) {
         let _ = write!(members, "\"{name}\", ");
@@ -193,6 +196,7 @@ fn gather(
     if !output.status.success() {
         return Err(format!("{} broke off: {}", binary.display(), String::from_utf8_lossy(&output.stderr)));
     }
+    let mut ran = vec![0; answers.len()];
     for line in text.lines() {
         let fields: Vec<&str> = line.split('\t').collect();
         let Some(answer) = fields.get(1).and_then(|number| answers.get_mut(number.parse::<usize>().ok()?)) else {
@@ -200,11 +204,15 @@ fn gather(
         };
         match fields[..] {
             ["differs", _, real, engine, message] => answer.differences.push(difference(real, engine, message)),
-            ["facts", _, ..] => {
+            ["facts", number, ..] => {
+                ran[number.parse::<usize>().map_err(|error| error.to_string())?] += 1;
                 answer.facts.extend(fields[2..].iter().filter(|fact| !fact.is_empty()).map(|fact| (*fact).to_owned()));
             }
             _ => return Err(format!("{} says `{line}`", binary.display())),
         }
+    }
+    if let Some(number) = shards.concat().into_iter().find(|number| ran[*number] != batch.reals.len()) {
+        return Err(format!("{} ran program {number} {} times", binary.display(), ran[number]));
     }
     if batch.with_text {
         let firsts: Vec<usize> = shards.iter().filter_map(|shard| shard.first().copied()).collect();
