@@ -71,7 +71,7 @@ codes! {
     UTF8 = "AX003", "a set is not UTF-8",
         "TOML is UTF-8. An axis list may have any byte in its comments, a set may not: save it as UTF-8.";
     SYNTAX = "AX004", "a set is no TOML",
-        "The file breaks the syntax of TOML at this place. Until it is mended nothing else of it is judged.";
+        "The file breaks the syntax of TOML at this place. Until it is mended nothing else of it is checked.";
     NO_AXIS = "AX005", "a set without an axis",
         "A set names at least one axis: a table [axis.NAME] with a list, or with parameters.";
     AXIS_NAME = "AX006", "a name that an axis cannot have",

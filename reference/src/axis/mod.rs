@@ -313,7 +313,7 @@ pub fn hold<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, outputs: &mut Out
     rest(state, outputs, &control_outputs);
 }
 
-/// One cycle. Only the inputs that the axis uses are judged.
+/// One cycle. Only the inputs that the axis uses are checked.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     if !in_range(inputs.x_command, sample_limit()) {

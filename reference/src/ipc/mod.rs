@@ -258,7 +258,7 @@ pub fn may_act<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     is_in_range(coeffs, inputs) && is_cycle_time(coeffs, inputs) && inputs.position_controlled && !inputs.reset
 }
 
-/// One cycle. Only the inputs that a stage looks at are judged.
+/// One cycle. Only the inputs that a stage looks at are checked.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let mut runs = true;

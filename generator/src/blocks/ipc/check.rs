@@ -25,7 +25,7 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option
     let v_add_max_fact = e.integer(key(Name::VAddMaxFact));
     let v_max = v_max(e, real);
     let fade = e.duration(key(Name::Fade));
-    // Every stage is judged, so that all errors of all stages are told.
+    // Every stage is checked, so that all errors of all stages are told.
     let stages = [0, 1, 2].map(|i| stage(e, i, cycle_time, real));
     if stages.iter().any(|stage| !matches!(stage, Some(None))) {
         delay_cycles(e);
@@ -132,7 +132,7 @@ fn osc_damping(e: &mut Effective<'_>, i: u32) -> Option<f64> {
         e.refuse(codes::DAMPING, keys[0], found, [Some(allowed), Some(instead)]);
         return None;
     }
-    // What was given is judged: of two that are none, the newer one.
+    // What was given is checked: of two that are none, the newer one.
     let is_old = new.is_none() && (old.is_some() || given[0].is_none() && given[1].is_some());
     let value = e.validated(keys[usize::from(is_old)])?;
     // Which of the two it came from changes nothing in the block.
