@@ -2,8 +2,8 @@
 //!
 //! ```text
 //! designed  an axis with everything that design makes of it, once
-//! kind    what a block's folder says of it; what follows: verified program, self-test, recorded run
-//! values  named values beside each other, for the semantic diff
+//! kind      what a block's folder says of it; what follows: verified program, self-test, recorded run
+//! values    named values beside each other, for the semantic diff
 //! ```
 //! A folder: `check` (rules), `design` (coefficients), `notes` (what each number means), `diff`, `summary`, and what the block
 //! needs beside them.

@@ -26,6 +26,8 @@ fn started() -> TempDir {
     let folder = tempfile::tempdir().unwrap();
     let (code, out, err) = axgen(folder.path(), &["init"]);
     assert_eq!((code, out.as_str(), err.as_str()), (0, "axes.toml: edit it, then: axgen check axes.toml\n", ""));
+    let first = fs::read_to_string(folder.path().join("axes.toml")).unwrap();
+    assert!(first.starts_with("#:schema ./axgen.schema.json\n"), "{first}");
     folder
 }
 
@@ -112,8 +114,8 @@ fn a_message_shows_the_line_and_marks_the_place() {
     assert_eq!((code, out.as_str()), (2, ""));
     assert_eq!(
         err,
-        "axes.toml:21:18: error[AX203]: `lr_param.improved_position_control.v_add_max_fact` (P-AXIS-00757) is 9999\n  \
-         21 | v_add_max_fact = 9999  # largest |v_add|, in 0.1 % of vb_max; the default 0 would mute the block\n     \
+        "axes.toml:24:18: error[AX203]: `lr_param.improved_position_control.v_add_max_fact` (P-AXIS-00757) is 9999\n  \
+         24 | v_add_max_fact = 9999  # largest |v_add|, in 0.1 % of vb_max; the default 0 would mute the block\n     \
          |                  ^\n    \
          allowed: 0 <= v_add_max_fact <= 2000 [0.1 %]\n\
          1 error; nothing was written\n"
@@ -130,7 +132,7 @@ fn messages_for_machines_are_an_object_a_line() {
     let objects: Vec<Value> = err.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
     let codes: Vec<&str> = objects.iter().map(|object| object["code"].as_str().unwrap()).collect();
     assert_eq!(codes, ["AX104", "AX203", "AX206"]);
-    assert_eq!(objects[1]["line"], 21);
+    assert_eq!(objects[1]["line"], 24);
     assert_eq!(objects[1]["column"], 18);
     assert_eq!(objects[1]["severity"], "error");
     assert_eq!(objects[1]["file"], "axes.toml");
