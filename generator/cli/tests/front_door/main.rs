@@ -5,6 +5,7 @@
 
 mod files;
 mod messages;
+mod paths;
 mod streams;
 
 use serde_json::Value;
