@@ -67,7 +67,7 @@ codes! {
         "The set, an axis list that it names, or a CSV file cannot be opened. The path of a list is relative to the file of the \
          set.";
     TOO_LARGE = "AX002", "a file is too large",
-        "No set and no axis list has as many bytes; it is probably another file.";
+        "No file of its kind has as many bytes, samples not more than 256 MiB; it is probably another file.";
     UTF8 = "AX003", "a set is not UTF-8",
         "TOML is UTF-8. An axis list may have any byte in its comments, a set may not: save it as UTF-8.";
     SYNTAX = "AX004", "a set is no TOML",

@@ -18,11 +18,12 @@ use crate::shows::shown;
 use crate::stimulus::{self, Stimulus};
 use generator::blocks::Designed;
 use generator::blocks::{self, Block};
-use generator::config::ListOptions;
+use generator::config::{self, ListOptions};
 use generator::digest::digest;
 use generator::generate::header;
 use generator::pipeline;
 use generator::target::{File, TARGETS};
+use generator::write;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 
@@ -76,7 +77,8 @@ fn set_beside() -> String {
 /// What is wrong with its files, in words.
 pub fn read(folder: &Path) -> Result<Case, String> {
     let path = folder.join("case.toml");
-    let text = std::fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+    let bytes = config::load(&path).map_err(|unreadable| format!("{}: {}", path.display(), unreadable.said().1))?;
+    let text = String::from_utf8(bytes).map_err(|error| format!("{}: {error}", path.display()))?;
     let description: Description = toml::from_str(&text).map_err(|error| format!("{}: {error}", path.display()))?;
     let options = ListOptions { cycle_time: description.cycle_time, name: None };
     let (set, report) = pipeline::read(&folder.join(&description.set), &options);
@@ -159,14 +161,15 @@ pub fn record(case: &Case) -> Result<(), String> {
     if !missing.is_empty() {
         return Err(format!("{}: the case does not show {}", case.folder.display(), missing.join(", ")));
     }
+    let refused = |refusal: write::Refusal| {
+        let said = refusal.report().diagnostics.into_iter().map(|of| format!("{}: {}", of.place.file, of.found));
+        said.collect::<Vec<_>>().join("\n")
+    };
+    let folder = write::open(&case.folder).map_err(refused)?;
+    let staged = files.iter().map(|file| write::stage(&folder, file)).collect();
+    write::commit(folder, staged, true).map_err(refused)?;
     for path in left_over(case, &files) {
         std::fs::remove_file(&path).map_err(|error| format!("{}: {error}", path.display()))?;
-    }
-    for file in files {
-        let path = case.folder.join(&file.name);
-        let folder = path.parent().unwrap_or(&case.folder);
-        let written = std::fs::create_dir_all(folder).and_then(|()| std::fs::write(&path, file.text));
-        written.map_err(|error| format!("{}: {error}", path.display()))?;
     }
     Ok(())
 }
@@ -179,7 +182,7 @@ pub fn verify(case: &Case) -> Result<Vec<String>, String> {
     let Recording { files, missing } = recording(case)?;
     let mut differing: Vec<String> = missing.iter().map(|word| format!("shows: {word}")).collect();
     for file in &files {
-        let found = std::fs::read(case.folder.join(&file.name));
+        let found = config::load(&case.folder.join(&file.name));
         if found.ok().as_deref() != Some(file.text.as_bytes()) {
             differing.push(file.name.clone());
         }

@@ -79,6 +79,9 @@ pub enum Command {
         /// CSV file for the outputs, `-`: standard output [default: -, with --compare none]
         #[arg(long, value_name = "FILE")]
         out: Option<PathBuf>,
+        /// Replace any file of that name, not only an earlier output of this command
+        #[arg(long, requires = "out")]
+        force: bool,
         /// Writes reals as the hexadecimal digits of their bits
         #[arg(long)]
         hex: bool,

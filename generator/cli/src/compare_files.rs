@@ -2,11 +2,11 @@
 
 use crate::exit::Exit;
 use crate::output;
-use generator::codes;
+use generator::config;
 use generator::target::File;
 use similar::TextDiff;
 use std::fs;
-use std::io::ErrorKind;
+use std::io::{self, ErrorKind};
 use std::path::Path;
 
 /// How differences are said.
@@ -21,11 +21,13 @@ pub enum Show {
 /// What is said of a file that differs from the one in a folder; none: it does not.
 pub fn difference(file: &File, folder: &Path, show: Show) -> Result<Option<String>, Exit> {
     let path = folder.join(&file.name);
-    let found = match fs::read(&path) {
+    let is_missing = |error: io::Error| matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory);
+    let found = match config::load(&path) {
         Ok(bytes) => Some(bytes),
-        Err(error) if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) => None,
-        Err(error) => {
-            return Err(Exit::environment(codes::UNREADABLE, path.display(), format!("cannot be read: {error}")));
+        Err(_) if fs::metadata(&path).is_err_and(is_missing) => None,
+        Err(unreadable) => {
+            let (code, found) = unreadable.said();
+            return Err(Exit::environment(code, path.display(), found));
         }
     };
     if found.as_deref() == Some(file.text.as_bytes()) {

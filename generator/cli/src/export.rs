@@ -3,7 +3,7 @@
 use crate::exit::Exit;
 use crate::input::said;
 use crate::messages::Format;
-use crate::one_file;
+use crate::one_file::{self, Rule};
 use generator::{config, import_export};
 use std::path::Path;
 
@@ -12,6 +12,6 @@ use std::path::Path;
 pub fn run(set: &Path, axis: Option<&str>, out: Option<&Path>, force: bool, format: Format) -> Result<Exit, Exit> {
     let (list, report) = import_export::export(set, axis, &config::load);
     let list = said(list, &report, format)?;
-    one_file::write(out, &list, force)?;
+    one_file::write(out, &list, Rule::by_force(force))?;
     Ok(Exit::Done)
 }

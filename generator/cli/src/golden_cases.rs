@@ -19,6 +19,7 @@ pub fn record(folders: &[PathBuf]) -> Result<Exit, Exit> {
 
 /// Compares the vectors of every case.
 pub fn verify(folders: &[PathBuf], files: &Files) -> Result<Exit, Exit> {
+    files.kept_apart(None)?;
     let (mut exit, mut outcomes) = (Exit::Done, Vec::new());
     for case in read_all(folders)? {
         let differing = case::verify(&case).map_err(|text| unusable(&case.folder, text))?;

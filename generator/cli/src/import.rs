@@ -3,7 +3,7 @@
 use crate::exit::Exit;
 use crate::input::said;
 use crate::messages::Format;
-use crate::one_file;
+use crate::one_file::{self, Rule};
 use generator::config::{self, ListOptions};
 use generator::import_export;
 use std::path::Path;
@@ -27,6 +27,6 @@ pub fn run(list: &Path, request: Request<'_>) -> Result<Exit, Exit> {
     let Request { cycle_time, name, out, force, format } = request;
     let (set, report) = import_export::import(list, &ListOptions { cycle_time, name }, &config::load);
     let set = said(set, &report, format)?;
-    one_file::write(out, set.as_bytes(), force)?;
+    one_file::write(out, set.as_bytes(), Rule::by_force(force))?;
     Ok(Exit::Done)
 }

@@ -55,8 +55,8 @@ fn run(command: Command, format: Format) -> Result<Exit, Exit> {
             generate::run(&set, format, &generate::Request { targets, axes, out, force, compare, emit })
         }
         Command::Check { set } => check::run(&set, format),
-        Command::Run { set, axis, block, engine, stimulus, compare, map, out, hex } => {
-            run::run(&set, format, &run::Request { axis, block, engine, stimulus, compare, map, out, hex })
+        Command::Run { set, axis, block, engine, stimulus, compare, map, out, force, hex } => {
+            run::run(&set, format, &run::Request { axis, block, engine, stimulus, compare, map, out, force, hex })
         }
         Command::Verify { set, samples, engines, results } => verify::run(&set, format, samples, &engines, &results),
         Command::Diff { old, new, cycle_time, name } => {

@@ -1,6 +1,7 @@
 //! Messages on standard error: for people with the line and a mark, for machines as JSON, one object a line.
 
 use clap::ValueEnum;
+use generator::config::{self, LARGEST_SAMPLES};
 use generator::diagnostics::{Diagnostic, Place, Report, Severity};
 use serde_json::json;
 use std::borrow::Cow;
@@ -103,12 +104,17 @@ impl Shown {
     }
 }
 
+/// The bytes of a file that a message names; none if it cannot be read again.
+fn read_again(file: &str) -> Vec<u8> {
+    config::load_up_to(file.as_ref(), LARGEST_SAMPLES).unwrap_or_default()
+}
+
 /// A message, and the line that it is about, as far as it can be read again; each file is read once. A byte order mark is in
 /// neither the line nor the column.
 fn seen<'d>(diagnostic: &'d Diagnostic, files: &mut BTreeMap<String, Shown>) -> (Cow<'d, Diagnostic>, Option<String>) {
     let Place { file, line, column } = &diagnostic.place;
     let Some(number) = line.checked_sub(1) else { return (Cow::Borrowed(diagnostic), None) };
-    let shown = files.entry(file.clone()).or_insert_with(|| Shown::of(std::fs::read(file).unwrap_or_default()));
+    let shown = files.entry(file.clone()).or_insert_with(|| Shown::of(read_again(file)));
     let found = shown.line(number).filter(|line| line.len() <= LONGEST);
     let found = found.map(|line| String::from_utf8_lossy(line).trim_end().to_owned());
     if number > 0 || !shown.marked || *column < 2 {

@@ -1,38 +1,76 @@
-//! Writing one file that a command was asked for, or standard output, and not over an input; what is in it does not matter.
+//! Writing single files that a command was asked for, or standard output, and not over an input; what is in them does not matter.
 
 use crate::exit::Exit;
 use crate::output;
 use generator::codes;
-use std::fs::{self, OpenOptions};
-use std::io::{self, ErrorKind, Write};
+use generator::write::{self, One, Replace};
+use std::fs;
+use std::io::{self, ErrorKind};
 use std::path::Path;
 
-/// Writes to the file; without one, or to `-`, to standard output. A file that is there is replaced only by force, and then as
-/// a whole or not at all.
-pub fn write(out: Option<&Path>, bytes: &[u8], force: bool) -> Result<(), Exit> {
-    let Some(path) = out.filter(|path| path.as_os_str() != "-") else {
-        return output::print(bytes);
-    };
-    let failed = |error: io::Error| match error.kind() {
-        ErrorKind::AlreadyExists => Exit::input(
-            codes::NOT_OURS,
-            path.display(),
-            "is there already; give another name, or --force to replace it",
-        ),
-        _ => Exit::unwritable(path.display(), format!("{error}; nothing was written")),
-    };
-    let mut name = path.file_name().unwrap_or_default().to_owned();
-    name.push(format!(".axgen-staged-{}", std::process::id()));
-    let staged = path.with_file_name(name);
-    let target = if force { &staged } else { path };
-    let mut file = OpenOptions::new().write(true).create_new(true).open(target).map_err(failed)?;
-    let written = file.write_all(bytes).and_then(|()| file.sync_all());
-    drop(file);
-    let written = if force { written.and_then(|()| fs::rename(&staged, path)) } else { written };
-    written.map_err(|error| {
-        let _ = fs::remove_file(target); // of the two errors the first is the one to say
-        failed(error)
-    })
+/// Which files that are there a command replaces, and what it says of the others.
+#[derive(Clone, Copy)]
+pub struct Rule<'r> {
+    replace: Replace<'r>,
+    found: &'static str,
+}
+
+impl<'r> Rule<'r> {
+    /// None at all.
+    pub const NEVER: Self = Self { replace: Replace::None, found: "is there already; give another name" };
+
+    /// Any, by force.
+    pub fn by_force(force: bool) -> Self {
+        let replace = if force { Replace::All } else { Replace::None };
+        Self { replace, found: "is there already; give another name, or --force to replace it" }
+    }
+
+    /// Empty files, and those that begin as an output of the same command, which is run again and again; others by force.
+    pub fn own(force: bool, begins: &'r dyn Fn(&[u8]) -> bool) -> Self {
+        Self {
+            replace: if force { Replace::All } else { Replace::Those(begins) },
+            found: "is no earlier output of this command; give another name, or --force to replace it",
+        }
+    }
+
+    /// Says beforehand that a file would not be replaced: a long run is not made for nothing.
+    pub fn allows(self, path: &Path) -> Result<(), Exit> {
+        write::is_replaced(path, self.replace).map(|_| ()).map_err(|error| self.failed(path, &error))
+    }
+
+    fn failed(self, path: &Path, error: &io::Error) -> Exit {
+        match error.kind() {
+            ErrorKind::AlreadyExists => Exit::input(codes::NOT_OURS, path.display(), self.found),
+            _ => Exit::unwritable(path.display(), format!("{error}; nothing was written")),
+        }
+    }
+}
+
+/// Writes to the file; without one, or to `-`, to standard output.
+pub fn write(out: Option<&Path>, bytes: &[u8], rule: Rule<'_>) -> Result<(), Exit> {
+    match out.filter(|path| path.as_os_str() != "-") {
+        Some(path) => commit([stage(path, bytes, rule)?]),
+        None => output::print(bytes),
+    }
+}
+
+/// Writes a file beside its place, where it is gone with what this gives.
+pub fn stage<'p>(path: &'p Path, bytes: &[u8], rule: Rule<'p>) -> Result<Staged<'p>, Exit> {
+    let one = write::stage_one(path, bytes, rule.replace).map_err(|error| rule.failed(path, &error))?;
+    Ok(Staged { path, one, rule })
+}
+
+/// A file on its way.
+pub struct Staged<'p> {
+    path: &'p Path,
+    one: One,
+    rule: Rule<'p>,
+}
+
+/// Puts staged files in their places.
+pub fn commit<'p>(files: impl IntoIterator<Item = Staged<'p>>) -> Result<(), Exit> {
+    let mut files = files.into_iter();
+    files.try_for_each(|Staged { path, one, rule }| one.commit().map_err(|error| rule.failed(path, &error)))
 }
 
 /// Refuses a file to write that the command reads itself.

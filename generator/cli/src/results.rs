@@ -1,7 +1,7 @@
 //! Results of checks as files for other programs: JUnit for a release pipeline, JSON for everything else.
 
 use crate::exit::Exit;
-use crate::one_file;
+use crate::one_file::{self, Rule};
 use clap::Args;
 use serde_json::json;
 use std::fmt::Write;
@@ -16,6 +16,9 @@ pub struct Files {
     /// Writes the results as JSON too
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+    /// Replace any file of these names, not only earlier results
+    #[arg(long)]
+    force: bool,
 }
 
 /// What came of one check.
@@ -31,20 +34,43 @@ pub struct Outcome {
 /// Writes outcomes in one of the forms for machines.
 type Form = fn(&str, &[Outcome]) -> String;
 
+/// Whether a file begins as one in such a form.
+type Begins = &'static dyn Fn(&[u8]) -> bool;
+
 impl Files {
-    /// Refuses to write over an input of the command.
-    pub fn kept_apart(&self, input: &Path) -> Result<(), Exit> {
-        let mut files = self.junit.iter().chain(&self.json);
-        files.try_for_each(|file| one_file::kept_apart(file, std::iter::once(input)))
+    /// The files that were asked for, each with its form and how such a file begins.
+    fn forms(&self) -> impl Iterator<Item = (&Path, Form, Rule<'static>)> {
+        let forms: [(_, Form, Begins); 2] =
+            [(&self.junit, junit, &|found| found.starts_with(JUNIT.as_bytes())), (&self.json, as_json, &is_json)];
+        forms
+            .into_iter()
+            .filter_map(|(path, form, begins)| Some((path.as_deref()?, form, Rule::own(self.force, begins))))
     }
 
-    /// Writes the files that were asked for.
-    pub fn write(&self, suite: &str, outcomes: &[Outcome]) -> Result<(), Exit> {
-        let forms: [(_, Form); 2] = [(&self.junit, junit), (&self.json, as_json)];
-        forms.into_iter().filter_map(|(path, text)| Some((path.as_ref()?, text))).try_for_each(|(path, text)| {
-            std::fs::write(path, text(suite, outcomes)).map_err(|error| Exit::unwritable(path.display(), error))
+    /// Refuses to write over an input of the command, or over a file that is none of its results.
+    pub fn kept_apart(&self, input: Option<&Path>) -> Result<(), Exit> {
+        self.forms().try_for_each(|(file, _, rule)| {
+            one_file::kept_apart(file, input.into_iter())?;
+            rule.allows(file)
         })
     }
+
+    /// Writes the files that were asked for, once all of them are staged.
+    pub fn write(&self, suite: &str, outcomes: &[Outcome]) -> Result<(), Exit> {
+        let staged =
+            self.forms().map(|(file, form, rule)| one_file::stage(file, form(suite, outcomes).as_bytes(), rule));
+        one_file::commit(staged.collect::<Result<Vec<_>, Exit>>()?)
+    }
+}
+
+/// How the results of any `verify` begin.
+const JUNIT: &str = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<testsuites>\n  <testsuite name=\"axgen ";
+
+/// The same as JSON: of its three keys the first, with a number.
+fn is_json(found: &[u8]) -> bool {
+    let digits = found.strip_prefix(b"{\n  \"failures\": ").unwrap_or_default();
+    let end = digits.iter().position(|byte| !byte.is_ascii_digit()).unwrap_or_default();
+    end > 0 && digits[end..].starts_with(b",\n  \"results\": [")
 }
 
 fn failures(outcomes: &[Outcome]) -> usize {

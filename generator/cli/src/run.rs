@@ -4,11 +4,12 @@ use crate::arguments::SetArguments;
 use crate::exit::Exit;
 use crate::input::{self, counted};
 use crate::messages::Format;
-use crate::one_file;
+use crate::one_file::{self, Rule};
 use crate::output;
 use generator::blocks::Designed;
 use generator::blocks::{self, Block};
 use generator::codes;
+use generator::config::{self, LARGEST_SAMPLES, Unreadable};
 use generator::diagnostics::{Diagnostic, Place, Report};
 use golden::case::named_block;
 use golden::compare::{self, Difference, compare};
@@ -16,7 +17,6 @@ use golden::csv::{self, Reals};
 use golden::engine::{self, ENGINES, Engine};
 use golden::recording::{self, Recording};
 use golden::samples::{Samples, Shape};
-use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -36,6 +36,8 @@ pub struct Request {
     pub map: Vec<(String, String)>,
     /// where the outputs go; none: nowhere if they are compared, else standard output
     pub out: Option<PathBuf>,
+    /// whether any file there may be replaced, not only an earlier output
+    pub force: bool,
     /// reals as the digits of their bits
     pub hex: bool,
 }
@@ -53,12 +55,17 @@ pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Resul
     let block = block_of(designed, &request.block)?;
     let engine = engine_named(&request.engine)?;
     let out = request.out.as_deref().filter(|out| !is_standard(out));
+    let shape = |variables| Shape::of(variables, designed.axis.real);
+    let (inputs, outputs) = (shape(&block.program.inputs), shape(&block.program.outputs));
+    // An earlier output has the same first line.
+    let head = csv::write(&[&Samples::with_capacity(outputs.clone(), 0)], Reals::Decimal);
+    let is_output = |found: &[u8]| found.starts_with(head.as_bytes());
+    let rule = Rule::own(request.force, &is_output);
     if let Some(out) = out {
         let inputs = [Some(arguments.set.as_path()), request.stimulus.as_deref(), request.compare.as_deref()];
         one_file::kept_apart(out, inputs.into_iter().flatten())?;
+        rule.allows(out)?;
     }
-    let shape = |variables| Shape::of(variables, designed.axis.real);
-    let (inputs, outputs) = (shape(&block.program.inputs), shape(&block.program.outputs));
     let recording = request.compare.as_deref().map(|file| {
         // Beside a stimulus the recording has only outputs.
         let of =
@@ -79,7 +86,7 @@ pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Resul
         .map_err(|failure| Exit::environment(codes::NO_ENGINE, format!("engine {engine}"), failure))?;
     let text = || csv::write(&[&found], if request.hex { Reals::Hexadecimal } else { Reals::Decimal });
     match out {
-        Some(out) => fs::write(out, text()).map_err(|error| Exit::unwritable(out.display(), error))?,
+        Some(out) => one_file::write(Some(out), text().as_bytes(), rule)?,
         None if recording.is_none() || request.out.is_some() => output::print(text())?,
         None => {}
     }
@@ -190,8 +197,20 @@ pub fn engine_named(name: &str) -> Result<Engine, Exit> {
 }
 
 fn read(path: &Path) -> Result<String, Exit> {
-    let text = if is_standard(path) { io::read_to_string(io::stdin()) } else { fs::read_to_string(path) };
-    text.map_err(|error| Exit::input(codes::UNREADABLE, name_of(path), format!("cannot be read: {error}")))
+    let bytes = match is_standard(path) {
+        true => config::load_from(io::stdin(), Vec::new(), LARGEST_SAMPLES),
+        false => config::load_up_to(path, LARGEST_SAMPLES),
+    };
+    let text =
+        bytes.and_then(|bytes| String::from_utf8(bytes).map_err(|_| Unreadable::System("it is not UTF-8".to_owned())));
+    text.map_err(|unreadable| {
+        let (code, found) = unreadable.said();
+        let said = Diagnostic::error(code, Place::whole(name_of(path)), found);
+        Exit::Input(match unreadable {
+            Unreadable::TooLarge => said.allowed(format!("{} MiB", LARGEST_SAMPLES >> 20)).into(),
+            Unreadable::System(_) => said.into(),
+        })
+    })
 }
 
 fn name_of(input: &Path) -> String {

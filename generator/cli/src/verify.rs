@@ -41,7 +41,7 @@ pub fn run(
 ) -> Result<Exit, Exit> {
     let engines = chosen(engines)?;
     let (set, _) = input::read(arguments, format)?;
-    files.kept_apart(&arguments.set)?;
+    files.kept_apart(Some(&arguments.set))?;
     let mut run = Run { outcomes: Vec::new(), missing: BTreeMap::new() };
     output::line(format!(
         "{:<20} {:<16} {:<10} {:>10} {:>15}  first difference",

@@ -53,7 +53,7 @@ pub(crate) fn is_ours(path: &str) -> bool {
     OURS.iter().any(|&(part, name, most)| {
         let written = parts[part];
         // Most paths of a real list are told by their lengths, or by their first letters.
-        let strange = written.bytes().filter(|byte| name.set & bit(*byte) == 0);
+        let strange = written.bytes().filter(|byte| name.counts[usize::from(byte & 31)] == 0);
         written.len().abs_diff(name.text.len()) <= most
             && strange.take(most + 1).count() <= most
             && distance(Letters::new(written), name, most).is_some()
@@ -104,38 +104,30 @@ fn indices(path: &str) -> [u32; 2] {
     std::array::from_fn(|_| numbers.next().unwrap_or(0))
 }
 
-/// A name with the set of its letters, whatever their case.
+/// A name, and how often it has each letter, whatever their case.
 #[derive(Clone, Copy)]
 struct Letters<'n> {
     text: &'n str,
-    set: u32,
+    counts: [u8; 32],
 }
 
 impl<'n> Letters<'n> {
     const fn new(text: &'n str) -> Self {
-        Self { text, set: set(text.as_bytes()) }
+        let (mut counts, mut at) = ([0_u8; 32], 0);
+        while at < text.len() {
+            let place = (text.as_bytes()[at] & 31) as usize; // digits and signs share the places of letters
+            counts[place] = counts[place].saturating_add(1);
+            at += 1;
+        }
+        Self { text, counts }
     }
-}
-
-const fn set(name: &[u8]) -> u32 {
-    let (mut set, mut at) = (0, 0);
-    while at < name.len() {
-        set |= bit(name[at]);
-        at += 1;
-    }
-    set
-}
-
-/// The bit of a letter in a set. Digits and signs share the bits of letters.
-const fn bit(letter: u8) -> u32 {
-    1 << (letter & 31)
 }
 
 /// How many letters must be changed, added or left out (Levenshtein), whatever their case; none: more than `most`.
 fn distance(a: Letters<'_>, b: Letters<'_>, most: usize) -> Option<usize> {
     let lengths = [a.text.len(), b.text.len()];
     let is_far = lengths[0].abs_diff(lengths[1]) > most || lengths.iter().any(|length| *length > LONGEST);
-    if is_far || at_least(a.set, b.set) > most {
+    if is_far || at_least(&a.counts, &b.counts) as usize > most {
         return None;
     }
     // What both begin and end with needs no comparing.
@@ -145,16 +137,36 @@ fn distance(a: Letters<'_>, b: Letters<'_>, most: usize) -> Option<usize> {
     let (a, b) = (&a[start..], &b[start..]);
     let end = a.iter().rev().zip(b.iter().rev()).take_while(is_alike).count();
     let (a, b) = (&a[..a.len() - end], &b[..b.len() - end]);
-    if at_least(set(a), set(b)) > most {
-        return None;
-    }
-    let distance = strsim::generic_levenshtein(&a.to_ascii_lowercase(), &b.to_ascii_lowercase());
-    Some(distance).filter(|distance| *distance <= most)
+    within(a, b, most)
 }
 
-/// So many letters differ at least: each that only one of two names has takes a change of its own.
-fn at_least(a: u32, b: u32) -> usize {
-    (a & !b).count_ones().max((b & !a).count_ones()) as usize
+/// The distance itself. Only near the diagonal it can be small enough, and mostly a few letters tell that it is not.
+fn within(a: &[u8], b: &[u8], most: usize) -> Option<usize> {
+    let far = most + 1;
+    // Of the letters of `a` so far and the first of `b`, so many.
+    let mut row: [usize; LONGEST + 1] = std::array::from_fn(|count| count.min(far));
+    for (letter, count) in a.iter().zip(1_usize..) {
+        let start = count.saturating_sub(most).max(1);
+        let (mut diagonal, mut left) = (row[start - 1], count.min(far));
+        row[start - 1] = left;
+        let mut least = left;
+        for (other, value) in b.iter().zip(&mut row[1..]).take(count + most).skip(start - 1) {
+            let changed = diagonal + usize::from(!letter.eq_ignore_ascii_case(other));
+            diagonal = *value;
+            left = changed.min(left.min(diagonal) + 1).min(far);
+            (*value, least) = (left, least.min(left));
+        }
+        if least == far {
+            return None;
+        }
+    }
+    Some(row[b.len()]).filter(|distance| *distance <= most)
+}
+
+/// So many letters differ at least: each that only one of two names has, or has more often, takes a change of its own.
+fn at_least(a: &[u8; 32], b: &[u8; 32]) -> u32 {
+    let more = |a: &[u8; 32], b: &[u8; 32]| a.iter().zip(b).map(|(a, b)| u32::from(a.saturating_sub(*b))).sum::<u32>();
+    more(a, b).max(more(b, a))
 }
 
 #[cfg(test)]

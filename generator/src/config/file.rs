@@ -11,17 +11,36 @@ pub type Load<'a> = &'a (dyn Fn(&Path) -> Result<Vec<u8>, Unreadable> + Sync);
 
 #[derive(Debug)]
 pub enum Unreadable {
-    /// it holds more bytes than any set or list
+    /// it holds more bytes than any file of its kind
     TooLarge,
     /// what the system says
     System(String),
 }
 
+impl Unreadable {
+    /// The code of the message, and what it says behind the name of the file.
+    #[must_use]
+    pub fn said(&self) -> (&'static str, String) {
+        match self {
+            Self::TooLarge => (codes::TOO_LARGE, "is too large".to_owned()),
+            Self::System(reason) => (codes::UNREADABLE, format!("cannot be read: {reason}")),
+        }
+    }
+}
+
 /// A set of 10,000 axes that are written out in full has 20 MB; what is larger is something else.
 const LARGEST: u64 = 64 << 20;
 
-/// The bytes of a file on this host.
+/// The same for a file of samples: an hour of four signals at 1 ms.
+pub const LARGEST_SAMPLES: u64 = 256 << 20;
+
+/// The bytes of a set, of a list, or of a generated file on this host.
 pub fn load(path: &Path) -> Result<Vec<u8>, Unreadable> {
+    load_up_to(path, LARGEST)
+}
+
+/// The bytes of a regular file with so many bytes at most.
+pub fn load_up_to(path: &Path, most: u64) -> Result<Vec<u8>, Unreadable> {
     // Opening a pipe waits for somebody to write into it, a device never ends: both are told before.
     let metadata = fs::metadata(path).map_err(of_system)?;
     if metadata.is_dir() {
@@ -30,14 +49,18 @@ pub fn load(path: &Path) -> Result<Vec<u8>, Unreadable> {
     if !metadata.is_file() {
         return Err(Unreadable::System("it is no regular file, but a device, a pipe or a socket".to_owned()));
     }
-    if metadata.len() > LARGEST {
+    if metadata.len() > most {
         return Err(Unreadable::TooLarge);
     }
     let file = File::open(path).map_err(of_system)?;
-    let mut bytes = Vec::with_capacity(usize::try_from(metadata.len()).unwrap_or(0) + 1);
     // Some regular files of the system say that they are empty, and others grow.
-    file.take(LARGEST + 1).read_to_end(&mut bytes).map_err(of_system)?;
-    if bytes.len() as u64 > LARGEST { Err(Unreadable::TooLarge) } else { Ok(bytes) }
+    load_from(file, Vec::with_capacity(usize::try_from(metadata.len()).unwrap_or(0) + 1), most)
+}
+
+/// All bytes of an open file or of standard input, so many at most, behind those that are given.
+pub fn load_from(source: impl Read, mut bytes: Vec<u8>, most: u64) -> Result<Vec<u8>, Unreadable> {
+    source.take(most + 1).read_to_end(&mut bytes).map_err(of_system)?;
+    if bytes.len() as u64 > most { Err(Unreadable::TooLarge) } else { Ok(bytes) }
 }
 
 /// The same words on every host, without the system's number.
@@ -65,12 +88,12 @@ pub(crate) fn read(path: &Path, named_at: Option<&Setting>, load: Load<'_>) -> R
         Err(unreadable) => unreadable,
     };
     let file = shown(&whole.file);
-    let error = |code, found| Diagnostic::error(code, named_at.map_or(whole, Setting::value_place), found);
+    let (code, found) = unreadable.said();
+    let error = |found| Diagnostic::error(code, named_at.map_or(whole, Setting::value_place), found);
     Err(Report::from(match unreadable {
         Unreadable::TooLarge => {
-            let said = error(codes::TOO_LARGE, format!("{file} is too large for a set or an axis list"));
-            said.allowed(format!("{} MiB", LARGEST >> 20))
+            error(format!("{file} {found} for a set or an axis list")).allowed(format!("{} MiB", LARGEST >> 20))
         }
-        Unreadable::System(reason) => error(codes::UNREADABLE, format!("{file} cannot be read: {reason}")),
+        Unreadable::System(_) => error(format!("{file} {found}")),
     }))
 }

@@ -22,7 +22,7 @@ pub(crate) mod source;
 pub(crate) mod value;
 pub(crate) mod values;
 
-pub use file::{Load, Unreadable, load};
+pub use file::{LARGEST_SAMPLES, Load, Unreadable, load, load_from, load_up_to};
 pub use given::ListOptions;
 pub(crate) use set::AxisTable;
 pub(crate) use source::Source;

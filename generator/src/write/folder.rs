@@ -2,7 +2,9 @@
 
 use super::Refusal;
 use super::beside::{left_over, remove};
-use std::collections::BTreeSet;
+use crate::config;
+use crate::digest::has_right_checksum;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
@@ -22,7 +24,12 @@ struct Below {
     ready: BTreeSet<PathBuf>,
     /// those that were not there before, in the order of their making
     made: Vec<PathBuf>,
+    /// files that have the name of one that a killed run left beside a target; whose they are the target tells
+    left_over: LeftOver,
 }
+
+/// The left-over files of each target, and which of them have its old content.
+type LeftOver = BTreeMap<PathBuf, Vec<(PathBuf, bool)>>;
 
 impl Drop for Folder {
     fn drop(&mut self) {
@@ -47,8 +54,8 @@ pub fn open(path: &Path) -> Result<Folder, Refusal> {
         let below = folder.below.get_mut().unwrap_or_else(PoisonError::into_inner);
         match make(path, &mut below.made).and_then(|()| lock(path)) {
             Ok(lock) => {
+                clear(path, lock.is_some(), &mut below.left_over);
                 folder.lock = lock;
-                folder.clear(path);
                 return Ok(folder);
             }
             // Another run may take the folder, or one above it, away while it is being made.
@@ -62,36 +69,46 @@ pub fn open(path: &Path) -> Result<Folder, Refusal> {
 }
 
 impl Folder {
-    /// Where a file of that name goes; its folder is there afterwards.
+    /// Where a file of that name goes; its folder is there afterwards, and nothing of a killed run beside it.
     pub(super) fn path_of(&self, name: &str) -> Result<PathBuf, Refusal> {
         let path = self.path.join(name);
+        let mut below = self.below.lock().unwrap_or_else(PoisonError::into_inner);
         if name.contains('/')
             && let Some(parent) = path.parent()
+            && !below.ready.contains(parent)
         {
-            let mut below = self.below.lock().unwrap_or_else(PoisonError::into_inner);
-            if !below.ready.contains(parent) {
-                make(parent, &mut below.made).map_err(|error| Refusal::Failed(parent.to_owned(), error))?;
-                self.clear(parent);
-                below.ready.insert(parent.to_owned());
-            }
+            make(parent, &mut below.made).map_err(|error| Refusal::Failed(parent.to_owned(), error))?;
+            clear(parent, self.lock.is_some(), &mut below.left_over);
+            below.ready.insert(parent.to_owned());
         }
+        let left_over = below.left_over.remove(&path);
+        left_over.iter().flatten().for_each(|(left_over, is_kept)| settle(left_over, *is_kept, &path));
         Ok(path)
     }
+}
 
-    /// Removes what a killed run left. Only if this is held: what lies beside a target then belongs to nobody.
-    fn clear(&self, folder: &Path) {
-        if self.lock.is_none() {
-            return;
+/// Removes what a killed run left, as its checksum says, and notes what only has the name of such a file. Only if the folder is
+/// held: what lies beside a target then belongs to nobody.
+fn clear(folder: &Path, is_held: bool, noted: &mut LeftOver) {
+    let entries = is_held.then(|| fs::read_dir(folder)).into_iter().flatten().flatten().flatten();
+    for entry in entries.filter(|entry| entry.file_type().is_ok_and(|found| found.is_file())) {
+        let name = entry.file_name();
+        let Some((what, target)) = name.to_str().and_then(left_over) else { continue };
+        let (path, is_kept, target) = (entry.path(), what == "kept", folder.join(target));
+        let is_ours = |content: Vec<u8>| has_right_checksum(&String::from_utf8_lossy(&content)) == Some(true);
+        match config::load(&path).is_ok_and(is_ours) {
+            true => settle(&path, is_kept, &target),
+            false => noted.entry(target).or_default().push((path, is_kept)),
         }
-        for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
-            match entry.file_name().to_str().and_then(left_over) {
-                Some(("kept", target)) if fs::symlink_metadata(folder.join(target)).is_err() => {
-                    let _ = fs::rename(entry.path(), folder.join(target));
-                }
-                Some(_) => remove(&entry.path()),
-                None => {}
-            }
-        }
+    }
+}
+
+/// Gives a target its old content back, if it has none, or removes what is beside it.
+fn settle(left_over: &Path, is_kept: bool, target: &Path) {
+    if is_kept && fs::symlink_metadata(target).is_err() {
+        let _ = fs::rename(left_over, target);
+    } else {
+        remove(left_over);
     }
 }
 

@@ -3,17 +3,21 @@
 //! ```text
 //! folder   made if need be, locked, cleared of what a killed run left behind
 //! stage    file -> a file beside its target, unless the target is somebody else's
+//! one      a single file by its path, by the caller's rule
 //! replace  renames them all, and puts back what was there if one fails
 //! ```
 //! What is promised, and why it is done this way: `docs/decisions/0014-files.md`.
 
 mod beside;
 mod folder;
+mod one;
 mod replace;
 
 pub use folder::{Folder, open};
+pub use one::{One, Replace, is_replaced, stage_one};
 
 use crate::codes;
+use crate::config::{self, Unreadable};
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::digest::has_right_checksum;
 use crate::target::File;
@@ -160,20 +164,24 @@ fn replaced(path: &Path, text: &[u8]) -> io::Result<Option<Owner>> {
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Some(Owner::Generated)),
         found => found?.file_type(),
     };
-    if found.is_symlink() {
-        let is_file = fs::metadata(path).is_ok_and(|metadata| metadata.is_file());
-        return if is_file && fs::read(path)? == text {
-            Ok(None)
-        } else {
-            Err(io::Error::other("is a symbolic link, through which nothing is written"))
-        };
+    // `load` refuses what is no file, with or without a link before it.
+    if found.is_symlink() && config::load(path).is_ok_and(|old| old == text) {
+        return Ok(None);
     }
-    if found.is_dir() {
-        return Err(ErrorKind::IsADirectory.into());
+    is_writable(found)?;
+    match config::load(path) {
+        Ok(old) => Ok((old != text).then(|| owner(&old))),
+        Err(Unreadable::TooLarge) => Ok(Some(Owner::Other)),
+        Err(Unreadable::System(reason)) => Err(io::Error::other(format!("cannot be read: {reason}"))),
     }
-    if !found.is_file() {
-        return Err(io::Error::other("is no regular file"));
+}
+
+/// Whether a thing of that type may be written anew at all.
+fn is_writable(found: fs::FileType) -> io::Result<()> {
+    match found {
+        _ if found.is_symlink() => Err(io::Error::other("is a symbolic link, through which nothing is written")),
+        _ if found.is_dir() => Err(ErrorKind::IsADirectory.into()),
+        _ if !found.is_file() => Err(io::Error::other("is no regular file")),
+        _ => Ok(()),
     }
-    let old = fs::read(path)?;
-    Ok((old != text).then(|| owner(&old)))
 }

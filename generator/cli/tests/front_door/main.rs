@@ -4,8 +4,11 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 mod files;
+mod killed;
 mod messages;
+mod outputs;
 mod paths;
+mod special;
 mod streams;
 
 use serde_json::Value;
@@ -16,9 +19,10 @@ use tempfile::TempDir;
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
+const AXGEN: &str = env!("CARGO_BIN_EXE_axgen");
+
 fn axgen(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
-    let Output { status, stdout, stderr } =
-        Command::new(env!("CARGO_BIN_EXE_axgen")).current_dir(folder).args(arguments).output().unwrap();
+    let Output { status, stdout, stderr } = Command::new(AXGEN).current_dir(folder).args(arguments).output().unwrap();
     (status.code().unwrap(), String::from_utf8(stdout).unwrap(), String::from_utf8(stderr).unwrap())
 }
 

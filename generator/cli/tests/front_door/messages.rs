@@ -73,7 +73,7 @@ const ENDS: &[(&str, i32, &str)] = &[
     (
         "run axes.toml --stimulus not-there.csv",
         2,
-        "not-there.csv: error[AX001]: cannot be read: No such file or directory (os error 2)\n",
+        "not-there.csv: error[AX001]: cannot be read: there is no such file\n",
     ),
     (
         "run axes.toml --stimulus in.csv --out in.csv",
@@ -101,7 +101,7 @@ const ENDS: &[(&str, i32, &str)] = &[
     (
         "golden verify not-there",
         2,
-        "not-there: error[AX016]: not-there/case.toml: No such file or directory (os error 2)\n",
+        "not-there: error[AX016]: not-there/case.toml: cannot be read: there is no such file\n",
     ),
     ("man in.csv", 3, "in.csv: error[AX017]: File exists (os error 17); nothing was written\n"),
 ];

@@ -1,0 +1,95 @@
+//! Files that are no files: pipes that nobody writes into, devices without an end. No command waits for one, or fills the memory.
+
+#![cfg(unix)]
+
+use super::{AXGEN, axgen, started};
+use std::fs::{self, File};
+use std::os::unix::fs::symlink;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::sync::mpsc;
+use std::thread;
+use std::time::Duration;
+
+/// No such file may keep a command busy for longer; the tests run side by side.
+const TIME: Duration = Duration::from_secs(60);
+
+const NO_FILE: &str = "error[AX001]: cannot be read: it is no regular file, but a device, a pipe or a socket\n";
+
+/// Runs the command with little memory, and ends it when its time is over.
+fn bounded(folder: &Path, arguments: &str, input: Stdio) -> (i32, String) {
+    let limit = if cfg!(target_os = "linux") { "ulimit -v 2097152 && " } else { "" };
+    let mut command = Command::new("sh");
+    command.current_dir(folder).env("RAYON_NUM_THREADS", "2").stdin(input).stdout(Stdio::null()).stderr(Stdio::piped());
+    command.arg("-c").arg(format!("{limit}exec \"$0\" \"$@\"")).arg(AXGEN).args(arguments.split(' '));
+    let child = command.spawn().unwrap();
+    let id = child.id().to_string();
+    let (sender, receiver) = mpsc::channel();
+    thread::spawn(move || sender.send(child.wait_with_output()));
+    let Ok(output) = receiver.recv_timeout(TIME) else {
+        Command::new("kill").args(["-9", &id]).status().unwrap();
+        panic!("{arguments}: goes on for more than {TIME:?}");
+    };
+    let output = output.unwrap();
+    (output.status.code().unwrap(), String::from_utf8(output.stderr).unwrap())
+}
+
+fn pipe(path: &Path) {
+    assert!(Command::new("mkfifo").arg(path).status().unwrap().success());
+}
+
+#[test]
+fn a_pipe_or_a_device_in_the_place_of_a_generated_file_is_named() {
+    let folder = started();
+    let target = folder.path().join("generated/axis_x.c");
+    for device in [None, Some("/dev/zero")] {
+        assert_eq!(axgen(folder.path(), &["generate", "axes.toml", "--force"]).0, 0);
+        fs::remove_file(&target).unwrap();
+        match device {
+            None => pipe(&target),
+            Some(device) => symlink(device, &target).unwrap(),
+        }
+        for option in ["--check", "--diff"] {
+            let said = bounded(folder.path(), &format!("generate axes.toml {option}"), Stdio::null());
+            assert_eq!(said, (3, format!("generated/axis_x.c: {NO_FILE}")), "{device:?}");
+        }
+        fs::remove_file(&target).unwrap();
+    }
+}
+
+#[test]
+fn samples_are_read_from_regular_files_and_from_standard_input() {
+    let folder = started();
+    let path = folder.path();
+    pipe(&path.join("pipe.csv"));
+    fs::write(path.join("in.csv"), "v_motor\n1.0\n").unwrap();
+    File::create(path.join("large.csv")).unwrap().set_len((256 << 20) + 1).unwrap();
+    fs::write(path.join("latin.csv"), b"v_motor\n\xE4\n").unwrap();
+    let large = "error[AX002]: is too large\n    allowed: 256 MiB\n";
+    for option in ["--stimulus", "--compare"] {
+        for (file, said) in [
+            ("pipe.csv", NO_FILE),
+            ("/dev/zero", NO_FILE),
+            ("large.csv", large),
+            ("latin.csv", "error[AX001]: cannot be read: it is not UTF-8\n"),
+        ] {
+            let found = bounded(path, &format!("run axes.toml {option} {file}"), Stdio::null());
+            assert_eq!(found, (2, format!("{file}: {said}")));
+        }
+        let zeros = Stdio::from(File::open("/dev/zero").unwrap());
+        let found = bounded(path, &format!("run axes.toml {option} -"), zeros);
+        assert_eq!(found, (2, format!("standard input: {large}")));
+    }
+    let input = Stdio::from(File::open(path.join("in.csv")).unwrap());
+    assert_eq!(bounded(path, "run axes.toml --stimulus -", input), (0, String::new()));
+}
+
+#[test]
+fn a_golden_case_is_read_from_regular_files() {
+    let folder = started();
+    fs::create_dir(folder.path().join("case")).unwrap();
+    pipe(&folder.path().join("case/case.toml"));
+    let said = bounded(folder.path(), "golden verify case", Stdio::null());
+    let found = NO_FILE.trim_start_matches("error[AX001]: ");
+    assert_eq!(said, (2, format!("case: error[AX016]: case/case.toml: {found}")));
+}

@@ -1,0 +1,81 @@
+//! One file that a command was asked for, by its path: staged beside it, then renamed. Which files it may replace the caller says.
+
+use super::beside::{remove, staged};
+use super::is_writable;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, ErrorKind, Read, Write};
+use std::path::{Path, PathBuf};
+
+/// Which files that are there may be replaced. None that is no regular file is.
+#[derive(Clone, Copy)]
+pub enum Replace<'r> {
+    None,
+    /// empty ones, and those whose first bytes are as this says
+    Those(&'r dyn Fn(&[u8]) -> bool),
+    All,
+}
+
+/// A file beside its target; it is gone when this is, whatever happens in between.
+#[derive(Debug)]
+pub struct One {
+    path: PathBuf,
+    replaces: bool,
+}
+
+impl Drop for One {
+    fn drop(&mut self) {
+        remove(&staged(&self.path)); // not there any more, if it was renamed
+    }
+}
+
+/// Whether a file is there, which may be replaced.
+///
+/// # Errors
+/// `AlreadyExists`: it may not be. It is a link or no regular file, or the system does not let it be read.
+pub fn is_replaced(path: &Path, replace: Replace<'_>) -> io::Result<bool> {
+    match fs::symlink_metadata(path) {
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(false),
+        found => is_writable(found?.file_type())?,
+    }
+    let is_allowed = match replace {
+        Replace::None => false,
+        Replace::All => true,
+        Replace::Those(begins) => {
+            let mut head = Vec::new();
+            File::open(path)?.take(1 << 16).read_to_end(&mut head)?;
+            head.is_empty() || begins(&head)
+        }
+    };
+    if is_allowed { Ok(true) } else { Err(ErrorKind::AlreadyExists.into()) }
+}
+
+/// Writes the bytes beside their target.
+///
+/// # Errors
+/// As [`is_replaced`], or the folder does not take them. Nothing is left then.
+pub fn stage_one(path: &Path, bytes: &[u8], replace: Replace<'_>) -> io::Result<One> {
+    let replaces = is_replaced(path, replace)?;
+    let mut file = OpenOptions::new().write(true).create_new(true).open(staged(path)).map_err(|error| {
+        let is_there = error.kind() == ErrorKind::AlreadyExists;
+        if is_there { io::Error::other(format!("{} is in the way", staged(path).display())) } else { error }
+    })?;
+    let one = One { path: path.to_owned(), replaces };
+    file.write_all(bytes).and_then(|()| file.sync_all())?;
+    Ok(one)
+}
+
+impl One {
+    /// Puts the file in its place, whole.
+    ///
+    /// # Errors
+    /// `AlreadyExists`: a file has come there meanwhile. Otherwise the folder does not take it.
+    pub fn commit(self) -> io::Result<()> {
+        let staged = staged(&self.path);
+        // Unlike a renamed file, a second name replaces nothing. Some file systems have none.
+        if !self.replaces && fs::hard_link(&staged, &self.path).is_ok() {
+            return Ok(());
+        }
+        is_replaced(&self.path, if self.replaces { Replace::All } else { Replace::None })?;
+        fs::rename(&staged, &self.path)
+    }
+}
