@@ -284,4 +284,7 @@ codes! {
         "The block acts as soon as it is called, and its limit lets it add the largest velocity of the axis: a stage that excites the \
          vibration drives the axis at full speed. Start with DRYRUN, look at v_add_calculated, then write ON with a \
          v_add_max_fact (P-AXIS-00757) that is a little more than what the vibration needs.";
+    ASSUMED = "AX440", "a default that motion depends on",
+        "The parameter is not given, and its default scales or limits what the block puts out. A default is nobody's machine: write the value, \
+         also where it is the default. The line `assumed` of check and generate lists all such parameters.";
 }

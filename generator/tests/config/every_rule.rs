@@ -359,10 +359,12 @@ set.toml:5:23: error[AX315]: X follows the axis 65535, and no axis of the set ha
 
 > ipc.enable = 'ON'
 > kenngr.gantry_ax_nr = 0
+> getriebe = [{ dynamik.vb_max = 200000 }]
 
 > ipc.enable = 'DRYRUN'
 > kenngr.gantry_ax_nr = 3
 > kopf.achs_nr = 3
+> getriebe = [{ dynamik.vb_max = 200000 }]
 "#,
     );
 }

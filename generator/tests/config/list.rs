@@ -38,7 +38,8 @@ fn words_in_any_case_and_numbers() {
              ipc.stage[].filter.order 0x2\n\
              ipc.stage[].filter.fg_f0 5.3e1\n\
              ipc.stage[].filter.q_factor 0xA\n\
-             ipc.stage[].filter.type bandpass",
+             ipc.stage[].filter.type bandpass\n\
+             getriebe[].dynamik.vb_max 0x30D40",
         ),
         &[],
     );

@@ -204,7 +204,8 @@ fn g_gantry_master() {
             "kopf.achs_nr 1\n\
              kenngr.gantry_ax_nr 1\n\
              ipc.enable ON\n\
-             ipc.v_add_max_fact 100",
+             ipc.v_add_max_fact 100\n\
+             getriebe[0].dynamik.vb_max 200000",
         )),
         &[],
     );

@@ -20,6 +20,8 @@ fn arrays_of_tables() {
             "[axis.X.lr_param.improved_position_control]\n\
              enable = true\n\
              v_add_max_fact = 100\n\
+             [[axis.X.getriebe]]\n\
+             dynamik.vb_max = 200000\n\
              [[axis.X.lr_param.improved_position_control.stage]]\n\
              [[axis.X.lr_param.improved_position_control.stage]]\n\
              mode = 1\n\
