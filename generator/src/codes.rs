@@ -201,6 +201,10 @@ codes! {
         "The key `gear` names a gear step of which the axis has no parameter, while it has other steps. Every parameter of the \
          step would have its default, and without Kv there would be no position control. Name one of the steps that are given.";
 
+    NUMBER_TWICE = "AX318", "a logical axis number that two axes have",
+        "A logical axis number (P-AXIS-00016) names one axis of a controller. Two axes of a set with one number are mostly one list that was \
+         copied, or named twice. Give each axis its own number; a key below the axis of a set overrides its list.";
+
     NO_STAGE = "AX401", "no stage is active",
         "Improved position control does nothing; without feedforward and position control the block is generated all the same, \
          and puts out 0. Give a stage the mode DIRECT, INDIRECT or SET_POINT (P-AXIS-00753), or enable OFF.";
@@ -305,4 +309,17 @@ codes! {
         "In the mode INDIRECT the simulated oscillation has sqrt(1 + 1 / (4 D^2)) times its input at f0, which the weight \
          multiplies: more than 14 times the motor's velocity is fed back. Lower the damping ratio slowly, with a small weight, \
          and look at the additive velocity in DRYRUN first.";
+    CAPPED = "AX437", "a weight above the cap",
+        "A weight (P-AXIS-00754/00755) above 7 is 7. The controller caps it without a message. Mostly the denominator is missing, \
+         which is 1 then: 700 is meant as 700/100.";
+    SLOW = "AX438", "a largest velocity that looks like another unit",
+        "P-AXIS-00212 is in um/s, of a rotary axis in 0.001 deg/s. Below 5000, which is 5 mm/s or 5 deg/s, a value was mostly written \
+         in mm/s, m/min, deg/s or revolutions/min. The limit of improved position control is a part of it.";
+    STARTS_ON = "AX439", "a block that starts ON with the whole velocity as its limit",
+        "The block acts as soon as it is called, and its limit lets it add the largest velocity of the axis: a stage that excites the \
+         vibration drives the axis at full speed. Start with DRYRUN, look at v_add_calculated, then write ON with a \
+         v_add_max_fact (P-AXIS-00757) that is a little more than what the vibration needs.";
+    ASSUMED = "AX440", "a default that motion depends on",
+        "The parameter is not given, and its default scales or limits what the block puts out. A default is nobody's machine: write the value, \
+         also where it is the default. The line `assumed` of check and generate lists all such parameters.";
 }

@@ -1,7 +1,9 @@
 //! The semantic diff: what a change between two sets means for the machine, in Hz, dB, degrees and seconds. No file is read here.
 //!
-//! Two axes do the same where all coefficients of their blocks are the same, however their parameters are written.
+//! Two axes do the same where all coefficients of their blocks are the same, however their parameters are written. A weight that is
+//! capped is told all the same.
 
+use crate::axis::Stage;
 use crate::blocks::{self, BLOCKS, Designed, Value};
 use crate::number::significant;
 use portable::Literal;
@@ -30,7 +32,8 @@ pub fn lines(old: &[Designed], new: &[Designed]) -> (Vec<String>, bool) {
 
 /// What the blocks of an axis do otherwise.
 fn differences(old: &Designed, new: &Designed) -> Vec<String> {
-    if coefficients(old) == coefficients(new) {
+    let caps = |of: &Designed| of.axis.ipc.stage.each_ref().map(|stage| stage.as_ref().map(Stage::cap));
+    if coefficients(old) == coefficients(new) && caps(old) == caps(new) {
         return Vec::new();
     }
     let mut lines = blocks::differences(&values(old), &values(new));

@@ -34,6 +34,7 @@ pub fn read_with(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<
         Err(report) => return (None, report.shortened()),
     };
     let mut report = given.report;
+    report.extend(gantry::numbers(&given.axes));
     let cycle_time = check::cycle_time(&given.top, given.no_cycle_time, &mut report);
     let mut checked: Vec<Option<Checked<'_>>> = (given.axes.par_iter())
         .map(|axis| Some(check::axis(&axis.name, cycle_time, axis.values.as_ref()?, axis.home.clone())))

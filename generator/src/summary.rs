@@ -15,5 +15,8 @@ pub fn text(designed: &Designed) -> String {
     for line in summaries.iter().flat_map(|summary| &summary.lines) {
         text.extend(["  ", line, "\n"]);
     }
+    if !axis.control.assumed.is_empty() {
+        text.extend(["  assumed: ", &axis.control.assumed.join(", "), "\n"]);
+    }
     text
 }

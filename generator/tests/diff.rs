@@ -108,6 +108,16 @@ fn another_weight_and_damping() {
     );
 }
 
+/// The blocks are the same, and what was asked for is not.
+#[test]
+fn a_weight_above_the_cap() {
+    let capped = list(&[("stage[0].weight_fact_num   300", "stage[0].weight_fact_num   70000")]);
+    let seven = list(&[("stage[0].weight_fact_num   300", "stage[0].weight_fact_num   700")]);
+    assert_eq!(said(&capped, &seven), ["axis X: stage[0]: weight 7 (700 capped) -> 7 (16.9 -> 16.9 dB)"]);
+    assert_eq!(said(&seven, &capped), ["axis X: stage[0]: weight 7 -> 7 (700 capped) (16.9 -> 16.9 dB)"]);
+    assert_eq!(said(&capped, &capped), NONE);
+}
+
 #[test]
 fn another_mode() {
     assert_changed(&[("INDIRECT", "SET_POINT")], &["stage[1]: INDIRECT from v_motor -> SET_POINT from v_command"]);

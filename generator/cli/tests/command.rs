@@ -25,12 +25,15 @@ fn axgen(folder: &Path, arguments: &[&str]) -> Run {
     }
 }
 
-/// A folder with the examples in it.
+/// A folder with the examples in it, whose limits are below 100 %: nothing is said of them.
 fn folder() -> TempDir {
     let folder = tempfile::tempdir().unwrap();
     for entry in fs::read_dir(EXAMPLES).unwrap() {
         let path = entry.unwrap().path();
-        fs::copy(&path, folder.path().join(path.file_name().unwrap())).unwrap();
+        let text = fs::read_to_string(&path)
+            .unwrap()
+            .replace("v_add_max_fact             1000", "v_add_max_fact             999");
+        fs::write(folder.path().join(path.file_name().unwrap()), text).unwrap();
     }
     folder
 }
@@ -59,7 +62,7 @@ fn generate_says_what_it_made() {
     let run = axgen(folder.path(), &["generate", "rack-and-pinion.lis", "--cycle-time", "1ms"]);
     assert_eq!(
         run.out,
-        "axis rack_and_pinion: ipc, f64, cycle 1000 us, starts ON, |v_add| <= 530000, fades in 100 cycles\n  \
+        "axis rack_and_pinion: ipc, f64, cycle 1000 us, starts ON, |v_add| <= 529470, fades in 100 cycles\n  \
          stage[0] DIRECT from v_motor: BANDPASS CRIT_DAMPING order 1 at 53 Hz, Q 10, weight 3\n  \
          stage[1] INDIRECT from v_motor, damping 0.8: BANDPASS CRIT_DAMPING order 1 at 11 Hz, Q 2, weight 1.9\n  \
          stage[2] NOT_ACTIVE\n\

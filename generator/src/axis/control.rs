@@ -16,6 +16,8 @@ pub struct Control {
     pub master: Option<u32>,
     /// on a gantry slave whose master is known: largest |v_add| of the master [um/s or 0.001 deg/s]
     pub master_limit: Option<f64>,
+    /// parameters that scale or limit something and that nobody gave, with their defaults
+    pub assumed: Vec<String>,
 }
 
 impl Control {

@@ -1,5 +1,6 @@
 //! Improved position control of one axis after the check: plain data. No spans, no coefficients.
 
+use crate::number::digits;
 use crate::parameters::words::{DirectSource, Enable, FilterType, Prototype, StageMode, Words};
 
 /// Improved position control (`lr_param.improved_position_control`).
@@ -54,12 +55,23 @@ pub struct Stage {
 }
 
 impl Stage {
-    /// The largest weight; a larger one is capped without a message (P-AXIS-00754).
+    /// The largest weight; a larger one is capped (P-AXIS-00754).
     pub const MAX_WEIGHT: f64 = 7.0;
+
+    /// num / denom, what the parameters ask for.
+    pub(crate) fn asked_weight(&self) -> f64 {
+        f64::from(self.weight_fact_num) / f64::from(self.weight_fact_denom)
+    }
 
     /// weight = min(num / denom, 7).
     pub(crate) fn weight(&self) -> f64 {
-        (f64::from(self.weight_fact_num) / f64::from(self.weight_fact_denom)).min(Self::MAX_WEIGHT)
+        self.asked_weight().min(Self::MAX_WEIGHT)
+    }
+
+    /// What stands behind a weight that is capped: ` (700 capped)`.
+    pub(crate) fn cap(&self) -> String {
+        let asked = self.asked_weight();
+        if asked > Self::MAX_WEIGHT { format!(" ({} capped)", digits(asked)) } else { String::new() }
     }
 
     /// Index of its first band-pass; 0 where it has none.

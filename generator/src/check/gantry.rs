@@ -1,9 +1,29 @@
 //! Gantries: a slave finds its master among the axes of the set. Only what concerns two axes is here.
 
 use crate::axis::{Axis, Location, PositionControl, Velocity};
+use crate::codes;
+use crate::config::{given::GivenAxis, values::key};
 use crate::diagnostics::{Diagnostic, Place, Report};
-use crate::{codes, parameters::words::Words};
-use std::fmt::Write;
+use crate::parameters::{Name, Value, words::Words};
+use std::{collections::BTreeMap, fmt::Write};
+
+/// Logical axis numbers that two axes have; 0, the default, is none.
+pub(crate) fn numbers(axes: &[GivenAxis]) -> Report {
+    let (mut report, mut first) = (Report::default(), BTreeMap::new());
+    let number = |axis: &GivenAxis| axis.values.as_ref()?.get(key(Name::AxisNumber)).cloned();
+    for (name, setting) in axes.iter().filter_map(|axis| Some((&axis.name, number(axis)?))) {
+        let Some(Value::Integer(number @ 1..)) = setting.value else { continue };
+        let owner = *first.entry(number).or_insert(name);
+        if owner != name {
+            let found =
+                format!("{name} has the logical axis number {number} (P-AXIS-00016), which {owner} has already");
+            let diagnostic = Diagnostic::error(codes::NUMBER_TWICE, setting.value_place(), found);
+            report
+                .push(diagnostic.instead(format!("[axis.{name}] kopf.achs_nr = with a number that no other axis has")));
+        }
+    }
+    report
+}
 
 /// Couples the slaves of a set to their masters; gives what is to be said of that. `places` are those of P-AXIS-00070, axis by
 /// axis.
@@ -51,7 +71,7 @@ fn master_of(axes: &[&mut Axis], slave: usize, number: u32) -> Result<usize, (St
             };
             Err((found, instead))
         }
-        [master] if axes[master].control.master.is_some() => {
+        [master, ..] if axes[master].control.master.is_some() => {
             let how = match follows(axes, master, slave) {
                 true => format!("follows {name} in the end"),
                 false => "is a slave itself".to_owned(),
@@ -59,14 +79,7 @@ fn master_of(axes: &[&mut Axis], slave: usize, number: u32) -> Result<usize, (St
             let found = format!("{name} follows {}, which {how}", axes[master].name);
             Err((found, "the number of an axis that follows no other".to_owned()))
         }
-        [master] => Ok(master),
-        [first, second, ..] => {
-            let found = format!(
-                "{name} follows the axis {number}, a number that {} and {} have",
-                axes[first].name, axes[second].name
-            );
-            Err((found, "kopf.achs_nr (P-AXIS-00016) of its own for each axis".to_owned()))
-        }
+        [master, ..] => Ok(master),
     }
 }
 

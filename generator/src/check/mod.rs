@@ -1,6 +1,7 @@
 //! From what was given to an axis that may be designed: defaults, ranges, rules. No file, no syntax, no coefficient.
 //!
 //! ```text
+//! assumed  what nobody gave and something depends on
 //! gear     which gear step is used, and what it lacks
 //! gantry   slaves find their masters
 //! inert    factors of 0, parameters without effect
@@ -8,6 +9,7 @@
 //! The rules of a block are in its folder (`blocks/ipc/check.rs`), what several of them need in `rules`. Only what something uses is
 //! validated: vendors' examples carry values in unused parameters that lie outside of their ranges.
 
+pub(crate) mod assumed;
 pub(crate) mod gantry;
 pub(crate) mod gear;
 pub(crate) mod inert;
@@ -92,7 +94,9 @@ fn control(e: &mut Effective<'_>, cycle_time: Option<u32>, ipc: Option<&Ipc>) ->
     let drive = drive::check(e).unwrap_or_default();
     let feedforward = feedforward::check(e, cycle_time, &drive)?;
     let position_control = position_control::check(e, &drive, ipc, feedforward.as_ref(), master.is_some())?;
-    let control = Control { feedforward, position_control, number, is_rotary, master, master_limit: None };
+    let is_active = ipc.is_some_and(Ipc::is_active) && master.is_none();
+    let assumed = e.assumed(|name| assumed::is_told(name, is_active));
+    let control = Control { feedforward, position_control, number, is_rotary, master, master_limit: None, assumed };
     Some((control, drive.gear))
 }
 

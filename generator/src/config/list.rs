@@ -92,6 +92,9 @@ impl List {
             }
             Path::OutOfRange { name, .. } => out_of_range(name, written, place()),
             Path::Foreign => match path::with_other_indices(written) {
+                _ if let Some(instead) = with_underscores(statement) => {
+                    unknown("not known: its name has `_` where the line has blanks", Some(instead))
+                }
                 Some(known) => unknown("not known", Some(closest::with_indices_of(known, written))),
                 // Mostly so, and asked once: comparing letters takes its time.
                 None if !closest::is_ours(written) => {
@@ -151,6 +154,21 @@ impl List {
             self.report.push(said.instead("one of the two lines"));
         }
     }
+}
+
+/// A line whose path has blanks where underscores belong, with underscores: `weight fact denom 200`.
+fn with_underscores(line: &Statement<'_>) -> Option<String> {
+    // A number after the path is its value; no name of ours is as long as the bound, which keeps a long line cheap.
+    let (mut path, mut rest) = (line.path.to_owned(), line.value);
+    while path.len() < 128 && rest.starts_with(|c: char| c.is_ascii_alphabetic()) {
+        let word = &rest[..rest.find([' ', '\t']).unwrap_or(rest.len())];
+        rest = rest[word.len()..].trim_ascii_start();
+        path.extend(["_", word]);
+        if matches!(path::find(&path), Path::Known { .. }) {
+            return Some(format!("{path} {rest}").trim_ascii_end().to_owned());
+        }
+    }
+    None
 }
 
 fn value_of(parameter: &Parameter, &Statement { path, value: text, .. }: &Statement<'_>) -> Result<Value, Refused> {

@@ -33,19 +33,38 @@ static SPELLINGS: LazyLock<Vec<Vec<Spelling>>> = LazyLock::new(|| {
     in_drawers(spellings)
 });
 
-/// The vendor's paths and aliases, by their last parts; each without its indices: `getriebe.kv`. The first of equals is a path.
+/// Names that manuals print for others.
+const TAKEN_FOR: [(&str, &str); 4] = [
+    ("antr.v_time_bae", "antr.v_time_base"),
+    ("getriebe.mulit_gain_n", "getriebe[i].multi_gain_n"),
+    ("getriebe.mulit_gain_z", "getriebe[i].multi_gain_z"),
+    ("vorsteuer.feedforward", "vorsteuer.vorsteuerung"),
+];
+
+/// The vendor's paths and aliases, and what is taken for them, by their last parts; each without its indices: `getriebe.kv`. The
+/// first of equals is a path.
 static BARE: LazyLock<Vec<Vec<(String, &'static str)>>> = LazyLock::new(|| {
     let vendors = Name::ALL.map(Name::parameter).into_iter().filter(|parameter| parameter.scope == Scope::List);
     let templates = vendors.flat_map(|parameter| std::iter::once(&parameter.path).chain(parameter.aliases));
-    in_drawers(templates.map(|template| {
-        let end = last_name(template);
-        (drawer(end.len(), end), (letters(&template.to_ascii_lowercase(), false).collect(), *template))
+    let names = templates.map(|template| (*template, *template)).chain(TAKEN_FOR);
+    in_drawers(names.map(|(name, template)| {
+        let end = last_name(name);
+        (drawer(end.len(), end), (letters(name, false).map(look).collect(), template))
     }))
 });
 
 /// Where a name is looked for: its length and its last letter, small or capital, tell most names apart.
 fn drawer(length: usize, name: &str) -> usize {
-    length * 32 + usize::from(name.as_bytes().last().unwrap_or(&0) & 31)
+    length * 32 + (look(char::from(*name.as_bytes().last().unwrap_or(&0))) as usize & 31)
+}
+
+/// One letter for those that look alike: small and capital, `I`, `1` and `l`, `0` and `O`.
+fn look(letter: char) -> char {
+    match letter.to_ascii_lowercase() {
+        'i' | '1' => 'l',
+        '0' => 'o',
+        small => small,
+    }
 }
 
 fn in_drawers<T>(all: impl Iterator<Item = (usize, T)>) -> Vec<Vec<T>> {
@@ -64,12 +83,11 @@ static STRUCTURES: LazyLock<BTreeSet<String>> = LazyLock::new(|| {
     templates().map(without_indices).flat_map(prefixes).collect()
 });
 
-/// The template that a path would name with other indices, in other letters: `getriebe[i].kv` for `getriebe.kv`.
+/// The template that a path would name with other indices, in letters that look alike: `getriebe[i].kv` for `getriebe.kv`.
 pub(super) fn with_other_indices(path: &str) -> Option<&'static str> {
     let end = last_name(path);
-    let small = || letters(path, false).map(|letter| letter.to_ascii_lowercase());
     let mut alike = BARE.get(drawer(end.len(), end))?.iter();
-    alike.find(|(bare, _)| small().eq(bare.chars())).map(|(_, template)| *template)
+    alike.find(|(bare, _)| letters(path, false).map(look).eq(bare.chars())).map(|(_, template)| *template)
 }
 
 /// The last part of a path without its index.

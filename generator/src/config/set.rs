@@ -175,7 +175,8 @@ fn unknown(path: &str, value: &DeValue<'_>, place: Place) -> Diagnostic {
         }
         _ => {
             let is_table = matches!(value, DeValue::Table(_) | DeValue::Array(_));
-            ("not known", closest::path(path, is_table))
+            let alike = path::with_other_indices(path).map(|known| closest::with_indices_of(known, path));
+            ("not known", alike.or_else(|| closest::path(path, is_table)))
         }
     };
     Diagnostic { instead, ..Diagnostic::error(codes::UNKNOWN, place, format!("{shown} is {what}")) }

@@ -158,6 +158,16 @@ impl<'a> Effective<'a> {
         self.used.contains_key(&key)
     }
 
+    /// What a block uses and nobody gave: `vb_max 200000 (P-AXIS-00212)`.
+    pub(crate) fn assumed(&self, is_told: impl Fn(Name) -> bool) -> Vec<String> {
+        let used = self.used.iter().filter(|(key, _)| is_told(key.0) && self.given(**key).is_none());
+        let text = |((name, _), value): (&Key, &String)| {
+            let parameter = name.parameter();
+            format!("{} {value} ({})", parameter.short(), parameter.id.unwrap_or_default())
+        };
+        used.map(text).collect()
+    }
+
     /// Takes a value that a block uses into the canonical form.
     pub(crate) fn note(&mut self, key: Key, value: &Value) {
         self.used.insert(key, value.text());

@@ -151,3 +151,36 @@ fn gantry_slave_with_stages() {
         ],
     );
 }
+
+#[test]
+fn a_largest_velocity_in_another_unit() {
+    assert_said(
+        &said(&direct("getriebe[0].dynamik.vb_max 500")),
+        &[
+            "x.lis:1:28: warning[AX438]: `getriebe[0].dynamik.vb_max` (P-AXIS-00212) is 500, which is only 0.5 mm/s",
+            "    write instead: 500000, if 500 mm/s is meant, or 8333333, if 500 m/min is meant: the unit is um/s",
+        ],
+    );
+    assert_said(
+        &said(&direct("getriebe[0].dynamik.vb_max 30\nkenngr.achs_typ ACHSTYP_ROTATOR")),
+        &[
+            "x.lis:1:28: warning[AX438]: `getriebe[0].dynamik.vb_max` (P-AXIS-00212) is 30, which is only 0.03 deg/s",
+            "    write instead: 30000, if 30 deg/s is meant, or 180000, if 30 revolutions/min is meant: the unit is 0.001 deg/s",
+        ],
+    );
+    assert_said(&said(&direct("getriebe[0].dynamik.vb_max 5000")), &[]);
+    assert!(said("getriebe[0].dynamik.vb_max 30\ngetriebe[0].kv 2000").starts_with("x.lis:1:28: warning[AX438]"));
+}
+
+#[test]
+fn a_start_with_the_whole_velocity() {
+    assert_said(
+        &said(&direct("getriebe[0].dynamik.vb_max 530000\nipc.enable ON")),
+        &[
+            "x.lis:2:43: warning[AX439]: the block starts ON (P-AXIS-00758), and v_add may reach 530000 um/s: 100 % of vb_max (P-AXIS-00757)",
+            "    write instead: ipc.enable DRYRUN for the first look, then ON with a small v_add_max_fact",
+        ],
+    );
+    assert_said(&said(&direct("getriebe[0].dynamik.vb_max 530000\nipc.enable DRYRUN")), &[]);
+    assert_said(&said(&direct("getriebe[0].dynamik.vb_max 530000\nipc.enable ON\nipc.v_add_max_fact 999")), &[]);
+}

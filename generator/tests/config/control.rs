@@ -1,6 +1,6 @@
 //! Feedforward, position control, gantries: what is refused, corrected and warned of, to the letter.
 
-use super::{IPC, assert_said, assert_transcript, read_list, said, said_of_axis, said_of_set};
+use super::{IPC, assert_said, assert_transcript, direct, read_list, said, said_of_axis, said_of_set};
 
 #[test]
 fn where_the_position_is_controlled() {
@@ -27,10 +27,14 @@ set.toml:2:7: warning[AX432]: improved position control is configured, the drive
 > process_data.additive_velocity = 'INT32'
 > ipc.v_add_max_fact = 1
 > ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] }]
+set.toml:2:7: warning[AX440]: `getriebe[0].dynamik.vb_max` (P-AXIS-00212) is not given: its default 200000 sets the limit |v_add| <= 200 um/s
+    write instead: vb_max with the value of the machine
+set.toml:2:7: warning[AX440]: `getriebe[0].incr_per_rev` (P-AXIS-00092) is not given: its default 1024 scales the control deviation XERR
+    write instead: incr_per_rev with the value of the machine
 
 > kenngr.antr_typ = 2
 > antr.operation_mode = 'CNC_POSITION_CONTROL'
-> getriebe = [{ kv = 2000 }]
+> getriebe = [{ kv = 2000, dynamik.vb_max = 200000 }]
 > ipc.enable = 'ON'
 > ipc.v_add_max_fact = 1
 > ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] }]
@@ -82,6 +86,8 @@ set.toml:5:41: error[AX313]: `getriebe[0].incr_per_rev` (P-AXIS-00092) is 0, and
 > kenngr.antr_typ = 'PROFIDRIVE'
 > getriebe = [{ kv = 2000, incr_per_rev = 0 }]
 > vorsteuer.vorsteuerung = 'VEL'
+set.toml:2:7: warning[AX440]: `vorsteuer.shift_time` (P-AXIS-00165) is not given: its default 3 shifts the position behind the feedforward
+    write instead: shift_time with the value of the machine
 
 > vorsteuer.vorsteuerung = 'ADD_ACC'
 > process_data.additive_torque = 'INT16'
@@ -407,5 +413,26 @@ set.toml:3:63: error[AX203]: `vorsteuer.velocity_delay_time` (P-AXIS-00389) is 6
 set.toml:3:63: warning[AX416]: `vorsteuer.velocity_delay_time` (P-AXIS-00389) is 120000 us: error 70349 of the controller; the delay is corrected to 0
     allowed: 0 <= velocity_delay_time < 6 cycles, 20ms each [us]
 ",
+    );
+}
+
+/// The summary lists what nobody gave, with its default.
+#[test]
+fn assumed_values() {
+    let assumed = |given: &str| {
+        let (set, report) = read_list(direct(given).replace("ipc.", IPC));
+        let set = set.unwrap_or_else(|| panic!("{report}"));
+        let text = generator::summary::text(&set.axes[0]);
+        text.lines().find(|line| line.starts_with("  assumed: ")).unwrap_or_default().to_owned()
+    };
+    assert_eq!(
+        assumed("getriebe[0].kv 2000"),
+        "  assumed: vb_max 200000 (P-AXIS-00212), multi_gain_n 1 (P-AXIS-00128), multi_gain_z 2000 (P-AXIS-00129)"
+    );
+    assert_eq!(
+        assumed(
+            "getriebe[0].kv 2000\ngetriebe[0].multi_gain_z 1\ngetriebe[0].multi_gain_n 1\ngetriebe[0].dynamik.vb_max 500000"
+        ),
+        ""
     );
 }

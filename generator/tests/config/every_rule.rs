@@ -38,8 +38,13 @@ fn both_ends_of_every_range_of_a_list() {
         let damping = if path.ends_with("damping") { "" } else { "\nipc.stage[0].osc_damping 0.5" };
         let said = |value: &str| said(&indirect(&format!("{path} {value}{damping}")));
         for value in inside.split(' ') {
-            // Legal, and warned of: the resonance of the simulated oscillation.
-            let expected = if value == "1e-15" { "warning[AX436]" } else { "" };
+            // Legal, and warned of: the resonance of the simulated oscillation, the cap of a weight, an axis of 1 um/s.
+            let expected = match (path, value) {
+                (_, "1e-15") => "warning[AX436]",
+                ("ipc.stage[0].weight_fact_num", "0xFFFFFFFE") => "warning[AX437]",
+                ("getriebe[0].dynamik.vb_max", "1") => "warning[AX438]",
+                _ => "",
+            };
             assert!(said(value).contains(expected) && said(value).is_empty() == expected.is_empty(), "{path} {value}");
         }
         let column = path.replace("ipc.", IPC).len() + 2;
@@ -75,12 +80,12 @@ set.toml:4:8: error[AX205]: `fade` is `-1ns`, not a duration
 set.toml:3:8: error[AX203]: `gear` is 16
     allowed: 0 <= gear <= 15
 
-> getriebe = [{ dynamik.vb_max = 5 }, {}, { dynamik.vb_max = 6 }, { dynamik.vb_max = 0 }]
-set.toml:3:60: warning[AX403]: the gear steps 0, 2, 3 are given; step 0 is used
+> getriebe = [{ dynamik.vb_max = 5000 }, {}, { dynamik.vb_max = 6 }, { dynamik.vb_max = 0 }]
+set.toml:3:63: warning[AX403]: the gear steps 0, 2, 3 are given; step 0 is used
     write instead: the key `gear` in a set, to choose one
 
 > gear = 1
-> getriebe = [{ dynamik.vb_max = 0 }, { dynamik.vb_max = 1 }]
+> getriebe = [{ dynamik.vb_max = 0 }, { dynamik.vb_max = 5000 }]
 
 > gear = 1
 > getriebe = [{ dynamik.vb_max = 1 }, { dynamik.vb_max = 0 }]
@@ -129,7 +134,7 @@ set.toml:4:148: error[AX307]: `ipc.stage[0].filter[1].fg_f0` (P-AXIS-00751) is 0
 fn every_spelling_of_a_path_is_one_parameter() {
     let new = indirect(
         "ipc.stage[0].osc_damping 0.5\nipc.stage[0].weight_fact_num 2\nipc.stage[0].weight_fact_denom 3\n\
-         ipc.stage[0].filter.type BANDPASS\nipc.stage[0].filter.prototype BESSEL\ngetriebe[0].dynamik.vb_max 5",
+         ipc.stage[0].filter.type BANDPASS\nipc.stage[0].filter.prototype BESSEL\ngetriebe[0].dynamik.vb_max 5000",
     );
     let old = indirect("ipc.stage[0].filter.damping 0.5");
     let lines = new.lines().enumerate().map(|line| (&new, line)).chain([(&old, (0, old.lines().next().unwrap()))]);
@@ -354,10 +359,12 @@ set.toml:5:23: error[AX315]: X follows the axis 65535, and no axis of the set ha
 
 > ipc.enable = 'ON'
 > kenngr.gantry_ax_nr = 0
+> getriebe = [{ dynamik.vb_max = 200000 }]
 
 > ipc.enable = 'DRYRUN'
 > kenngr.gantry_ax_nr = 3
 > kopf.achs_nr = 3
+> getriebe = [{ dynamik.vb_max = 200000 }]
 "#,
     );
 }
@@ -373,6 +380,8 @@ x.lis:3:1: warning[AX405]: stage[0] is SET_POINT with the weight 1: above 0.5294
 
 > ipc.stage[0].osc_damping 0.8
 > ipc.stage[0].weight_fact_num 900
+x.lis:2:61: warning[AX437]: stage[0] asks for the weight 900/1 = 900: it is capped at 7
+    write instead: weight_fact_num / weight_fact_denom <= 7; without a line weight_fact_denom (P-AXIS-00755) is 1
 x.lis:2:61: warning[AX405]: stage[0] is SET_POINT with the weight 7: above 1.4382 it amplifies what it is to damp
     write instead: about 0.719101, the best weight at this damping
 

@@ -106,8 +106,15 @@ set.toml:4:23: error[AX315]: A follows B, which is a slave itself
 > [axis.C]
 > kopf.achs_nr = 2
 > getriebe = [{ kv = 2000 }]
-set.toml:4:23: error[AX315]: A follows the axis 2, a number that B and C have
-    write instead: kopf.achs_nr (P-AXIS-00016) of its own for each axis
+set.toml:10:16: error[AX318]: C has the logical axis number 2 (P-AXIS-00016), which B has already
+    write instead: [axis.C] kopf.achs_nr = with a number that no other axis has
+
+> [axis.A]
+> getriebe = [{ kv = 2000 }]
+> kopf.achs_nr = 0
+> [axis.B]
+> getriebe = [{ kv = 2000 }]
+> kopf.achs_nr = 0
 
 > [axis.A]
 > kopf.achs_nr = 1

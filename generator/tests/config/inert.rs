@@ -35,6 +35,7 @@ fn factors_of_0() {
 > ipc.enable = 'ON'
 > ipc.v_add_max_fact = 1
 > ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] }]
+> getriebe = [{ dynamik.vb_max = 200000 }]
 set.toml:4:19: warning[AX433]: `antr.v_reso_num` (P-AXIS-00206) is 0: the additive velocity is always 0
     write instead: a value above 0, or process_data.additive_velocity = "NONE"
 
@@ -125,6 +126,7 @@ set.toml:4:41: warning[AX435]: the velocity command at vb_max, 36000000 0.001 de
 > ipc.enable = 'ON'
 > ipc.v_add_max_fact = 500
 > ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] }]
+> getriebe = [{ dynamik.vb_max = 200000 }]
 set.toml:4:34: warning[AX435]: the additive velocity at its limit v_add_max_fact, 100000 um/s, is 166667 increments, and INT16 ends at 32767: it saturates at 19660.2 um/s
     write instead: INT32, if the drive has it, or a scaling with fewer increments
 

@@ -38,7 +38,8 @@ fn words_in_any_case_and_numbers() {
              ipc.stage[].filter.order 0x2\n\
              ipc.stage[].filter.fg_f0 5.3e1\n\
              ipc.stage[].filter.q_factor 0xA\n\
-             ipc.stage[].filter.type bandpass",
+             ipc.stage[].filter.type bandpass\n\
+             getriebe[].dynamik.vb_max 0x30D40",
         ),
         &[],
     );
@@ -273,7 +274,7 @@ fn keys_of_a_set() {
 fn gear_steps() {
     assert_said(
         &said(&direct(
-            "getriebe[0].dynamik.vb_max 1000\n\
+            "getriebe[0].dynamik.vb_max 5000\n\
              getriebe[2].dynamik.vb_max 2000",
         )),
         &[
@@ -374,6 +375,51 @@ x.lis:1:17: warning[AX103]: `getriebe[0].load` (P-AXIS-00391) has no value
 > kenngr.antr_typ
 x.lis:1:16: error[AX103]: `kenngr.antr_typ` (P-AXIS-00020) has no value
     allowed: CONVENTIONAL (ANTR_TYP_KONV, 1), SERCOS (ANTR_TYP_SERCOS, 2), PROFIDRIVE (ANTR_TYP_PROFIDRIVE, 3), SIMULATION (ANTR_TYP_SIMU, 4), LIGHTBUS (ANTR_TYP_LIGHTBUS, 5), TERMINAL (ANTR_TYP_TERM, 6), RT_ETHERNET (ANTR_TYP_ETHERNET, 7), CANOPEN (ANTR_TYP_CANOPEN, 8), VIRTUAL (ANTR_TYP_VIRTUELL, 16), CAN_BUS (ANTR_TYP_CAN, 32)
+",
+    );
+}
+
+/// Lines that would be another function's, and were meant to be ours.
+#[test]
+fn lines_that_are_nearly_ours() {
+    assert_transcript(
+        said,
+        r"
+> ipc.stage[0].weight fact denom 200
+> lr_param.improved position_control.enable ON
+> getriebe[0].dynamik.vb max 500000 # um/s
+> getriebe[1].multi gain_z
+> antr.v_reso denom 36
+> getriebe[1].muIti_gain_n 1
+> vorsteuer.veIocity_deIay_time 100
+> antr.v_time_bae 1
+> getriebe[2].mulit_gain_n 1
+> vorsteuer.feedforward VEL
+x.lis:1:1: error[AX104]: `ipc.stage[0].weight` is not known: its name has `_` where the line has blanks
+    write instead: ipc.stage[0].weight_fact_denom 200
+x.lis:2:1: error[AX104]: `lr_param.improved` is not known: its name has `_` where the line has blanks
+    write instead: ipc.enable ON
+x.lis:3:1: error[AX104]: `getriebe[0].dynamik.vb` is not known: its name has `_` where the line has blanks
+    write instead: getriebe[0].dynamik.vb_max 500000
+x.lis:4:1: error[AX104]: `getriebe[1].multi` is not known: its name has `_` where the line has blanks
+    write instead: getriebe[1].multi_gain_z
+x.lis:5:1: error[AX104]: `antr.v_reso` is not known: its name has `_` where the line has blanks
+    write instead: antr.v_reso_denom 36
+x.lis:6:1: error[AX104]: `getriebe[1].muIti_gain_n` is not known
+    write instead: getriebe[1].multi_gain_n
+x.lis:7:1: error[AX104]: `vorsteuer.veIocity_deIay_time` is not known
+    write instead: vorsteuer.velocity_delay_time
+x.lis:8:1: error[AX104]: `antr.v_time_bae` is not known
+    write instead: antr.v_time_base
+x.lis:9:1: error[AX104]: `getriebe[2].mulit_gain_n` is not known
+    write instead: getriebe[2].multi_gain_n
+x.lis:10:1: error[AX104]: `vorsteuer.feedforward` is not known
+    write instead: vorsteuer.vorsteuerung
+
+> kenngr.weight fact
+> antr.v reso
+x.lis: warning[AX401]: no stage is active: the block puts out 0
+    write instead: ipc.stage[0].mode with DIRECT, INDIRECT or SET_POINT
 ",
     );
 }

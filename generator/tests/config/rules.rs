@@ -203,7 +203,9 @@ fn g_gantry_master() {
         &said(&direct(
             "kopf.achs_nr 1\n\
              kenngr.gantry_ax_nr 1\n\
-             ipc.enable ON",
+             ipc.enable ON\n\
+             ipc.v_add_max_fact 100\n\
+             getriebe[0].dynamik.vb_max 200000",
         )),
         &[],
     );
@@ -226,14 +228,25 @@ fn g_gantry_slave_without_a_stage() {
 }
 
 #[test]
-fn h_a_weight_above_the_cap_says_nothing() {
+fn h_a_weight_above_the_cap() {
     assert_said(
         &said(&direct(
             "ipc.stage[0].weight_fact_num 900\n\
              ipc.stage[0].weight_fact_denom 100",
         )),
-        &[],
+        &[
+            "x.lis:1:61: warning[AX437]: stage[0] asks for the weight 900/100 = 9: it is capped at 7",
+            "    write instead: weight_fact_num / weight_fact_denom <= 7; without a line weight_fact_denom (P-AXIS-00755) is 1",
+        ],
     );
+    assert_said(
+        &said(&direct("ipc.stage[0].weight_fact_num 700")),
+        &[
+            "x.lis:1:61: warning[AX437]: stage[0] asks for the weight 700/1 = 700: it is capped at 7",
+            "    write instead: weight_fact_num / weight_fact_denom <= 7; without a line weight_fact_denom (P-AXIS-00755) is 1",
+        ],
+    );
+    assert_said(&said(&direct("ipc.stage[0].weight_fact_num 7")), &[]);
 }
 
 #[test]

@@ -19,7 +19,9 @@ fn arrays_of_tables() {
         &said_of_axis(
             "[axis.X.lr_param.improved_position_control]\n\
              enable = true\n\
-             v_add_max_fact = 1000\n\
+             v_add_max_fact = 100\n\
+             [[axis.X.getriebe]]\n\
+             dynamik.vb_max = 200000\n\
              [[axis.X.lr_param.improved_position_control.stage]]\n\
              [[axis.X.lr_param.improved_position_control.stage]]\n\
              mode = 1\n\
@@ -651,7 +653,7 @@ fn the_gear_step_is_chosen() {
     assert_said(
         &said_of_axis(
             "gear = 1\n\
-             getriebe = [{}, { dynamik.vb_max = 5 }, { dynamik.vb_max = 6 }]\n\
+             getriebe = [{}, { dynamik.vb_max = 5000 }, { dynamik.vb_max = 6 }]\n\
              ipc.v_add_max_fact = 1000\n\
              ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] }]",
         ),

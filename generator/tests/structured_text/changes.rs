@@ -38,7 +38,7 @@ fn an_axis_can_move_within_the_set() {
 
 #[test]
 fn another_axis_changes_only_what_lists_all_axes() {
-    let more = MACHINE.to_owned() + "\n[axis.Z]\nlist = \"rack-and-pinion.lis\"\n";
+    let more = MACHINE.to_owned() + "\n[axis.Z]\nlist = \"rack-and-pinion.lis\"\nkopf.achs_nr = 9\n";
     let (before, after) = (files(MACHINE), files(&more));
     let changed: Vec<String> =
         differing(&before, &after).into_iter().filter(|name| before.contains_key(name)).collect();

@@ -7,12 +7,21 @@ use crate::config::values::{Key, Setting, key};
 use crate::parameters::words::{Enable, FilterType, StageMode, Words};
 use crate::parameters::{FILTERS, Name, STAGES, Value, path_with, real_text};
 use crate::rules::effective::{Effective, as_written};
-use crate::{blocks::designed::Designed, codes, diagnostics::Diagnostic, number::rounded};
+use crate::{
+    blocks::designed::Designed,
+    codes,
+    diagnostics::Diagnostic,
+    number::{digits, rounded},
+};
 
 /// Above this f0 * Ts the upper skirt of a band-pass is squeezed against half the sampling frequency.
 const NEAR_NYQUIST: f64 = 0.35;
 /// Twice the weight at which the controller caps: a usual damping ratio does not lead there with any weight.
 const MUCH_GAIN: f64 = 2.0 * Stage::MAX_WEIGHT;
+/// Below 5 mm/s or 5 deg/s hardly an axis ends; above it hardly one is written in mm/s, m/min, deg/s or revolutions/min.
+const SLOW: f64 = 5000.0;
+/// A limit of the whole of vb_max [0.1 %].
+const FULL: u32 = 1000;
 
 /// Says what a user would want to know before the block acts.
 pub(crate) fn advise(designed: &Designed, e: &mut Effective<'_>) {
@@ -23,6 +32,7 @@ pub(crate) fn advise(designed: &Designed, e: &mut Effective<'_>) {
         if let Some(design) = design {
             damping_generations(e, i, &design.stage);
             filter_without_type(e, i, &design.stage);
+            capped(e, i, &design.stage);
             weight(e, i, &design.stage);
             resonance(e, i, &design.stage);
             near_nyquist(e, i, &design.stage, axis.cycle_time_ns);
@@ -35,6 +45,21 @@ pub(crate) fn advise(designed: &Designed, e: &mut Effective<'_>) {
 fn whole(axis: &Axis, e: &mut Effective<'_>) {
     let active = axis.ipc.stage.iter().flatten().count();
     let slave = master(e).is_some();
+    if active > 0 || axis.control.position_control.is_some() {
+        unit_of_vb_max(axis, e);
+    }
+    if active > 0 && !slave && axis.ipc.enable == Enable::On && axis.ipc.v_add_max_fact >= FULL {
+        let key = key(Name::Enable);
+        let found = format!(
+            "the block starts ON (P-AXIS-00758), and v_add may reach {} {}: {} % of vb_max (P-AXIS-00757)",
+            axis.ipc.limit(),
+            axis.control.velocity_unit(),
+            f64::from(axis.ipc.v_add_max_fact) / 10.0
+        );
+        let dry_run = as_written(&e.place_of(key), key, &[Enable::DryRun.name()]);
+        let instead = format!("{dry_run} for the first look, then ON with a small v_add_max_fact");
+        e.warn(codes::STARTS_ON, key, found, Some(instead));
+    }
     if slave && active > 0 && axis.ipc.enable == Enable::Off {
         let found =
             "the axis is a gantry slave with active stages: its input `mode` must stay OFF (error 70600)".to_owned();
@@ -67,6 +92,25 @@ fn whole(axis: &Axis, e: &mut Effective<'_>) {
         );
         e.warn(codes::MUTED, key(Name::VAddMaxFact), found, Some("a limit above 0, in 0.1 % of vb_max".to_owned()));
     }
+}
+
+/// A largest velocity that was mostly written in another unit.
+fn unit_of_vb_max(axis: &Axis, e: &mut Effective<'_>) {
+    let key = (Name::VbMax, [e.validated_integer(key(Name::Gear)).unwrap_or(0), 0]);
+    let v_max = axis.ipc.v_max;
+    if v_max >= SLOW || e.given(key).is_none() {
+        return;
+    }
+    let (unit, per_second, per_minute, factor) = match axis.control.is_rotary {
+        true => ("0.001 deg/s", "deg/s", "revolutions/min", 6e3),
+        false => ("um/s", "mm/s", "m/min", 1e6 / 60.0),
+    };
+    let found = format!("{} is {v_max}, which is only {} {per_second}", e.title(key), v_max / 1e3);
+    let (of_second, of_minute) = (v_max * 1e3, libm::round(v_max * factor));
+    let instead = format!(
+        "{of_second}, if {v_max} {per_second} is meant, or {of_minute}, if {v_max} {per_minute} is meant: the unit is {unit}"
+    );
+    e.warn(codes::SLOW, key, found, Some(instead));
 }
 
 /// P-AXIS-00756 should not stand beside the parameters that came with its successor.
@@ -105,6 +149,20 @@ fn filter_without_type(e: &mut Effective<'_>, i: u32, stage: &Stage) {
             let instead = as_written(&e.place_of((name, [i, k])), (Name::FilterType, [i, k]), &words);
             e.warn(codes::NO_TYPE, (name, [i, k]), found, Some(instead));
         }
+    }
+}
+
+/// The controller caps a large weight and says nothing.
+fn capped(e: &mut Effective<'_>, i: u32, stage: &Stage) {
+    if !stage.cap().is_empty() {
+        let (num, denom, asked) = (stage.weight_fact_num, stage.weight_fact_denom, digits(stage.asked_weight()));
+        let found =
+            format!("stage[{i}] asks for the weight {num}/{denom} = {asked}: it is capped at {}", Stage::MAX_WEIGHT);
+        let instead = format!(
+            "weight_fact_num / weight_fact_denom <= {}; without a line weight_fact_denom (P-AXIS-00755) is 1",
+            Stage::MAX_WEIGHT
+        );
+        e.warn(codes::CAPPED, (Name::WeightFactNum, [i, 0]), found, Some(instead));
     }
 }
 

@@ -72,8 +72,10 @@ fn of_stages(old: Option<&StageDesign>, new: Option<&StageDesign>) -> Option<Str
 fn of_stage(of: &StageDesign) -> String {
     let stage = &of.stage;
     let weight = stage.weight();
-    let mut parts =
-        vec![stage.mode.text(), format!("weight {} ({} dB)", significant(weight, 7), decimals(decibels(weight), 2))];
+    let mut parts = vec![
+        stage.mode.text(),
+        format!("weight {}{} ({} dB)", significant(weight, 7), stage.cap(), decimals(decibels(weight), 2)),
+    ];
     parts.extend(stage.mode.osc_damping().map(|damping| format!("damping {damping}")));
     parts.extend(of.filter.iter().flatten().map(filter::description));
     parts.join(", ")
@@ -86,9 +88,12 @@ fn between(old: &StageDesign, new: &StageDesign) -> Option<String> {
         parts.push(format!("{source_old} -> {source_new}"));
     }
     let [weight_old, weight_new] = [old, new].map(|of| of.stage.weight());
-    if !is_same(weight_old, weight_new) {
+    // What is capped says so: the blocks may be the same, and what was asked for is not.
+    let [cap_old, cap_new] = [old, new].map(|of| of.stage.cap());
+    if !is_same(weight_old, weight_new) || cap_old != cap_new {
         let [a, b] = [weight_old, weight_new].map(|weight| decimals(decibels(weight), 2));
-        parts.push(format!("weight {} ({a} -> {b} dB)", pair(weight_old, weight_new, 4)));
+        let weights = pair(weight_old, weight_new, 4).replace(" -> ", &format!("{cap_old} -> "));
+        parts.push(format!("weight {weights}{cap_new} ({a} -> {b} dB)"));
     }
     match [old, new].map(|of| of.stage.mode.osc_damping()) {
         [Some(a), Some(b)] if !is_same(a, b) => parts.push(format!("damping {}", pair(a, b, 4))),

@@ -71,5 +71,5 @@ impl Part for Ipc {
 fn in_short(stage: &Stage) -> String {
     let damping = stage.mode.osc_damping().map_or_else(String::new, |damping| format!(", damping {damping}"));
     let filters: Vec<String> = stage.filter.iter().filter_map(filter::summary).collect();
-    format!("{}{damping}: {}, weight {}", stage.mode.text(), filters.join(", "), stage.weight())
+    format!("{}{damping}: {}, weight {}{}", stage.mode.text(), filters.join(", "), stage.weight(), stage.cap())
 }

@@ -55,7 +55,7 @@ fn of_mode(mode: Mode) -> String {
 
 fn of_weight(stage: &Stage) -> String {
     let (num, denom) = (stage.weight_fact_num, stage.weight_fact_denom);
-    let written = f64::from(num) / f64::from(denom);
+    let written = stage.asked_weight();
     let cap = if written > Stage::MAX_WEIGHT { format!(", capped at {}", Stage::MAX_WEIGHT) } else { String::new() };
     format!("weight {num}/{denom} = {} (P-AXIS-00754/00755){cap}", digits(written))
 }
