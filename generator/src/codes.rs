@@ -35,7 +35,6 @@ static ERROR_IDS: &[&Fn] = &[
 ];
 
 /// Why a block has this number at its output `error_id`.
-#[must_use]
 pub fn error_id(id: u32) -> Option<&'static str> {
     let has_id = |function: &&&Fn| matches!(function.body.block.value, Some(Expr::Constant { value }) if value() == Literal::U32(id));
     ERROR_IDS.iter().find(has_id).and_then(|function| function.doc.strip_prefix("error_id: "))
@@ -48,7 +47,6 @@ pub fn of_controller(error: u32) -> impl Iterator<Item = &'static Code> {
 }
 
 /// The meaning of a code, in any case.
-#[must_use]
 pub fn explain(code: &str) -> Option<&'static Code> {
     CODES.iter().find(|known| known.code.eq_ignore_ascii_case(code))
 }

@@ -25,7 +25,6 @@ pub struct Place {
 impl Place {
     /// A file as a whole, or what stands for one: an option, the standard output. A message has a line each, whatever the
     /// name is.
-    #[must_use]
     pub fn whole(file: impl fmt::Display) -> Self {
         let name = file.to_string();
         let is_plain = !name.contains(char::is_control);
@@ -34,6 +33,7 @@ impl Place {
     }
 }
 
+#[must_use = "it is said only if it goes into a report"]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
     /// from the list in [`crate::codes`]
@@ -47,7 +47,6 @@ pub struct Diagnostic {
 }
 
 impl Diagnostic {
-    #[must_use]
     pub fn error(code: &'static str, place: Place, found: impl Into<String>) -> Self {
         Self { code, severity: Severity::Error, place, found: found.into(), allowed: None, instead: None }
     }
@@ -56,7 +55,6 @@ impl Diagnostic {
         Self { severity: Severity::Warning, ..Self::error(code, place, found) }
     }
 
-    #[must_use]
     pub fn allowed(self, allowed: impl Into<String>) -> Self {
         Self { allowed: Some(allowed.into()), ..self }
     }
@@ -87,6 +85,7 @@ impl fmt::Display for Diagnostic {
 }
 
 /// All messages about one input.
+#[must_use = "a report that nobody looks at is a mistake that nobody is told of"]
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Report {
     /// in the order of their discovery
@@ -98,7 +97,6 @@ const MOST_MESSAGES: usize = 1000;
 
 impl Report {
     /// The report up to as many messages as anybody reads; of the rest only their number.
-    #[must_use]
     pub fn shortened(mut self) -> Self {
         if self.diagnostics.len() > MOST_MESSAGES {
             let rest = Self { diagnostics: self.diagnostics.split_off(MOST_MESSAGES) };
@@ -121,12 +119,10 @@ impl Report {
     }
 
     /// Whether anything forbids to go on.
-    #[must_use]
     pub fn has_errors(&self) -> bool {
         self.diagnostics.iter().any(|d| d.severity == Severity::Error)
     }
 
-    #[must_use]
     pub fn warnings(&self) -> usize {
         self.diagnostics.iter().filter(|d| d.severity == Severity::Warning).count()
     }

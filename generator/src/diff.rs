@@ -10,7 +10,6 @@ use portable::Literal;
 
 /// What became of each axis, in words, ASCII: those of the old set in its order, then those that were added; and whether some
 /// block does something else, is new or is no longer there.
-#[must_use]
 pub fn lines(old: &[Designed], new: &[Designed]) -> (Vec<String>, bool) {
     let named = |axes: &'_ [Designed], name: &str| axes.iter().position(|of| of.axis.name == name);
     let kept = old.iter().map(|of| match named(new, &of.axis.name) {

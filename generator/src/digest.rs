@@ -4,7 +4,6 @@
 pub const NO_CHECKSUM: &str = "00000000000000000000000000000000";
 
 /// The 128-bit XXH3 digest as 32 hexadecimal digits.
-#[must_use]
 pub fn digest(bytes: &[u8]) -> String {
     format!("{:032x}", xxhash_rust::xxh3::xxh3_128(bytes))
 }
@@ -13,7 +12,6 @@ pub fn digest(bytes: &[u8]) -> String {
 ///
 /// # Panics
 /// If there is no such line: every template has one.
-#[must_use]
 pub fn with_checksum(mut text: String) -> String {
     let place = place(&text).expect("checksum: every generated file has a line for it");
     let digest = digest(text.as_bytes());
@@ -22,7 +20,6 @@ pub fn with_checksum(mut text: String) -> String {
 }
 
 /// Whether the checksum of a file is that of its content, whatever its line ends are; `None`: it bears none.
-#[must_use]
 pub fn has_right_checksum(text: &str) -> Option<bool> {
     let mut text = text.replace("\r\n", "\n");
     let place = place(&text)?;

@@ -28,14 +28,12 @@ pub fn files<T: Send>(
 }
 
 /// What a shared file may know of the axes.
-#[must_use]
 pub fn units<'s>(set: &'s Set) -> Vec<Unit<'s>> {
     let unit = |of: &'s Designed| Unit { axis: &of.axis.name, real: of.axis.real, blocks: blocks::names(&of.axis) };
     set.axes.iter().map(unit).collect()
 }
 
 /// What the head of a file says of an axis.
-#[must_use]
 pub fn header(axis: &Axis) -> Header {
     Header {
         name: axis.name.clone(),

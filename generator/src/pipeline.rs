@@ -21,13 +21,11 @@ pub struct Set {
 
 /// Reads, checks and designs a TOML set (`.toml`) or one axis list (any other extension). The set is there if, and only if, no
 /// message is an error.
-#[must_use]
 pub fn read(path: &Path, options: &ListOptions) -> (Option<Set>, Report) {
     read_with(path, options, &file::load)
 }
 
 /// The same with another source of files.
-#[must_use]
 pub fn read_with(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<Set>, Report) {
     let given = match given::read(path, options, load) {
         Ok(given) => given,

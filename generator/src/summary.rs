@@ -3,7 +3,6 @@
 use crate::blocks::{self, Designed, Summary};
 
 /// The lines for an axis.
-#[must_use]
 pub fn text(designed: &Designed) -> String {
     let axis = &designed.axis;
     let real = axis.real_name();

@@ -9,7 +9,6 @@ use portable::{Binary, Intrinsic, Literal, RealKind, Unary};
 ///
 /// # Panics
 /// If the operator does not fit the operand.
-#[must_use]
 pub fn unary(operator: Unary, operand: Literal) -> Literal {
     match (operator, operand) {
         (Unary::Negate, Literal::F64(a)) => Literal::F64(-a),
@@ -24,7 +23,6 @@ pub fn unary(operator: Unary, operand: Literal) -> Literal {
 ///
 /// # Panics
 /// If the operator does not fit the operands, or an index leaves its range.
-#[must_use]
 pub fn binary(operator: Binary, left: Literal, right: Literal) -> Literal {
     use std::ops::{Add, Mul, Sub};
     let value = match (left, right, operator) {

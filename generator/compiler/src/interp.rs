@@ -15,7 +15,6 @@ pub struct Machine<'p> {
 
 impl<'p> Machine<'p> {
     /// A block before its first cycle, after `init`.
-    #[must_use]
     pub fn start(program: &'p Program) -> Self {
         let values = |variables: &[crate::program::Variable]| variables.iter().map(|variable| variable.start).collect();
         let mut machine = Self {
@@ -40,7 +39,6 @@ impl<'p> Machine<'p> {
     }
 
     /// What the block remembers, in the order of [`Program::state`].
-    #[must_use]
     pub fn state(&self) -> &[Literal] {
         &self.state
     }

@@ -39,7 +39,6 @@ impl Ratio {
     pub(crate) const ZERO: Self = Self { num: 0, denom: 1 };
 
     /// num / denom, rounded once.
-    #[must_use]
     pub fn value(self) -> f64 {
         f64::from(self.num) / f64::from(self.denom)
     }
@@ -54,7 +53,6 @@ pub struct Quantities {
 }
 
 impl Quantities {
-    #[must_use]
     pub fn any(self) -> bool {
         self.velocity || self.use_time()
     }

@@ -36,7 +36,6 @@ impl Axis {
     }
 
     /// Position-controller cycle Ts [s].
-    #[must_use]
     pub fn cycle_time(&self) -> f64 {
         f64::from(self.cycle_time_ns) * 1e-9
     }

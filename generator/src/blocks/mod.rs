@@ -37,12 +37,10 @@ pub fn of_axis(axis: &Axis) -> impl Iterator<Item = &'static dyn Kind> {
     BLOCKS.into_iter().filter(|kind| kind.is_asked_for(axis))
 }
 
-#[must_use]
 pub fn names(axis: &Axis) -> Vec<&'static str> {
     of_axis(axis).map(Kind::name).collect()
 }
 
-#[must_use]
 pub fn named(name: &str) -> Option<&'static dyn Kind> {
     BLOCKS.into_iter().find(|kind| kind.name() == name)
 }

@@ -137,30 +137,8 @@ fn distance(a: Letters<'_>, b: Letters<'_>, most: usize) -> Option<usize> {
     let (a, b) = (&a[start..], &b[start..]);
     let end = a.iter().rev().zip(b.iter().rev()).take_while(is_alike).count();
     let (a, b) = (&a[..a.len() - end], &b[..b.len() - end]);
-    within(a, b, most)
-}
-
-/// The distance itself. Only near the diagonal it can be small enough, and mostly a few letters tell that it is not.
-fn within(a: &[u8], b: &[u8], most: usize) -> Option<usize> {
-    let far = most + 1;
-    // Of the letters of `a` so far and the first of `b`, so many.
-    let mut row: [usize; LONGEST + 1] = std::array::from_fn(|count| count.min(far));
-    for (letter, count) in a.iter().zip(1_usize..) {
-        let start = count.saturating_sub(most).max(1);
-        let (mut diagonal, mut left) = (row[start - 1], count.min(far));
-        row[start - 1] = left;
-        let mut least = left;
-        for (other, value) in b.iter().zip(&mut row[1..]).take(count + most).skip(start - 1) {
-            let changed = diagonal + usize::from(!letter.eq_ignore_ascii_case(other));
-            diagonal = *value;
-            left = changed.min(left.min(diagonal) + 1).min(far);
-            (*value, least) = (left, least.min(left));
-        }
-        if least == far {
-            return None;
-        }
-    }
-    Some(row[b.len()]).filter(|distance| *distance <= most)
+    let distance = strsim::generic_levenshtein(&a.to_ascii_lowercase(), &b.to_ascii_lowercase());
+    Some(distance).filter(|distance| *distance <= most)
 }
 
 /// So many letters differ at least: each that only one of two names has, or has more often, takes a change of its own.

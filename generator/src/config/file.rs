@@ -19,7 +19,6 @@ pub enum Unreadable {
 
 impl Unreadable {
     /// The code of the message, and what it says behind the name of the file.
-    #[must_use]
     pub fn said(&self) -> (&'static str, String) {
         match self {
             Self::TooLarge => (codes::TOO_LARGE, "is too large".to_owned()),

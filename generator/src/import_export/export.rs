@@ -10,7 +10,6 @@ use std::{path::Path, sync::Arc};
 
 /// An axis of a TOML set (`.toml`) as an axis list; without a name the only one. An axis list (any other extension) is
 /// given as it is. The list is there if, and only if, no message is an error. The rules between parameters are not checked.
-#[must_use]
 pub fn export(path: &Path, axis: Option<&str>, load: Load<'_>) -> (Option<Vec<u8>>, Report) {
     let mut report = Report::default();
     let list = match file::read(path, None, load) {

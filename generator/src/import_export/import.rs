@@ -14,7 +14,6 @@ use toml_edit::Table;
 
 /// The axis list of a file as a TOML set. The set is there if, and only if, no message is an error. It has no cycle time
 /// unless the options, or a list that [`super::export`] wrote, give one.
-#[must_use]
 pub fn import(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<String>, Report) {
     let mut report = Report::default();
     let source = match file::read(path, None, load) {

@@ -42,7 +42,6 @@ pub const TARGETS: [Target; 5] = [
 /// The targets of a set that names none.
 pub const DEFAULT_TARGETS: [&str; 2] = ["c", "st"];
 
-#[must_use]
 pub fn named(name: &str) -> Option<Target> {
     TARGETS.into_iter().find(|target| target.name == name)
 }
@@ -95,13 +94,11 @@ pub struct File {
 }
 
 /// What the names of everything that an axis gets begin with.
-#[must_use]
 pub fn stem(axis: &str) -> String {
     format!("axis_{}", axis.to_ascii_lowercase())
 }
 
 /// What the name of a block of an axis is in every target, but for a prefix.
-#[must_use]
 pub fn block_name(axis: &str, block: &str) -> String {
     format!("{}_{block}", stem(axis))
 }

@@ -123,7 +123,6 @@ impl Outline<'_> {
 }
 
 /// Which inputs a cycle reads.
-#[must_use]
 pub fn is_read(program: &Program) -> Vec<bool> {
     let mut read = vec![false; program.inputs.len()];
     for statement in &program.step {

@@ -59,7 +59,6 @@ pub enum Owner {
 
 impl Refusal {
     /// What is said about it: a message for each file.
-    #[must_use]
     pub fn report(&self) -> Report {
         let unwritable =
             |path: &Path, found: String| Diagnostic::error(codes::UNWRITABLE, Place::whole(path.display()), found);
@@ -146,7 +145,6 @@ pub fn commit(folder: Folder, results: Vec<Result<Staged, Refusal>>, force: bool
 }
 
 /// Whose a file of this content is.
-#[must_use]
 pub fn owner(content: &[u8]) -> Owner {
     // What is not UTF-8 is not what we wrote: with its replacement characters the checksum is wrong.
     match has_right_checksum(&String::from_utf8_lossy(content)) {

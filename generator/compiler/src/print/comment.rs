@@ -22,14 +22,12 @@ pub(super) fn lines(text: &str, width: usize) -> Vec<String> {
 }
 
 /// Texts as the inside of one comment: harmless, in lines of at most `width` characters, joined by what begins a line.
-#[must_use]
 pub fn wrapped(texts: &[impl AsRef<str>], width: usize, next_line: &str) -> String {
     let all = texts.iter().flat_map(|text| lines(&harmless(text.as_ref()), width));
     all.collect::<Vec<_>>().join(next_line)
 }
 
 /// Keeps a text from ending the comment that it stands in: `*/` and `*)` are taken apart.
-#[must_use]
 pub fn harmless(text: &str) -> Cow<'_, str> {
     if !text.contains('*') {
         return Cow::Borrowed(text);

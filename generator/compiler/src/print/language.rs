@@ -58,7 +58,6 @@ pub struct Language {
 }
 
 impl Language {
-    #[must_use]
     pub fn ty(&self, ty: Type, real: RealKind) -> &'static str {
         self.types[match (ty, real) {
             (Type::Bool, _) => 0,

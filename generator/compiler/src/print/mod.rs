@@ -41,14 +41,12 @@ pub struct Printer<'p> {
 pub type Scope = Table<String>;
 
 /// The names of the inputs and of the outputs of a program.
-#[must_use]
 pub fn signals(program: &Program, language: &Language) -> [Vec<String>; 2] {
     let mut names = Names::new(language);
     [&program.inputs, &program.outputs].map(|variables| members(variables, language, &mut names))
 }
 
 /// The names of a program's constants, behind a prefix where others stand in the same scope.
-#[must_use]
 pub fn constants(program: &Program, prefix: &str, names: &mut Names) -> Vec<String> {
     let path = |path: &str| if prefix.is_empty() { names.take(path) } else { names.take(&format!("{prefix}.{path}")) };
     program.constants.iter().map(|constant| constant.path.as_str()).map(path).collect()
@@ -67,13 +65,11 @@ fn members(variables: &[Variable], language: &Language, names: &mut Names) -> Ve
 
 impl<'p> Printer<'p> {
     /// A program that has a scope for itself; the names of the interface are taken first.
-    #[must_use]
     pub fn new(program: &'p Program, language: &'p Language) -> Self {
         Self::beside(program, language, Names::new(language), None)
     }
 
     /// A program in a scope in which some names are taken: its locals have none of them. `known`: those of its constants.
-    #[must_use]
     pub fn beside(program: &'p Program, language: &'p Language, mut names: Names, known: Option<Vec<String>>) -> Self {
         let names = Scope {
             inputs: members(&program.inputs, language, &mut names),
@@ -100,13 +96,11 @@ impl<'p> Printer<'p> {
     }
 
     /// The names of the variables, as they are declared.
-    #[must_use]
     pub fn names(&self) -> &Scope {
         &self.names
     }
 
     /// How each constant appears.
-    #[must_use]
     pub fn appearances(&self) -> &[Appearance] {
         &self.appearances
     }
@@ -115,7 +109,6 @@ impl<'p> Printer<'p> {
     ///
     /// # Panics
     /// If the program is not verified.
-    #[must_use]
     pub fn body(&self, statements: &[Statement], level: isize) -> String {
         let arena = Arena::new();
         let (line, hardline) = (arena.line().into_doc(), arena.hardline().into_doc());

@@ -4,7 +4,6 @@ use super::Language;
 use std::collections::HashSet;
 
 /// The identifier of a path: `stage[0].filter[1].y` becomes `stage0_filter1_y`.
-#[must_use]
 pub fn identifier(path: &str) -> String {
     let mut name = String::with_capacity(path.len());
     let kept = path.chars().filter(|character| !matches!(character, '[' | ']'));
@@ -21,7 +20,6 @@ pub struct Names {
 
 impl Names {
     /// No names yet, in a language that keeps some words for itself.
-    #[must_use]
     pub fn new(language: &Language) -> Self {
         Self { is_reserved: language.is_reserved, taken: HashSet::new() }
     }

@@ -103,7 +103,6 @@ pub enum Type {
 
 impl Type {
     /// The type of a value that exists at run time.
-    #[must_use]
     pub fn of_literal(value: Literal) -> Option<Self> {
         match value {
             Literal::Bool(_) => Some(Self::Bool),

@@ -40,7 +40,6 @@ impl Statement {
     }
 
     /// Whether this statement or one inside it reads or writes the variable.
-    #[must_use]
     pub fn mentions(&self, var: Var) -> bool {
         match self {
             Self::Note(_) => false,

@@ -21,7 +21,6 @@ use std::rc::Rc;
 /// # Panics
 /// If the block is not portable in a way that only shows here: a loop whose bound or an index that is not known, a
 /// struct passed by value. That is a defect of the block, not of anybody's input.
-#[must_use]
 pub fn block<R: Real, B: Block<R>>(coeffs: &B::Coeffs, notes: &BTreeMap<String, String>) -> Program {
     let program = Program {
         block: B::NAME,

@@ -18,7 +18,6 @@ const DOWN: f64 = f64::from_bits((1023 - 120) << 52);
 ///
 /// # Panics
 /// If the literal does not exist at run time: the passes have excluded that.
-#[must_use]
 pub fn literal(value: Literal) -> String {
     match value {
         Literal::Bool(true) => "TRUE".to_owned(),
