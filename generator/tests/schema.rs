@@ -55,7 +55,7 @@ fn it_takes_the_sets_of_the_repository_and_what_import_makes_of_its_lists() {
     let validator = validator();
     let sets = [files("examples", ".toml"), files("golden/cases", "set.toml")].concat();
     assert!(sets.len() > 20);
-    for path in sets {
+    for path in sets.into_iter().filter(|path| !path.ends_with("Cargo.toml")) {
         assert_eq!(mistakes(&validator, &fs::read_to_string(&path).unwrap()), [""; 0], "{}", path.display());
     }
     let lists = [files("examples", ".lis"), files("golden/cases", ".lis")].concat();

@@ -8,9 +8,11 @@ fn staged_and_kept_files_of_a_killed_run_are_cleared() {
     let folder = tempfile::tempdir().unwrap();
     fs::create_dir(folder.path().join("below")).unwrap();
     fs::write(folder.path().join("a"), generated("a", "old").text).unwrap();
-    for name in ["a.axgen-staged-1", "gone.axgen-staged-4294967295", "a.axgen-kept-1", "below/b.axgen-staged-7"] {
+    for name in ["a.axgen-staged-1", "a.axgen-kept-1", "below/b.axgen-staged-7"] {
         fs::write(folder.path().join(name), "left").unwrap();
     }
+    // No file of this run goes beside it: its checksum says that it is ours.
+    fs::write(folder.path().join("gone.axgen-staged-4294967295"), generated("gone", "1").text).unwrap();
     let [a, b] = [generated("a", "1"), generated("below/b", "1")];
     write(folder.path(), &[a.clone(), b.clone()], false).unwrap();
     assert_eq!(content(folder.path()), [(a.name, a.text), pair("below", "a folder")]);
@@ -20,10 +22,24 @@ fn staged_and_kept_files_of_a_killed_run_are_cleared() {
 #[test]
 fn old_content_whose_target_is_gone_comes_back() {
     let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("a.axgen-kept-1"), "old").unwrap();
+    let old = generated("a", "old").text;
+    fs::write(folder.path().join("a.axgen-kept-1"), &old).unwrap();
     let b = generated("b", "1");
     write(folder.path(), std::slice::from_ref(&b), false).unwrap();
-    assert_eq!(content(folder.path()), [pair("a", "old"), (b.name, b.text)]);
+    assert_eq!(content(folder.path()), [pair("a", &old), (b.name, b.text)]);
+}
+
+/// A person's file may have such a name.
+#[test]
+fn what_is_nobodys_left_over_stays() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["notes.axgen-staged-1", "notes.axgen-kept-1"] {
+        fs::write(folder.path().join(name), "mine").unwrap();
+    }
+    let b = generated("b", "1");
+    write(folder.path(), std::slice::from_ref(&b), false).unwrap();
+    let expected = [(b.name, b.text), pair("notes.axgen-kept-1", "mine"), pair("notes.axgen-staged-1", "mine")];
+    assert_eq!(content(folder.path()), expected);
 }
 
 #[test]

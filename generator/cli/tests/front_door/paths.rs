@@ -12,7 +12,7 @@ fn paths_with_blanks_and_long_paths() {
         let folder = tempfile::tempdir().unwrap();
         let inside = folder.path().join(name.trim_start_matches('/'));
         fs::create_dir_all(inside.join("lists of X")).unwrap();
-        fs::copy(format!("{ROOT}/examples/rack-and-pinion.lis"), inside.join("lists of X/x axis.lis")).unwrap();
+        fs::copy(format!("{ROOT}/examples/pipeline/lists/x.lis"), inside.join("lists of X/x axis.lis")).unwrap();
         let set = "cycle_time = \"1ms\"\n[axis.X]\nlist = \"lists of X/x axis.lis\"\n";
         fs::write(inside.join("my set.toml"), set).unwrap();
         let path = |file: &str| inside.join(file).display().to_string();
