@@ -159,8 +159,9 @@ impl List {
 /// A line whose path has blanks where underscores belong, with underscores: `weight fact denom 200`.
 fn with_underscores(line: &Statement<'_>) -> Option<String> {
     // A number after the path is its value; no name of ours is as long as the bound, which keeps a long line cheap.
-    let (mut path, mut rest) = (line.path.to_owned(), line.value);
-    while path.len() < 128 && rest.starts_with(|c: char| c.is_ascii_alphabetic()) {
+    let is_word = |text: &str| text.starts_with(|letter: char| letter.is_ascii_alphabetic());
+    let (mut path, mut rest) = (if is_word(line.value) { line.path.to_owned() } else { return None }, line.value);
+    while path.len() < 128 && is_word(rest) {
         let word = &rest[..rest.find([' ', '\t']).unwrap_or(rest.len())];
         rest = rest[word.len()..].trim_ascii_start();
         path.extend(["_", word]);

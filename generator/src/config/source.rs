@@ -53,9 +53,8 @@ impl Source {
 impl Lines {
     fn new(bytes: &[u8]) -> Self {
         let mut starts = vec![0];
-        starts.extend(bytes.iter().enumerate().filter(|(_, byte)| **byte == b'\n').map(|(at, _)| at + 1));
-        let mut sum = 0;
-        let mut continuations = vec![0];
+        starts.extend(memchr::memchr_iter(b'\n', bytes).map(|at| at + 1));
+        let (mut sum, mut continuations) = (0, vec![0]);
         for chunk in bytes.chunks(STRIDE) {
             sum += count(chunk);
             continuations.push(sum);
@@ -72,5 +71,5 @@ impl Lines {
 
 /// Bytes that go on a character of UTF-8.
 fn count(bytes: &[u8]) -> usize {
-    bytes.iter().filter(|byte| **byte & 0xC0 == 0x80).count()
+    if bytes.is_ascii() { 0 } else { bytes.iter().filter(|byte| **byte & 0xC0 == 0x80).count() }
 }
