@@ -151,10 +151,11 @@ impl Precision {
 
 impl Recording {
     /// Inputs that would have been written the same: each real is moved by half of what its last digit was worth, up or down.
-    /// `None`: the inputs are exact.
+    /// `None`: the inputs are exact, or all outputs are, so that nothing excuses an error of theirs.
     #[must_use]
     pub fn moved_inputs(&self) -> Option<Samples> {
-        if self.input_precision.iter().all(|precision| precision.digits == 0) {
+        let is_rounded = |precision: &[Precision]| precision.iter().any(|precision| precision.digits > 0);
+        if !is_rounded(&self.input_precision) || !is_rounded(&self.output_precision) {
             return None;
         }
         let mut moved = Samples::with_capacity(self.inputs.shape.clone(), self.inputs.len());
@@ -183,9 +184,8 @@ impl Recording {
         let signals = 0..self.recorded.len();
         let change =
             moved.map(|moved| signals.clone().map(|signal| changes(computed, moved, signal)).collect::<Vec<_>>());
-        let is_rounded = self.output_precision.iter().any(|precision| precision.digits > 0);
         let of = |signal: usize| {
-            let allowance = change.as_ref().filter(|_| is_rounded).map_or(0.0, |change| 2.0 * change[signal]);
+            let allowance = change.as_ref().map_or(0.0, |change| 2.0 * change[signal]);
             let mut error = Error { largest: 0.0, sample: 0, is_explained: true };
             for (sample, [recorded, computed]) in pairs(&self.outputs, computed, signal) {
                 let difference = apart(recorded, computed);

@@ -62,8 +62,10 @@ impl<'t> Table<'t> {
         }
     }
 
-    /// The cells of the columns, in their order, each with its column in the line, from 1. `None`: the line has so many cells,
-    /// and another number of them is right.
+    /// The cells of the columns, in their order, each with its column in the line, from 1.
+    ///
+    /// # Errors
+    /// The line has so many cells, and another number of them is right.
     pub fn cells(&self, row: &Row<'t>) -> Result<impl Iterator<Item = (usize, Cow<'t, str>)>, [usize; 2]> {
         let mut cells = placed(row.text, self.separator);
         if cells.len() == self.cells + 1 && cells.last().is_some_and(|(_, cell)| cell.is_empty()) {
@@ -72,15 +74,10 @@ impl<'t> Table<'t> {
         if cells.len() != self.cells {
             return Err([cells.len(), self.cells]);
         }
-        let number = |(at, cell): (usize, &'t str)| (at, self.number(bare(cell)));
-        Ok(self
-            .columns
-            .iter()
-            .map(|column| column.cell)
-            .map(move |cell| cells[cell])
-            .map(number)
-            .collect::<Vec<_>>()
-            .into_iter())
+        Ok(self.columns.iter().map(move |column| {
+            let (at, cell) = cells[column.cell];
+            (at, self.number(bare(cell)))
+        }))
     }
 
     /// A decimal comma as a point, where no comma separates cells.
@@ -98,18 +95,12 @@ fn bare(cell: &str) -> &str {
 
 /// The cells of a line, each with the column at which it begins, from 1.
 fn placed(line: &str, separator: char) -> Vec<(usize, &str)> {
-    let mut at = 1;
-    let place = |cell: &str| {
-        let start = at;
+    let (mut cells, mut at) = (Vec::new(), 1);
+    for cell in line.split(separator) {
+        cells.push((at, cell));
         at += cell.chars().count() + 1;
-        start
-    };
-    line.split(separator)
-        .map({
-            let mut place = place;
-            move |cell| (place(cell), cell)
-        })
-        .collect()
+    }
+    cells
 }
 
 /// A header, then samples.

@@ -91,8 +91,7 @@ pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Resul
         None => {}
     }
     let Some(recording) = recording else { return Ok(Exit::Done) };
-    let is_own = request.stimulus.is_none();
-    let moved = recording.moved_inputs().filter(|_| is_own);
+    let moved = recording.moved_inputs();
     // What the rounding of the inputs changes is asked of the reference: every engine would say the same.
     let moved = moved.map(|moved| engine::run(Engine::Reference, designed, &block, &moved)).transpose();
     let moved = moved.unwrap_or_else(|failure| panic!("a defect of axgen: {failure}"));
