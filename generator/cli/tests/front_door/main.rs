@@ -5,6 +5,9 @@
 
 mod files;
 mod killed;
+#[path = "../limited/mod.rs"]
+#[cfg(unix)]
+mod limited;
 mod messages;
 mod outputs;
 mod paths;

@@ -2,35 +2,22 @@
 
 #![cfg(unix)]
 
-use super::{AXGEN, axgen, started};
+use super::limited::{self, Limits};
+use super::{axgen, started};
 use std::fs::{self, File};
 use std::os::unix::fs::symlink;
 use std::path::Path;
 use std::process::{Command, Stdio};
-use std::sync::mpsc;
-use std::thread;
 use std::time::Duration;
 
 /// No such file may keep a command busy for longer; the tests run side by side.
-const TIME: Duration = Duration::from_secs(60);
+const LIMITS: Limits = Limits { time: Duration::from_secs(60), memory: 2_097_152 };
 
 const NO_FILE: &str = "error[AX001]: cannot be read: it is no regular file, but a device, a pipe or a socket\n";
 
 /// Runs the command with little memory, and ends it when its time is over.
 fn bounded(folder: &Path, arguments: &str, input: Stdio) -> (i32, String) {
-    let limit = if cfg!(target_os = "linux") { "ulimit -v 2097152 && " } else { "" };
-    let mut command = Command::new("sh");
-    command.current_dir(folder).env("RAYON_NUM_THREADS", "2").stdin(input).stdout(Stdio::null()).stderr(Stdio::piped());
-    command.arg("-c").arg(format!("{limit}exec \"$0\" \"$@\"")).arg(AXGEN).args(arguments.split(' '));
-    let child = command.spawn().unwrap();
-    let id = child.id().to_string();
-    let (sender, receiver) = mpsc::channel();
-    thread::spawn(move || sender.send(child.wait_with_output()));
-    let Ok(output) = receiver.recv_timeout(TIME) else {
-        Command::new("kill").args(["-9", &id]).status().unwrap();
-        panic!("{arguments}: goes on for more than {TIME:?}");
-    };
-    let output = output.unwrap();
+    let output = limited::run(folder, arguments.split(' '), input, &LIMITS);
     (output.status.code().unwrap(), String::from_utf8(output.stderr).unwrap())
 }
 

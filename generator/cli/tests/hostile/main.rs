@@ -22,6 +22,8 @@ macro_rules! rows {
 mod document;
 mod encodings;
 mod legal;
+#[path = "../limited/mod.rs"]
+mod limited;
 mod lists;
 mod names;
 mod paths;

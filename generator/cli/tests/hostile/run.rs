@@ -1,11 +1,10 @@
 //! Running the command with limits of time and memory; looking at folders.
 
+use crate::limited::{self, Limits};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
-use std::sync::mpsc;
-use std::thread;
+use std::process::Stdio;
 use std::time::Duration;
 
 /// How the command ended.
@@ -19,25 +18,11 @@ pub struct Run {
 }
 
 /// No input may keep the command busy for longer.
-const TIME: Duration = Duration::from_secs(10);
-
-/// Address space in KiB. Where the system knows no such limit, none is set.
-const LIMIT: &str = if cfg!(target_os = "linux") { "ulimit -v 1048576 && " } else { "" };
+const LIMITS: Limits = Limits { time: Duration::from_secs(10), memory: 1_048_576 };
 
 /// Runs the command.
 pub fn axgen<'a>(folder: &Path, arguments: impl IntoIterator<Item = &'a str>) -> Run {
-    let mut command = Command::new("sh");
-    command.current_dir(folder).env("RAYON_NUM_THREADS", "2").stdin(Stdio::null());
-    command.arg("-c").arg(format!("{LIMIT}exec \"$@\"")).arg("sh").arg(env!("CARGO_BIN_EXE_axgen")).args(arguments);
-    let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-    let id = child.id().to_string();
-    let (sender, receiver) = mpsc::channel();
-    thread::spawn(move || sender.send(child.wait_with_output()));
-    let Ok(output) = receiver.recv_timeout(TIME) else {
-        Command::new("kill").args(["-9", &id]).status().unwrap();
-        panic!("it goes on for more than {TIME:?}");
-    };
-    let output = output.unwrap();
+    let output = limited::run(folder, arguments, Stdio::null(), &LIMITS);
     let err = String::from_utf8(output.stderr).unwrap();
     let code = output.status.code().unwrap_or_else(|| panic!("{}: {err}", output.status));
     Run { code, out: String::from_utf8(output.stdout).unwrap(), err }
