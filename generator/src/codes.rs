@@ -109,10 +109,10 @@ codes! {
          names. This is no mistake in the set.";
 
     LINE = "AX101", "no line of an axis list",
-        "A line is `path value`, with blanks or tabs between and no `=`; `#`, or `(` at the start of a line or behind a \
-         blank, begins a comment.";
+        "A line is `path value`, with blanks or tabs between and no `=`; `#`, `(`, `/*`, `;` or `//` begins a comment, to the end of \
+         the line.";
     BYTE = "AX102", "a byte outside of ASCII",
-        "Bytes that are not printable ASCII are legal in comments only.";
+        "Bytes that are not printable ASCII are legal in comments, and in the values of other functions' parameters.";
     NO_VALUE = "AX103", "a parameter without a value",
         "The line names a parameter and ends. Write the value behind the path, with a blank between, or take the line away: \
          then the default holds.";
@@ -131,7 +131,23 @@ codes! {
     KEY_OF_A_SET = "AX109", "a key of a set in an axis list",
         "The name is a key of axgen's own, which no controller knows. Write it in a TOML set whose axis names this list.";
     NO_LIST = "AX110", "not an axis list",
-        "So many lines cannot be read that the file is probably of another kind.";
+        "The file is of another kind: no line of it gives a parameter of an axis, or so many lines cannot be read. What the file seems to \
+         be is said. The name of a set in TOML ends with .toml; every other file is taken for an axis list.";
+    TEXT_BEHIND = "AX111", "text behind a value",
+        "A controller takes what stands behind a value for a comment, and so does axgen. Write a `#` before it: a unit or a second value \
+         that somebody relies on would be lost otherwise.";
+    WRAPPED = "AX112", "a comment without its sign",
+        "Manuals print long comments over several lines, and such a line is taken for the rest of the comment above; so are words that are no \
+         path. A controller may take them for a parameter: begin them with `#`.";
+    COMMENT = "AX113", "text behind a comment",
+        "A comment that begins with /* ends with its line, whatever follows */. The controller does not read the parameter behind it.";
+    BEHIND_END = "AX114", "a parameter behind the end of a list",
+        "A line `Ende` ends a list: the controller reads nothing behind it.";
+    NC_WORD = "AX115", "a word of an NC program",
+        "G135, G136 and G137 switch and weight feedforward while a program runs. The blocks have inputs for them: feedforward_active is TRUE from \
+         G135 on and FALSE from G137 on, feedforward_percentage is the number of G136.";
+    PROJECT = "AX116", "XML without an axis list",
+        "Of XML, axgen reads the axis lists in projects of TwinCAT (.xti, .tsproj): each element AchsMds holds one as CDATA.";
 
     NUMBER = "AX201", "not a number",
         "A number is decimal, with a point and an exponent where a real number is allowed, or hexadecimal with 0x. NaN and \
@@ -202,6 +218,10 @@ codes! {
     NUMBER_TWICE = "AX318", "a logical axis number that two axes have",
         "A logical axis number (P-AXIS-00016) names one axis of a controller. Two axes of a set with one number are mostly one list that was \
          copied, or named twice. Give each axis its own number; a key below the axis of a set overrides its list.";
+    GEAR_RATIO = "AX319", "a gear ratio in other parameters",
+        "The angle that the motor turns by is computed from the increments per revolution (P-AXIS-00092), the feed constant \
+         (P-AXIS-00362/00363) and the gear ratio in wegaufz and wegaufn (P-AXIS-00234/00233). A list may have the ratio in gear_fact_num and \
+         gear_fact_denom (P-AXIS-00511/00512) instead: it would be lost, and every increment would be wrong by that factor.";
 
     NO_STAGE = "AX401", "no stage is active",
         "Improved position control does nothing; without feedforward and position control the block is generated all the same, \
@@ -320,4 +340,7 @@ codes! {
     ASSUMED = "AX440", "a default that motion depends on",
         "The parameter is not given, and its default scales or limits what the block puts out. A default is nobody's machine: write the value, \
          also where it is the default. The line `assumed` of check and generate lists all such parameters.";
+    PROBE = "AX441", "a measuring probe beside feedforward",
+        "Feedforward adds a cycle at the least between interpolator and position controller, which the controller does not count in a \
+         measuring run. Its manual wants a longer stroke of the probe (P-AXIS-00086).";
 }

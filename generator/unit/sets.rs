@@ -62,7 +62,7 @@ pub(crate) fn axes(count: usize, real: RealKind) -> impl Iterator<Item = Axis> {
             name: "X".to_owned(),
             real,
             cycle_time_ns,
-            ipc: Ipc { enable, v_add_max_fact, v_max, fade: random.unit(), stage },
+            ipc: Ipc { enable, v_add_max_fact, v_max, fade: random.unit(), delay_cycles: None, stage },
             control: crate::axis::Control::default(),
             canonical: String::new(),
         }

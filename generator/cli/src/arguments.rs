@@ -49,10 +49,13 @@ pub enum Command {
         #[arg(long, value_name = "STAGE", conflicts_with = "force", help = emit::help())]
         emit: Option<String>,
     },
-    /// Reads and checks only
+    /// Reads and checks only; says in words what the blocks mean for the machine
     Check {
         #[command(flatten)]
         set: SetArguments,
+        /// Show the certified range and the measured response, too
+        #[arg(long)]
+        verbose: bool,
     },
     /// Runs one block through one engine, sample by sample
     Run {

@@ -1,4 +1,4 @@
-//! `axgen check`: reads and checks the set, and says what its blocks would do.
+//! `axgen check`: reads and checks the set, and says what its blocks would do; with `--verbose` what is certain of them, in figures.
 
 use crate::arguments::SetArguments;
 use crate::exit::Exit;
@@ -8,10 +8,13 @@ use crate::output;
 use generator::{blocks, summary};
 
 /// Runs the command.
-pub fn run(arguments: &SetArguments, format: Format) -> Result<Exit, Exit> {
+pub fn run(arguments: &SetArguments, format: Format, verbose: bool) -> Result<Exit, Exit> {
     let (set, warnings) = input::read(arguments, format)?;
     for designed in &set.axes {
-        output::print(summary::text(designed))?;
+        output::print(summary::verdict(designed))?;
+        if !verbose {
+            continue;
+        }
         for block in blocks::blocks(designed).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}")) {
             block.certificate.iter().try_for_each(|line| output::line(format!("  {line}")))?;
         }

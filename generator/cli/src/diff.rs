@@ -13,12 +13,12 @@ use std::path::Path;
 /// names.
 pub fn run(old: &Path, new: &Path, options: &ListOptions, format: Format) -> Result<Exit, Exit> {
     let some_list = !is_set(old) || !is_set(new);
-    let load = |path: &Path| {
+    let load = |path: &Path, are_warnings_said| {
         let none = ListOptions::default();
-        read(path, if is_set(path) && some_list { &none } else { options }, format)
+        read(path, if is_set(path) && some_list { &none } else { options }, format, are_warnings_said)
     };
-    // Both are read, so that the mistakes of both are said.
-    let (mut before, after) = match (load(old), load(new)) {
+    // Both are read, so that the mistakes of both are said; warnings are of interest for the axes that are to run.
+    let (mut before, after) = match (load(old, false), load(new, true)) {
         (Ok(before), Ok(after)) => (before, after),
         (Err(exit), _) | (_, Err(exit)) => return Err(exit),
     };
@@ -34,10 +34,12 @@ pub fn run(old: &Path, new: &Path, options: &ListOptions, format: Format) -> Res
     Ok(if differ { Exit::Different } else { Exit::Done })
 }
 
-/// A set; of one that can be compared only the differences are of interest, not the warnings.
-fn read(path: &Path, options: &ListOptions, format: Format) -> Result<Set, Exit> {
+fn read(path: &Path, options: &ListOptions, format: Format, are_warnings_said: bool) -> Result<Set, Exit> {
     let (set, report) = pipeline::read(path, options);
-    set.map_or_else(|| said(None, &report, format), Ok)
+    match set {
+        Some(set) if !are_warnings_said => Ok(set),
+        set => said(set, &report, format),
+    }
 }
 
 fn is_set(path: &Path) -> bool {

@@ -54,7 +54,7 @@ fn run(command: Command, format: Format) -> Result<Exit, Exit> {
             let compare = if diff { Some(Show::Lines) } else { check.then_some(Show::Names) };
             generate::run(&set, format, &generate::Request { targets, axes, out, force, compare, emit })
         }
-        Command::Check { set } => check::run(&set, format),
+        Command::Check { set, verbose } => check::run(&set, format, verbose),
         Command::Run { set, axis, block, engine, stimulus, compare, map, out, force, hex } => {
             run::run(&set, format, &run::Request { axis, block, engine, stimulus, compare, map, out, force, hex })
         }

@@ -106,7 +106,7 @@ impl Shown {
 
 /// The bytes of a file that a message names; none if it cannot be read again.
 fn read_again(file: &str) -> Vec<u8> {
-    config::load_up_to(file.as_ref(), LARGEST_SAMPLES).unwrap_or_default()
+    config::load_up_to(file.as_ref(), LARGEST_SAMPLES).map(config::text).unwrap_or_default()
 }
 
 /// A message, and the line that it is about, as far as it can be read again; each file is read once. A byte order mark is in

@@ -30,6 +30,11 @@ pub trait Part: Sync {
     /// What it does, for the summary of an axis.
     fn summary(&self, designed: &Designed) -> Summary;
 
+    /// What it means for the machine: tables and verdicts in words, a line each.
+    fn verdict(&self, designed: &Designed) -> Vec<String> {
+        self.summary(designed).lines
+    }
+
     /// What it does as named values, for the semantic diff.
     fn values(&self, _: &Designed) -> Values {
         Values::new()

@@ -1,4 +1,4 @@
-//! Which names an axis may have, and which name a list's file gives it; nothing is looked up here.
+//! Which names an axis may have, and which name a file or a project gives it; nothing is looked up here.
 
 use std::path::Path;
 
@@ -15,10 +15,14 @@ pub(crate) fn is_allowed(name: &str) -> bool {
     characters && ends && !name.contains("__") && name.len() <= LONGEST
 }
 
-/// The name that the stem of a file's name gives: what is not allowed becomes an underscore; `axis_` before a digit.
+/// The name that the stem of a file's name gives.
 pub(crate) fn of_file(path: &Path) -> String {
-    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    let words: Vec<&str> = stem.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).collect();
+    of_words(&path.file_stem().unwrap_or_default().to_string_lossy())
+}
+
+/// A name from any words: what is not allowed becomes an underscore; `axis_` before a digit.
+pub(crate) fn of_words(words: &str) -> String {
+    let words: Vec<&str> = words.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).collect();
     let name = words.join("_");
     if name.starts_with(|c: char| c.is_ascii_digit()) { format!("axis_{name}") } else { name }
 }

@@ -1,7 +1,7 @@
 //! Which known name an unknown one was probably meant to be; no message is made here.
 
 use super::path;
-use crate::parameters::path_with;
+use crate::parameters::{Name, Parameter, path_with};
 use std::sync::LazyLock;
 
 /// Longer names are not compared: the cost grows with the square.
@@ -21,6 +21,12 @@ pub(crate) fn nearest<'c>(name: &str, candidates: impl Iterator<Item = &'c str>)
 pub(crate) fn path(path: &str, is_table: bool) -> Option<String> {
     let [first, second] = if is_table { [&STRUCTURES, &TEMPLATES] } else { [&TEMPLATES, &STRUCTURES] };
     among(path, first).or_else(|| among(path, second))
+}
+
+/// The path of the parameter that an id names: `P-AXIS-00758`.
+pub(crate) fn of_id(written: &str) -> Option<String> {
+    let is_it = |parameter: &&Parameter| parameter.id.is_some_and(|id| id.eq_ignore_ascii_case(written));
+    Name::ALL.map(Name::parameter).into_iter().find(is_it).map(|parameter| path_with(parameter.path, [0, 0]))
 }
 
 /// A template with the indices that a path has at the same parts.

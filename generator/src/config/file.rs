@@ -1,6 +1,6 @@
-//! Reading a file as bytes, bounded; no content is looked at.
+//! Reading a file, bounded; of its content only the encoding is looked at.
 
-use super::{source::Source, value::shown, values::Setting};
+use super::{encoding, encoding::Encoding, source::Source, value::shown, values::Setting};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
 use std::fs::{self, File};
@@ -83,7 +83,11 @@ pub(crate) fn is_set(path: &Path) -> bool {
 pub(crate) fn read(path: &Path, named_at: Option<&Setting>, load: Load<'_>) -> Result<Arc<Source>, Report> {
     let whole = Place::whole(path.display());
     let unreadable = match load(path) {
-        Ok(bytes) => return Ok(Source::new(&whole.file, bytes)),
+        Ok(bytes) => {
+            // A set is UTF-8, as TOML has it.
+            let (text, encoding) = if is_set(path) { (bytes, Encoding::Plain) } else { encoding::decoded(bytes) };
+            return Ok(Source::new(&whole.file, text, encoding));
+        }
         Err(unreadable) => unreadable,
     };
     let file = shown(&whole.file);
@@ -93,6 +97,8 @@ pub(crate) fn read(path: &Path, named_at: Option<&Setting>, load: Load<'_>) -> R
         Unreadable::TooLarge => {
             error(format!("{file} {found} for a set or an axis list")).allowed(format!("{} MiB", LARGEST >> 20))
         }
+        Unreadable::System(_) if named_at.is_some() => error(format!("{file} {found}"))
+            .allowed("a file that can be read; its path begins at the folder of the set"),
         Unreadable::System(_) => error(format!("{file} {found}")),
     }))
 }

@@ -1,12 +1,15 @@
 //! What a set or a list gives: the values of its top and of each of its axes. Files are read here; nothing is validated.
 
+use super::list::{self, List};
+use super::project::{self, AxisList};
+use super::set::{self, AxisTable};
 use super::value::{self, shown};
 use super::values::{Setting, Values, key};
-use super::{axis_name, file, file::Load, list, set, set::AxisTable, source::Source};
+use super::{axis_name, file, file::Load, other_kind, source::Source};
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::{codes, parameters::Name};
 use rayon::prelude::*;
-use std::{path::Path, sync::Arc};
+use std::{collections::BTreeSet, path::Path, sync::Arc};
 
 /// What no axis list holds, for a list that stands alone.
 #[derive(Clone, Debug, Default)]
@@ -39,10 +42,10 @@ pub(crate) struct GivenAxis {
     pub(crate) report: Report,
 }
 
-/// Reads a TOML set (`.toml`) or one axis list (any other extension).
+/// Reads a TOML set (`.toml`), an axis list or a project of TwinCAT with such lists (any other extension).
 pub(crate) fn read(path: &Path, options: &ListOptions, load: Load<'_>) -> Result<Given, Report> {
     let source = file::read(path, None, load)?;
-    if file::is_set(path) { of_set(path, &source, options, load) } else { Ok(of_list(path, &source, options)) }
+    if file::is_set(path) { of_set(path, &source, options, load) } else { of_lists(path, &source, options) }
 }
 
 fn of_set(path: &Path, source: &Arc<Source>, options: &ListOptions, load: Load<'_>) -> Result<Given, Report> {
@@ -70,11 +73,11 @@ fn of_axis(source: &Arc<Source>, axis: AxisTable<'_>, set: &Path, load: Load<'_>
     let keys = set::values_of(source, axis, &mut report);
     let home = source.place(axis.name_at);
     let mut given = GivenAxis { name: axis.name.to_owned(), home, values: None, foreign: 0, report };
-    match list_of(&keys, set, load) {
+    match list_of(&keys, axis.name, set, load) {
         None => given.values = Some(keys),
         Some(Err(unreadable)) => given.report.extend(unreadable),
-        Some(Ok(source)) => {
-            let list = list::read(&source);
+        Some(Ok(list)) => {
+            let list = read_as_list(&list);
             given.report.extend(list.report);
             given.foreign = list.foreign;
             given.values = list.complete.then(|| list.values.overridden_by(keys));
@@ -84,31 +87,63 @@ fn of_axis(source: &Arc<Source>, axis: AxisTable<'_>, set: &Path, load: Load<'_>
 }
 
 /// The list that an axis of a set names; none: it names none.
-pub(crate) fn list_of(keys: &Values, set: &Path, load: Load<'_>) -> Option<Result<Arc<Source>, Report>> {
+pub(crate) fn list_of(keys: &Values, axis: &str, set: &Path, load: Load<'_>) -> Option<Result<AxisList, Report>> {
     let (list, setting) = keys.text(Name::List)?;
     let path = set.parent().unwrap_or(Path::new("")).join(list);
-    Some(file::read(&path, Some(setting), load))
+    let source = file::read(&path, Some(setting), load);
+    Some(source.and_then(|source| Ok(project::of_axis(project::lists(&source)?, Some(axis))?)))
 }
 
-fn of_list(path: &Path, source: &Arc<Source>, options: &ListOptions) -> Given {
+/// A list, or the lists of a project, of which `--name` chooses one.
+fn of_lists(path: &Path, source: &Arc<Source>, options: &ListOptions) -> Result<Given, Report> {
     let mut report = Report::default();
     let no_cycle_time = "no axis list holds the cycle time of the position controller";
     let no_cycle_time = Diagnostic::error(codes::CYCLE_TIME, source.whole(), no_cycle_time)
         .instead("--cycle-time 1ms, if that is its cycle");
     let top = cycle_time_of(options, &mut report);
-    let name = options.name.clone().unwrap_or_else(|| axis_name::of_file(path));
+    let mut lists = project::lists(source)?;
+    if options.name.is_some() {
+        lists = vec![project::of_axis(lists, options.name.as_deref())?];
+    }
+    let axes: Vec<GivenAxis> = lists.iter().map(|list| of_list(path, list, options, &mut report)).collect();
+    let mut names = BTreeSet::new();
+    for axis in axes.iter().filter(|axis| !names.insert(axis.name.to_ascii_lowercase())) {
+        let found = format!("the project has two axes `{}`", axis.name);
+        report.push(
+            Diagnostic::error(codes::AXIS_TWICE, axis.home.clone(), found).instead("another name for one of them"),
+        );
+    }
+    Ok(Given { top, no_cycle_time, is_list: axes.len() == 1, axes, report })
+}
+
+fn of_list(path: &Path, list: &AxisList, options: &ListOptions, report: &mut Report) -> GivenAxis {
+    let name = name_of(path, list, options, report);
+    let read = read_as_list(list);
+    let values = read.complete.then_some(read.values);
+    GivenAxis { name, home: list.source.whole(), foreign: read.foreign, report: read.report, values }
+}
+
+/// What a list says, or what its file seems to be instead.
+fn read_as_list(list: &AxisList) -> List {
+    let read = list::read(list);
+    match other_kind::instead_of_a_list(list, &read) {
+        Some(said) => List { report: said.into(), complete: false, ..read },
+        None => read,
+    }
+}
+
+/// The name of the axis of a list: that of the command line, of the project, or of the file.
+pub(crate) fn name_of(path: &Path, list: &AxisList, options: &ListOptions, report: &mut Report) -> String {
+    let name = options.name.clone().or_else(|| list.name.clone()).unwrap_or_else(|| axis_name::of_file(path));
     if !axis_name::is_allowed(&name) {
         let found = format!("{} is no name for an axis", shown(&name));
         let said = |place| Diagnostic::error(codes::AXIS_NAME, place, found).allowed(axis_name::ALLOWED);
         report.push(match options.name {
             Some(_) => said(Place::whole("--name")),
-            None => said(source.whole()).instead("--name NAME"),
+            None => said(list.source.whole()).instead("--name NAME"),
         });
     }
-    let list = list::read(source);
-    let values = list.complete.then_some(list.values);
-    let axis = GivenAxis { name, home: source.whole(), foreign: list.foreign, report: list.report, values };
-    Given { top, no_cycle_time, is_list: true, axes: vec![axis], report }
+    name
 }
 
 /// The cycle time of the command line, as if it were a key.

@@ -1,7 +1,8 @@
 //! An axis list as lines, each split into its parts; the parts of all lines together are the file, byte for byte, whatever
 //! the file is. No parameter, no value and no message is here.
 //!
-//! A `#`, or a `(` at the start of a line or behind a blank, begins a comment, in which every byte is legal.
+//! `#`, `(`, `/*`, `;` or `//` begins a comment, in which every byte is legal, to the end of the line; within a string in double
+//! quotes they begin none.
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Line<'a> {
@@ -27,6 +28,7 @@ pub(crate) struct Statement<'a> {
     pub(crate) path: &'a str,
     /// blanks between path and value; none if there is no value
     pub(crate) gap: &'a str,
+    /// the value, and what a controller takes for a comment behind it
     pub(crate) value: &'a str,
     /// blanks before the comment, or before the end
     pub(crate) space: &'a str,
@@ -66,8 +68,17 @@ impl<'a> Iterator for Lines<'a> {
 }
 
 impl Statement<'_> {
+    /// Whether the list ends here: a controller reads nothing behind a line `Ende`.
+    pub(crate) fn is_end(&self) -> bool {
+        self.path.eq_ignore_ascii_case("ende") && self.value.is_empty()
+    }
+
     pub(crate) fn path_at(&self) -> usize {
         self.indent.len()
+    }
+
+    pub(crate) fn comment_at(&self) -> usize {
+        self.value_at() + self.value.len() + self.space.len()
     }
 
     /// Where the value begins in its line, or would begin.
@@ -82,16 +93,10 @@ fn is_legal(byte: u8) -> bool {
 
 /// The parts of a line without its end; `plain` is the file from there on if all of its bytes, but for ends of lines, are legal.
 fn content<'a>(line: &'a [u8], plain: Option<&'a str>) -> Content<'a> {
-    let is_blank = |byte: &u8| matches!(byte, b' ' | b'\t');
-    let mut end = 0;
-    loop {
-        end += memchr::memchr3(b'#', b'(', b'\r', &line[end..]).unwrap_or(line.len() - end);
-        match line.get(end) {
-            Some(b'(') if end > 0 && !is_blank(&line[end - 1]) => end += 1,
-            Some(b'\r') => return Content::Unreadable { text: line, at: first_illegal(line).unwrap_or(end) },
-            _ => break,
-        }
-    }
+    let end = match comment_start(line) {
+        Ok(end) => end,
+        Err(at) => return Content::Unreadable { text: line, at: first_illegal(line).unwrap_or(at) },
+    };
     let (text, comment) = line.split_at(end);
     let text = match plain {
         Some(plain) => &plain[..end],
@@ -109,6 +114,24 @@ fn content<'a>(line: &'a [u8], plain: Option<&'a str>) -> Content<'a> {
     let (path, rest) = statement.split_at(path_end);
     let (gap, value) = rest.split_at(rest.len() - rest.trim_ascii_start().len());
     Content::Statement(Statement { indent, path, gap, value, space, comment })
+}
+
+/// Where the comment of a line begins, or its end; an error is the place of a return, which only a comment may have.
+fn comment_start(line: &[u8]) -> Result<usize, usize> {
+    let mut from = 0;
+    loop {
+        let rest = &line[from..];
+        let plain = memchr::memchr3(b'#', b'(', b';', rest).unwrap_or(rest.len());
+        let Some(at) = memchr::memchr3(b'/', b'"', b'\r', &rest[..plain]) else { return Ok(from + plain) };
+        let behind = &rest[at + 1..];
+        let string = memchr::memchr2(b'"', b'\r', behind).filter(|end| behind[*end] == b'"');
+        from += match (rest[at], behind.first(), string) {
+            (b'\r', ..) => return Err(from + at),
+            (b'/', Some(b'*' | b'/'), _) => return Ok(from + at),
+            (b'"', _, Some(end)) => at + 1 + end + 1,
+            _ => at + 1,
+        };
+    }
 }
 
 fn first_illegal(text: &[u8]) -> Option<usize> {

@@ -2,9 +2,10 @@
 
 use super::lines::{self, Content, Statement};
 use super::path::{self, Path};
+use super::project::AxisList;
 use super::value::{self, Refused};
 use super::values::{Key, Setting, Values};
-use super::{closest, source::Source};
+use super::{closest, odd_line, source::Source};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Kind, Name, Parameter, Scope, Value, path_with};
@@ -22,58 +23,123 @@ pub(crate) struct List {
 /// So many lines that are no lines of a list make it another kind of file: the rest is not read.
 const UNREADABLE_LINES: usize = 20;
 
-pub(crate) fn read(source: &Arc<Source>) -> List {
-    read_lines(source, |_| false)
-}
-
-/// The same for a list whose lines are kept as they are: in the line of a parameter of another function a byte that only a
-/// comment may have is a warning.
-pub(crate) fn read_to_keep(source: &Arc<Source>) -> List {
-    read_lines(source, |before| {
-        let before = before.trim_ascii_start();
-        let end = before.iter().position(|byte| matches!(byte, b' ' | b'\t'));
-        let path = end.and_then(|end| str::from_utf8(&before[..end]).ok());
-        path.is_some_and(|path| {
-            path::find(path) == Path::Foreign && !closest::is_ours(path) && path::with_other_indices(path).is_none()
-        })
-    })
-}
-
-/// Reads a list; `is_tolerated` tells whether a line may have a bad byte behind these.
-fn read_lines(source: &Arc<Source>, is_tolerated: impl Fn(&[u8]) -> bool) -> List {
-    let mut list = List { values: Values::default(), foreign: 0, report: Report::default(), complete: true };
+pub(crate) fn read(list: &AxisList) -> List {
+    let mut reading = Reading {
+        list: List { values: Values::default(), foreign: 0, report: Report::default(), complete: true },
+        source: &list.source,
+        commented: None,
+        is_behind_end: false,
+        is_taken: false,
+    };
     let mut unreadable = 0;
-    for line in lines::split(&source.bytes).1 {
-        let is_readable = match line.content {
-            Content::Remark { .. } => true,
-            Content::Statement(statement) => list.take(source, line.at, &statement),
-            Content::Unreadable { text, at } => {
-                let said = bad_byte(source, line.at + at);
-                let is_foreign = is_tolerated(&text[..at]);
-                list.foreign += usize::from(is_foreign);
-                list.report.push(match is_foreign {
-                    true => Diagnostic::warning(codes::BYTE, said.place, said.found),
-                    false => said,
-                });
-                is_foreign
-            }
-        };
-        unreadable += usize::from(!is_readable);
+    let mut lines = lines::split(list.bytes()).1.peekable();
+    while let Some(line) = lines.next() {
+        let below = lines.peek().map(|line| line.content);
+        unreadable += usize::from(!reading.line(list.range.start + line.at, line.content, below));
         if unreadable == UNREADABLE_LINES {
             let found = format!("{UNREADABLE_LINES} lines that no axis list has; the rest is not read");
-            let said = Diagnostic::error(codes::NO_LIST, source.whole(), found);
-            list.report.push(said.instead("the name of an axis list"));
-            list.complete = false;
+            let said = Diagnostic::error(codes::NO_LIST, list.source.whole(), found);
+            reading.list.report.push(said.instead("the name of an axis list"));
+            reading.list.complete = false;
             break;
         }
     }
-    list
+    reading.list
 }
 
-impl List {
+struct Reading<'s> {
+    list: List,
+    source: &'s Arc<Source>,
+    /// the last line ended with a comment, and whether a line without a sign has been said to continue it
+    commented: Option<bool>,
+    is_behind_end: bool,
+    /// the line was the value of the line above, which has been said
+    is_taken: bool,
+}
+
+impl Reading<'_> {
+    /// Reads a line, above another one; false if it is no line of a list.
+    fn line(&mut self, at: usize, content: Content<'_>, below: Option<Content<'_>>) -> bool {
+        if std::mem::take(&mut self.is_taken) {
+            return true;
+        }
+        let (comment, comment_at) = match content {
+            Content::Remark { indent, comment } => (comment, at + indent.len()),
+            Content::Statement(statement) => (statement.comment, at + statement.comment_at()),
+            Content::Unreadable { .. } => (&[][..], at),
+        };
+        if let Some(said) =
+            odd_line::text_behind(comment).map(|behind| behind_comment(self.source, comment_at + behind))
+        {
+            self.list.report.push(said);
+        }
+        let commented = self.commented.take();
+        self.commented = (!comment.is_empty()).then_some(false);
+        match content {
+            Content::Remark { .. } => true,
+            Content::Statement(statement) if statement.is_end() => {
+                self.is_behind_end = true;
+                true
+            }
+            Content::Statement(statement) if commented.is_some() && odd_line::is_prose(&statement) => {
+                self.wrapped(at, &statement, commented == Some(true));
+                true
+            }
+            Content::Statement(statement) => self.statement(at, &statement, below),
+            Content::Unreadable { text, at: bad } => {
+                // A name or a text of another function may be Latin-1 or UTF-8.
+                let is_kept = text[bad] >= 0x80 && odd_line::is_of_another_function(&text[..bad]);
+                self.list.foreign += usize::from(is_kept);
+                if !is_kept {
+                    self.meant(at, str::from_utf8(text[..bad].trim_ascii_start()).unwrap_or_default());
+                    self.list.report.push(bad_byte(self.source, at + bad));
+                }
+                is_kept
+            }
+        }
+    }
+
+    /// A line that continues the comment of the line above, as manuals print it, which lacks its sign.
+    fn wrapped(&mut self, at: usize, statement: &Statement<'_>, is_said: bool) {
+        self.commented = Some(true);
+        if !is_said {
+            let place = self.source.place(at + statement.path_at());
+            let found = "the line continues the comment above, and has no sign of a comment".to_owned();
+            let instead = format!("# {} {}", statement.path, statement.value);
+            self.list.report.push(Diagnostic::warning(codes::WRAPPED, place, found).instead(instead.trim_ascii_end()));
+        }
+    }
+
+    /// A line with a path.
+    fn statement(&mut self, at: usize, statement: &Statement<'_>, below: Option<Content<'_>>) -> bool {
+        let place = || self.source.place(at + statement.path_at());
+        if self.is_behind_end {
+            if matches!(path::find(statement.path), Path::Known { .. }) {
+                let found = format!("`{}` stands behind `Ende`, where the list ends", statement.path);
+                let said = Diagnostic::error(codes::BEHIND_END, place(), found);
+                self.list.report.push(said.instead("the line before `Ende`"));
+            }
+            return true;
+        }
+        if let Some(input) = odd_line::nc_word(statement.path) {
+            let found = format!("{} is a word of an NC program; no axis list has it", value::shown(statement.path));
+            let instead = format!("the input `{input}` of the block feedforward, or axis, at run time");
+            self.list.report.push(Diagnostic::error(codes::NC_WORD, place(), found).instead(instead));
+            return true;
+        }
+        if let Some((found, instead)) = odd_line::value_below(statement, below) {
+            let said = Diagnostic::error(codes::NO_VALUE, place(), found).allowed("path and value in one line");
+            self.meant(at, &instead);
+            self.list.report.push(said.instead(instead));
+            self.is_taken = true;
+            return true;
+        }
+        self.take(at, statement)
+    }
+
     /// Takes what a line says; false if it is no line of a list.
-    fn take(&mut self, source: &Arc<Source>, start: usize, statement: &Statement<'_>) -> bool {
-        let written = statement.path;
+    fn take(&mut self, start: usize, statement: &Statement<'_>) -> bool {
+        let (written, source) = (statement.path, self.source);
         let place = || source.place(start + statement.path_at());
         let error = |code, found: String| Diagnostic::error(code, place(), found);
         let unknown = |what: &str, instead| {
@@ -87,19 +153,24 @@ impl List {
                 error(codes::KEY_OF_A_SET, found).instead(instead_of_key(name, index))
             }
             Path::Known { name, index, spelling, .. } => {
-                self.give(source, start, statement, (name, index), spelling);
+                self.give(start, statement, (name, index), spelling);
                 return true;
             }
             Path::OutOfRange { name, .. } => out_of_range(name, written, place()),
             Path::Foreign => match path::with_other_indices(written) {
-                _ if let Some(instead) = with_underscores(statement) => {
+                _ if let Some(instead) = odd_line::with_underscores(statement) => {
                     unknown("not known: its name has `_` where the line has blanks", Some(instead))
                 }
                 Some(known) => unknown("not known", Some(closest::with_indices_of(known, written))),
                 // Mostly so, and asked once: comparing letters takes its time.
                 None if !closest::is_ours(written) => {
-                    self.foreign += 1;
-                    return true;
+                    self.list.foreign += 1;
+                    if written.contains('.') || !statement.value.contains(' ') || statement.value.starts_with('=') {
+                        return true;
+                    }
+                    let found = "words without the sign of a comment: no parameter has such a path".to_owned();
+                    let instead = format!("# {written} {}", statement.value);
+                    Diagnostic::warning(codes::WRAPPED, place(), found).instead(instead)
                 }
                 None if path::is_structure(written) => {
                     unknown("a structure: its parameters have values", closest::first_below(written))
@@ -107,72 +178,86 @@ impl List {
                 None => match closest::path(written, false) {
                     Some(known) => unknown("not known", Some(known)),
                     None => {
-                        self.foreign += 1;
+                        self.list.foreign += 1;
                         let found = format!("{} is not known, and passed over", value::shown(written));
                         Diagnostic::warning(codes::PASSED_OVER, place(), found)
                     }
                 },
             },
             Path::Malformed => {
-                let found = format!("{} is no path", value::shown(written));
-                let has_equals = written.contains('=') || statement.value.starts_with('=');
-                let instead = has_equals.then(|| "the same without `=`".to_owned());
+                let (found, instead) = odd_line::malformed(statement);
                 Diagnostic { instead, ..error(codes::LINE, found).allowed("path value # comment") }
             }
         };
-        self.report.push(said);
+        if let (codes::UNKNOWN, Some(instead)) = (said.code, &said.instead) {
+            self.meant(start + statement.path_at(), instead);
+        }
+        self.list.report.push(said);
         path != Path::Malformed
     }
 
+    /// The parameter that a line was meant to give is not missing: that would be a second message about one mistake.
+    fn meant(&mut self, at: usize, instead: &str) {
+        let path = instead.split([' ', '\t']).next().unwrap_or_default();
+        let Path::Known { name, index, spelling, .. } = path::find(path) else { return };
+        let source = Arc::clone(self.source);
+        let setting = Setting { value: None, refused: None, spelling, source, path_at: at, value_at: at };
+        if self.list.values.get((name, index)).is_none() {
+            self.list.values.insert((name, index), setting);
+        }
+    }
+
     /// Takes the value of a parameter.
-    fn give(&mut self, source: &Arc<Source>, start: usize, line: &Statement<'_>, key: Key, spelling: &'static str) {
+    fn give(&mut self, start: usize, line: &Statement<'_>, key: Key, spelling: &'static str) {
+        let source = self.source;
         let (written, parameter) = (line.path, key.0.parameter());
-        let (path_at, value_at) = (start + line.path_at(), start + line.value_at());
+        let spelled = value::spelled(parameter, line.value);
+        let (path_at, value_at) = (start + line.path_at(), start + line.value_at() + spelled.at);
+        if !spelled.behind.is_empty() {
+            let place = source.place(start + line.value_at() + spelled.behind_at);
+            let unit = if parameter.unit.is_empty() { String::new() } else { format!(" [{}]", parameter.unit) };
+            let (text, behind) = (value::shown(spelled.text), value::shown(spelled.behind));
+            let found = format!("a controller takes {behind} for a comment: the value is {text}{unit}");
+            let said = Diagnostic::warning(codes::TEXT_BEHIND, place, found);
+            self.list.report.push(said.instead(format!("{written} {} # {}", spelled.text, spelled.behind)));
+        }
         if parameter.misprints.contains(&spelling) {
             let found = format!("`{written}` is a misprint of the manual");
             let said = Diagnostic::warning(codes::MISPRINT, source.place(path_at), found);
-            self.report.push(said.instead(path_with(parameter.path, key.1)));
+            self.list.report.push(said.instead(path_with(parameter.path, key.1)));
         }
         let mut setting =
             Setting { value: None, refused: None, spelling, source: Arc::clone(source), path_at, value_at };
-        match value_of(parameter, line) {
+        let with_radix =
+            value::with_radix(parameter, line.value.as_bytes(), line.comment).filter(|_| line.space.is_empty());
+        match with_radix.map_or_else(|| value_of(parameter, written, spelled.text), Err) {
             Ok(value) => setting.value = Some(value),
             Err(refused) => {
                 let refused = refused.diagnostic(key.0, written, setting.value_place());
                 // `=` begins what `import` leaves in the place of a value: it is never one of another function's.
-                if parameter.is_shared && !line.value.starts_with('=') {
+                if parameter.is_shared && !spelled.text.starts_with('=') {
                     // Said where something uses it.
                     setting.refused = Some(refused);
                 } else {
-                    self.report.push(refused);
+                    self.list.report.push(refused);
                 }
             }
         }
-        if let Some(first) = self.values.insert(key, setting) {
+        if let Some(first) = self.list.values.insert(key, setting) {
             let found = format!("`{written}` is given twice, first in line {}", first.path_place().line);
             let said = Diagnostic::error(codes::GIVEN_TWICE, source.place(path_at), found);
-            self.report.push(said.instead("one of the two lines"));
+            self.list.report.push(said.instead("one of the two lines"));
         }
     }
 }
 
-/// A line whose path has blanks where underscores belong, with underscores: `weight fact denom 200`.
-fn with_underscores(line: &Statement<'_>) -> Option<String> {
-    // A number after the path is its value; no name of ours is as long as the bound, which keeps a long line cheap.
-    let is_word = |text: &str| text.starts_with(|letter: char| letter.is_ascii_alphabetic());
-    let (mut path, mut rest) = (if is_word(line.value) { line.path.to_owned() } else { return None }, line.value);
-    while path.len() < 128 && is_word(rest) {
-        let word = &rest[..rest.find([' ', '\t']).unwrap_or(rest.len())];
-        rest = rest[word.len()..].trim_ascii_start();
-        path.extend(["_", word]);
-        if matches!(path::find(&path), Path::Known { .. }) {
-            return Some(format!("{path} {rest}").trim_ascii_end().to_owned());
-        }
-    }
-    None
+fn behind_comment(source: &Source, at: usize) -> Diagnostic {
+    let found = "text behind `*/`: a comment ends with its line, and the controller does not read the text";
+    let said = Diagnostic::error(codes::COMMENT, source.place(at), found);
+    said.allowed("a comment to the end of the line").instead("the text in a line of its own")
 }
 
-fn value_of(parameter: &Parameter, &Statement { path, value: text, .. }: &Statement<'_>) -> Result<Value, Refused> {
+fn value_of(parameter: &Parameter, path: &str, text: &str) -> Result<Value, Refused> {
     let refused = |code, found, instead| Err(Refused { code, found, allowed: parameter.allowed(), instead });
     if text.is_empty() {
         refused(codes::NO_VALUE, "has no value".to_owned(), None)
@@ -180,7 +265,7 @@ fn value_of(parameter: &Parameter, &Statement { path, value: text, .. }: &Statem
         let instead = Some(format!("{path} {}", rest.trim_ascii_start()));
         refused(codes::LINE, format!("is {}: a list has no `=`", value::shown(text)), instead)
     } else if text.contains([' ', '\t']) && !matches!(parameter.kind, Kind::Flags(_)) {
-        refused(codes::LINE, format!("is {}: more than one value", value::shown(text)), None)
+        refused(codes::LINE, format!("is {}: more than one value", value::shown(text)), value::without_groups(text))
     } else {
         value::of_text(parameter, text)
     }
@@ -195,10 +280,9 @@ pub(super) fn out_of_range(name: Name, written: &str, place: Place) -> Diagnosti
 }
 
 fn bad_byte(source: &Source, at: usize) -> Diagnostic {
-    let found = format!("byte 0x{:02X} outside of a comment", source.bytes[at]);
-    Diagnostic::error(codes::BYTE, source.place(at), found)
-        .allowed("printable ASCII and tabs; any byte in a comment")
-        .instead("the line without it, or a `#` before the comment")
+    let (what, instead) = odd_line::bad_character(&source.bytes[at..]);
+    let said = Diagnostic::error(codes::BYTE, source.place(at), format!("{what} outside of a comment"));
+    said.allowed("printable ASCII and tabs; any byte in a comment").instead(instead)
 }
 
 fn instead_of_key(name: Name, index: [u32; 2]) -> String {

@@ -1,9 +1,12 @@
 //! From files to the values that they give, each with its place: a TOML set or one axis list. No rule is here.
 //!
 //! ```text
-//! file         a file's bytes, bounded             source   byte -> line, column
+//! file         a file's bytes, bounded             encoding bytes <-> text
+//! source       byte -> line, column                project  where a file has its axis lists
 //! lines        a list's bytes <-> the parts of its lines
 //! list, set    lines or tables -> (path, text)
+//! toml_fault   what TOML's parser refuses, in words
+//! odd_line     what a line without a parameter is  other_kind what a file that is no list seems to be
 //! path         path -> parameter and indices       closest  the name that was meant
 //! value        text -> value of the parameter's kind
 //! values       what was given, each with its place
@@ -12,19 +15,32 @@
 
 pub(crate) mod axis_name;
 pub(crate) mod closest;
+pub(crate) mod encoding;
 pub(crate) mod file;
 pub(crate) mod given;
 pub(crate) mod lines;
 pub(crate) mod list;
+pub(crate) mod odd_line;
+pub(crate) mod other_kind;
 pub(crate) mod path;
+pub(crate) mod project;
 pub(crate) mod set;
 pub(crate) mod source;
+pub(crate) mod toml_fault;
 pub(crate) mod value;
 pub(crate) mod values;
 
 pub use file::{LARGEST_SAMPLES, Load, Unreadable, load, load_from, load_up_to};
 pub use given::ListOptions;
+
+/// The text of a file as messages show it, whatever its encoding is.
+pub fn text(bytes: Vec<u8>) -> Vec<u8> {
+    encoding::decoded(bytes).0
+}
+
+pub(crate) use encoding::Encoding;
+pub(crate) use project::AxisList;
 pub(crate) use set::AxisTable;
 pub(crate) use source::Source;
-pub(crate) use value::{of_text, of_toml, shown};
+pub(crate) use value::{of_text, of_toml, shown, spelled};
 pub(crate) use values::{Key, Setting, Values, key};

@@ -83,11 +83,18 @@ static STRUCTURES: LazyLock<BTreeSet<String>> = LazyLock::new(|| {
     templates().map(without_indices).flat_map(prefixes).collect()
 });
 
-/// The template that a path would name with other indices, in letters that look alike: `getriebe[i].kv` for `getriebe.kv`.
+/// The template that a path would name with other indices, in letters that look alike, or with the structures before it:
+/// `getriebe[i].kv` for `getriebe.kv` and for `kv`.
 pub(super) fn with_other_indices(path: &str) -> Option<&'static str> {
     let end = last_name(path);
-    let mut alike = BARE.get(drawer(end.len(), end))?.iter();
-    alike.find(|(bare, _)| letters(path, false).map(look).eq(bare.chars())).map(|(_, template)| *template)
+    let drawer = BARE.get(drawer(end.len(), end)).filter(|drawer| !drawer.is_empty())?;
+    let length = letters(path, false).count();
+    let is_end = |bare: &str| {
+        let start = bare.len().checked_sub(length);
+        let is_part = |start: usize| start == 0 || bare.as_bytes()[start - 1] == b'.';
+        start.is_some_and(|start| is_part(start) && letters(path, false).map(look).eq(bare[start..].chars()))
+    };
+    drawer.iter().find(|(bare, _)| is_end(bare)).map(|(_, template)| *template)
 }
 
 /// The last part of a path without its index.

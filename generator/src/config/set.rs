@@ -2,7 +2,7 @@
 
 use super::path::{self, Path};
 use super::values::{Setting, Values};
-use super::{axis_name, closest, list, source::Source, value};
+use super::{axis_name, closest, list, other_kind, source::Source, toml_fault, value};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Name, Scope, path_with};
@@ -17,20 +17,20 @@ pub(crate) struct AxisTable<'a> {
     pub(crate) table: &'a DeTable<'a>,
 }
 
-/// More faults of syntax than these are not listed: they follow from the first.
-const SYNTAX_FAULTS: usize = 20;
-
 /// Parses the file; none: it is no TOML, which has been said.
 pub(crate) fn parse<'s>(source: &'s Source, report: &mut Report) -> Option<Spanned<DeTable<'s>>> {
     let text = str::from_utf8(&source.bytes).map_err(|error| {
         let place = source.place(error.valid_up_to());
         report.push(Diagnostic::error(codes::UTF8, place, "not UTF-8").allowed("a TOML file is UTF-8"));
     });
-    let (table, errors) = DeTable::parse_recoverable(text.ok()?);
-    for error in errors.iter().take(SYNTAX_FAULTS) {
-        let place = source.place(error.span().map_or(0, |span| span.start).min(source.bytes.len()));
-        report.push(Diagnostic::error(codes::SYNTAX, place, format!("no TOML: {}", error.message())));
+    let text = text.ok()?;
+    let (table, errors) = DeTable::parse_recoverable(text);
+    if let Some(said) = other_kind::instead_of_a_set(source).filter(|_| !errors.is_empty()) {
+        report.push(said);
+        return None;
     }
+    let faults = errors.iter().map(|error| (error.span().map_or(0, |span| span.start), error.message().to_owned()));
+    report.diagnostics.extend(toml_fault::said(source, text, faults));
     errors.is_empty().then_some(table)
 }
 
@@ -144,8 +144,14 @@ fn setting(
     (written, value): (&str, &Spanned<DeValue<'_>>),
     report: &mut Report,
 ) -> Setting {
+    let span = value.span();
+    let with_radix = value::with_radix(name.parameter(), &source.bytes[span.clone()], &source.bytes[span.end..]);
+    let read = match with_radix {
+        Some(refused) => Err(vec![(span.start, refused)]),
+        None => value::of_toml(name.parameter(), value),
+    };
     // A list may have a value that nobody can read for other functions; a set is written for us, and none of its keys is.
-    let read = value::of_toml(name.parameter(), value).map_err(|wrong| {
+    let read = read.map_err(|wrong| {
         let said = wrong.into_iter().map(|(at, refused)| refused.diagnostic(name, written, source.place(at)));
         report.diagnostics.extend(said);
     });
@@ -176,7 +182,8 @@ fn unknown(path: &str, value: &DeValue<'_>, place: Place) -> Diagnostic {
         _ => {
             let is_table = matches!(value, DeValue::Table(_) | DeValue::Array(_));
             let alike = path::with_other_indices(path).map(|known| closest::with_indices_of(known, path));
-            ("not known", alike.or_else(|| closest::path(path, is_table)))
+            let meant = closest::of_id(path).or(alike).or_else(|| closest::path(path, is_table));
+            ("not known", meant)
         }
     };
     Diagnostic { instead, ..Diagnostic::error(codes::UNKNOWN, place, format!("{shown} is {what}")) }

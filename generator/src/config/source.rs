@@ -1,12 +1,16 @@
-//! A file's bytes with the way from a byte to its line and column; no syntax is known here.
+//! A file's text with the way from a byte to its line and column; no syntax is known here.
 
+use super::encoding::Encoding;
 use crate::diagnostics::Place;
 use std::sync::{Arc, OnceLock};
 
 #[derive(Debug)]
 pub(crate) struct Source {
     pub(crate) name: String,
+    /// as they are decoded
     pub(crate) bytes: Vec<u8>,
+    /// how the file has them
+    pub(crate) encoding: Encoding,
     /// whether it is an option of the command line, which has no lines
     is_option: bool,
     /// found when the first message needs them
@@ -24,13 +28,14 @@ struct Lines {
 }
 
 impl Source {
-    pub(crate) fn new(name: &str, bytes: Vec<u8>) -> Arc<Self> {
-        Arc::new(Self { name: name.to_owned(), bytes, is_option: false, lines: OnceLock::new() })
+    pub(crate) fn new(name: &str, bytes: Vec<u8>, encoding: Encoding) -> Arc<Self> {
+        Arc::new(Self { name: name.to_owned(), bytes, encoding, is_option: false, lines: OnceLock::new() })
     }
 
     pub(crate) fn option(name: &str, value: &str) -> Arc<Self> {
         let bytes = value.as_bytes().to_vec();
-        Arc::new(Self { name: name.to_owned(), bytes, is_option: true, lines: OnceLock::new() })
+        let (name, encoding) = (name.to_owned(), Encoding::Plain);
+        Arc::new(Self { name, bytes, encoding, is_option: true, lines: OnceLock::new() })
     }
 
     pub(crate) fn whole(&self) -> Place {

@@ -3,7 +3,7 @@
 use super::closest;
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place};
-use crate::parameters::{Kind, Name, Parameter, Value, Word};
+use crate::parameters::{Kind, Name, Parameter, Value, Word, real_text};
 use std::borrow::Cow;
 use toml::{Spanned, de::DeValue};
 
@@ -24,6 +24,76 @@ impl Refused {
         let found = format!("`{written}`{id} {}", self.found);
         Diagnostic { instead: self.instead, ..Diagnostic::error(self.code, place, found).allowed(self.allowed) }
     }
+}
+
+/// The value that begins what a line has behind its path, without the quotes of a string; what a controller takes for a comment
+/// behind it; and where both stand.
+pub(crate) struct Spelled<'t> {
+    pub(crate) text: &'t str,
+    pub(crate) at: usize,
+    pub(crate) behind: &'t str,
+    pub(crate) behind_at: usize,
+}
+
+pub(crate) fn spelled<'t>(parameter: &Parameter, line: &'t str) -> Spelled<'t> {
+    if let Some(end) = line.strip_prefix('"').and_then(|string| string.find('"')) {
+        let behind = line[end + 2..].trim_ascii_start();
+        return Spelled { text: &line[1..=end], at: 1, behind, behind_at: line.len() - behind.len() };
+    }
+    let end = match parameter.kind {
+        Kind::Words(words) | Kind::Flags(words) if !line.starts_with(|c: char| c.is_ascii_digit()) => {
+            end_of_words(words, line)
+        }
+        _ => end_of_word(line),
+    };
+    let (text, rest) = line.split_at(end);
+    let behind = rest.trim_ascii_start();
+    // A second value, groups of digits or a decimal comma behind a blank are no comment: what a controller reads is not what was meant.
+    let second = &behind[..end_of_word(behind)];
+    let is_digits = second.starts_with(|c: char| c.is_ascii_digit() || c == '.' || c == ',') && is_number(text);
+    if is_digits || line.starts_with('=') || of_text(parameter, second).is_ok() && !second.is_empty() {
+        return Spelled { text: line, at: 0, behind: "", behind_at: line.len() };
+    }
+    Spelled { text, at: 0, behind, behind_at: line.len() - behind.len() }
+}
+
+fn end_of_word(text: &str) -> usize {
+    text.find([' ', '\t']).unwrap_or(text.len())
+}
+
+/// The end of the words of a parameter at the start of a text; of all of it if a word behind them resembles one.
+fn end_of_words(words: &'static [Word], line: &str) -> usize {
+    let is_between = |c: char| c.is_ascii_whitespace() || c == '|';
+    let mut end = 0;
+    loop {
+        let rest = line[end..].trim_start_matches(is_between);
+        let word = rest.split(is_between).next().unwrap_or_default();
+        let is_known = words.iter().any(|known| known.spellings().any(|name| name.eq_ignore_ascii_case(word)));
+        let is_meant = end == 0
+            || line[end..].trim_start().starts_with('|')
+            || closest::nearest(word, words.iter().map(|word| word.name)).is_some();
+        match () {
+            () if word.is_empty() => return end,
+            () if is_known => end = line.len() - rest.len() + word.len(),
+            () if is_meant => return line.len(),
+            () => return end,
+        }
+    }
+}
+
+/// A number of IEC 61131-3 with its radix, `16#3E8`, of which only the radix would be read: the rest is a comment.
+pub(crate) fn with_radix(parameter: &Parameter, text: &[u8], behind: &[u8]) -> Option<Refused> {
+    let length =
+        behind.strip_prefix(b"#")?.iter().take_while(|byte| byte.is_ascii_hexdigit() || **byte == b'_').count();
+    let (radix, digits) = (str::from_utf8(text).ok()?, str::from_utf8(&behind[1..=length]).ok()?);
+    let number = radix.parse().ok().filter(|radix| [2, 8, 16].contains(radix))?;
+    let number = i64::from_str_radix(&digits.replace('_', ""), number).ok()?;
+    let found = format!("is `{radix}#{digits}`: `#` begins a comment");
+    Some(Refused { code: codes::NUMBER, found, allowed: parameter.allowed(), instead: Some(number.to_string()) })
+}
+
+pub(crate) fn is_number(text: &str) -> bool {
+    real(text).is_some()
 }
 
 /// The value of a parameter in an axis list, or of a default.
@@ -64,7 +134,13 @@ fn toml_types(kind: Kind) -> (&'static str, &'static [&'static str]) {
 /// A text from a file, fit for a message: on one line, and not too long.
 pub(crate) fn shown(text: &str) -> String {
     const LONGEST: usize = 100;
-    let start: String = text.chars().take(LONGEST).flat_map(char::escape_debug).collect();
+    let mut start = String::new();
+    for letter in text.chars().take(LONGEST) {
+        match letter {
+            '"' | '\'' | '\\' => start.push(letter),
+            other => start.extend(other.escape_debug()),
+        }
+    }
     let dots = if text.chars().nth(LONGEST).is_some() { "..." } else { "" };
     format!("`{start}{dots}`")
 }
@@ -167,7 +243,7 @@ fn of_integer(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
             code: if too_large { codes::RANGE } else { codes::NUMBER },
             found: format!("is {}{}", shown(text), if too_large { "" } else { ", no whole number" }),
             allowed: format!("a whole number, {}", parameter.allowed()),
-            instead: None,
+            instead: without_groups(text).or_else(|| without_unit(parameter, text)),
         }
     })
 }
@@ -177,8 +253,33 @@ fn of_real(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
         code: codes::NUMBER,
         found: format!("is {}, no finite number", shown(text)),
         allowed: format!("a number, {}", parameter.allowed()),
-        instead: real(&text.replace(',', ".")).map(|_| text.replace(',', ".")),
+        instead: without_groups(text).or_else(|| without_unit(parameter, text)),
     })
+}
+
+/// A number that was written with groups of digits, or with a decimal comma, as a list has it.
+pub(crate) fn without_groups(text: &str) -> Option<String> {
+    let grouped = |sign: char| {
+        let mut groups = text.split(sign);
+        let first = groups.next().filter(|first| is_number(first) && first.len() <= 4)?;
+        let rest: Vec<&str> = groups.collect();
+        let is_group = |group: &&str| group.len() == 3 && group.bytes().all(|byte| byte.is_ascii_digit());
+        (!rest.is_empty() && rest.iter().all(is_group)).then(|| [&[first], rest.as_slice()].concat().concat())
+    };
+    let point = text.trim_end_matches(',').replace([' ', '\t'], "").replace(',', ".");
+    let point = (text.contains(',') && is_number(&point)).then_some(point);
+    [' ', '\'', '_', '.'].into_iter().find_map(grouped).or(point)
+}
+
+/// A number that was written with its unit, in the unit of the parameter.
+fn without_unit(parameter: &Parameter, text: &str) -> Option<String> {
+    let (number, unit) = text.split_at(text.find(|c: char| !c.is_ascii_digit() && c != '.')?);
+    let value = real(number)?;
+    match unit {
+        "%" if parameter.unit == "0.1 %" => Some(real_text(value * 10.0)),
+        _ if unit == parameter.unit || unit == "f" => Some(number.to_owned()),
+        _ => None,
+    }
 }
 
 /// Decimal or 0x, with a sign.

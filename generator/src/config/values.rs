@@ -47,6 +47,10 @@ impl Values {
         self.settings.get(&key)
     }
 
+    pub(crate) fn is_empty(&self) -> bool {
+        self.settings.is_empty()
+    }
+
     /// Takes a value, unless there is one: then gives that one.
     pub(crate) fn insert(&mut self, key: Key, setting: Setting) -> Option<&Setting> {
         match self.settings.entry(key) {

@@ -1,41 +1,36 @@
-//! The lines of a list, arbitrary bytes, as a text of TOML, and back; which lines they are does not matter.
+//! The text of a file around and in a list as texts of TOML; which lines they are does not matter.
 
-/// Lines that a text of TOML can hold.
+use crate::config::Encoding;
+use crate::parameters::words::ListEncoding;
+
+/// What stands before a list in its file, the list, and what stands behind it.
 pub(super) struct Encoded {
-    /// the lines, with `\n` where a line ends
-    pub(super) text: String,
-    /// a character stands for the byte of its number (latin-1); else for its bytes in UTF-8
-    pub(super) latin_1: bool,
+    /// with `\n` where a line ends
+    pub(super) text: [String; 3],
+    pub(super) encoding: ListEncoding,
     /// a `\n` stands for `\r\n`
     pub(super) crlf: bool,
 }
 
-/// Bytes as text: in UTF-8 if they are that.
-pub(super) fn encoded(bytes: &[u8]) -> Encoded {
-    let (text, latin_1) = match str::from_utf8(bytes) {
-        Ok(text) => (text.to_owned(), false),
-        Err(_) => (latin_1(bytes), true),
+/// The parts of a file as texts: in UTF-8 if they are that, else each byte is the character of its number (latin-1).
+pub(super) fn encoded(parts: [&[u8]; 3], file: Encoding) -> Encoded {
+    let is_utf_8 = parts.iter().all(|part| str::from_utf8(part).is_ok());
+    let encoding = match file {
+        Encoding::Plain if is_utf_8 => ListEncoding::Utf8,
+        Encoding::Plain | Encoding::Latin1 => ListEncoding::Latin1,
+        Encoding::Utf16LittleEnd => ListEncoding::Utf16LittleEnd,
+        Encoding::Utf16BigEnd => ListEncoding::Utf16BigEnd,
     };
-    let ends = text.matches('\n').count();
-    let crlf = ends > 0 && text.matches("\r\n").count() == ends;
-    Encoded { text: if crlf { text.replace("\r\n", "\n") } else { text }, latin_1, crlf }
+    let text =
+        parts.map(|part| str::from_utf8(part).ok().filter(|_| is_utf_8).map_or_else(|| latin_1(part), str::to_owned));
+    let count = |end| text.iter().map(|text| text.matches(end).count()).sum::<usize>();
+    let crlf = count("\n") > 0 && count("\r\n") == count("\n");
+    Encoded { text: if crlf { text.map(|text| text.replace("\r\n", "\n")) } else { text }, encoding, crlf }
 }
 
 /// Each byte as the character of its number.
 pub(super) fn latin_1(bytes: &[u8]) -> String {
     bytes.iter().copied().map(char::from).collect()
-}
-
-impl Encoded {
-    /// The bytes, or the first character that is none of latin-1.
-    pub(super) fn bytes(&self) -> Result<Vec<u8>, char> {
-        let text = if self.crlf { self.text.replace('\n', "\r\n") } else { self.text.clone() };
-        if self.latin_1 {
-            text.chars().map(|character| u8::try_from(u32::from(character)).map_err(|_| character)).collect()
-        } else {
-            Ok(text.into_bytes())
-        }
-    }
 }
 
 /// A text as a string of TOML over several lines. What an editor could change unseen is written as an escape: control

@@ -1,9 +1,8 @@
 //! An axis of a set as an axis list: which lines it came from, and which values it has now. No line is written here.
 
-use super::encoding::Encoded;
 use super::fill::Filling;
-use crate::config::{AxisTable, Load, Source, Values, file, given, list, set, shown};
-use crate::diagnostics::{Diagnostic, Report};
+use crate::config::{AxisTable, Encoding, Load, Source, Values, file, given, list, project, set, shown};
+use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::words::{LineEnd, ListEncoding};
 use crate::{codes, parameters::Name};
 use std::{path::Path, sync::Arc};
@@ -14,10 +13,7 @@ pub fn export(path: &Path, axis: Option<&str>, load: Load<'_>) -> (Option<Vec<u8
     let mut report = Report::default();
     let list = match file::read(path, None, load) {
         Ok(source) if file::is_set(path) => of_set(&source, path, axis, load, &mut report),
-        Ok(source) => {
-            report.extend(list::read_to_keep(&source).report);
-            Some(source.bytes.clone())
-        }
+        Ok(source) => as_it_is(&source, &mut report),
         Err(unreadable) => return (None, unreadable),
     };
     (list.filter(|_| !report.has_errors()), report)
@@ -37,19 +33,33 @@ fn of_set(
     if report.has_errors() {
         return None;
     }
-    let Some(list) = given::list_of(&keys, path, load) else {
-        let base = imported(&keys).map_err(|refused| report.extend(refused)).ok()?;
-        return Filling { values: top.overridden_by(keys), report }.list(base.as_deref());
+    let Some(list) = given::list_of(&keys, axis.name, path, load) else {
+        let base = imported(&keys).map_err(|refused| report.push(refused)).ok()?;
+        let filling = Filling { values: top.overridden_by(keys), report };
+        let Some(Imported { text: [before, lines, behind], encoding, place }) = base else { return filling.list(None) };
+        let list = filling.list(Some(&lines))?;
+        return file_of([&before, &list, &behind], encoding, &place, report);
     };
     let list = list.map_err(|unreadable| report.extend(unreadable)).ok()?;
-    let read = list::read_to_keep(&list);
+    let read = list::read(&list);
     report.extend(read.report);
     // Their lines stay as they are.
     report.diagnostics.extend(read.values.unread(&Report::default()));
     if report.has_errors() {
         return None;
     }
-    Filling { values: read.values.overridden_by(keys), report }.list(Some(&list.bytes))
+    let filled = Filling { values: read.values.overridden_by(keys), report }.list(Some(list.bytes()))?;
+    let [before, behind] = list.around();
+    file_of([before, &filled, behind], list.source.encoding, &list.source.whole(), report)
+}
+
+/// The bytes of a list or a project, if its lists can be read.
+fn as_it_is(source: &Arc<Source>, report: &mut Report) -> Option<Vec<u8>> {
+    let lists = project::lists(source).map_err(|refused| report.push(refused)).ok()?;
+    for list in lists {
+        report.extend(list::read(&list).report);
+    }
+    file_of([&source.bytes, b"", b""], source.encoding, &source.whole(), report)
 }
 
 fn named<'a>(
@@ -74,17 +84,45 @@ fn named<'a>(
     None
 }
 
-/// The lines of the list that the axis was imported from, if it was.
-fn imported(keys: &Values) -> Result<Option<Vec<u8>>, Report> {
-    let Some((text, setting)) = keys.text(Name::ImportedLines) else { return Ok(None) };
+/// The file that an axis was imported from: what stands before its list, the list, and what stands behind it.
+struct Imported {
+    text: [Vec<u8>; 3],
+    encoding: Encoding,
+    place: Place,
+}
+
+fn imported(keys: &Values) -> Result<Option<Imported>, Diagnostic> {
+    let Some((_, setting)) = keys.text(Name::ImportedLines) else { return Ok(None) };
+    let place = setting.value_place();
     // An editor, or a version control, may have saved the whole set with other line ends.
     let is_saved = setting.source.bytes[setting.value_at..].starts_with(b"\"\"\"\r\n");
-    let text = if is_saved { text.replace("\r\n", "\n") } else { text.to_owned() };
-    let latin_1 = keys.word(Name::ImportedEncoding) == Some(ListEncoding::Latin1);
     let crlf = keys.word(Name::ImportedLineEnd) == Some(LineEnd::CrLf);
-    Encoded { text, latin_1, crlf }.bytes().map(Some).map_err(|character| {
+    let text = [Name::ImportedBefore, Name::ImportedLines, Name::ImportedBehind].map(|name| {
+        let text = keys.text(name).map_or("", |(text, _)| text);
+        let text = if is_saved { text.replace("\r\n", "\n") } else { text.to_owned() };
+        if crlf { text.replace('\n', "\r\n") } else { text }.into_bytes()
+    });
+    let encoding = match keys.word(Name::ImportedEncoding).unwrap_or(ListEncoding::Utf8) {
+        ListEncoding::Utf8 => Encoding::Plain,
+        ListEncoding::Latin1 => {
+            let [before, lines, behind] = text.map(|text| encoded(text, Encoding::Latin1, &place));
+            return Ok(Some(Imported { text: [before?, lines?, behind?], encoding: Encoding::Plain, place }));
+        }
+        ListEncoding::Utf16LittleEnd => Encoding::Utf16LittleEnd,
+        ListEncoding::Utf16BigEnd => Encoding::Utf16BigEnd,
+    };
+    Ok(Some(Imported { text, encoding, place }))
+}
+
+fn encoded(text: Vec<u8>, encoding: Encoding, place: &Place) -> Result<Vec<u8>, Diagnostic> {
+    encoding.encoded(text).map_err(|character| {
         let found = format!("the lines have the character {character:?}, which is none of latin-1");
-        let said = Diagnostic::error(codes::BYTE, setting.value_place(), found);
-        Report::from(said.allowed("characters up to U+00FF, or another encoding"))
+        let said = Diagnostic::error(codes::BYTE, place.clone(), found);
+        said.allowed("characters up to U+00FF, or another encoding")
     })
+}
+
+/// The bytes of a file with these parts.
+fn file_of(parts: [&[u8]; 3], encoding: Encoding, place: &Place, report: &mut Report) -> Option<Vec<u8>> {
+    encoded(parts.concat(), encoding, place).map_err(|refused| report.push(refused)).ok()
 }

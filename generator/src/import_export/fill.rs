@@ -4,7 +4,7 @@ use super::slot::{self, HOLE, OWN, Slot};
 use super::spelling;
 use crate::codes;
 use crate::config::lines::{self, Content, Line, Statement};
-use crate::config::{Key, Setting, Source, Values, key, list, of_text};
+use crate::config::{AxisList, Encoding, Key, Setting, Source, Values, key, list, of_text};
 use crate::diagnostics::{Diagnostic, Report, Severity};
 use crate::parameters::{Name, Parameter, Scope, Value, path_with};
 use std::collections::BTreeSet;
@@ -23,9 +23,11 @@ impl Filling<'_> {
         let (mark, lines) = lines::split(bytes);
         let mut list = mark.to_vec();
         let mut written = BTreeSet::new();
-        let mut line_end = None;
+        let (mut line_end, mut end) = (None, None);
         for (line, text) in lines.zip(bytes[mark.len()..].split_inclusive(|byte| *byte == b'\n')) {
             line_end = line_end.or(Some(line.end).filter(|end| end.ends_with(b"\n")));
+            let is_end = matches!(line.content, Content::Statement(statement) if statement.is_end());
+            end = end.or(is_end.then_some(list.len()));
             let mut text = text.to_vec();
             if let Some(slot) = slot::in_line(&line) {
                 self.fill(&line, &slot, &mut written, &mut text);
@@ -33,6 +35,8 @@ impl Filling<'_> {
             list.extend(text);
         }
         let line_end = line_end.unwrap_or(b"\n");
+        // A controller reads nothing behind `Ende`.
+        let behind = end.map(|end| list.split_off(end)).unwrap_or_default();
         let mut rest = self.rest(&written, base.is_none());
         if !rest.is_empty() && base.is_some() {
             rest.insert(0, "# Not in the list so far:".to_owned());
@@ -45,6 +49,7 @@ impl Filling<'_> {
             list.extend(line.as_bytes());
             list.extend(line_end);
         }
+        list.extend(behind);
         self.prove(&list);
         (!self.report.has_errors()).then_some(list)
     }
@@ -69,7 +74,7 @@ impl Filling<'_> {
                 Content::Statement(statement) if hole.is_none() => self.warn_of(&statement),
                 // The value was taken out of the set: so is its line, but not the comment behind it.
                 Content::Statement(statement) if !statement.comment.is_empty() => {
-                    text.drain(statement.path_at()..range.end + statement.space.len());
+                    text.drain(statement.path_at()..statement.comment_at());
                 }
                 _ if hole.is_some() => text.clear(),
                 _ => {}
@@ -120,8 +125,8 @@ impl Filling<'_> {
 
     /// Reads the list as a controller would: errors in its lines are said, and each value must be the one that was given.
     fn prove(&mut self, list: &[u8]) {
-        let source = Source::new("the exported list", list.to_vec());
-        let read = list::read_to_keep(&source);
+        let source = Source::new("the exported list", list.to_vec(), Encoding::Plain);
+        let read = list::read(&AxisList { source, range: 0..list.len(), name: None });
         let errors = read.report.diagnostics.into_iter().filter(|said| said.severity == Severity::Error);
         self.report.diagnostics.extend(errors);
         let of_a_list = self.values.iter().filter(|((name, _), _)| name.parameter().scope == Scope::List);

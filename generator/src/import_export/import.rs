@@ -3,11 +3,12 @@
 use super::encoding::{Encoded, encoded, latin_1, toml_string};
 use super::slot::{self, HOLE, Slot};
 use super::{spelling, tables};
+use crate::check;
 use crate::config::lines::{self, Content};
-use crate::config::{Key, ListOptions, Load, Values, axis_name, file, given, key, list, shown};
-use crate::diagnostics::{Diagnostic, Place, Report};
+use crate::config::{AxisList, Key, ListOptions, Load, Values, file, given, key, list, other_kind, project};
+use crate::diagnostics::Report;
+use crate::parameters::words::{ListEncoding, Words};
 use crate::parameters::{Name, Value};
-use crate::{check, codes};
 use std::collections::BTreeSet;
 use std::path::Path;
 use toml_edit::Table;
@@ -20,14 +21,18 @@ pub fn import(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<Str
         Ok(source) => source,
         Err(unreadable) => return (None, unreadable),
     };
-    let name = options.name.clone().unwrap_or_else(|| axis_name::of_file(path));
-    if !axis_name::is_allowed(&name) {
-        let found = format!("{} is no name for an axis", shown(&name));
-        let place = if options.name.is_some() { Place::whole("--name") } else { source.whole() };
-        report.push(Diagnostic::error(codes::AXIS_NAME, place, found).allowed(axis_name::ALLOWED));
-    }
+    let of_axis = |lists| project::of_axis(lists, options.name.as_deref());
+    let list_of_axis = match project::lists(&source).and_then(of_axis) {
+        Ok(list) => list,
+        Err(refused) => return (None, refused.into()),
+    };
+    let name = given::name_of(path, &list_of_axis, options, &mut report);
     let top = given::cycle_time_of(options, &mut report);
-    let list = list::read_to_keep(&source);
+    let list = list::read(&list_of_axis);
+    let other_kind = other_kind::instead_of_a_list(&list_of_axis, &list);
+    if let Some(said) = other_kind.filter(|_| list.report.has_errors()) {
+        return (None, said.into());
+    }
     report.extend(list.report);
     // Without a cycle time a usual one: what is asked of it does not depend on it in a list without errors.
     let cycle_time = match top.get(key(Name::CycleTime)).and_then(|setting| setting.value.as_ref()) {
@@ -42,7 +47,7 @@ pub fn import(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<Str
         return (None, report);
     }
     let file = path.file_name().unwrap_or_default().to_string_lossy();
-    let taken = Taken::from_list(&source.bytes, &list.values);
+    let taken = Taken::from_list(&list_of_axis, &list.values);
     (Some(taken.set(&name, &file, options.cycle_time.clone())), report)
 }
 
@@ -55,7 +60,8 @@ struct Taken {
 }
 
 impl Taken {
-    fn from_list(bytes: &[u8], values: &Values) -> Self {
+    fn from_list(list: &AxisList, values: &Values) -> Self {
+        let bytes = list.bytes();
         let (mark, lines) = lines::split(bytes);
         let mut left = mark.to_vec();
         let mut axis = Table::new();
@@ -78,7 +84,10 @@ impl Taken {
                     } else {
                         let above = comments_above(std::mem::take(&mut above));
                         let beside = match line.content {
-                            Content::Statement(statement) => format!(" {}", comment_text(statement.comment)),
+                            Content::Statement(statement) => {
+                                let behind = spelling::behind(parameter, statement.value);
+                                format!(" {}{}", behind, comment_text(statement.comment))
+                            }
                             _ => String::new(),
                         };
                         tables::insert(&mut axis, slot.template, slot.key.1, toml, &above, beside.trim_end());
@@ -95,7 +104,8 @@ impl Taken {
             }
             left.extend(text);
         }
-        Self { axis, lines: encoded(&left), cycle_time }
+        let [before, behind] = list.around();
+        Self { axis, lines: encoded([before, &left, behind], list.source.encoding), cycle_time }
     }
 
     /// The text of the set; the cycle time is that of the command line.
@@ -109,17 +119,28 @@ impl Taken {
                      # cycle_time = \"1ms\"\n"
                 .to_owned(),
         };
-        let Encoded { text, latin_1, crlf } = self.lines;
+        let Encoded { text: [before, lines, behind], encoding, crlf } = self.lines;
         let axis = tables::text(name, self.axis);
-        let encoding = if latin_1 { "encoding = \"latin-1\" # a character is the byte of its number\n" } else { "" };
+        let encoding = match encoding {
+            ListEncoding::Utf8 => String::new(),
+            ListEncoding::Latin1 => {
+                format!("encoding = \"{}\" # a character is the byte of its number\n", encoding.name())
+            }
+            ListEncoding::Utf16LittleEnd | ListEncoding::Utf16BigEnd => format!("encoding = \"{}\"\n", encoding.name()),
+        };
         let line_end = if crlf { "line_end = \"CRLF\"\n" } else { "" };
-        let lines = toml_string(&text);
+        let lines = toml_string(&lines);
+        let part = |key, text: &str| match text.is_empty() {
+            true => String::new(),
+            false => format!("{key} = {}\n", toml_string(text)),
+        };
+        let (before, behind) = (part("before", &before), part("behind", &behind));
         let file = comment_text(format!("# {file}").as_bytes());
         format!(
             "{file}, imported by axgen\n{cycle_time}\n{axis}\n\
              # The list, line by line; `axgen export` writes it back. `=` stands for a value that stands above, `=0X1` for one that was\n\
              # spelled so. Change values above. Parameters of other functions stand here, and all comments: those above are copies.\n\
-             [axis.{name}.imported_list]\n{encoding}{line_end}lines = {lines}\n"
+             [axis.{name}.imported_list]\n{encoding}{line_end}{before}lines = {lines}\n{behind}"
         )
     }
 }
@@ -139,11 +160,11 @@ fn comments_above(mut comments: Vec<String>) -> String {
     comments.into_iter().map(|comment| comment + "\n").collect()
 }
 
-/// A comment as one of TOML: `(` gets a `#`, bytes that are not UTF-8 are latin-1, control characters cannot stand there.
+/// A comment as one of TOML: another sign gets a `#`, bytes that are not UTF-8 are latin-1, control characters cannot stand there.
 fn comment_text(comment: &[u8]) -> String {
     let text = str::from_utf8(comment).map_or_else(|_| latin_1(comment), str::to_owned);
     let text: String =
         text.chars().map(|c| if c.is_control() && c != '\t' { char::REPLACEMENT_CHARACTER } else { c }).collect();
-    let sign = if text.starts_with('(') { "# " } else { "" };
+    let sign = if text.is_empty() || text.starts_with('#') { "" } else { "# " };
     format!("{sign}{}", text.trim_end())
 }

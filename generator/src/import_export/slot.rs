@@ -2,8 +2,8 @@
 
 use crate::config::lines::{Content, Line};
 use crate::config::path::{self, Path};
-use crate::config::{Key, of_text};
-use crate::parameters::{Name, Scope, Value};
+use crate::config::{Key, of_text, spelled};
+use crate::parameters::{Name, Parameter, Scope, Value};
 use std::ops::Range;
 
 /// A comment that begins so holds a key of our own, which no controller knows: `# axgen: fade 200ms`.
@@ -27,7 +27,8 @@ pub(super) fn in_line<'a>(line: &Line<'a>) -> Option<Slot<'a>> {
         Content::Statement(statement) => {
             let Path::Known { name, index, spelling, misprint } = path::find(statement.path) else { return None };
             let template = if misprint { name.parameter().path } else { spelling };
-            let (text, at) = (statement.value, statement.value_at());
+            let (text, at) = value(name.parameter(), statement.value);
+            let at = statement.value_at() + at;
             let slot = Slot { key: (name, index), template, text, range: at..at + text.len(), own: false };
             (name.parameter().scope == Scope::List).then_some(slot)
         }
@@ -45,10 +46,27 @@ pub(super) fn in_line<'a>(line: &Line<'a>) -> Option<Slot<'a>> {
     }
 }
 
+/// The value, or the hole in its place, at the start of what a line has behind its path; and where it begins there.
+fn value<'t>(parameter: &Parameter, line: &'t str) -> (&'t str, usize) {
+    match line.strip_prefix(HOLE) {
+        Some(spelling) if spelling.starts_with([' ', '\t']) => (&line[..1], 0),
+        Some(spelling) => (&line[..=spelled(parameter, spelling).text.len()], 0),
+        None => {
+            let spelled = spelled(parameter, line);
+            (spelled.text, spelled.at)
+        }
+    }
+}
+
 /// Whether a list can hold the key in a comment only: the keys of our own, but for those that say where an axis comes from.
 pub(super) fn is_own(name: Name) -> bool {
     match name {
-        Name::List | Name::ImportedLines | Name::ImportedEncoding | Name::ImportedLineEnd => false,
+        Name::List
+        | Name::ImportedBefore
+        | Name::ImportedLines
+        | Name::ImportedBehind
+        | Name::ImportedEncoding
+        | Name::ImportedLineEnd => false,
         Name::CycleTime => true,
         _ => name.parameter().scope == Scope::Axis,
     }

@@ -1,6 +1,6 @@
 //! The text of a value in a list, and the same value in TOML, spelled alike wherever both allow it.
 
-use crate::config::{of_text, of_toml};
+use crate::config::{of_text, of_toml, spelled};
 use crate::parameters::{Parameter, Value};
 use toml::de::DeValue;
 
@@ -33,6 +33,12 @@ pub(super) fn in_list(parameter: &Parameter, toml: &[u8], value: &Value) -> Stri
     };
     let same = plain && !spelled.is_empty() && of_text(parameter, spelled).as_ref() == Ok(value);
     if same { spelled.to_owned() } else { value.text() }
+}
+
+/// What a controller takes for a comment behind a value, as a comment of TOML; a blank behind it.
+pub(super) fn behind(parameter: &Parameter, line: &str) -> String {
+    let behind = spelled(parameter, line).behind;
+    if behind.is_empty() { String::new() } else { format!("# {behind} ") }
 }
 
 /// Whether every reader of TOML takes the text for what it is without quotes: a number beyond 64 bits is none for some.

@@ -104,7 +104,11 @@ table! {
     List: AXIS_KEY("list")
     /// axis list that the axis was imported from, line by line, for `axgen export`; `=` stands where the axis has the value
     ImportedLines: AXIS_KEY("imported_list.lines")
-    /// what a character of these lines stands for: its bytes in UTF-8, or the one byte of its number
+    /// what stands before these lines in their file, a project of TwinCAT
+    ImportedBefore: AXIS_KEY("imported_list.before")
+    /// what stands behind these lines in their file
+    ImportedBehind: AXIS_KEY("imported_list.behind")
+    /// what a character of these lines stands for in the file: its bytes in UTF-8 or UTF-16, or the one byte of its number
     ImportedEncoding: AXIS_KEY("imported_list.encoding", kind: Kind::Word(ListEncoding::WORDS), default: &["utf-8"])
     /// how every one of these lines ends
     ImportedLineEnd: AXIS_KEY("imported_list.line_end", kind: Kind::Word(LineEnd::WORDS), default: &["LF"])
@@ -156,9 +160,15 @@ table! {
     WegaufN: GEAR("getriebe[i].wegaufn", "P-AXIS-00233", kind: UNSIGNED, default: &["1"])
     /// path resolution: numerator, increments; with a feed constant revolutions of the gear's input
     WegaufZ: GEAR("getriebe[i].wegaufz", "P-AXIS-00234", kind: UNSIGNED, default: &["1"])
+    /// gear ratio: revolutions of the input; where the resolution is used, axgen takes the ratio from P-AXIS-00234 and 00233
+    GearFactNum: GEAR("getriebe[i].gear_fact_num", "P-AXIS-00511", kind: UNSIGNED, default: &["1"])
+    /// gear ratio: revolutions of the output
+    GearFactDenom: GEAR("getriebe[i].gear_fact_denom", "P-AXIS-00512", kind: UNSIGNED, default: &["1"])
     /// total load at the motor: inertia of motor and load, or the moved mass of a linear motor
     Load: GEAR("getriebe[i].load", "P-AXIS-00391",
         data_type: "REAL64", kind: POSITIVE, unit: "kg m^2, linear motor: kg", default: &["1e-6"], drives: "SERCOS")
+    /// stroke of the measuring probe: feedforward delays the position, and a measuring run needs more of it
+    HubMesstaster: SHARED("kenngr.hub_messtaster", "P-AXIS-00086", kind: integer(0, u32::MAX), unit: "0.1 um", default: &["0"])
     /// feed constant: numerator
     FeedConstNum: SHARED("antr.feed_const_num", "P-AXIS-00362",
         kind: UNSIGNED, unit: "0.1 um/revolution or 0.0001 deg/revolution", default: &["1"])

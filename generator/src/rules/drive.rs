@@ -82,10 +82,25 @@ pub(crate) fn note(e: &mut Effective<'_>, names: &[Name]) {
 
 /// Path resolution (P-AXIS-00092, 00233, 00234, 00362, 00363).
 pub(crate) fn resolution(e: &mut Effective<'_>, gear: u32) -> Option<Resolution> {
+    gear_ratio(e, gear);
     let incr_per_rev = e.integer((Name::IncrPerRev, [gear, 0]));
     let wegauf = ratio(e, (Name::WegaufZ, [gear, 0]), (Name::WegaufN, [gear, 0]));
     let feed_const = ratio(e, key(Name::FeedConstNum), key(Name::FeedConstDenom));
     Some(Resolution { incr_per_rev: incr_per_rev?, wegauf: wegauf?, feed_const: feed_const? })
+}
+
+/// The gear ratio of P-AXIS-00511 and 00512, which the formulas of the feedforward manual do not have, is 1.
+fn gear_ratio(e: &mut Effective<'_>, gear: u32) {
+    let [num, denom] = [Name::GearFactNum, Name::GearFactDenom].map(|name| (name, [gear, 0]));
+    let (Some(of), Some(to)) = (e.validated_integer(num), e.validated_integer(denom)) else { return };
+    if of != to {
+        let given = if e.given(num).is_some() { num } else { denom };
+        let found = format!("the gear ratio {of}/{to} (P-AXIS-00511, 00512) would not reach the angle of the motor");
+        let instead =
+            format!("getriebe[{gear}].wegaufz {of} and getriebe[{gear}].wegaufn {to}, beside the feed constant");
+        let said = Diagnostic::error(codes::GEAR_RATIO, e.place_of(given), found);
+        e.report.push(said.allowed("the ratio in P-AXIS-00234 and 00233 alone").instead(instead));
+    }
 }
 
 /// Two parameters as a quotient; the range keeps the denominator above 0.

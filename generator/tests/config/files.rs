@@ -53,7 +53,8 @@ fn a_list_that_a_set_names_and_nobody_has() {
 fn messages_about_a_list_name_the_list_and_all_are_told() {
     let set = "cycle_time = \"1ms\"\ntarget = []\n[axis.X]\nlist = \"x.lis\"\ngear = 99\n[axis.Y]\nlist = \"y.lis\"\nreal = 1";
     let list = direct("ipc.enable MAYBE").replace("ipc.", IPC);
-    let files = [("set.toml", set.as_bytes()), ("x.lis", list.as_bytes()), ("y.lis", b"?".as_slice())];
+    let files =
+        [("set.toml", set.as_bytes()), ("x.lis", list.as_bytes()), ("y.lis", b"?\nkenngr.swe_pos 1".as_slice())];
     let (_, report) = read("set.toml", &files, &ListOptions::default());
     assert_said(
         &short(&report),
@@ -135,7 +136,7 @@ fn a_set_has_a_cycle_time_and_names_of_its_own() {
 #[test]
 fn names_of_lists() {
     let name = |path: &str, name| {
-        let (set, report) = read(path, &[(path, b"")], &options(Some("1ms"), name));
+        let (set, report) = read(path, &[(path, b"kopf.achs_nr 1")], &options(Some("1ms"), name));
         set.map(|set| set.axes[0].axis.name.clone()).ok_or_else(|| report.diagnostics[0].to_string())
     };
     assert_eq!(name("lists/rack-and-pinion.lis", None).unwrap(), "rack_and_pinion");

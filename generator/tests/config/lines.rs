@@ -5,13 +5,32 @@ use proptest::prelude::*;
 
 #[test]
 fn statements_and_comments() {
-    for line in
-        ["kopf.achs_nr 3", " \tkopf.achs_nr\t 3 \t\r\n", "kopf.achs_nr 3#c", "kopf.achs_nr\t3\t( P-AXIS-00016 : x"]
-    {
+    for line in [
+        "kopf.achs_nr 3",
+        " \tkopf.achs_nr\t 3 \t\r\n",
+        "kopf.achs_nr 3#c",
+        "kopf.achs_nr\t3\t( P-AXIS-00016 : x",
+        "kopf.achs_nr 3(c",
+        "kopf.achs_nr 3;c",
+        "kopf.achs_nr 3 /* c",
+        "kopf.achs_nr 3//c",
+        "kopf.achs_nr \"3\"",
+    ] {
         let (set, report) = read_list(line);
         assert_eq!(set.unwrap_or_else(|| panic!("{report}")).axes[0].axis.control.number, 3, "{line:?}");
     }
-    for comment in ["", "  ", "\r\n", "# kopf.achs_nr 1", "(kopf.achs_nr 1", "  ( a", "#\u{e4}"] {
+    for comment in [
+        "",
+        "  ",
+        "\r\n",
+        "# kopf.achs_nr 1",
+        "(kopf.achs_nr 1",
+        "  ( a",
+        "#\u{e4}",
+        "/* kopf.achs_nr 1 */",
+        "// kopf.achs_nr 1",
+        "; kopf.achs_nr 1",
+    ] {
         let (set, _) = read_list(format!("{comment}\nkopf.achs_nr 3"));
         assert_eq!(set.unwrap().axes[0].axis.control.number, 3, "{comment:?}");
     }
@@ -20,14 +39,15 @@ fn statements_and_comments() {
 #[test]
 fn bytes_that_only_a_comment_may_have() {
     let bad = |line: &[u8]| {
-        let (_, report) = read_list(line);
+        let (_, report) = read_list([line, b"\nkopf.achs_nr 1"].concat());
         report.diagnostics.iter().find(|said| said.code == "AX102").map(|said| said.place.column)
     };
-    assert_eq!(bad(b"a \xE4"), Some(3));
+    assert_eq!(bad(b"kopf.achs_nr \xE4"), Some(14));
     assert_eq!(bad(b"a\0 1"), Some(2));
     assert_eq!(bad(b"a 1\r#"), Some(4));
     assert_eq!(bad(b"a\0 1\r#"), Some(2));
-    assert_eq!(bad(b"a(\r# \xE4"), Some(3));
+    assert_eq!(bad(b"a\"\r\" \xE4"), Some(3));
+    assert_eq!(bad(b"a(\r# \xE4"), None);
     assert_eq!(bad(b"a(b)( # \xE4"), None);
     assert_eq!(bad(b"a 1 # \xE4\0"), None);
     assert_eq!(bad(b"a 1 (\xB0"), None);
@@ -36,9 +56,9 @@ fn bytes_that_only_a_comment_may_have() {
 #[test]
 fn malformed_paths() {
     for malformed in [".", "a.", ".a", "a..b", "a[", "a[x]", "a[1", "[1]", "a[0][", "1a", "a=1", "a-b", "a[[0]]"] {
-        assert!(said(&format!("{malformed} 1")).contains("AX101"), "{malformed}");
+        assert!(said(&format!("{malformed} 1\nkopf.achs_nr 1")).contains("AX101"), "{malformed}");
     }
-    assert!(!said(&format!("{} 1", "x".repeat(1000))).contains("error"));
+    assert!(!said(&format!("{} 1\nkopf.achs_nr 1", "x".repeat(1000))).contains("error"));
 }
 
 #[test]
@@ -66,9 +86,11 @@ proptest! {
     /// A file in which every byte is plain is split faster: to the same parts.
     #[test]
     fn what_stands_elsewhere_in_a_file_changes_no_line(bytes in prop::collection::vec(
-        prop::sample::select(&b"\n\t a.b1#("[..]), 0..200
+        prop::sample::select(&b"\n\t a.b1#(/*;\""[..]), 0..200
     )) {
-        let other = [&bytes[..], b"\n#\xE4"].concat();
-        prop_assert_eq!(read_list(&bytes).1, read_list(&other).1);
+        // What kind of file it is, is told from all of it.
+        let list = [b"kopf.achs_nr 1\n", &bytes[..]].concat();
+        let other = [&list[..], b"\n#\xE4"].concat();
+        prop_assert_eq!(read_list(&list).1, read_list(&other).1);
     }
 }

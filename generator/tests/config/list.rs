@@ -12,8 +12,9 @@ fn nothing_at_all() {
     assert_said(
         &said(""),
         &[
-            "x.lis: warning[AX401]: no stage is active: the block puts out 0",
-            "    write instead: ipc.stage[0].mode with DIRECT, INDIRECT or SET_POINT",
+            "x.lis: error[AX110]: no parameter of an axis is in the file: it is empty, or has nothing but comments",
+            "    allowed: an axis list",
+            "    write instead: the name of an axis list",
         ],
     );
 }
@@ -53,9 +54,9 @@ fn byte_order_mark() {
 #[test]
 fn byte_outside_of_a_comment() {
     assert_said(
-        &said(&direct("kopf.log_achs_name \u{e4}")),
+        &said(&direct("kopf.log_achs_name \u{e4}\nkopf.achs_nr \u{e4}")),
         &[
-            "x.lis:1:20: error[AX102]: byte 0xC3 outside of a comment",
+            "x.lis:2:14: error[AX102]: byte 0xC3 outside of a comment",
             "    allowed: printable ASCII and tabs; any byte in a comment",
             "    write instead: the line without it, or a `#` before the comment",
         ],
@@ -119,6 +120,7 @@ fn two_values() {
         &[
             "x.lis:1:14: error[AX101]: `kopf.achs_nr` (P-AXIS-00016) is `1 2`: more than one value",
             "    allowed: 0 <= achs_nr <= 65535",
+            "    write instead: 12",
         ],
     );
 }
@@ -296,8 +298,8 @@ fn another_gear_step_than_the_one_that_is_used() {
 }
 
 #[test]
-fn another_kind_of_file() {
-    let said = said(&"\u{1}\u{2}\n".repeat(1000));
+fn many_lines_that_cannot_be_read() {
+    let said = said(&direct(&"\u{1}\u{2}\n".repeat(1000)));
     let lines: Vec<&str> = said.lines().collect();
     assert_eq!(lines.len(), 20 * 3 + 2);
     assert_eq!(lines[59], "    write instead: the line without it, or a `#` before the comment");

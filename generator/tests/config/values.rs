@@ -63,6 +63,7 @@ fn no_finite_number_either() {
             "    allowed: a number, 0 < fg_f0 <= 500 [Hz]",
             "x.lis:2:61: error[AX201]: `ipc.stage[0].filter.q_factor` (P-AXIS-00752) is `1_0`, no finite number",
             "    allowed: a number, 1 <= q_factor <= 10",
+            "    write instead: 10",
             "x.lis:3:57: error[AX201]: `ipc.stage[0].osc_damping` (P-AXIS-00850) is `.`, no finite number",
             "    allowed: a number, 0 < osc_damping < 1",
         ],

@@ -113,7 +113,7 @@ fn rack_and_pinion() -> Axis {
         name: "X".to_owned(),
         real: RealKind::F64,
         cycle_time_ns: 1_000_000,
-        ipc: Ipc { enable: Enable::On, v_add_max_fact: 1000, v_max: 200_000.0, fade: 0.1, stage },
+        ipc: Ipc { enable: Enable::On, v_add_max_fact: 1000, v_max: 200_000.0, fade: 0.1, delay_cycles: None, stage },
         control: crate::axis::Control::default(),
         canonical: String::new(),
     }

@@ -36,6 +36,11 @@ pub(crate) fn advise(axis: &Axis, e: &mut Effective<'_>) {
         );
         e.warn(codes::LEADS, key(Name::VsVFaktor), found, "0.7 to 1".to_owned());
     }
+    if e.given(key(Name::HubMesstaster)).is_some() {
+        let found = "the axis has a measuring probe (P-AXIS-00086), and feedforward delays its position by a cycle at the least";
+        let instead = "a kenngr.hub_messtaster that is longer by the path of the delay".to_owned();
+        e.warn(codes::PROBE, key(Name::HubMesstaster), found, instead);
+    }
     // P-AXIS-00225/00226 is a time constant, or a plain weight with ADD_ACC.
     if feedforward.sums().use_time() && feedforward.torque.acceleration {
         let found = format!(

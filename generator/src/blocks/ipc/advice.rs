@@ -36,7 +36,7 @@ pub(crate) fn advise(designed: &Designed, e: &mut Effective<'_>) {
             weight(e, i, &design.stage);
             resonance(e, i, &design.stage);
             near_nyquist(e, i, &design.stage, axis.cycle_time_ns);
-            phase::advise(e, i, design);
+            phase::advise(e, i, design, axis.ipc.delay_cycles);
         }
     }
     overlaps(designed, e);
@@ -253,7 +253,7 @@ fn overlaps(designed: &Designed, e: &mut Effective<'_>) {
 }
 
 /// The band in which all band-passes of a stage lose at most 3 dB, in Hz.
-fn band_of(design: &StageDesign) -> [f64; 2] {
+pub(super) fn band_of(design: &StageDesign) -> [f64; 2] {
     let filters = design.filter.iter().flatten().filter(|of| of.filter.kind() == FilterType::Bandpass);
     filters.fold([0.0, f64::INFINITY], |[low, high], of| [of.edges[0].max(low), of.edges[1].min(high)])
 }

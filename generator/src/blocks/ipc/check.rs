@@ -27,20 +27,19 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option
     let fade = e.duration(key(Name::Fade));
     // Every stage is checked, so that all errors of all stages are told.
     let stages = [0, 1, 2].map(|i| stage(e, i, cycle_time, real));
-    if stages.iter().any(|stage| !matches!(stage, Some(None))) {
-        delay_cycles(e);
-    }
+    let is_active = stages.iter().any(|stage| !matches!(stage, Some(None)));
+    let delay_cycles = if is_active { delay_cycles(e) } else { None };
     let [first, second, third] = stages;
     let fade = fade? as f64 / 1e9;
-    let ipc =
-        Ipc { enable: enable?, v_add_max_fact: v_add_max_fact?, v_max: v_max?, fade, stage: [first?, second?, third?] };
+    let stage = [first?, second?, third?];
+    let ipc = Ipc { enable: enable?, v_add_max_fact: v_add_max_fact?, v_max: v_max?, fade, delay_cycles, stage };
     fade_cycles(e, &ipc, cycle_time)?;
     Some(ipc)
 }
 
 /// Cycles between a command and the actual value that it caused (P-AXIS-00191), where they are given. They tell how much of the
 /// phase a loop loses; nothing in a block is made of them.
-pub(crate) fn delay_cycles(e: &mut Effective<'_>) -> Option<u32> {
+fn delay_cycles(e: &mut Effective<'_>) -> Option<u32> {
     let key = key(Name::NbrDelayCycles);
     e.given(key)?;
     e.validated_integer(key)

@@ -20,6 +20,15 @@ pub(crate) fn summary(filter: &Filter) -> Option<String> {
     Some(format!("{} at {f0} Hz, Q {q_factor}", kind(filter)))
 }
 
+/// The same in a table that has frequency and quality factor of the band-pass in columns of their own.
+pub(crate) fn in_table(filter: &Filter) -> Option<String> {
+    match filter {
+        Filter::NoFilter => None,
+        Filter::Bandpass { .. } => Some(kind(filter)),
+        Filter::Allpass { .. } => summary(filter),
+    }
+}
+
 pub(crate) fn note(of: &FilterDesign) -> Option<String> {
     let [lower, upper] = of.edges.map(digits);
     let kind = kind(&of.filter);

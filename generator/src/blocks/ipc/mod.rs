@@ -9,6 +9,7 @@ pub(crate) mod feasibility;
 mod filter;
 pub(crate) mod notes;
 mod phase;
+mod verdict;
 
 use super::{Part, Summary};
 use crate::axis::{Axis, Stage};
@@ -49,6 +50,14 @@ impl Part for Ipc {
             format!("stage[{index}] {what}")
         };
         Summary { head, lines: ipc.stage.iter().enumerate().map(line).collect() }
+    }
+
+    fn verdict(&self, designed: &Designed) -> Vec<String> {
+        // A gantry slave's block never acts.
+        match designed.axis.control.master {
+            Some(_) => Vec::new(),
+            None => verdict::lines(designed),
+        }
     }
 
     fn differences(&self, old: &Designed, new: &Designed) -> Vec<String> {

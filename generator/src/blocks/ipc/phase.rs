@@ -1,6 +1,5 @@
 //! What turns the phase of a stage: the delay of its loop, the load, an all-pass. Warnings about an axis that is valid.
 
-use super::check::delay_cycles;
 use super::design::{FilterDesign, StageDesign};
 use crate::axis::{Filter, Mode, Stage};
 use crate::design::band::{Band, warped};
@@ -13,14 +12,14 @@ const LEAST_DELAY_CYCLES: f64 = 1.0;
 /// The hold of the command costs half a cycle.
 const HOLD_CYCLES: f64 = 0.5;
 /// Beyond this lag of the delay alone, in degrees, what drive and mechanics add will soon make it 90.
-const MUCH_DELAY: f64 = 60.0;
+pub(super) const MUCH_DELAY: f64 = 60.0;
 /// An all-pass that turns by 180 degrees, but for so many, inverts.
 const NEARLY_INVERTED: f64 = 10.0;
 
 /// Says where the phase of an active stage may be another than its user thinks.
-pub(crate) fn advise(e: &mut Effective<'_>, i: u32, design: &StageDesign) {
+pub(crate) fn advise(e: &mut Effective<'_>, i: u32, design: &StageDesign, delay_cycles: Option<u32>) {
     direct_source(e, i, &design.stage);
-    delay(e, i, design);
+    delay(e, i, design, delay_cycles);
     polarity(e, i, design);
 }
 
@@ -40,11 +39,16 @@ fn direct_source(e: &mut Effective<'_>, i: u32, stage: &Stage) {
     }
 }
 
+/// The cycles of delay in the loop of a stage, as they are given (P-AXIS-00191) or at the least, with the hold; and how many degrees they
+/// turn its phase at f0.
+pub(super) fn delay_lag(stage: &Stage, cycle_time: f64, delay_cycles: Option<u32>) -> (f64, f64) {
+    let cycles = delay_cycles.map_or(LEAST_DELAY_CYCLES, f64::from) + HOLD_CYCLES;
+    (cycles, 360.0 * stage.f0() * cycle_time * cycles)
+}
+
 /// The delay of the loop turns the phase, which an all-pass turns back. A pre-filter (SET_POINT) has no loop.
-fn delay(e: &mut Effective<'_>, i: u32, StageDesign { stage, cycle_time, .. }: &StageDesign) {
-    let given = delay_cycles(e);
-    let cycles = given.map_or(LEAST_DELAY_CYCLES, f64::from) + HOLD_CYCLES;
-    let lag = 360.0 * stage.f0() * cycle_time * cycles;
+fn delay(e: &mut Effective<'_>, i: u32, StageDesign { stage, cycle_time, .. }: &StageDesign, given: Option<u32>) {
+    let (cycles, lag) = delay_lag(stage, *cycle_time, given);
     if lag > MUCH_DELAY && !has_allpass(stage) && !matches!(stage.mode, Mode::SetPoint { .. }) {
         let k = stage.first_bandpass();
         let how = match given {
@@ -86,6 +90,6 @@ fn turn(band: &Band, t: f64) -> f64 {
     -2.0 * libm::atan2(band.bandwidth * t, (band.omega0 - t) * (band.omega0 + t)).to_degrees()
 }
 
-fn has_allpass(stage: &Stage) -> bool {
+pub(super) fn has_allpass(stage: &Stage) -> bool {
     stage.filter.iter().any(|filter| filter.kind() == FilterType::Allpass)
 }

@@ -24,6 +24,7 @@ use compiler::program::Program;
 pub(crate) use lines::lines;
 use portable::RealKind;
 use response::Point;
+pub(crate) use response::designed;
 
 /// What is certain of a block.
 pub(crate) struct Certificate {

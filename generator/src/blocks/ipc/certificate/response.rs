@@ -44,7 +44,7 @@ pub(super) fn bands(of: &StageDesign, chain: &Chain) -> Vec<(usize, [Point; 3])>
 /// - band-pass: its low-pass prototype at w = (t^2 - Omega0^2) / (B t): the product of sigma / (sigma + j w) and of
 ///   (sigma^2 + omega^2) / (sigma^2 + omega^2 - w^2 + 2 j sigma w);
 /// - all-pass: (Omega0^2 - t^2 - j B t) / (Omega0^2 - t^2 + j B t).
-fn designed(of: &StageDesign, t: f64) -> Complex {
+pub(crate) fn designed(of: &StageDesign, t: f64) -> Complex {
     let stage = &of.stage;
     let mut h = Complex::real(-stage.weight());
     if let Some(damping) = stage.mode.osc_damping() {

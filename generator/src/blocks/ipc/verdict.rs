@@ -1,0 +1,154 @@
+//! What the stages, the limit and the start of improved position control mean for the machine: a table, and a verdict in words. Nothing is
+//! decided here; warnings are in `advice` and `phase`.
+
+use super::certificate::designed;
+use super::design::StageDesign;
+use super::{filter, phase};
+use crate::axis::{Axis, Enable, Mode};
+use crate::blocks::designed::Designed;
+use crate::design::band::warped;
+use crate::design::response::{Complex, angle, magnitude};
+use crate::number::{decimals, significant};
+use crate::parameters::words::{DirectSource, StageMode, Words};
+
+/// Below this limit, in 0.1 % of the largest velocity, a stage that excites the vibration does little; above the other, much.
+const SMALL_LIMIT: u32 = 50;
+const LARGE_LIMIT: u32 = 500;
+/// A lag of the delay alone, in degrees, that leaves enough for drive and mechanics.
+const LITTLE_DELAY: f64 = 30.0;
+
+/// The lines of the block.
+pub(super) fn lines(designed: &Designed) -> Vec<String> {
+    let stages: Vec<&StageDesign> = designed.stage.iter().flatten().collect();
+    if stages.is_empty() {
+        return vec!["improved position control: no stage is active, it adds nothing".to_owned()];
+    }
+    let mut lines = table(designed);
+    lines.extend([limit(&designed.axis), start(&designed.axis, designed.ipc.fade_cycles)]);
+    lines.extend(stages.iter().map(|stage| stage_verdict(stage, designed.axis.ipc.delay_cycles)));
+    lines.extend(neighbours(stages));
+    lines
+}
+
+/// A row for each stage, in columns.
+fn table(designed: &Designed) -> Vec<String> {
+    let head = ["stage", "mode", "f0", "Q", "weight", "phase at f0", "filters"].map(str::to_owned).to_vec();
+    let rows = designed.stage.iter().enumerate().map(|(i, design)| match design {
+        None => vec![i.to_string(), StageMode::NotActive.name().to_owned()],
+        Some(design) => row(design),
+    });
+    let rows: Vec<Vec<String>> = std::iter::once(head).chain(rows).collect();
+    let width = |column: usize| rows.iter().filter_map(|row| row.get(column)).map(String::len).max().unwrap_or(0);
+    let line = |row: &Vec<String>| {
+        let cells = row.iter().enumerate().map(|(column, cell)| format!("{cell:<width$}", width = width(column)));
+        cells.collect::<Vec<_>>().join("  ").trim_end().to_owned()
+    };
+    rows.iter().map(line).collect()
+}
+
+fn row(design: &StageDesign) -> Vec<String> {
+    let stage = &design.stage;
+    let [f0, q_factor] = stage.filter[stage.first_bandpass() as usize].f0_and_q().unwrap_or_default();
+    let damping = stage.mode.osc_damping().map_or_else(String::new, |damping| format!(", D {damping}"));
+    let filters: Vec<String> = stage.filter.iter().filter_map(filter::in_table).collect();
+    vec![
+        design.index.to_string(),
+        format!("{}{damping}", stage.mode.text()),
+        format!("{f0} Hz"),
+        q_factor.to_string(),
+        format!("{}{}", significant(stage.weight(), 4), stage.cap()),
+        format!("{} deg", decimals(angle(at_f0(design)), 0)),
+        filters.join(", "),
+    ]
+}
+
+/// From the velocity that a stage looks at to what it adds, at its f0.
+fn at_f0(design: &StageDesign) -> Complex {
+    designed(design, warped(design.stage.f0(), design.cycle_time))
+}
+
+fn limit(axis: &Axis) -> String {
+    let (ipc, unit) = (&axis.ipc, axis.control.velocity_unit());
+    let word = match ipc.v_add_max_fact {
+        0 => "none, the block puts out 0",
+        ..=SMALL_LIMIT => "small",
+        ..=LARGE_LIMIT => "medium",
+        _ => "large, a wrong stage can move the axis fast",
+    };
+    let part = f64::from(ipc.v_add_max_fact) / 10.0;
+    format!("limit: {word}: |v_add| <= {} {unit}, {part} % of vb_max {}", ipc.limit(), ipc.v_max)
+}
+
+fn start(axis: &Axis, fade_cycles: u32) -> String {
+    let word = match axis.ipc.enable {
+        Enable::On => "acts from the first cycle on",
+        Enable::Off => "puts out 0 until the input mode is ON",
+        Enable::DryRun => "computes v_add_calculated, and puts out 0 until the input mode is ON",
+    };
+    let time = f64::from(fade_cycles) * f64::from(axis.cycle_time_ns) / 1e6;
+    format!("start: {}: {word}; fades in {} ms", axis.ipc.enable.name(), significant(time, 4))
+}
+
+/// What is known of a stage's phase: it damps as long as all that turns it stays below 90 degrees.
+fn stage_verdict(design: &StageDesign, delay_cycles: Option<u32>) -> String {
+    let (stage, index) = (&design.stage, design.index);
+    let f0 = significant(stage.f0(), 4);
+    if let Mode::SetPoint { .. } = stage.mode {
+        let h = at_f0(design);
+        let left = magnitude(Complex { re: 1.0 + h.re, im: h.im });
+        let left = decimals(left * 100.0, 0);
+        return format!(
+            "stage {index}: filters the command, so that no loop can become unstable: {left} % of it pass at {f0} Hz"
+        );
+    }
+    let (cycles, lag) = phase::delay_lag(stage, design.cycle_time, delay_cycles);
+    let (cycles, lag_text) = (significant(cycles, 4), decimals(lag, 0));
+    if phase::has_allpass(stage) {
+        return format!(
+            "stage {index}: turned by an all-pass: measure the lag of drive and mechanics at {f0} Hz before ON; the delay of {cycles} \
+             cycles adds {lag_text} deg"
+        );
+    }
+    let given = if delay_cycles.is_some() { "the" } else { "at the least a" };
+    let word = match lag {
+        _ if stage.mode == (Mode::Direct { source: DirectSource::Direct }) => {
+            "measure first, the load lags behind the motor"
+        }
+        ..=LITTLE_DELAY => "good",
+        ..=phase::MUCH_DELAY => "fair",
+        _ => "critical",
+    };
+    format!(
+        "stage {index}: {word}: {given} delay of {cycles} cycles turns it by {lag_text} deg at {f0} Hz; drive and mechanics may turn it by {} deg \
+         more before it excites the vibration",
+        decimals((90.0 - lag).max(0.0), 0)
+    )
+}
+
+/// How far apart stages are whose bands follow each other.
+fn neighbours(mut stages: Vec<&StageDesign>) -> Vec<String> {
+    stages.sort_by(|a, b| a.stage.f0().total_cmp(&b.stage.f0()));
+    let band = |design: &StageDesign| super::advice::band_of(design);
+    let pair = |pair: &[&StageDesign]| {
+        let [low, high] = [pair[0], pair[1]].map(band);
+        let (gap, wider) = (high[0] - low[1], (high[1] - high[0]).max(low[1] - low[0]));
+        let (i, j) = (pair[0].index, pair[1].index);
+        let text = |value| significant(value, 3);
+        match gap {
+            ..=0.0 => format!(
+                "stages {i} and {j}: overlap: each acts on the other's vibration, so put them into operation together"
+            ),
+            _ if gap < wider => {
+                format!(
+                    "stages {i} and {j}: close: {} Hz between their bands; look at both when one is changed",
+                    text(gap)
+                )
+            }
+            _ => format!(
+                "stages {i} and {j}: apart: {} Hz between their bands, they hardly influence each other",
+                text(gap)
+            ),
+        }
+    };
+    stages.windows(2).map(pair).collect()
+}

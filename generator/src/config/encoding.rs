@@ -1,0 +1,44 @@
+//! From a file's bytes to its text, and back to the byte: how lists and projects are saved. What the text says is not known here.
+
+/// How a file has its text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Encoding {
+    /// the bytes are the text: ASCII or UTF-8, with any byte in a comment
+    Plain,
+    /// every byte is the character of its number: XML that is not UTF-8
+    Latin1,
+    Utf16LittleEnd,
+    Utf16BigEnd,
+}
+
+/// The text of a file as UTF-8, with its byte order mark; what no encoding explains stays as it is.
+pub(crate) fn decoded(bytes: Vec<u8>) -> (Vec<u8>, Encoding) {
+    let (encoding, unit): (_, fn([u8; 2]) -> u16) = match bytes.as_slice() {
+        [0xFF, 0xFE, ..] => (Encoding::Utf16LittleEnd, u16::from_le_bytes),
+        [0xFE, 0xFF, ..] => (Encoding::Utf16BigEnd, u16::from_be_bytes),
+        [b'<', ..] if str::from_utf8(&bytes).is_err() => {
+            return (bytes.into_iter().map(char::from).collect::<String>().into_bytes(), Encoding::Latin1);
+        }
+        _ => return (bytes, Encoding::Plain),
+    };
+    let (pairs, rest) = bytes.as_chunks::<2>();
+    let text: Result<String, _> = char::decode_utf16(pairs.iter().map(|pair| unit(*pair))).collect();
+    match text {
+        Ok(text) if rest.is_empty() => (text.into_bytes(), encoding),
+        _ => (bytes, Encoding::Plain),
+    }
+}
+
+impl Encoding {
+    /// The bytes of a file with this text; of Latin-1 the first character that is none of it.
+    pub(crate) fn encoded(self, text: Vec<u8>) -> Result<Vec<u8>, char> {
+        let characters = || String::from_utf8_lossy(&text);
+        let units = |bytes: fn(u16) -> [u8; 2]| characters().encode_utf16().flat_map(bytes).collect();
+        match self {
+            Self::Plain => Ok(text),
+            Self::Latin1 => characters().chars().map(|letter| u8::try_from(letter).map_err(|_| letter)).collect(),
+            Self::Utf16LittleEnd => Ok(units(u16::to_le_bytes)),
+            Self::Utf16BigEnd => Ok(units(u16::to_be_bytes)),
+        }
+    }
+}

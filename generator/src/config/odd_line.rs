@@ -1,0 +1,129 @@
+//! What a line is that gives no parameter as it stands: text without the sign of a comment, a word of an NC program, a value alone, a
+//! path with blanks. No message is made here.
+
+use super::lines::{Content, Statement};
+use super::path::{self, Path};
+use super::{closest, value};
+use crate::parameters::Name;
+
+/// Whether the path before a bad byte is one of another function.
+pub(super) fn is_of_another_function(before: &[u8]) -> bool {
+    let before = before.trim_ascii_start();
+    let end = before.iter().position(|byte| matches!(byte, b' ' | b'\t'));
+    let path = end.and_then(|end| str::from_utf8(&before[..end]).ok());
+    path.is_some_and(|path| {
+        path::find(path) == Path::Foreign && !closest::is_ours(path) && path::with_other_indices(path).is_none()
+    })
+}
+
+/// Whether an indented line is text rather than a parameter: it has no path with a point, an index or a sign of a value.
+pub(super) fn is_prose(line: &Statement<'_>) -> bool {
+    let word = line.path.trim_end_matches('.');
+    let has_path = word.split_once('.').is_some_and(|(first, _)| first.contains(|c: char| c.is_ascii_alphabetic()));
+    let is_value = line.value.is_empty() && value::is_number(line.path);
+    !line.indent.is_empty()
+        && !is_value
+        && !has_path
+        && !line.path.contains(['[', ']', '='])
+        && !line.value.starts_with('=')
+        && with_underscores(line).is_none()
+}
+
+/// What stands behind the end of a comment `/* ... */`, and so belongs to it.
+pub(super) fn text_behind(comment: &[u8]) -> Option<usize> {
+    let end = comment.strip_prefix(b"/*")?.windows(2).position(|two| two == b"*/")? + 4;
+    let blanks = comment[end..].iter().position(|byte| !byte.is_ascii_whitespace())?;
+    let behind = &comment[end + blanks..];
+    let is_comment = [&b"#"[..], b"(", b"/*", b";", b"//"].iter().any(|sign| behind.starts_with(sign));
+    (!is_comment).then_some(end + blanks)
+}
+
+/// The input that stands for a word of an NC program: `G135`, `S[G136=80]`.
+pub(super) fn nc_word(path: &str) -> Option<&'static str> {
+    let word =
+        path.split_once('[').filter(|(spindle, _)| spindle.starts_with(['S', 's'])).map_or(path, |(_, rest)| rest);
+    let ends = |word: &str| !word.starts_with(|c: char| c.is_ascii_alphanumeric() || c == '_' || c == '.');
+    let is = |name: &str| word.get(..4).is_some_and(|start| start.eq_ignore_ascii_case(name)) && ends(&word[4..]);
+    match () {
+        () if is("G135") || is("G137") => Some("feedforward_active"),
+        () if is("G136") => Some("feedforward_percentage"),
+        () => None,
+    }
+}
+
+/// What a line without a path is, and what to write instead.
+pub(super) fn malformed(line: &Statement<'_>) -> (String, Option<String>) {
+    let written = value::shown(line.path);
+    if line.path.contains("*/") || line.value.ends_with("*/") {
+        let found = "`*/` ends no comment: a comment ends with its line, and the lines between were read".to_owned();
+        return (found, Some("a `#` before each line of the comment".to_owned()));
+    }
+    if line.value.is_empty() && value::is_number(line.path) {
+        return (
+            format!("{written} is a value without a path"),
+            Some("the path before it, in the same line".to_owned()),
+        );
+    }
+    if let Some(path) = closest::of_id(line.path) {
+        return (format!("{written} is the id of a parameter, no path"), Some(format!("{path} {}", line.value)));
+    }
+    let (path, rest) = line.path.split_once(['=', ':']).unwrap_or((line.path, ""));
+    let value = format!("{rest} {}", line.value.trim_start_matches('='));
+    let instead = matches!(path::find(path), Path::Known { .. }).then(|| format!("{path} {}", value.trim()));
+    (format!("{written} is no path"), instead)
+}
+
+/// A line whose path has blanks where underscores belong, with underscores: `weight fact denom 200`.
+pub(super) fn with_underscores(line: &Statement<'_>) -> Option<String> {
+    let (_, path, rest) = known(line).filter(|(_, path, _)| path != line.path)?;
+    Some(format!("{path} {rest}").trim_ascii_end().to_owned())
+}
+
+/// The name and the text of a path that may have blanks where underscores belong, and what stands behind it.
+fn known<'l>(line: &Statement<'l>) -> Option<(Name, String, &'l str)> {
+    if let Path::Known { name, .. } = path::find(line.path) {
+        return Some((name, line.path.to_owned(), line.value));
+    }
+    // A number after the path is its value; no name of ours is as long as the bound, which keeps a long line cheap.
+    let is_word = |text: &str| text.starts_with(|letter: char| letter.is_ascii_alphabetic());
+    let (mut path, mut rest) = (if is_word(line.value) { line.path.to_owned() } else { return None }, line.value);
+    while path.len() < 128 && is_word(rest) {
+        let word = &rest[..rest.find([' ', '\t']).unwrap_or(rest.len())];
+        rest = rest[word.len()..].trim_ascii_start();
+        path.extend(["_", word]);
+        if let Path::Known { name, .. } = path::find(&path) {
+            return Some((name, path, rest));
+        }
+    }
+    None
+}
+
+/// A path whose value stands alone in the line below, as text from a printed page does: what was found, and both in one line.
+pub(super) fn value_below(line: &Statement<'_>, below: Option<Content<'_>>) -> Option<(String, String)> {
+    let Some(Content::Statement(below)) = below else { return None };
+    let (name, path, "") = known(line)? else { return None };
+    let words: Vec<&str> = below.path.split_ascii_whitespace().chain(below.value.split_ascii_whitespace()).collect();
+    let value = words.join("_");
+    value::of_text(name.parameter(), &value).ok()?;
+    Some((format!("`{path}` has no value: it stands alone in the next line"), format!("{path} {value}")))
+}
+
+/// A character that no line may have outside of a comment: what it is called, and what is mostly meant.
+pub(super) fn bad_character(text: &[u8]) -> (String, &'static str) {
+    const LONGEST: usize = 4;
+    let start = &text[..text.len().min(LONGEST)];
+    let letter = start.utf8_chunks().next().and_then(|chunk| chunk.valid().chars().next());
+    let without = "the line without it, or a `#` before the comment";
+    let Some(letter) = letter.filter(|letter| !letter.is_ascii()) else {
+        return (format!("byte 0x{:02X}", text.first().copied().unwrap_or_default()), without);
+    };
+    let (name, instead) = match letter {
+        '\u{a0}' | '\u{2007}' | '\u{202f}' => (", a no-break space,", "a blank"),
+        '\u{ad}' => (", a soft hyphen,", "the line without it"),
+        '\u{2010}'..='\u{2015}' | '\u{2212}' => (", a dash,", "-"),
+        '\u{2018}'..='\u{201f}' => (", a typographic quote,", "\" around a string"),
+        '\u{200b}'..='\u{200f}' | '\u{feff}' => (", which nobody sees,", "the line without it"),
+        _ => ("", without),
+    };
+    (format!("the character U+{:04X}{name}", u32::from(letter)), instead)
+}

@@ -1,0 +1,107 @@
+//! Where a file has its axis lists: it is one, or a project of TwinCAT (`.xti`, `.tsproj`), whose elements `AchsMds` hold one for
+//! each axis as CDATA. No line of a list is read.
+
+use super::{axis_name, source::Source, value::shown};
+use crate::codes;
+use crate::diagnostics::Diagnostic;
+use roxmltree::{Document, Node, ParsingOptions};
+use std::{ops::Range, sync::Arc};
+
+/// The list of an axis, and where it stands in its file.
+#[derive(Debug)]
+pub(crate) struct AxisList {
+    pub(crate) source: Arc<Source>,
+    pub(crate) range: Range<usize>,
+    /// what a project calls the axis, as far as an axis may be called so
+    pub(crate) name: Option<String>,
+}
+
+/// The element that holds a list.
+const ELEMENT: &str = "AchsMds";
+
+/// The lists of a file, at least one.
+pub(crate) fn lists(source: &Arc<Source>) -> Result<Vec<AxisList>, Diagnostic> {
+    let of = |range, name| AxisList { source: Arc::clone(source), range, name };
+    let text = source.bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(&source.bytes);
+    if !text.trim_ascii_start().starts_with(b"<") {
+        return Ok(vec![of(0..source.bytes.len(), None)]);
+    }
+    let refused = |found: String| {
+        let said = Diagnostic::error(codes::PROJECT, source.whole(), found);
+        said.allowed("an axis list, or a project of TwinCAT with the element AchsMds of an axis")
+    };
+    let shift = source.bytes.len() - text.len();
+    let text = str::from_utf8(text).map_err(|_| refused("the file is XML, and not UTF-8".to_owned()))?;
+    let options = ParsingOptions { allow_dtd: false, nodes_limit: 10_000_000, ..ParsingOptions::default() };
+    let document = Document::parse_with_options(text, options).map_err(|error| {
+        let (line, column) = (error.pos().row as usize, error.pos().col as usize);
+        let said = refused(format!("the file is broken XML: {error}"));
+        let place = crate::diagnostics::Place { line, column, ..said.place };
+        Diagnostic { place, ..said }
+    })?;
+    let elements = document.descendants().filter(|node| node.has_tag_name(ELEMENT));
+    let found: Vec<AxisList> = elements
+        .filter(|element| element.text().is_some())
+        .map(|element| {
+            let range = list_in(element, text).ok_or_else(|| {
+                let said = refused(format!("the element {ELEMENT} has its list in another form than one CDATA"));
+                Diagnostic { place: source.place(shift + element.range().start), ..said }
+            })?;
+            Ok(of(range.start + shift..range.end + shift, name_of(element)))
+        })
+        .collect::<Result<_, _>>()?;
+    if found.is_empty() {
+        return Err(refused(format!("the file is XML, and no element {ELEMENT} of it holds an axis list")));
+    }
+    Ok(found)
+}
+
+/// What stands between the signs of the only CDATA of an element.
+fn list_in(element: Node<'_, '_>, text: &str) -> Option<Range<usize>> {
+    let range = element.range();
+    let (open, close) = ("<![CDATA[", "]]>");
+    let inside = &text[range.clone()];
+    let start = inside.find(open)? + open.len();
+    let end = inside.find(close)?;
+    let is_alone = inside[end + close.len()..].trim_start().starts_with("</")
+        && inside[..start - open.len()].trim_end().ends_with('>');
+    is_alone.then_some(range.start + start..range.start + end)
+}
+
+/// The name of the innermost element around a list that has one.
+fn name_of(element: Node<'_, '_>) -> Option<String> {
+    let names = element.ancestors().filter_map(|above| {
+        let mut inside = above.children().filter(|child| child.has_tag_name("ItemName") || child.has_tag_name("Name"));
+        inside.find_map(|name| name.text())
+    });
+    names.map(axis_name::of_words).find(|name| axis_name::is_allowed(name))
+}
+
+/// The list of the axis of this name, or the only one.
+pub(crate) fn of_axis(mut lists: Vec<AxisList>, name: Option<&str>) -> Result<AxisList, Diagnostic> {
+    let is_it = |list: &AxisList| name.is_some() && list.name.as_deref() == name;
+    match lists.iter().position(is_it) {
+        _ if lists.len() == 1 => Ok(lists.swap_remove(0)),
+        Some(at) => Ok(lists.swap_remove(at)),
+        None => {
+            let found = match name {
+                Some(name) => format!("the project has several axes, and none is called {}", shown(name)),
+                None => "the project has several axes".to_owned(),
+            };
+            let names: Vec<&str> = lists.iter().filter_map(|list| list.name.as_deref()).collect();
+            let said = Diagnostic::error(codes::NO_AXIS, lists[0].source.whole(), found);
+            Err(said.allowed(format!("the name of one of them: {}", names.join(", "))))
+        }
+    }
+}
+
+impl AxisList {
+    pub(crate) fn bytes(&self) -> &[u8] {
+        &self.source.bytes[self.range.clone()]
+    }
+
+    /// What stands before the list in its file, and behind it.
+    pub(crate) fn around(&self) -> [&[u8]; 2] {
+        [&self.source.bytes[..self.range.start], &self.source.bytes[self.range.end..]]
+    }
+}

@@ -1,0 +1,159 @@
+//! What TOML's parser refuses, one message a line, in the words of somebody who wrote a list before: which sign is wrong, and what to write
+//! instead. Nothing is parsed here that TOML accepts.
+
+use super::source::Source;
+use super::value::{is_number, shown};
+use crate::codes;
+use crate::diagnostics::Diagnostic;
+use std::collections::BTreeMap;
+
+/// A place in a line, what was found there, and what to write instead.
+type Fault = (usize, String, String);
+
+/// More lines with faults than these are not listed: they follow from the first.
+const LINES: usize = 20;
+
+/// The faults of a text, each as the parser gives it: where, and its words.
+pub(super) fn said(source: &Source, text: &str, faults: impl Iterator<Item = (usize, String)>) -> Vec<Diagnostic> {
+    let mut lines = BTreeMap::new();
+    for (at, words) in faults {
+        // A place between two characters would be none.
+        let at = (0..=at.min(text.len())).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0);
+        let start = text[..at].rfind('\n').map_or(0, |end| end + 1);
+        lines.entry(start).or_insert((at - start, words));
+    }
+    let of_line = |(start, (column, words)): (usize, (usize, String))| {
+        let line = text[start..].lines().next().unwrap_or_default();
+        let error = |at: usize, found| Diagnostic::error(codes::SYNTAX, source.place(start + at), found);
+        match fault(line, column.min(line.len()), &words) {
+            Some((at, found, instead)) => error(at, found).instead(instead),
+            None => error(column, format!("no TOML: {words}")),
+        }
+    };
+    lines.into_iter().take(LINES).map(of_line).collect()
+}
+
+/// What is wrong in a line about which the parser says these words.
+fn fault(line: &str, column: usize, words: &str) -> Option<Fault> {
+    let start = line.len() - line.trim_start().len();
+    let text = line.trim();
+    if let Some(sign) = ["//", "/*", "(*", "(", ";", "'"].into_iter().find(|sign| text.starts_with(sign)) {
+        return Some((start, format!("`{sign}` begins no comment of TOML"), "`#` before a comment".to_owned()));
+    }
+    if text.starts_with('{') {
+        let found = "`{` begins no line of TOML: the file seems to be JSON".to_owned();
+        return Some((start, found, "key = value, and [axis.X] above what belongs to an axis".to_owned()));
+    }
+    if let Some(at) = line.find(['\u{201c}', '\u{201d}', '\u{201e}', '\u{2018}', '\u{2019}']) {
+        return Some((
+            at,
+            "a typographic quote, as a text processor writes it".to_owned(),
+            "\" around a string".to_owned(),
+        ));
+    }
+    if words.contains("duplicate key") {
+        return Some((start, "the key is given twice".to_owned(), "one of the two lines".to_owned()));
+    }
+    if ["escape", "unicode"].iter().any(|word| words.contains(word)) {
+        let found = "a backslash in a string with \" begins an escape".to_owned();
+        return Some((column, found, "/ between the parts of a path, or the string in '...'".to_owned()));
+    }
+    if text.starts_with('[') {
+        let closing = if text.starts_with("[[") { "]]" } else { "]" };
+        return (!text.contains(closing))
+            .then(|| (start, "the name of a table without its end".to_owned(), format!("{text}{closing}")));
+    }
+    values(line).into_iter().find_map(value_fault).or_else(|| key_fault(line, start))
+}
+
+/// A value and what stands behind its comma.
+struct Written<'l> {
+    at: usize,
+    text: &'l str,
+    next: &'l str,
+}
+
+/// What stands behind each `=` of a line, up to the end of the value, as far as no string is left open.
+fn values(line: &str) -> Vec<Written<'_>> {
+    let mut found = Vec::new();
+    let mut quote = None;
+    for (at, sign) in line.char_indices() {
+        match (sign, quote) {
+            ('"' | '\'', None) => quote = Some(sign),
+            (_, Some(open)) if open == sign => quote = None,
+            ('#', None) => break,
+            ('=', None) => {
+                let rest = &line[at + 1..];
+                let text = rest.trim_start();
+                let end = text.find([',', '}', ']', '#']).unwrap_or(text.len());
+                let next = text[end..].strip_prefix(',').unwrap_or_default();
+                let next = next[..next.find([',', '}', ']', '#']).unwrap_or(next.len())].trim_end();
+                found.push(Written { at: line.len() - text.len(), text: text[..end].trim_end(), next });
+            }
+            _ => {}
+        }
+    }
+    found
+}
+
+fn value_fault(Written { at, text, next }: Written<'_>) -> Option<Fault> {
+    let is_digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    let plain = text.trim_end_matches(';').trim_end();
+    let found = |what: &str| format!("{} is {what}", shown(text));
+    let (number, unit) = plain.split_at(plain.find(|c: char| c.is_ascii_alphabetic()).unwrap_or(plain.len()));
+    let number = number.trim_end();
+    let said = match () {
+        () if text.is_empty() => ("the key has no value".to_owned(), "a value behind `=`".to_owned()),
+        () if is_number(text) && is_digits(next) => {
+            (format!("`{text},{next}` has a decimal comma"), format!("{text}.{next}"))
+        }
+        () if plain.len() < text.len() => (format!("`;` behind {}", shown(plain)), plain.to_owned()),
+        () if text.starts_with(['"', '\'']) => {
+            let quote = &text[..1];
+            let is_open = text.matches(quote).count() == 1;
+            return is_open.then(|| (at, "a string without its end".to_owned(), format!("{text}{quote}")));
+        }
+        () if ["true", "false"].iter().any(|word| word.eq_ignore_ascii_case(text) && *word != text) => {
+            (found("no word of TOML"), text.to_ascii_lowercase())
+        }
+        () if text.starts_with(|c: char| c.is_ascii_alphabetic())
+            && !["true", "false", "inf", "nan"].contains(&text) =>
+        {
+            (found("a word without quotes"), format!("\"{text}\""))
+        }
+        () if !unit.is_empty() && is_number(number) && !is_number(text) => match unit {
+            "s" | "ms" | "us" | "ns" => (found("a time without quotes"), format!("\"{text}\"")),
+            _ => (found("a number with a unit"), number.to_owned()),
+        },
+        () if text.matches('.').count() > 1 && is_digits(&text.replace('.', "")) => {
+            (found("a number with several points"), text.replace('.', ""))
+        }
+        () if text.starts_with('.') && is_number(text) => {
+            (found("a number that begins with a point"), format!("0{text}"))
+        }
+        () if text.ends_with('.') && is_number(text) => (found("a number that ends with a point"), format!("{text}0")),
+        () if text.len() > 1 && text.starts_with('0') && is_digits(text) => {
+            (found("a number that begins with 0"), text.trim_start_matches('0').to_owned())
+        }
+        () => return None,
+    };
+    Some((at, said.0, said.1))
+}
+
+/// What is wrong with the key of a line.
+fn key_fault(line: &str, start: usize) -> Option<Fault> {
+    let (key, value) = line.split_once('=').unwrap_or((line, ""));
+    let key = key.trim();
+    if let Some(bracket) = key.find('[') {
+        let table = key[..bracket].rsplit('.').next().unwrap_or_default();
+        let found = format!("{} has an index, which no key of TOML has", shown(key));
+        return Some((start, found, format!("{table} = [{{ ... }}], or [[...{table}]] for each")));
+    }
+    if let Some((name, rest)) = key.split_once(':') {
+        let value = if rest.is_empty() { value } else { rest };
+        let (name, value) = (name.trim(), value.trim());
+        return Some((start, "`:` stands where `=` belongs".to_owned(), format!("{name} = {value}")));
+    }
+    let (name, value) = key.split_once([' ', '\t']).filter(|_| value.is_empty())?;
+    Some((start, "between key and value there is no `=`".to_owned(), format!("{name} = {}", value.trim())))
+}

@@ -1,0 +1,87 @@
+//! Files as machines, manuals and people have them: what is read from them, what is said of them, and that they come back to the byte.
+//! `AXGEN_BLESS=1 cargo test -p axgen-generator --test real_files` writes the transcripts anew; read their difference.
+
+#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
+mod encodings;
+mod ends;
+mod kinds;
+mod listings;
+mod mistakes;
+mod projects;
+mod signs;
+
+use generator::config::{ListOptions, Unreadable};
+use generator::diagnostics::Report;
+use generator::import_export;
+use generator::pipeline::{Set, read_with};
+use std::path::Path;
+
+const IPC: &str = "lr_param.improved_position_control.";
+
+/// A list about which nothing is said.
+const VALID: &str = "\
+kopf.achs_nr                1
+kenngr.achs_typ             ACHSTYP_TRANSLATOR
+getriebe[0].dynamik.vb_max  530000
+lr_param.improved_position_control.enable                     DRYRUN
+lr_param.improved_position_control.v_add_max_fact             100
+lr_param.improved_position_control.stage[0].mode              DIRECT
+lr_param.improved_position_control.stage[0].filter.order      1
+lr_param.improved_position_control.stage[0].filter.fg_f0      53
+lr_param.improved_position_control.stage[0].filter.q_factor   10
+lr_param.improved_position_control.stage[0].weight_fact_num   300
+lr_param.improved_position_control.stage[0].weight_fact_denom 100
+";
+
+type File<'f> = (&'f str, &'f [u8]);
+
+fn load(files: &[File<'_>], path: &Path) -> Result<Vec<u8>, Unreadable> {
+    let found = files.iter().find(|(name, _)| path == Path::new(name));
+    found.map(|(_, bytes)| bytes.to_vec()).ok_or(Unreadable::System("there is no such file".to_owned()))
+}
+
+/// What `check` makes of the first of some files; of a list at a cycle time of 1 ms.
+fn read(files: &[File<'_>]) -> (Option<Set>, Report) {
+    read_named(files, None)
+}
+
+fn read_named(files: &[File<'_>], name: Option<&str>) -> (Option<Set>, Report) {
+    let path = Path::new(files[0].0);
+    let is_set = path.extension().is_some_and(|extension| extension == "toml");
+    let cycle_time = (!is_set).then(|| "1ms".to_owned());
+    read_with(path, &ListOptions { cycle_time, name: name.map(str::to_owned) }, &|path| load(files, path))
+}
+
+/// What the axis of a list in which nothing is wrong depends on.
+fn canonical(file: File<'_>) -> String {
+    let (set, report) = read(&[file]);
+    set.unwrap_or_else(|| panic!("{report}")).axes.remove(0).axis.canonical
+}
+
+/// Imports and exports a file: the same bytes, and the set means what the file means.
+fn round_trip(file: File<'_>) -> String {
+    let options = ListOptions { cycle_time: Some("1ms".to_owned()), name: Some("X".to_owned()) };
+    let (set, report) = import_export::import(Path::new(file.0), &options, &|path| load(&[file], path));
+    let set = set.unwrap_or_else(|| panic!("{report}"));
+    assert_eq!(exported(&[("set.toml", set.as_bytes())]), file.1, "{set}");
+    assert_eq!(canonical(("set.toml", set.as_bytes())), canonical(file), "{set}");
+    set
+}
+
+/// The list of the only axis of the first of some files.
+fn exported(files: &[File<'_>]) -> Vec<u8> {
+    let (list, report) = import_export::export(Path::new(files[0].0), None, &|path| load(files, path));
+    list.unwrap_or_else(|| panic!("{report}"))
+}
+
+/// Compares with a transcript beside these tests, or writes it.
+fn assert_transcript(name: &str, said: &str) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/real_files").join(name);
+    if std::env::var_os("AXGEN_BLESS").is_some() {
+        std::fs::write(path, said).unwrap();
+    } else {
+        let expected = std::fs::read_to_string(path).unwrap();
+        assert!(expected == said, "{name} differs; AXGEN_BLESS=1 writes it anew\n{said}");
+    }
+}
