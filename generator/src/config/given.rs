@@ -91,7 +91,7 @@ pub(crate) fn list_of(keys: &Values, axis: &str, set: &Path, load: Load<'_>) -> 
     let (list, setting) = keys.text(Name::List)?;
     let path = set.parent().unwrap_or(Path::new("")).join(list);
     let source = file::read(&path, Some(setting), load);
-    Some(source.and_then(|source| Ok(project::of_axis(project::lists(&source)?, Some(axis))?)))
+    Some(source.and_then(|source| project::of_axis(project::lists(&source)?, Some(axis))))
 }
 
 /// A list, or the lists of a project, of which `--name` chooses one.

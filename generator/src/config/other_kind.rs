@@ -13,12 +13,11 @@ const SET: Kind = ("seems to be a set in TOML", "a name that ends with .toml");
 
 /// What is to be said instead of everything else about a list; none: it is one, or nearly.
 pub(crate) fn instead_of_a_list(list: &AxisList, read: &List) -> Option<Diagnostic> {
-    let lines = contents(list.bytes());
     let said = |(what, instead): Kind| {
         let found = format!("no parameter of an axis is in the file: it {what}");
         Diagnostic::error(codes::NO_LIST, list.source.whole(), found).allowed("an axis list").instead(instead)
     };
-    if statements(&lines).any(|line| line.path.starts_with("[axis.") || line.path.starts_with("[[axis.")) {
+    if statements(list.bytes()).any(|line| line.path.starts_with("[axis.") || line.path.starts_with("[[axis.")) {
         return Some(said(SET));
     }
     // What axgen has recognised of a list, right or wrong, is said line by line.
@@ -27,19 +26,19 @@ pub(crate) fn instead_of_a_list(list: &AxisList, read: &List) -> Option<Diagnost
     if !read.values.is_empty() || !read.report.diagnostics.iter().all(|said| is_unknown(said.code)) {
         return None;
     }
-    if lines.iter().any(is_of_an_axis) {
+    if contents(list.bytes()).any(|line| is_of_an_axis(&line)) {
         return None;
     }
-    Some(said(seems(list.bytes(), &lines)))
+    Some(said(seems(list.bytes())))
 }
 
 /// The same of a set, which is no TOML.
 pub(super) fn instead_of_a_set(source: &Source) -> Option<Diagnostic> {
-    let lines = contents(&source.bytes);
     let is_parameter = |line: &Statement<'_>| {
         matches!(path::find(line.path), Path::Known { .. }) && !line.value.is_empty() && !line.value.starts_with('=')
     };
-    let is_list = statements(&lines).any(is_parameter) && !statements(&lines).any(is_toml);
+    let is_list = statements(&source.bytes).any(|line| is_parameter(&line))
+        && !statements(&source.bytes).any(|line| is_toml(&line));
     let said = Diagnostic::error(
         codes::NO_LIST,
         source.whole(),
@@ -48,12 +47,12 @@ pub(super) fn instead_of_a_set(source: &Source) -> Option<Diagnostic> {
     is_list.then(|| said.instead("a name that does not end with .toml, such as x.lis"))
 }
 
-fn contents(bytes: &[u8]) -> Vec<Content<'_>> {
-    lines::split(bytes).1.map(|line| line.content).collect()
+fn contents(bytes: &[u8]) -> impl Iterator<Item = Content<'_>> {
+    lines::split(bytes).1.map(|line| line.content)
 }
 
-fn statements<'l, 'a>(lines: &'l [Content<'a>]) -> impl Iterator<Item = &'l Statement<'a>> {
-    lines.iter().filter_map(|line| match line {
+fn statements(bytes: &[u8]) -> impl Iterator<Item = Statement<'_>> {
+    contents(bytes).filter_map(|line| match line {
         Content::Statement(statement) => Some(statement),
         _ => None,
     })
@@ -70,19 +69,19 @@ fn is_of_an_axis(line: &Content<'_>) -> bool {
     first.len() < path.len() && path::structures().any(|structure| structure.trim_end_matches("[]").as_bytes() == first)
 }
 
-fn seems(bytes: &[u8], lines: &[Content<'_>]) -> Kind {
+fn seems(bytes: &[u8]) -> Kind {
     let of_list = |first: &[&str]| {
         let is = |line: &Statement<'_>| first.contains(&line.path.split(['.', '[']).next().unwrap_or_default());
-        statements(lines).any(is)
+        statements(bytes).any(|line| is(&line))
     };
-    let unreadable = lines.iter().filter(|line| matches!(line, Content::Unreadable { .. })).count();
+    let is_unreadable = |line| matches!(line, Content::Unreadable { .. });
     match () {
         () if bytes.contains(&0) => ("is no text, or UTF-16 without its byte order mark", "the list saved as UTF-8"),
-        () if statements(lines).next().is_none() && unreadable == 0 => {
+        () if statements(bytes).next().is_none() && !contents(bytes).any(is_unreadable) => {
             ("is empty, or has nothing but comments", "the name of an axis list")
         }
-        () if statements(lines).any(|line| is_toml(line)) => SET,
-        () if statements(lines).any(|line| is_nc_block(line)) => (
+        () if statements(bytes).any(|line| is_toml(&line)) => SET,
+        () if statements(bytes).any(|line| is_nc_block(&line)) => (
             "seems to be an NC program",
             "the axis list; G135, G136 and G137 are inputs of the blocks feedforward and axis",
         ),

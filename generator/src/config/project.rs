@@ -3,7 +3,7 @@
 
 use super::{axis_name, source::Source, value::shown};
 use crate::codes;
-use crate::diagnostics::Diagnostic;
+use crate::diagnostics::{Diagnostic, Place, Report};
 use roxmltree::{Document, Node, ParsingOptions};
 use std::{ops::Range, sync::Arc};
 
@@ -20,7 +20,7 @@ pub(crate) struct AxisList {
 const ELEMENT: &str = "AchsMds";
 
 /// The lists of a file, at least one.
-pub(crate) fn lists(source: &Arc<Source>) -> Result<Vec<AxisList>, Diagnostic> {
+pub(crate) fn lists(source: &Arc<Source>) -> Result<Vec<AxisList>, Report> {
     let of = |range, name| AxisList { source: Arc::clone(source), range, name };
     let text = source.bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(&source.bytes);
     if !text.trim_ascii_start().starts_with(b"<") {
@@ -31,13 +31,13 @@ pub(crate) fn lists(source: &Arc<Source>) -> Result<Vec<AxisList>, Diagnostic> {
         said.allowed("an axis list, or a project of TwinCAT with the element AchsMds of an axis")
     };
     let shift = source.bytes.len() - text.len();
-    let text = str::from_utf8(text).map_err(|_| refused("the file is XML, and not UTF-8".to_owned()))?;
+    let text = str::from_utf8(text).map_err(|_| Report::from(refused("the file is XML, and not UTF-8".to_owned())))?;
     let options = ParsingOptions { allow_dtd: false, nodes_limit: 10_000_000, ..ParsingOptions::default() };
     let document = Document::parse_with_options(text, options).map_err(|error| {
         let (line, column) = (error.pos().row as usize, error.pos().col as usize);
         let said = refused(format!("the file is broken XML: {error}"));
-        let place = crate::diagnostics::Place { line, column, ..said.place };
-        Diagnostic { place, ..said }
+        let place = Place { line, column, ..said.place };
+        Report::from(Diagnostic { place, ..said })
     })?;
     let elements = document.descendants().filter(|node| node.has_tag_name(ELEMENT));
     let found: Vec<AxisList> = elements
@@ -45,13 +45,13 @@ pub(crate) fn lists(source: &Arc<Source>) -> Result<Vec<AxisList>, Diagnostic> {
         .map(|element| {
             let range = list_in(element, text).ok_or_else(|| {
                 let said = refused(format!("the element {ELEMENT} has its list in another form than one CDATA"));
-                Diagnostic { place: source.place(shift + element.range().start), ..said }
+                Report::from(Diagnostic { place: source.place(shift + element.range().start), ..said })
             })?;
             Ok(of(range.start + shift..range.end + shift, name_of(element)))
         })
-        .collect::<Result<_, _>>()?;
+        .collect::<Result<_, Report>>()?;
     if found.is_empty() {
-        return Err(refused(format!("the file is XML, and no element {ELEMENT} of it holds an axis list")));
+        return Err(refused(format!("the file is XML, and no element {ELEMENT} of it holds an axis list")).into());
     }
     Ok(found)
 }
@@ -78,7 +78,7 @@ fn name_of(element: Node<'_, '_>) -> Option<String> {
 }
 
 /// The list of the axis of this name, or the only one.
-pub(crate) fn of_axis(mut lists: Vec<AxisList>, name: Option<&str>) -> Result<AxisList, Diagnostic> {
+pub(crate) fn of_axis(mut lists: Vec<AxisList>, name: Option<&str>) -> Result<AxisList, Report> {
     let is_it = |list: &AxisList| name.is_some() && list.name.as_deref() == name;
     match lists.iter().position(is_it) {
         _ if lists.len() == 1 => Ok(lists.swap_remove(0)),
@@ -90,7 +90,7 @@ pub(crate) fn of_axis(mut lists: Vec<AxisList>, name: Option<&str>) -> Result<Ax
             };
             let names: Vec<&str> = lists.iter().filter_map(|list| list.name.as_deref()).collect();
             let said = Diagnostic::error(codes::NO_AXIS, lists[0].source.whole(), found);
-            Err(said.allowed(format!("the name of one of them: {}", names.join(", "))))
+            Err(said.allowed(format!("the name of one of them: {}", names.join(", "))).into())
         }
     }
 }

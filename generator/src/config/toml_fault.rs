@@ -2,7 +2,7 @@
 //! instead. Nothing is parsed here that TOML accepts.
 
 use super::source::Source;
-use super::value::{is_number, shown};
+use super::value::{is_number, on_a_line, shown};
 use crate::codes;
 use crate::diagnostics::Diagnostic;
 use std::collections::BTreeMap;
@@ -13,20 +13,32 @@ type Fault = (usize, String, String);
 /// More lines with faults than these are not listed: they follow from the first.
 const LINES: usize = 20;
 
+/// Longer lines, in bytes, are not looked at: nobody wrote them.
+const LONGEST: usize = 1000;
+
 /// The faults of a text, each as the parser gives it: where, and its words.
 pub(super) fn said(source: &Source, text: &str, faults: impl Iterator<Item = (usize, String)>) -> Vec<Diagnostic> {
-    let mut lines = BTreeMap::new();
+    let mut lines: BTreeMap<usize, (usize, String)> = BTreeMap::new();
+    let mut seen = 0..0;
     for (at, words) in faults {
         // A place between two characters would be none.
         let at = (0..=at.min(text.len())).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0);
-        let start = text[..at].rfind('\n').map_or(0, |end| end + 1);
-        lines.entry(start).or_insert((at - start, words));
+        if !seen.contains(&at) {
+            let start = text[..at].rfind('\n').map_or(0, |end| end + 1);
+            seen = start..text[at..].find('\n').map_or(text.len(), |end| at + end) + 1;
+            lines.entry(start).or_insert((at - start, words));
+        }
+        if lines.len() > LINES {
+            break;
+        }
     }
     let of_line = |(start, (column, words)): (usize, (usize, String))| {
         let line = text[start..].lines().next().unwrap_or_default();
         let error = |at: usize, found| Diagnostic::error(codes::SYNTAX, source.place(start + at), found);
-        match fault(line, column.min(line.len()), &words) {
-            Some((at, found, instead)) => error(at, found).instead(instead),
+        let is_comment = line.trim_start().starts_with('#');
+        let fault = if is_comment || line.len() > LONGEST { None } else { fault(line, column.min(line.len()), &words) };
+        match fault {
+            Some((at, found, instead)) => error(at, on_a_line(&found)).instead(on_a_line(&instead)),
             None => error(column, format!("no TOML: {words}")),
         }
     };
@@ -144,7 +156,8 @@ fn value_fault(Written { at, text, next }: Written<'_>) -> Option<Fault> {
 fn key_fault(line: &str, start: usize) -> Option<Fault> {
     let (key, value) = line.split_once('=').unwrap_or((line, ""));
     let key = key.trim();
-    if let Some(bracket) = key.find('[') {
+    let is_plain = key.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"._[]".contains(&byte));
+    if let Some(bracket) = key.find('[').filter(|_| is_plain) {
         let table = key[..bracket].rsplit('.').next().unwrap_or_default();
         let found = format!("{} has an index, which no key of TOML has", shown(key));
         return Some((start, found, format!("{table} = [{{ ... }}], or [[...{table}]] for each")));

@@ -134,15 +134,21 @@ fn toml_types(kind: Kind) -> (&'static str, &'static [&'static str]) {
 /// A text from a file, fit for a message: on one line, and not too long.
 pub(crate) fn shown(text: &str) -> String {
     const LONGEST: usize = 100;
-    let mut start = String::new();
-    for letter in text.chars().take(LONGEST) {
+    let start: String = text.chars().take(LONGEST).collect();
+    let dots = if text.chars().nth(LONGEST).is_some() { "..." } else { "" };
+    format!("`{}{dots}`", on_a_line(&start))
+}
+
+/// A text with everything written out that could end a line, steer a terminal or turn the order of the letters.
+pub(super) fn on_a_line(text: &str) -> String {
+    let mut line = String::with_capacity(text.len());
+    for letter in text.chars() {
         match letter {
-            '"' | '\'' | '\\' => start.push(letter),
-            other => start.extend(other.escape_debug()),
+            '"' | '\'' | '\\' => line.push(letter),
+            other => line.extend(other.escape_debug()),
         }
     }
-    let dots = if text.chars().nth(LONGEST).is_some() { "..." } else { "" };
-    format!("`{start}{dots}`")
+    line
 }
 
 fn of_word(parameter: &Parameter, words: &'static [Word], text: &str) -> Result<&'static str, Refused> {

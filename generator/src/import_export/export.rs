@@ -34,7 +34,7 @@ fn of_set(
         return None;
     }
     let Some(list) = given::list_of(&keys, axis.name, path, load) else {
-        let base = imported(&keys).map_err(|refused| report.push(refused)).ok()?;
+        let base = imported(&keys).map_err(|refused| report.extend(refused)).ok()?;
         let filling = Filling { values: top.overridden_by(keys), report };
         let Some(Imported { text: [before, lines, behind], encoding, place }) = base else { return filling.list(None) };
         let list = filling.list(Some(&lines))?;
@@ -55,7 +55,7 @@ fn of_set(
 
 /// The bytes of a list or a project, if its lists can be read.
 fn as_it_is(source: &Arc<Source>, report: &mut Report) -> Option<Vec<u8>> {
-    let lists = project::lists(source).map_err(|refused| report.push(refused)).ok()?;
+    let lists = project::lists(source).map_err(|refused| report.extend(refused)).ok()?;
     for list in lists {
         report.extend(list::read(&list).report);
     }
@@ -91,7 +91,7 @@ struct Imported {
     place: Place,
 }
 
-fn imported(keys: &Values) -> Result<Option<Imported>, Diagnostic> {
+fn imported(keys: &Values) -> Result<Option<Imported>, Report> {
     let Some((_, setting)) = keys.text(Name::ImportedLines) else { return Ok(None) };
     let place = setting.value_place();
     // An editor, or a version control, may have saved the whole set with other line ends.
@@ -114,15 +114,15 @@ fn imported(keys: &Values) -> Result<Option<Imported>, Diagnostic> {
     Ok(Some(Imported { text, encoding, place }))
 }
 
-fn encoded(text: Vec<u8>, encoding: Encoding, place: &Place) -> Result<Vec<u8>, Diagnostic> {
+fn encoded(text: Vec<u8>, encoding: Encoding, place: &Place) -> Result<Vec<u8>, Report> {
     encoding.encoded(text).map_err(|character| {
         let found = format!("the lines have the character {character:?}, which is none of latin-1");
         let said = Diagnostic::error(codes::BYTE, place.clone(), found);
-        said.allowed("characters up to U+00FF, or another encoding")
+        said.allowed("characters up to U+00FF, or another encoding").into()
     })
 }
 
 /// The bytes of a file with these parts.
 fn file_of(parts: [&[u8]; 3], encoding: Encoding, place: &Place, report: &mut Report) -> Option<Vec<u8>> {
-    encoded(parts.concat(), encoding, place).map_err(|refused| report.push(refused)).ok()
+    encoded(parts.concat(), encoding, place).map_err(|refused| report.extend(refused)).ok()
 }

@@ -24,7 +24,7 @@ pub fn import(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<Str
     let of_axis = |lists| project::of_axis(lists, options.name.as_deref());
     let list_of_axis = match project::lists(&source).and_then(of_axis) {
         Ok(list) => list,
-        Err(refused) => return (None, refused.into()),
+        Err(refused) => return (None, refused),
     };
     let name = given::name_of(path, &list_of_axis, options, &mut report);
     let top = given::cycle_time_of(options, &mut report);

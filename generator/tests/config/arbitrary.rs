@@ -198,6 +198,9 @@ fn every_code_has_a_test() {
         include_str!("rules.rs"),
         include_str!("set.rs"),
         include_str!("values.rs"),
+        include_str!("../real_files/kinds.rs"),
+        include_str!("../real_files/mistakes.txt"),
+        include_str!("../real_files/projects.rs"),
         include_str!("../../cli/tests/front_door/messages.rs"),
     ];
     for code in CODES {

@@ -436,3 +436,44 @@ fn assumed_values() {
         ""
     );
 }
+
+/// The manual's formulas take the gear ratio from P-AXIS-00234 and 00233: one that stands elsewhere would be lost.
+#[test]
+fn a_gear_ratio_in_other_parameters() {
+    assert_transcript(
+        said_of_axis,
+        r#"
+> kenngr.antr_typ = 3
+> vorsteuer.vorsteuerung = 'ADD_VEL'
+> vorsteuer.shift_time = 3
+> process_data.additive_velocity = 'INT32'
+> getriebe = [{ kv = 2000, incr_per_rev = 1024, gear_fact_num = 3 }]
+set.toml:7:63: error[AX319]: the gear ratio 3/1 (P-AXIS-00511, 00512) would not reach the angle of the motor
+    allowed: the ratio in P-AXIS-00234 and 00233 alone
+    write instead: getriebe[0].wegaufz 3 and getriebe[0].wegaufn 1, beside the feed constant
+
+> kenngr.antr_typ = 3
+> vorsteuer.vorsteuerung = 'ADD_VEL'
+> vorsteuer.shift_time = 3
+> process_data.additive_velocity = 'INT32'
+> getriebe = [{ kv = 2000, incr_per_rev = 1024, gear_fact_num = 3, gear_fact_denom = 3 }]
+
+> vorsteuer.vorsteuerung = 'VEL'
+> getriebe = [{ kv = 2000, gear_fact_num = 3 }]
+"#,
+    );
+}
+
+#[test]
+fn a_measuring_probe() {
+    assert_transcript(
+        said_of_axis,
+        r#"
+> vorsteuer.vorsteuerung = 'VEL'
+> getriebe = [{ kv = 2000 }]
+> kenngr.hub_messtaster = 20000
+set.toml:5:25: warning[AX441]: the axis has a measuring probe (P-AXIS-00086), and feedforward delays its position by a cycle at the least
+    write instead: a kenngr.hub_messtaster that is longer by the path of the delay
+"#,
+    );
+}

@@ -44,7 +44,9 @@ fn a_list_that_a_set_names_and_nobody_has() {
         &report.to_string(),
         &[
             "sets/set.toml:3:8: error[AX001]: `sets/lists/x.lis` cannot be read: there is no such file",
+            "    allowed: a file that can be read; its path begins at the folder of the set",
             "sets/set.toml:5:8: error[AX001]: `sets/` cannot be read: there is no such file",
+            "    allowed: a file that can be read; its path begins at the folder of the set",
         ],
     );
 }

@@ -369,16 +369,18 @@ fn no_toml() {
              [axis.X",
         ),
         &[
-            "set.toml:2:8: error[AX004]: no TOML: unclosed table, expected `]`",
-            "set.toml:1:14: error[AX004]: no TOML: string values must be quoted, expected literal string",
+            "set.toml:1:14: error[AX004]: the key has no value",
+            "    write instead: a value behind `=`",
+            "set.toml:2:1: error[AX004]: the name of a table without its end",
+            "    write instead: [axis.X]",
         ],
     );
     assert_said(
         &said_of_set("= \"1ms\"\n\n[[["),
         &[
             "set.toml:1:1: error[AX004]: no TOML: unquoted keys cannot be empty, expected letters, numbers, `-`, `_`",
-            "set.toml:3:3: error[AX004]: no TOML: unquoted keys cannot be empty, expected letters, numbers, `-`, `_`",
-            "set.toml:3:3: error[AX004]: no TOML: duplicate key",
+            "set.toml:3:1: error[AX004]: the name of a table without its end",
+            "    write instead: [[[]]",
         ],
     );
     assert_said(
@@ -386,7 +388,7 @@ fn no_toml() {
             "a = 1\n\
              a = 2",
         ),
-        &["set.toml:2:1: error[AX004]: no TOML: duplicate key"],
+        &["set.toml:2:1: error[AX004]: the key is given twice", "    write instead: one of the two lines"],
     );
 }
 

@@ -63,7 +63,6 @@ fn no_finite_number_either() {
             "    allowed: a number, 0 < fg_f0 <= 500 [Hz]",
             "x.lis:2:61: error[AX201]: `ipc.stage[0].filter.q_factor` (P-AXIS-00752) is `1_0`, no finite number",
             "    allowed: a number, 1 <= q_factor <= 10",
-            "    write instead: 10",
             "x.lis:3:57: error[AX201]: `ipc.stage[0].osc_damping` (P-AXIS-00850) is `.`, no finite number",
             "    allowed: a number, 0 < osc_damping < 1",
         ],
@@ -110,7 +109,7 @@ fn long_or_strange_text_is_shortened_and_escaped() {
         &[
             "x.lis:1:43: error[AX202]: `ipc.enable` (P-AXIS-00758) is `xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx`",
             "    allowed: OFF (FALSE, 0), ON (TRUE, 1), DRYRUN",
-            "x.lis:2:50: error[AX202]: `ipc.stage[1].mode` (P-AXIS-00753) is `\\\"`\\'\\\\`",
+            "x.lis:2:50: error[AX202]: `ipc.stage[1].mode` (P-AXIS-00753) is `\"`'\\`",
             "    allowed: NOT_ACTIVE (0), DIRECT (1), INDIRECT (2), SET_POINT (3)",
         ],
     );

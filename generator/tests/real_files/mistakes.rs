@@ -27,7 +27,9 @@ fn whole_set(text: &str) -> (&'static str, Vec<u8>) {
 }
 
 /// The class of a mistake, what it is, the file.
-fn mistakes() -> Vec<(&'static str, &'static str, (&'static str, Vec<u8>))> {
+type Mistake = (&'static str, &'static str, (&'static str, Vec<u8>));
+
+fn mistakes() -> Vec<Mistake> {
     let stage = |from: &str, to: &str| {
         let (name, bytes) = set("");
         let text = String::from_utf8(bytes).unwrap();

@@ -71,8 +71,8 @@ fn limit(axis: &Axis) -> String {
     let (ipc, unit) = (&axis.ipc, axis.control.velocity_unit());
     let word = match ipc.v_add_max_fact {
         0 => "none, the block puts out 0",
-        ..=SMALL_LIMIT => "small",
-        ..=LARGE_LIMIT => "medium",
+        fact if fact <= SMALL_LIMIT => "small",
+        fact if fact <= LARGE_LIMIT => "medium",
         _ => "large, a wrong stage can move the axis fast",
     };
     let part = f64::from(ipc.v_add_max_fact) / 10.0;
