@@ -2,6 +2,7 @@
 
 use crate::codes;
 use std::fmt;
+use std::path::{MAIN_SEPARATOR, Path};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
@@ -9,6 +10,21 @@ pub enum Severity {
     Error,
     /// legal, but inert, deprecated or dangerous
     Warning,
+}
+
+/// A path as messages and lists of files show it: with `/` between its parts on every host, `//server/share` included.
+pub trait Slashes {
+    fn slashes(&self) -> String;
+}
+
+impl Slashes for Path {
+    fn slashes(&self) -> String {
+        with_slashes(&self.to_string_lossy(), MAIN_SEPARATOR)
+    }
+}
+
+fn with_slashes(path: &str, separator: char) -> String {
+    path.replace(separator, "/")
 }
 
 /// Where it is: lines and columns count from 1, columns count characters.
@@ -137,5 +153,16 @@ impl From<Diagnostic> for Report {
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.diagnostics.iter().try_for_each(|diagnostic| writeln!(f, "{diagnostic}"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_of_any_host_have_one_separator() {
+        assert_eq!(with_slashes(r"\\server\share\axes/lists\x 1.lis", '\\'), "//server/share/axes/lists/x 1.lis");
+        assert_eq!(with_slashes(r"a\b/c", '/'), r"a\b/c");
     }
 }

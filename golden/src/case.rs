@@ -19,6 +19,7 @@ use crate::stimulus::{self, Stimulus};
 use generator::blocks::Designed;
 use generator::blocks::{self, Block};
 use generator::config::{self, ListOptions};
+use generator::diagnostics::Slashes;
 use generator::digest::digest;
 use generator::generate::header;
 use generator::pipeline;
@@ -77,14 +78,14 @@ fn set_beside() -> String {
 /// What is wrong with its files, in words.
 pub fn read(folder: &Path) -> Result<Case, String> {
     let path = folder.join("case.toml");
-    let bytes = config::load(&path).map_err(|unreadable| format!("{}: {}", path.display(), unreadable.said().1))?;
-    let text = String::from_utf8(bytes).map_err(|error| format!("{}: {error}", path.display()))?;
-    let description: Description = toml::from_str(&text).map_err(|error| format!("{}: {error}", path.display()))?;
+    let bytes = config::load(&path).map_err(|unreadable| format!("{}: {}", path.slashes(), unreadable.said().1))?;
+    let text = String::from_utf8(bytes).map_err(|error| format!("{}: {error}", path.slashes()))?;
+    let description: Description = toml::from_str(&text).map_err(|error| format!("{}: {error}", path.slashes()))?;
     let options = ListOptions { cycle_time: description.cycle_time, name: None };
     let (set, report) = pipeline::read(&folder.join(&description.set), &options);
     let set = set.ok_or_else(|| report.to_string())?;
     let axis = set.axes.into_iter().find(|of| of.axis.name == description.axis);
-    let axis = axis.ok_or_else(|| format!("{}: no axis `{}`", path.display(), description.axis))?;
+    let axis = axis.ok_or_else(|| format!("{}: no axis `{}`", path.slashes(), description.axis))?;
     Ok(Case {
         folder: folder.to_owned(),
         purpose: description.purpose,
@@ -114,7 +115,7 @@ pub fn named_block(designed: &Designed, name: &str) -> Result<Block, String> {
 pub fn inputs(case: &Case, count: usize) -> Result<Samples, String> {
     let shape = Shape::of(&case.block.program.inputs, case.axis.axis.real);
     stimulus::samples(&case.stimulus, &shape, count)
-        .map_err(|mistake| format!("{}: {mistake}", case.folder.join("case.toml").display()))
+        .map_err(|mistake| format!("{}: {mistake}", case.folder.join("case.toml").slashes()))
 }
 
 /// A run of a case and what it must leave in the case's folder.
@@ -159,7 +160,7 @@ fn recording(case: &Case) -> Result<Recording, String> {
 pub fn record(case: &Case) -> Result<(), String> {
     let Recording { files, missing } = recording(case)?;
     if !missing.is_empty() {
-        return Err(format!("{}: the case does not show {}", case.folder.display(), missing.join(", ")));
+        return Err(format!("{}: the case does not show {}", case.folder.slashes(), missing.join(", ")));
     }
     let refused = |refusal: write::Refusal| {
         let said = refusal.report().diagnostics.into_iter().map(|of| format!("{}: {}", of.place.file, of.found));
@@ -169,7 +170,7 @@ pub fn record(case: &Case) -> Result<(), String> {
     let staged = files.iter().map(|file| write::stage(&folder, file)).collect();
     write::commit(folder, staged, true).map_err(refused)?;
     for path in left_over(case, &files) {
-        std::fs::remove_file(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+        std::fs::remove_file(&path).map_err(|error| format!("{}: {error}", path.slashes()))?;
     }
     Ok(())
 }
@@ -188,7 +189,7 @@ pub fn verify(case: &Case) -> Result<Vec<String>, String> {
         }
     }
     differing
-        .extend(left_over(case, &files).iter().map(|path| format!("{} (no such file is emitted)", path.display())));
+        .extend(left_over(case, &files).iter().map(|path| format!("{} (no such file is emitted)", path.slashes())));
     Ok(differing)
 }
 

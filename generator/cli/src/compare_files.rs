@@ -3,6 +3,7 @@
 use crate::exit::Exit;
 use crate::output;
 use generator::config;
+use generator::diagnostics::Slashes;
 use generator::target::File;
 use similar::TextDiff;
 use std::fs;
@@ -27,15 +28,15 @@ pub fn difference(file: &File, folder: &Path, show: Show) -> Result<Option<Strin
         Err(_) if fs::metadata(&path).is_err_and(is_missing) => None,
         Err(unreadable) => {
             let (code, found) = unreadable.said();
-            return Err(Exit::environment(code, path.display(), found));
+            return Err(Exit::environment(code, path.slashes(), found));
         }
     };
     if found.as_deref() == Some(file.text.as_bytes()) {
         return Ok(None);
     }
     Ok(Some(match show {
-        Show::Names if found.is_none() => format!("{}: is not there\n", path.display()),
-        Show::Names => format!("{}: differs\n", path.display()),
+        Show::Names if found.is_none() => format!("{}: is not there\n", path.slashes()),
+        Show::Names => format!("{}: differs\n", path.slashes()),
         Show::Lines => lines(&path, found.as_deref().unwrap_or_default(), &file.text),
     }))
 }
@@ -56,6 +57,6 @@ pub fn say(differences: Vec<Result<Option<String>, Exit>>) -> Result<Exit, Exit>
 fn lines(path: &Path, found: &[u8], wanted: &str) -> String {
     let found = String::from_utf8_lossy(found);
     let diff = TextDiff::from_lines(found.as_ref(), wanted);
-    let name = path.display().to_string();
+    let name = path.slashes();
     diff.unified_diff().header(&name, &format!("{name} (as it would be written)")).to_string()
 }

@@ -9,6 +9,7 @@ use crate::messages::Format;
 use crate::output;
 use crate::shared;
 use compiler::pass::Defect;
+use generator::diagnostics::Slashes;
 use generator::pipeline::Set;
 use generator::target::{self, DEFAULT_TARGETS, File, TARGETS, Target};
 use generator::write::{self, Refusal, Written};
@@ -120,7 +121,7 @@ fn say(set: &Set, paths: &[PathBuf], written: Written, warnings: usize) -> Resul
             output::print(summary::text(designed))?;
         }
         for path in paths {
-            output::line(path.display())?;
+            output::line(path.slashes())?;
         }
     }
     output::line(format!(

@@ -4,15 +4,16 @@ use crate::exit::Exit;
 use crate::output;
 use crate::results::{Files, Outcome};
 use generator::codes;
+use generator::diagnostics::Slashes;
 use golden::case::{self, Case};
 use std::path::{Path, PathBuf};
 
 /// Writes the vectors of every case.
 pub fn record(folders: &[PathBuf]) -> Result<Exit, Exit> {
     for case in read_all(folders)? {
-        let failed = |text| Exit::environment(codes::CASE, case.folder.display(), text);
+        let failed = |text| Exit::environment(codes::CASE, case.folder.slashes(), text);
         case::record(&case).map_err(failed)?;
-        output::line(format!("{}: recorded", case.folder.display()))?;
+        output::line(format!("{}: recorded", case.folder.slashes()))?;
     }
     Ok(Exit::Done)
 }
@@ -24,15 +25,11 @@ pub fn verify(folders: &[PathBuf], files: &Files) -> Result<Exit, Exit> {
     for case in read_all(folders)? {
         let differing = case::verify(&case).map_err(|text| unusable(&case.folder, text))?;
         let failure = (!differing.is_empty()).then(|| format!("differs in {}", differing.join(", ")));
-        output::line(format!("{}: {}", case.folder.display(), failure.as_deref().unwrap_or("as recorded")))?;
+        output::line(format!("{}: {}", case.folder.slashes(), failure.as_deref().unwrap_or("as recorded")))?;
         if failure.is_some() {
             exit = Exit::Different;
         }
-        outcomes.push(Outcome {
-            group: case.folder.display().to_string(),
-            name: case.block.program.block.to_owned(),
-            failure,
-        });
+        outcomes.push(Outcome { group: case.folder.slashes(), name: case.block.program.block.to_owned(), failure });
     }
     files.write("axgen golden verify", &outcomes)?;
     Ok(exit)
@@ -44,5 +41,5 @@ fn read_all(folders: &[PathBuf]) -> Result<Vec<Case>, Exit> {
 }
 
 fn unusable(folder: &Path, why: String) -> Exit {
-    Exit::input(codes::CASE, folder.display(), why.trim_end())
+    Exit::input(codes::CASE, folder.slashes(), why.trim_end())
 }

@@ -3,6 +3,7 @@
 use crate::exit::Exit;
 use crate::one_file::{self, Rule};
 use crate::output;
+use generator::diagnostics::Slashes;
 use std::path::Path;
 
 /// The set: complete, checked by a test, and safe: it starts in DRYRUN.
@@ -11,6 +12,6 @@ pub const STARTER: &str = include_str!("starter.toml");
 /// Runs the command. A file that is there already is never touched.
 pub fn run(path: &Path) -> Result<Exit, Exit> {
     one_file::commit([one_file::stage(path, STARTER.as_bytes(), Rule::NEVER)?])?;
-    output::line(format!("{}: edit it, then: axgen check {0}", path.display()))?;
+    output::line(format!("{}: edit it, then: axgen check {0}", path.slashes()))?;
     Ok(Exit::Done)
 }

@@ -3,6 +3,7 @@
 use crate::exit::Exit;
 use crate::output;
 use generator::codes;
+use generator::diagnostics::Slashes;
 use generator::write::{self, One, Replace};
 use std::fs;
 use std::io::{self, ErrorKind};
@@ -40,8 +41,8 @@ impl<'r> Rule<'r> {
 
     fn failed(self, path: &Path, error: &io::Error) -> Exit {
         match error.kind() {
-            ErrorKind::AlreadyExists => Exit::input(codes::NOT_OURS, path.display(), self.found),
-            _ => Exit::unwritable(path.display(), format!("{error}; nothing was written")),
+            ErrorKind::AlreadyExists => Exit::input(codes::NOT_OURS, path.slashes(), self.found),
+            _ => Exit::unwritable(path.slashes(), format!("{error}; nothing was written")),
         }
     }
 }
@@ -76,7 +77,7 @@ pub fn commit<'p>(files: impl IntoIterator<Item = Staged<'p>>) -> Result<(), Exi
 /// Refuses a file to write that the command reads itself.
 pub fn kept_apart<'p>(out: &Path, mut inputs: impl Iterator<Item = &'p Path>) -> Result<(), Exit> {
     match inputs.any(|input| is_same(input, out)) {
-        true => Err(Exit::input(codes::NOT_OURS, out.display(), "is an input of this run; give another name")),
+        true => Err(Exit::input(codes::NOT_OURS, out.slashes(), "is an input of this run; give another name")),
         false => Ok(()),
     }
 }

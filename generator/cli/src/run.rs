@@ -10,7 +10,7 @@ use generator::blocks::Designed;
 use generator::blocks::{self, Block};
 use generator::codes;
 use generator::config::{self, LARGEST_SAMPLES, Unreadable};
-use generator::diagnostics::{Diagnostic, Place, Report};
+use generator::diagnostics::{Diagnostic, Place, Report, Slashes};
 use golden::case::named_block;
 use golden::compare::{self, Difference, compare};
 use golden::csv::{self, Reals};
@@ -213,7 +213,7 @@ fn read(path: &Path) -> Result<String, Exit> {
 }
 
 fn name_of(input: &Path) -> String {
-    if is_standard(input) { "standard input".to_owned() } else { input.display().to_string() }
+    if is_standard(input) { "standard input".to_owned() } else { input.slashes() }
 }
 
 /// Whether a path stands for standard input or output.

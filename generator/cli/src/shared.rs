@@ -4,6 +4,7 @@
 //! there, whichever axes were written one by one, and writing one anew takes none out: docs/decisions/0017-single-axes.md.
 
 use generator::blocks::{self, Designed};
+use generator::diagnostics::Slashes;
 use generator::generate::{header, units};
 use generator::pipeline::Set;
 use generator::target::{self, Target};
@@ -47,7 +48,7 @@ pub fn left_out(set: &Set, named: &Set, target: &Target, out: &Path) -> Option<S
     let is_named: BTreeSet<&str> = names(named).collect();
     let left_out: Vec<&str> = names(set).filter(|name| !is_named.contains(name)).collect();
     let axes = if left_out.len() > NAMED_AXES { format!("{} axes", left_out.len()) } else { left_out.join(", ") };
-    let (target, out) = (target.name, out.display());
+    let (target, out) = (target.name, out.slashes());
     Some(format!("{target}: the shared files leave out {axes}: their files are not in {out}\n"))
 }
 

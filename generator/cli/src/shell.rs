@@ -7,6 +7,7 @@ use crate::output;
 use clap::CommandFactory;
 use clap_complete::Shell;
 use clap_mangen::Man;
+use generator::diagnostics::Slashes;
 use generator::digest::{NO_CHECKSUM, with_checksum};
 use generator::target::File;
 use generator::write;
@@ -27,7 +28,7 @@ pub fn man(folder: &Path, force: bool) -> Result<Exit, Exit> {
     let held = write::open(folder).map_err(refused)?;
     let staged = pages(command).iter().map(|page| write::stage(&held, page)).collect();
     write::commit(held, staged, force).map_err(refused)?;
-    output::line(format!("{}: the pages are there; man -l {0}/axgen.1", folder.display()))?;
+    output::line(format!("{}: the pages are there; man -l {0}/axgen.1", folder.slashes()))?;
     Ok(Exit::Done)
 }
 

@@ -2,7 +2,7 @@
 
 use super::{encoding, encoding::Encoding, source::Source, value::shown, values::Setting};
 use crate::codes;
-use crate::diagnostics::{Diagnostic, Place, Report};
+use crate::diagnostics::{Diagnostic, Place, Report, Slashes};
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read};
 use std::{path::Path, sync::Arc};
@@ -81,7 +81,7 @@ pub(crate) fn is_set(path: &Path) -> bool {
 
 /// A file, by the name that messages give it. That it cannot be read is said where it is named; on the command line, of the file.
 pub(crate) fn read(path: &Path, named_at: Option<&Setting>, load: Load<'_>) -> Result<Arc<Source>, Report> {
-    let whole = Place::whole(path.display());
+    let whole = Place::whole(path.slashes());
     let unreadable = match load(path) {
         Ok(bytes) => {
             // A set is UTF-8, as TOML has it.

@@ -18,7 +18,7 @@ pub use one::{One, Replace, is_replaced, stage_one};
 
 use crate::codes;
 use crate::config::{self, Unreadable};
-use crate::diagnostics::{Diagnostic, Place, Report};
+use crate::diagnostics::{Diagnostic, Place, Report, Slashes};
 use crate::digest::has_right_checksum;
 use crate::target::File;
 use beside::{remove, staged};
@@ -61,7 +61,7 @@ impl Refusal {
     /// What is said about it: a message for each file.
     pub fn report(&self) -> Report {
         let unwritable =
-            |path: &Path, found: String| Diagnostic::error(codes::UNWRITABLE, Place::whole(path.display()), found);
+            |path: &Path, found: String| Diagnostic::error(codes::UNWRITABLE, Place::whole(path.slashes()), found);
         let diagnostics = match self {
             Self::Edited(files) => files.iter().map(|(path, owner)| kept(path, *owner)).collect(),
             Self::Failed(path, error) => vec![unwritable(path, format!("{error}; nothing was written"))],
@@ -69,7 +69,7 @@ impl Refusal {
                 let found = format!("{error}; but for the files named below all are as they were before");
                 let not_put_back = |path: &PathBuf| {
                     let kept = beside::kept(path);
-                    unwritable(path, format!("could not be put back; as it was before it is {}", kept.display()))
+                    unwritable(path, format!("could not be put back; as it was before it is {}", kept.slashes()))
                 };
                 iter::once(unwritable(path, found)).chain(torn.iter().map(not_put_back)).collect()
             }
@@ -83,7 +83,7 @@ fn kept(path: &Path, owner: Owner) -> Diagnostic {
         Owner::Other => (codes::NOT_OURS, "was not generated, or its line `checksum` was taken out"),
         Owner::Edited | Owner::Generated => (codes::EDITED, "was changed by hand after it had been generated"),
     };
-    Diagnostic::error(code, Place::whole(path.display()), format!("{found}; nothing was written"))
+    Diagnostic::error(code, Place::whole(path.slashes()), format!("{found}; nothing was written"))
         .instead("the change in what the file is made from; or overwrite it with --force")
 }
 

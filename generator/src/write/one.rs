@@ -2,6 +2,7 @@
 
 use super::beside::{remove, staged};
 use super::is_writable;
+use crate::diagnostics::Slashes;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
@@ -57,7 +58,7 @@ pub fn stage_one(path: &Path, bytes: &[u8], replace: Replace<'_>) -> io::Result<
     let replaces = is_replaced(path, replace)?;
     let mut file = OpenOptions::new().write(true).create_new(true).open(staged(path)).map_err(|error| {
         let is_there = error.kind() == ErrorKind::AlreadyExists;
-        if is_there { io::Error::other(format!("{} is in the way", staged(path).display())) } else { error }
+        if is_there { io::Error::other(format!("{} is in the way", staged(path).slashes())) } else { error }
     })?;
     let one = One { path: path.to_owned(), replaces };
     file.write_all(bytes).and_then(|()| file.sync_all())?;
