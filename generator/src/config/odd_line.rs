@@ -75,8 +75,16 @@ pub(super) fn malformed(line: &Statement<'_>) -> (String, Option<String>) {
 
 /// A line whose path has blanks where underscores belong, with underscores: `weight fact denom 200`.
 pub(super) fn with_underscores(line: &Statement<'_>) -> Option<String> {
+    // A number after the path is its value.
+    if !is_word(line.value) {
+        return None;
+    }
     let (_, path, rest) = known(line).filter(|(_, path, _)| path != line.path)?;
     Some(format!("{path} {rest}").trim_ascii_end().to_owned())
+}
+
+fn is_word(text: &str) -> bool {
+    text.starts_with(|letter: char| letter.is_ascii_alphabetic())
 }
 
 /// The name and the text of a path that may have blanks where underscores belong, and what stands behind it.
@@ -84,8 +92,7 @@ fn known<'l>(line: &Statement<'l>) -> Option<(Name, String, &'l str)> {
     if let Path::Known { name, .. } = path::find(line.path) {
         return Some((name, line.path.to_owned(), line.value));
     }
-    // A number after the path is its value; no name of ours is as long as the bound, which keeps a long line cheap.
-    let is_word = |text: &str| text.starts_with(|letter: char| letter.is_ascii_alphabetic());
+    // No name of ours is as long as the bound, which keeps a long line cheap.
     let (mut path, mut rest) = (if is_word(line.value) { line.path.to_owned() } else { return None }, line.value);
     while path.len() < 128 && is_word(rest) {
         let word = &rest[..rest.find([' ', '\t']).unwrap_or(rest.len())];
@@ -101,6 +108,10 @@ fn known<'l>(line: &Statement<'l>) -> Option<(Name, String, &'l str)> {
 /// A path whose value stands alone in the line below, as text from a printed page does: what was found, and both in one line.
 pub(super) fn value_below(line: &Statement<'_>, below: Option<Content<'_>>) -> Option<(String, String)> {
     let Some(Content::Statement(below)) = below else { return None };
+    // Mostly a path follows.
+    if below.path.contains('.') && below.path.starts_with(|c: char| c.is_ascii_alphabetic()) {
+        return None;
+    }
     let (name, path, "") = known(line)? else { return None };
     let words: Vec<&str> = below.path.split_ascii_whitespace().chain(below.value.split_ascii_whitespace()).collect();
     let value = words.join("_");

@@ -17,7 +17,10 @@ pub(crate) fn instead_of_a_list(list: &AxisList, read: &List) -> Option<Diagnost
         let found = format!("no parameter of an axis is in the file: it {what}");
         Diagnostic::error(codes::NO_LIST, list.source.whole(), found).allowed("an axis list").instead(instead)
     };
-    if statements(list.bytes()).any(|line| line.path.starts_with("[axis.") || line.path.starts_with("[[axis.")) {
+    let has_odd_lines = read.report.diagnostics.iter().any(|said| said.code == codes::LINE);
+    if has_odd_lines
+        && statements(list.bytes()).any(|line| line.path.starts_with("[axis.") || line.path.starts_with("[[axis."))
+    {
         return Some(said(SET));
     }
     // What axgen has recognised of a list, right or wrong, is said line by line.

@@ -49,6 +49,9 @@ pub(crate) fn spelled<'t>(parameter: &Parameter, line: &'t str) -> Spelled<'t> {
     let (text, rest) = line.split_at(end);
     let behind = rest.trim_ascii_start();
     // A second value, groups of digits or a decimal comma behind a blank are no comment: what a controller reads is not what was meant.
+    if behind.is_empty() && !line.starts_with('=') {
+        return Spelled { text, at: 0, behind, behind_at: line.len() };
+    }
     let second = &behind[..end_of_word(behind)];
     let is_digits = second.starts_with(|c: char| c.is_ascii_digit() || c == '.' || c == ',') && is_number(text);
     if is_digits || line.starts_with('=') || of_text(parameter, second).is_ok() && !second.is_empty() {
