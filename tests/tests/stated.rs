@@ -291,3 +291,52 @@ fn set_point_in_a_drive_reads_the_interpolator() {
         }
     }
 }
+
+/// P-AXIS-00165: the position comes after whatever the feedforward puts out: with 2 cycles 0, 0, 0, 10, 20 for 0, 10, 20, 30, 40.
+#[test]
+fn shift_time_in_all_combinations_of_process_data() {
+    for (word, velocity, torque, is_shifted) in [
+        ("VEL", "NONE", "NONE", true),
+        ("ADD_VEL", "INT32", "NONE", true),
+        ("ADD_ACC", "NONE", "INT32", true),
+        ("ADD_VEL ADD_ACC", "INT32", "INT32", true),
+        ("VEL ADD_ACC", "NONE", "INT32", true),
+        ("VEL ADD_ACC", "INT32", "INT32", true),
+        // Corrected: what no process datum takes is switched off, and leads nothing (70350, 70351).
+        ("ADD_VEL", "NONE", "NONE", false),
+        ("ADD_ACC", "INT32", "NONE", false),
+        ("NONE", "INT32", "INT32", false),
+    ] {
+        let lines = format!(
+            "kenngr.antr_typ = \"PROFIDRIVE\"\nvorsteuer.vorsteuerung = \"{word}\"\nvorsteuer.shift_time = 2\n\
+             process_data.additive_velocity = \"{velocity}\"\nprocess_data.additive_torque = \"{torque}\"\n\
+             antr.acc_reference_value = 0.45\ngetriebe = [{{ kv = 2000, load = 0.25 }}]"
+        );
+        let mut block = Block::new(1, &lines);
+        let found = [0.0, 10.0, 20.0, 30.0, 40.0].map(|x_command| {
+            block.step(&Inputs { x_command, feedforward_active: false, ..Inputs::USUAL }).value("x_drive")
+        });
+        let expected = if is_shifted { [0.0, 0.0, 0.0, 10.0, 20.0] } else { [0.0, 10.0, 20.0, 30.0, 40.0] };
+        assert_eq!(found, expected, "{word}, {velocity}, {torque}");
+    }
+}
+
+/// What a load of 0 takes out is not read: a bad acceleration does not take the velocity along.
+#[test]
+fn a_load_of_0_takes_the_torque_out() {
+    let lines = |load: &str| {
+        format!(
+            "{DRIVE}\n{MANUAL}\nvorsteuer.vorsteuerung = \"ADD_VEL ADD_ACC\"\nprocess_data.additive_torque = \"INT32\"\n\
+             antr.acc_reference_value = 0.45\ngetriebe = [{{ kv = 2000, load = {load} }}]"
+        )
+        .replace("vorsteuer.vorsteuerung = \"ADD_VEL\"\n", "")
+    };
+    let found = |load: &str| {
+        let mut block = Block::new(0, &lines(load));
+        let inputs = Inputs { feedforward_active: true, a_interpolator: f64::NAN, ..at(1000.0) };
+        let found = block.step(&inputs);
+        ["error_id", "additive_velocity"].map(|signal| found.value(signal))
+    };
+    assert_eq!(found("0"), [0.0, 180_018.0]);
+    assert_eq!(found("0.25"), [15.0, 0.0]);
+}

@@ -52,11 +52,13 @@ fn no_effect(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     let of_lists = e
         .all_given()
         .map(|(key, _)| key)
-        .filter(|key| is_controlled && is_of_step(*key) && OF_CONTROL.iter().any(|names| names.contains(&key.0)));
+        // Beside improved position control alone, a real machine's list has the scalings of its drive: only of feedforward is it told.
+        .filter(|key| is_controlled || key.0.parameter().path.starts_with("vorsteuer."))
+        .filter(|key| is_of_step(*key) && OF_CONTROL.iter().any(|names| names.contains(&key.0)));
     let none = Value::Word(ProcessDatum::None.name());
     let is_idle = |key: &Key| {
-        let value = e.given(*key).map(|setting| setting.value.as_ref());
-        value.is_some_and(|value| value != Some(&none)) && !e.is_used(*key)
+        let value = e.given(*key).and_then(|setting| setting.value.as_ref());
+        value.is_some_and(|value| *value != none) && !e.is_used(*key)
     };
     let idle: Vec<Key> = of_lists.chain(own).filter(is_idle).collect();
     let Some(first) = idle.first() else { return };

@@ -103,7 +103,7 @@ impl Coefficients {
             manipulated: (Exact::ratio(60, 1_000_000).times(&quotient(p.multi_gain)), p.command_bits),
             increments: Exact::given(10.0).times(&resolution(p)),
             shift: match p.shift_time {
-                _ if location != Location::Profidrive || !leads => 0,
+                _ if location != Location::Profidrive || !(leads || ways.torque.contains(&true)) => 0,
                 given => given.unwrap_or(3) as usize,
             },
             has_v_add: match p.master {
@@ -147,12 +147,14 @@ impl Ways {
         let has = |bit: u32| p.word & bit != 0;
         let is = |pair: Pair| pair[0] != 0 && pair[1] != 0;
         let weighted = is(p.vs_v);
-        let has_torque = weighted && p.torque_bits.is_some() && p.torque_scale[1] != 0 && p.reference != 0;
-        // What a weight or a time constant of 0 weights is left out, and so is a jerk that has the time constant. A jerk
-        // factor of 0, a load of 0 and v_reso_num 0 leave the quantity in: it is read, and what comes of it is 0.
+        let has_torque =
+            weighted && p.torque_bits.is_some() && p.torque_scale[1] != 0 && p.reference != 0 && p.load != 0;
+        // What a weight, a time constant, a jerk factor or a load of 0 weights is left out, and so is a jerk that has the time
+        // constant. A v_reso_num of 0 leaves the quantity in: it is read, and what comes of it is 0.
+        let has_jerk = jerk_fact(p)[0] != 0;
         let asked = [has(VELOCITY), has(ACCELERATION), has(JERK)];
         let to_torque = [false, has(ADDITIVE_TORQUE), has(JERK_TORQUE)];
-        let allowed = [weighted, weighted && is(p.vs_a), weighted && is(p.vs_a)];
+        let allowed = [weighted, weighted && is(p.vs_a), weighted && is(p.vs_a) && has_jerk];
         let all_additive = p.location() == Location::Profidrive;
         let additive_is_on = p.velocity_bits.is_some();
         let goes_additive = |i: usize| has(ADDITIVE_VELOCITY) && (i == 0 || all_additive);
@@ -160,7 +162,7 @@ impl Ways {
         Self {
             conventional: [0, 1, 2].map(|i| along(i) && !goes_additive(i)),
             additive: [0, 1, 2].map(|i| along(i) && goes_additive(i) && additive_is_on),
-            torque: [false, to_torque[1] && has_torque && is(p.vs_a), to_torque[2] && has_torque],
+            torque: [false, to_torque[1] && has_torque && is(p.vs_a), to_torque[2] && has_torque && has_jerk],
         }
     }
 

@@ -39,7 +39,7 @@
 //! | `x_drive` | shift(x_command) + v_feedforward / Kv; held with a bad x_command; follows where it does not act | position-control.md, Faults |
 //! | `xerr` | 10 R (x_drive - x_actual), PROFIdrive | position-control.md, The block |
 //! | `additive_velocity` | velocity_scale (v_additive + v_add), v_add only where the drive has the controller | position-control.md, The block |
-//! | shift | 00165 cycles, PROFIdrive whose feedforward has a conventional or an additive velocity | position-control.md |
+//! | shift | 00165 cycles, PROFIdrive with any feedforward | position-control.md |
 //! | `v_add` | fade limited(-sum of weight filter(x)), x by mode; SET_POINT reads `v_command`, with a drive `v_interpolator` | improved-position-control.md, position-control.md |
 //! | limit | v_add_max_fact/1000 vb_max; of a slave the master's | improved-position-control.md, gantry.md |
 //! | fade | n / ceil(fade/Ts), fade at least one period of the lowest f0 of any filter; the first active cycle presets the stages and puts out 0 | decisions 3, 5 |
@@ -49,10 +49,9 @@
 //!
 //! 1. `axis` tells only 17, 1 and 18 while `position_controlled` is false or `reset` true: the other parts do not run.
 //!    The block `feedforward` that stands alone tells its ids in such a cycle.
-//! 2. A jerk factor of 0, a load of 0 and `v_reso_num` 0 leave the quantity in (AX433): it is read and judged. A weight or a
-//!    time constant of 0 takes it out.
-//! 3. An additive torque alone does not shift the position of a PROFIdrive.
-//! 4. With the limit 0, `limited` of improved position control sees the states' anti-denormal constant.
+//! 2. A `v_reso_num` of 0 leaves the quantity in (AX433): it is read and judged. A weight, a time constant, a jerk factor or a load of 0
+//!    takes it out.
+//! 3. With the limit 0, `limited` of improved position control sees the states' anti-denormal constant.
 
 pub mod agree;
 pub mod axis;

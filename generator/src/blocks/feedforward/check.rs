@@ -65,6 +65,11 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Driv
     } else {
         Some(Ratio::ZERO)
     };
+    if is_out(jerk) {
+        for sum in [&mut conventional, &mut additive, &mut torque] {
+            sum.jerk = false;
+        }
+    }
     let mut delay = |is_used: bool, name, code| match is_used {
         true => corrected::delay(e, name, cycle_time, code),
         false => Some(0),
@@ -167,7 +172,8 @@ fn torque_of(e: &mut Effective<'_>, drive: &Drive) -> Option<Option<Torque>> {
         e.warn(codes::NO_REFERENCE, reference_key, found, instead);
         return Some(None);
     }
-    if scale.num == 0 {
+    // Of a factor of 0 nothing comes: its input is not read either.
+    if scale.num == 0 || load <= 0.0 {
         return Some(None);
     }
     let width = drive.torque?;

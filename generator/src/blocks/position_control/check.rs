@@ -52,8 +52,10 @@ pub(crate) fn check(
         drive.no_increments(e, &why);
         return None;
     }
-    // A feedforward that is switched off leads nothing: the position must not come later for it.
-    let shift_time = if is_profidrive && (leads || additive) { e.integer(key(Name::ShiftTime)) } else { Some(0) };
+    // A feedforward that is switched off leads nothing: the position must not come later for it. A torque leads as a velocity does.
+    let torque = feedforward.is_some_and(|feedforward| feedforward.torque.any());
+    let shift_time =
+        if is_profidrive && (leads || additive || torque) { e.integer(key(Name::ShiftTime)) } else { Some(0) };
     Some(Some(PositionControl {
         location: drive.location,
         kv: kv?,
