@@ -1,6 +1,7 @@
 //! Each pass on a program that is small enough to be read; the random programs find what these do not think of.
 
 use compiler::interp::Machine;
+use compiler::legalise;
 use compiler::pass::{Defect, PASSES, verify};
 use compiler::program::{Constant, Expr, Local, Origin, Program, Statement, Type, Var, Variable};
 use portable::{Binary, Literal, RealKind};
@@ -269,4 +270,38 @@ fn a_question_is_asked_in_the_positive() {
     assert_eq!(run("turned", program(0, step)).unwrap().step, [choose(vec![assign(Y, real(1.0))], vec![assign(Y, X)])]);
     let chain = vec![if_(not(ON), vec![assign(Y, X)], vec![choose(vec![assign(Y, real(1.0))], vec![assign(Y, X)])])];
     assert_eq!(run("turned", program(0, chain.clone())).unwrap().step, chain);
+}
+
+/// Whoever looks at the outputs between two statements sees values of the last cycle or of this one.
+#[test]
+fn an_output_is_written_once_on_each_way() {
+    let settled = |locals, step| {
+        let (_, settle) = legalise::WITH_NAMES[0];
+        settle(program(locals, step)).unwrap().step
+    };
+    // What is overwritten at once is not written.
+    assert_eq!(settled(0, vec![assign(Y, X), assign(Y, real(0.0))]), [assign(Y, real(0.0))]);
+    // A value goes to the ways that keep it.
+    let zero = || assign(Y, real(0.0));
+    let one = || assign(Y, real(1.0));
+    assert_eq!(settled(0, vec![zero(), choose(vec![one()], vec![])]), [choose(vec![one()], vec![zero()])]);
+    let nested = vec![zero(), choose(vec![choose(vec![], vec![one()])], vec![])];
+    assert_eq!(settled(0, nested), [choose(vec![choose(vec![zero()], vec![one()])], vec![zero()])]);
+    // A value of two branches is held in a local until it is known whether it stays.
+    let twice = vec![choose(vec![one()], vec![zero()]), choose(vec![assign(Y, X)], vec![])];
+    let held = |value| assign(Var::Local(0), value);
+    assert_eq!(
+        settled(0, twice),
+        [choose(vec![held(real(1.0))], vec![held(real(0.0))]), choose(vec![assign(Y, X)], vec![assign(Y, local(0))]),]
+    );
+    // A value that changes is held, too, and so is one that is read between.
+    let state = || Expr::Var(S);
+    assert_eq!(
+        settled(0, vec![assign(Y, state()), assign(S, X), choose(vec![zero()], vec![])]),
+        [held(state()), assign(S, X), choose(vec![zero()], vec![assign(Y, local(0))])]
+    );
+    assert_eq!(
+        settled(0, vec![zero(), assign(S, Expr::Var(Y)), assign(Y, Expr::Var(Y))]),
+        [held(real(0.0)), assign(S, local(0)), assign(Y, local(0))]
+    );
 }

@@ -67,14 +67,13 @@ impl Blocks {
     }
 }
 
-/// The program with its state as further outputs, and with an `init` that sets all of them: memory holds zeros in
-/// Structured Text, and other values in the other engines.
+/// The program with its state as further outputs, and with an `init` that sets it: memory holds zeros in Structured Text, and other
+/// values in the other engines.
 fn whole(mut program: Program, compiled: &Compiled) -> Program {
     let outputs = program.outputs.len();
     let set = |(target, value)| Statement::Assign { target, value: Expr::Literal(value) };
     let state = compiled.unset.iter().enumerate().map(|(index, value)| (Var::State(index), *value));
-    let starts = program.outputs.iter().enumerate().map(|(index, output)| (Var::Output(index), output.start));
-    let mut init: Vec<Statement> = state.chain(starts).map(set).collect();
+    let mut init: Vec<Statement> = state.map(set).collect();
     init.append(&mut program.init);
     program.init = init;
     let show = |part| Statement::Assign { target: Var::Output(outputs + part), value: Expr::Var(Var::State(part)) };

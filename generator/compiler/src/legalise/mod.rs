@@ -4,6 +4,7 @@
 mod enable;
 mod nearest;
 mod operands;
+mod settle;
 mod start;
 
 use crate::pass::{self, Defect, Stage};
@@ -11,15 +12,21 @@ use crate::program::Program;
 use std::borrow::Cow;
 
 /// What every dialect of Structured Text needs where numbers have names.
-pub const WITH_NAMES: &[Stage] = &[("started", start::run), ("rounded", nearest::run), ("named", operands::run)];
+pub const WITH_NAMES: &[Stage] =
+    &[("settled", settle::run), ("started", start::run), ("rounded", nearest::run), ("named", operands::run)];
 
 /// What Structured Text needs where the digits of an LREAL may stand in an expression.
 pub const WITH_DIGITS: &[Stage] =
-    &[("started", start::run), ("rounded", nearest::run), ("named", operands::run_single)];
+    &[("settled", settle::run), ("started", start::run), ("rounded", nearest::run), ("named", operands::run_single)];
 
 /// What they need with the signals of PLCopen around the block.
-pub const WITH_ENABLE: &[Stage] =
-    &[("enabled", enable::run), ("started", start::run), ("rounded", nearest::run), ("named", operands::run)];
+pub const WITH_ENABLE: &[Stage] = &[
+    ("enabled", enable::run),
+    ("settled", settle::run),
+    ("started", start::run),
+    ("rounded", nearest::run),
+    ("named", operands::run),
+];
 
 /// Runs the passes of a target over a verified program, and verifies what comes out.
 ///
@@ -30,5 +37,6 @@ pub fn run<'p>(program: &'p Program, passes: &[Stage]) -> Result<Cow<'p, Program
         return Ok(Cow::Borrowed(program));
     }
     let legal = passes.iter().try_fold(program.clone(), |program, (_, pass)| pass(program))?;
+    settle::verify(&legal)?;
     pass::verify(legal).map(Cow::Owned)
 }

@@ -1,0 +1,173 @@
+//! Lets every output be written once on each way, with the value that stays: a task that interrupts the block sees values of the last
+//! cycle or of this one, and none between.
+//!
+//! ```text
+//! limited := false                              if a { limited := true } else { limited := false }
+//! if a { limited := true }                 ->
+//! ```
+
+use crate::pass::Defect;
+use crate::program::{Expr, Local, Program, Statement, Var, rename};
+use portable::{Binary, Literal};
+
+pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
+    for output in 0..program.outputs.len() {
+        let mut step = std::mem::take(&mut program.step);
+        in_list(&mut step, Var::Output(output), &mut program);
+        program.step = step;
+    }
+    Ok(program)
+}
+
+/// Makes sure that every output is written once on each way.
+pub(super) fn verify(program: &Program) -> Result<(), Defect> {
+    let is_once = |index: usize| times(&program.step, Var::Output(index)) == Some(1);
+    match (0..program.outputs.len()).find(|index| !is_once(*index)) {
+        None => Ok(()),
+        Some(index) => {
+            let message = format!("the output {} is not written once on each way", program.outputs[index].path);
+            Err(Defect { pass: "settled", message })
+        }
+    }
+}
+
+/// How often every way through a list writes the output; none: not all ways do it alike.
+fn times(list: &[Statement], output: Var) -> Option<usize> {
+    list.iter()
+        .map(|statement| match statement {
+            Statement::Note(_) => Some(0),
+            Statement::Assign { target, .. } => Some(usize::from(*target == output)),
+            Statement::If { then, otherwise, .. } => {
+                times(then, output).filter(|count| times(otherwise, output) == Some(*count))
+            }
+        })
+        .sum()
+}
+
+/// Leaves one statement of a list, and of every list inside it, that writes the output.
+fn in_list(list: &mut Vec<Statement>, output: Var, program: &mut Program) {
+    while let Some((first, next)) = first_two(list, output) {
+        if let Statement::Assign { value, .. } = &list[first]
+            && is_fixed(value)
+            && !list[first + 1..next].iter().any(|statement| reads(statement, output))
+            && !asks(&list[next], output)
+        {
+            let value = value.clone();
+            list.remove(first);
+            go_before(&mut list[next - 1], output, &value);
+        } else {
+            hold(list, first, output, program);
+        }
+    }
+    let writer = list.iter().position(|statement| writes(statement, output));
+    if let Some(statement) = writer.map(|writer| &mut list[writer]) {
+        statement.branches_mut().for_each(|list| in_list(list, output, program));
+        if let Some(value) = either(statement, output) {
+            *statement = Statement::Assign { target: output, value };
+        }
+    }
+}
+
+/// A BOOL that both branches of an `if` write, and nothing else: whether the condition holds, or another value does.
+fn either(statement: &Statement, output: Var) -> Option<Expr> {
+    let Statement::If { condition, then, otherwise } = statement else { return None };
+    let ([Statement::Assign { target: one, value: yes }], [Statement::Assign { target: other, value: no }]) =
+        (&then[..], &otherwise[..])
+    else {
+        return None;
+    };
+    let is_it = *one == output && *other == output && *yes == Expr::bool(true);
+    is_it.then(|| Expr::logic(Binary::Or, condition.clone(), no.clone()))
+}
+
+/// The first two statements of a list that write the output.
+fn first_two(list: &[Statement], output: Var) -> Option<(usize, usize)> {
+    let mut writers = (0..list.len()).filter(|at| writes(&list[*at], output));
+    Some((writers.next()?, writers.next()?))
+}
+
+/// Puts a value before what a statement writes: into both branches of an `if`. An assignment overwrites it, so that nothing is left.
+fn go_before(statement: &mut Statement, output: Var, value: &Expr) {
+    let assign = || Statement::Assign { target: output, value: value.clone() };
+    statement.branches_mut().for_each(|list| list.insert(0, assign()));
+}
+
+/// Lets a statement write a local, and the output get it behind that.
+fn hold(list: &mut Vec<Statement>, first: usize, output: Var, program: &mut Program) {
+    let local = Var::Local(program.locals.len());
+    let Var::Output(index) = output else { return };
+    let variable = &program.outputs[index];
+    let start = variable.start;
+    program.locals.push(Local { path: variable.path.clone(), ty: Some(variable.ty) });
+    complete(&mut list[first], output, start);
+    list[first].branches_mut().for_each(|list| in_list(list, output, program));
+    rename(&mut list[first..=first], &|var| if var == output { local } else { var });
+    // Until it is written again, the local is what the output was.
+    let end = list[first + 1..]
+        .iter()
+        .position(|statement| writes(statement, output))
+        .map_or(list.len(), |at| first + 1 + at);
+    rename(&mut list[first + 1..end], &|var| if var == output { local } else { var });
+    if let Some(next) = list.get_mut(end) {
+        read_instead(next, output, local);
+    }
+    list.insert(first + 1, Statement::Assign { target: output, value: Expr::Var(local) });
+}
+
+/// Writes the output on the ways that do not: something overwrites it there, or nobody reads it.
+fn complete(statement: &mut Statement, output: Var, start: Literal) {
+    let writes_always = |list: &[Statement]| list.iter().any(|statement| always(statement, output));
+    for list in statement.branches_mut() {
+        if writes_always(list) {
+            continue;
+        }
+        list.insert(0, Statement::Assign { target: output, value: Expr::Literal(start) });
+    }
+}
+
+/// Puts the local in the place of the output in what a statement reads before it writes anything. Its branches get the value themselves.
+fn read_instead(statement: &mut Statement, output: Var, local: Var) {
+    if let Statement::Assign { value: expr, .. } | Statement::If { condition: expr, .. } = statement {
+        expr.change(&mut |part| {
+            if *part == Expr::Var(output) {
+                *part = Expr::Var(local);
+            }
+        });
+    }
+}
+
+/// Whether a statement reads the output before it writes anything.
+fn asks(statement: &Statement, output: Var) -> bool {
+    match statement {
+        Statement::Note(_) => false,
+        Statement::Assign { value: expr, .. } | Statement::If { condition: expr, .. } => expr.mentions(output),
+    }
+}
+
+/// Whether no statement can change the value.
+fn is_fixed(value: &Expr) -> bool {
+    matches!(value, Expr::Literal(_) | Expr::Var(Var::Constant(_) | Var::Local(_) | Var::Input(_)))
+}
+
+fn writes(statement: &Statement, output: Var) -> bool {
+    let mut found = false;
+    statement.assignments(&mut |target, _| found |= target == output);
+    found
+}
+
+/// Whether every way through a statement writes the output.
+fn always(statement: &Statement, output: Var) -> bool {
+    match statement {
+        Statement::Note(_) => false,
+        Statement::Assign { target, .. } => *target == output,
+        Statement::If { then, otherwise, .. } => {
+            [then, otherwise].into_iter().all(|list| list.iter().any(|statement| always(statement, output)))
+        }
+    }
+}
+
+fn reads(statement: &Statement, output: Var) -> bool {
+    let mut found = false;
+    statement.reads(&mut |var| found |= var == output);
+    found
+}
