@@ -89,9 +89,11 @@ pub(super) fn with_other_indices(path: &str) -> Option<&'static str> {
     let end = last_name(path);
     let drawer = BARE.get(drawer(end.len(), end)).filter(|drawer| !drawer.is_empty())?;
     let length = letters(path, false).count();
+    // The command filters of an axis have such names too: `filter[0].fg_f0` (P-AXIS-00067).
+    let is_others = path.starts_with("filter");
     let is_end = |bare: &str| {
         let start = bare.len().checked_sub(length);
-        let is_part = |start: usize| start == 0 || bare.as_bytes()[start - 1] == b'.';
+        let is_part = |start: usize| start == 0 || !is_others && bare.as_bytes()[start - 1] == b'.';
         start.is_some_and(|start| is_part(start) && letters(path, false).map(look).eq(bare[start..].chars()))
     };
     drawer.iter().find(|(bare, _)| is_end(bare)).map(|(_, template)| *template)

@@ -51,3 +51,13 @@ fn a_list_of_other_functions_only_is_a_list() {
     let (set, report) = read(&[("x.lis", b"kenngr.swe_pos 1\nkopf.mds_ident 1\n")]);
     assert!(set.is_some() && report.to_string().contains("AX401"), "{report}");
 }
+
+/// Parameters of other functions whose names end as ours do, as the vendor's documents have them.
+#[test]
+fn filters_of_other_functions_are_theirs() {
+    let others = "filter[0].enable 1\nfilter[0].fg_f0 30\nfilter[0].guete 1\nfilter[0].order 2\nfilter[0].prototype 1\nfilter[0].type 1\n\
+                  filter_fir.enable 0\nfilter_fir.type 1\nfilter_fir.order 3\nlr_param.add_interface.filter[0].fg_f0 30\n\
+                  lr_param.add_interface.filter[0].enable 0\nkenngr.dist_ctrl[0].low_pass_filter_fg_f0 25\n";
+    let (set, report) = read(&[("x.lis", format!("{VALID}{others}").as_bytes())]);
+    assert_eq!((set.unwrap().foreign, report.to_string().as_str()), (12, ""));
+}
