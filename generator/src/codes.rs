@@ -222,6 +222,9 @@ codes! {
         "The angle that the motor turns by is computed from the increments per revolution (P-AXIS-00092), the feed constant \
          (P-AXIS-00362/00363) and the gear ratio in wegaufz and wegaufn (P-AXIS-00234/00233). A list may have the ratio in gear_fact_num and \
          gear_fact_denom (P-AXIS-00511/00512) instead: it would be lost, and every increment would be wrong by that factor.";
+    CHANGEOVER = "AX320", "changeover velocities the wrong way round",
+        "A spindle changes to velocity control at P-AXIS-00767 and back at P-AXIS-00768, which is not above it. The manual's second example has \
+         its values one line too low: it changes at 0.001 deg/s, if it is taken as it stands.";
 
     NO_STAGE = "AX401", "no stage is active",
         "Improved position control does nothing; without feedforward and position control the block is generated all the same, \

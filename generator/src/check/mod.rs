@@ -17,6 +17,7 @@ pub(crate) mod inert;
 use crate::axis::{Axis, Control, Ipc};
 use crate::blocks::ipc::check as ipc;
 use crate::blocks::{feedforward::check as feedforward, position_control::check as position_control};
+use crate::codes;
 use crate::config::values::{Values, key};
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::words::{AxisType, FeedforwardWord, RealType, Words};
@@ -65,6 +66,7 @@ pub(crate) fn axis<'v>(name: &str, cycle_time: Option<u32>, values: &'v Values, 
         RealType::F32 => RealKind::F32,
     });
     gear::check(&mut effective);
+    changeover(&mut effective);
     let ipc = ipc::check(&mut effective, cycle_time, real);
     let control = control(&mut effective, cycle_time, ipc.as_ref());
     let gear = control.as_ref().map_or(0, |(_, gear)| *gear);
@@ -76,6 +78,22 @@ pub(crate) fn axis<'v>(name: &str, cycle_time: Option<u32>, values: &'v Values, 
         _ => None,
     };
     Checked { axis, gear, effective }
+}
+
+/// A spindle changes to velocity control above the velocity at which it changes back, or there as well.
+fn changeover(e: &mut Effective<'_>) {
+    let [to_velocity, to_position] = [Name::VVelocityControlOn, Name::VPositionControlOn].map(key);
+    let given = |key| match e.given(key).and_then(|setting| setting.value.as_ref()) {
+        Some(Value::Integer(velocity)) => Some(*velocity),
+        _ => None,
+    };
+    let (Some(on), Some(off)) = (given(to_velocity), given(to_position)) else { return };
+    if on < off {
+        let found = format!("{} is {on}, below {} with {off}", e.title(to_velocity), e.title(to_position));
+        let said = Diagnostic::error(codes::CHANGEOVER, e.place_of(to_velocity), found);
+        let said = said.allowed("v_velocity_control_on >= v_position_control_on [0.001 deg/s]");
+        e.report.push(said.instead("both velocities, each at its own name: 200 rpm are 1200000"));
+    }
 }
 
 /// Feedforward, position control and gantry, with the gear step; none: an error, which has been said.

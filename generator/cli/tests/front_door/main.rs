@@ -401,3 +401,22 @@ fn check_certifies_range_and_response() {
     assert!(out.contains("\n  range: |v| <= 500000 gives |v_add| <= "), "{out}");
     assert!(out.contains("\n  stage[0] at 53 Hz: designed 0.5 at 180 deg, measured 0.5 at 180 deg; at "), "{out}");
 }
+
+/// `check`, `generate` and `diff` warn of the same; of the two sets of a `diff`, of the one that is to run.
+#[test]
+fn a_diff_warns_of_the_new_set() {
+    let folder = started();
+    let old = fs::read_to_string(folder.path().join("axes.toml")).unwrap();
+    let new = old.replace("\"DRYRUN\"", "\"ON\"").replace("v_add_max_fact = 100", "v_add_max_fact = 1000");
+    assert_ne!(new, old);
+    fs::write(folder.path().join("new.toml"), new).unwrap();
+    let warnings = |arguments: &[&str]| {
+        let (_, _, err) = axgen(folder.path(), arguments);
+        err.lines().filter(|line| line.contains(": warning[")).map(str::to_owned).collect::<Vec<_>>()
+    };
+    let of_check = warnings(&["check", "new.toml"]);
+    assert!(of_check.iter().any(|line| line.contains("AX439")), "{of_check:?}");
+    assert_eq!(warnings(&["generate", "new.toml"]), of_check);
+    assert_eq!(warnings(&["diff", "axes.toml", "new.toml"]), of_check);
+    assert_eq!(warnings(&["diff", "new.toml", "axes.toml"]), warnings(&["check", "axes.toml"]));
+}
