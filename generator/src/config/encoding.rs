@@ -17,7 +17,7 @@ pub(crate) fn decoded(bytes: Vec<u8>) -> (Vec<u8>, Encoding) {
         [0xFF, 0xFE, ..] => (Encoding::Utf16LittleEnd, u16::from_le_bytes),
         [0xFE, 0xFF, ..] => (Encoding::Utf16BigEnd, u16::from_be_bytes),
         [b'<', ..] if str::from_utf8(&bytes).is_err() => {
-            return (bytes.into_iter().map(char::from).collect::<String>().into_bytes(), Encoding::Latin1);
+            return (latin_1(&bytes).into_bytes(), Encoding::Latin1);
         }
         _ => return (bytes, Encoding::Plain),
     };
@@ -27,6 +27,11 @@ pub(crate) fn decoded(bytes: Vec<u8>) -> (Vec<u8>, Encoding) {
         Ok(text) if rest.is_empty() => (text.into_bytes(), encoding),
         _ => (bytes, Encoding::Plain),
     }
+}
+
+/// Each byte as the character of its number.
+pub(crate) fn latin_1(bytes: &[u8]) -> String {
+    bytes.iter().copied().map(char::from).collect()
 }
 
 impl Encoding {

@@ -30,17 +30,16 @@ pub(crate) mod toml_fault;
 pub(crate) mod value;
 pub(crate) mod values;
 
+pub(crate) use encoding::{Encoding, latin_1};
 pub use file::{LARGEST_SAMPLES, Load, Unreadable, load, load_from, load_up_to};
 pub use given::ListOptions;
-
-/// The text of a file as messages show it, whatever its encoding is.
-pub fn text(bytes: Vec<u8>) -> Vec<u8> {
-    encoding::decoded(bytes).0
-}
-
-pub(crate) use encoding::Encoding;
 pub(crate) use project::AxisList;
 pub(crate) use set::AxisTable;
 pub(crate) use source::Source;
 pub(crate) use value::{of_text, of_toml, shown, spelled};
 pub(crate) use values::{Key, Setting, Values, key};
+
+/// The text of a file as messages show it, whatever its encoding is.
+pub fn text(bytes: Vec<u8>) -> Vec<u8> {
+    encoding::decoded(bytes).0
+}

@@ -40,6 +40,10 @@ pub(super) fn text_behind(comment: &[u8]) -> Option<usize> {
 
 /// The input that stands for a word of an NC program: `G135`, `S[G136=80]`.
 pub(super) fn nc_word(path: &str) -> Option<&'static str> {
+    // Hardly a path begins so.
+    if !path.starts_with(['G', 'g', 'S', 's']) {
+        return None;
+    }
     let word =
         path.split_once('[').filter(|(spindle, _)| spindle.starts_with(['S', 's'])).map_or(path, |(_, rest)| rest);
     let ends = |word: &str| !word.starts_with(|c: char| c.is_ascii_alphanumeric() || c == '_' || c == '.');
@@ -95,7 +99,7 @@ fn known<'l>(line: &Statement<'l>) -> Option<(Name, String, &'l str)> {
     // No name of ours is as long as the bound, which keeps a long line cheap.
     let (mut path, mut rest) = (if is_word(line.value) { line.path.to_owned() } else { return None }, line.value);
     while path.len() < 128 && is_word(rest) {
-        let word = &rest[..rest.find([' ', '\t']).unwrap_or(rest.len())];
+        let word = &rest[..value::end_of_word(rest)];
         rest = rest[word.len()..].trim_ascii_start();
         path.extend(["_", word]);
         if let Path::Known { name, .. } = path::find(&path) {
@@ -113,7 +117,7 @@ pub(super) fn value_below(line: &Statement<'_>, below: Option<Content<'_>>) -> O
         return None;
     }
     let (name, path, "") = known(line)? else { return None };
-    let words: Vec<&str> = below.path.split_ascii_whitespace().chain(below.value.split_ascii_whitespace()).collect();
+    let words: Vec<&str> = std::iter::once(below.path).chain(below.value.split_ascii_whitespace()).collect();
     let value = words.join("_");
     value::of_text(name.parameter(), &value).ok()?;
     Some((format!("`{path}` has no value: it stands alone in the next line"), format!("{path} {value}")))

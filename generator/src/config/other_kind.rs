@@ -29,7 +29,7 @@ pub(crate) fn instead_of_a_list(list: &AxisList, read: &List) -> Option<Diagnost
     if !read.values.is_empty() || !read.report.diagnostics.iter().all(|said| is_unknown(said.code)) {
         return None;
     }
-    if contents(list.bytes()).any(|line| is_of_an_axis(&line)) {
+    if contents(list.bytes()).any(is_of_an_axis) {
         return None;
     }
     Some(said(seems(list.bytes())))
@@ -37,11 +37,10 @@ pub(crate) fn instead_of_a_list(list: &AxisList, read: &List) -> Option<Diagnost
 
 /// The same of a set, which is no TOML.
 pub(super) fn instead_of_a_set(source: &Source) -> Option<Diagnostic> {
-    let is_parameter = |line: &Statement<'_>| {
+    let is_parameter = |line: Statement<'_>| {
         matches!(path::find(line.path), Path::Known { .. }) && !line.value.is_empty() && !line.value.starts_with('=')
     };
-    let is_list = statements(&source.bytes).any(|line| is_parameter(&line))
-        && !statements(&source.bytes).any(|line| is_toml(&line));
+    let is_list = statements(&source.bytes).any(is_parameter) && !statements(&source.bytes).any(is_toml);
     let said = Diagnostic::error(
         codes::NO_LIST,
         source.whole(),
@@ -62,7 +61,7 @@ fn statements(bytes: &[u8]) -> impl Iterator<Item = Statement<'_>> {
 }
 
 /// Whether the path of a line lies in a structure of axis lists of which axgen reads parameters: `kenngr`, `getriebe[0]`.
-fn is_of_an_axis(line: &Content<'_>) -> bool {
+fn is_of_an_axis(line: Content<'_>) -> bool {
     let path = match line {
         Content::Statement(statement) => statement.path.as_bytes(),
         Content::Unreadable { text, .. } => text.trim_ascii_start(),
@@ -74,8 +73,8 @@ fn is_of_an_axis(line: &Content<'_>) -> bool {
 
 fn seems(bytes: &[u8]) -> Kind {
     let of_list = |first: &[&str]| {
-        let is = |line: &Statement<'_>| first.contains(&line.path.split(['.', '[']).next().unwrap_or_default());
-        statements(bytes).any(|line| is(&line))
+        let is = |line: Statement<'_>| first.contains(&line.path.split(['.', '[']).next().unwrap_or_default());
+        statements(bytes).any(is)
     };
     let is_unreadable = |line| matches!(line, Content::Unreadable { .. });
     match () {
@@ -83,8 +82,8 @@ fn seems(bytes: &[u8]) -> Kind {
         () if statements(bytes).next().is_none() && !contents(bytes).any(is_unreadable) => {
             ("is empty, or has nothing but comments", "the name of an axis list")
         }
-        () if statements(bytes).any(|line| is_toml(&line)) => SET,
-        () if statements(bytes).any(|line| is_nc_block(&line)) => (
+        () if statements(bytes).any(is_toml) => SET,
+        () if statements(bytes).any(is_nc_block) => (
             "seems to be an NC program",
             "the axis list; G135, G136 and G137 are inputs of the blocks feedforward and axis",
         ),
@@ -107,13 +106,13 @@ fn seems(bytes: &[u8]) -> Kind {
     }
 }
 
-fn is_toml(line: &Statement<'_>) -> bool {
+fn is_toml(line: Statement<'_>) -> bool {
     let is_header = line.path.starts_with('[') && line.path.ends_with(']') && line.value.is_empty();
     is_header || line.value.starts_with('=') || line.path.contains('=') && !is_nc_block(line)
 }
 
 /// Whether a line is a block of an NC program: `%name`, `N10 G1`, `G136 X80`, `S[G135]`, `M30`.
-fn is_nc_block(line: &Statement<'_>) -> bool {
+fn is_nc_block(line: Statement<'_>) -> bool {
     let mut letters = line.path.trim_start_matches(['N', 'n']).chars();
     let first = line.path.chars().next().unwrap_or_default().to_ascii_uppercase();
     let is_number = |letter: Option<char>| letter.is_some_and(|letter| letter.is_ascii_digit());

@@ -25,13 +25,16 @@ pub(crate) fn parse<'s>(source: &'s Source, report: &mut Report) -> Option<Spann
     });
     let text = text.ok()?;
     let (table, errors) = DeTable::parse_recoverable(text);
-    if let Some(said) = other_kind::instead_of_a_set(source).filter(|_| !errors.is_empty()) {
+    if errors.is_empty() {
+        return Some(table);
+    }
+    if let Some(said) = other_kind::instead_of_a_set(source) {
         report.push(said);
         return None;
     }
     let faults = errors.iter().map(|error| (error.span().map_or(0, |span| span.start), error.message().to_owned()));
     report.diagnostics.extend(toml_fault::said(source, text, faults));
-    errors.is_empty().then_some(table)
+    None
 }
 
 /// The keys of the set itself, and its axes.

@@ -60,7 +60,7 @@ pub(crate) fn spelled<'t>(parameter: &Parameter, line: &'t str) -> Spelled<'t> {
     Spelled { text, at: 0, behind, behind_at: line.len() - behind.len() }
 }
 
-fn end_of_word(text: &str) -> usize {
+pub(super) fn end_of_word(text: &str) -> usize {
     text.find([' ', '\t']).unwrap_or(text.len())
 }
 
@@ -71,7 +71,7 @@ fn end_of_words(words: &'static [Word], line: &str) -> usize {
     loop {
         let rest = line[end..].trim_start_matches(is_between);
         let word = rest.split(is_between).next().unwrap_or_default();
-        let is_known = words.iter().any(|known| known.spellings().any(|name| name.eq_ignore_ascii_case(word)));
+        let is_known = words.iter().any(|known| known.is_spelled(word));
         let is_meant = end == 0
             || line[end..].trim_start().starts_with('|')
             || closest::nearest(word, words.iter().map(|word| word.name)).is_some();
@@ -156,8 +156,7 @@ pub(super) fn on_a_line(text: &str) -> String {
 
 fn of_word(parameter: &Parameter, words: &'static [Word], text: &str) -> Result<&'static str, Refused> {
     let is_meant = |word: &&Word| {
-        word.spellings().any(|spelling| spelling.eq_ignore_ascii_case(text))
-            || word.number.is_some_and(|number| integer(text) == Some(i64::from(number)))
+        word.is_spelled(text) || word.number.is_some_and(|number| integer(text) == Some(i64::from(number)))
     };
     words.iter().find(is_meant).map(|word| word.name).ok_or_else(|| Refused {
         code: codes::WORD,

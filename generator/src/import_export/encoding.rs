@@ -1,6 +1,6 @@
 //! The text of a file around and in a list as texts of TOML; which lines they are does not matter.
 
-use crate::config::Encoding;
+use crate::config::{Encoding, latin_1};
 use crate::parameters::words::ListEncoding;
 
 /// What stands before a list in its file, the list, and what stands behind it.
@@ -26,11 +26,6 @@ pub(super) fn encoded(parts: [&[u8]; 3], file: Encoding) -> Encoded {
     let count = |end| text.iter().map(|text| text.matches(end).count()).sum::<usize>();
     let crlf = count("\n") > 0 && count("\r\n") == count("\n");
     Encoded { text: if crlf { text.map(|text| text.replace("\r\n", "\n")) } else { text }, encoding, crlf }
-}
-
-/// Each byte as the character of its number.
-pub(super) fn latin_1(bytes: &[u8]) -> String {
-    bytes.iter().copied().map(char::from).collect()
 }
 
 /// A text as a string of TOML over several lines. What an editor could change unseen is written as an escape: control

@@ -1,11 +1,11 @@
 //! An axis list as a TOML set: each known value once, as TOML, with its comments; the lines themselves for the way back.
 
-use super::encoding::{Encoded, encoded, latin_1, toml_string};
+use super::encoding::{Encoded, encoded, toml_string};
 use super::slot::{self, HOLE, Slot};
 use super::{spelling, tables};
 use crate::check;
 use crate::config::lines::{self, Content};
-use crate::config::{AxisList, Key, ListOptions, Load, Values, file, given, key, list, other_kind, project};
+use crate::config::{AxisList, Key, ListOptions, Load, Values, file, given, key, latin_1, list, other_kind, project};
 use crate::diagnostics::Report;
 use crate::parameters::words::{ListEncoding, Words};
 use crate::parameters::{Name, Value};

@@ -96,6 +96,11 @@ impl Word {
     pub(crate) fn spellings(&self) -> impl Iterator<Item = &'static str> {
         std::iter::once(&self.name).chain(self.also).copied()
     }
+
+    /// Whether a text is one of its spellings, in any case.
+    pub(crate) fn is_spelled(&self, text: &str) -> bool {
+        self.spellings().any(|spelling| spelling.eq_ignore_ascii_case(text))
+    }
 }
 
 impl Parameter {

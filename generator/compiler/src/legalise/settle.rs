@@ -56,10 +56,10 @@ fn in_list(list: &mut Vec<Statement>, output: Var, program: &mut Program) {
             list.remove(first);
             go_before(&mut list[next - 1], output, &value);
         } else {
-            hold(list, first, output, program);
+            hold(list, (first, next), output, program);
         }
     }
-    let writer = list.iter().position(|statement| writes(statement, output));
+    let writer = list.iter().position(|statement| statement.writes(output));
     if let Some(statement) = writer.map(|writer| &mut list[writer]) {
         statement.branches_mut().for_each(|list| in_list(list, output, program));
         if let Some(value) = either(statement, output) {
@@ -82,7 +82,7 @@ fn either(statement: &Statement, output: Var) -> Option<Expr> {
 
 /// The first two statements of a list that write the output.
 fn first_two(list: &[Statement], output: Var) -> Option<(usize, usize)> {
-    let mut writers = (0..list.len()).filter(|at| writes(&list[*at], output));
+    let mut writers = (0..list.len()).filter(|at| list[*at].writes(output));
     Some((writers.next()?, writers.next()?))
 }
 
@@ -92,10 +92,10 @@ fn go_before(statement: &mut Statement, output: Var, value: &Expr) {
     statement.branches_mut().for_each(|list| list.insert(0, assign()));
 }
 
-/// Lets a statement write a local, and the output get it behind that.
-fn hold(list: &mut Vec<Statement>, first: usize, output: Var, program: &mut Program) {
+/// Lets the first of two statements that write the output write a local, and the output get it behind that.
+fn hold(list: &mut Vec<Statement>, (first, next): (usize, usize), output: Var, program: &mut Program) {
     let local = Var::Local(program.locals.len());
-    let Var::Output(index) = output else { return };
+    let Var::Output(index) = output else { panic!("settle: {output:?} is no output") };
     let variable = &program.outputs[index];
     let start = variable.start;
     program.locals.push(Local { path: variable.path.clone(), ty: Some(variable.ty) });
@@ -103,14 +103,8 @@ fn hold(list: &mut Vec<Statement>, first: usize, output: Var, program: &mut Prog
     list[first].branches_mut().for_each(|list| in_list(list, output, program));
     rename(&mut list[first..=first], &|var| if var == output { local } else { var });
     // Until it is written again, the local is what the output was.
-    let end = list[first + 1..]
-        .iter()
-        .position(|statement| writes(statement, output))
-        .map_or(list.len(), |at| first + 1 + at);
-    rename(&mut list[first + 1..end], &|var| if var == output { local } else { var });
-    if let Some(next) = list.get_mut(end) {
-        read_instead(next, output, local);
-    }
+    rename(&mut list[first + 1..next], &|var| if var == output { local } else { var });
+    read_instead(&mut list[next], output, local);
     list.insert(first + 1, Statement::Assign { target: output, value: Expr::Var(local) });
 }
 
@@ -147,12 +141,6 @@ fn asks(statement: &Statement, output: Var) -> bool {
 /// Whether no statement can change the value.
 fn is_fixed(value: &Expr) -> bool {
     matches!(value, Expr::Literal(_) | Expr::Var(Var::Constant(_) | Var::Local(_) | Var::Input(_)))
-}
-
-fn writes(statement: &Statement, output: Var) -> bool {
-    let mut found = false;
-    statement.assignments(&mut |target, _| found |= target == output);
-    found
 }
 
 /// Whether every way through a statement writes the output.

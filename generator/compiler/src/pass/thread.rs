@@ -37,7 +37,7 @@ fn is_set(effect: &[Statement]) -> bool {
 
 /// In how many lists the flag may become true, so that the effect can stand at their end; `None`: it cannot.
 fn places(list: &[Statement], flag: Var, effect: &[Statement]) -> Option<usize> {
-    let last = list.iter().rposition(|statement| writes(statement, flag))?;
+    let last = list.iter().rposition(|statement| statement.writes(flag))?;
     match &list[last] {
         Statement::Assign { value, .. } => Some(usize::from(*value != Expr::bool(false))),
         Statement::If { then, otherwise, .. } if !list[last + 1..].iter().any(|later| disturbs(later, effect)) => {
@@ -49,7 +49,7 @@ fn places(list: &[Statement], flag: Var, effect: &[Statement]) -> Option<usize> 
 
 /// Puts the effect at the end of the list in which the flag becomes true.
 fn put(list: &mut Vec<Statement>, flag: Var, effect: Vec<Statement>) {
-    let last = list.iter().rposition(|statement| writes(statement, flag));
+    let last = list.iter().rposition(|statement| statement.writes(flag));
     match last.map(|last| &mut list[last]) {
         Some(Statement::If { then, otherwise, .. }) => {
             let raised = if places(then, flag, &[]) == Some(1) { then } else { otherwise };
@@ -68,12 +68,6 @@ fn is_fixed(value: &Expr) -> bool {
     let mut fixed = true;
     value.variables(&mut |var| fixed &= !matches!(var, Var::Output(_) | Var::State(_)));
     fixed
-}
-
-fn writes(statement: &Statement, var: Var) -> bool {
-    let mut found = false;
-    statement.assignments(&mut |target, _| found |= target == var);
-    found
 }
 
 /// Whether the order of the two matters.

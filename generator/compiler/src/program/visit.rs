@@ -39,6 +39,13 @@ impl Statement {
         self.reads(visit);
     }
 
+    /// Whether this statement or one inside it writes the variable.
+    pub(crate) fn writes(&self, var: Var) -> bool {
+        let mut found = false;
+        self.assignments(&mut |target, _| found |= target == var);
+        found
+    }
+
     /// Whether this statement or one inside it reads or writes the variable.
     pub fn mentions(&self, var: Var) -> bool {
         match self {
