@@ -1,154 +1,17 @@
-//! A file -> a function block that can run, or all its mistakes.
+//! A function block, checked and lowered: plain data. What reads, runs or changes it is elsewhere.
 
-use super::declarations::{self, Variables};
-use super::kind::Kind;
-use super::lowering::Lowering;
-use super::machine::Op;
-use super::mistake::{Lines, Mistakes};
-use super::source::Source;
-use super::syntax::{children, said, shown};
-use super::{Dialect, Mistake, lexical, names, plcopen, scl, syntax, twincat};
-use portable::RealKind;
-use std::collections::BTreeSet;
-use tree_sitter::{Node, Tree};
-
-/// A text above this length is none of ours; the parser counts bytes in 32 bits.
-const LONGEST: usize = 1 << 28;
+use super::op::Op;
+use super::variables::Variables;
 
 /// A `FUNCTION_BLOCK`, checked and lowered.
 #[derive(Clone, Debug)]
 pub struct Block {
-    pub(super) name: String,
-    pub(super) variables: Variables,
-    pub(super) ops: Vec<Op>,
+    /// its name
+    pub(crate) name: String,
+    /// its variables, and the slots
+    pub(crate) variables: Variables,
+    /// a cycle
+    pub(crate) ops: Vec<Op>,
     /// where it begins, for mistakes of a run
-    pub(super) place: (usize, usize),
-}
-
-impl Block {
-    /// Reads the block `name` of a file, which holds reals of one type. All blocks of the file are checked.
-    ///
-    /// # Errors
-    /// The file holds what is outside the portable subset, or no such block.
-    pub fn read(dialect: Dialect, text: &str, name: &str, real: RealKind) -> Result<Self, Vec<Mistake>> {
-        if text.len() > LONGEST {
-            return Err(vec![Lines::new("").mistake(0, format!("{} bytes", text.len()), "a shorter file")]);
-        }
-        let source = match dialect {
-            Dialect::Plain => Source::plain(text),
-            Dialect::TwinCat => twincat::read(text)?,
-            Dialect::Codesys => plcopen::read(text)?,
-            Dialect::Scl => scl::read(text)?,
-        };
-        let mut mistakes = Mistakes::new(&source, text);
-        let letters = lexical::check(dialect, &source.text, &mut mistakes);
-        let Some(tree) = syntax::parse(&source.text[..letters.end]) else {
-            mistakes.push(0, "a text that is no Structured Text", "declarations and statements");
-            return Err(mistakes.sorted());
-        };
-        syntax::check(&tree, &source.text, &letters, &mut mistakes);
-        syntax::plus(&tree, &source.text, &mut mistakes);
-        let blocks = blocks(&tree, &source, dialect, real, &mut mistakes);
-        let found = blocks.into_iter().find(|block| block.name.eq_ignore_ascii_case(name));
-        let broken = tree.root_node().has_error();
-        if broken && mistakes.is_empty() {
-            mistakes.push(0, "a text that is no Structured Text", "declarations and statements");
-        }
-        if found.is_none() && !broken {
-            mistakes.push(0, format!("no block `{name}`"), format!("`FUNCTION_BLOCK {name}`"));
-        }
-        match found {
-            Some(mut block) if mistakes.is_empty() => {
-                block.place = Lines::new(text).place(source.origin(block.place.0));
-                Ok(block)
-            }
-            _ => Err(mistakes.sorted()),
-        }
-    }
-}
-
-/// All blocks of a text; their places are bytes of the text yet.
-fn blocks(tree: &Tree, source: &Source, dialect: Dialect, real: RealKind, mistakes: &mut Mistakes<'_>) -> Vec<Block> {
-    let mut blocks: Vec<Block> = Vec::new();
-    for (node, _) in children(tree.root_node()) {
-        match node.kind() {
-            "function_block_declaration" => {
-                let block = block(node, source, dialect, real, mistakes);
-                if blocks.iter().any(|other| other.name.eq_ignore_ascii_case(&block.name)) {
-                    mistakes.push(node.start_byte(), format!("a second block `{}`", block.name), "another name");
-                }
-                blocks.push(block);
-            }
-            "pragma" | "ERROR" => {}
-            ";" => mistakes.push(node.start_byte(), "`;` without a statement", "nothing"),
-            _ => mistakes.push(node.start_byte(), shown(node, &source.text), "`FUNCTION_BLOCK`"),
-        }
-    }
-    blocks
-}
-
-fn block(node: Node<'_>, source: &Source, dialect: Dialect, real: RealKind, mistakes: &mut Mistakes<'_>) -> Block {
-    let text = source.text.as_str();
-    let (mut variables, mut body, mut name) = (Variables::new(real), Vec::new(), String::new());
-    // So that a condition that is wrong has a slot too.
-    variables.slot(Kind::Bool, None);
-    let (mut place, mut all_declared) = (node, true);
-    for (part, field) in children(node) {
-        let at = part.start_byte();
-        let misplaced = |inside: bool| source.body.is_some_and(|body| (at >= body) == inside);
-        match (part.kind(), field) {
-            ("identifier", Some("name")) => {
-                said(part, text).clone_into(&mut name);
-                place = part;
-                if let Some((found, instead)) = names::mistake(dialect, &name) {
-                    mistakes.push(at, found, instead);
-                }
-                if let Some(outside) = source.name.as_ref().filter(|outside| **outside != name) {
-                    mistakes.push(
-                        at,
-                        format!("the block `{name}` in the file of `{outside}`"),
-                        "one name in both places",
-                    );
-                }
-            }
-            (kind, _) if kind.starts_with("var_") => {
-                if misplaced(true) {
-                    mistakes.push(at, "a `VAR` block in the body", "the `VAR` block in the declaration");
-                }
-                all_declared &= !part.has_error();
-                declarations::declare(part, text, dialect, &mut variables, mistakes);
-            }
-            ("FUNCTION_BLOCK" | "END_FUNCTION_BLOCK", _) => {}
-            ("method_declaration" | "property_declaration", _) => {
-                mistakes.push(at, shown(part, text), "one body");
-            }
-            (_, Some("extends" | "implements")) | ("ABSTRACT" | "FINAL" | "EXTENDS" | "IMPLEMENTS", _) => {
-                if field.is_none() {
-                    mistakes.push(at, format!("`{}`", part.kind()), "a block by itself");
-                }
-            }
-            _ => {
-                if misplaced(false) {
-                    mistakes.push(at, "a statement in the declaration", "the statement in the body");
-                }
-                body.push(part);
-            }
-        }
-    }
-    let free = Default::default();
-    let mut lowering = Lowering {
-        text,
-        dialect,
-        variables: &mut variables,
-        mistakes,
-        ops: Vec::new(),
-        free,
-        assigned: BTreeSet::new(),
-        depth: 0,
-        too_deep: false,
-        all_declared,
-    };
-    lowering.statements(&body, place, "a body");
-    let ops = lowering.ops;
-    Block { name, variables, ops, place: (place.start_byte(), 0) }
+    pub(crate) place: (usize, usize),
 }

@@ -3,8 +3,8 @@
 use super::Dialect;
 use super::kind::Kind;
 use super::lowering::{Lowering, Operand, Typed};
-use super::machine::Code;
 use super::names;
+use super::op::Code;
 use super::syntax::{children, said, shown};
 use tree_sitter::Node;
 
@@ -63,8 +63,8 @@ fn conversion(
         return None;
     }
     match lowering.expression(*argument)? {
-        Operand::Slot { kind, slot, passing } if kind == from => {
-            Some(lowering.emit(code, Kind::Real, &[(kind, slot, passing)]))
+        Operand::Slot { kind, slot, part } if kind == from => {
+            Some(lowering.emit(code, Kind::Real, &[(kind, slot, part)]))
         }
         Operand::Integer(value) => {
             lowering.say(*argument, format!("a conversion of `{value}`"), format!("`{value}.0`"));

@@ -8,6 +8,9 @@ use super::syntax::{said, shown};
 use portable::RealKind;
 use tree_sitter::Node;
 
+/// -2^31.
+pub(crate) const SMALLEST_DINT: i64 = -2_147_483_648;
+
 /// A real literal, `-`, `*` and parentheses of such, in SCL a literal and its sign; `None`: it is something else.
 pub(crate) fn product(dialect: Dialect, node: Node<'_>, text: &str, depth: usize) -> Option<Constant> {
     let depth = depth.checked_sub(1)?;

@@ -5,16 +5,19 @@
 //! source         file -> text, and where each part of it comes from; twincat, plcopen, scl: the forms around it; xml: for two of them
 //! lexical        letters, comments, pragmas, numbers; number: the forms and values of numbers; names: those to avoid
 //! syntax         text -> tree, by a grammar that is not ours
-//! declarations   VAR blocks -> typed slots; constant: values that the text has
-//! kind           the types and their values
-//! lower          statements -> operations on slots; expression, call: their parts; lowering: what they share
-//! machine        the operations; run: an instance of a block, cycle by cycle
+//! declarations   VAR blocks -> variables; constant: values that the text has
+//! variables      the variables and their slots; kind: the types and their values
+//! lower          statements -> operations on slots; choice: IF; expression, binary, call: their parts; lowering: what they share
+//! block          what a block is; read: a file -> a block
+//! op             the operations; machine: what they do; run: an instance of a block, cycle by cycle
 //! mistake        what is wrong, and where
 //! ```
 #![forbid(unsafe_code)]
 
+mod binary;
 mod block;
 mod call;
+mod choice;
 mod constant;
 mod declarations;
 mod expression;
@@ -26,12 +29,15 @@ mod machine;
 mod mistake;
 mod names;
 mod number;
+mod op;
 mod plcopen;
+mod read;
 mod run;
 mod scl;
 mod source;
 mod syntax;
 mod twincat;
+mod variables;
 mod xml;
 
 pub use block::Block;

@@ -1,10 +1,11 @@
 //! What is known of a block while it is lowered, and where the values of its expressions are.
 
-use super::declarations::Variables;
-use super::kind::Kind;
-use super::machine::Op;
+use super::constant::word;
+use super::kind::{Kind, Value};
 use super::mistake::Mistakes;
+use super::op::{Code, Op};
 use super::syntax::shown;
+use super::variables::Variables;
 use super::{DEPTH, Dialect};
 use portable::RealKind;
 use std::collections::BTreeSet;
@@ -19,14 +20,14 @@ pub(crate) enum Operand {
         kind: Kind,
         /// its number
         slot: u32,
-        /// whether the slot is free again once the value was used
-        passing: bool,
+        /// whether it is the result of the last operation, which nothing else uses
+        part: bool,
     },
     /// an integer literal, whose type is that of what it meets
     Integer(i64),
 }
 
-/// An operand of a known type: its type, its slot, and whether the slot is free again once the value was used.
+/// An operand of a known type: its type, its slot, and whether it is the result of the last operation.
 pub(crate) type Typed = (Kind, u32, bool);
 
 /// A block while it is lowered.
@@ -41,8 +42,6 @@ pub(crate) struct Lowering<'a, 't> {
     pub(crate) mistakes: &'a mut Mistakes<'t>,
     /// the operations so far
     pub(crate) ops: Vec<Op>,
-    /// slots of parts of expressions that are free again, by their types
-    pub(crate) free: [Vec<u32>; 4],
     /// the temporaries that have a value here on every way, by type and slot
     pub(crate) assigned: BTreeSet<(usize, u32)>,
     /// how many levels this place is inside others
@@ -84,5 +83,53 @@ impl Lowering<'_, '_> {
     /// Whether a real that is not alone right of `:=` needs a name: digits are LREAL to some compilers, and REAL to none.
     pub(crate) fn has_named_reals(&self) -> bool {
         self.variables.real == RealKind::F32 || self.dialect == Dialect::Scl
+    }
+
+    /// The name of an operand's type.
+    pub(crate) fn kind_name(&self, operand: Operand) -> &'static str {
+        match operand {
+            Operand::Slot { kind, .. } => self.name(kind),
+            Operand::Integer(_) => "an integer literal",
+        }
+    }
+
+    /// The name of a type.
+    pub(crate) fn name(&self, kind: Kind) -> &'static str {
+        kind.name(self.variables.real)
+    }
+
+    /// A slot for a number of the text.
+    pub(crate) fn literal(&mut self, kind: Kind, value: Value) -> Operand {
+        Operand::Slot { kind, slot: self.variables.slot(kind, Some(value)), part: false }
+    }
+
+    /// An operand, of which a literal takes the wanted type if it fits.
+    pub(crate) fn typed(&mut self, operand: Operand, wanted: Kind, node: Node<'_>) -> Option<Typed> {
+        match (operand, wanted) {
+            (Operand::Slot { kind, slot, part }, _) => Some((kind, slot, part)),
+            (Operand::Integer(value), Kind::Dint | Kind::Udint) => {
+                if let Some(word) = word(value, wanted) {
+                    return Some((wanted, self.variables.slot(wanted, Some(Value::Word(word))), false));
+                }
+                let instead = format!("an integer that fits a {}", self.name(wanted));
+                self.say(node, format!("`{value}`"), instead);
+                None
+            }
+            (Operand::Integer(value), _) => {
+                let name = self.name(wanted);
+                let instead =
+                    if wanted == Kind::Real { format!("`{value}.0`") } else { "`TRUE` or `FALSE`".to_owned() };
+                self.say(node, format!("the integer `{value}` where a {name} belongs"), instead);
+                None
+            }
+        }
+    }
+
+    /// Appends an operation whose result goes into a slot of its own.
+    pub(crate) fn emit(&mut self, code: Code, result: Kind, operands: &[Typed]) -> Operand {
+        let slot = self.variables.slot(result, None);
+        let of = |at: usize| operands.get(at).map_or(0, |&(_, slot, _)| slot);
+        self.ops.push(Op { code, to: slot, a: of(0), b: of(1) });
+        Operand::Slot { kind: result, slot, part: true }
     }
 }

@@ -1,9 +1,10 @@
 //! An instance of a block: signals by their names, and one cycle after another.
 
-use super::declarations::{Role, Variable};
+use super::block::Block;
 use super::kind::Kind;
 use super::machine::Slots;
-use super::{Block, Mistake};
+use super::mistake::Mistake;
+use super::variables::{Role, Variable};
 use portable::{Literal, Real, RealKind};
 
 /// A signal: its name, in whatever case, and a value of its type.

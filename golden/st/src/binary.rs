@@ -1,0 +1,108 @@
+//! Operators between two operands -> operations: which there are for which types.
+
+use super::constant::{SMALLEST_DINT, operator};
+use super::kind::Kind;
+use super::lowering::{Lowering, Operand};
+use super::op::Code;
+use tree_sitter::Node;
+
+impl Lowering<'_, '_> {
+    /// Lowers an operator and its two operands; `None`: a mistake was said.
+    pub(crate) fn binary(&mut self, node: Node<'_>) -> Option<Operand> {
+        lower(self, node)
+    }
+}
+
+fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
+    let (left, right) = (node.child_by_field_name("left")?, node.child_by_field_name("right")?);
+    let operator = operator(node, lowering.text).to_ascii_uppercase();
+    let instead = match operator.as_str() {
+        "MOD" => Some("a counter that begins again at its bound"),
+        "**" => Some("products"),
+        "XOR" => Some("`<>`"),
+        "&" => Some("`AND`"),
+        _ => None,
+    };
+    if let Some(instead) = instead {
+        let place = node.child_by_field_name("operator").unwrap_or(node);
+        lowering.say(place, format!("`{operator}`"), instead);
+    }
+    let (a, b) = (lowering.expression(left), lowering.expression(right));
+    let (a, b) = (a?, b?);
+    if instead.is_some() {
+        return None;
+    }
+    let kind = match (a, b) {
+        (Operand::Slot { kind, .. }, _) | (_, Operand::Slot { kind, .. }) => kind,
+        // Of the smallest DINT this is the only form that every compiler reads alike: no smaller type holds its left side.
+        (Operand::Integer(left), Operand::Integer(1)) if operator == "-" && left == SMALLEST_DINT + 1 => {
+            return Some(Operand::Integer(SMALLEST_DINT));
+        }
+        (Operand::Integer(_), Operand::Integer(_)) => {
+            lowering.say(node, format!("`{operator}` of two integer literals"), "its result");
+            return None;
+        }
+    };
+    let (a, b) = (lowering.typed(a, kind, left), lowering.typed(b, kind, right));
+    let (a, b) = (a?, b?);
+    let place = node.child_by_field_name("operator").unwrap_or(node);
+    if a.0 != b.0 {
+        let (one, other) = (lowering.name(a.0), lowering.name(b.0));
+        let instead = match (a.0, b.0) {
+            (Kind::Real, integer @ (Kind::Dint | Kind::Udint)) | (integer @ (Kind::Dint | Kind::Udint), Kind::Real) => {
+                format!("`{}_TO_{}`", lowering.name(integer), lowering.name(Kind::Real))
+            }
+            _ => "one type on both sides".to_owned(),
+        };
+        lowering.say(place, format!("`{operator}` of {one} and {other}"), instead);
+        return None;
+    }
+    let Some((code, result, swapped)) = code(&operator, a.0) else {
+        let name = lowering.name(a.0);
+        let instead = match (operator.as_str(), a.0) {
+            ("AND" | "OR", _) => "BOOLs, or arithmetic",
+            ("/", _) => "reals, or a coefficient",
+            (_, Kind::Bool) => "`AND`, `OR`, `NOT`, `=` or `<>`",
+            _ => "an operator of the type",
+        };
+        lowering.say(place, format!("`{operator}` of {name}"), instead);
+        return None;
+    };
+    Some(lowering.emit(code, result, &if swapped { [b, a] } else { [a, b] }))
+}
+
+/// The operation, the type of its result, and whether its operands change places.
+fn code(operator: &str, kind: Kind) -> Option<(Code, Kind, bool)> {
+    use Kind::{Bool, Dint, Real, Udint};
+    let code = match (operator, kind) {
+        ("+", Real) => (Code::AddReal, Real, false),
+        ("-", Real) => (Code::SubtractReal, Real, false),
+        ("*", Real) => (Code::MultiplyReal, Real, false),
+        ("/", Real) => (Code::DivideReal, Real, false),
+        ("<", Real) => (Code::LessReal, Bool, false),
+        ("<=", Real) => (Code::AtMostReal, Bool, false),
+        (">", Real) => (Code::LessReal, Bool, true),
+        (">=", Real) => (Code::AtMostReal, Bool, true),
+        ("=", Real) => (Code::EqualReal, Bool, false),
+        ("<>", Real) => (Code::UnequalReal, Bool, false),
+        ("AND", Bool) => (Code::And, Bool, false),
+        ("OR", Bool) => (Code::Or, Bool, false),
+        ("=", Bool) => (Code::EqualBool, Bool, false),
+        ("<>", Bool) => (Code::UnequalBool, Bool, false),
+        ("+", Dint | Udint) => (Code::AddWord, kind, false),
+        ("-", Dint | Udint) => (Code::SubtractWord, kind, false),
+        ("*", Dint | Udint) => (Code::MultiplyWord, kind, false),
+        ("=", Dint | Udint) => (Code::EqualWord, Bool, false),
+        ("<>", Dint | Udint) => (Code::UnequalWord, Bool, false),
+        ("<", Dint) => (Code::LessDint, Bool, false),
+        ("<=", Dint) => (Code::AtMostDint, Bool, false),
+        (">", Dint) => (Code::LessDint, Bool, true),
+        (">=", Dint) => (Code::AtMostDint, Bool, true),
+        ("<", Udint) => (Code::LessUdint, Bool, false),
+        ("<=", Udint) => (Code::AtMostUdint, Bool, false),
+        (">", Udint) => (Code::LessUdint, Bool, true),
+        (">=", Udint) => (Code::AtMostUdint, Bool, true),
+        _ => return None,
+    };
+    Some(code)
+}

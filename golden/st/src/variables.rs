@@ -1,0 +1,82 @@
+//! The variables of a block, by their names, and their slots. No declaration is read here.
+
+use super::kind::{Kind, Value};
+use super::machine::Slots;
+use portable::RealKind;
+use std::collections::HashMap;
+
+/// Who writes a variable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Role {
+    /// the caller
+    Input,
+    /// the block, for the caller
+    Output,
+    /// the block
+    Local,
+    /// the block; the value does not outlive the cycle
+    Temporary,
+    /// nobody
+    Constant,
+}
+
+/// A variable.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Variable {
+    /// its type
+    pub(crate) kind: Kind,
+    /// who writes it
+    pub(crate) role: Role,
+    /// its slot, among those of its type
+    pub(crate) slot: u32,
+    /// whether its type is one of ours; if not, its uses are no further mistakes by themselves
+    pub(crate) known: bool,
+}
+
+/// The variables of a block.
+#[derive(Clone, Debug)]
+pub(crate) struct Variables {
+    /// what a real is
+    pub(crate) real: RealKind,
+    /// by their names in lower case
+    by_name: HashMap<String, Variable>,
+    /// what the slots hold at the start
+    pub(crate) slots: Slots<f64>,
+}
+
+impl Variables {
+    /// None yet.
+    pub(crate) fn new(real: RealKind) -> Self {
+        Self { real, by_name: HashMap::new(), slots: Slots::default() }
+    }
+
+    /// A variable by its name.
+    pub(crate) fn find(&self, name: &str) -> Option<Variable> {
+        self.by_name.get(&name.to_ascii_lowercase()).copied()
+    }
+
+    /// Another variable.
+    pub(crate) fn add(&mut self, name: &str, variable: Variable) {
+        self.by_name.insert(name.to_ascii_lowercase(), variable);
+    }
+
+    /// Another slot.
+    pub(crate) fn slot(&mut self, kind: Kind, value: Option<Value>) -> u32 {
+        let slots = &mut self.slots;
+        let slot = match kind {
+            Kind::Real => {
+                slots.reals.push(if let Some(Value::Real(value)) = value { value } else { 0.0 });
+                slots.reals.len() - 1
+            }
+            Kind::Bool => {
+                slots.bools.push(matches!(value, Some(Value::Bool(true))));
+                slots.bools.len() - 1
+            }
+            Kind::Dint | Kind::Udint => {
+                slots.words.push(if let Some(Value::Word(value)) = value { value } else { 0 });
+                slots.words.len() - 1
+            }
+        };
+        u32::try_from(slot).expect("engine: a text is shorter than 2^32 bytes")
+    }
+}
