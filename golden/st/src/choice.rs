@@ -1,27 +1,51 @@
 //! Statements that choose among others -> jumps over operations.
 
+use super::constant::SMALLEST_DINT;
 use super::kind::Kind;
-use super::lowering::Lowering;
+use super::lowering::{Lowering, Operand};
+use super::number;
 use super::op::{Code, Op};
-use super::syntax::children;
+use super::syntax::{children, said, shown};
 use std::collections::BTreeSet;
 use tree_sitter::Node;
 
 impl Lowering<'_, '_> {
     /// Lowers an `IF`.
     pub(crate) fn choice(&mut self, node: Node<'_>) {
+        let arms: Vec<Node<'_>> = std::iter::once(node).chain(clauses(node)).collect();
+        self.arms(&arms, |lowering, arm| {
+            let condition = arm.child_by_field_name("condition")?;
+            let slot = lowering.condition(condition);
+            Some(lowering.jump(Code::JumpUnless, slot))
+        });
+    }
+
+    /// Lowers a `CASE`: its value is computed once, and compared with one label after another.
+    pub(crate) fn case(&mut self, node: Node<'_>) {
+        let subject = node.child_by_field_name("subject").and_then(|subject| self.subject(subject));
+        let mut before = BTreeSet::new();
+        self.arms(&clauses(node), |lowering, clause| {
+            if clause.kind() == "else_clause" {
+                return None;
+            }
+            let slot = lowering.labels(clause, subject, &mut before);
+            Some(lowering.jump(Code::JumpUnless, slot))
+        });
+    }
+
+    /// Lowers statements of which one list is executed at most. `test` appends the jump over an arm; without one it is the last.
+    fn arms(&mut self, arms: &[Node<'_>], mut test: impl FnMut(&mut Self, Node<'_>) -> Option<usize>) {
         let mut ends = Vec::new();
         // What has a value behind the question has one behind each of its arms, and without an ELSE before it too.
         let mut behind: Option<BTreeSet<(usize, u32)>> = None;
-        let mut arms = vec![node];
-        arms.extend(children(node).into_iter().map(|(part, _)| part).filter(|part| part.kind().ends_with("_clause")));
         for (at, &arm) in arms.iter().enumerate() {
             let what = match arm.kind() {
                 "elsif_clause" => "`ELSIF`",
                 "else_clause" => "`ELSE`",
+                "case_clause" => "a branch of `CASE`",
                 _ => "`IF`",
             };
-            let skip = arm.child_by_field_name("condition").map(|condition| self.condition(condition));
+            let skip = test(self, arm);
             let before = self.assigned.clone();
             self.statements(&body(arm), arm, what);
             let own = std::mem::replace(&mut self.assigned, before);
@@ -41,11 +65,11 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Appends the test of a condition; its jump has no aim yet.
-    fn condition(&mut self, node: Node<'_>) -> usize {
+    /// The slot of a condition.
+    fn condition(&mut self, node: Node<'_>) -> u32 {
         let operand = self.expression(node);
         let operand = operand.and_then(|operand| self.typed(operand, Kind::Bool, node));
-        let slot = match operand {
+        match operand {
             Some((Kind::Bool, slot, _)) => slot,
             Some((kind, ..)) => {
                 let found = format!("a condition of type {}", self.name(kind));
@@ -53,8 +77,61 @@ impl Lowering<'_, '_> {
                 0
             }
             None => 0,
+        }
+    }
+
+    /// The slot of the value of a `CASE`; `None`: a mistake was said.
+    fn subject(&mut self, node: Node<'_>) -> Option<u32> {
+        match self.expression(node)? {
+            Operand::Slot { kind: Kind::Dint, slot, .. } => Some(slot),
+            other => {
+                let found = format!("`CASE` of {}", self.kind_name(other));
+                self.say(node, found, "a DINT");
+                None
+            }
+        }
+    }
+
+    /// The slot of the condition that the value is one of a branch's labels; `before` has the labels up to here.
+    fn labels(&mut self, clause: Node<'_>, subject: Option<u32>, before: &mut BTreeSet<i64>) -> u32 {
+        let mut any = None;
+        for (node, _) in children(clause).into_iter().filter(|(part, _)| part.kind() == "case_value") {
+            let label =
+                self.label(node, before).and_then(|label| self.typed(Operand::Integer(label), Kind::Dint, node));
+            let (Some((_, label, _)), Some(subject)) = (label, subject) else { continue };
+            let operands = [(Kind::Dint, subject, false), (Kind::Dint, label, false)];
+            let mut test = self.emit(Code::EqualWord, Kind::Bool, &operands);
+            if let (Some(any), Some(own)) = (any, self.typed(test, Kind::Bool, node)) {
+                test = self.emit(Code::Or, Kind::Bool, &[any, own]);
+            }
+            any = self.typed(test, Kind::Bool, node);
+        }
+        any.map_or(0, |(_, slot, _)| slot)
+    }
+
+    /// The number of a label; `None`: a mistake was said.
+    fn label(&mut self, node: Node<'_>, before: &mut BTreeSet<i64>) -> Option<i64> {
+        let (part, _) = children(node).into_iter().next()?;
+        let label = shown(node, self.text);
+        let value = number::integer(said(part, self.text)).filter(|_| part.kind() == "integer_literal");
+        let Some(value) = value else {
+            if part.kind() == "subrange" {
+                self.say(node, format!("the range {label}"), "each number of it, with commas between them");
+            } else if !node.has_error() {
+                self.say(node, format!("the label {label}"), "an integer literal");
+            }
+            return None;
         };
-        self.jump(Code::JumpUnless, slot)
+        if value == SMALLEST_DINT {
+            // As in an expression: to some compilers 2147483648 is a LINT, and so is minus it.
+            self.say(node, format!("the label {label}"), "another label");
+            return None;
+        }
+        if !before.insert(value) {
+            self.say(node, format!("the label {label} a second time"), "each label once");
+            return None;
+        }
+        Some(value)
     }
 
     fn jump(&mut self, code: Code, a: u32) -> usize {
@@ -69,10 +146,18 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// The statements of an arm of an `IF`.
+/// The arms behind the first words of a statement.
+fn clauses(node: Node<'_>) -> Vec<Node<'_>> {
+    children(node).into_iter().map(|(part, _)| part).filter(|part| part.kind().ends_with("_clause")).collect()
+}
+
+/// The statements of an arm.
 fn body<'n>(arm: Node<'n>) -> Vec<Node<'n>> {
     let statement = |(part, field): &(Node<'n>, Option<&'n str>)| {
-        part.is_named() && *field != Some("condition") && !part.kind().ends_with("_clause")
+        part.is_named()
+            && *field != Some("condition")
+            && part.kind() != "case_value"
+            && !part.kind().ends_with("_clause")
     };
     children(arm).into_iter().filter(statement).map(|(part, _)| part).collect()
 }

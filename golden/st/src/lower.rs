@@ -21,11 +21,17 @@ impl Lowering<'_, '_> {
                 taken = false;
                 continue;
             }
-            let ended = node.kind() == "if_statement" && !node.has_error();
+            let end = match node.kind() {
+                "if_statement" if !node.has_error() => Some("END_IF"),
+                "case_statement" if !node.has_error() => Some("END_CASE"),
+                _ => None,
+            };
             // What is refused already may have its semicolon.
             taken = !matches!(node.kind(), "assignment_statement" | "pragma");
-            if ended && list.get(at + 1).is_none_or(|next| next.kind() != "empty_statement") {
-                self.mistakes.push(node.end_byte(), "no `;` after `END_IF`", "`END_IF;`");
+            if let Some(end) = end
+                && list.get(at + 1).is_none_or(|next| next.kind() != "empty_statement")
+            {
+                self.mistakes.push(node.end_byte(), format!("no `;` after `{end}`"), format!("`{end};`"));
             }
             real += usize::from(node.kind() != "pragma");
             let _ = self.deeper(node, |lowering| lowering.statement(node));
@@ -41,6 +47,7 @@ impl Lowering<'_, '_> {
                 self.assignment(node);
             }
             "if_statement" => self.choice(node),
+            "case_statement" => self.case(node),
             // A pragma was said of already, where it may not stand.
             "pragma" => {}
             // So was what the grammar does not take.
@@ -50,13 +57,12 @@ impl Lowering<'_, '_> {
                     "for_statement" => ("`FOR`", "its passes one after another"),
                     "while_statement" => ("`WHILE`", "`IF`, and the rest in the next cycle"),
                     "repeat_statement" => ("`REPEAT`", "`IF`, and the rest in the next cycle"),
-                    "case_statement" => ("`CASE`", "`IF` and `ELSIF`"),
                     "exit_statement" => ("`EXIT`", "`IF`"),
                     "continue_statement" => ("`CONTINUE`", "`IF`"),
                     "return_statement" => ("`RETURN`", "`IF` around the rest"),
                     "invocation_statement" => ("a call as a statement", "what it does"),
                     "reference_assignment_statement" => ("`REF=`", "`:=`"),
-                    _ => (other, "`:=` or `IF`"),
+                    _ => (other, "`:=`, `IF` or `CASE`"),
                 };
                 self.say(node, found, instead);
             }

@@ -25,7 +25,7 @@ fn read(text: &str) {
 /// Pieces of which broken texts are made.
 fn piece() -> impl Strategy<Value = String> {
     let words = "FUNCTION_BLOCK END_FUNCTION_BLOCK probe VAR VAR_INPUT VAR_OUTPUT END_VAR CONSTANT x : LREAL REAL ; := 1.0 1 ( ) + - * /
-        IF THEN ELSIF ELSE END_IF FOR TO DO END_FOR CASE OF AND OR NOT < <= = <> MOD ** (* *) // { } ' \" # 16#FF .. . [ ] ^ % & é
+        IF THEN ELSIF ELSE END_IF FOR TO DO END_FOR CASE OF 1: -1, END_CASE AND OR NOT < <= = <> MOD ** (* *) // { } ' \" # 16#FF .. . [ ] ^ % & é
         DINT_TO_LREAL F_axgen_in_range_LREAL <POU Name=\"probe\"> </POU> <![CDATA[ ]]> <ST> </ST> &lt; &#0; &x; <!-- --> BEGIN VERSION 0.1 { S7_Optimized_Access := 'TRUE' } #x \"probe\" VAR_TEMP";
     let words: Vec<String> = words.split_ascii_whitespace().map(str::to_owned).collect();
     prop_oneof![8 => proptest::sample::select(words), 1 => any::<String>(), 1 => "[ -~]{0,8}"]
@@ -64,7 +64,7 @@ proptest! {
 fn heaps_of_the_same() {
     let block = |body: &str| {
         format!(
-            "FUNCTION_BLOCK probe\nVAR_INPUT\n    x : LREAL;\nEND_VAR\nVAR_OUTPUT\n    y : LREAL;\n    q : BOOL;\nEND_VAR\n{body}\nEND_FUNCTION_BLOCK\n"
+            "FUNCTION_BLOCK probe\nVAR_INPUT\n    x : LREAL;\nEND_VAR\nVAR_OUTPUT\n    y : LREAL;\n    q : BOOL;\n    j : DINT;\nEND_VAR\n{body}\nEND_FUNCTION_BLOCK\n"
         )
     };
     let many = 20_000;
@@ -79,6 +79,9 @@ fn heaps_of_the_same() {
         "FUNCTION_BLOCK ".repeat(many),
         "IF x THEN ".repeat(many),
         "VAR x : ".repeat(many),
+        block(&"CASE j OF 1: ".repeat(many)),
+        block(&format!("CASE j OF {}1: y := x; END_CASE;", "1, ".repeat(many))),
+        block(&format!("CASE j OF {}END_CASE;", "1: y := x; ".repeat(many))),
         block(&"IF ( y := + ) THEN\n".repeat(many)),
         block(&format!("y := {}x{};", "(".repeat(many), ")".repeat(many))),
         block(&format!("y := x{};", " + x".repeat(many))),

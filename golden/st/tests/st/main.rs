@@ -3,6 +3,7 @@
 
 mod support;
 
+mod case;
 mod forms;
 mod garbage;
 mod refused;

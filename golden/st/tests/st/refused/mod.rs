@@ -1,6 +1,7 @@
 //! What is refused, rule by rule: a text, and all that is said of it.
 
 mod at_once;
+mod case;
 mod declarations;
 mod files;
 mod lexical;

@@ -28,13 +28,6 @@ fn statements() {
             said: &["14:1: found `REPEAT`; write `IF`, and the rest in the next cycle"],
         },
         Row {
-            rule: "CASE",
-            part: Part::Body,
-            real: RealKind::F64,
-            text: "CASE i OF\n    1: y := x;\nEND_CASE;",
-            said: &["14:1: found `CASE`; write `IF` and `ELSIF`"],
-        },
-        Row {
             rule: "EXIT",
             part: Part::Body,
             real: RealKind::F64,
