@@ -3,7 +3,9 @@
 use super::constant::{SMALLEST_DINT, operator};
 use super::kind::Kind;
 use super::lowering::{Lowering, Operand};
+use super::number;
 use super::op::Code;
+use super::syntax::said;
 use tree_sitter::Node;
 
 impl Lowering<'_, '_> {
@@ -17,7 +19,6 @@ fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
     let (left, right) = (node.child_by_field_name("left")?, node.child_by_field_name("right")?);
     let operator = operator(node, lowering.text).to_ascii_uppercase();
     let instead = match operator.as_str() {
-        "MOD" => Some("a counter that begins again at its bound"),
         "**" => Some("products"),
         "XOR" => Some("`<>`"),
         "&" => Some("`AND`"),
@@ -61,14 +62,24 @@ fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
         let name = lowering.name(a.0);
         let instead = match (operator.as_str(), a.0) {
             ("AND" | "OR", _) => "BOOLs, or arithmetic",
-            ("/", _) => "reals, or a coefficient",
+            ("/", Kind::Udint) => "a DINT, or reals",
+            ("MOD", _) => "a DINT",
             (_, Kind::Bool) => "`AND`, `OR`, `NOT`, `=` or `<>`",
             _ => "an operator of the type",
         };
         lowering.say(place, format!("`{operator}` of {name}"), instead);
         return None;
     };
+    // By 0, and the smallest DINT by -1, every controller does something else.
+    if matches!(code, Code::DivideDint | Code::RemainderDint) && !is_positive_literal(right, lowering.text) {
+        lowering.say(right, "a divisor that is no positive literal", "an integer literal from 1 on");
+        return None;
+    }
     Some(lowering.emit(code, result, &if swapped { [b, a] } else { [a, b] }))
+}
+
+fn is_positive_literal(node: Node<'_>, text: &str) -> bool {
+    node.kind() == "integer_literal" && number::integer(said(node, text)).is_some_and(|value| value > 0)
 }
 
 /// The operation, the type of its result, and whether its operands change places.
@@ -92,6 +103,8 @@ fn code(operator: &str, kind: Kind) -> Option<(Code, Kind, bool)> {
         ("+", Dint | Udint) => (Code::AddWord, kind, false),
         ("-", Dint | Udint) => (Code::SubtractWord, kind, false),
         ("*", Dint | Udint) => (Code::MultiplyWord, kind, false),
+        ("/", Dint) => (Code::DivideDint, Dint, false),
+        ("MOD", Dint) => (Code::RemainderDint, Dint, false),
         ("=", Dint | Udint) => (Code::EqualWord, Bool, false),
         ("<>", Dint | Udint) => (Code::UnequalWord, Bool, false),
         ("<", Dint) => (Code::LessDint, Bool, false),

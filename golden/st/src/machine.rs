@@ -50,6 +50,12 @@ impl<R: Real> Slots<R> {
                 Code::AddWord => words[to] = words[a].wrapping_add(words[b]),
                 Code::SubtractWord => words[to] = words[a].wrapping_sub(words[b]),
                 Code::MultiplyWord => words[to] = words[a].wrapping_mul(words[b]),
+                Code::DivideDint => {
+                    words[to] = words[a].cast_signed().wrapping_div(words[b].cast_signed()).cast_unsigned();
+                }
+                Code::RemainderDint => {
+                    words[to] = words[a].cast_signed().wrapping_rem(words[b].cast_signed()).cast_unsigned();
+                }
                 Code::EqualWord => bools[to] = words[a] == words[b],
                 Code::UnequalWord => bools[to] = words[a] != words[b],
                 Code::LessDint => bools[to] = words[a].cast_signed() < words[b].cast_signed(),

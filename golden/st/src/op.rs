@@ -45,6 +45,10 @@ pub(crate) enum Code {
     SubtractWord,
     /// word := word * word
     MultiplyWord,
+    /// DINT := DINT / DINT, towards 0
+    DivideDint,
+    /// DINT := DINT MOD DINT, with the sign of the first one
+    RemainderDint,
     /// bool := word = word
     EqualWord,
     /// bool := word <> word

@@ -178,16 +178,13 @@ fn only_the_tools_honour_initial_values() {
 #[test]
 fn mistakes_have_their_places_in_the_file() {
     let said = |dialect, text: &str| said(dialect, text, "probe", RealKind::F64);
-    let text = TWINCAT.replace("n := n + 1;", "n := n MOD 2;").replace("5.0 * 2.0", "1E1");
+    let text = TWINCAT.replace("n := n + 1;", "n := n XOR 2;").replace("5.0 * 2.0", "1E1");
     assert_eq!(
         said(Dialect::TwinCat, &text),
-        [
-            "18:27: found `1E1`; write a number like `15`, `1.5`, `1.5E+3` or `1.5E-3`",
-            "22:12: found `MOD`; write a counter that begins again at its bound",
-        ]
+        ["18:27: found `1E1`; write a number like `15`, `1.5`, `1.5E+3` or `1.5E-3`", "22:12: found `XOR`; write `<>`",]
     );
     let text = CODESYS
-        .replace("n := n + 1;", "n := n MOD 2;")
+        .replace("n := n + 1;", "n := n XOR 2;")
         .replace("\"10.0\"", "\"1E1\"")
         .replace("(x &lt;", "(z &lt; 1 AND x &gt;");
     assert_eq!(
@@ -195,7 +192,7 @@ fn mistakes_have_their_places_in_the_file() {
         [
             "37:15: found `1E1`; write a number like `15`, `1.5`, `1.5E+3` or `1.5E-3`",
             "43:134: found `z`, which is not declared; write a declared variable",
-            "44:12: found `MOD`; write a counter that begins again at its bound",
+            "44:12: found `XOR`; write `<>`",
         ]
     );
 }

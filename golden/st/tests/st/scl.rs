@@ -32,7 +32,7 @@ END_VAR
 BEGIN
 IF (#n <> 0) AND NOT #s THEN
     #t := #c * (#a - #c);
-ELSIF #i = 2 THEN
+ELSIF #i MOD 4 = 2 THEN
     #t := UDINT_TO_LREAL(#n + 1) / #a;
 ELSE
     #t := 0.0;
@@ -181,7 +181,7 @@ const MISTAKES: &[(&str, &str, &str)] = &[
     ("END_IF;\n", "",
      "34:36: found no `END_IF`; write `END_IF`"),
     (" THEN\n    #t := UDINT", "\n    #t := UDINT",
-     "28:1: found `ELSIF  i = 2...`; write declarations, `:=` and `IF`"),
+     "28:1: found `ELSIF  i MOD 4 = 2...`; write declarations, `:=` and `IF`"),
     ("    #t := 0.0;\n", "",
      "30:1: found `ELSE` without a statement; write a statement"),
     // names
@@ -222,14 +222,14 @@ const MISTAKES: &[(&str, &str, &str)] = &[
      "34:10: found `=` of UDINT and DINT; write one type on both sides"),
     ("#o := -#t;", "#s := #n = 1.0;",
      "34:12: found `1.0` in an expression; write a LREAL variable that was assigned it"),
-    ("#i = 2", "#i / 2 = 1",
-     "28:10: found `/` of DINT; write reals, or a coefficient"),
-    ("#i = 2", "#i",
+    ("#i MOD 4 = 2", "#i / 0 = 1",
+     "28:12: found a divisor that is no positive literal; write an integer literal from 1 on"),
+    ("#i MOD 4 = 2", "#i",
      "28:8: found a condition of type DINT; write a BOOL"),
     // temporaries
     ("#a - #c", "#a - #t",
      "27:23: found `t`, which has no value here on some way; write an assignment before it"),
-    ("#i = 2", "#t = #a",
+    ("#i MOD 4 = 2", "#t = #a",
      "28:8: found `t`, which has no value here on some way; write an assignment before it"),
     ("ELSE\n    #t := 0.0;\n", "",
      "31:16: found `t`, which has no value here on some way; write an assignment before it"),

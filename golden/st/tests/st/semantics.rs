@@ -220,6 +220,11 @@ fn integers_wrap_around() {
         let expected = [f64::from(a), f64::from(a.wrapping_mul(b)) * 0.1];
         assert_eq!(values(LREAL, &list, &[a, b].map(Literal::I32)), expected.map(Literal::F64));
     }
+    for a in [7, -7, 6, -6, 0, i32::MAX, i32::MIN] {
+        let list = ["a / 3", "a MOD 3", "a / 1", "a MOD 1", "a * 5 MOD 16#10 / 2", "-a / 2147483647", "a - a / 7 * 7"];
+        let expected = [a / 3, a % 3, a, 0, a.wrapping_mul(5) % 16 / 2, a.wrapping_neg() / i32::MAX, a % 7];
+        assert_eq!(values(Literal::I32(0), &list, &[Literal::I32(a)]), expected.map(Literal::I32));
+    }
     for (a, b) in [(u32::MAX, 1), (0, 1), (65_536, 65_536), (7, 3)] {
         let list = ["a + b", "a - b", "a * b", "a + 4294967295", "16#FFFFFFFF - b"];
         let expected = [

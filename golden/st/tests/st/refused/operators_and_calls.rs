@@ -7,11 +7,49 @@ use portable::RealKind;
 fn operators_and_calls() {
     refuses(&[
         Row {
-            rule: "MOD",
+            rule: "MOD 0",
             part: Part::Body,
             real: RealKind::F64,
-            text: "j := i MOD 2;",
-            said: &["14:8: found `MOD`; write a counter that begins again at its bound"],
+            text: "j := i MOD 0;",
+            said: &["14:12: found a divisor that is no positive literal; write an integer literal from 1 on"],
+        },
+        Row {
+            rule: "a negative divisor",
+            part: Part::Body,
+            real: RealKind::F64,
+            text: "j := i / -3;",
+            said: &["14:10: found a divisor that is no positive literal; write an integer literal from 1 on"],
+        },
+        Row {
+            rule: "a variable as a divisor",
+            part: Part::Body,
+            real: RealKind::F64,
+            text: "j := 7 MOD i;\nj := i / j;",
+            said: &[
+                "14:12: found a divisor that is no positive literal; write an integer literal from 1 on",
+                "15:10: found a divisor that is no positive literal; write an integer literal from 1 on",
+            ],
+        },
+        Row {
+            rule: "a divisor in parentheses",
+            part: Part::Body,
+            real: RealKind::F64,
+            text: "j := i / (3);",
+            said: &["14:10: found a divisor that is no positive literal; write an integer literal from 1 on"],
+        },
+        Row {
+            rule: "a divisor that is no DINT",
+            part: Part::Body,
+            real: RealKind::F64,
+            text: "j := i / 2147483648;",
+            said: &["14:10: found `2147483648`; write an integer that fits a DINT"],
+        },
+        Row {
+            rule: "a quotient of literals",
+            part: Part::Body,
+            real: RealKind::F64,
+            text: "j := 7 / 2;",
+            said: &["14:6: found `/` of two integer literals; write its result"],
         },
         Row {
             rule: "a power",

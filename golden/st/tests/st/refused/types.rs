@@ -119,11 +119,25 @@ fn types() {
             said: &["14:6: found `-` of BOOL; write a REAL, LREAL or DINT"],
         },
         Row {
-            rule: "division of integers",
+            rule: "division of UDINTs",
             part: Part::Body,
             real: RealKind::F64,
-            text: "j := i / 3;",
-            said: &["14:8: found `/` of DINT; write reals, or a coefficient"],
+            text: "v := u / 3;",
+            said: &["14:8: found `/` of UDINT; write a DINT, or reals"],
+        },
+        Row {
+            rule: "a remainder of UDINTs",
+            part: Part::Body,
+            real: RealKind::F64,
+            text: "v := u MOD 3;",
+            said: &["14:8: found `MOD` of UDINT; write a DINT"],
+        },
+        Row {
+            rule: "a remainder of reals",
+            part: Part::Body,
+            real: RealKind::F64,
+            text: "y := x MOD 2.0;",
+            said: &["14:8: found `MOD` of LREAL; write a DINT"],
         },
         Row {
             rule: "two integer literals",
