@@ -6,6 +6,7 @@ use super::lowering::{Lowering, Operand};
 use super::number;
 use super::op::{Code, Op};
 use super::syntax::{children, said, shown};
+use super::variables;
 use std::collections::BTreeSet;
 use tree_sitter::Node;
 
@@ -141,8 +142,7 @@ impl Lowering<'_, '_> {
 
     /// The jump goes to the next operation.
     fn land(&mut self, jump: usize) {
-        let here = u32::try_from(self.ops.len()).expect("engine: a text is shorter than 2^32 bytes");
-        self.ops[jump].to = here;
+        self.ops[jump].to = variables::number(self.ops.len());
     }
 }
 

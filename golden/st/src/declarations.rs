@@ -1,5 +1,6 @@
 //! Declarations -> the variables of a block.
 
+use super::block::Block;
 use super::constant;
 use super::kind::Kind;
 use super::mistake::Mistakes;
@@ -14,6 +15,8 @@ pub(crate) struct Declarations<'a, 't> {
     pub(crate) text: &'a str,
     /// which file form
     pub(crate) dialect: Dialect,
+    /// the blocks of which there may be instances
+    pub(crate) others: &'a [Block],
     /// the variables so far
     pub(crate) all: &'a mut Variables,
     /// what is wrong
@@ -81,7 +84,31 @@ impl Declarations<'_, '_> {
         for name in &names {
             self.name(*name);
         }
-        self.variable(node, ty, &names, role);
+        let word = said(ty, self.text);
+        let other = self.others.iter().position(|block| block.name.eq_ignore_ascii_case(word));
+        match other.filter(|_| Kind::of(word, self.all.real).is_none()) {
+            Some(of) => self.instance(node, ty, of, &names, role),
+            None => self.variable(node, ty, &names, role),
+        }
+    }
+
+    fn instance(&mut self, node: Node<'_>, ty: Node<'_>, of: usize, names: &[Node<'_>], role: Role) {
+        let (block, real) = (&self.others[of], self.all.real);
+        if role != Role::Local {
+            self.say(ty, "an instance that is no variable of `VAR`", "the instance in `VAR`");
+        }
+        if block.variables.real != real {
+            let [own, other] = [real, block.variables.real].map(|real| Kind::Real.name(real));
+            self.say(ty, format!("`{}`, a block of {other}", block.name), format!("a block of {own}"));
+        }
+        if let Some(start) = node.child_by_field_name("initial_value") {
+            self.say(start, "an initial value of an instance", "arguments of its call");
+        }
+        for &name in names {
+            if self.is_new(name) {
+                self.all.add_inner(said(name, self.text), of, &block.variables.slots);
+            }
+        }
     }
 
     fn variable(&mut self, node: Node<'_>, ty: Node<'_>, names: &[Node<'_>], role: Role) {
@@ -129,7 +156,7 @@ impl Declarations<'_, '_> {
     /// Whether a name is not declared yet; says so if it is.
     fn is_new(&mut self, node: Node<'_>) -> bool {
         let name = said(node, self.text);
-        let declared = self.all.find(name).is_some();
+        let declared = self.all.find(name).is_some() || self.all.inner(name).is_some();
         if declared {
             self.say(node, format!("`{name}`, which is declared already"), "another name");
         }

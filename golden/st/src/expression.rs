@@ -27,7 +27,7 @@ fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
         "identifier" => {
             let name = said(node, text);
             let Some(variable) = lowering.variables.find(name) else {
-                lowering.undeclared(node);
+                lowering.no_variable(node);
                 return None;
             };
             if variable.role == Role::Temporary && !lowering.assigned.contains(&(variable.kind as usize, variable.slot))
@@ -62,6 +62,7 @@ fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
         }
         "unary_expression" => unary(lowering, node),
         "binary_expression" => lowering.binary(node),
+        "member_access_expression" => lowering.output(node),
         "call_expression" => lowering.call(node),
         // A string and a number with a type were said of already.
         "string_literal"

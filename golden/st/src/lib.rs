@@ -7,7 +7,8 @@
 //! syntax         text -> tree, by a grammar that is not ours
 //! declarations   VAR blocks -> variables; constant: values that the text has
 //! variables      the variables and their slots; kind: the types and their values
-//! lower          statements -> operations on slots; choice: IF, CASE; expression, binary, call: their parts; lowering: what they share
+//! lower          statements -> operations on slots; choice: IF, CASE; inner: instances of other blocks; expression, binary, call:
+//!                their parts; lowering: what they share
 //! block          what a block is; read: a file -> a block
 //! op             the operations; machine: what they do; run: an instance of a block, cycle by cycle
 //! mistake        what is wrong, and where
@@ -21,6 +22,7 @@ mod choice;
 mod constant;
 mod declarations;
 mod expression;
+mod inner;
 mod kind;
 mod lexical;
 mod lower;

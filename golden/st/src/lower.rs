@@ -27,7 +27,7 @@ impl Lowering<'_, '_> {
                 _ => None,
             };
             // What is refused already may have its semicolon.
-            taken = !matches!(node.kind(), "assignment_statement" | "pragma");
+            taken = !matches!(node.kind(), "assignment_statement" | "invocation_statement" | "pragma");
             if let Some(end) = end
                 && list.get(at + 1).is_none_or(|next| next.kind() != "empty_statement")
             {
@@ -46,6 +46,9 @@ impl Lowering<'_, '_> {
             "assignment_statement" => {
                 self.assignment(node);
             }
+            "invocation_statement" => {
+                self.invocation(node);
+            }
             "if_statement" => self.choice(node),
             "case_statement" => self.case(node),
             // A pragma was said of already, where it may not stand.
@@ -60,7 +63,6 @@ impl Lowering<'_, '_> {
                     "exit_statement" => ("`EXIT`", "`IF`"),
                     "continue_statement" => ("`CONTINUE`", "`IF`"),
                     "return_statement" => ("`RETURN`", "`IF` around the rest"),
-                    "invocation_statement" => ("a call as a statement", "what it does"),
                     "reference_assignment_statement" => ("`REF=`", "`:=`"),
                     _ => (other, "`:=`, `IF` or `CASE`"),
                 };
@@ -75,7 +77,11 @@ impl Lowering<'_, '_> {
         }
         let (left, right) = (node.child_by_field_name("left")?, node.child_by_field_name("right")?);
         let target = self.target(left);
-        let kind = target.map(|(kind, _)| kind);
+        self.assign(target, right)
+    }
+
+    /// Lowers a value that goes into a variable; `None`: a mistake was said, of the variable maybe.
+    pub(crate) fn assign(&mut self, target: Option<(Kind, u32)>, right: Node<'_>) -> Option<()> {
         if self.has_named_reals()
             && let Some(product) = constant::product(self.dialect, right, self.text, DEPTH - self.depth)
         {
@@ -86,8 +92,9 @@ impl Lowering<'_, '_> {
             return self.store(target?, (Kind::Real, slot, false), right);
         }
         let value = self.expression(right)?;
-        let value = self.typed(value, kind?, right)?;
-        self.store(target?, value, right)
+        let target = target?;
+        let value = self.typed(value, target.0, right)?;
+        self.store(target, value, right)
     }
 
     /// The variable that an assignment writes.
@@ -98,7 +105,7 @@ impl Lowering<'_, '_> {
             return None;
         }
         let Some(variable) = self.variables.find(name) else {
-            self.undeclared(node);
+            self.no_variable(node);
             return None;
         };
         match variable.role {

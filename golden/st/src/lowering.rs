@@ -1,10 +1,11 @@
 //! What is known of a block while it is lowered, and where the values of its expressions are.
 
+use super::block::Block;
 use super::constant::word;
 use super::kind::{Kind, Value};
 use super::mistake::Mistakes;
 use super::op::{Code, Op};
-use super::syntax::shown;
+use super::syntax::{said, shown};
 use super::variables::Variables;
 use super::{DEPTH, Dialect};
 use portable::RealKind;
@@ -36,6 +37,8 @@ pub(crate) struct Lowering<'a, 't> {
     pub(crate) text: &'a str,
     /// which file form
     pub(crate) dialect: Dialect,
+    /// the blocks of which there may be instances
+    pub(crate) others: &'a [Block],
     /// the variables, and the slots of numbers and of parts of expressions
     pub(crate) variables: &'a mut Variables,
     /// what is wrong
@@ -58,10 +61,13 @@ impl Lowering<'_, '_> {
         self.mistakes.push(node.start_byte(), found, instead);
     }
 
-    /// A name that is not declared; it may be where a declaration cannot be read.
-    pub(crate) fn undeclared(&mut self, node: Node<'_>) {
-        if self.all_declared {
-            self.say(node, format!("{}, which is not declared", shown(node, self.text)), "a declared variable");
+    /// A name that is no variable; it may be declared where a declaration cannot be read.
+    pub(crate) fn no_variable(&mut self, node: Node<'_>) {
+        let name = shown(node, self.text);
+        if self.variables.inner(said(node, self.text)).is_some() {
+            self.say(node, format!("the instance {name} by itself"), "a variable, or one of its outputs");
+        } else if self.all_declared {
+            self.say(node, format!("{name}, which is not declared"), "a declared variable");
         }
     }
 

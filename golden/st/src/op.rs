@@ -75,6 +75,17 @@ pub(crate) enum Code {
     JumpUnless,
 }
 
+/// Where the slots of a block begin that was copied into another one.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Base {
+    /// REAL or LREAL
+    pub(crate) reals: u32,
+    /// BOOL
+    pub(crate) bools: u32,
+    /// DINT and UDINT
+    pub(crate) words: u32,
+}
+
 /// An operation. `to`, `a` and `b` are slots of the types that its code has; `b` is 0 where there is none.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Op {
@@ -86,4 +97,59 @@ pub(crate) struct Op {
     pub(crate) a: u32,
     /// the second operand
     pub(crate) b: u32,
+}
+
+/// What the number of an operand or of a result counts.
+#[derive(Clone, Copy)]
+enum Place {
+    Real,
+    Bool,
+    Word,
+    Op,
+}
+
+/// An operation of a block that was copied into another one, in which its first operation is number `first`.
+pub(crate) fn moved(op: Op, base: Base, first: u32) -> Op {
+    let start = |place| match place {
+        Place::Real => base.reals,
+        Place::Bool => base.bools,
+        Place::Word => base.words,
+        Place::Op => first,
+    };
+    let (to, operands) = places(op.code);
+    Op { to: op.to + start(to), a: op.a + start(operands), b: op.b + start(operands), ..op }
+}
+
+/// Where the result of an operation is, and where its operands are.
+fn places(code: Code) -> (Place, Place) {
+    match code {
+        Code::MoveReal
+        | Code::NegateReal
+        | Code::AddReal
+        | Code::SubtractReal
+        | Code::MultiplyReal
+        | Code::DivideReal => (Place::Real, Place::Real),
+        Code::LessReal | Code::AtMostReal | Code::EqualReal | Code::UnequalReal | Code::InRange => {
+            (Place::Bool, Place::Real)
+        }
+        Code::MoveBool | Code::Not | Code::And | Code::Or | Code::EqualBool | Code::UnequalBool => {
+            (Place::Bool, Place::Bool)
+        }
+        Code::MoveWord
+        | Code::NegateWord
+        | Code::AddWord
+        | Code::SubtractWord
+        | Code::MultiplyWord
+        | Code::DivideDint
+        | Code::RemainderDint => (Place::Word, Place::Word),
+        Code::EqualWord
+        | Code::UnequalWord
+        | Code::LessDint
+        | Code::AtMostDint
+        | Code::LessUdint
+        | Code::AtMostUdint => (Place::Bool, Place::Word),
+        Code::RealOfDint | Code::RealOfUdint => (Place::Real, Place::Word),
+        Code::Truncate => (Place::Word, Place::Real),
+        Code::Jump | Code::JumpUnless => (Place::Op, Place::Bool),
+    }
 }

@@ -22,6 +22,20 @@ impl Block {
     /// # Errors
     /// The file holds what is outside the portable subset, or no such block.
     pub fn read(dialect: Dialect, text: &str, name: &str, real: RealKind) -> Result<Self, Vec<Mistake>> {
+        Self::read_with(dialect, text, name, real, &[])
+    }
+
+    /// The same of a file whose blocks may have instances of `others`, which come from other files.
+    ///
+    /// # Errors
+    /// The file holds what is outside the portable subset, or no such block.
+    pub fn read_with(
+        dialect: Dialect,
+        text: &str,
+        name: &str,
+        real: RealKind,
+        others: &[Self],
+    ) -> Result<Self, Vec<Mistake>> {
         if text.len() > LONGEST {
             return Err(vec![Lines::new("").mistake(0, format!("{} bytes", text.len()), "a shorter file")]);
         }
@@ -39,7 +53,8 @@ impl Block {
         };
         syntax::check(&tree, &source.text, &letters, &mut mistakes);
         syntax::plus(&tree, &source.text, &mut mistakes);
-        let blocks = blocks(&tree, &source, dialect, real, &mut mistakes);
+        let file = File { source: &source, dialect, real, others };
+        let blocks = blocks(&tree, &file, &mut mistakes);
         let found = blocks.into_iter().find(|block| block.name.eq_ignore_ascii_case(name));
         let broken = tree.root_node().has_error();
         if broken && mistakes.is_empty() {
@@ -58,13 +73,21 @@ impl Block {
     }
 }
 
+/// What is known before the text is read.
+struct File<'a> {
+    source: &'a Source,
+    dialect: Dialect,
+    real: RealKind,
+    others: &'a [Block],
+}
+
 /// All blocks of a text; their places are bytes of the text yet.
-fn blocks(tree: &Tree, source: &Source, dialect: Dialect, real: RealKind, mistakes: &mut Mistakes<'_>) -> Vec<Block> {
+fn blocks(tree: &Tree, file: &File<'_>, mistakes: &mut Mistakes<'_>) -> Vec<Block> {
     let mut blocks: Vec<Block> = Vec::new();
     for (node, _) in children(tree.root_node()) {
         match node.kind() {
             "function_block_declaration" => {
-                let block = block(node, source, dialect, real, mistakes);
+                let block = block(node, file, mistakes);
                 if blocks.iter().any(|other| other.name.eq_ignore_ascii_case(&block.name)) {
                     mistakes.push(node.start_byte(), format!("a second block `{}`", block.name), "another name");
                 }
@@ -72,13 +95,14 @@ fn blocks(tree: &Tree, source: &Source, dialect: Dialect, real: RealKind, mistak
             }
             "pragma" | "ERROR" => {}
             ";" => mistakes.push(node.start_byte(), "`;` without a statement", "nothing"),
-            _ => mistakes.push(node.start_byte(), shown(node, &source.text), "`FUNCTION_BLOCK`"),
+            _ => mistakes.push(node.start_byte(), shown(node, &file.source.text), "`FUNCTION_BLOCK`"),
         }
     }
     blocks
 }
 
-fn block(node: Node<'_>, source: &Source, dialect: Dialect, real: RealKind, mistakes: &mut Mistakes<'_>) -> Block {
+fn block(node: Node<'_>, file: &File<'_>, mistakes: &mut Mistakes<'_>) -> Block {
+    let &File { source, dialect, real, others } = file;
     let text = source.text.as_str();
     let (mut variables, mut body, mut name) = (Variables::new(real), Vec::new(), String::new());
     // So that a condition that is wrong has a slot too.
@@ -107,7 +131,7 @@ fn block(node: Node<'_>, source: &Source, dialect: Dialect, real: RealKind, mist
                     mistakes.push(at, "a `VAR` block in the body", "the `VAR` block in the declaration");
                 }
                 all_declared &= !part.has_error();
-                Declarations { text, dialect, all: &mut variables, mistakes: &mut *mistakes }.declare(part);
+                Declarations { text, dialect, others, all: &mut variables, mistakes: &mut *mistakes }.declare(part);
             }
             ("FUNCTION_BLOCK" | "END_FUNCTION_BLOCK", _) => {}
             ("method_declaration" | "property_declaration", _) => {
@@ -129,6 +153,7 @@ fn block(node: Node<'_>, source: &Source, dialect: Dialect, real: RealKind, mist
     let mut lowering = Lowering {
         text,
         dialect,
+        others,
         variables: &mut variables,
         mistakes,
         ops: Vec::new(),

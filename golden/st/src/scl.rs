@@ -56,6 +56,16 @@ fn tokens(file: &str) -> Vec<(usize, &str)> {
     tokens
 }
 
+/// What is between quotes.
+fn in_quotes(token: &str) -> Option<&str> {
+    let inside = token.strip_prefix('"').and_then(|rest| rest.strip_suffix('"'));
+    inside.filter(|inside| !inside.contains(['"', '\n']))
+}
+
+fn is_word(token: &str) -> bool {
+    token.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
+}
+
 /// A mistake: its place, what was found, what to write instead.
 type Found = (usize, String, String);
 
@@ -90,8 +100,7 @@ impl<'f> Reading<'f, '_> {
     fn block(&mut self) -> Result<(), Found> {
         self.take("FUNCTION_BLOCK")?;
         let (at, name) = self.peek();
-        let inside = name.strip_prefix('"').and_then(|rest| rest.strip_suffix('"'));
-        if inside.is_none_or(|inside| inside.contains(['"', '\n'])) {
+        if in_quotes(name).is_none() {
             return Err(self.wrong("\"name\""));
         }
         self.next += 1;
@@ -122,7 +131,7 @@ impl<'f> Reading<'f, '_> {
         let mut before = "";
         while self.peek().1 != "END_VAR" {
             if before == ":" {
-                self.capitals()?;
+                self.ty()?;
             }
             before = self.any("END_VAR")?;
         }
@@ -130,21 +139,43 @@ impl<'f> Reading<'f, '_> {
         Ok(section)
     }
 
+    /// A type: a word of the language, or the name of a block in quotes.
+    fn ty(&mut self) -> Result<(), Found> {
+        let (at, token) = self.peek();
+        if let Some(name) = in_quotes(token) {
+            if names::taken(name) {
+                return Err(self.wrong(name));
+            }
+            self.blank.extend([at, at + token.len() - 1]);
+        } else if is_word(token) && !names::taken(token) {
+            return Err(self.wrong(&format!("\"{token}\"")));
+        }
+        self.capitals()
+    }
+
     fn body(&mut self) -> Result<(), Found> {
+        let mut before = "";
         while self.peek().1 != "END_FUNCTION_BLOCK" {
             let (at, token) = self.peek();
-            if token.starts_with('#') && token.len() > 1 {
+            let is_argument = self.is_argument(before);
+            if let Some(name) = token.strip_prefix('#').filter(|name| !name.is_empty()) {
+                if is_argument {
+                    return Err(self.wrong(name));
+                }
                 self.blank.push(at);
-            }
-            let is_call = self.tokens.get(self.next + 1).is_some_and(|(_, next)| *next == "(");
-            let is_word = token.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
-            if is_word && !is_call && !names::taken(token) {
+            } else if is_word(token) && !is_argument && !names::taken(token) {
                 return Err(self.wrong(&format!("#{token}")));
             }
             self.capitals()?;
-            self.any("END_FUNCTION_BLOCK")?;
+            before = self.any("END_FUNCTION_BLOCK")?;
         }
         self.take("END_FUNCTION_BLOCK").map(|_| ())
+    }
+
+    /// Whether the next token is the name of an argument: an instance's variable, and none of the block.
+    fn is_argument(&self, before: &str) -> bool {
+        let mark = |at: usize| self.tokens.get(self.next + at).map_or("", |(_, mark)| *mark);
+        matches!(before, "(" | ",") && matches!((mark(1), mark(2)), (":", "=") | ("=", ">"))
     }
 
     /// The next token, unless it is the end.

@@ -2,6 +2,7 @@
 
 use super::kind::{Kind, Value};
 use super::machine::Slots;
+use super::op::Base;
 use portable::RealKind;
 use std::collections::HashMap;
 
@@ -33,6 +34,15 @@ pub(crate) struct Variable {
     pub(crate) known: bool,
 }
 
+/// An instance of another block.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Inner {
+    /// which one of the other blocks
+    pub(crate) of: usize,
+    /// where its slots begin
+    pub(crate) base: Base,
+}
+
 /// The variables of a block.
 #[derive(Clone, Debug)]
 pub(crate) struct Variables {
@@ -40,6 +50,8 @@ pub(crate) struct Variables {
     pub(crate) real: RealKind,
     /// by their names in lower case
     by_name: HashMap<String, Variable>,
+    /// instances, by their names in lower case
+    inner: HashMap<String, Inner>,
     /// what the slots hold at the start
     pub(crate) slots: Slots<f64>,
 }
@@ -47,7 +59,7 @@ pub(crate) struct Variables {
 impl Variables {
     /// None yet.
     pub(crate) fn new(real: RealKind) -> Self {
-        Self { real, by_name: HashMap::new(), slots: Slots::default() }
+        Self { real, by_name: HashMap::new(), inner: HashMap::new(), slots: Slots::default() }
     }
 
     /// A variable by its name.
@@ -55,9 +67,28 @@ impl Variables {
         self.by_name.get(&name.to_ascii_lowercase()).copied()
     }
 
+    /// An instance by its name.
+    pub(crate) fn inner(&self, name: &str) -> Option<Inner> {
+        self.inner.get(&name.to_ascii_lowercase()).copied()
+    }
+
     /// Another variable.
     pub(crate) fn add(&mut self, name: &str, variable: Variable) {
         self.by_name.insert(name.to_ascii_lowercase(), variable);
+    }
+
+    /// Another instance, with slots of its own that hold at the start what its block's do.
+    pub(crate) fn add_inner(&mut self, name: &str, of: usize, start: &Slots<f64>) {
+        let slots = &mut self.slots;
+        let base = Base {
+            reals: number(slots.reals.len()),
+            bools: number(slots.bools.len()),
+            words: number(slots.words.len()),
+        };
+        slots.reals.extend(&start.reals);
+        slots.bools.extend(&start.bools);
+        slots.words.extend(&start.words);
+        self.inner.insert(name.to_ascii_lowercase(), Inner { of, base });
     }
 
     /// Another slot.
@@ -77,6 +108,21 @@ impl Variables {
                 slots.words.len() - 1
             }
         };
-        u32::try_from(slot).expect("engine: a text is shorter than 2^32 bytes")
+        number(slot)
     }
+}
+
+/// The slot of an instance's variable.
+pub(crate) fn slot_of(inner: Inner, variable: Variable) -> u32 {
+    let base = match variable.kind {
+        Kind::Real => inner.base.reals,
+        Kind::Bool => inner.base.bools,
+        Kind::Dint | Kind::Udint => inner.base.words,
+    };
+    base + variable.slot
+}
+
+/// The number of a slot or of an operation.
+pub(crate) fn number(at: usize) -> u32 {
+    u32::try_from(at).expect("engine: a text is shorter than 2^32 bytes")
 }

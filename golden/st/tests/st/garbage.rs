@@ -6,11 +6,15 @@ use st::{Block, Dialect};
 
 const DIALECTS: [Dialect; 4] = [Dialect::Plain, Dialect::TwinCat, Dialect::Codesys, Dialect::Scl];
 
+/// A block of which a text may have instances.
+const INNER: &str = "FUNCTION_BLOCK inner\nVAR_INPUT\n    a : BOOL;\nEND_VAR\nVAR_OUTPUT\n    b : BOOL;\nEND_VAR\nb := NOT a;\nEND_FUNCTION_BLOCK\n";
+
 /// Reads a text in each form, and runs what can be read.
 fn read(text: &str) {
     for dialect in DIALECTS {
         for real in [RealKind::F64, RealKind::F32] {
-            let Ok(block) = Block::read(dialect, text, "probe", real) else { continue };
+            let inner = Block::read(Dialect::Plain, INNER, "inner", real).expect("a block without a mistake");
+            let Ok(block) = Block::read_with(dialect, text, "probe", real, &[inner]) else { continue };
             let x = match real {
                 RealKind::F64 => Literal::F64(1.0),
                 RealKind::F32 => Literal::F32(1.0),
@@ -26,7 +30,7 @@ fn read(text: &str) {
 fn piece() -> impl Strategy<Value = String> {
     let words = "FUNCTION_BLOCK END_FUNCTION_BLOCK probe VAR VAR_INPUT VAR_OUTPUT END_VAR CONSTANT x : LREAL REAL ; := 1.0 1 ( ) + - * /
         IF THEN ELSIF ELSE END_IF FOR TO DO END_FOR CASE OF 1: -1, END_CASE AND OR NOT < <= = <> MOD ** (* *) // { } ' \" # 16#FF .. . [ ] ^ % & é
-        DINT_TO_LREAL F_axgen_in_range_LREAL <POU Name=\"probe\"> </POU> <![CDATA[ ]]> <ST> </ST> &lt; &#0; &x; <!-- --> BEGIN VERSION 0.1 { S7_Optimized_Access := 'TRUE' } #x \"probe\" VAR_TEMP";
+        DINT_TO_LREAL F_axgen_in_range_LREAL <POU Name=\"probe\"> </POU> <![CDATA[ ]]> <ST> </ST> &lt; &#0; &x; <!-- --> BEGIN VERSION 0.1 { S7_Optimized_Access := 'TRUE' } #x \"probe\" VAR_TEMP inner \"inner\" x( a := => x.b";
     let words: Vec<String> = words.split_ascii_whitespace().map(str::to_owned).collect();
     prop_oneof![8 => proptest::sample::select(words), 1 => any::<String>(), 1 => "[ -~]{0,8}"]
 }
@@ -80,6 +84,11 @@ fn heaps_of_the_same() {
         "IF x THEN ".repeat(many),
         "VAR x : ".repeat(many),
         block(&"CASE j OF 1: ".repeat(many)),
+        block(&format!("y := x{};", ".x".repeat(many))),
+        block(&format!("x({}a := q);", "a := q, ".repeat(many))),
+        block("x(a := q);")
+            .replace("VAR_OUTPUT", "VAR x : inner; END_VAR VAR_OUTPUT")
+            .replace("q);", &"q AND ".repeat(many)),
         block(&format!("CASE j OF {}1: y := x; END_CASE;", "1, ".repeat(many))),
         block(&format!("CASE j OF {}END_CASE;", "1: y := x; ".repeat(many))),
         block(&"IF ( y := + ) THEN\n".repeat(many)),

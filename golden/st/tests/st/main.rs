@@ -6,6 +6,7 @@ mod support;
 mod case;
 mod forms;
 mod garbage;
+mod instances;
 mod refused;
 mod scl;
 mod semantics;

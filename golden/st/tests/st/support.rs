@@ -8,13 +8,23 @@ pub const LREAL: Literal = Literal::F64(0.0);
 
 /// The mistakes of a text.
 pub fn said(dialect: Dialect, text: &str, name: &str, real: RealKind) -> Vec<String> {
-    let mistakes = Block::read(dialect, text, name, real).err().unwrap_or_default();
+    said_with(dialect, text, name, real, &[])
+}
+
+/// The mistakes of a text that may have instances of others.
+pub fn said_with(dialect: Dialect, text: &str, name: &str, real: RealKind, others: &[Block]) -> Vec<String> {
+    let mistakes = Block::read_with(dialect, text, name, real, others).err().unwrap_or_default();
     mistakes.iter().map(Mistake::to_string).collect()
 }
 
 /// The block of a text that has no mistakes.
 pub fn block(dialect: Dialect, text: &str, name: &str, real: RealKind) -> Block {
-    Block::read(dialect, text, name, real).unwrap_or_else(|mistakes| {
+    block_with(dialect, text, name, real, &[])
+}
+
+/// The block of a text that has no mistakes and may have instances of others.
+pub fn block_with(dialect: Dialect, text: &str, name: &str, real: RealKind, others: &[Block]) -> Block {
+    Block::read_with(dialect, text, name, real, others).unwrap_or_else(|mistakes| {
         let said: Vec<String> = mistakes.iter().map(Mistake::to_string).collect();
         panic!("{}\n{text}", said.join("\n"))
     })

@@ -4,6 +4,7 @@ mod at_once;
 mod case;
 mod declarations;
 mod files;
+mod instances;
 mod lexical;
 mod names;
 mod numbers;
