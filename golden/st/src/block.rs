@@ -2,6 +2,7 @@
 
 use super::op::Op;
 use super::variables::Variables;
+use std::ops::Range;
 
 /// A `FUNCTION_BLOCK`, checked and lowered.
 #[derive(Clone, Debug)]
@@ -12,6 +13,8 @@ pub struct Block {
     pub(crate) variables: Variables,
     /// a cycle
     pub(crate) ops: Vec<Op>,
+    /// which of them are those of each assignment, in the order of the text
+    pub(crate) assignments: Vec<Range<usize>>,
     /// where it begins, for mistakes of a run
     pub(crate) place: (usize, usize),
 }

@@ -113,8 +113,17 @@ fn in_range(lowering: &mut Lowering<'_, '_>, node: Node<'_>, arguments: &[Node<'
         lowering.say(node, shown(node, text), "`value := x, largest := y` in the parentheses");
         return None;
     };
-    let (a, b) = (real(lowering, value), real(lowering, limit));
+    let (a, b) = (parameter(lowering, value), parameter(lowering, limit));
     Some(lowering.emit(Code::InRange, Kind::Bool, &[a?, b?]))
+}
+
+/// A real that goes into a parameter of a function.
+fn parameter(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Typed> {
+    let typed = real(lowering, node)?;
+    if let Some(last) = lowering.ops.last_mut().filter(|_| typed.2) {
+        last.part = false;
+    }
+    Some(typed)
 }
 
 fn real(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Typed> {

@@ -136,7 +136,7 @@ impl Lowering<'_, '_> {
     }
 
     fn jump(&mut self, code: Code, a: u32) -> usize {
-        self.ops.push(Op { code, to: 0, a, b: 0 });
+        self.ops.push(Op::new(code, 0, [a, 0]));
         self.ops.len() - 1
     }
 

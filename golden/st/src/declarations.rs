@@ -141,6 +141,9 @@ impl Declarations<'_, '_> {
         for &name in names {
             if self.is_new(name) {
                 let slot = self.all.slot(kind, value);
+                if role == Role::Constant && kind == Kind::Real {
+                    self.all.numbers.push(slot);
+                }
                 self.all.add(said(name, self.text), Variable { kind, role, slot, known });
             }
         }

@@ -9,7 +9,7 @@
 //! variables      the variables and their slots; kind: the types and their values
 //! lower          statements -> operations on slots; choice: IF, CASE; inner: instances of other blocks; expression, binary, call:
 //!                their parts; lowering: what they share
-//! block          what a block is; read: a file -> a block
+//! block          what a block is; read: a file -> a block; changed: a block that differs from its text
 //! op             the operations; machine: what they do; run: an instance of a block, cycle by cycle
 //! mistake        what is wrong, and where
 //! ```
@@ -18,6 +18,7 @@
 mod binary;
 mod block;
 mod call;
+mod changed;
 mod choice;
 mod constant;
 mod declarations;
@@ -41,6 +42,10 @@ mod syntax;
 mod twincat;
 mod variables;
 mod xml;
+
+#[cfg(test)]
+#[path = "../unit/evaluation.rs"]
+mod evaluation;
 
 pub use block::Block;
 pub use mistake::Mistake;

@@ -44,7 +44,9 @@ impl Lowering<'_, '_> {
     fn statement(&mut self, node: Node<'_>) {
         match node.kind() {
             "assignment_statement" => {
+                let first = self.ops.len();
                 self.assignment(node);
+                self.assignments.push(first..self.ops.len());
             }
             "invocation_statement" => {
                 self.invocation(node);
@@ -131,14 +133,14 @@ impl Lowering<'_, '_> {
             return None;
         }
         match self.ops.last_mut() {
-            Some(last) if part => last.to = to,
+            Some(last) if part => (last.to, last.part) = (to, false),
             _ => {
                 let code = match kind {
                     Kind::Real => Code::MoveReal,
                     Kind::Bool => Code::MoveBool,
                     Kind::Dint | Kind::Udint => Code::MoveWord,
                 };
-                self.ops.push(Op { code, to, a: slot, b: 0 });
+                self.ops.push(Op::new(code, to, [slot, 0]));
             }
         }
         if self.dialect == Dialect::Scl {

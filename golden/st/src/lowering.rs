@@ -10,6 +10,7 @@ use super::variables::Variables;
 use super::{DEPTH, Dialect};
 use portable::RealKind;
 use std::collections::BTreeSet;
+use std::ops::Range;
 use tree_sitter::Node;
 
 /// Where the value of an expression is.
@@ -45,6 +46,8 @@ pub(crate) struct Lowering<'a, 't> {
     pub(crate) mistakes: &'a mut Mistakes<'t>,
     /// the operations so far
     pub(crate) ops: Vec<Op>,
+    /// those of each assignment so far
+    pub(crate) assignments: Vec<Range<usize>>,
     /// the temporaries that have a value here on every way, by type and slot
     pub(crate) assigned: BTreeSet<(usize, u32)>,
     /// how many levels this place is inside others
@@ -106,7 +109,11 @@ impl Lowering<'_, '_> {
 
     /// A slot for a number of the text.
     pub(crate) fn literal(&mut self, kind: Kind, value: Value) -> Operand {
-        Operand::Slot { kind, slot: self.variables.slot(kind, Some(value)), part: false }
+        let slot = self.variables.slot(kind, Some(value));
+        if kind == Kind::Real {
+            self.variables.numbers.push(slot);
+        }
+        Operand::Slot { kind, slot, part: false }
     }
 
     /// An operand, of which a literal takes the wanted type if it fits.
@@ -135,7 +142,7 @@ impl Lowering<'_, '_> {
     pub(crate) fn emit(&mut self, code: Code, result: Kind, operands: &[Typed]) -> Operand {
         let slot = self.variables.slot(result, None);
         let of = |at: usize| operands.get(at).map_or(0, |&(_, slot, _)| slot);
-        self.ops.push(Op { code, to: slot, a: of(0), b: of(1) });
+        self.ops.push(Op { part: true, ..Op::new(code, slot, [of(0), of(1)]) });
         Operand::Slot { kind: result, slot, part: true }
     }
 }

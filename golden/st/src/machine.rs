@@ -1,7 +1,7 @@
 //! The numbered, typed slots of a lowered block, and what runs its operations on them.
 
 use super::op::{Code, Op};
-use portable::Real;
+use portable::{Real, RealKind};
 
 /// What the slots hold: variables, numbers of the text, and parts of expressions.
 #[derive(Clone, Debug, Default)]
@@ -21,20 +21,27 @@ impl<R: Real> Slots<R> {
         Self { reals, bools: from.bools.clone(), words: from.words.clone() }
     }
 
-    /// One cycle. Every jump goes forward.
-    pub(crate) fn cycle(&mut self, ops: &[Op]) {
+    /// One cycle. Every jump goes forward. Where `MIXED`, doubles hold the reals of a block of REAL: an operation that is not wide
+    /// rounds its result to REAL, and so does one that writes a variable.
+    pub(crate) fn cycle<const MIXED: bool>(&mut self, ops: &[Op]) {
         let Self { reals, bools, words } = self;
+        let kept = |op: &Op, value: R| if MIXED && !(op.wide && op.part) { in_single(value) } else { value };
         let mut next = 0;
         while let Some(op) = ops.get(next) {
             next += 1;
-            let (to, a, b) = (op.to as usize, op.a as usize, op.b as usize);
+            let [to, a, b, c] = [op.to, op.a, op.b, op.c].map(|slot| slot as usize);
             match op.code {
-                Code::MoveReal => reals[to] = reals[a],
-                Code::NegateReal => reals[to] = -reals[a],
-                Code::AddReal => reals[to] = reals[a] + reals[b],
-                Code::SubtractReal => reals[to] = reals[a] - reals[b],
-                Code::MultiplyReal => reals[to] = reals[a] * reals[b],
-                Code::DivideReal => reals[to] = reals[a] / reals[b],
+                Code::MoveReal => reals[to] = kept(op, reals[a]),
+                Code::NegateReal => reals[to] = kept(op, -reals[a]),
+                Code::AddReal => reals[to] = kept(op, reals[a] + reals[b]),
+                Code::SubtractReal => reals[to] = kept(op, reals[a] - reals[b]),
+                Code::MultiplyReal => reals[to] = kept(op, reals[a] * reals[b]),
+                Code::DivideReal => reals[to] = kept(op, reals[a] / reals[b]),
+                Code::FusedAdd => reals[to] = kept(op, fused::<R, MIXED>(op, [reals[a], reals[b], reals[c]])),
+                Code::FusedSubtract => reals[to] = kept(op, fused::<R, MIXED>(op, [reals[a], reals[b], -reals[c]])),
+                Code::FusedSubtractFrom => {
+                    reals[to] = kept(op, fused::<R, MIXED>(op, [-reals[a], reals[b], reals[c]]));
+                }
                 Code::LessReal => bools[to] = reals[a] < reals[b],
                 Code::AtMostReal => bools[to] = reals[a] <= reals[b],
                 Code::EqualReal => bools[to] = reals[a] == reals[b],
@@ -63,8 +70,8 @@ impl<R: Real> Slots<R> {
                 Code::LessUdint => bools[to] = words[a] < words[b],
                 Code::AtMostUdint => bools[to] = words[a] <= words[b],
                 // Every DINT is a double: the only rounding is the one to the real type.
-                Code::RealOfDint => reals[to] = R::lit(f64::from(words[a].cast_signed())),
-                Code::RealOfUdint => reals[to] = R::from_u32(words[a]),
+                Code::RealOfDint => reals[to] = kept(op, R::lit(f64::from(words[a].cast_signed()))),
+                Code::RealOfUdint => reals[to] = kept(op, R::from_u32(words[a])),
                 Code::Truncate => words[to] = truncated(reals[a]).cast_unsigned(),
                 Code::InRange => bools[to] = in_range(reals[a], reals[b]),
                 Code::Jump => next = to,
@@ -75,6 +82,21 @@ impl<R: Real> Slots<R> {
                 }
             }
         }
+    }
+}
+
+/// The value rounded to single precision.
+fn in_single<R: Real>(value: R) -> R {
+    R::lit(f64::from(f32::lit(value.to_f64())))
+}
+
+/// `x * y + z`, rounded once to the precision that the operation has.
+fn fused<R: Real, const MIXED: bool>(op: &Op, values: [R; 3]) -> R {
+    let [x, y, z] = values.map(R::to_f64);
+    if R::KIND == RealKind::F32 || MIXED && !op.wide {
+        R::lit(f64::from(f32::lit(x).mul_add(f32::lit(y), f32::lit(z))))
+    } else {
+        R::lit(x.mul_add(y, z))
     }
 }
 

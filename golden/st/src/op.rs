@@ -15,6 +15,12 @@ pub(crate) enum Code {
     MultiplyReal,
     /// real := real / real
     DivideReal,
+    /// real := real * real + real, rounded once
+    FusedAdd,
+    /// real := real * real - real, rounded once
+    FusedSubtract,
+    /// real := third real - real * real, rounded once
+    FusedSubtractFrom,
     /// bool := real < real
     LessReal,
     /// bool := real <= real
@@ -86,7 +92,7 @@ pub(crate) struct Base {
     pub(crate) words: u32,
 }
 
-/// An operation. `to`, `a` and `b` are slots of the types that its code has; `b` is 0 where there is none.
+/// An operation. `to`, `a`, `b` and `c` are slots of the types that its code has; `b` and `c` are 0 where there are none.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Op {
     /// what is done
@@ -97,6 +103,19 @@ pub(crate) struct Op {
     pub(crate) a: u32,
     /// the second operand
     pub(crate) b: u32,
+    /// the third operand
+    pub(crate) c: u32,
+    /// whether the result is a part of an expression: no variable, and used once
+    pub(crate) part: bool,
+    /// whether a real result is computed in double precision in a block of REAL; one that is no part is rounded then
+    pub(crate) wide: bool,
+}
+
+impl Op {
+    /// An operation in the precision of its block, whose result is no part of an expression.
+    pub(crate) fn new(code: Code, to: u32, [a, b]: [u32; 2]) -> Self {
+        Self { code, to, a, b, c: 0, part: false, wide: false }
+    }
 }
 
 /// What the number of an operand or of a result counts.
@@ -117,7 +136,8 @@ pub(crate) fn moved(op: Op, base: Base, first: u32) -> Op {
         Place::Op => first,
     };
     let (to, operands) = places(op.code);
-    Op { to: op.to + start(to), a: op.a + start(operands), b: op.b + start(operands), ..op }
+    let operand = |slot: u32| slot + start(operands);
+    Op { to: op.to + start(to), a: operand(op.a), b: operand(op.b), c: operand(op.c), ..op }
 }
 
 /// Where the result of an operation is, and where its operands are.
@@ -128,7 +148,10 @@ fn places(code: Code) -> (Place, Place) {
         | Code::AddReal
         | Code::SubtractReal
         | Code::MultiplyReal
-        | Code::DivideReal => (Place::Real, Place::Real),
+        | Code::DivideReal
+        | Code::FusedAdd
+        | Code::FusedSubtract
+        | Code::FusedSubtractFrom => (Place::Real, Place::Real),
         Code::LessReal | Code::AtMostReal | Code::EqualReal | Code::UnequalReal | Code::InRange => {
             (Place::Bool, Place::Real)
         }

@@ -157,12 +157,13 @@ fn block(node: Node<'_>, file: &File<'_>, mistakes: &mut Mistakes<'_>) -> Block 
         variables: &mut variables,
         mistakes,
         ops: Vec::new(),
+        assignments: Vec::new(),
         assigned: BTreeSet::new(),
         depth: 0,
         too_deep: false,
         all_declared,
     };
     lowering.statements(&body, place, "a body");
-    let ops = lowering.ops;
-    Block { name, variables, ops, place: (place.start_byte(), 0) }
+    let (ops, assignments) = (lowering.ops, lowering.assignments);
+    Block { name, variables, ops, assignments, place: (place.start_byte(), 0) }
 }

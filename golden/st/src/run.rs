@@ -24,6 +24,8 @@ pub struct Instance<'b> {
 enum Memory {
     Double(Slots<f64>),
     Single(Slots<f32>),
+    /// of a block of REAL that has wide operations
+    Mixed(Slots<f64>),
 }
 
 impl Block {
@@ -54,6 +56,7 @@ impl Block {
         }
         let slots = match self.variables.real {
             RealKind::F64 => Memory::Double(Slots::start(&start)),
+            RealKind::F32 if self.ops.iter().any(|op| op.wide) => Memory::Mixed(Slots::start(&start)),
             RealKind::F32 => Memory::Single(Slots::start(&start)),
         };
         Ok(Instance { block: self, inputs, outputs, slots })
@@ -83,14 +86,20 @@ impl Block {
 impl Instance<'_> {
     /// One cycle: the values of the inputs in the order of the signals, then those of the outputs.
     pub fn cycle(&mut self, inputs: &[Literal], outputs: &mut Vec<Literal>) {
+        let (own, results) = (&self.inputs, (&self.outputs[..], &mut *outputs));
         match &mut self.slots {
-            Memory::Double(slots) => cycle(self.block, slots, (&self.inputs, inputs), (&self.outputs, outputs)),
-            Memory::Single(slots) => cycle(self.block, slots, (&self.inputs, inputs), (&self.outputs, outputs)),
+            Memory::Double(slots) => cycle::<_, false>(self.block, slots, (own, inputs), results),
+            Memory::Single(slots) => cycle::<_, false>(self.block, slots, (own, inputs), results),
+            Memory::Mixed(slots) => {
+                let inputs: Vec<Literal> = inputs.iter().map(|&value| in_double(value)).collect();
+                cycle::<_, true>(self.block, slots, (own, &inputs), results);
+                outputs.iter_mut().for_each(|value| *value = in_single(*value));
+            }
         }
     }
 }
 
-fn cycle<R: Real>(
+fn cycle<R: Real, const MIXED: bool>(
     block: &Block,
     slots: &mut Slots<R>,
     (inputs, values): (&[Variable], &[Literal]),
@@ -99,7 +108,7 @@ fn cycle<R: Real>(
     for (variable, &value) in inputs.iter().zip(values) {
         write(slots, *variable, value);
     }
-    slots.cycle(&block.ops);
+    slots.cycle::<MIXED>(&block.ops);
     results.clear();
     results.extend(outputs.iter().map(|variable| read(slots, *variable)));
 }
@@ -129,4 +138,14 @@ fn literal<R: Real>(value: R) -> Literal {
     let mut literal = Literal::F64(0.0);
     value.visit(&mut |own| literal = own);
     literal
+}
+
+/// A REAL as the slots of a mixed block hold it.
+fn in_double(value: Literal) -> Literal {
+    if let Literal::F32(value) = value { Literal::F64(f64::from(value)) } else { value }
+}
+
+/// What a slot of a mixed block holds, as a REAL.
+fn in_single(value: Literal) -> Literal {
+    if let Literal::F64(value) = value { Literal::F32(f32::lit(value)) } else { value }
 }

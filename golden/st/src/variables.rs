@@ -52,6 +52,8 @@ pub(crate) struct Variables {
     by_name: HashMap<String, Variable>,
     /// instances, by their names in lower case
     inner: HashMap<String, Inner>,
+    /// the slots of the real numbers of the text, apart from start values, in its order
+    pub(crate) numbers: Vec<u32>,
     /// what the slots hold at the start
     pub(crate) slots: Slots<f64>,
 }
@@ -59,7 +61,8 @@ pub(crate) struct Variables {
 impl Variables {
     /// None yet.
     pub(crate) fn new(real: RealKind) -> Self {
-        Self { real, by_name: HashMap::new(), inner: HashMap::new(), slots: Slots::default() }
+        let (by_name, inner) = (HashMap::new(), HashMap::new());
+        Self { real, by_name, inner, numbers: Vec::new(), slots: Slots::default() }
     }
 
     /// A variable by its name.

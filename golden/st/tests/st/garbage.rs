@@ -19,8 +19,11 @@ fn read(text: &str) {
                 RealKind::F64 => Literal::F64(1.0),
                 RealKind::F32 => Literal::F32(1.0),
             };
-            if let Ok(mut instance) = block.start(&[("x", x)], &[], &[]) {
-                instance.cycle(&[x], &mut Vec::new());
+            let changed = [block.contracted(None), block.without(0), block.with_other_constant(0)];
+            for block in changed.into_iter().flatten().chain([block.clone().wide(), block]) {
+                if let Ok(mut instance) = block.start(&[("x", x)], &[], &[]) {
+                    instance.cycle(&[x], &mut Vec::new());
+                }
             }
         }
     }

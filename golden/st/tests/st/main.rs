@@ -4,6 +4,7 @@
 mod support;
 
 mod case;
+mod changed;
 mod forms;
 mod garbage;
 mod instances;

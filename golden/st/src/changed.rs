@@ -1,0 +1,99 @@
+//! Changed blocks: evaluated as a compiler may do it, or with a planted fault. What they are good for is said by who asks.
+
+use super::block::Block;
+use super::op::{Code, Op};
+use super::variables::number;
+use portable::{Real, RealKind};
+use std::collections::HashMap;
+
+impl Block {
+    /// The block with every intermediate result inside a statement in double precision, where its reals are REAL: a value is
+    /// rounded when a variable, an input of an instance or a parameter of a function gets it. A block of LREAL is not changed.
+    #[must_use]
+    pub fn wide(mut self) -> Self {
+        if self.variables.real == RealKind::F32 {
+            self.ops.iter_mut().for_each(|op| op.wide = true);
+        }
+        self
+    }
+
+    /// The block with fused operations: a product that is an operand of a sum or a difference in the same statement is not
+    /// rounded before it. Of two such products of one sum it is the left one. `which` is one of these places, or all of them;
+    /// `None`: there is no such place.
+    #[must_use]
+    pub fn contracted(&self, which: Option<usize>) -> Option<Self> {
+        let places = fusible(&self.ops);
+        let chosen = match which {
+            Some(which) => places.get(which..=which)?,
+            None => &places[..],
+        };
+        let mut block = self.clone();
+        for &(product, sum) in chosen {
+            block.ops[sum] = fused(self.ops[product], self.ops[sum]);
+            skip(&mut block.ops, product);
+        }
+        (!chosen.is_empty()).then_some(block)
+    }
+
+    /// The block without one of its assignments, in the order of the text; `None`: there are not so many.
+    #[must_use]
+    pub fn without(&self, which: usize) -> Option<Self> {
+        let mut block = self.clone();
+        for op in self.assignments.get(which)?.clone() {
+            skip(&mut block.ops, op);
+        }
+        Some(block)
+    }
+
+    /// The block with one of the real numbers of its text, in its order, replaced by the next one of its type away from 0.
+    /// Numbers that are 0, and start values, do not count. `None`: there are not so many.
+    #[must_use]
+    pub fn with_other_constant(&self, which: usize) -> Option<Self> {
+        let mut block = self.clone();
+        let reals = &mut block.variables.slots.reals;
+        let slot = self.variables.numbers.iter().filter(|&&slot| reals[slot as usize] != 0.0).nth(which)?;
+        let value = &mut reals[*slot as usize];
+        // The next bits are the next magnitude, whatever the sign is.
+        *value = match self.variables.real {
+            RealKind::F64 => f64::from_bits(value.to_bits() + 1),
+            RealKind::F32 => f64::from(f32::from_bits(f32::lit(*value).to_bits() + 1)),
+        };
+        Some(block)
+    }
+}
+
+/// Products that are operands of sums and differences: both operations, in the order of the sums.
+fn fusible(ops: &[Op]) -> Vec<(usize, usize)> {
+    let mut products = HashMap::new();
+    let mut places = Vec::new();
+    for (at, op) in ops.iter().enumerate() {
+        match op.code {
+            // Each part has a slot of its own.
+            Code::MultiplyReal if op.part => {
+                products.insert(op.to, at);
+            }
+            Code::AddReal | Code::SubtractReal => {
+                let product = products.get(&op.a).or_else(|| products.get(&op.b));
+                places.extend(product.map(|&product| (product, at)));
+            }
+            _ => {}
+        }
+    }
+    places
+}
+
+/// A sum or a difference together with the product that is one of its operands.
+fn fused(product: Op, sum: Op) -> Op {
+    let (code, c) = match (sum.code, sum.a == product.to) {
+        (Code::SubtractReal, true) => (Code::FusedSubtract, sum.b),
+        (Code::SubtractReal, false) => (Code::FusedSubtractFrom, sum.a),
+        (_, true) => (Code::FusedAdd, sum.b),
+        (_, false) => (Code::FusedAdd, sum.a),
+    };
+    Op { code, a: product.a, b: product.b, c, ..sum }
+}
+
+/// Replaces an operation by nothing; the others keep their numbers.
+fn skip(ops: &mut [Op], at: usize) {
+    ops[at] = Op::new(Code::Jump, number(at + 1), [0, 0]);
+}
