@@ -84,6 +84,15 @@ impl Lowering<'_, '_> {
 
     /// Lowers a value that goes into a variable; `None`: a mistake was said, of the variable maybe.
     pub(crate) fn assign(&mut self, target: Option<(Kind, u32)>, right: Node<'_>) -> Option<()> {
+        let done = self.value_into(target, right);
+        // A value that was refused is no second mistake where the variable is read.
+        if let Some((kind, slot)) = target.filter(|_| self.dialect == Dialect::Scl) {
+            self.assigned.insert((kind as usize, slot));
+        }
+        done
+    }
+
+    fn value_into(&mut self, target: Option<(Kind, u32)>, right: Node<'_>) -> Option<()> {
         if self.has_named_reals()
             && let Some(product) = constant::product(self.dialect, right, self.text, DEPTH - self.depth)
         {
@@ -142,9 +151,6 @@ impl Lowering<'_, '_> {
                 };
                 self.ops.push(Op::new(code, to, [slot, 0]));
             }
-        }
-        if self.dialect == Dialect::Scl {
-            self.assigned.insert((kind as usize, to));
         }
         Some(())
     }

@@ -95,6 +95,8 @@ fn a_temporary_has_a_value_behind_it_if_each_branch_gives_it_one() {
     assert_eq!(check("#t := 3;", "#y := 3;"), none("22:8"));
     assert_eq!(check("#t := 2;", "#y := #t;\n        #t := 2;"), none("18:16"));
     assert_eq!(check("CASE #n", "CASE #t"), none("14:7"));
+    // What is refused has been assigned all the same.
+    assert_eq!(check("#t := 3;", "#t := TRUE;"), "20:11: found a BOOL for a DINT; write a DINT");
     assert_eq!(check("END_CASE", "end_case"), "21:1: found `end_case`; write `END_CASE`");
     let block = block(Dialect::Scl, SCL, "probe", RealKind::F64);
     let whole = Literal::I32(0);
