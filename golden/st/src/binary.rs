@@ -70,6 +70,13 @@ fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
         lowering.say(place, format!("`{operator}` of {name}"), instead);
         return None;
     };
+    if a.0 == Kind::Real && result == Kind::Bool {
+        let place = format!("an operand of `{operator}`");
+        let good = [left, right].map(|node| lowering.may_be(node, true, &place));
+        if good.contains(&false) {
+            return None;
+        }
+    }
     // By 0, and the smallest DINT by -1, every controller does something else.
     if matches!(code, Code::DivideDint | Code::RemainderDint) && !is_positive_literal(right, lowering.text) {
         lowering.say(right, "a divisor that is no positive literal", "an integer literal from 1 on");

@@ -94,7 +94,8 @@ fn truncation(lowering: &mut Lowering<'_, '_>, node: Node<'_>, arguments: &[Node
         return None;
     }
     let x = real(lowering, *argument)?;
-    Some(lowering.emit(Code::Truncate, Kind::Dint, &[x]))
+    let good = lowering.may_be(*argument, false, "an operand of TRUNC");
+    good.then(|| lowering.emit(Code::Truncate, Kind::Dint, &[x]))
 }
 
 fn in_range(lowering: &mut Lowering<'_, '_>, node: Node<'_>, arguments: &[Node<'_>]) -> Option<Operand> {
@@ -123,7 +124,7 @@ fn parameter(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Typed> {
     if let Some(last) = lowering.ops.last_mut().filter(|_| typed.2) {
         last.part = false;
     }
-    Some(typed)
+    lowering.may_be(node, true, "an argument of a function").then_some(typed)
 }
 
 fn real(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Typed> {

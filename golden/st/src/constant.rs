@@ -3,7 +3,7 @@
 use super::Dialect;
 use super::kind::{Kind, Value};
 use super::mistake::Mistakes;
-use super::number::{self, Constant};
+use super::number::{self, Constant, MINUS_ZERO};
 use super::syntax::{said, shown};
 use portable::RealKind;
 use tree_sitter::Node;
@@ -11,7 +11,7 @@ use tree_sitter::Node;
 /// -2^31.
 pub(crate) const SMALLEST_DINT: i64 = -2_147_483_648;
 
-/// A real literal, `-`, `*` and parentheses of such, in SCL a literal and its sign; `None`: it is something else.
+/// A real literal, `-`, `*` and parentheses of such, in SCL a literal and its sign and -0.0; `None`: it is something else.
 pub(crate) fn product(dialect: Dialect, node: Node<'_>, text: &str, depth: usize) -> Option<Constant> {
     let depth = depth.checked_sub(1)?;
     match node.kind() {
@@ -26,7 +26,9 @@ pub(crate) fn product(dialect: Dialect, node: Node<'_>, text: &str, depth: usize
             }
             Some(product(dialect, operand, text, depth)?.negated())
         }
-        "binary_expression" if operator(node, text) == "*" && dialect != Dialect::Scl => {
+        "binary_expression"
+            if operator(node, text) == "*" && (dialect != Dialect::Scl || said(node, text) == MINUS_ZERO) =>
+        {
             let left = product(dialect, node.child_by_field_name("left")?, text, depth)?;
             Some(left.times(product(dialect, node.child_by_field_name("right")?, text, depth)?))
         }
@@ -80,20 +82,29 @@ pub(crate) fn initial(
             None
         }
         (Kind::Bool, "boolean_literal") => Some(Value::Bool(said(node, text).eq_ignore_ascii_case("TRUE"))),
-        (Kind::Dint | Kind::Udint, "integer_literal") => {
-            number::integer(said(node, text)).and_then(|value| word(value, kind)).map(Value::Word)
-        }
+        (Kind::Dint | Kind::Udint, _) => integer(node, text).and_then(|value| word(value, kind)).map(Value::Word),
         _ => None,
     };
     if found.is_none() {
-        let name = kind.name(real);
-        mistakes.push(
-            node.start_byte(),
-            format!("the initial value {}", shown(node, text)),
-            format!("a literal of {name}"),
-        );
+        let is_smallest = kind == Kind::Dint && number::integer(said(node, text)) == Some(SMALLEST_DINT);
+        let instead =
+            if is_smallest { "`-2147483647 - 1`".to_owned() } else { format!("a literal of {}", kind.name(real)) };
+        mistakes.push(node.start_byte(), format!("the initial value {}", shown(node, text)), instead);
     }
     found
+}
+
+/// An integer literal, or the one form of -2^31 that every compiler reads alike.
+fn integer(node: Node<'_>, text: &str) -> Option<i64> {
+    let literal = |node: Node<'_>| {
+        let value = number::integer(said(node, text)).filter(|_| node.kind() == "integer_literal");
+        value.filter(|value| *value != SMALLEST_DINT)
+    };
+    let part = |name| node.child_by_field_name(name).and_then(literal);
+    if operator(node, text) == "-" && part("left") == Some(SMALLEST_DINT + 1) && part("right") == Some(1) {
+        return Some(SMALLEST_DINT);
+    }
+    literal(node)
 }
 
 /// The bits of an integer, if it is one of the type.

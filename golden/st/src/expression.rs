@@ -4,7 +4,7 @@ use super::Dialect;
 use super::constant::{SMALLEST_DINT, operator};
 use super::kind::{Kind, Value};
 use super::lowering::{Lowering, Operand};
-use super::number;
+use super::number::{self, MINUS_ZERO};
 use super::op::Code;
 use super::syntax::{children, said, shown};
 use super::variables::Role;
@@ -48,12 +48,7 @@ fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
             if value.is_none() && !said(node, text).contains('_') {
                 lowering.say(node, shown(node, text), "an integer that fits a DINT or UDINT");
             }
-            if value == Some(SMALLEST_DINT) {
-                // To some compilers 2147483648 is a LINT, and so is minus it.
-                lowering.say(node, "`-2147483648` in an expression".to_owned(), "`-2147483647 - 1`");
-                return None;
-            }
-            value.map(Operand::Integer)
+            integer(lowering, node, value?)
         }
         "real_literal" => real(lowering, node),
         "parenthesized_expression" => {
@@ -61,6 +56,10 @@ fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
             lowering.expression(inside)
         }
         "unary_expression" => unary(lowering, node),
+        // A number of the text, and no arithmetic that could be changed.
+        "binary_expression" if said(node, text) == MINUS_ZERO && !lowering.has_named_reals() => {
+            Some(lowering.literal(Kind::Real, Value::Real(-0.0)))
+        }
         "binary_expression" => lowering.binary(node),
         "member_access_expression" => lowering.output(node),
         "call_expression" => lowering.call(node),
@@ -76,6 +75,15 @@ fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
             None
         }
     }
+}
+
+fn integer(lowering: &mut Lowering<'_, '_>, node: Node<'_>, value: i64) -> Option<Operand> {
+    if value == SMALLEST_DINT {
+        // To some compilers 2147483648 is a LINT, and so is minus it.
+        lowering.say(node, "`-2147483648` in an expression", "`-2147483647 - 1`");
+        return None;
+    }
+    Some(Operand::Integer(value))
 }
 
 fn real(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
@@ -99,11 +107,23 @@ fn unary(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
         lowering.say(node, "two signs before an operand", "one sign, or parentheses");
         return None;
     }
-    let operand = lowering.expression(inside)?;
+    let operand = lowering.expression(inside);
     let operator = operator(node, lowering.text);
+    let is_not = operator.eq_ignore_ascii_case("NOT");
+    if is_not && !matches!(inside.kind(), "identifier" | "member_access_expression" | "call_expression") {
+        let found = "`NOT` of an expression, which one compiler translates wrongly";
+        lowering.say(node, found, "a BOOL variable that was assigned the condition");
+        return None;
+    }
+    let operand = operand?;
     let code = match (operator.to_ascii_uppercase().as_str(), operand) {
-        ("-", Operand::Integer(value)) => return value.checked_neg().map(Operand::Integer),
-        ("-", Operand::Slot { kind: Kind::Real, .. }) => Code::NegateReal,
+        ("-", Operand::Integer(value)) => return integer(lowering, node, value.checked_neg()?),
+        ("-", Operand::Slot { kind: Kind::Real, .. }) => {
+            if !lowering.may_be(inside, false, "an operand of `-`") {
+                return None;
+            }
+            Code::NegateReal
+        }
         ("-", Operand::Slot { kind: Kind::Dint, .. }) => Code::NegateWord,
         ("NOT", Operand::Slot { kind: Kind::Bool, .. }) => Code::Not,
         // The plus was said of already.

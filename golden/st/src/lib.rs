@@ -8,7 +8,7 @@
 //! declarations   VAR blocks -> variables; constant: values that the text has
 //! variables      the variables and their slots; kind: the types and their values
 //! lower          statements -> operations on slots; choice: IF, CASE; inner: instances of other blocks; expression, binary, call:
-//!                their parts; lowering: what they share
+//!                their parts; single: how much of them a statement of REAL may hold; lowering: what they share
 //! block          what a block is; read: a file -> a block; changed: a block that differs from its text
 //! op             the operations; machine: what they do; run: an instance of a block, cycle by cycle
 //! mistake        what is wrong, and where
@@ -37,6 +37,7 @@ mod plcopen;
 mod read;
 mod run;
 mod scl;
+mod single;
 mod source;
 mod syntax;
 mod twincat;

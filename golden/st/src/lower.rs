@@ -102,7 +102,7 @@ impl Lowering<'_, '_> {
             };
             return self.store(target?, (Kind::Real, slot, false), right);
         }
-        let value = self.expression(right)?;
+        let value = self.value(right)?;
         let target = target?;
         let value = self.typed(value, target.0, right)?;
         self.store(target, value, right)

@@ -6,6 +6,9 @@ use portable::{Real, RealKind};
 const SMALLEST: f64 = 1.18e-38;
 const LARGEST: f64 = 3.4e38;
 
+/// How -0.0 is written: some compilers drop the sign of the literal.
+pub(crate) const MINUS_ZERO: &str = "-1.0 * 0.0";
+
 /// What is wrong with an unsigned number, and what to write instead.
 pub(crate) fn mistake(text: &str) -> Option<(String, String)> {
     let found = format!("`{text}`");

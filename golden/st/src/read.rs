@@ -52,7 +52,7 @@ impl Block {
             return Err(mistakes.sorted());
         };
         syntax::check(&tree, &source.text, &letters, &mut mistakes);
-        syntax::plus(&tree, &source.text, &mut mistakes);
+        syntax::signs(&tree, &source.text, &mut mistakes);
         let file = File { source: &source, dialect, real, others };
         let blocks = blocks(&tree, &file, &mut mistakes);
         let found = blocks.into_iter().find(|block| block.name.eq_ignore_ascii_case(name));

@@ -2,6 +2,7 @@
 
 use super::lexical::Letters;
 use super::mistake::Mistakes;
+use super::number::MINUS_ZERO;
 use std::ops::ControlFlow;
 use tree_sitter::{Node, ParseOptions, ParseState, Parser, Tree};
 
@@ -92,14 +93,18 @@ pub(crate) fn children<'n>(node: Node<'n>) -> Vec<(Node<'n>, Option<&'n str>)> {
     list
 }
 
-/// Says where a plus stands before an operand; the grammar puts that of a number into the number.
-pub(crate) fn plus(tree: &Tree, text: &str, mistakes: &mut Mistakes<'_>) {
+/// Says where a plus stands before an operand, or a minus before 0.0, whose sign some compilers drop. The grammar puts the sign of
+/// a number into the number.
+pub(crate) fn signs(tree: &Tree, text: &str, mistakes: &mut Mistakes<'_>) {
     let mut cursor = tree.walk();
     loop {
         let node = cursor.node();
         let number = matches!(node.kind(), "integer_literal" | "real_literal");
         if (number || node.kind() == "unary_expression") && said(node, text).starts_with('+') {
             mistakes.push(node.start_byte(), "`+` before an operand", "the operand alone");
+        }
+        if is_minus_zero(node, text) {
+            mistakes.push(node.start_byte(), shown(node, text), format!("`{MINUS_ZERO}`"));
         }
         if cursor.goto_first_child() {
             continue;
@@ -110,4 +115,17 @@ pub(crate) fn plus(tree: &Tree, text: &str, mistakes: &mut Mistakes<'_>) {
             }
         }
     }
+}
+
+fn is_minus_zero(node: Node<'_>, text: &str) -> bool {
+    let is_zero = |node: Node<'_>| node.kind() == "real_literal" && said(node, text).parse() == Ok(0.0);
+    if node.kind() != "unary_expression" {
+        return is_zero(node) && said(node, text).starts_with('-');
+    }
+    let mut operand = node.child_by_field_name("operand");
+    while let Some(inside) = operand.filter(|operand| operand.kind() == "parenthesized_expression") {
+        operand = children(inside).into_iter().map(|(part, _)| part).find(Node::is_named);
+    }
+    // A zero that has a sign was said of by itself.
+    said(node, text).starts_with('-') && operand.is_some_and(|zero| is_zero(zero) && !said(zero, text).starts_with('-'))
 }

@@ -67,6 +67,7 @@ fn nothing_else_is_fused() {
         "y := a + b - c;",
         "q := a * b < c + d;",
         "k := n * n + n;",
+        "y := -1.0 * 0.0 + a;",
         "y := DINT_TO_LREAL(n * n) + a;",
     ] {
         assert!(reading(text).contracted(None).is_none(), "{text}");
@@ -134,7 +135,9 @@ fn an_assignment_is_left_out() {
 
 #[test]
 fn a_constant_is_the_next_number_away_from_zero() {
-    let block = reading("y := 0.1 * a + 0.0;\nIF a < -2.5 THEN\n    y := 7.0;\nEND_IF;\nz := -1.5 + 5.0 - (4.0);");
+    let block = reading(
+        "y := 0.1 * a + 0.0 - (-1.0 * 0.0);\nIF a < -2.5 THEN\n    y := 7.0;\nEND_IF;\nz := -1.5 + 5.0 - (4.0);",
+    );
     let next = f64::next_up;
     let (y, z) = (0.1 * A, -1.5 + 5.0 - 4.0);
     assert_eq!(bits(cycle(&block)), bits([y, z]));
@@ -156,7 +159,7 @@ fn a_constant_is_the_next_number_away_from_zero() {
         |block: &Block| answers(block, &[("a", LREAL)], &[vec![Literal::F64(-next(2.5))]], &[("y", LREAL)], &[]);
     assert_eq!(below(&block), [[Literal::F64(7.0)]]);
     let changed = block.with_other_constant(1).expect("it has one");
-    assert_eq!(below(&changed), [[Literal::F64(0.1 * -next(2.5) + 0.0)]]);
+    assert_eq!(below(&changed), [[Literal::F64(0.1 * -next(2.5))]]);
     let changed = block.with_other_constant(2).expect("it has one");
     assert_eq!(below(&changed), [[Literal::F64(next(7.0))]]);
 }
@@ -193,6 +196,22 @@ fn a_constant_of_real_is_the_next_real() {
     assert_eq!(changed(1), Some([-0.1, 1.0f32.next_up()].map(Literal::F32).to_vec()));
     assert_eq!(changed(2), None);
     assert_eq!(found(&block.wide()), [-0.1, 1.0].map(Literal::F32));
+}
+
+#[test]
+fn one_operation_a_statement_leaves_nothing_wider() {
+    let text = "FUNCTION_BLOCK probe\nVAR_INPUT\n    a : REAL;\n    b : REAL;\n    u : UDINT;\nEND_VAR\nVAR_OUTPUT\n    y : REAL;\n    z : REAL;\n\
+                END_VAR\ny := UDINT_TO_REAL(u);\nz := a * b;\ny := y * z;\nz := -y / b;\ny := y - z;\nEND_FUNCTION_BLOCK\n";
+    let block = block(Dialect::Plain, text, "probe", RealKind::F32);
+    let (single, word) = (Literal::F32(0.0), Literal::U32(0));
+    let samples: Vec<Vec<Literal>> = (1u8..100)
+        .map(|at| vec![Literal::F32(0.1 * f32::from(at)), Literal::F32(-0.7), Literal::U32(u32::MAX / u32::from(at))])
+        .collect();
+    let found = |block: &Block| {
+        answers(block, &[("a", single), ("b", single), ("u", word)], &samples, &[("y", single), ("z", single)], &[])
+    };
+    assert_eq!(found(&block.clone().wide()), found(&block));
+    assert!(block.contracted(None).is_none());
 }
 
 #[test]

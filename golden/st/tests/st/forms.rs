@@ -150,7 +150,7 @@ END_FUNCTION_BLOCK
 ";
 
 /// What the block answers to some inputs.
-fn found(dialect: Dialect, text: &str, set: &[(&str, bool)]) -> Vec<Literal> {
+pub fn found(dialect: Dialect, text: &str, set: &[(&str, bool)]) -> Vec<Literal> {
     let block = block(dialect, text, "probe", RealKind::F64);
     let inputs = [1.0, 4.0, f64::NAN, 3.0, 10.0, f64::INFINITY, -10.0];
     answers(&block, &[("x", LREAL)], &inputs.map(|x| vec![Literal::F64(x)]), &[("y", LREAL)], set).concat()

@@ -8,6 +8,7 @@ mod changed;
 mod forms;
 mod garbage;
 mod instances;
+mod no_literal;
 mod refused;
 mod scl;
 mod semantics;

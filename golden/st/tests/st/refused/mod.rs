@@ -12,6 +12,7 @@ mod operators_and_calls;
 mod single_precision;
 mod statements;
 mod types;
+mod unary;
 
 use crate::support::said;
 use portable::RealKind;
