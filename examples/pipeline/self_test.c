@@ -1,5 +1,5 @@
 /* What a drive does once at start-up: 0 if this build computes the bits of the reference. */
-#include "axis_x.h"
+#include "axis_x_ipc.h"
 
 int main(void)
 {

@@ -1,6 +1,6 @@
 //! The whole way from a set to its files. Each step is one call.
 
-use crate::blocks::{self, Designed};
+use crate::blocks::{self, Block, Designed};
 use crate::target::{File, Header, Target, Unit};
 use crate::{axis::Axis, digest::digest, pipeline::Set};
 use compiler::pass::Defect;
@@ -33,19 +33,30 @@ pub fn units<'s>(set: &'s Set) -> Vec<Unit<'s>> {
     set.axes.iter().map(unit).collect()
 }
 
-/// What the head of a file says of an axis.
-pub fn header(axis: &Axis) -> Header {
+/// What the head of a file says of an axis and of one of its blocks.
+pub fn header(axis: &Axis, block: &Block) -> Header {
+    let name = block.program.block;
+    let terms = blocks::named(name).map_or_else(String::new, |kind| kind.terms(axis));
     Header {
         name: axis.name.clone(),
         real: axis.real,
         cycle_time_ns: axis.cycle_time_ns,
-        parameters_digest: digest(axis.canonical.as_bytes()),
+        is_rotary: axis.control.is_rotary,
+        parameters_digest: digest((axis.canonical_of(name).to_owned() + &terms).as_bytes()),
     }
 }
 
-/// Design, specialise and the passes once; then each target prints.
-fn axis_files(designed: &Designed, targets: &[Target]) -> Result<Vec<File>, Defect> {
-    let (header, blocks) = (header(&designed.axis), blocks::blocks(designed)?);
-    let files: Result<Vec<Vec<File>>, Defect> = targets.iter().map(|target| target.files(&header, &blocks)).collect();
-    Ok(files?.into_iter().flatten().collect())
+/// The files of an axis: design, specialise and the passes once for each block; then each target prints.
+///
+/// # Errors
+/// A defect of a block or of a pass.
+pub fn axis_files(designed: &Designed, targets: &[Target]) -> Result<Vec<File>, Defect> {
+    let mut files = Vec::new();
+    let blocks = blocks::blocks(designed)?;
+    for target in targets {
+        for block in &blocks {
+            files.extend(target.files(&header(&designed.axis, block), block)?);
+        }
+    }
+    Ok(files)
 }

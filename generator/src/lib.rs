@@ -30,7 +30,7 @@ pub mod schema;
 mod self_test;
 pub mod summary;
 pub mod target;
-mod vector;
+mod trial;
 pub mod write;
 
 #[cfg(test)]

@@ -48,11 +48,7 @@ pub(crate) fn exercised<R: Real, B: Block<R>>(coeffs: &B::Coeffs) -> Vec<Literal
     leaves(&inputs)
 }
 
-pub(crate) fn is_real(value: &Literal) -> bool {
-    matches!(value, Literal::F64(_) | Literal::F32(_))
-}
-
-/// The generator of the self-test's and the vector's noise: scale * (integer of 24 bits - 2^23).
+/// The generator of the noise of C's self-test: scale * (integer of 24 bits - 2^23).
 pub(crate) struct Noise<R> {
     random: u32,
     pub(crate) scales: [Literal; 2],
@@ -66,9 +62,11 @@ impl<R: Real> Noise<R> {
         Self { random: 1, scales: ranges.map(scale), real: PhantomData }
     }
 
-    /// The inputs of a cycle: noise on the reals, the others as they are usually.
-    pub(crate) fn inputs(&mut self, usual: &[Literal], is_loud: bool) -> Vec<Literal> {
-        usual.iter().map(|value| if is_real(value) { self.next(is_loud) } else { *value }).collect()
+    /// The inputs of a cycle: noise on the reals at these positions, the others as they are usually.
+    pub(crate) fn inputs(&mut self, usual: &[Literal], reals: &[usize], is_loud: bool) -> Vec<Literal> {
+        let mut inputs = usual.to_vec();
+        reals.iter().for_each(|index| inputs[*index] = self.next(is_loud));
+        inputs
     }
 
     /// The next number, of the first or the second range.

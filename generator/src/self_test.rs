@@ -1,7 +1,7 @@
 //! What the self-test of a block does, and the answers that the reference gives. Every target prints it its own way.
 
-use crate::noise::{Noise, Run, Running, exercised, is_real};
-use compiler::{leaf, program::Program};
+use crate::noise::{Noise, Run, Running, exercised};
+use compiler::{leaf, legalise::Own, program::Type};
 use portable::{Block, Literal, Real, RealKind};
 
 /// A short run on noise: it finds a build that fuses, reorders or shortens operations, or that takes a NaN for a number.
@@ -33,34 +33,37 @@ const BAD_SAMPLE_DISTANCE: usize = 3;
 /// `state_paths` are the paths of all leaves of the reference's state; `ranges` are the noise's, each above 0.
 pub(crate) fn record<R: Real, B: Block<R>>(
     coeffs: B::Coeffs,
-    program: &Program,
+    own: &Own,
     state_paths: &[String],
     ranges: [f64; 2],
 ) -> SelfTest {
     let switched = exercised::<R, B>(&coeffs);
-    let switches = (0..).zip(&switched).zip(&program.inputs).filter(|((_, value), input)| **value != input.start);
-    let reals = (0..switched.len()).filter(|index| is_real(&switched[*index]));
-    let bad: Vec<(usize, usize)> = (1..).step_by(BAD_SAMPLE_DISTANCE).zip(reals).collect();
-    let kept = program.state.iter().map(|kept| state_paths.iter().position(|path| *path == kept.path));
+    let inputs = own.program.inputs.iter().zip(own.inputs.iter().map(|index| switched[*index])).enumerate();
+    let switches = inputs.filter(|(_, (input, value))| *value != input.start).map(|(index, (_, value))| (index, value));
+    let reals = own.reals();
+    let places = (1..).step_by(BAD_SAMPLE_DISTANCE);
+    let kept = own.program.state.iter().map(|kept| state_paths.iter().position(|path| *path == kept.path));
     let kept: Option<Vec<usize>> = kept.collect();
     let kept = kept.expect("self-test: the program's state is part of the reference's");
     let mut noise = Noise::<R>::within(ranges);
-    let loud_from = BAD_SAMPLE_DISTANCE * bad.len() + QUIET_SAMPLES;
+    let loud_from = BAD_SAMPLE_DISTANCE * reals.len() + QUIET_SAMPLES;
     let (mut run, mut outputs) = (Running::<R, B>::start(coeffs), Vec::new());
     let (mut digest, mut expected) = (0, Vec::new());
     for sample in 0..loud_from + LOUD_SAMPLES {
-        let mut inputs = noise.inputs(&switched, sample >= loud_from);
-        for (_, index) in bad.iter().filter(|(bad, _)| *bad == sample) {
+        let mut inputs = noise.inputs(&switched, &reals, sample >= loud_from);
+        for (_, index) in places.clone().zip(&reals).filter(|(bad, _)| *bad == sample) {
             inputs[*index] = leaf(R::lit(f64::NAN));
         }
         run.step(&inputs, &mut outputs);
         let state = run.state();
-        let values = outputs.iter().chain(kept.iter().map(|leaf| &state[*leaf]));
+        let shown = own.outputs.iter().map(|output| &outputs[*output]);
+        let values = shown.chain(kept.iter().map(|leaf| &state[*leaf]));
         digest = values.fold(digest, |digest, value| fold(digest, *value, R::KIND));
         expected.push(digest);
     }
-    let switches = switches.map(|((index, value), _)| (index, *value)).collect();
-    SelfTest { switches, scales: noise.scales, loud_from, bad, expected }
+    let is_real = |index: &usize| own.program.inputs[*index].ty == Type::Real;
+    let bad = places.zip((0..own.inputs.len()).filter(is_real)).collect();
+    SelfTest { switches: switches.collect(), scales: noise.scales, loud_from, bad, expected }
 }
 
 /// The digest with one more value: turned by five bits, and the bits added, in as many bits as a real has.

@@ -10,7 +10,7 @@ use generator::generate::header;
 use generator::pipeline::{Set, read, read_with};
 use generator::target::{File, TARGETS};
 use portable::{Binary, Literal, RealKind, Unary};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Stages of weight 1, whose sign is a negation, and a gantry slave.
@@ -109,9 +109,9 @@ fn a_sign_stands_in_parentheses() {
 fn full_of_signs(set: &Set) -> Vec<(String, String)> {
     let axis = &set.axes[0];
     let mut block = blocks(axis).unwrap().remove(0);
-    let reals: Vec<usize> =
-        (0..block.program.inputs.len()).filter(|input| block.program.inputs[*input].ty == Type::Real).collect();
-    let at = |path: &str| Var::Output(block.program.outputs.iter().position(|output| output.path == path).unwrap());
+    let program = &mut block.own.program;
+    let reals: Vec<usize> = (0..program.inputs.len()).filter(|input| program.inputs[*input].ty == Type::Real).collect();
+    let at = |path: &str| Var::Output(program.outputs.iter().position(|output| output.path == path).unwrap());
     let (v_add, limited) = (at("v_add"), at("limited"));
     let input = |index: usize| Expr::Var(Var::Input(reals[index]));
     let negated = |expr: Expr| Expr::Unary(Unary::Negate, Box::new(expr));
@@ -126,10 +126,9 @@ fn full_of_signs(set: &Set) -> Vec<(String, String)> {
         let both = |operator| Expr::Binary(operator, Box::new(left.clone()), Box::new(right.clone()));
         let of_sum = |operator| Statement::Assign { target: v_add, value: both(operator) };
         let of_comparison = |operator| Statement::Assign { target: limited, value: both(operator) };
-        block.program.step.extend(sums.map(of_sum).into_iter().chain(comparisons.map(of_comparison)));
+        program.step.extend(sums.map(of_sum).into_iter().chain(comparisons.map(of_comparison)));
     }
-    let files =
-        TARGETS.iter().flat_map(|target| target.files(&header(&axis.axis), std::slice::from_ref(&block)).unwrap());
+    let files = TARGETS.iter().flat_map(|target| target.files(&header(&axis.axis, &block), &block).unwrap());
     files.map(|file| (file.name, file.text)).collect()
 }
 
@@ -192,7 +191,7 @@ fn zeros(code: &str) -> Vec<(String, bool)> {
     let of = |(target, value): (&str, &str)| {
         let negative = match value.trim() {
             "0.0" => false,
-            "-0.0" => true,
+            "-1.0 * 0.0" => true,
             _ => return None,
         };
         Some((target.split_whitespace().last()?.trim_start_matches('#').to_ascii_lowercase(), negative))
@@ -200,22 +199,28 @@ fn zeros(code: &str) -> Vec<(String, bool)> {
     assignments.filter_map(of).collect()
 }
 
-/// No engine runs SCL: its zeros are those of the text that an engine does run, sign by sign.
+/// The zeros of SCL are those of TwinCAT, sign by sign; a sign never stands before a zero.
 #[test]
 fn a_zero_of_scl_has_the_sign_that_it_has_elsewhere() {
     let (mut negative, mut positive) = (0, 0);
     for set in sets() {
         let files = files(&set);
         for axis in &set.axes {
-            let stem = format!("axis_{}", axis.axis.name.to_ascii_lowercase());
-            let of_scl = zeros(&code("x.scl", &files[&format!("{stem}.scl")]).unwrap());
-            let twincat = files.iter().filter(|(name, _)| name.contains(&format!("POUs/FB_{stem}_")));
-            let of_twincat: BTreeSet<_> = twincat.flat_map(|(name, text)| zeros(&code(name, text).unwrap())).collect();
-            for zero in &of_scl {
-                assert!(of_twincat.contains(zero), "{stem}: {zero:?} is not in {of_twincat:?}");
+            for block in generator::blocks::names(&axis.axis) {
+                let stem = format!("axis_{}_{block}", axis.axis.name.to_ascii_lowercase());
+                let zeros = |name: &str| zeros(&code(name, &files[name]).unwrap());
+                let (of_scl, of_twincat) =
+                    (zeros(&format!("{stem}.scl")), zeros(&format!("twincat/POUs/FB_{stem}.TcPOU")));
+                assert_eq!(of_scl, of_twincat.into_iter().filter(|zero| of_scl.contains(zero)).collect::<Vec<_>>());
+                negative += of_scl.iter().filter(|(_, negative)| *negative).count();
+                positive += of_scl.iter().filter(|(_, negative)| !*negative).count();
             }
-            negative += of_scl.iter().filter(|(_, negative)| *negative).count();
-            positive += of_scl.iter().filter(|(_, negative)| !*negative).count();
+        }
+        for (name, text) in &files {
+            let Some(code) = code(name, text) else { continue };
+            let is_zero =
+                |(at, sign): (usize, &str)| !code[at + sign.len()..].starts_with(|c: char| c.is_ascii_digit());
+            assert!(!code.match_indices("-0.0").any(is_zero), "{name}");
         }
     }
     assert!(negative > 5 && positive > 50, "{negative}, {positive}");

@@ -4,7 +4,7 @@ use compiler::interp::Machine;
 use compiler::legalise;
 use compiler::pass::{Defect, PASSES, verify};
 use compiler::program::{Constant, Expr, Local, Origin, Program, Statement, Type, Var, Variable};
-use portable::{Binary, Literal, RealKind};
+use portable::{Binary, Intrinsic, Literal, RealKind, Unary};
 
 fn variable(path: &str, ty: Type, start: Literal) -> Variable {
     Variable { path: path.to_owned(), doc: "", ty, start }
@@ -86,7 +86,7 @@ fn identity_removes_exact_multiplications_only() {
     let step = |value| run("identity", program(0, vec![assign(Y, value)])).unwrap().step;
     let one = Expr::Var(Var::Constant(1));
     let minus_one = Expr::Var(Var::Constant(2));
-    let negated = Expr::Unary(portable::Unary::Negate, Box::new(X));
+    let negated = Expr::Unary(Unary::Negate, Box::new(X));
     assert_eq!(step(binary(Binary::Multiply, one.clone(), X)), [assign(Y, X)]);
     assert_eq!(step(binary(Binary::Multiply, X, minus_one.clone())), [assign(Y, negated)]);
     assert_eq!(step(binary(Binary::Multiply, minus_one, real(0.0))), [assign(Y, real(-0.0))]);
@@ -145,7 +145,7 @@ fn pruning_turns_a_branch_without_a_then() {
     let step = vec![assign(Y, X), choose(Vec::new(), vec![assign(Y, real(1.0))])];
     let after = run("pruned", program(0, step)).unwrap();
     let Statement::If { condition, then, otherwise } = &after.step[1] else { panic!("a branch is left") };
-    assert_eq!(*condition, Expr::Unary(portable::Unary::Not, Box::new(ON)));
+    assert_eq!(*condition, Expr::Unary(Unary::Not, Box::new(ON)));
     assert_eq!((then.len(), otherwise.len()), (1, 0));
 }
 
@@ -205,7 +205,7 @@ fn a_flag_becomes_what_it_decides() {
 }
 
 fn not(operand: Expr) -> Expr {
-    Expr::Unary(portable::Unary::Not, Box::new(operand))
+    Expr::Unary(Unary::Not, Box::new(operand))
 }
 
 fn if_(condition: Expr, then: Vec<Statement>, otherwise: Vec<Statement>) -> Statement {
@@ -276,7 +276,7 @@ fn a_question_is_asked_in_the_positive() {
 #[test]
 fn an_output_is_written_once_on_each_way() {
     let settled = |locals, step| {
-        let (_, settle) = legalise::WITH_NAMES[0];
+        let (_, settle) = legalise::WITH_OUTPUTS[0];
         settle(program(locals, step)).unwrap().step
     };
     // What is overwritten at once is not written.
@@ -304,4 +304,74 @@ fn an_output_is_written_once_on_each_way() {
         settled(0, vec![zero(), assign(S, Expr::Var(Y)), assign(Y, Expr::Var(Y))]),
         [held(real(0.0)), assign(S, local(0)), assign(Y, local(0))]
     );
+}
+
+/// A legalising pass by its name.
+fn legal(pass: &str, program: Program) -> Program {
+    let all = legalise::WITH_OUTPUTS.iter().chain(legalise::WITH_DIGITS);
+    let (_, pass) = all.into_iter().find(|(name, _)| *name == pass).expect("a pass has that name");
+    pass(program).expect("the program is sound")
+}
+
+#[test]
+fn what_is_known_is_written_before_branches_that_have_nothing_to_do_with_it() {
+    let branch = || choose(vec![assign(S, X)], vec![assign(S, real(0.0))]);
+    let step = vec![branch(), assign(Y, X)];
+    assert_eq!(legal("early", program(0, step)).step, [assign(Y, X), branch()]);
+    // What the branches write or ask for stays behind them.
+    let computed =
+        vec![choose(vec![assign(Var::Local(0), X)], vec![assign(Var::Local(0), real(0.0))]), assign(Y, local(0))];
+    assert_eq!(legal("early", program(1, computed.clone())).step, computed);
+    let asked = vec![choose(vec![assign(S, Expr::Var(Y))], vec![]), assign(Y, X)];
+    assert_eq!(legal("early", program(0, asked.clone())).step, asked);
+}
+
+#[test]
+fn a_negated_condition_has_a_name() {
+    let both = || binary(Binary::And, ON, binary(Binary::LessEqual, X, real(1.0)));
+    let step = vec![if_(not(both()), vec![assign(Y, X)], vec![assign(Y, real(0.0))])];
+    let named = legal("negated", program(0, step));
+    assert_eq!(named.locals[0].path, "inputs_fit");
+    let asked = if_(not(local(0)), vec![assign(Y, X)], vec![assign(Y, real(0.0))]);
+    assert_eq!(named.step, [assign(Var::Local(0), both()), asked]);
+    let plain = vec![if_(not(ON), vec![assign(Y, X)], vec![assign(Y, real(0.0))])];
+    assert_eq!(legal("negated", program(0, plain.clone())).step, plain, "a variable has one");
+}
+
+#[test]
+fn a_statement_on_real_does_one_operation() {
+    let product = || binary(Binary::Multiply, X, Expr::Var(S));
+    let step = vec![assign(Y, binary(Binary::Add, product(), X))];
+    assert_eq!(legal("single", program(0, step.clone())).step, step, "LREAL is as wide as anybody evaluates");
+    let single = legal("single", Program { real: RealKind::F32, ..program(0, step) });
+    assert_eq!(single.locals[0].path, "x_times_s");
+    let sum = assign(Y, binary(Binary::Add, local(0), X));
+    assert_eq!(single.step, [assign(Var::Local(0), product()), sum]);
+}
+
+#[test]
+fn no_sign_stands_before_a_zero() {
+    let within = Expr::Intrinsic(Intrinsic::Within, vec![X, real(0.0)]);
+    let bounded = legal("bounded", program(0, vec![if_(within, vec![assign(Y, X)], vec![assign(Y, real(0.0))])]));
+    let above = binary(Binary::LessEqual, real(0.0), X);
+    let asked = binary(Binary::And, above, binary(Binary::LessEqual, X, real(0.0)));
+    assert_eq!(bounded.step, [if_(asked, vec![assign(Y, X)], vec![assign(Y, real(0.0))])]);
+    let negated = Expr::Unary(Unary::Negate, Box::new(real(0.0)));
+    let Statement::Assign { value: Expr::Literal(Literal::F64(zero)), .. } =
+        &legal("bounded", program(0, vec![assign(Y, negated)])).step[0]
+    else {
+        panic!("a literal")
+    };
+    assert_eq!(zero.to_bits(), (-0.0f64).to_bits());
+}
+
+#[test]
+fn signals_that_an_axis_does_not_have_are_left_out() {
+    let step = vec![choose(vec![assign(Y, real(0.0)), assign(S, real(1.0))], vec![assign(Y, real(0.0))])];
+    let own = legalise::own(&program(0, step)).unwrap();
+    assert_eq!((own.inputs, own.outputs), (vec![1], vec![]), "y is always 0, x is not read");
+    assert!(own.program.step.is_empty(), "and nothing shows the state");
+    let step = vec![choose(vec![assign(Y, real(1.0))], vec![assign(Y, real(0.0))])];
+    let own = legalise::own(&program(0, step)).unwrap();
+    assert_eq!((own.inputs, own.outputs), (vec![1], vec![0]));
 }

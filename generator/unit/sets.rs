@@ -65,6 +65,7 @@ pub(crate) fn axes(count: usize, real: RealKind) -> impl Iterator<Item = Axis> {
             ipc: Ipc { enable, v_add_max_fact, v_max, fade: random.unit(), delay_cycles: None, stage },
             control: crate::axis::Control::default(),
             canonical: String::new(),
+            canonical_of: Default::default(),
         }
     })
 }

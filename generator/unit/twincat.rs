@@ -1,6 +1,6 @@
 //! Tests of the inside of the target `twincat`: its GUIDs, and text inside a CDATA section.
 
-use super::project::{TcGuide, TcProgram};
+use super::project::TcProgram;
 use super::{NAMESPACE, guid};
 use askama::Template;
 use uuid::Uuid;
@@ -35,8 +35,6 @@ fn text_that_ends_no_section_is_not_touched() {
     let program = TcProgram { id: "{0}".to_owned(), suites: vec!["A < B & C ]] >".to_owned()] };
     let text = program.render().expect("the template is filled");
     assert!(text.contains("\n    test_A < B & C ]] > : A < B & C ]] >;\n"), "{text}");
-    let guide = TcGuide { damping: HOSTILE, axis: "A" };
-    assert!(guide.render().expect("the template is filled").contains(HOSTILE), "no file of XML");
 }
 
 /// Figures of Python's module `uuid`: `uuid5(NAMESPACE_URL, "axgen")`, and `uuid5` of that.

@@ -6,7 +6,7 @@
 //! inputs.csv     the first 2,000 samples as bits, without the inputs that keep their start
 //! outputs.csv    the answers
 //! digest         128-bit digests of inputs and outputs of 1,000,000 samples
-//! emitted/       the files that the axis gets
+//! emitted/       the files that the block gets, but its self-tests
 //! ```
 //!
 //! `axgen run set.toml --axis X --stimulus inputs.csv --hex` prints outputs.csv, whatever the engine.
@@ -139,12 +139,13 @@ fn recording(case: &Case) -> Result<Recording, String> {
         ("outputs.csv", csv::write(&[&answers], Reals::Hexadecimal)),
         ("digest", digests),
     ];
-    let blocks = std::slice::from_ref(&case.block);
     let mut emitted = Vec::new();
     for target in TARGETS {
-        let files = target.files(&header(&case.axis.axis), blocks);
+        let files = target.files(&header(&case.axis.axis, &case.block), &case.block);
         emitted.extend(files.map_err(|defect| defect.to_string())?);
     }
+    // Self-tests follow from the blocks; tests run them, and the folder stays small.
+    emitted.retain(|file: &File| !file.name.contains("_self_test."));
     let emitted = emitted.into_iter().map(|file| File { name: format!("{EMITTED}/{}", file.name), text: file.text });
     let texts = texts.into_iter().map(|(name, text)| File { name: name.to_owned(), text });
     Ok(Recording {

@@ -145,6 +145,23 @@ impl Samples {
         Self { shape: Shape { real: self.shape.real, signals }, bytes }
     }
 
+    /// The run among the signals of a shape, in which its own have these positions; the others keep their start.
+    #[must_use]
+    pub fn among(&self, positions: &[usize], shape: &Shape) -> Self {
+        let mut start = Self::with_capacity(shape.clone(), 1);
+        start.push(&shape.signals.iter().map(|signal| signal.start).collect::<Vec<_>>());
+        let (own, all) = (self.shape.ranges(), shape.ranges());
+        let mut bytes = Vec::with_capacity(shape.frame() * self.len());
+        for frame in self.frames() {
+            let first = bytes.len();
+            bytes.extend_from_slice(&start.bytes);
+            for (range, position) in own.iter().zip(positions) {
+                bytes[first..][all[*position].clone()].copy_from_slice(&frame[range.clone()]);
+            }
+        }
+        Self { shape: shape.clone(), bytes }
+    }
+
     /// The samples' bytes.
     fn frames(&self) -> std::slice::Chunks<'_, u8> {
         self.bytes.chunks(self.shape.frame().max(1))

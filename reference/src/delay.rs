@@ -37,12 +37,13 @@ pub struct State<R> {
 /// One cycle: takes the input, gives the delayed one.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
-    let mut y = x;
+    let mut x_whole = x;
     if coeffs.whole > 0usize {
-        y = state.x[coeffs.whole - 1];
+        x_whole = state.x[coeffs.whole - 1];
     }
+    let mut y = x_whole;
     if coeffs.fractional {
-        y = coeffs.now * y + coeffs.before * state.x[coeffs.whole];
+        y = coeffs.now * x_whole + coeffs.before * state.x[coeffs.whole];
     }
     for k in 0..LONGEST {
         // From the oldest on: each takes over what the next younger one has.

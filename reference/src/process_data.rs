@@ -1,6 +1,6 @@
 //! From a real number to the integer that goes to the drive: rounded half away from zero, and saturated.
 
-use portable::{Real, nearest, portable, within};
+use portable::{Real, nearest, note, portable, within};
 
 /// The range of a process-data type.
 #[portable]
@@ -40,7 +40,7 @@ pub fn round<R: Real>(datum: &mut Datum, coeffs: &Coeffs<R>, x: R) {
         datum.value = coeffs.lowest;
         datum.limited = x < coeffs.lower_limit;
     } else {
-        // Of what is no number, which no sample in range leads to, nothing is put out.
+        note("only what is no number comes here, which no sample in range leads to: nothing is put out");
         datum.value = 0i32;
         datum.limited = true;
     }

@@ -7,7 +7,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-{%- for block in blocks %}
 
 {% if !block.certificate.is_empty() -%}
 /* {{ block.certificate }} */
@@ -16,21 +15,27 @@ extern "C" {
 /* Written by the caller. {{ block.prefix }}_inputs_init fills in what is said to be the start. */
 typedef struct {
 {%- for member in block.inputs %}
+{%- match member.above("\n     * ") %}
+{%- when Some with (above) %}
+    /* {{ above }}; start {{ member.value }} */
+    {{ member.ty }} {{ member.name }};
+{%- when None %}
     {{ member.ty }} {{ member.name }}; /* {{ member.doc }}; start {{ member.value }} */
+{%- endmatch %}
 {%- endfor %}
 } {{ block.prefix }}_inputs;
 
 /* Written by {{ block.prefix }}_step. */
 typedef struct {
 {%- for member in block.outputs %}
-    {{ member.ty }} {{ member.name }}; /* {{ member.doc }} */
+{%- include "c/member.h" %}
 {%- endfor %}
 } {{ block.prefix }}_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
 {%- for member in block.state %}
-    {{ member.ty }} {{ member.name }}; /* {{ member.doc }} */
+{%- include "c/member.h" %}
 {%- endfor %}
 {%- if block.state.is_empty() %}
     bool unused; /* this block keeps nothing; C has no struct without a member */
@@ -54,7 +59,6 @@ void {{ block.prefix }}_step(
  * precision. Run it once at start-up, on the machine and with the compiler options that the block runs with: it finds a
  * build that fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
 uint32_t {{ block.prefix }}_self_test(void);
-{%- endfor %}
 
 #ifdef __cplusplus
 }

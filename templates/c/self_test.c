@@ -1,4 +1,4 @@
-static uint{{ bits }}_t {{ block.name }}_bits_of({{ real }} value)
+static uint{{ bits }}_t bits_of({{ real }} value)
 {
     union {
         {{ real }} value;
@@ -8,7 +8,7 @@ static uint{{ bits }}_t {{ block.name }}_bits_of({{ real }} value)
     return view.bits;
 }
 
-static {{ real }} {{ block.name }}_real_of(uint{{ bits }}_t bits)
+static {{ real }} real_of(uint{{ bits }}_t bits)
 {
     union {
         {{ real }} value;
@@ -18,7 +18,7 @@ static {{ real }} {{ block.name }}_real_of(uint{{ bits }}_t bits)
     return view.value;
 }
 
-static uint{{ bits }}_t {{ block.name }}_fold(uint{{ bits }}_t digest, uint{{ bits }}_t bits)
+static uint{{ bits }}_t fold(uint{{ bits }}_t digest, uint{{ bits }}_t bits)
 {
     return ((digest << 5) | (digest >> {{ bits - 5 }})) + bits;
 }
@@ -43,18 +43,18 @@ uint32_t {{ block.prefix }}_self_test(void)
     uint32_t random = 1u;
     uint32_t sample;
     /* 1 + 2^-{% if real == "double" %}30{% else %}15{% endif %} and its rounded square; volatile: worked out when it runs */
-    volatile {{ real }} factor = {{ block.name }}_real_of({% if real == "double" %}UINT64_C(0x3ff0000000400000){% else %}UINT32_C(0x3f800100){% endif %});
-    volatile {{ real }} square = {{ block.name }}_real_of({% if real == "double" %}UINT64_C(0x3ff0000000800000){% else %}UINT32_C(0x3f800200){% endif %});
+    volatile {{ real }} factor = real_of({% if real == "double" %}UINT64_C(0x3ff0000000400000){% else %}UINT32_C(0x3f800100){% endif %});
+    volatile {{ real }} square = real_of({% if real == "double" %}UINT64_C(0x3ff0000000800000){% else %}UINT32_C(0x3f800200){% endif %});
     const {{ real }} product = factor * factor;
     const {{ real }} remainder = product - square;
 
     /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
-    if ({{ block.name }}_bits_of(remainder) != 0u) {
+    if (bits_of(remainder) != 0u) {
         return 1u;
     }
 {%- if real == "double" %}
     /* as it stands here, unless the compiler takes constants for single precision */
-    if ({{ block.name }}_bits_of(0.1) != UINT64_C(0x3fb999999999999a)) {
+    if (bits_of(0.1) != UINT64_C(0x3fb999999999999a)) {
         return 1u;
     }
 {%- endif %}
@@ -70,12 +70,12 @@ uint32_t {{ block.prefix }}_self_test(void)
         /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
 {%- for (bad_sample, input) in block.self_test.bad %}
         random = random * 1664525u + 1013904223u;
-        noise = {{ block.name }}_bits_of((({{ real }})(random >> 8) - 8388608.0{{ suffix }}) * scale);
-        inputs.{{ block.inputs[*input].name }} = {{ block.name }}_real_of(sample == {{ bad_sample }}u ? {% if real == "double" %}UINT64_C(0x7ff8000000000000){% else %}UINT32_C(0x7fc00000){% endif %} : noise);
+        noise = bits_of((({{ real }})(random >> 8) - 8388608.0{{ suffix }}) * scale);
+        inputs.{{ block.inputs[*input].name }} = real_of(sample == {{ bad_sample }}u ? {% if real == "double" %}UINT64_C(0x7ff8000000000000){% else %}UINT32_C(0x7fc00000){% endif %} : noise);
 {%- endfor %}
         step(&state, &inputs, &outputs);
 {%- for value in block.watched %}
-        digest = {{ block.name }}_fold(digest, {{ value }});
+        digest = fold(digest, {{ value }});
 {%- endfor %}
         if (digest != expected[sample]) {
             return sample + 1u;

@@ -42,13 +42,18 @@ static int32_t nearest({{ real }} value)
 #endif
 }
 {%- endif %}
-{%- for block in blocks %}
 {% for group in block.constants %}
 {%- if !group.note.is_empty() %}
 /* {{ group.note }} */
 {%- endif %}
-{%- for constant in group.constants %}
-static const {{ constant.ty }} {{ constant.name }} = {{ constant.value }}; /* {{ constant.doc }} */
+{%- for member in group.constants %}
+{%- match member.above("\n * ") %}
+{%- when Some with (above) %}
+/* {{ above }} */
+static const {{ member.ty }} {{ member.name }} = {{ member.value }};
+{%- when None %}
+static const {{ member.ty }} {{ member.name }} = {{ member.value }}; /* {{ member.doc }} */
+{%- endmatch %}
 {%- endfor %}
 {% endfor %}
 void {{ block.prefix }}_init({{ block.prefix }}_state *state)
@@ -76,4 +81,3 @@ void {{ block.prefix }}_step(
 {{ block.step }}}
 
 {% include "c/self_test.c" %}
-{%- endfor %}

@@ -1,7 +1,8 @@
 /* Calls the step of the block `axis` of one axis N times with moving inputs, mode ON, feedforward active at 87 %; prints a
  * sum, so that nothing can be left out. No limit is reached.
  *
- * AXIS_HEADER and AXIS come with -D, for example -DAXIS=axis_x -DAXIS_HEADER='"axis_x.h"'.
+ * AXIS_HEADER and AXIS come with -D, for example -DAXIS=axis_x -DAXIS_HEADER='"axis_x_axis.h"', and READS_ with the name of
+ * each input that not all axes read.
  */
 #include <stdint.h>
 #include <stdio.h>
@@ -36,21 +37,39 @@ int main(int argc, char **argv)
 
     INIT(&state);
     INPUTS_INIT(&inputs);
+#ifdef READS_MODE
     inputs.mode = 1;
+#endif
     inputs.feedforward_active = true;
     inputs.feedforward_percentage = 87;
     for (long i = 0; i < n; i++) {
         inputs.x_command = 1.0e6 * noise();
+#ifdef READS_X_ACTUAL
         inputs.x_actual = inputs.x_command - 1.0e3 * noise();
+#endif
+#ifdef READS_V_INTERPOLATOR
         inputs.v_interpolator = 1.0e5 * noise();
+#endif
+#ifdef READS_A_INTERPOLATOR
         inputs.a_interpolator = 1.0e4 * noise(); /* 10^5 would be beyond the 16 bits of the axis T */
+#endif
+#ifdef READS_V_MOTOR
         inputs.v_motor = 1.0e5 * noise();
+#endif
         STEP(&state, &inputs, &outputs);
         if (outputs.limited || outputs.fault) {
             return 1;
         }
-        sum += outputs.v_command + outputs.v_feedforward + outputs.v_add + outputs.v_add_calculated;
-        sum += outputs.manipulated_variable + outputs.x_drive + outputs.additive_velocity + outputs.additive_torque;
+#ifdef READS_V_MOTOR
+        sum += outputs.v_add + outputs.v_add_calculated;
+#endif
+#if defined(READS_X_ACTUAL)
+        sum += outputs.v_command + outputs.v_feedforward + outputs.manipulated_variable;
+#elif defined(READS_V_INTERPOLATOR)
+        sum += outputs.x_drive + outputs.additive_velocity;
+#else
+        sum += outputs.x_drive + outputs.additive_torque;
+#endif
     }
     printf("%.17g\n", sum);
     return 0;

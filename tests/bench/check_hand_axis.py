@@ -9,58 +9,34 @@ stimulus passes through all modes, resets, lost position control, wrong cycle ti
 all weights of G136, halves of increments and their neighbours, both ends of the process data and what is beyond them.
 """
 
-import ctypes
 import math
-import pathlib
 import random
-import re
-import subprocess
 import sys
 import tempfile
 
-from check_hand import CYCLE_TIME_NS, DRYRUN, FADE_CYCLES, HERE, OFF, ON, SAMPLE_LIMIT, ANTI_DENORMAL, bits
+from check_hand import ANTI_DENORMAL, CYCLE_TIME_NS, DRYRUN, FADE_CYCLES, HERE, OFF, ON, SAMPLE_LIMIT
+from check_hand import compile_all, constants, generated_source, names, reals, structure
 
 INTEGERS = {"x": (-(2**31), 2**31 - 1), "v": (-(2**31), 2**31 - 1), "t": (-(2**15), 2**15 - 1)}
 
 
-class Inputs(ctypes.Structure):
-    _fields_ = [
-        ("x_command", ctypes.c_double),
-        ("x_actual", ctypes.c_double),
-        ("v_interpolator", ctypes.c_double),
-        ("a_interpolator", ctypes.c_double),
-        ("j_interpolator", ctypes.c_double),
-        ("v_motor", ctypes.c_double),
-        ("v_direct", ctypes.c_double),
-        ("v_add_master", ctypes.c_double),
-        ("mode", ctypes.c_int32),
-        ("feedforward_active", ctypes.c_bool),
-        ("feedforward_percentage", ctypes.c_int32),
-        ("position_controlled", ctypes.c_bool),
-        ("reset", ctypes.c_bool),
-        ("task_cycle_ns", ctypes.c_uint32),
-    ]
-
-
-class Outputs(ctypes.Structure):
-    _fields_ = [
-        ("v_command", ctypes.c_double),
-        ("v_feedforward", ctypes.c_double),
-        ("v_add", ctypes.c_double),
-        ("v_add_calculated", ctypes.c_double),
-        ("x_drive", ctypes.c_double),
-        ("manipulated_variable", ctypes.c_int32),
-        ("xerr", ctypes.c_int32),
-        ("additive_torque", ctypes.c_int32),
-        ("additive_velocity", ctypes.c_int32),
-        ("error_id", ctypes.c_uint32),
-        ("limited", ctypes.c_bool),
-        ("fault", ctypes.c_bool),
-    ]
-
-
-NAMES = [name for name, _ in Outputs._fields_]
-REALS = {name for name, kind in Outputs._fields_ if kind is ctypes.c_double}
+INPUTS = {
+    "x": structure(
+        "x_command x_actual v_interpolator a_interpolator v_motor mode"
+        " feedforward_active feedforward_percentage position_controlled reset task_cycle_ns"
+    ),
+    "v": structure(
+        "x_command v_interpolator feedforward_active feedforward_percentage position_controlled reset task_cycle_ns"
+    ),
+    "t": structure(
+        "x_command a_interpolator feedforward_active feedforward_percentage position_controlled reset task_cycle_ns"
+    ),
+}
+OUTPUTS = {
+    "x": structure("v_command v_feedforward v_add v_add_calculated manipulated_variable error_id limited fault"),
+    "v": structure("x_drive additive_velocity error_id limited fault"),
+    "t": structure("x_drive additive_torque error_id limited fault"),
+}
 
 
 def in_range(x):
@@ -72,8 +48,7 @@ class Axis:
 
     def __init__(self, name):
         self.name = name
-        text = (HERE / f"hand_{name}.c").read_text()
-        self.c = {k: float(v) for k, v in re.findall(r"static const double (\w+) = ([-0-9.e+]+);", text)}
+        self.c = constants(HERE / f"hand_{name}.c")
         self.s = {p: [0.0, 0.0] for p in ("bp0", "osc1", "bp1")}
         self.preset, self.fade = False, 0
         self.before = self.x_held = 0.0
@@ -211,7 +186,8 @@ class Axis:
         return 0
 
     def step(self, i):
-        out = {name: 0.0 if name in REALS else 0 for name in NAMES}
+        outputs = OUTPUTS[self.name]
+        out = {name: 0.0 if name in reals(outputs) else 0 for name in names(outputs)}
         acts = False
         if not in_range(i.x_command):
             error_id = 17
@@ -231,6 +207,7 @@ class Axis:
                     self.x_held = i.x_command
                 out["x_drive"] = self.x_held
         out["fault"], out["error_id"] = error_id != 0, error_id
+        assert list(out) == names(outputs)
         self.seen["errors"].add(error_id)
         return out
 
@@ -249,6 +226,7 @@ class Axis:
 def stimulus(axis, samples):
     """Phases of 1 to 400 cycles, each with a mode and an amplitude, or about a number of increments."""
     rng = random.Random(1)
+    inputs = INPUTS[axis.name]
     lowest, highest = INTEGERS[axis.name]
     left = 0
     for n in range(samples):
@@ -264,14 +242,21 @@ def stimulus(axis, samples):
                 target += rng.choice([0.0, 0.5, -0.5, 1.0, -1.0])
                 mode, left, active, percentage = OFF, rng.randint(20, 60), True, 100
         left -= 1
-        i = Inputs(mode=mode, position_controlled=True, feedforward_active=active, feedforward_percentage=percentage)
-        i.x_command = amplitude * rng.uniform(-1.0, 1.0)
-        i.x_actual = i.x_command + 0.01 * amplitude * rng.uniform(-1.0, 1.0)
-        i.v_interpolator = amplitude * rng.uniform(-1.0, 1.0)
-        i.a_interpolator = 0.1 * amplitude * rng.uniform(-1.0, 1.0)
-        i.v_motor = amplitude * math.cos(0.33 * n) * rng.uniform(0.5, 1.0)
-        i.j_interpolator = i.v_direct = i.v_add_master = math.nan
-        i.task_cycle_ns = rng.choice([0, CYCLE_TIME_NS])
+        x_command = amplitude * rng.uniform(-1.0, 1.0)
+        values = {
+            "x_command": x_command,
+            "x_actual": x_command + 0.01 * amplitude * rng.uniform(-1.0, 1.0),
+            "v_interpolator": amplitude * rng.uniform(-1.0, 1.0),
+            "a_interpolator": 0.1 * amplitude * rng.uniform(-1.0, 1.0),
+            "v_motor": amplitude * math.cos(0.33 * n) * rng.uniform(0.5, 1.0),
+            "mode": mode,
+            "feedforward_active": active,
+            "feedforward_percentage": percentage,
+            "position_controlled": True,
+            "reset": False,
+            "task_cycle_ns": rng.choice([0, CYCLE_TIME_NS]),
+        }
+        i = inputs(**{name: values[name] for name in names(inputs)})
         if target is not None:
             number = target
             for _ in range(rng.randint(0, 4)):
@@ -279,7 +264,7 @@ def stimulus(axis, samples):
             axis.for_increments(i, number)
         for _ in range(rng.choice([1, 1, 2]) if rng.random() < 0.006 else 0):
             bad = rng.choice([math.nan, math.inf, -math.inf, 1.1e15, -1.0000000000000002e15])
-            setattr(i, rng.choice(["x_command", "x_actual", "v_interpolator", "a_interpolator", "v_motor"]), bad)
+            setattr(i, rng.choice(reals(inputs)), bad)
         event = rng.random()
         if event < 0.001:
             i.reset = True
@@ -290,35 +275,6 @@ def stimulus(axis, samples):
         yield i
 
 
-class Compiled:
-    """The step of a compiled axis."""
-
-    def __init__(self, title, axis, source, compiler, level, library):
-        self.title, self.differing = title, 0
-        command = [compiler, "-std=c99", level, "-fPIC", "-shared", f"-I{source.parent}", source, "-o", library]
-        subprocess.run(command, check=True)
-        dll = ctypes.CDLL(library)
-        self.state, self.outputs = ctypes.create_string_buffer(4096), Outputs()
-        self.function = getattr(dll, f"axis_{axis}_axis_step")
-        getattr(dll, f"axis_{axis}_axis_init")(self.state)
-
-    def step(self, i, expected):
-        ctypes.memset(ctypes.byref(self.outputs), 0xA5, ctypes.sizeof(Outputs))
-        self.function(self.state, ctypes.byref(i), ctypes.byref(self.outputs))
-        for name, value in expected.items():
-            got = getattr(self.outputs, name)
-            if bits(got) != bits(value) if name in REALS else got != value:
-                self.differing += 1
-                return
-
-
-def generated_source(folder, axis):
-    for source in sorted(pathlib.Path(folder).rglob(f"axis_{axis}*.c")):
-        if f"axis_{axis}_axis_step(" in source.read_text():
-            return source
-    sys.exit(f"no axis_{axis}_axis_step below {folder}")
-
-
 def main():
     samples = int(sys.argv[1]) if len(sys.argv) > 1 else 100_000
     folder = sys.argv[2] if len(sys.argv) > 2 else None
@@ -326,16 +282,11 @@ def main():
     for name in INTEGERS:
         axis = Axis(name)
         with tempfile.TemporaryDirectory() as work:
-            built = []
-            for compiler in ("gcc", "clang"):
-                for level in ("-O0", "-O2", "-O3"):
-                    title, library = f"{compiler} {level}", f"{work}/hand_{compiler}{level}.so"
-                    source = HERE / f"hand_{name}.c"
-                    built.append(Compiled(f"hand, {title}", f"hand_{name}", source, compiler, level, library))
-                    if folder is not None:
-                        source = generated_source(folder, name)
-                        library = f"{work}/generated_{compiler}{level}.so"
-                        built.append(Compiled(f"generated, {title}", name, source, compiler, level, library))
+            signals = INPUTS[name], OUTPUTS[name]
+            built = compile_all("hand", f"axis_hand_{name}_axis", HERE / f"hand_{name}.c", work, *signals)
+            if folder is not None:
+                block = f"axis_{name}_axis"
+                built += compile_all("generated", block, generated_source(folder, block), work, *signals)
             for i in stimulus(axis, samples):
                 expected = axis.step(i)
                 for one in built:

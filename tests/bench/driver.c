@@ -1,6 +1,7 @@
 /* Calls the step of one axis N times with a moving input, mode ON; prints a sum, so that nothing can be left out.
  *
- * AXIS_HEADER and AXIS come with -D, for example -DAXIS=axis_full -DAXIS_HEADER='"axis_full.h"'.
+ * AXIS_HEADER and AXIS come with -D, for example -DAXIS=axis_full -DAXIS_HEADER='"axis_full_ipc.h"', and READS_V_COMMAND
+ * where the axis reads it.
  */
 #include <stdint.h>
 #include <stdio.h>
@@ -33,9 +34,10 @@ int main(int argc, char **argv)
         /* within +-131072 um/s: no limit is reached, both signs occur */
         seed = seed * 1664525u + 1013904223u;
         inputs.v_motor = (double)((int32_t)(seed >> 14) - 131072);
+#ifdef READS_V_COMMAND
         seed = seed * 1664525u + 1013904223u;
         inputs.v_command = (double)((int32_t)(seed >> 14) - 131072);
-        inputs.v_direct = inputs.v_motor;
+#endif
         STEP(&state, &inputs, &outputs);
         sum += outputs.v_add;
     }

@@ -20,7 +20,7 @@ void AXIS(init)(axis_state *state)
 
 void AXIS(inputs_init)(axis_inputs *inputs)
 {
-    hand_axis_inputs_init(inputs, MODE_OFF);
+    *inputs = (axis_inputs){ .feedforward_percentage = 100, .position_controlled = true };
 }
 
 /* A cycle without a command position in range: the drive keeps the one that it has. */
@@ -75,12 +75,18 @@ void AXIS(step)(
         follow(state, inputs, outputs, INPUT_ERROR);
         return;
     }
-    const double x = feedforward_gain(inputs) * inputs->INPUT;
-    const double before = state->preset ? state->before : x;
-    state->preset = true;
+    const double x = feedforward_gain(inputs->feedforward_active, inputs->feedforward_percentage) * inputs->INPUT;
+    if (!state->preset) {
+        state->preset = true;
+        state->before = x;
+    }
+    const double before = state->before;
     state->before = x;
     state->x_held = inputs->x_command;
-    *outputs = (axis_outputs){ .x_drive = inputs->x_command };
+    outputs->x_drive = inputs->x_command;
+    outputs->error_id = 0u;
+    outputs->limited = false;
+    outputs->fault = false;
 
     const double increments = increments_per_input * (now * x + earlier * before);
     if (fabs(increments) < highest) {

@@ -10,7 +10,7 @@
  * A band-pass holds -b0: -b0 x, subtracted for y and added for s2, gives the same bits as b0 x added and subtracted, and
  * spares a register copy in every section.
  */
-#include "axis_hand_full.h"
+#include "axis_hand_full_ipc.h"
 
 #include <math.h>
 
@@ -99,7 +99,6 @@ void axis_hand_full_ipc_inputs_init(axis_hand_full_ipc_inputs *inputs)
 {
     inputs->v_command = 0.0;
     inputs->v_motor = 0.0;
-    inputs->v_direct = 0.0;
     inputs->mode = MODE_ON;
     inputs->position_controlled = true;
     inputs->reset = false;
@@ -121,7 +120,7 @@ static void idle(
     outputs->error_id = error_id;
 }
 
-/* Puts all sections where the present input, held constant, would have brought them. */
+/* Puts all sections where the present input, held constant, would have brought them: there they put out 0. */
 static void preset(
     axis_hand_full_ipc_state *restrict state,
     const axis_hand_full_ipc_inputs *restrict inputs)
@@ -240,7 +239,7 @@ static void act(
     if (magnitude > limit) {
         v = v > 0.0 ? limit : lower_limit;
         outputs->limited = true;
-    } else if (magnitude < rest) {
+    } else if (magnitude <= rest) {
         v = 0.0;
     }
     outputs->v_add_calculated = v;
@@ -275,14 +274,22 @@ static void step_not_on(
         idle(state, outputs, 12u);
         return;
     }
-    if (!inputs->position_controlled || inputs->reset || (inputs->mode == MODE_OFF && state->fade == 0u)) {
+    if (!inputs->position_controlled || inputs->reset) {
         idle(state, outputs, 0u);
         return;
     }
     if (!state->preset) {
-        preset(state, inputs);
-    } else if (state->fade > 0u) {
+        idle(state, outputs, 0u);
+        if (inputs->mode == MODE_DRYRUN) {
+            preset(state, inputs);
+        }
+        return;
+    }
+    if (state->fade > 0u) {
         state->fade -= 1u;
+    }
+    if (inputs->mode == MODE_OFF && state->fade == 0u) {
+        state->preset = false;
     }
     act(state, inputs, outputs);
 }
@@ -313,11 +320,12 @@ void axis_hand_full_ipc_step(
         return;
     }
     if (state->fade != FADE_CYCLES) { /* a full fade means preset sections */
-        if (state->preset) {
-            state->fade += 1u;
-        } else {
+        if (!state->preset) {
+            idle(state, outputs, 0u);
             preset(state, inputs);
+            return;
         }
+        state->fade += 1u;
     }
     act(state, inputs, outputs);
 }

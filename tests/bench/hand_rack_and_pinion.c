@@ -9,7 +9,7 @@
  * A band-pass holds -b0: -b0 x, subtracted for y and added for s2, gives the same bits as b0 x added and subtracted, and
  * spares a register copy in every section.
  */
-#include "axis_hand_rack_and_pinion.h"
+#include "axis_hand_rack_and_pinion_ipc.h"
 
 #include <math.h>
 
@@ -54,9 +54,7 @@ void axis_hand_rack_and_pinion_ipc_init(axis_hand_rack_and_pinion_ipc_state *sta
 
 void axis_hand_rack_and_pinion_ipc_inputs_init(axis_hand_rack_and_pinion_ipc_inputs *inputs)
 {
-    inputs->v_command = 0.0;
     inputs->v_motor = 0.0;
-    inputs->v_direct = 0.0;
     inputs->mode = MODE_ON;
     inputs->position_controlled = true;
     inputs->reset = false;
@@ -78,7 +76,7 @@ static void idle(
     outputs->error_id = error_id;
 }
 
-/* Puts all sections where the present input, held constant, would have brought them. */
+/* Puts all sections where the present input, held constant, would have brought them: there they put out 0. */
 static void preset(
     axis_hand_rack_and_pinion_ipc_state *restrict state,
     const axis_hand_rack_and_pinion_ipc_inputs *restrict inputs)
@@ -129,7 +127,7 @@ static void act(
     if (magnitude > limit) {
         v = v > 0.0 ? limit : lower_limit;
         outputs->limited = true;
-    } else if (magnitude < rest) {
+    } else if (magnitude <= rest) {
         v = 0.0;
     }
     outputs->v_add_calculated = v;
@@ -160,14 +158,22 @@ static void step_not_on(
         idle(state, outputs, 12u);
         return;
     }
-    if (!inputs->position_controlled || inputs->reset || (inputs->mode == MODE_OFF && state->fade == 0u)) {
+    if (!inputs->position_controlled || inputs->reset) {
         idle(state, outputs, 0u);
         return;
     }
     if (!state->preset) {
-        preset(state, inputs);
-    } else if (state->fade > 0u) {
+        idle(state, outputs, 0u);
+        if (inputs->mode == MODE_DRYRUN) {
+            preset(state, inputs);
+        }
+        return;
+    }
+    if (state->fade > 0u) {
         state->fade -= 1u;
+    }
+    if (inputs->mode == MODE_OFF && state->fade == 0u) {
+        state->preset = false;
     }
     act(state, inputs, outputs);
 }
@@ -194,11 +200,12 @@ void axis_hand_rack_and_pinion_ipc_step(
         return;
     }
     if (state->fade != FADE_CYCLES) { /* a full fade means preset sections */
-        if (state->preset) {
-            state->fade += 1u;
-        } else {
+        if (!state->preset) {
+            idle(state, outputs, 0u);
             preset(state, inputs);
+            return;
         }
+        state->fade += 1u;
     }
     act(state, inputs, outputs);
 }

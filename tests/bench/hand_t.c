@@ -6,7 +6,7 @@
  *
  * The coefficients are those that the generator prints.
  */
-#include "axis_hand_t.h"
+#include "axis_hand_t_axis.h"
 
 #define AXIS(name) axis_hand_t_axis_##name
 #define INPUT a_interpolator

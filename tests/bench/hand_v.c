@@ -6,7 +6,7 @@
  *
  * The coefficients are those that the generator prints.
  */
-#include "axis_hand_v.h"
+#include "axis_hand_v_axis.h"
 
 #define AXIS(name) axis_hand_v_axis_##name
 #define INPUT v_interpolator

@@ -9,7 +9,9 @@
  * where anything else is the case, so that none of that costs it a register.
  * The coefficients are those that the generator prints.
  */
-#include "axis_hand_x.h"
+#include "axis_hand_x_axis.h"
+
+#include "hand_axis.h"
 
 #define FADE_CYCLES 100u
 
@@ -56,7 +58,7 @@ void axis_hand_x_axis_init(axis_state *state)
 
 void axis_hand_x_axis_inputs_init(axis_inputs *inputs)
 {
-    hand_axis_inputs_init(inputs, MODE_ON);
+    *inputs = (axis_inputs){ .mode = MODE_ON, .feedforward_percentage = 100, .position_controlled = true };
 }
 
 OFTEN double bandpass(hand_section *section, double minus_b0, double a1, double a2, double x)
@@ -100,39 +102,47 @@ SELDOM void idle(axis_state *restrict state, axis_outputs *restrict outputs, uin
 }
 
 /* What the drive gets: of a velocity beyond the range, or at its lower end. */
-SELDOM void saturate(axis_outputs *restrict outputs, double increments)
+SELDOM void saturate(axis_outputs *restrict outputs, double increments, bool limited)
 {
     if (increments >= highest) {
         outputs->manipulated_variable = INT32_MAX;
-        outputs->limited = true;
+        limited = true;
     } else if (increments <= lowest) {
         outputs->manipulated_variable = INT32_MIN;
-        outputs->limited = true;
+        limited = true;
     } else {
         outputs->manipulated_variable = nearest(increments);
     }
+    outputs->limited = limited;
 }
 
 /* What the drive gets. */
-OFTEN void put_out(axis_outputs *restrict outputs, double velocity)
+OFTEN void put_out(axis_outputs *restrict outputs, double velocity, bool limited)
 {
     const double increments = increments_per_velocity * velocity;
     if (fabs(increments) < highest) {
         outputs->manipulated_variable = nearest(increments);
+        outputs->limited = limited;
     } else {
-        saturate(outputs, increments);
+        saturate(outputs, increments, limited);
     }
 }
 
 /* The sum of the stages within the limit; 0 for an axis at rest. */
-OFTEN double within_limit(axis_outputs *restrict outputs, double v)
+OFTEN double within_limit(bool *limited, double v)
 {
     const double magnitude = fabs(v);
-    if (magnitude > limit) {
-        outputs->limited = true;
+    *limited = magnitude > limit;
+    if (*limited) {
         return copysign(limit, v);
     }
     return magnitude <= rest ? 0.0 : v;
+}
+
+OFTEN void report(axis_outputs *restrict outputs, uint32_t error_id)
+{
+    outputs->fault = error_id != 0u;
+    outputs->error_id = error_id;
 }
 
 /* A cycle in which improved position control cannot act or is off. */
@@ -143,16 +153,17 @@ SELDOM void without_addition(
     state->fade = 0u;
     outputs->v_add = 0.0;
     outputs->v_add_calculated = 0.0;
-    if (error_id != 0u) { /* it stands before feedforward's */
-        outputs->fault = true;
-        outputs->error_id = error_id;
-    }
-    put_out(outputs, v_command);
+    report(outputs, error_id);
+    put_out(outputs, v_command, false);
 }
 
-/* Improved position control while its fade is not full, or will not be. */
+/* Improved position control while its fade is not full, or will not be. Its errors stand before feedforward's. */
 SELDOM void fade(
-    axis_state *restrict state, const axis_inputs *restrict inputs, axis_outputs *restrict outputs, double v_command)
+    axis_state *restrict state,
+    const axis_inputs *restrict inputs,
+    axis_outputs *restrict outputs,
+    double v_command,
+    uint32_t error_id)
 {
     const int32_t mode = inputs->mode;
     if (mode != MODE_OFF && mode != MODE_ON && mode != MODE_DRYRUN) {
@@ -165,13 +176,14 @@ SELDOM void fade(
     }
     if (!state->preset) {
         if (mode == MODE_OFF) {
-            without_addition(state, outputs, v_command, 0u);
+            without_addition(state, outputs, v_command, error_id);
             return;
         }
         preset(state, inputs->v_motor);
         outputs->v_add = 0.0;
         outputs->v_add_calculated = 0.0;
-        put_out(outputs, v_command);
+        report(outputs, error_id);
+        put_out(outputs, v_command, false);
         return;
     }
     if (mode == MODE_ON) {
@@ -182,7 +194,8 @@ SELDOM void fade(
     if (mode == MODE_OFF && state->fade == 0u) {
         state->preset = false;
     }
-    const double v = within_limit(outputs, run_stages(state, inputs->v_motor));
+    bool limited;
+    const double v = within_limit(&limited, run_stages(state, inputs->v_motor));
     double v_add = v;
     if (state->fade == 0u) {
         v_add = 0.0;
@@ -191,7 +204,8 @@ SELDOM void fade(
     }
     outputs->v_add = v_add;
     outputs->v_add_calculated = mode == MODE_OFF ? 0.0 : v;
-    put_out(outputs, v_command + v_add);
+    report(outputs, error_id);
+    put_out(outputs, v_command + v_add, limited);
 }
 
 void axis_hand_x_axis_step(
@@ -213,31 +227,26 @@ void axis_hand_x_axis_step(
         idle(state, outputs, 0u);
         return;
     }
-    outputs->x_drive = 0.0;
-    outputs->xerr = 0;
-    outputs->additive_velocity = 0;
-    outputs->additive_torque = 0;
-    outputs->limited = false;
-    outputs->fault = false;
-    outputs->error_id = 0u;
-
+    uint32_t error_id = 0u;
     double v_feedforward = 0.0;
     if (!in_range(inputs->v_interpolator) || !in_range(inputs->a_interpolator)) {
-        outputs->fault = true;
-        outputs->error_id = in_range(inputs->a_interpolator) ? 14u : 15u;
+        error_id = in_range(inputs->a_interpolator) ? 14u : 15u;
     } else {
-        v_feedforward = feedforward_gain(inputs) * (inputs->v_interpolator + t_a * inputs->a_interpolator);
+        v_feedforward = feedforward_gain(inputs->feedforward_active, inputs->feedforward_percentage)
+            * (inputs->v_interpolator + t_a * inputs->a_interpolator);
     }
     const double v_command = kv * (inputs->x_command - inputs->x_actual) + v_feedforward;
     outputs->v_feedforward = v_feedforward;
     outputs->v_command = v_command;
 
     if (inputs->mode != MODE_ON || state->fade != FADE_CYCLES || !in_range(inputs->v_motor)) {
-        fade(state, inputs, outputs, v_command);
+        fade(state, inputs, outputs, v_command, error_id);
         return;
     }
-    const double v_add = within_limit(outputs, run_stages(state, inputs->v_motor));
+    bool limited;
+    const double v_add = within_limit(&limited, run_stages(state, inputs->v_motor));
     outputs->v_add = v_add;
     outputs->v_add_calculated = v_add;
-    put_out(outputs, v_command + v_add);
+    report(outputs, error_id);
+    put_out(outputs, v_command + v_add, limited);
 }

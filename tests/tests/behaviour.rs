@@ -103,6 +103,7 @@ fn largest(mode: Mode, filter: [Filter; 2]) -> f64 {
         ipc,
         control: generator::axis::Control::default(),
         canonical: String::new(),
+        canonical_of: Default::default(),
     };
     let coeffs = Designed::from(axis).ipc;
     let (mut state, mut outputs) = (<Ipc as Block<f64>>::state(), <Ipc as Block<f64>>::outputs());

@@ -236,12 +236,15 @@ fn a_coefficient_that_is_off_by_one_bit_is_found() {
         // One that reaches an output that is a real number: a part of a filter, else a weight, else a gain.
         let wanted = ["stage[", "velocity_delay.before", "weight_per_percent", "kv", "lag"];
         let found = wanted.iter().find_map(|part| constants.iter().position(|constant| constant.path.contains(part)));
-        let coefficient = &mut constants[found.expect("every block has one of them")];
-        coefficient.value = match coefficient.value {
-            Literal::F64(value) => Literal::F64(f64::from_bits(value.to_bits() ^ 1)),
-            Literal::F32(value) => Literal::F32(f32::from_bits(value.to_bits() ^ 1)),
-            other => panic!("{other:?} is no coefficient"),
-        };
+        let path = constants[found.expect("every block has one of them")].path.clone();
+        let own = &mut case.block.own.program.constants;
+        for coefficient in constants.iter_mut().chain(own).filter(|constant| constant.path == path) {
+            coefficient.value = match coefficient.value {
+                Literal::F64(value) => Literal::F64(f64::from_bits(value.to_bits() ^ 1)),
+                Literal::F32(value) => Literal::F32(f32::from_bits(value.to_bits() ^ 1)),
+                other => panic!("{other:?} is no coefficient"),
+            };
+        }
         let inputs = inputs(&case, VECTOR_SAMPLES);
         let expected = run(&case, Engine::Reference, &inputs);
         // A limit of 0 lets nothing through in which a difference could show, and an additive torque is an integer.

@@ -4,34 +4,20 @@
 use axgen_tests::cases::{all, title};
 use compiler::print::signals;
 use compiler::print::st::SCL;
-use generator::generate::header;
-use generator::target::{block_name, named};
+use generator::target::File;
 use golden::case::{self, Case, VECTOR_SAMPLES};
-use golden::engine::{self, Engine};
-use golden::samples::{Samples, Shape};
+use golden::engine::{self, Engine, emitted};
+use golden::samples::Samples;
 use rayon::prelude::*;
-use st::{Block, Dialect, Signal};
+use st::Dialect;
 use std::collections::BTreeSet;
 
 /// What a text of a case's block answers.
-fn answers(case: &Case, text: &str, inputs: &Samples, outputs: &Shape) -> Samples {
-    let program = &case.block.program;
-    let name = format!("FB_{}", block_name(&case.axis.axis.name, program.block));
-    let block = Block::read(Dialect::Scl, text, &name, program.real).unwrap_or_else(|mistakes| panic!("{mistakes:?}"));
-    let names = signals(program, &SCL);
-    let [inputs_of, outputs_of] = [(&inputs.shape, &names[0]), (outputs, &names[1])].map(|(shape, names)| {
-        let signals = shape.signals.iter().zip(names).map(|(signal, name)| (name.as_str(), signal.start));
-        signals.collect::<Vec<Signal<'_>>>()
-    });
-    let mut instance = block.start(&inputs_of, &outputs_of, &[]).unwrap_or_else(|mistakes| panic!("{mistakes:?}"));
-    let mut answers = Samples::with_capacity(outputs.clone(), inputs.len());
-    let (mut values, mut results) = (Vec::new(), Vec::new());
-    for sample in 0..inputs.len() {
-        inputs.read(sample, &mut values);
-        instance.cycle(&values, &mut results);
-        answers.push(&results);
-    }
-    answers
+fn answers(case: &Case, text: &str, inputs: &Samples) -> Samples {
+    let file = File { name: "scl".to_owned(), text: text.to_owned() };
+    let read = emitted::read(Dialect::Scl, &file, &case.axis, &case.block);
+    let answers = read.and_then(|read| emitted::run_read(Dialect::Scl, &read, &case.block, inputs));
+    answers.unwrap_or_else(|failure| panic!("{}: {failure}", title(case)))
 }
 
 /// The lines of a text that assign a zero to an output.
@@ -56,19 +42,20 @@ fn a_zero_of_the_other_sign_is_seen_in_the_outputs() {
     let (planted, seen): (BTreeSet<String>, BTreeSet<String>) = all()
         .par_iter()
         .map(|case| {
-            let inputs = case::inputs(case, VECTOR_SAMPLES).unwrap_or_else(|mistake| panic!("{mistake}"));
+            let mut inputs = case::inputs(case, VECTOR_SAMPLES).unwrap_or_else(|mistake| panic!("{mistake}"));
+            case.block.trial_inputs().iter().for_each(|sample| inputs.push(sample));
             let expected = engine::run(Engine::Reference, &case.axis, &case.block, &inputs)
                 .unwrap_or_else(|failure| panic!("{}: {failure}", title(case)));
-            let scl = named("scl").unwrap();
-            let text = scl.files(&header(&case.axis.axis), std::slice::from_ref(&case.block)).unwrap().remove(0).text;
-            assert!(answers(case, &text, &inputs, &expected.shape) == expected, "{}", title(case));
-            let [_, outputs] = signals(&case.block.program, &SCL);
+            let [file, _] = emitted::files(Dialect::Scl, &case.axis, &case.block).unwrap();
+            let text = file.text;
+            assert!(answers(case, &text, &inputs) == expected, "{}", title(case));
+            let [_, outputs] = signals(&case.block.own.program, &SCL);
             let (mut planted, mut seen) = (BTreeSet::new(), BTreeSet::new());
             for (at, line) in zeros(&text, &outputs) {
                 let mut changed = text.clone();
-                changed.replace_range(at..at + line.len(), &line.replace("0.0", "-0.0"));
+                changed.replace_range(at..at + line.len(), &line.replace("0.0", "-1.0 * 0.0"));
                 let place = format!("{}: {}", case.block.program.block, line.trim_end());
-                if answers(case, &changed, &inputs, &expected.shape) != expected {
+                if answers(case, &changed, &inputs) != expected {
                     seen.insert(place.clone());
                 }
                 planted.insert(place);

@@ -2,10 +2,11 @@
 
 use crate::exit::Exit;
 use crate::output;
-use compiler::legalise;
 use compiler::pass::{self, Defect};
+use compiler::program::Program;
 use generator::blocks::{self, Designed};
 use generator::target::{self, TARGETS};
+use std::borrow::Cow;
 
 /// The stages, in the order of the pipeline; at last the programs as the targets with passes of their own print them.
 fn stages() -> Vec<&'static str> {
@@ -38,12 +39,16 @@ pub fn run<'a>(axes: impl Iterator<Item = &'a Designed>, stage: &str) -> Result<
 
 /// Prints the programs of an axis after a pass, or for a target; none: as the specialiser gives them.
 fn print(designed: &Designed, last: Option<&str>) -> Result<(), Exit> {
-    let passes = last.and_then(target::named).map_or(&[][..], |target| target.passes);
-    let last = if passes.is_empty() { last } else { Some("verified") };
-    for kind in blocks::of_axis(&designed.axis) {
-        let program = kind.program(designed, last).unwrap_or_else(|defect| broken(&defect));
-        let legal = legalise::run(&program, passes).unwrap_or_else(|defect| broken(&defect));
-        let (name, text) = (&designed.axis.name, legal.to_string());
+    let programs = match last.and_then(target::named) {
+        Some(target) => {
+            let blocks = blocks::blocks(designed).unwrap_or_else(|defect| broken(&defect));
+            blocks.iter().map(|block| target.program(block).map(Cow::into_owned)).collect()
+        }
+        None => blocks::of_axis(&designed.axis).map(|kind| kind.program(designed, last)).collect(),
+    };
+    let programs: Vec<Program> = Result::unwrap_or_else(programs, |defect| broken(&defect));
+    for program in programs {
+        let (name, text) = (&designed.axis.name, program.to_string());
         output::line(format!("# axis {name}: {}\n{}", program.block, text.trim_end()))?;
     }
     Ok(())

@@ -3,9 +3,9 @@
 //! They name the axes that are written, and those whose files are in the folder already: what TwinCAT's project file names is
 //! there, whichever axes were written one by one, and writing one anew takes none out: docs/decisions/0017-single-axes.md.
 
-use generator::blocks::{self, Designed};
+use generator::blocks::Designed;
 use generator::diagnostics::Slashes;
-use generator::generate::{header, units};
+use generator::generate::{axis_files, units};
 use generator::pipeline::Set;
 use generator::target::{self, Target};
 use rayon::prelude::*;
@@ -62,7 +62,7 @@ fn is_there(designed: &Designed, target: &Target, out: &Path, files: &str) -> bo
     if !files.contains(&target::stem(&designed.axis.name)) {
         return false;
     }
-    let files = blocks::blocks(designed).and_then(|blocks| target.files(&header(&designed.axis), &blocks));
+    let files = axis_files(designed, slice::from_ref(target));
     let files = files.unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
     !files.is_empty() && files.iter().all(|file| out.join(&file.name).is_file())
 }

@@ -104,8 +104,7 @@ impl Run {
         for &engine in engines {
             bar.set_message(format!("{} {} {engine}", axis.name, block.program.block));
             let is_missing = self.missing.contains_key(&engine);
-            let found =
-                if is_missing { None } else { Some(engine::run_among(engine, designed, blocks, which, inputs)) };
+            let found = if is_missing { None } else { Some(engine::run(engine, designed, &blocks[which], inputs)) };
             let (bits, first) = match found {
                 Some(Ok(found)) => {
                     let difference = compare(expected.as_ref().unwrap_or(&found), &found);

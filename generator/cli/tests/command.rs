@@ -69,13 +69,14 @@ fn generate_says_what_it_made() {
          stage[0] DIRECT from v_motor: BANDPASS CRIT_DAMPING order 1 at 53 Hz, Q 10, weight 3\n  \
          stage[1] INDIRECT from v_motor, damping 0.8: BANDPASS CRIT_DAMPING order 1 at 11 Hz, Q 2, weight 1.9\n  \
          stage[2] NOT_ACTIVE\n\
-         generated/axis_rack_and_pinion.h\n\
-         generated/axis_rack_and_pinion.c\n\
-         generated/axis_rack_and_pinion.st\n\
-         1 axis: 3 files written, 0 unchanged, 0 warnings\n"
+         generated/axis_rack_and_pinion_ipc.h\n\
+         generated/axis_rack_and_pinion_ipc.c\n\
+         generated/axis_rack_and_pinion_ipc.st\n\
+         generated/axis_rack_and_pinion_ipc_self_test.st\n\
+         1 axis: 4 files written, 0 unchanged, 0 warnings\n"
     );
     assert_eq!((run.code, run.err.as_str()), (0, ""));
-    assert_eq!(files(&folder.path().join("generated")).len(), 3, "and nothing else is left in the folder");
+    assert_eq!(files(&folder.path().join("generated")).len(), 4, "and nothing else is left in the folder");
 }
 
 #[test]
@@ -118,21 +119,21 @@ fn a_file_that_was_edited_by_hand_is_kept() {
     let folder = folder();
     let arguments = ["generate", "rack-and-pinion.lis", "--cycle-time", "1ms"];
     axgen(folder.path(), &arguments);
-    edit(folder.path(), "generated/axis_rack_and_pinion.c", "gain = -3.0;", "gain = -2.0;");
+    edit(folder.path(), "generated/axis_rack_and_pinion_ipc.c", "gain = -3.0;", "gain = -2.0;");
     edit(folder.path(), "rack-and-pinion.lis", "fg_f0      53 ", "fg_f0      54 ");
-    let header = read(folder.path(), "generated/axis_rack_and_pinion.h");
+    let header = read(folder.path(), "generated/axis_rack_and_pinion_ipc.h");
     let run = axgen(folder.path(), &arguments);
     assert_eq!(run.code, 2);
     assert_eq!(
         run.err,
-        "generated/axis_rack_and_pinion.c: error[AX013]: was changed by hand after it had been generated; nothing was written\n    \
+        "generated/axis_rack_and_pinion_ipc.c: error[AX013]: was changed by hand after it had been generated; nothing was written\n    \
          write instead: the change in what the file is made from; or overwrite it with --force\n"
     );
-    assert!(read(folder.path(), "generated/axis_rack_and_pinion.c").contains("gain = -2.0;"));
-    assert_eq!(read(folder.path(), "generated/axis_rack_and_pinion.h"), header);
+    assert!(read(folder.path(), "generated/axis_rack_and_pinion_ipc.c").contains("gain = -2.0;"));
+    assert_eq!(read(folder.path(), "generated/axis_rack_and_pinion_ipc.h"), header);
     let forced = axgen(folder.path(), &[&arguments[..], &["--force"]].concat());
     assert_eq!(forced.code, 0, "{}", forced.err);
-    assert!(read(folder.path(), "generated/axis_rack_and_pinion.c").contains("gain = -3.0;"));
+    assert!(read(folder.path(), "generated/axis_rack_and_pinion_ipc.c").contains("gain = -3.0;"));
 }
 
 #[test]

@@ -61,7 +61,7 @@ fn a_folder_without_the_permission_to_write_is_the_environment() {
     fs::set_permissions(folder.path(), fs::Permissions::from_mode(0o755)).unwrap();
     let out = folder.path().join("out");
     fs::create_dir(&out).unwrap();
-    fs::write(out.join("axis_a0.c"), "").unwrap();
+    fs::write(out.join("axis_a0_ipc.c"), "").unwrap();
     fs::set_permissions(&out, fs::Permissions::from_mode(0o555)).unwrap();
     // The folder of the build may be closed to others.
     let program = folder.path().join("axgen");
@@ -76,7 +76,7 @@ fn a_folder_without_the_permission_to_write_is_the_environment() {
         assert_eq!(code, Some(3), "{said}");
         assert!(said.contains("Permission denied") && said.ends_with("nothing was written"), "{said}");
     }
-    assert_eq!(content(&out), BTreeMap::from([("axis_a0.c".to_owned(), String::new())]));
+    assert_eq!(content(&out), BTreeMap::from([("axis_a0_ipc.c".to_owned(), String::new())]));
     fs::set_permissions(&out, fs::Permissions::from_mode(0o755)).unwrap();
 }
 
@@ -86,7 +86,7 @@ fn a_folder_without_the_permission_to_write_is_the_environment() {
 fn a_folder_of_the_system_is_the_environment() {
     let (code, said) = said(&axgen(folder(1).path(), &generate("1ms.toml", "/proc")));
     assert_eq!(code, Some(3), "{said}");
-    assert!(said.starts_with("/proc/axis_a0.h: ") && said.ends_with("nothing was written"), "{said}");
+    assert!(said.starts_with("/proc/axis_a0_ipc.h: ") && said.ends_with("nothing was written"), "{said}");
 }
 
 /// A limit on the size of files gives the errors of a full disk, at any byte of any file.

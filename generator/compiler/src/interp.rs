@@ -24,16 +24,26 @@ impl<'p> Machine<'p> {
             state: values(&program.state),
             locals: vec![None; program.locals.len()],
         };
-        machine.run(&program.init);
+        machine.run(&program.init, &mut |_, _| {});
         machine
     }
 
     /// One cycle.
     pub fn step(&mut self, inputs: &[Literal], outputs: &mut Vec<Literal>) {
+        self.step_watched(inputs, outputs, &mut |_, _| {});
+    }
+
+    /// One cycle; `watch` gets every output that is written, by its position, with its new value, when it is written.
+    pub fn step_watched(
+        &mut self,
+        inputs: &[Literal],
+        outputs: &mut Vec<Literal>,
+        watch: &mut impl FnMut(usize, Literal),
+    ) {
         self.inputs.clear();
         self.inputs.extend_from_slice(inputs);
         self.locals.fill(None);
-        self.run(&self.program.step);
+        self.run(&self.program.step, watch);
         outputs.clear();
         outputs.extend_from_slice(&self.outputs);
     }
@@ -52,14 +62,17 @@ impl<'p> Machine<'p> {
         self.state.copy_from_slice(state);
     }
 
-    fn run(&mut self, statements: &'p [Statement]) {
+    fn run(&mut self, statements: &'p [Statement], watch: &mut impl FnMut(usize, Literal)) {
         for statement in statements {
             match statement {
                 Statement::Note(_) => {}
                 Statement::Assign { target, value } => {
                     let value = self.value(value);
                     match *target {
-                        Var::Output(index) => self.outputs[index] = value,
+                        Var::Output(index) => {
+                            self.outputs[index] = value;
+                            watch(index, value);
+                        }
                         Var::State(index) => self.state[index] = value,
                         Var::Local(index) => self.locals[index] = Some(value),
                         Var::Input(_) | Var::Constant(_) => panic!("interp: {target:?} is written"),
@@ -67,7 +80,7 @@ impl<'p> Machine<'p> {
                 }
                 Statement::If { condition, then, otherwise } => {
                     let holds = self.value(condition) == Literal::Bool(true);
-                    self.run(if holds { then } else { otherwise });
+                    self.run(if holds { then } else { otherwise }, watch);
                 }
             }
         }

@@ -1,8 +1,8 @@
 //! Names and comments, as a printed block has them.
 
+use compiler::print::Printer;
 use compiler::print::c::LANGUAGE;
 use compiler::print::comment::{harmless, wrapped};
-use compiler::print::{Names, constants};
 use compiler::program::{Constant, Origin, Program};
 use portable::{Literal, RealKind};
 
@@ -34,6 +34,8 @@ fn a_name_is_given_once() {
         init: Vec::new(),
         step: Vec::new(),
     };
-    let taken = constants(&program, "", &mut Names::new(&LANGUAGE));
-    assert_eq!(taken, ["a0_b", "float_value", "A0_B_2", "float_2", "a0_b_3"]);
+    assert_eq!(
+        Printer::new(&program, &LANGUAGE).names().constants,
+        ["a0_b", "float_value", "A0_B_2", "float_2", "a0_b_3"]
+    );
 }

@@ -10,6 +10,7 @@ pub use reference::position_control::Location;
 
 use crate::parameters::words::{RealType, Words};
 use portable::RealKind;
+use std::collections::BTreeMap;
 
 /// An axis, ready to be designed.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,8 +23,10 @@ pub struct Axis {
     pub cycle_time_ns: u32,
     pub ipc: Ipc,
     pub control: Control,
-    /// every effective parameter, one `path value` a line, in the order of the parameter table: what the digest covers
+    /// every effective parameter, one `path value` a line, in the order of the parameter table
     pub canonical: String,
+    /// those of each block that does not use all of them, by its name
+    pub canonical_of: BTreeMap<&'static str, String>,
 }
 
 impl Axis {
@@ -33,6 +36,11 @@ impl Axis {
             RealKind::F64 => RealType::F64.name(),
             RealKind::F32 => RealType::F32.name(),
         }
+    }
+
+    /// The effective parameters of a block: what its digest covers.
+    pub fn canonical_of(&self, block: &str) -> &str {
+        self.canonical_of.get(block).unwrap_or(&self.canonical)
     }
 
     /// Position-controller cycle Ts [s].

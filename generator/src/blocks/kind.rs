@@ -4,8 +4,9 @@ use super::designed::Designed;
 use super::values::{self, Values};
 use crate::noise::{Run, Running};
 use crate::self_test::{self, SelfTest};
-use crate::vector::{self, Recording};
+use crate::trial::{self, Recording};
 use crate::{axis::Axis, design::rounding::rounded};
+use compiler::legalise::{self, Own};
 use compiler::pass::{self, Defect};
 use compiler::{leaves, program::Program, specialise};
 use portable::{Block as Reference, Literal, Real, RealKind};
@@ -24,8 +25,18 @@ pub trait Part: Sync {
     /// What its coefficients mean: a path among them, or the beginning of one, and a text.
     fn notes(&self, designed: &Designed) -> Vec<(String, String)>;
 
+    /// What it takes from other blocks of its axis beside parameters, for the digest.
+    fn terms(&self, _: &Axis) -> String {
+        String::new()
+    }
+
     /// The ranges of the noise on its real inputs in a self-test: where no limit acts, and where limits do.
     fn ranges(&self, designed: &Designed) -> [f64; 2];
+
+    /// How many cycles it takes from its start until it acts in full.
+    fn start_cycles(&self, _: &Designed) -> usize {
+        0
+    }
 
     /// What it does, for the summary of an axis.
     fn summary(&self, designed: &Designed) -> Summary;
@@ -94,13 +105,22 @@ pub trait Kind: Part {
 pub struct Block {
     /// verified
     pub program: Program,
+    /// the same with the signals that the axis has
+    pub own: Own,
     /// what the coefficients under a path mean, for a reviewer
     pub(crate) notes: BTreeMap<String, String>,
     pub(crate) self_test: SelfTest,
     /// a recorded run
-    pub vector: Recording,
+    pub(crate) trial: Recording,
     /// what is certain of its range, and its measured response, in words
     pub certificate: Vec<String>,
+}
+
+impl Block {
+    /// The inputs of the run that its self-test on the controller has, sample by sample.
+    pub fn trial_inputs(&self) -> Vec<Vec<Literal>> {
+        self.trial.inputs()
+    }
 }
 
 impl<P: Part + Reference<f64> + Reference<f32> + 'static> Kind for P {
@@ -158,8 +178,10 @@ fn block<R: Real, P: Part + Reference<f64> + Reference<R>>(part: &P, designed: &
     let specialised = specialise::block::<R, P>(&coeffs(), &notes);
     let paths: Vec<String> = specialised.state.iter().map(|variable| variable.path.clone()).collect();
     let program = pass::run(specialised, None)?;
-    let self_test = self_test::record::<R, P>(coeffs(), &program, &paths, ranges);
+    let own = legalise::own(&program)?;
+    let self_test = self_test::record::<R, P>(coeffs(), &own, &paths, ranges);
     let certificate = part.certificate(designed, &program);
-    let vector = vector::recording::<R, P>(coeffs(), ranges);
-    Ok(Block { program, notes, self_test, vector, certificate })
+    let start = part.start_cycles(designed);
+    let trial = trial::recording::<R, P>(coeffs(), (&program, &own), &paths, ranges, start);
+    Ok(Block { program, own, notes, self_test, trial, certificate })
 }

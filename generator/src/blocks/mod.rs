@@ -23,6 +23,7 @@ pub(crate) use values::{Value, differences};
 
 use crate::axis::Axis;
 use compiler::pass::Defect;
+use portable::Block as Reference;
 
 /// All blocks, in the order in which an axis needs them.
 pub(crate) const BLOCKS: [&dyn Kind; 4] = [
@@ -31,6 +32,11 @@ pub(crate) const BLOCKS: [&dyn Kind; 4] = [
     &reference::position_control::PositionControl,
     &reference::axis::Axis,
 ];
+
+/// The blocks whose parameters are known one by one; any other block depends on all parameters of its axis.
+pub(crate) const IPC: &str = <reference::ipc::Ipc as Reference<f64>>::NAME;
+pub(crate) const FEEDFORWARD: &str = <reference::feedforward::Feedforward as Reference<f64>>::NAME;
+pub(crate) const POSITION_CONTROL: &str = <reference::position_control::PositionControl as Reference<f64>>::NAME;
 
 /// The blocks that the parameters of an axis ask for.
 pub fn of_axis(axis: &Axis) -> impl Iterator<Item = &'static dyn Kind> {

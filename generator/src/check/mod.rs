@@ -16,6 +16,7 @@ pub(crate) mod inert;
 
 use crate::axis::{Axis, Control, Ipc};
 use crate::blocks::ipc::check as ipc;
+use crate::blocks::{FEEDFORWARD, IPC, POSITION_CONTROL};
 use crate::blocks::{feedforward::check as feedforward, position_control::check as position_control};
 use crate::codes;
 use crate::config::values::{Values, key};
@@ -65,15 +66,19 @@ pub(crate) fn axis<'v>(name: &str, cycle_time: Option<u32>, values: &'v Values, 
         RealType::F64 => RealKind::F64,
         RealType::F32 => RealKind::F32,
     });
+    let axis_type = effective.word(key(Name::AxisType));
     gear::check(&mut effective);
     changeover(&mut effective);
+    effective.block = Some(IPC);
     let ipc = ipc::check(&mut effective, cycle_time, real);
-    let control = control(&mut effective, cycle_time, ipc.as_ref());
+    let control = control(&mut effective, cycle_time, axis_type, ipc.as_ref());
     let gear = control.as_ref().map_or(0, |(_, gear)| *gear);
     let axis = match (real, cycle_time, ipc, control) {
         (Some(real), Some(cycle_time_ns), Some(ipc), Some((control, _))) if !effective.report.has_errors() => {
-            let canonical = effective.canonical();
-            Some(Axis { name: name.to_owned(), real, cycle_time_ns, ipc, control, canonical })
+            let blocks = [IPC, FEEDFORWARD, POSITION_CONTROL];
+            let (canonical, own) = effective.canonical(blocks);
+            let canonical_of = blocks.into_iter().zip(own).collect();
+            Some(Axis { name: name.to_owned(), real, cycle_time_ns, ipc, control, canonical, canonical_of })
         }
         _ => None,
     };
@@ -97,9 +102,14 @@ fn changeover(e: &mut Effective<'_>) {
 }
 
 /// Feedforward, position control and gantry, with the gear step; none: an error, which has been said.
-fn control(e: &mut Effective<'_>, cycle_time: Option<u32>, ipc: Option<&Ipc>) -> Option<(Control, u32)> {
+fn control(
+    e: &mut Effective<'_>,
+    cycle_time: Option<u32>,
+    axis_type: Option<AxisType>,
+    ipc: Option<&Ipc>,
+) -> Option<(Control, u32)> {
     let number = e.validated_integer(key(Name::AxisNumber))?;
-    let is_rotary = match e.validated_word(key(Name::AxisType)) {
+    let is_rotary = match axis_type {
         Some(AxisType::Translator) | None => false,
         Some(AxisType::Rotator | AxisType::Spindle) => true,
     };
@@ -110,7 +120,13 @@ fn control(e: &mut Effective<'_>, cycle_time: Option<u32>, ipc: Option<&Ipc>) ->
     }
     // Without a drive, which has been said, the rest is validated all the same.
     let drive = drive::check(e).unwrap_or_default();
+    // Of every block the self-test moves within the axis's largest velocity.
+    let v_max = (Name::VbMax, [drive.gear, 0]);
+    e.block = Some(FEEDFORWARD);
+    e.integer(v_max);
     let feedforward = feedforward::check(e, cycle_time, &drive)?;
+    e.block = Some(POSITION_CONTROL);
+    e.integer(v_max);
     let position_control = position_control::check(e, &drive, ipc, feedforward.as_ref(), master.is_some())?;
     let is_active = ipc.is_some_and(Ipc::is_active) && master.is_none();
     let assumed = e.assumed(|name| assumed::is_told(name, is_active));

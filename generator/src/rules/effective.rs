@@ -5,7 +5,8 @@ use crate::config::values::{Key, Setting, Values};
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Name, Value, path_with};
 use crate::{codes, config::value, parameters::words::Words};
-use std::{collections::BTreeMap, path::Path};
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
 
 /// What an axis was given, what was said about it, and what of it its block uses.
 #[derive(Debug)]
@@ -13,12 +14,21 @@ pub(crate) struct Effective<'a> {
     values: &'a Values,
     home: Place,
     pub(crate) report: Report,
-    used: BTreeMap<Key, String>,
+    /// the block whose rules are looked at; none: all blocks depend on what is used
+    pub(crate) block: Option<&'static str>,
+    used: BTreeMap<Key, Used>,
+}
+
+/// A value that blocks use.
+#[derive(Debug, Default)]
+struct Used {
+    text: String,
+    by: BTreeSet<Option<&'static str>>,
 }
 
 impl<'a> Effective<'a> {
     pub(crate) fn new(values: &'a Values, home: Place) -> Self {
-        Self { values, home, report: Report::default(), used: BTreeMap::new() }
+        Self { values, home, report: Report::default(), block: None, used: BTreeMap::new() }
     }
 
     pub(crate) fn given(&self, key: Key) -> Option<&'a Setting> {
@@ -161,23 +171,35 @@ impl<'a> Effective<'a> {
     /// What a block uses and nobody gave: `vb_max 200000 (P-AXIS-00212)`.
     pub(crate) fn assumed(&self, is_told: impl Fn(Name) -> bool) -> Vec<String> {
         let used = self.used.iter().filter(|(key, _)| is_told(key.0) && self.given(**key).is_none());
-        let text = |((name, _), value): (&Key, &String)| {
+        let text = |((name, _), Used { text, .. }): (&Key, &Used)| {
             let parameter = name.parameter();
-            format!("{} {value} ({})", parameter.short(), parameter.id.unwrap_or_default())
+            format!("{} {text} ({})", parameter.short(), parameter.id.unwrap_or_default())
         };
         used.map(text).collect()
     }
 
-    /// Takes a value that a block uses into the canonical form.
+    /// Takes a value that the block uses into the canonical form.
     pub(crate) fn note(&mut self, key: Key, value: &Value) {
-        self.used.insert(key, value.text());
+        let used = self.used.entry(key).or_default();
+        used.text = value.text();
+        used.by.insert(self.block);
     }
 
-    /// What the block uses: one `path value` a line, in the order of the table, independent of how it was written.
-    pub(crate) fn canonical(&self) -> String {
-        let line =
-            |((name, index), text): (&Key, &String)| format!("{} {text}\n", path_with(name.parameter().path, *index));
-        self.used.iter().map(line).collect()
+    /// What all blocks use: one `path value` a line, in the order of the table, independent of how it was written; and what each of
+    /// some blocks uses.
+    pub(crate) fn canonical<const N: usize>(&self, blocks: [&'static str; N]) -> (String, [String; N]) {
+        let mut all = String::new();
+        let mut own = [const { String::new() }; N];
+        for ((name, index), used) in &self.used {
+            let line = format!("{} {}\n", path_with(name.parameter().path, *index), used.text);
+            for (own, block) in own.iter_mut().zip(blocks) {
+                if used.by.contains(&None) || used.by.contains(&Some(block)) {
+                    own.push_str(&line);
+                }
+            }
+            all.push_str(&line);
+        }
+        (all, own)
     }
 }
 

@@ -1,10 +1,10 @@
-//! The two files of an axis in C.
+//! The two files of a block in C.
 
 use super::outline::{COMMENT_WIDTH, Group, Member, Outline};
-use super::{File, Header, Legal, block_name, rendered, stem};
+use super::{File, Header, Legal, block_name, rendered};
 use crate::self_test::SelfTest;
 use askama::Template;
-use compiler::print::{self, Appearance, Names, Printer, c::LANGUAGE, comment};
+use compiler::print::{Appearance, Printer, c::LANGUAGE, comment};
 use compiler::program::{Expr, Program, Type, Variable};
 use portable::{Intrinsic, Literal, RealKind};
 
@@ -14,6 +14,7 @@ use portable::{Intrinsic, Literal, RealKind};
 struct CFile<'a, T: Template> {
     file: &'a str,
     axis: &'a Header,
+    block: &'static str,
     real: &'a str,
     body: T,
 }
@@ -22,7 +23,7 @@ struct CFile<'a, T: Template> {
 #[template(path = "c/header_body.h")]
 struct CHeader<'a> {
     guard: String,
-    blocks: &'a [CBlock<'a>],
+    block: &'a CBlock<'a>,
 }
 
 #[derive(Template)]
@@ -36,15 +37,13 @@ struct CSource<'a> {
     /// what the numbers of this real type and the compilers' own functions for it end with
     suffix: &'a str,
     nearly_half: String,
-    blocks: &'a [CBlock<'a>],
+    block: &'a CBlock<'a>,
 }
 
-/// One block with its self-test.
+/// A block with its self-test.
 struct CBlock<'a> {
-    /// what all its names begin with
+    /// what the names that its caller sees begin with
     prefix: String,
-    /// what the names of the functions beside its self-test begin with
-    name: &'static str,
     inputs: Vec<Member>,
     outputs: Vec<Member>,
     state: Vec<Member>,
@@ -63,37 +62,32 @@ struct CBlock<'a> {
     watched: Vec<String>,
 }
 
-/// The header and the source of an axis.
-pub(super) fn files(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
-    let stem = stem(&axis.name);
-    let (header, source) = (format!("{stem}.h"), format!("{stem}.c"));
-    // A source file is one scope: where several blocks share it, the numbers of each have its name before theirs.
-    let mut names = Names::new(&LANGUAGE);
-    let prefix = |block: &Legal<'_>| if blocks.len() > 1 { block.program.block } else { "" };
-    let constants: Vec<Vec<String>> =
-        blocks.iter().map(|block| print::constants(&block.program, prefix(block), &mut names)).collect();
-    let text = |(block, constants)| block_text(&axis.name, block, constants, names.clone());
-    let texts: Vec<CBlock<'_>> = blocks.iter().zip(constants).map(text).collect();
+/// The header and the source of a block.
+pub(super) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
+    let prefix = block_name(&axis.name, block.program.block);
+    let (header, source) = (format!("{prefix}.h"), format!("{prefix}.c"));
     let (bits, suffix, nearly_half) = match axis.real {
         RealKind::F64 => (64, "", Literal::F64(portable::nearly_half())),
         RealKind::F32 => (32, "f", Literal::F32(portable::nearly_half())),
     };
     let real = LANGUAGE.ty(Type::Real, axis.real);
-    let uses = |wanted: &[Intrinsic]| blocks.iter().any(|block| asks_for(&block.program, wanted));
+    let guard = format!("{}_H", prefix.to_ascii_uppercase());
+    let text = block_text(axis, block, prefix);
     let source_body = CSource {
         header: &header,
-        uses_magnitude: uses(&[Intrinsic::InRange, Intrinsic::Within]),
-        uses_nearest: uses(&[Intrinsic::Nearest]),
+        uses_magnitude: asks_for(&block.program, &[Intrinsic::InRange, Intrinsic::Within]),
+        uses_nearest: asks_for(&block.program, &[Intrinsic::Nearest]),
         real,
         bits,
         suffix,
         nearly_half: (LANGUAGE.literal)(nearly_half),
-        blocks: &texts,
+        block: &text,
     };
-    let header_body = CHeader { guard: format!("{}_H", stem.to_ascii_uppercase()), blocks: &texts };
+    let header_body = CHeader { guard, block: &text };
+    let block = block.program.block;
     vec![
-        rendered(&header, "", &CFile { file: &header, axis, real, body: header_body }),
-        rendered(&source, "", &CFile { file: &source, axis, real, body: source_body }),
+        rendered(&header, "", &CFile { file: &header, axis, block, real, body: header_body }),
+        rendered(&source, "", &CFile { file: &source, axis, block, real, body: source_body }),
     ]
 }
 
@@ -110,17 +104,17 @@ fn asks_for(program: &Program, wanted: &[Intrinsic]) -> bool {
     found
 }
 
-fn block_text<'a>(axis: &str, block: &'a Legal<'_>, constants: Vec<String>, names: Names) -> CBlock<'a> {
+fn block_text<'a>(axis: &'a Header, block: &'a Legal<'_>, prefix: String) -> CBlock<'a> {
     let (program, self_test) = (&*block.program, &block.block.self_test);
-    let printer = &Printer::beside(program, &LANGUAGE, names, Some(constants));
-    let outline = Outline { block, language: &LANGUAGE, printer, next_line: "\n * " };
+    let printer = &Printer::new(program, &LANGUAGE);
+    let outline = Outline { axis, block, language: &LANGUAGE, printer, next_line: "\n * " };
     let word = |bits: &u64| match program.real {
         RealKind::F64 => format!("UINT64_C(0x{bits:016x})"),
         RealKind::F32 => format!("UINT32_C(0x{bits:08x})"),
     };
     let watched = |name: &str, variables: &[Variable], members: &[String]| -> Vec<String> {
         let bits = |(variable, member): (&Variable, &String)| match variable.ty {
-            Type::Real => format!("{}_bits_of({name}.{member})", program.block),
+            Type::Real => format!("bits_of({name}.{member})"),
             Type::I32 => format!("(uint32_t){name}.{member}"),
             Type::Bool | Type::U32 => format!("{name}.{member}"),
         };
@@ -128,8 +122,7 @@ fn block_text<'a>(axis: &str, block: &'a Legal<'_>, constants: Vec<String>, name
     };
     let names = printer.names();
     CBlock {
-        prefix: block_name(axis, program.block),
-        name: program.block,
+        prefix,
         inputs: outline.inputs(),
         outputs: outline.outputs(),
         state: outline.state(),

@@ -3,8 +3,8 @@
 mod c;
 mod outline;
 mod st;
+mod unit;
 
-pub use outline::is_read;
 pub(crate) use st::twincat::Cdata;
 
 use crate::blocks::Block;
@@ -25,18 +25,18 @@ pub struct Target {
     pub name: &'static str,
     /// the passes that make a program one that the language can say
     pub passes: &'static [Stage],
-    /// the files of an axis, from its blocks after these passes
-    files: fn(&Header, &[Legal<'_>]) -> Vec<File>,
+    /// the files of a block after these passes
+    files: fn(&Header, &Legal<'_>) -> Vec<File>,
     /// the files that all axes of a set share
     pub shared: fn(&[Unit<'_>]) -> Vec<File>,
 }
 
 pub const TARGETS: [Target; 5] = [
-    Target { name: "c", passes: &[], files: c::files, shared: |_| Vec::new() },
+    Target { name: "c", passes: legalise::WITH_OUTPUTS, files: c::files, shared: |_| Vec::new() },
     Target { name: "st", passes: legalise::WITH_DIGITS, files: st::plain, shared: |_| Vec::new() },
     Target { name: "twincat", passes: legalise::WITH_ENABLE, files: st::twincat::files, shared: st::twincat::shared },
-    Target { name: "codesys", passes: legalise::WITH_NAMES, files: st::codesys::files, shared: st::codesys::shared },
-    Target { name: "scl", passes: legalise::WITH_NAMES, files: st::scl, shared: |_| Vec::new() },
+    Target { name: "codesys", passes: legalise::WITH_ENABLE, files: st::codesys::files, shared: st::codesys::shared },
+    Target { name: "scl", passes: legalise::WITH_ENABLE, files: st::scl, shared: st::scl_shared },
 ];
 
 /// The targets of a set that names none.
@@ -47,25 +47,33 @@ pub fn named(name: &str) -> Option<Target> {
 }
 
 impl Target {
-    /// The files of an axis that has these blocks.
+    /// The program of a block as the language can say it.
     ///
     /// # Errors
     /// A defect of a legalising pass.
-    pub fn files<'b>(&self, header: &Header, blocks: &'b [Block]) -> Result<Vec<File>, Defect> {
-        let legal = |block: &'b Block| Ok(Legal { program: legalise::run(&block.program, self.passes)?, block });
-        let blocks: Result<Vec<Legal<'b>>, Defect> = blocks.iter().map(legal).collect();
-        Ok((self.files)(header, &blocks?))
+    pub fn program<'b>(&self, block: &'b Block) -> Result<Cow<'b, Program>, Defect> {
+        legalise::run(&block.own.program, self.passes)
+    }
+
+    /// The files of a block.
+    ///
+    /// # Errors
+    /// A defect of a legalising pass.
+    pub fn files(&self, header: &Header, block: &Block) -> Result<Vec<File>, Defect> {
+        Ok((self.files)(header, &Legal { program: self.program(block)?, block }))
     }
 }
 
-/// What the head of a file says of an axis.
+/// What the head of a file says of an axis and of a block.
 #[derive(Clone, Debug)]
 pub struct Header {
     pub name: String,
     pub real: RealKind,
     /// the cycle of its position controller
     pub cycle_time_ns: u32,
-    /// the digest of its effective parameters
+    /// whether it is a rotary axis or a spindle: its signals are in 0.001 deg, else in um
+    pub is_rotary: bool,
+    /// the digest of the effective parameters of the block
     pub parameters_digest: String,
 }
 

@@ -1,20 +1,33 @@
 //! What the files of every language list of a block: its signals with their meaning, and its numbers in groups that belong
 //! together. How a type, a number or a comment looks is the language's business.
 
-use super::Legal;
+use super::{Header, Legal, unit};
 use compiler::print::{Appearance, Language, Printer, comment};
-use compiler::program::{Expr, Local, Origin, Program, Type, Var, Variable};
-use std::fmt::Write;
+use compiler::program::{Local, Origin, Program, Type, Variable};
+use portable::Literal;
+use std::borrow::Cow;
 
 /// Characters in a line of a comment, without the marks around it.
 pub(super) const COMMENT_WIDTH: usize = 110;
+/// A declaration that is longer has its comment above it.
+const LONGEST: usize = 140;
+/// What stands in a declaration beside its parts, at most: blanks, marks of a comment, a word before the value.
+const BETWEEN: usize = 34;
 
 /// A variable with its first value, or a named number.
 pub(super) struct Member {
-    pub(super) ty: &'static str,
+    pub(super) ty: Cow<'static, str>,
     pub(super) name: String,
     pub(super) doc: String,
     pub(super) value: String,
+}
+
+impl Member {
+    /// The comment in lines that fit, where it does not fit behind the declaration; else nothing.
+    pub(super) fn above(&self, next_line: &str) -> Option<String> {
+        let length = self.ty.len() + self.name.len() + self.value.len() + self.doc.len() + BETWEEN;
+        (length > LONGEST).then(|| comment::wrapped(&[&self.doc], COMMENT_WIDTH, next_line))
+    }
 }
 
 /// Constants that belong together.
@@ -26,6 +39,7 @@ pub(super) struct Group {
 
 /// What is listed of a block, in a language.
 pub(super) struct Outline<'l> {
+    pub(super) axis: &'l Header,
     pub(super) block: &'l Legal<'l>,
     pub(super) language: &'static Language,
     pub(super) printer: &'l Printer<'l>,
@@ -34,22 +48,16 @@ pub(super) struct Outline<'l> {
 }
 
 impl Outline<'_> {
-    /// The inputs; those that this axis does not need say so.
     pub(super) fn inputs(&self) -> Vec<Member> {
-        let program = &*self.block.program;
-        let mut members = self.members(&program.inputs, &self.printer.names().inputs);
-        for (member, _) in members.iter_mut().zip(is_read(program)).filter(|(_, is_read)| !is_read) {
-            member.doc.push_str("; not read for this axis");
-        }
-        members
+        self.members(&self.block.program.inputs, &self.printer.names().inputs)
     }
 
-    /// The outputs; those that this axis does not have say so.
+    /// The outputs; the id of a fault says which there are.
     pub(super) fn outputs(&self) -> Vec<Member> {
         let program = &*self.block.program;
         let mut members = self.members(&program.outputs, &self.printer.names().outputs);
-        for (member, _) in members.iter_mut().zip(is_constant(program)).filter(|(_, is_constant)| *is_constant) {
-            let _ = write!(member.doc, "; always {} for this axis", member.value);
+        for (member, _) in members.iter_mut().zip(&program.outputs).filter(|(_, output)| output.ty == Type::U32) {
+            member.doc.push_str(&error_ids(program));
         }
         members
     }
@@ -62,7 +70,7 @@ impl Outline<'_> {
     pub(super) fn locals(&self) -> Vec<Member> {
         let (program, names) = (&*self.block.program, &self.printer.names().locals);
         let member = |(local, name): (&Local, &String)| Member {
-            ty: self.ty(local.ty.expect("outline: the typing pass has typed every local")),
+            ty: self.ty(local.ty.expect("outline: the typing pass has typed every local")).into(),
             name: name.clone(),
             doc: String::new(),
             value: String::new(),
@@ -72,12 +80,17 @@ impl Outline<'_> {
 
     fn members(&self, variables: &[Variable], names: &[String]) -> Vec<Member> {
         let member = |(variable, name): (&Variable, &String)| Member {
-            ty: self.ty(variable.ty),
+            ty: self.ty(variable.ty).into(),
             name: name.clone(),
-            doc: comment::harmless(variable.doc).into_owned(),
+            doc: self.doc(variable.doc),
             value: (self.language.literal)(variable.start),
         };
         variables.iter().zip(names).map(member).collect()
+    }
+
+    /// A doc comment of the reference, with the unit that the axis has.
+    fn doc(&self, doc: &str) -> String {
+        comment::harmless(&unit::own(doc, self.axis.is_rotary)).into_owned()
     }
 
     fn ty(&self, ty: Type) -> &'static str {
@@ -106,13 +119,14 @@ impl Outline<'_> {
                 group.constants.push(Member {
                     ty: self
                         .ty(Type::of_literal(constant.value)
-                            .expect("outline: the passes leave what exists at run time")),
+                            .expect("outline: the passes leave what exists at run time"))
+                        .into(),
                     name: name.clone(),
                     value: match wanted {
                         Appearance::Assigned => (self.language.operand)(constant.value).0,
                         Appearance::Inline | Appearance::Declared => (self.language.literal)(constant.value),
                     },
-                    doc: comment::harmless(constant.doc).into_owned(),
+                    doc: self.doc(constant.doc),
                 });
             }
             said.extend(fresh);
@@ -122,30 +136,16 @@ impl Outline<'_> {
     }
 }
 
-/// Which inputs a cycle reads.
-pub fn is_read(program: &Program) -> Vec<bool> {
-    let mut read = vec![false; program.inputs.len()];
-    for statement in &program.step {
-        statement.reads(&mut |var| {
-            if let Var::Input(index) = var {
-                read[index] = true;
-            }
-        });
-    }
-    read
-}
-
-/// Which outputs are never anything but what they are at the start.
-fn is_constant(program: &Program) -> Vec<bool> {
-    let mut constant = vec![true; program.outputs.len()];
-    for statement in &program.step {
-        statement.assignments(&mut |target, value| {
-            if let Var::Output(index) = target {
-                constant[index] &= *value == Expr::Literal(program.outputs[index].start);
-            }
-        });
-    }
-    constant
+/// The ids of faults that a program may give, with what each is named after.
+fn error_ids(program: &Program) -> String {
+    let id = |value| if let Literal::U32(id) = value { Some(id) } else { None };
+    let named = program.constants.iter().filter_map(|constant| {
+        let name = constant.path.rsplit('.').next().unwrap_or_default().strip_prefix("error_")?;
+        Some((id(constant.value)?, name))
+    });
+    let mut ids: Vec<(u32, &str)> = named.filter(|(id, _)| *id > 0).collect();
+    ids.sort_unstable();
+    ids.iter().map(|(id, name)| format!(", {id} {name}")).collect()
 }
 
 /// A path and those that contain it, outermost first.

@@ -13,7 +13,6 @@ mod structure;
 mod suite;
 mod text;
 mod twincat;
-mod vector;
 mod xml;
 
 use generator::config::{ListOptions, Unreadable};
@@ -38,7 +37,7 @@ impl Case {
 }
 
 /// The endings of TwinCAT's objects.
-const OBJECTS: [&str; 3] = [".TcPOU", ".TcDUT", ".TcGVL"];
+const OBJECTS: [&str; 2] = [".TcPOU", ".TcDUT"];
 
 /// The examples, every golden case, and a set with all stages full in both real types.
 static CASES: LazyLock<Vec<Case>> = LazyLock::new(|| {

@@ -1,4 +1,4 @@
-//! SCL: the strict engine takes every block of every source, and no source has others.
+//! SCL: the strict engine takes every block and every self-test of every source, and no source has others.
 
 use crate::CASES;
 use st::{Block, Dialect};
@@ -8,19 +8,30 @@ fn the_engine_takes_every_block_of_every_source() {
     let mut count = 0;
     for case in CASES.iter() {
         for axis in case.set.axes.iter().map(|of| &of.axis) {
-            let stem = format!("axis_{}", axis.name.to_ascii_lowercase());
-            let text = &case.files[&format!("{stem}.scl")];
-            let names: Vec<String> =
-                generator::blocks::names(axis).iter().map(|block| format!("FB_{stem}_{block}")).collect();
-            let headers = names.iter().map(|name| format!("FUNCTION_BLOCK \"{name}\""));
-            let found = text.lines().filter(|line| line.starts_with("FUNCTION_BLOCK"));
-            assert!(found.eq(headers), "{}: {stem}", case.name);
-            for name in &names {
-                let read = Block::read(Dialect::Scl, text, name, axis.real);
-                assert!(read.is_ok(), "{}: {stem}: {:?}", case.name, read.err());
+            for block in generator::blocks::names(axis) {
+                let stem = format!("axis_{}_{block}", axis.name.to_ascii_lowercase());
+                let read = |name: &str, others: &[Block]| {
+                    let text = &case.files[&format!("{name}.scl")];
+                    let header = format!("FUNCTION_BLOCK \"FB_{name}\"");
+                    let found = text.lines().filter(|line| line.starts_with("FUNCTION_BLOCK"));
+                    assert!(found.eq([header]), "{}: {name}", case.name);
+                    let read = Block::read_with(Dialect::Scl, text, &format!("FB_{name}"), axis.real, others);
+                    read.unwrap_or_else(|mistakes| panic!("{}: {name}: {mistakes:?}", case.name))
+                };
+                let block = read(&stem, &[]);
+                read(&format!("{stem}_self_test"), &[block]);
                 count += 1;
             }
         }
     }
     assert!(count > 20, "{count} blocks");
+}
+
+/// The modes stand there once, with the numbers of the reference.
+#[test]
+fn the_modes_are_a_data_block() {
+    let text = &CASES[0].files["axgen_mode.scl"];
+    let members: Vec<&str> = text.lines().filter(|line| line.contains(" : DInt := ")).map(str::trim).collect();
+    assert_eq!(members, ["MODE_OFF : DInt := 0;", "MODE_ON : DInt := 1;", "MODE_DRYRUN : DInt := 2;"]);
+    assert!(text.contains("\nDATA_BLOCK \"axgen_mode\"\n") && text.ends_with("\nBEGIN\nEND_DATA_BLOCK\n"));
 }

@@ -1,12 +1,8 @@
-//! TcUnit suites: the calls that the framework needs, what is given to the block, what is compared, and how many asserts.
+//! TcUnit suites: the calls that the framework needs, the self-test that they run, and how many asserts they have.
 
 use crate::twincat::{code, object};
 use crate::{CASES, xml};
-use compiler::print::identifier;
-use compiler::program::Type;
 use generator::blocks::blocks;
-use generator::target::is_read;
-use portable::RealKind;
 
 /// What TcUnit takes of one suite unless its library is built for more.
 const ASSERTS: usize = 1000;
@@ -56,74 +52,22 @@ fn every_block_has_a_suite_that_tcunit_takes() {
     assert!(count > 20, "{count} suites");
 }
 
-/// Every input that the block reads comes from the list, every output is compared: a real by its bits, through the union.
+/// The suite runs the self-test as often as it has samples, and asks for its end and its answer.
 #[test]
-fn a_suite_gives_every_input_and_compares_every_output() {
+fn a_suite_runs_the_self_test_to_its_end() {
     for case in CASES.iter() {
         for axis in &case.set.axes {
             for block in blocks(axis).unwrap() {
-                let program = &block.program;
-                let stem = format!("axis_{}_{}", axis.axis.name.to_ascii_lowercase(), program.block);
+                let stem = format!("axis_{}_{}", axis.axis.name.to_ascii_lowercase(), block.program.block);
                 let suite = object(&case.files[&format!("twincat/Tests/FB_{stem}_Test.TcPOU")]);
                 let method = suite.at("Method");
                 let (declaration, body) = (&method.at("Declaration").text, &method.at("Implementation/ST").text);
-                let (real, list) =
-                    (if axis.axis.real == RealKind::F64 { "LREAL" } else { "REAL" }, format!("GVL_{stem}_vector"));
-                assert!(declaration.contains(&format!("    block : FB_{stem};\n")), "{stem}");
-                assert!(declaration.contains(&format!("    view : U_axgen_{real};\n")), "{stem}");
-                let call = body.split_once("    block(").unwrap().1.split_once(");").unwrap().0;
-                let mut given = vec![("Enable".to_owned(), "TRUE".to_owned())];
-                for (input, _) in program.inputs.iter().zip(is_read(program)).filter(|(_, read)| *read) {
-                    let name = identifier(&input.path);
-                    let value = if input.ty == Type::Real {
-                        let copied = format!("    view.bits := {list}.{name}[sample];\n    in_{name} := view.value;\n");
-                        assert!(body.contains(&copied), "{stem}: {copied}");
-                        assert!(declaration.contains(&format!("    in_{name} : {real};\n")), "{stem}: {name}");
-                        format!("in_{name}")
-                    } else {
-                        format!("{list}.{name}[sample]")
-                    };
-                    given.push((name, value));
-                }
-                let found: Vec<(String, String)> = call
-                    .split(',')
-                    .map(|input| input.trim().split_once(" := ").unwrap())
-                    .map(|(name, value)| (name.to_owned(), value.to_owned()))
-                    .collect();
-                assert_eq!(found, given, "{stem}");
-                let compared: String = program
-                    .outputs
-                    .iter()
-                    .map(|output| {
-                        let name = identifier(&output.path);
-                        let question = if output.ty == Type::Real {
-                            format!("    view.value := block.{name};\n    IF view.bits <> {list}.{name}[sample] THEN\n")
-                        } else {
-                            format!("    IF block.{name} <> {list}.{name}[sample] THEN\n")
-                        };
-                        question + "        differing := differing + 1;\n    END_IF;\n"
-                    })
-                    .collect();
-                assert!(body.contains(&format!(
-                    ");\n{compared}END_FOR;\nAssertEquals_UDINT(Expected := 0, Actual := differing,"
-                )));
-                let last = block.vector.inputs.len() - 1;
-                assert!(body.contains(&format!("FOR sample := 0 TO {last} DO\n")), "{stem}: all samples");
+                assert!(declaration.contains(&format!("    run : FB_{stem}_self_test;\n")), "{stem}");
+                let samples = block.trial_inputs().len();
+                assert!(body.contains(&format!("FOR sample := 1 TO {samples} DO\n    run();\nEND_FOR;\n")), "{stem}");
+                assert!(body.contains("AssertTrue(Condition := run.done,"), "{stem}");
+                assert!(body.contains("AssertEquals_DINT(Expected := 0, Actual := run.differing,"), "{stem}");
             }
-        }
-    }
-}
-
-#[test]
-fn a_union_has_as_many_bits_as_its_real() {
-    for case in CASES.iter() {
-        for (file, text) in case.with(&[".TcDUT"]).into_iter().filter(|(file, _)| file.contains("/U_axgen_")) {
-            let code = code(&object(text).at("Declaration").text);
-            let members: Vec<&str> = code.lines().filter(|line| line.starts_with("    ")).map(str::trim).collect();
-            let wide = ["value : LREAL;", "bits : LWORD;"];
-            let narrow = ["value : REAL;", "bits : DWORD;"];
-            assert_eq!(members, if file.contains("LREAL") { wide } else { narrow }, "{}: {file}", case.name);
-            assert!(code.contains("UNION\n") && code.contains("END_UNION\n"), "{file}");
         }
     }
 }

@@ -4,12 +4,12 @@ use crate::structure::{Inside, Rule, Times, any, faults, rule};
 use crate::{CASES, Case, OBJECTS, files, xml};
 use std::collections::BTreeSet;
 
-/// The structure of a `.TcPOU`, `.TcDUT` or `.TcGVL`.
-const RULES: [Rule; 8] = [
+/// The structure of a `.TcPOU` or `.TcDUT`.
+const RULES: [Rule; 7] = [
     rule(
         "TcPlcObject",
         &[("Version", |value| value == "1.1.0.1")],
-        Inside::Elements(&[(&["POU", "DUT", "GVL"], Times::Once)]),
+        Inside::Elements(&[(&["POU", "DUT"], Times::Once)]),
     ),
     rule(
         "POU",
@@ -21,7 +21,6 @@ const RULES: [Rule; 8] = [
         ]),
     ),
     rule("DUT", &[("Name", any), ("Id", is_guid)], DECLARATION),
-    rule("GVL", &[("Name", any), ("Id", is_guid)], DECLARATION),
     rule(
         "Method",
         &[("Name", any), ("Id", is_guid)],
@@ -67,8 +66,8 @@ pub fn code(text: &str) -> String {
     code + rest
 }
 
-/// The name that a declaration gives its object; a list of variables has none.
-fn declared(kind: &str, declaration: &str) -> Option<String> {
+/// The name that a declaration gives its object.
+fn declared(kind: &str, declaration: &str) -> String {
     let code = code(declaration);
     let words: Vec<&str> = code.split_ascii_whitespace().collect();
     let name = match (kind, words.as_slice()) {
@@ -76,10 +75,9 @@ fn declared(kind: &str, declaration: &str) -> Option<String> {
             name
         }
         ("Method", ["METHOD", "PRIVATE" | "PUBLIC" | "PROTECTED", name, ..] | ["METHOD", name, ..]) => name,
-        ("GVL", ["VAR_GLOBAL", ..]) => return None,
         _ => panic!("{kind}: {declaration}"),
     };
-    Some((*name).to_owned())
+    (*name).to_owned()
 }
 
 #[test]
@@ -102,11 +100,10 @@ fn an_object_a_file_and_a_declaration_have_one_name() {
             let name = object.attribute("Name");
             let (stem, ending) = file.rsplit('/').next().unwrap().split_once('.').unwrap();
             assert_eq!((name, format!("Tc{}", object.name)), (stem, ending.to_owned()), "{file}");
-            let found = declared(&object.name, &object.at("Declaration").text);
-            assert_eq!(found.unwrap_or_else(|| name.to_owned()), name, "{file}");
+            assert_eq!(declared(&object.name, &object.at("Declaration").text), name, "{file}");
             for method in object.all("Method") {
                 let declaration = &method.at("Declaration").text;
-                assert_eq!(declared("Method", declaration).as_deref(), Some(method.attribute("Name")), "{file}");
+                assert_eq!(declared("Method", declaration), method.attribute("Name"), "{file}");
                 let header = code(declaration);
                 assert_eq!(header.lines().next().unwrap().split(' ').count(), 3, "{file}: a method without result");
             }
@@ -124,7 +121,7 @@ fn a_declaration_does_not_end_its_object() {
             for declaration in [object.at("Declaration")].into_iter().chain(methods) {
                 let code = code(&declaration.text);
                 let ends: Vec<&str> = code.split_ascii_whitespace().filter(|word| word.starts_with("END_")).collect();
-                let allowed = ["END_VAR", "END_TYPE", "END_UNION"];
+                let allowed = ["END_VAR", "END_TYPE"];
                 assert!(ends.iter().all(|end| allowed.contains(&end.trim_end_matches(';'))), "{file}: {ends:?}");
                 assert_eq!(ends.contains(&"END_TYPE"), object.name == "DUT", "{file}");
                 assert_eq!(code.matches("VAR").count() % 2, 0, "{file}: every VAR has its END_VAR");

@@ -42,11 +42,11 @@ fn another_axis_changes_only_what_lists_all_axes() {
     let (before, after) = (files(MACHINE), files(&more));
     let changed: Vec<String> =
         differing(&before, &after).into_iter().filter(|name| before.contains_key(name)).collect();
-    assert_eq!(changed, ["twincat/Tests/PRG_axgen_tests.TcPOU", "twincat/axgen.plcproj"]);
+    assert_eq!(changed, ["twincat/Tests/PRG_axgen_tests.TcPOU", "twincat/axgen.plcproj-fragment"]);
 }
 
-/// One weight: the lines that say it, what is certified of its effect, the two digests, and what a self-test or a vector
-/// expects, in that axis's files.
+/// One weight: the lines that say it, what is certified of its effect, the two digests, and what a self-test expects, in the files of
+/// the block that has it.
 #[test]
 fn a_weight_changes_its_own_lines_only() {
     let (before, after) = (files(MACHINE), files(&with("weight_fact_num = 80", "weight_fact_num = 81")));
@@ -54,14 +54,17 @@ fn a_weight_changes_its_own_lines_only() {
     assert_eq!(
         changed,
         [
-            "axis_y.c",
-            "axis_y.h",
-            "axis_y.scl",
-            "axis_y.st",
-            "axis_y.xml",
+            "axis_y_ipc.c",
+            "axis_y_ipc.h",
+            "axis_y_ipc.scl",
+            "axis_y_ipc.st",
+            "axis_y_ipc.xml",
+            "axis_y_ipc_self_test.scl",
+            "axis_y_ipc_self_test.st",
+            "axis_y_ipc_self_test.xml",
             "twincat/POUs/FB_axis_y_ipc.TcPOU",
             "twincat/Tests/FB_axis_y_ipc_Test.TcPOU",
-            "twincat/Tests/GVL_axis_y_ipc_vector.TcGVL",
+            "twincat/Tests/FB_axis_y_ipc_self_test.TcPOU",
         ]
     );
     for name in changed {
@@ -70,7 +73,7 @@ fn a_weight_changes_its_own_lines_only() {
         assert_eq!(digests, 2, "{name}: parameters and body");
         for line in lines {
             let says_the_weight = ["weight", "-0.81", "the stage adds"].iter().any(|word| line.contains(word));
-            let is_expected = line.contains("UINT64_C(0x") || line.contains("16#");
+            let is_expected = line.contains("UINT64_C(0x") || line.contains("expected_");
             let is_certified =
                 ["range:", "designed", "measured", "before the limit", " precision"].iter().any(|it| line.contains(it));
             assert!(is_digest(line) || says_the_weight || is_expected || is_certified, "{name}: {line}");

@@ -46,6 +46,7 @@ fn axis(real: RealKind, cycle_time_ns: u32, stage: [Option<Stage>; 3]) -> Axis {
         ipc: Ipc { enable: Enable::On, v_add_max_fact: 1000, v_max: 530_000.0, fade: 0.1, delay_cycles: None, stage },
         control: crate::axis::Control::default(),
         canonical: String::new(),
+        canonical_of: Default::default(),
     }
 }
 

@@ -116,6 +116,7 @@ fn rack_and_pinion() -> Axis {
         ipc: Ipc { enable: Enable::On, v_add_max_fact: 1000, v_max: 200_000.0, fade: 0.1, delay_cycles: None, stage },
         control: crate::axis::Control::default(),
         canonical: String::new(),
+        canonical_of: Default::default(),
     }
 }
 

@@ -16,30 +16,21 @@ pub struct Harness {
     folder: TempDir,
     /// the emitted file to compile
     source: String,
-    outputs: Shape,
+    block: Block,
 }
 
 impl Harness {
-    /// Writes the files of a block alone and compiles the program around it.
+    /// Writes the files of a block and compiles the program around it.
     ///
     /// # Errors
     /// The compiler is not there, or there is no room.
     pub fn compile(designed: &Designed, block: &Block, compiler: &Compiler) -> Result<Self, Failure> {
-        Self::among(designed, std::slice::from_ref(block), 0, compiler)
-    }
-
-    /// Writes the files of an axis and compiles the program around one of its blocks.
-    ///
-    /// # Errors
-    /// The compiler is not there, or there is no room.
-    pub fn among(designed: &Designed, blocks: &[Block], which: usize, compiler: &Compiler) -> Result<Self, Failure> {
-        let block = &blocks[which];
         let folder = new_folder()?;
         let write = |name: &str, text: &str| {
             let written = std::fs::write(folder.path().join(name), text);
             written.map_err(|error| Failure::Environment(format!("{name}: {error}")))
         };
-        let emitted = super::files("c", designed, blocks)?;
+        let emitted = super::files(super::target("c"), designed, block)?;
         for file in &emitted {
             write(&file.name, &file.text)?;
         }
@@ -48,8 +39,7 @@ impl Harness {
         write("harness.c", include_str!("harness.c"))?;
         let harness = ["-std=c99", "-O2", "-DLAYOUT=\"layout.h\"", "-c", "harness.c", "-o", "harness.o"];
         compiler.call(folder.path(), &harness, &[])?;
-        let outputs = Shape::of(&block.program.outputs, block.program.real);
-        Ok(Self { folder, source: format!("{stem}.c"), outputs })
+        Ok(Self { folder, source: format!("{stem}.c"), block: block.clone() })
     }
 
     /// Compiles the block, only it with the compiler's options, and runs it.
@@ -62,11 +52,13 @@ impl Harness {
         let (object, program) = (path("block.o"), path("block"));
         compiler.call(self.folder.path(), &["-c", &self.source, "-o", &object], &compiler.options)?;
         compiler.call(self.folder.path(), &["harness.o", &object, "-o", &program], &compiler.link)?;
-        let bytes = pipe(&program, &compiler.emulator, &inputs.bytes)?;
-        if bytes.len() != self.outputs.frame() * inputs.len() {
+        let (all, own) = (&self.block.program, &self.block.own);
+        let bytes = pipe(&program, &compiler.emulator, &inputs.only(&own.inputs).bytes)?;
+        let shape = Shape::of(&own.program.outputs, all.real);
+        if bytes.len() != shape.frame() * inputs.len() {
             return Err(Failure::Broken(format!("{} bytes came out for {} samples", bytes.len(), inputs.len())));
         }
-        Ok(Samples { shape: self.outputs.clone(), bytes })
+        Ok(Samples { shape, bytes }.among(&own.outputs, &Shape::of(&all.outputs, all.real)))
     }
 }
 
@@ -76,8 +68,8 @@ fn new_folder() -> Result<TempDir, Failure> {
 
 /// What the harness has to know of the block.
 fn layout(stem: &str, block: &Block) -> String {
-    let program = &block.program;
-    let (prefix, real) = (format!("{stem}_{}", program.block), program.real);
+    let program = &block.own.program;
+    let real = program.real;
     let [inputs, outputs] = signals(program, &LANGUAGE);
     let access = |verb: &str, variables: &[Variable], names: &[String]| {
         variables.iter().zip(names).fold(String::new(), |mut text, (variable, name)| {
@@ -91,7 +83,7 @@ fn layout(stem: &str, block: &Block) -> String {
     };
     let frame = |variables: &[Variable]| Shape::of(variables, real).frame();
     format!(
-        "#include \"{stem}.h\"\n#define BLOCK(name) {prefix}_##name\n#define IN_FRAME {}\n#define OUT_FRAME {}\n\
+        "#include \"{stem}.h\"\n#define BLOCK(name) {stem}_##name\n#define IN_FRAME {}\n#define OUT_FRAME {}\n\
          #define GET_INPUTS{}\n#define PUT_OUTPUTS{}\n",
         frame(&program.inputs),
         frame(&program.outputs),

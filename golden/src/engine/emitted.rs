@@ -1,42 +1,84 @@
 //! The engines `st`, `twincat`, `codesys` and `scl`: the emitted Structured Text, read by a grammar that is not ours, and run.
 
-use super::Failure;
+use super::{Failure, target};
 use crate::samples::{Samples, Shape};
-use compiler::print::{signals, st::PLAIN};
+use compiler::legalise::RENAMED;
+use compiler::print::signals;
+use compiler::print::st::PLAIN;
+use compiler::program::{Program, Variable};
 use generator::blocks::{Block, Designed};
-use generator::target::block_name;
+use generator::target::{File, block_name};
+use portable::Literal;
 use st::{Dialect, Mistake, Signal};
 
-/// Runs one of an axis's blocks from the file that the target of a dialect emits.
-pub fn run(
+/// Runs a block from the file that the target of a dialect emits.
+pub(super) fn run(dialect: Dialect, designed: &Designed, block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
+    let [file, _] = files(dialect, designed, block)?;
+    run_read(dialect, &read(dialect, &file, designed, block)?, block, inputs)
+}
+
+/// The file of a block in a dialect, and that of its self-test.
+///
+/// # Errors
+/// A defect of the target.
+pub fn files(dialect: Dialect, designed: &Designed, block: &Block) -> Result<[File; 2], Failure> {
+    let mut files = super::files(target(name(dialect)), designed, block)?.into_iter();
+    match (files.next(), files.next()) {
+        (Some(file), Some(test)) => Ok([file, test]),
+        _ => Err(Failure::Broken("every target of Structured Text emits the block, then its self-test".to_owned())),
+    }
+}
+
+/// Reads the block of a file.
+///
+/// # Errors
+/// The text holds what implementations could disagree on.
+pub fn read(dialect: Dialect, file: &File, designed: &Designed, block: &Block) -> Result<st::Block, Failure> {
+    let name = type_name(dialect, designed, block);
+    st::Block::read(dialect, &file.text, &name, block.program.real).map_err(|mistakes| broken(&file.name, &mistakes))
+}
+
+/// Runs a self-test to its end, or until it has had enough time; gives whether it says that it is done, and how many values it
+/// says that differ.
+///
+/// # Errors
+/// The text holds what implementations could disagree on.
+pub fn run_self_test(
     dialect: Dialect,
+    (test, tested): (&File, &st::Block),
     designed: &Designed,
-    blocks: &[Block],
-    which: usize,
-    inputs: &Samples,
-) -> Result<Samples, Failure> {
-    let block = &blocks[which];
-    let name = block_name(&designed.axis.name, block.program.block);
-    let (target, blocks, name, enable): (_, _, _, &[(&str, bool)]) = match dialect {
-        Dialect::Plain => ("st", blocks, name, &[]),
-        // A file for each block.
-        Dialect::TwinCat => ("twincat", std::slice::from_ref(block), format!("FB_{name}"), &[("Enable", true)]),
-        Dialect::Codesys => ("codesys", blocks, name, &[]),
-        // The blocks of Siemens's files have the names of TwinCAT's.
-        Dialect::Scl => ("scl", blocks, format!("FB_{name}"), &[]),
-    };
-    let files = super::files(target, designed, blocks)?;
-    let file = files.first().expect("engine: every target emits the block first");
-    let broken = |mistakes: Vec<Mistake>| {
-        let lines: Vec<String> = mistakes.iter().map(|mistake| format!("{}:{mistake}", file.name)).collect();
-        Failure::Broken(lines.join("\n"))
-    };
-    let [input_names, output_names] = signals(&block.program, &PLAIN);
-    let outputs = Shape::of(&block.program.outputs, block.program.real);
-    let read = st::Block::read(dialect, &file.text, &name, block.program.real).map_err(broken)?;
+    block: &Block,
+) -> Result<(bool, i32), Failure> {
+    let name = format!("{}_self_test", type_name(dialect, designed, block));
+    let others = std::slice::from_ref(tested);
+    let read = st::Block::read_with(dialect, &test.text, &name, block.program.real, others);
+    let read = read.map_err(|mistakes| broken(&test.name, &mistakes))?;
+    let outputs = [("done", Literal::Bool(false)), ("differing", Literal::I32(0))];
+    let mut instance = read.start(&[], &outputs, &[]).map_err(|mistakes| broken(&test.name, &mistakes))?;
+    let mut results = Vec::new();
+    for _ in block.trial_inputs() {
+        instance.cycle(&[], &mut results);
+    }
+    match results[..] {
+        [Literal::Bool(done), Literal::I32(differing)] => Ok((done, differing)),
+        _ => Err(Failure::Broken(format!("{}: no sample", test.name))),
+    }
+}
+
+/// Runs a block that was read.
+///
+/// # Errors
+/// The text lacks a signal of the block.
+pub fn run_read(dialect: Dialect, read: &st::Block, block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
+    let legal = target(name(dialect)).program(block).map_err(|defect| Failure::Broken(defect.to_string()))?;
+    let (all, own) = (&block.program, &block.own);
+    let [input_names, output_names] = names(&own.program, &legal);
+    let outputs = Shape::of(&own.program.outputs, all.real);
+    let inputs = inputs.only(&own.inputs);
+    let enable: &[(&str, bool)] = if dialect == Dialect::Plain { &[] } else { &[("Enable", true)] };
     let mut instance = read
         .start(&signals_of(&inputs.shape, &input_names), &signals_of(&outputs, &output_names), enable)
-        .map_err(broken)?;
+        .map_err(|mistakes| broken(all.block, &mistakes))?;
     let mut answers = Samples::with_capacity(outputs, inputs.len());
     let (mut values, mut results) = (Vec::new(), Vec::new());
     for sample in 0..inputs.len() {
@@ -44,7 +86,40 @@ pub fn run(
         instance.cycle(&values, &mut results);
         answers.push(&results);
     }
-    Ok(answers)
+    Ok(answers.among(&own.outputs, &Shape::of(&all.outputs, all.real)))
+}
+
+/// The target whose files have the form of a dialect.
+fn name(dialect: Dialect) -> &'static str {
+    match dialect {
+        Dialect::Plain => "st",
+        Dialect::TwinCat => "twincat",
+        Dialect::Codesys => "codesys",
+        Dialect::Scl => "scl",
+    }
+}
+
+/// The name of the function block in the text.
+fn type_name(dialect: Dialect, designed: &Designed, block: &Block) -> String {
+    let name = block_name(&designed.axis.name, block.program.block);
+    if matches!(dialect, Dialect::TwinCat | Dialect::Scl) { format!("FB_{name}") } else { name }
+}
+
+/// The names that the axis's own signals have in the text.
+fn names(own: &Program, legal: &Program) -> [Vec<String>; 2] {
+    let [inputs, outputs] = signals(legal, &PLAIN);
+    let named = |variables: &[Variable], legal: &[Variable], names: &[String]| -> Vec<String> {
+        let renamed = |path: &str| RENAMED.iter().find(|(old, _)| *old == path).map_or("", |(_, new)| new);
+        let position = |path: &str| legal.iter().position(|known| known.path == path || known.path == renamed(path));
+        let name = |variable: &Variable| position(&variable.path).map_or_else(String::new, |at| names[at].clone());
+        variables.iter().map(name).collect()
+    };
+    [named(&own.inputs, &legal.inputs, &inputs), named(&own.outputs, &legal.outputs, &outputs)]
+}
+
+fn broken(file: &str, mistakes: &[Mistake]) -> Failure {
+    let lines: Vec<String> = mistakes.iter().map(|mistake| format!("{file}:{mistake}")).collect();
+    Failure::Broken(lines.join("\n"))
 }
 
 /// The signals of a shape under the names that they have in the text.

@@ -2,7 +2,7 @@
 
 mod c;
 mod compiler;
-mod emitted;
+pub mod emitted;
 mod program;
 mod reference;
 
@@ -12,7 +12,7 @@ pub use compiler::Compiler;
 use crate::samples::Samples;
 use generator::blocks::{Block, Designed};
 use generator::generate::header;
-use generator::target::{self, File};
+use generator::target::{self, File, Target};
 use st::Dialect;
 use std::fmt;
 
@@ -79,41 +79,30 @@ impl fmt::Display for Failure {
 
 impl std::error::Error for Failure {}
 
-/// Runs a block of an axis from its start, from files that hold this block alone.
+/// Runs a block of an axis from its start.
 ///
 /// # Errors
 /// The engine `c` needs a compiler; the engines of Structured Text refuse a text that implementations could disagree on.
 pub fn run(engine: Engine, designed: &Designed, block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
-    run_among(engine, designed, std::slice::from_ref(block), 0, inputs)
-}
-
-/// Runs one of an axis's blocks from its start, from the files that the axis gets.
-///
-/// # Errors
-/// As [`run`].
-pub fn run_among(
-    engine: Engine,
-    designed: &Designed,
-    blocks: &[Block],
-    which: usize,
-    inputs: &Samples,
-) -> Result<Samples, Failure> {
-    let compiler = Compiler::host;
     match engine {
-        Engine::Reference => Ok(reference::run(designed, &blocks[which], inputs)),
-        Engine::Program => Ok(program::run(&blocks[which], inputs)),
-        Engine::C => Harness::among(designed, blocks, which, &compiler())?.run(inputs, &compiler()),
-        Engine::St => emitted::run(Dialect::Plain, designed, blocks, which, inputs),
-        Engine::TwinCat => emitted::run(Dialect::TwinCat, designed, blocks, which, inputs),
-        Engine::Codesys => emitted::run(Dialect::Codesys, designed, blocks, which, inputs),
-        Engine::Scl => emitted::run(Dialect::Scl, designed, blocks, which, inputs),
+        Engine::Reference => Ok(reference::run(designed, block, inputs)),
+        Engine::Program => Ok(program::run(block, inputs)),
+        Engine::C => run_c(designed, block, inputs, &Compiler::host()),
+        Engine::St => emitted::run(Dialect::Plain, designed, block, inputs),
+        Engine::TwinCat => emitted::run(Dialect::TwinCat, designed, block, inputs),
+        Engine::Codesys => emitted::run(Dialect::Codesys, designed, block, inputs),
+        Engine::Scl => emitted::run(Dialect::Scl, designed, block, inputs),
     }
 }
 
-/// The files of an axis in a target.
-fn files(target: &str, designed: &Designed, blocks: &[Block]) -> Result<Vec<File>, Failure> {
-    let target = target::named(target).expect("engine: there is such a target");
-    target.files(&header(&designed.axis), blocks).map_err(|defect| Failure::Broken(defect.to_string()))
+/// The target of that name.
+fn target(name: &str) -> Target {
+    target::named(name).expect("engine: there is such a target")
+}
+
+/// The files of a block in a target.
+fn files(target: Target, designed: &Designed, block: &Block) -> Result<Vec<File>, Failure> {
+    target.files(&header(&designed.axis, block), block).map_err(|defect| Failure::Broken(defect.to_string()))
 }
 
 /// Runs a block through the emitted C and a compiler of one's choice.

@@ -45,7 +45,7 @@ impl Block {
         Some(block)
     }
 
-    /// The block with one of the real numbers of its text, in its order, replaced by the next one of its type away from 0.
+    /// The block with one of the real numbers of its text, in its order, larger by a thousandth of it.
     /// Numbers that are 0, and start values, do not count. `None`: there are not so many.
     #[must_use]
     pub fn with_other_constant(&self, which: usize) -> Option<Self> {
@@ -53,11 +53,8 @@ impl Block {
         let reals = &mut block.variables.slots.reals;
         let slot = self.variables.numbers.iter().filter(|&&slot| reals[slot as usize] != 0.0).nth(which)?;
         let value = &mut reals[*slot as usize];
-        // The next bits are the next magnitude, whatever the sign is.
-        *value = match self.variables.real {
-            RealKind::F64 => f64::from_bits(value.to_bits() + 1),
-            RealKind::F32 => f64::from(f32::from_bits(f32::lit(*value).to_bits() + 1)),
-        };
+        let other = *value + *value * 2f64.powi(-10);
+        *value = if self.variables.real == RealKind::F32 { f32::lit(other).to_f64() } else { other };
         Some(block)
     }
 }

@@ -98,6 +98,11 @@ pub enum Statement {
         /// hands out its scalars in the order of the type
         leaves: fn(&mut dyn FnMut(Literal)),
     },
+    /// `note("...");`
+    Note {
+        /// what is to be said
+        text: &'static str,
+    },
     /// `place = value;`
     Assign {
         /// what is written

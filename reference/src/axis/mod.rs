@@ -138,18 +138,18 @@ pub fn fail<R: Real>(outputs: &mut Outputs<R>, error_id: u32) {
 /// The master's additive velocity, within the master's limit; 0 where it is out of range.
 #[portable]
 pub fn follow_master<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) -> R {
-    let mut v_add = R::ZERO;
+    let mut v_followed = R::ZERO;
     if !in_range(inputs.v_add_master, sample_limit()) {
         fail(outputs, error_v_add_master());
     } else if within(inputs.v_add_master, coeffs.master_limit) {
-        v_add = inputs.v_add_master;
+        v_followed = inputs.v_add_master;
     } else {
-        v_add = if inputs.v_add_master > R::ZERO { coeffs.master_limit } else { coeffs.master_lower_limit };
+        v_followed = if inputs.v_add_master > R::ZERO { coeffs.master_limit } else { coeffs.master_lower_limit };
         outputs.limited = true;
     }
-    outputs.v_add = v_add;
-    outputs.v_add_calculated = v_add;
-    v_add
+    outputs.v_add = v_followed;
+    outputs.v_add_calculated = v_followed;
+    v_followed
 }
 
 /// The additive velocity of improved position control.

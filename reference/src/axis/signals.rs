@@ -24,7 +24,7 @@ pub struct Inputs<R> {
     pub v_add_master: R,
     /// improved position control: 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758)
     pub mode: i32,
-    /// G135: TRUE, G137: FALSE
+    /// G135: TRUE, G137: FALSE; acts at once: switch it at standstill
     pub feedforward_active: bool,
     /// weight of G136 [%], limited to 0..100
     pub feedforward_percentage: i32,
@@ -58,10 +58,10 @@ pub struct Outputs<R> {
     pub additive_torque: i32,
     /// additive velocity command of the drive (P-AXIS-00205 to 00207) [increments]
     pub additive_velocity: i32,
-    /// 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator, 17 x_command, 18 x_actual, 22 v_add_master is out of range; 1, 17, 18 stop the axis, the others only the part that reads it; of several parts the last one's
+    /// of several parts the last one's; cycle_time, x_command and x_actual stop the axis, the others the part that reads them: 0 none
     pub error_id: u32,
     /// the limit of v_add or a process-data type cuts an output off in this cycle
     pub limited: bool,
-    /// a part of the block cannot act in this cycle, error_id says why
+    /// a part of the block cannot act in this cycle, the id says why
     pub fault: bool,
 }

@@ -113,17 +113,19 @@ pub fn gain<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
 /// v + t_a a + t_j j, of the quantities that there are.
 #[portable]
 pub fn sum<R: Real>(quantities: &Quantities, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
-    let mut total = empty_sum();
+    let mut v = empty_sum();
     if quantities.velocity {
-        total = total + inputs.v_interpolator;
+        v = v + inputs.v_interpolator;
     }
+    let mut v_a = v;
     if quantities.acceleration {
-        total = total + coeffs.t_a * inputs.a_interpolator;
+        v_a = v + coeffs.t_a * inputs.a_interpolator;
     }
+    let mut v_a_j = v_a;
     if quantities.jerk {
-        total = total + coeffs.t_j * inputs.j_interpolator;
+        v_a_j = v_a + coeffs.t_j * inputs.j_interpolator;
     }
-    total
+    v_a_j
 }
 
 /// Before the first cycle. The delays need nothing: the first active cycle fills them.
@@ -166,16 +168,17 @@ pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, v: R, a: R, j: 
 /// The additive torque in increments, not yet rounded.
 #[portable]
 pub fn torque<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, a: R, j: R) -> R {
-    let mut total = empty_sum();
+    let mut torque_a = empty_sum();
     if coeffs.torque.acceleration {
         let a_delayed = delay::step(&mut state.acceleration_delay, &coeffs.acceleration_delay, a);
-        total = total + coeffs.torque_acceleration * a_delayed;
+        torque_a = torque_a + coeffs.torque_acceleration * a_delayed;
     }
+    let mut torque_a_j = torque_a;
     if coeffs.torque.jerk {
         let j_delayed = delay::step(&mut state.jerk_delay, &coeffs.jerk_delay, j);
-        total = total + coeffs.torque_jerk * j_delayed;
+        torque_a_j = torque_a + coeffs.torque_jerk * j_delayed;
     }
-    total
+    torque_a_j
 }
 
 /// A cycle in which the block acts.

@@ -12,7 +12,7 @@ pub struct Inputs<R> {
     pub a_interpolator: R,
     /// jerk of the interpolator, 0 where the profile is not jerk-limited [um/s^3 or 0.001 deg/s^3]
     pub j_interpolator: R,
-    /// G135: TRUE, G137: FALSE
+    /// G135: TRUE, G137: FALSE; acts at once: switch it at standstill
     pub feedforward_active: bool,
     /// weight of G136 [%], limited to 0..100
     pub feedforward_percentage: i32,
@@ -40,8 +40,8 @@ pub struct Outputs<R> {
     pub velocity_limited: bool,
     /// the process-data type cuts additive_torque off in this cycle
     pub torque_limited: bool,
-    /// the block cannot act in this cycle, error_id says why
+    /// the block cannot act in this cycle, the id says why
     pub fault: bool,
-    /// 0 none, 1 cycle time, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator is out of range
+    /// 0 none
     pub error_id: u32,
 }

@@ -20,7 +20,7 @@ use crate::signal::{error_cycle_time, error_gantry_slave, error_mode, error_none
 use crate::signal::{error_v_command, error_v_direct, error_v_motor, sample_limit};
 use crate::stage;
 use crate::sum::empty_sum;
-use portable::{Block, Enable, Fn, Real, from_u32, in_range, portable, within};
+use portable::{Block, Enable, Fn, Real, from_u32, in_range, note, portable, within};
 
 /// Stages of a block.
 pub const STAGES: usize = 3;
@@ -119,19 +119,19 @@ pub fn sum_of_stages<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: 
 /// The sum within +-limit; exactly 0 where its magnitude is not above `rest`.
 #[portable]
 pub fn limit<R: Real>(outputs: &mut Outputs<R>, coeffs: &Coeffs<R>, v_sum: R) -> R {
-    let mut v_limited = R::ZERO;
     if within(v_sum, coeffs.limit) {
-        v_limited = if within(v_sum, coeffs.rest) { R::ZERO } else { v_sum };
+        if within(v_sum, coeffs.rest) { R::ZERO } else { v_sum }
     } else {
         outputs.limited = true;
-        // Of a sum that is no number, which no sample in range leads to, nothing is added.
         if v_sum > R::ZERO {
-            v_limited = coeffs.limit;
+            coeffs.limit
         } else if v_sum < R::ZERO {
-            v_limited = coeffs.lower_limit;
+            coeffs.lower_limit
+        } else {
+            note("only a sum that is no number comes here, which no sample in range leads to: nothing is added");
+            R::ZERO
         }
     }
-    v_limited
 }
 
 /// Moves the fade by one cycle: up while the mode is ON, down otherwise. OFF ends where the fade has arrived at 0.
@@ -262,21 +262,21 @@ pub fn may_act<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let mut runs = true;
-    let mut error_id = error_none();
+    let mut reason = error_none();
     // Mostly the mode is ON and the fade full: then nothing but the sections changes.
     if !(may_act(coeffs, inputs) && inputs.mode == mode_on() && state.fade >= coeffs.fade_cycles) {
         if may_act(coeffs, inputs) {
             runs = prepare(state, coeffs, inputs);
         } else {
             runs = false;
-            error_id = error_of(coeffs, inputs);
+            reason = error_of(coeffs, inputs);
             stop(state);
         }
     }
     if runs {
         act(state, coeffs, inputs, outputs);
     } else {
-        clear(outputs, error_id);
+        clear(outputs, reason);
     }
 }
 

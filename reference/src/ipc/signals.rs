@@ -32,9 +32,9 @@ pub struct Outputs<R> {
     pub v_add_calculated: R,
     /// the limit (P-AXIS-00757 of P-AXIS-00212) acts in this cycle
     pub limited: bool,
-    /// the block cannot act in this cycle, error_id says why
+    /// the block cannot act in this cycle, the id says why
     pub fault: bool,
-    /// 0 none, 1 cycle time, 2 mode, 11 v_command, 12 v_motor, 13 v_direct is out of range, 70600 enabled on a gantry slave
+    /// 0 none
     pub error_id: u32,
 }
 

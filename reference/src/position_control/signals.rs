@@ -44,8 +44,8 @@ pub struct Outputs<R> {
     pub additive_torque: i32,
     /// a process-data type cuts an output off in this cycle
     pub limited: bool,
-    /// the block cannot act in this cycle, error_id says why
+    /// the block cannot act in this cycle, the id says why
     pub fault: bool,
-    /// 0 none, 1 cycle time, 17 x_command, 18 x_actual, 19 v_feedforward, 20 v_additive, 21 v_add is out of range; each of them stops the block
+    /// each stops the block: 0 none
     pub error_id: u32,
 }

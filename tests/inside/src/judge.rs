@@ -5,7 +5,8 @@ use super::defect::Defect;
 use super::stimulus;
 use super::subject::{Frame, Instance, unset_leaves};
 use compiler::interp::Machine;
-use compiler::pass::{self, PASSES};
+use compiler::legalise;
+use compiler::pass::{self, PASSES, Stage};
 use compiler::program::{Expr, Program, Statement, Var};
 use portable::Literal;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -56,6 +57,25 @@ pub fn judge(instance: &Instance, defect: Option<Defect>) -> Judgement {
 
 type Broken = (String, String);
 
+/// An output that somebody who looks between two statements sees with a value of neither this cycle nor the last one, as a language
+/// gets the program.
+fn torn(program: &Program, passes: &[Stage], runs: &[Vec<Vec<Literal>>]) -> Option<String> {
+    let legal = legalise::run(program, passes).unwrap_or_else(|defect| panic!("{defect}"));
+    for run in runs {
+        let (mut machine, mut outputs) = (Machine::start(&legal), Vec::new());
+        for (sample, inputs) in run.iter().enumerate() {
+            let mut written = Vec::new();
+            machine.step_watched(&numbers(inputs), &mut outputs, &mut |output, value| written.push((output, value)));
+            let is_final = |(output, value): &(usize, Literal)| same(*value, outputs[*output]);
+            if let Some((output, value)) = written.into_iter().find(|of| !is_final(of)) {
+                let path = &legal.outputs[output].path;
+                return Some(format!("sample {sample}: {path} is {value:?} for a while, then {:?}", outputs[output]));
+            }
+        }
+    }
+    None
+}
+
 /// Goes through the stages up to the first that is broken or differs.
 fn stages(
     instance: &Instance,
@@ -85,6 +105,12 @@ fn stages(
             whole.compare(&interpreted, inputs, frames).map_err(named(name))?;
         }
         program = after;
+    }
+    for passes in [legalise::WITH_OUTPUTS, legalise::WITH_DIGITS] {
+        let torn = attempt(|| torn(&program, passes, inputs)).map_err(named("settled"))?;
+        if let Some(torn) = torn {
+            return Err(("settled".to_owned(), torn));
+        }
     }
     let unset = whole.unset(&program);
     let kept = whole.kept(&program);

@@ -38,9 +38,9 @@ fn strict_compilers_have_nothing_to_say() {
     }
 }
 
-/// An axis gets one file for all its blocks.
+/// The files of all blocks of an axis, one after another in the same folder, and the headers beside each other.
 #[test]
-fn all_blocks_of_an_axis_fit_into_a_file() {
+fn all_blocks_of_an_axis_stand_beside_each_other() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/feedforward.toml");
     let (set, report) = generator::pipeline::read(&path, &generator::config::ListOptions::default());
     let axes = set.unwrap_or_else(|| panic!("{report}")).axes;
@@ -48,12 +48,17 @@ fn all_blocks_of_an_axis_fit_into_a_file() {
     let tools = tools();
     for (tool, axis) in tools.iter().flat_map(|tool| axes.iter().map(move |axis| (tool, axis))) {
         let folder = tempfile::tempdir().unwrap();
-        let files = TARGETS[0].files(&header(&axis.axis), &generator::blocks::blocks(axis).unwrap()).unwrap();
+        let files = generator::generate::axis_files(axis, &TARGETS[..1]).unwrap();
+        let mut all = String::new();
         for File { name, text } in &files {
             std::fs::write(folder.path().join(name), text).unwrap();
+            if name.ends_with(".h") {
+                all.push_str(&format!("#include \"{name}\"\n"));
+            }
         }
-        let source = &files[1].name;
-        for level in ["-O0", "-O2"] {
+        std::fs::write(folder.path().join("all.c"), all).unwrap();
+        let sources = files.iter().map(|file| file.name.as_str()).filter(|name| name.ends_with(".c")).chain(["all.c"]);
+        for (source, level) in sources.flat_map(|source| ["-O0", "-O2"].map(|level| (source, level))) {
             compile(
                 tool.command,
                 folder.path(),
@@ -69,7 +74,7 @@ fn the_header_is_fit_for_cpp() {
     for tool in tools().into_iter().filter(|tool| has(tool.cpp, tool.version_contains, tool.package)) {
         cases().par_iter().for_each(|case| {
             let (folder, stem) = written(case);
-            let prefix = format!("{stem}_{}", case.block.program.block);
+            let prefix = &stem;
             let text = format!(
                 "#include \"{stem}.h\"\n#include \"{stem}.h\"\n\
                  uint32_t run({prefix}_state &state, {prefix}_inputs &inputs, {prefix}_outputs &outputs)\n{{\n    \
@@ -116,9 +121,8 @@ fn symbols(folder: &Path, options: &[&str]) -> String {
 /// The emitted files in a folder, and what their names begin with.
 fn written(case: &Case) -> (TempDir, String) {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let files = TARGETS[0]
-        .files(&header(&case.axis.axis), std::slice::from_ref(&case.block))
-        .expect("the target prints the block");
+    let files =
+        TARGETS[0].files(&header(&case.axis.axis, &case.block), &case.block).expect("the target prints the block");
     for File { name, text } in &files {
         std::fs::write(folder.path().join(name), text).expect("room in it");
     }

@@ -20,11 +20,12 @@ fn a_target_that_is_named_twice_counts_once() {
     let folder = started();
     let twice = ["generate", "axes.toml", "--target", "c", "--target", "st", "--target", "c"];
     let (code, out, err) = axgen(folder.path(), &[&twice[..], &["--check"]].concat());
-    let not_there = ["h", "c", "st"].map(|end| format!("generated/axis_x.{end}: is not there\n")).concat();
+    let not_there =
+        [".h", ".c", ".st", "_self_test.st"].map(|end| format!("generated/axis_x_ipc{end}: is not there\n")).concat();
     assert_eq!((code, out, err.as_str()), (1, not_there, ""));
     let (code, out, err) = axgen(folder.path(), &twice);
     assert_eq!((code, err.as_str()), (0, ""));
-    assert!(out.ends_with("1 axis: 3 files written, 0 unchanged, 0 warnings\n"), "{out}");
+    assert!(out.ends_with("1 axis: 4 files written, 0 unchanged, 0 warnings\n"), "{out}");
 }
 
 /// A set of three axes, one of them in single precision.
@@ -44,7 +45,7 @@ fn generate(folder: &Path, more: &str) -> (i32, String) {
 /// What the project file names, and what the test program runs.
 fn named(folder: &Path) -> (BTreeSet<String>, usize) {
     let read = |name: &str| fs::read_to_string(folder.join("generated/twincat").join(name)).unwrap();
-    let project = read("axgen.plcproj");
+    let project = read("axgen.plcproj-fragment");
     let entries =
         project.lines().filter_map(|line| line.trim().strip_prefix("<Compile Include=\"")?.strip_suffix("\">"));
     let entries = entries.map(|entry| format!("generated/twincat/{}", entry.replace('\\', "/"))).collect();
@@ -54,7 +55,7 @@ fn named(folder: &Path) -> (BTreeSet<String>, usize) {
 /// All files that a project has to name.
 fn objects(folder: &Path) -> BTreeSet<String> {
     let mut files = files(folder, "generated/twincat");
-    files.retain(|name| !name.ends_with("axgen.plcproj") && !name.ends_with("IMPORT.md"));
+    files.retain(|name| !name.ends_with("axgen.plcproj-fragment") && !name.ends_with("IMPORT.md"));
     files
 }
 

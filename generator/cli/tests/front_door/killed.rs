@@ -23,7 +23,7 @@ fn a_file_of_a_person_stays_whatever_its_name_is() {
         let mine = [
             "notes.axgen-staged-1",
             "notes.axgen-kept-1",
-            "axis_y.c.axgen-staged-7",
+            "axis_y_ipc.c.axgen-staged-7",
             ".axgen-staged-1",
             "x.axgen-kept-1",
         ];
@@ -32,7 +32,7 @@ fn a_file_of_a_person_stays_whatever_its_name_is() {
         }
         fs::create_dir(below.join("folder.axgen-staged-1")).unwrap();
         #[cfg(unix)]
-        std::os::unix::fs::symlink(folder.path().join("mine"), below.join("axis_x.c.axgen-staged-2")).unwrap();
+        std::os::unix::fs::symlink(folder.path().join("mine"), below.join("axis_x_ipc.c.axgen-staged-2")).unwrap();
         let before = content(&below);
         assert_eq!(generate(), 0);
         assert_eq!(content(&below), before, "{out} {target}");
@@ -52,31 +52,31 @@ fn what_a_killed_run_left_is_put_back_or_removed() {
     let generate = || axgen(folder.path(), &["generate", "axes.toml", "--target", "c"]);
     assert_eq!(generate().0, 0);
     let result = content(&out);
-    let text = &result["axis_x.c"];
+    let text = &result["axis_x_ipc.c"];
     for (name, text) in [
-        ("axis_x.c.axgen-staged-1", &text[..10]),
-        ("axis_x.h.axgen-staged-1", ""),
-        ("axis_x.c.axgen-kept-1", "edited by hand\n"),
-        ("axis_gone.c.axgen-staged-1", text),
+        ("axis_x_ipc.c.axgen-staged-1", &text[..10]),
+        ("axis_x_ipc.h.axgen-staged-1", ""),
+        ("axis_x_ipc.c.axgen-kept-1", "edited by hand\n"),
+        ("axis_gone_ipc.c.axgen-staged-1", text),
     ] {
         fs::write(out.join(name), text).unwrap();
     }
     assert_eq!(generate().0, 0);
     assert_eq!(content(&out), result);
     // A target that is missing gets its old content back; that of an axis that is in the set no more too.
-    fs::rename(out.join("axis_x.c"), out.join("axis_x.c.axgen-kept-1")).unwrap();
-    fs::write(out.join("axis_gone.c.axgen-kept-1"), text).unwrap();
+    fs::rename(out.join("axis_x_ipc.c"), out.join("axis_x_ipc.c.axgen-kept-1")).unwrap();
+    fs::write(out.join("axis_gone_ipc.c.axgen-kept-1"), text).unwrap();
     let (code, said, _) = generate();
     assert!(code == 0 && said.ends_with("1 axis: 0 files written, 2 unchanged, 0 warnings\n"), "{said}");
     let mut with_gone = result.clone();
-    with_gone.insert("axis_gone.c".to_owned(), text.clone());
+    with_gone.insert("axis_gone_ipc.c".to_owned(), text.clone());
     assert_eq!(content(&out), with_gone);
     // What was edited by hand comes back too, and is judged as ever.
-    fs::remove_file(out.join("axis_x.c")).unwrap();
-    fs::write(out.join("axis_x.c.axgen-kept-1"), "mine\n").unwrap();
+    fs::remove_file(out.join("axis_x_ipc.c")).unwrap();
+    fs::write(out.join("axis_x_ipc.c.axgen-kept-1"), "mine\n").unwrap();
     let (code, _, err) = generate();
-    let said = "generated/axis_x.c: error[AX014]: was not generated, or its line `checksum` was taken out; nothing was written\n    \
+    let said = "generated/axis_x_ipc.c: error[AX014]: was not generated, or its line `checksum` was taken out; nothing was written\n    \
                 write instead: the change in what the file is made from; or overwrite it with --force\n";
     assert_eq!((code, err.as_str()), (2, said));
-    assert_eq!(fs::read_to_string(out.join("axis_x.c")).unwrap(), "mine\n");
+    assert_eq!(fs::read_to_string(out.join("axis_x_ipc.c")).unwrap(), "mine\n");
 }

@@ -74,20 +74,20 @@ fn a_check_is_silent_right_after_generate_and_names_every_change() {
     assert_eq!(generate(&["--check"]), (0, String::new(), String::new()));
     assert_eq!(generate(&["--diff"]), (0, String::new(), String::new()));
     // A file was edited, another is gone.
-    let (st, scl) = (folder.path().join("generated/axis_x.st"), folder.path().join("generated/axis_x.scl"));
+    let (st, scl) = (folder.path().join("generated/axis_x_ipc.st"), folder.path().join("generated/axis_x_ipc.scl"));
     fs::write(&st, fs::read_to_string(&st).unwrap().replacen("LREAL", "REAL", 1)).unwrap();
     fs::remove_file(&scl).unwrap();
     let (code, out, _) = generate(&["--check"]);
-    assert_eq!((code, out.as_str()), (1, "generated/axis_x.st: differs\ngenerated/axis_x.scl: is not there\n"));
+    assert_eq!((code, out.as_str()), (1, "generated/axis_x_ipc.st: differs\ngenerated/axis_x_ipc.scl: is not there\n"));
     assert!(!scl.exists(), "nothing was written");
     generate(&["--force"]);
     // A parameter was changed.
     edit(folder.path(), "fg_f0 = 53.0", "fg_f0 = 54.0");
     let (code, out, _) = generate(&["--check"]);
-    assert_eq!((code, out.lines().count()), (1, 8), "{out}");
+    assert_eq!((code, out.lines().count()), (1, 11), "{out}");
     let (code, out, _) = generate(&["--diff"]);
     assert_eq!(code, 1);
-    assert!(out.contains("--- generated/axis_x.c\n+++ generated/axis_x.c (as it would be written)\n"), "{out}");
+    assert!(out.contains("--- generated/axis_x_ipc.c\n+++ generated/axis_x_ipc.c (as it would be written)\n"), "{out}");
     assert!(out.contains("\n-") && out.contains("centre frequency 53 Hz") && out.contains("centre frequency 54 Hz"));
     generate(&[]);
     assert_eq!(generate(&["--check"]).0, 0);
@@ -325,7 +325,7 @@ fn a_users_own_golden_case() {
     edit(folder.path(), "weight_fact_num = 50", "weight_fact_num = 51");
     let (code, out, _) = axgen(folder.path(), &verify);
     assert_eq!(code, 1);
-    assert!(out.starts_with(".: differs in outputs.csv, digest, emitted/axis_x.h"), "{out}");
+    assert!(out.starts_with(".: differs in outputs.csv, digest, emitted/axis_x_ipc.h"), "{out}");
     assert_eq!(elements(&folder.path().join("junit.xml")), ["testsuites", "testsuite", "testcase", "failure"]);
     let results = fs::read_to_string(folder.path().join("results.json")).unwrap();
     assert!(results.contains("\"passed\": false") && results.contains("differs in outputs.csv"), "{results}");

@@ -17,7 +17,7 @@ fn folder() -> tempfile::TempDir {
     fs::write(path.join("in.csv"), "v_motor,mode\n1.0,1\n1.0\n1.0,\u{202e}x\n").unwrap();
     fs::write(path.join("x.lis"), "kopf.achs_nr 1\n").unwrap();
     assert_eq!(axgen(path, &["generate", "axes.toml", "--target", "c"]).0, 0);
-    for (name, text) in [("axis_x.c", "edited"), ("axis_x.h", "removed ")] {
+    for (name, text) in [("axis_x_ipc.c", "edited"), ("axis_x_ipc.h", "removed ")] {
         let file = path.join("generated").join(name);
         let new =
             fs::read_to_string(&file).unwrap().replace(if text == "edited" { "int32" } else { " checksum " }, text);
@@ -40,14 +40,14 @@ const ENDS: &[(&str, i32, &str)] = &[
         2,
         "--emit: error[AX012]: no stage `q`\n    \
          allowed: parameters, program, typed, identity, known, threaded, live, coalesced, sunk, turned, pruned, verified, \
-         st, twincat, codesys, scl\n",
+         c, st, twincat, codesys, scl\n",
     ),
     (
         "generate axes.toml --target c",
         2,
-        "generated/axis_x.h: error[AX014]: was not generated, or its line `checksum` was taken out; nothing was written\n    \
+        "generated/axis_x_ipc.h: error[AX014]: was not generated, or its line `checksum` was taken out; nothing was written\n    \
          write instead: the change in what the file is made from; or overwrite it with --force\n\
-         generated/axis_x.c: error[AX013]: was changed by hand after it had been generated; nothing was written\n    \
+         generated/axis_x_ipc.c: error[AX013]: was changed by hand after it had been generated; nothing was written\n    \
          write instead: the change in what the file is made from; or overwrite it with --force\n",
     ),
     ("generate axes.toml --out in.csv", 3, "in.csv: error[AX017]: File exists (os error 17); nothing was written\n"),
@@ -219,7 +219,7 @@ fn a_compiler_that_does_not_work_is_the_environment() {
     let (code, err) = with_compiler(folder.path(), "true", &[&verify[..], &["--message-format", "json"]].concat());
     assert_eq!((code, serde_json::from_str::<Value>(&err).unwrap()["code"].as_str()), (3, Some("AX018")));
     let picky = folder.path().join("picky");
-    fs::write(&picky, "#!/bin/sh\ncase \"$*\" in *axis_x.c*) exit 1;; esac\nexec cc \"$@\"\n").unwrap();
+    fs::write(&picky, "#!/bin/sh\ncase \"$*\" in *axis_x_ipc.c*) exit 1;; esac\nexec cc \"$@\"\n").unwrap();
     fs::set_permissions(&picky, fs::Permissions::from_mode(0o755)).unwrap();
     assert_eq!(with_compiler(folder.path(), picky.to_str().unwrap(), &verify), (1, String::new()));
 }

@@ -20,10 +20,10 @@ fn paths_with_blanks_and_long_paths() {
         let out = path("out put");
         let (code, said, err) = axgen(folder.path(), &["generate", &path("my set.toml"), "--out", &out]);
         assert_eq!((code, err.as_str()), (0, ""), "{said}");
-        assert!(said.contains(&format!("{out}/axis_x.c\n")), "{said}");
+        assert!(said.contains(&format!("{out}/axis_x_ipc.c\n")), "{said}");
         let (_, plain, _) = axgen(&inside, &["generate", "my set.toml", "--out", "plain"]);
-        assert!(plain.contains("\nplain/axis_x.c\n"), "{plain}");
-        for file in ["axis_x.h", "axis_x.c", "axis_x.st"] {
+        assert!(plain.contains("\nplain/axis_x_ipc.c\n"), "{plain}");
+        for file in ["axis_x_ipc.h", "axis_x_ipc.c", "axis_x_ipc.st"] {
             assert_eq!(
                 fs::read(inside.join("out put").join(file)).unwrap(),
                 fs::read(inside.join("plain").join(file)).unwrap()

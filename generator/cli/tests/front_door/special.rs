@@ -28,7 +28,7 @@ fn pipe(path: &Path) {
 #[test]
 fn a_pipe_or_a_device_in_the_place_of_a_generated_file_is_named() {
     let folder = started();
-    let target = folder.path().join("generated/axis_x.c");
+    let target = folder.path().join("generated/axis_x_ipc.c");
     for device in [None, Some("/dev/zero")] {
         assert_eq!(axgen(folder.path(), &["generate", "axes.toml", "--force"]).0, 0);
         fs::remove_file(&target).unwrap();
@@ -38,7 +38,7 @@ fn a_pipe_or_a_device_in_the_place_of_a_generated_file_is_named() {
         }
         for option in ["--check", "--diff"] {
             let said = bounded(folder.path(), &format!("generate axes.toml {option}"), Stdio::null());
-            assert_eq!(said, (3, format!("generated/axis_x.c: {NO_FILE}")), "{device:?}");
+            assert_eq!(said, (3, format!("generated/axis_x_ipc.c: {NO_FILE}")), "{device:?}");
         }
         fs::remove_file(&target).unwrap();
     }

@@ -4,20 +4,21 @@ use crate::pass::Defect;
 use crate::program::{Expr, Local, Program, Statement, Switch, Type, Var, Variable, rename};
 use portable::{Binary, Literal};
 
-/// The program with five more signals, which come before the others.
+/// The outputs that get another name, and that name.
+pub const RENAMED: [(&str, &str); 2] = [("fault", "Error"), ("error_id", "ErrorID")];
+
+/// The program with these signals, which come before the others.
 ///
 /// - `Enable` FALSE acts as mode OFF, or as the switch at FALSE where the block cannot be faded; TRUE as that input says.
 /// - `Valid`: enabled, and no fault in this cycle. It is no gate: on a fault of a part the others go on.
 /// - `Busy`: enabled, or not yet at rest: the block must go on being called.
-/// - `Error`, `ErrorID`: `fault` and `error_id`.
+/// - `Error`, `ErrorID`: what `fault` and `error_id` are elsewhere.
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let missing = |what: &str| Defect { pass: "enable", message: format!("{} has no {what}", program.block) };
-    let output = |path: &str| program.outputs.iter().position(|variable| variable.path == path);
     let switch = program.switch.take().ok_or_else(|| missing("input to turn it off"))?;
-    let fault = output("fault").ok_or_else(|| missing("fault"))?;
-    let error_id = output("error_id").ok_or_else(|| missing("error_id"))?;
-    let added = add_signals(&mut program, &switch);
-    let value_of = |output: usize| Expr::Var(Var::Output(output + added));
+    let output = |path: &str| program.outputs.iter().position(|variable| variable.path == path);
+    let [error, error_id] = RENAMED.map(|(path, _)| output(path).ok_or_else(|| missing(path)));
+    let [error, _] = add_signals(&mut program, &switch, [error?, error_id?]);
     // What the block reads is no longer the input, but what `Enable` makes of it.
     let (input, enabled) = (Var::Input(switch.input + 1), Var::Local(program.locals.len()));
     let variable = &program.inputs[switch.input + 1];
@@ -38,36 +39,34 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
         None => enable.clone(),
     };
     program.step.extend([
-        assign(Var::Output(0), Expr::binary(Binary::And, enable, Expr::not(value_of(fault)))),
+        assign(Var::Output(0), Expr::binary(Binary::And, enable, Expr::not(Expr::Var(error)))),
         assign(Var::Output(1), busy),
-        assign(Var::Output(2), value_of(fault)),
-        assign(Var::Output(3), value_of(error_id)),
     ]);
     Ok(program)
 }
 
-/// Puts the new signals before the others, which nothing reads or writes yet; gives the number of new outputs.
-fn add_signals(program: &mut Program, switch: &Switch) -> usize {
-    let signal = |path: &str, doc, ty, start| Variable { path: path.to_owned(), doc, ty, start };
-    let no = Literal::Bool(false);
+/// Puts the new signals before the others, which nothing reads or writes yet, and the two that get another name behind them; gives
+/// these two.
+fn add_signals(program: &mut Program, switch: &Switch, renamed: [usize; 2]) -> [Var; 2] {
+    let signal = |path: &str, doc| Variable { path: path.to_owned(), doc, ty: Type::Bool, start: Literal::Bool(false) };
     let [of_enable, of_valid, of_busy] = docs(switch);
-    program.inputs.insert(0, signal("Enable", of_enable, Type::Bool, no));
-    let new = [
-        signal("Valid", of_valid, Type::Bool, no),
-        signal("Busy", of_busy, Type::Bool, no),
-        signal("Error", "as fault", Type::Bool, no),
-        signal("ErrorID", "as error_id", Type::U32, Literal::U32(0)),
-    ];
-    let added = new.len();
-    program.outputs.splice(0..0, new);
-    let renamed = |var| match var {
+    program.inputs.insert(0, signal("Enable", of_enable));
+    let mut order: Vec<usize> = renamed.to_vec();
+    order.extend((0..program.outputs.len()).filter(|index| !renamed.contains(index)));
+    let mut old: Vec<Option<Variable>> = std::mem::take(&mut program.outputs).into_iter().map(Some).collect();
+    program.outputs = vec![signal("Valid", of_valid), signal("Busy", of_busy)];
+    program.outputs.extend(order.iter().filter_map(|index| old[*index].take()));
+    for ((_, name), output) in RENAMED.iter().zip(&mut program.outputs[2..]) {
+        (*name).clone_into(&mut output.path);
+    }
+    let moved = |var| match var {
         Var::Input(index) => Var::Input(index + 1),
-        Var::Output(index) => Var::Output(index + added),
+        Var::Output(index) => Var::Output(2 + order.iter().position(|old| *old == index).unwrap_or_default()),
         other => other,
     };
-    rename(&mut program.init, &renamed);
-    rename(&mut program.step, &renamed);
-    added
+    rename(&mut program.init, &moved);
+    rename(&mut program.step, &moved);
+    renamed.map(|index| moved(Var::Output(index)))
 }
 
 /// What the signals mean, by what turns the block off.

@@ -1,31 +1,49 @@
 //! Passes that make a program one that a language can say; a target names those that it needs, and `verify` runs after the
 //! last of them.
 
+mod before;
+mod bound;
+mod early;
 mod enable;
 mod nearest;
+mod negation;
 mod operands;
+mod own;
 mod settle;
+mod single;
 mod start;
+
+pub use enable::RENAMED;
+pub use own::{Own, own};
 
 use crate::pass::{self, Defect, Stage};
 use crate::program::Program;
 use std::borrow::Cow;
 
-/// What every dialect of Structured Text needs where numbers have names.
-pub const WITH_NAMES: &[Stage] =
-    &[("settled", settle::run), ("started", start::run), ("rounded", nearest::run), ("named", operands::run)];
+/// What every language needs.
+pub const WITH_OUTPUTS: &[Stage] = &[("settled", settle::run), ("early", early::run)];
 
 /// What Structured Text needs where the digits of an LREAL may stand in an expression.
-pub const WITH_DIGITS: &[Stage] =
-    &[("settled", settle::run), ("started", start::run), ("rounded", nearest::run), ("named", operands::run_single)];
+pub const WITH_DIGITS: &[Stage] = &[
+    ("settled", settle::run),
+    ("started", start::run),
+    ("rounded", nearest::run),
+    ("bounded", bound::run),
+    ("negated", negation::run),
+    ("named", operands::run_single),
+    ("single", single::run),
+];
 
-/// What they need with the signals of PLCopen around the block.
+/// What its dialects need where numbers have names, with the signals of PLCopen around the block.
 pub const WITH_ENABLE: &[Stage] = &[
     ("enabled", enable::run),
     ("settled", settle::run),
     ("started", start::run),
     ("rounded", nearest::run),
+    ("bounded", bound::run),
+    ("negated", negation::run),
     ("named", operands::run),
+    ("single", single::run),
 ];
 
 /// Runs the passes of a target over a verified program, and verifies what comes out.

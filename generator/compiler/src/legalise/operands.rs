@@ -12,7 +12,7 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
         if let Expr::Literal(value @ (Literal::F64(_) | Literal::F32(_))) = *part {
             let known = constants[first..].iter().position(|constant| constant.value == value);
             let number = known.unwrap_or_else(|| {
-                let path = format!("number[{}]", constants.len() - first);
+                let path = name_of(value);
                 constants.push(Constant { path, doc: "a number of the algorithm", value, origin: Origin::Function });
                 constants.len() - 1 - first
             });
@@ -30,4 +30,18 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
 /// The same where reals are single: the digits of an LREAL may stand beside an LREAL.
 pub(super) fn run_single(program: Program) -> Result<Program, Defect> {
     if program.real == RealKind::F32 { run(program) } else { Ok(program) }
+}
+
+/// What a number is called: `zero`, `one`, else its digits, as in `number_0p5`.
+fn name_of(value: Literal) -> String {
+    let digits = match value {
+        Literal::F64(value) => format!("{value:?}"),
+        Literal::F32(value) => format!("{value:?}"),
+        other => panic!("operands: {other:?} is no real number"),
+    };
+    match digits.as_str() {
+        "0.0" => "zero".to_owned(),
+        "1.0" => "one".to_owned(),
+        digits => format!("number_{}", digits.trim_end_matches(".0").replace('.', "p").replace('-', "m")),
+    }
 }

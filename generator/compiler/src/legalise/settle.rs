@@ -10,6 +10,9 @@ use crate::pass::Defect;
 use crate::program::{Expr, Local, Program, Statement, Var, rename};
 use portable::{Binary, Literal};
 
+/// What the names of locals end with that hold an output: of the first one, of the second one, ...
+const HELD: [&str; 3] = ["so_far", "until_now", "up_to_here"];
+
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     for output in 0..program.outputs.len() {
         let mut step = std::mem::take(&mut program.step);
@@ -98,7 +101,9 @@ fn hold(list: &mut Vec<Statement>, (first, next): (usize, usize), output: Var, p
     let Var::Output(index) = output else { panic!("settle: {output:?} is no output") };
     let variable = &program.outputs[index];
     let start = variable.start;
-    program.locals.push(Local { path: variable.path.clone(), ty: Some(variable.ty) });
+    let known = |end: &&&str| program.locals.iter().any(|local| local.path == format!("{}_{end}", variable.path));
+    let end = HELD.iter().find(|end| !known(end)).unwrap_or(&HELD[0]);
+    program.locals.push(Local { path: format!("{}_{end}", variable.path), ty: Some(variable.ty) });
     complete(&mut list[first], output, start);
     list[first].branches_mut().for_each(|list| in_list(list, output, program));
     rename(&mut list[first..=first], &|var| if var == output { local } else { var });

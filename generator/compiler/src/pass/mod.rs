@@ -6,7 +6,7 @@ mod dead;
 mod facts;
 mod identity;
 mod known;
-mod prune;
+pub(crate) mod prune;
 mod sink;
 mod thread;
 mod turn;

@@ -11,7 +11,8 @@ mod scope;
 pub mod st;
 
 pub use language::{Appearance, Language};
-pub use names::{Names, identifier};
+use names::Names;
+pub use names::identifier;
 
 use crate::program::{Expr, Program, Statement, Table, Var, Variable};
 use language::Level;
@@ -46,12 +47,6 @@ pub fn signals(program: &Program, language: &Language) -> [Vec<String>; 2] {
     [&program.inputs, &program.outputs].map(|variables| members(variables, language, &mut names))
 }
 
-/// The names of a program's constants, behind a prefix where others stand in the same scope.
-pub fn constants(program: &Program, prefix: &str, names: &mut Names) -> Vec<String> {
-    let path = |path: &str| if prefix.is_empty() { names.take(path) } else { names.take(&format!("{prefix}.{path}")) };
-    program.constants.iter().map(|constant| constant.path.as_str()).map(path).collect()
-}
-
 /// The names of variables that the caller sees: in one scope with all others, or in a struct.
 fn members(variables: &[Variable], language: &Language, names: &mut Names) -> Vec<String> {
     let mut own = language.has_structs.then(|| Names::new(language));
@@ -64,18 +59,14 @@ fn members(variables: &[Variable], language: &Language, names: &mut Names) -> Ve
 }
 
 impl<'p> Printer<'p> {
-    /// A program that has a scope for itself; the names of the interface are taken first.
+    /// The names of the interface are taken first.
     pub fn new(program: &'p Program, language: &'p Language) -> Self {
-        Self::beside(program, language, Names::new(language), None)
-    }
-
-    /// A program in a scope in which some names are taken: its locals have none of them. `known`: those of its constants.
-    pub fn beside(program: &'p Program, language: &'p Language, mut names: Names, known: Option<Vec<String>>) -> Self {
+        let mut names = Names::new(language);
         let names = Scope {
             inputs: members(&program.inputs, language, &mut names),
             outputs: members(&program.outputs, language, &mut names),
             state: members(&program.state, language, &mut names),
-            constants: known.unwrap_or_else(|| constants(program, "", &mut names)),
+            constants: program.constants.iter().map(|constant| names.take(&constant.path)).collect(),
             locals: program.locals.iter().map(|local| names.take(&local.path)).collect(),
         };
         let appearances = (language.appearances)(program);

@@ -1,6 +1,6 @@
 //! Identifiers from paths, each given once. The reserved words are part of a language's description.
 
-use super::Language;
+use super::language::Language;
 use std::collections::HashSet;
 
 /// The identifier of a path: `stage[0].filter[1].y` becomes `stage0_filter1_y`.
@@ -12,15 +12,14 @@ pub fn identifier(path: &str) -> String {
 }
 
 /// The names of one scope, unlike each other in more than the case of their letters.
-#[derive(Clone, Debug)]
-pub struct Names {
+pub(super) struct Names {
     is_reserved: fn(&str) -> bool,
     taken: HashSet<String>,
 }
 
 impl Names {
     /// No names yet, in a language that keeps some words for itself.
-    pub fn new(language: &Language) -> Self {
+    pub(super) fn new(language: &Language) -> Self {
         Self { is_reserved: language.is_reserved, taken: HashSet::new() }
     }
 

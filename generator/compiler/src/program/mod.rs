@@ -171,6 +171,17 @@ impl Program {
         }
     }
 
+    /// Where a variable stands in the reference.
+    pub fn path(&self, var: Var) -> &str {
+        match var {
+            Var::Input(index) => &self.inputs[index].path,
+            Var::Output(index) => &self.outputs[index].path,
+            Var::State(index) => &self.state[index].path,
+            Var::Constant(index) => &self.constants[index].path,
+            Var::Local(index) => &self.locals[index].path,
+        }
+    }
+
     /// The statements of both bodies.
     pub fn statements(&self) -> impl DoubleEndedIterator<Item = &Statement> {
         self.step.iter().chain(&self.init)

@@ -79,6 +79,17 @@ impl Expr {
         first.into_iter().chain(second).chain(more)
     }
 
+    /// The same, to be changed.
+    pub(crate) fn operands_mut(&mut self) -> impl Iterator<Item = &mut Self> {
+        let (first, second, more): (_, _, &mut [Self]) = match self {
+            Self::Literal(_) | Self::Var(_) => (None, None, &mut []),
+            Self::Unary(_, operand) => (Some(&mut **operand), None, &mut []),
+            Self::Binary(_, left, right) => (Some(&mut **left), Some(&mut **right), &mut []),
+            Self::Intrinsic(_, operands) => (None, None, operands),
+        };
+        first.into_iter().chain(second).chain(more)
+    }
+
     /// Calls `visit` for the expression and for every part of it.
     pub fn parts<'a>(&'a self, visit: &mut impl FnMut(&'a Self)) {
         visit(self);
@@ -101,15 +112,7 @@ impl Expr {
 
     /// Calls `change` for every part of the expression, inner parts first, and at last for the expression.
     pub fn change(&mut self, change: &mut impl FnMut(&mut Self)) {
-        match self {
-            Self::Literal(_) | Self::Var(_) => {}
-            Self::Unary(_, operand) => operand.change(change),
-            Self::Binary(_, left, right) => {
-                left.change(change);
-                right.change(change);
-            }
-            Self::Intrinsic(_, operands) => operands.iter_mut().for_each(|operand| operand.change(change)),
-        }
+        self.operands_mut().for_each(|operand| operand.change(change));
         change(self);
     }
 }

@@ -8,8 +8,13 @@ use portable::{Argument, Fn, Intrinsic, Literal, Mode};
 use std::rc::Rc;
 
 impl Specialiser<'_> {
-    /// Inlines a call; gives its value, if it has one.
-    pub(super) fn call(&mut self, function: &'static Fn, arguments: &'static [Argument]) -> Option<Expr> {
+    /// Inlines a call that has a value.
+    pub(super) fn called(&mut self, function: &'static Fn, arguments: &'static [Argument], name: &str) -> Expr {
+        self.call(function, arguments, name).expect("specialise: a function that is used as a value has one")
+    }
+
+    /// Inlines a call; gives its value, if it has one. A local that holds the value gets the name.
+    pub(super) fn call(&mut self, function: &'static Fn, arguments: &'static [Argument], name: &str) -> Option<Expr> {
         if let Some(intrinsic) = function.body.intrinsic {
             let operands = arguments.iter().map(|argument| self.value_argument(argument, function)).collect();
             return Some(self.intrinsic(intrinsic, operands));
@@ -32,13 +37,16 @@ impl Specialiser<'_> {
             names.push(Named { name: param.name, part, path });
         }
         let context = context.filter(|path| !path.is_empty()).unwrap_or_else(|| Rc::clone(&self.frame().context));
+        // A path of its own has the number of the round in it.
+        let is_inside = context == self.frame().context;
+        let rounds = if is_inside { self.frame().rounds.clone() } else { Vec::new() };
         if context != self.frame().context
             && let Some(note) = self.notes.get(&*context)
         {
             self.statements.push(Statement::Note(note.clone()));
         }
-        self.frames.push(Frame { names, context, function: function.name });
-        let value = self.block(&function.body.block);
+        self.frames.push(Frame { names, context, rounds, function: function.name });
+        let value = self.named_block(&function.body.block, name);
         self.frames.pop();
         match value {
             // A function without parameters is a named number; a bool, an index or a variant decides, and needs no name.

@@ -26,9 +26,7 @@ impl Specialiser<'_> {
                 let right = self.expr(right);
                 self.binary(*operator, left, right)
             }
-            portable::Expr::Call { function, arguments } => {
-                self.call(function, arguments).expect("specialise: a function that is used as a value has one")
-            }
+            portable::Expr::Call { function, arguments } => self.called(function, arguments, "value"),
             portable::Expr::If { .. } | portable::Expr::Match { .. } => self.choice(expr, "value"),
             portable::Expr::Array { .. } | portable::Expr::Repeat { .. } => {
                 panic!("specialise: in {}: an array is no scalar", self.frame().function)

@@ -81,6 +81,8 @@ struct Frame {
     names: Vec<Named>,
     /// the path of the state that the function works on, which names its locals
     context: Rc<str>,
+    /// the rounds of the loops around this point, which number them
+    rounds: Vec<usize>,
     function: &'static str,
 }
 
@@ -111,7 +113,7 @@ impl Specialiser<'_> {
     fn function(&mut self, function: &'static Fn, arguments: &[Part]) -> Vec<Statement> {
         let names = function.params.iter().zip(arguments);
         let names = names.map(|(param, part)| Named { name: param.name, part: *part, path: Some("".into()) }).collect();
-        self.frames.push(Frame { names, context: "".into(), function: function.name });
+        self.frames.push(Frame { names, context: "".into(), rounds: Vec::new(), function: function.name });
         self.block(&function.body.block);
         self.frames.pop();
         std::mem::take(&mut self.statements)
@@ -161,7 +163,8 @@ impl Specialiser<'_> {
     /// A new local of the function that is being inlined.
     fn local(&mut self, name: &str) -> Var {
         let context = &self.frame().context;
-        let path = if context.is_empty() { name.to_owned() } else { format!("{context}.{name}") };
+        let mut path = if context.is_empty() { name.to_owned() } else { format!("{context}.{name}") };
+        path.extend(self.frame().rounds.iter().map(|round| format!("[{round}]")));
         self.program.locals.push(Local { path, ty: None });
         Var::Local(self.program.locals.len() - 1)
     }

@@ -8,11 +8,16 @@ use portable::{Arm, Binary, CodeBlock, Literal};
 impl Specialiser<'_> {
     /// Runs a block; gives its value. The names that it declares end with it.
     pub(super) fn block(&mut self, block: &'static CodeBlock) -> Option<Expr> {
+        self.named_block(block, "value")
+    }
+
+    /// The same; a local that holds its value gets the name.
+    pub(super) fn named_block(&mut self, block: &'static CodeBlock, name: &str) -> Option<Expr> {
         let outer = self.frame().names.len();
         for statement in block.statements {
             self.statement(statement);
         }
-        let value = block.value.map(|value| self.expr(value));
+        let value = block.value.map(|value| self.named_value(value, name));
         self.frame_mut().names.truncate(outer);
         value
     }
@@ -58,17 +63,20 @@ impl Specialiser<'_> {
                 let part = self.place(place);
                 self.assign(part, name, value);
             }
+            portable::Statement::Note { text } => self.statements.push(Statement::Note((*text).to_owned())),
             portable::Statement::For { variable, from, to, body } => {
                 for index in self.known_index(from)..self.known_index(to) {
                     let part = self.scalar(Cell::Known(Literal::Usize(index)));
                     self.declare(variable, part);
+                    self.frame_mut().rounds.push(index);
                     self.block(body);
+                    self.frame_mut().rounds.pop();
                     self.frame_mut().names.pop();
                 }
             }
             portable::Statement::Expr { value } => match value {
                 portable::Expr::Call { function, arguments } => {
-                    self.call(function, arguments);
+                    self.call(function, arguments, "value");
                 }
                 branching => {
                     self.branch(branching, None);
@@ -81,6 +89,7 @@ impl Specialiser<'_> {
     fn named_value(&mut self, value: &'static portable::Expr, name: &str) -> Expr {
         match value {
             portable::Expr::If { .. } | portable::Expr::Match { .. } => self.choice(value, name),
+            portable::Expr::Call { function, arguments } => self.called(function, arguments, name),
             value => self.expr(value),
         }
     }

@@ -52,6 +52,10 @@ impl Part for Axis {
         [quiet.min(other_quiet), loud.max(other_loud)]
     }
 
+    fn start_cycles(&self, designed: &Designed) -> usize {
+        Ipc.start_cycles(designed)
+    }
+
     fn summary(&self, designed: &Designed) -> Summary {
         let control = &designed.axis.control;
         let limit = control.master_limit.map(|limit| format!(": puts out its v_add, |v_add| <= {}", digits(limit)));

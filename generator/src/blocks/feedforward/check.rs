@@ -15,6 +15,7 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Driv
         return Some(None);
     }
     e.note(key(Name::FeedforwardMode), &Value::Words(words.iter().map(|word| word.name()).collect()));
+    drive::note(e, &[Name::DriveType, Name::OperationMode]);
     refuse_jerk(e, has(FeedforwardWord::AddJerk))?;
     let [mut conventional, mut additive, mut torque] = ways(&words);
     if drive.location == Location::Profidrive && has(FeedforwardWord::AddVel) {

@@ -41,6 +41,10 @@ impl Part for Ipc {
     }
 
     /// How it starts, its limit and its fade; a line for each stage.
+    fn start_cycles(&self, designed: &Designed) -> usize {
+        designed.ipc.fade_cycles as usize
+    }
+
     fn summary(&self, designed: &Designed) -> Summary {
         let (ipc, fade_cycles) = (&designed.axis.ipc, designed.ipc.fade_cycles);
         let start = ipc.enable.name();

@@ -23,6 +23,12 @@ impl Part for PositionControl {
         notes::notes(&designed.axis)
     }
 
+    /// Which terms its sums have.
+    fn terms(&self, axis: &Axis) -> String {
+        let of = design::coefficients(axis);
+        format!("feedforward {} additive {} torque {} adds {}\n", of.feedforward, of.additive, of.torque, of.adds)
+    }
+
     fn ranges(&self, designed: &Designed) -> [f64; 2] {
         let v_max = designed.axis.ipc.v_max;
         [v_max / 16.0, v_max]

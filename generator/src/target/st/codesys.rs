@@ -1,37 +1,51 @@
-//! The target `codesys`: PLCopen XML (tc6_0200) for each axis, and a file with the function that all of them call.
+//! The target `codesys`: PLCopen XML (tc6_0200) for each block and for its self-test, and a file with what all of them use.
 
+use super::dialect::Dialect;
+use super::listing::{Listing, Origin};
 use super::twincat::in_range;
-use super::{Origin, StBlock, TcInRange, listings, origin, real_types};
-use crate::target::{File, Header, Legal, Unit, rendered, stem};
+use super::{TcInRange, both, real_types};
+use crate::target::{File, Header, Legal, Unit, rendered};
 use askama::Template;
-use compiler::print::st::CODESYS;
+use compiler::print::st;
+
+static CODESYS: Dialect = Dialect {
+    language: &st::CODESYS,
+    prefix: "",
+    quote: "",
+    mark: "",
+    arguments: ["E_axgen_mode.MODE_DRYRUN", "task_cycle_ns"],
+};
 
 #[derive(Template)]
 #[template(path = "codesys/file.xml")]
 struct CodesysFile<'a> {
     origin: Origin<'a>,
     name: &'a str,
-    blocks: Vec<StBlock>,
+    block: Listing,
 }
 
 /// The file that all axes share.
 #[derive(Template)]
-#[template(path = "codesys/in_range.xml")]
-struct CodesysInRange<'a> {
+#[template(path = "codesys/shared.xml")]
+struct CodesysShared<'a> {
     name: &'a str,
     /// one function for each real type
     functions: Vec<TcInRange<'a>>,
 }
 
-pub(crate) fn files(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
-    let name = &stem(&axis.name);
-    let file = format!("{name}.xml");
-    let text = CodesysFile { origin: origin(axis, &file, blocks), name, blocks: listings(axis, blocks, "", &CODESYS) };
-    vec![rendered(&file, "", &text)]
+#[derive(Template)]
+#[template(path = "codesys/IMPORT.md")]
+struct CodesysGuide;
+
+pub(crate) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
+    both(axis, block, &CODESYS, "xml", |origin, block| {
+        let name = &block.name.clone();
+        rendered(origin.file, "", &CodesysFile { origin, name, block })
+    })
 }
 
 pub(crate) fn shared(units: &[Unit<'_>]) -> Vec<File> {
     let name = "axgen_shared";
-    let text = CodesysInRange { name, functions: real_types(units).map(in_range).collect() };
-    vec![rendered(&format!("{name}.xml"), "", &text)]
+    let text = CodesysShared { name, functions: real_types(units).map(in_range).collect() };
+    vec![rendered(&format!("{name}.xml"), "", &text), rendered("IMPORT_CODESYS.md", "", &CodesysGuide)]
 }

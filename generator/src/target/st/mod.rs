@@ -4,56 +4,41 @@
 //! Whatever implementations disagree on is not printed: see `docs/structured-text.md`.
 
 pub(super) mod codesys;
+mod dialect;
+mod listing;
+mod self_test;
 pub(super) mod twincat;
 
-use super::outline::{COMMENT_WIDTH, Group, Member, Outline};
-use super::{File, Header, Legal, Unit, block_name, rendered, stem};
+use super::{File, Header, Legal, Unit, block_name, rendered};
 use askama::Template;
-use compiler::print::st::{PLAIN, SCL};
-use compiler::print::{Appearance, Language, Printer, comment};
-use compiler::program::Type;
+use dialect::{Dialect, SIEMENS, ST};
+use listing::{Listing, Origin, listing, origin};
 use portable::RealKind;
-
-/// The comment at the top of an axis's file.
-#[derive(Template)]
-#[template(path = "st/origin.st")]
-struct Origin<'a> {
-    file: &'a str,
-    axis: &'a Header,
-    real: &'a str,
-    /// what is certain of the blocks in the file, and their measured response; empty where there is no block
-    certificate: String,
-}
-
-/// A block: declarations, numbers, statements.
-struct StBlock {
-    name: String,
-    inputs: Vec<Member>,
-    outputs: Vec<Member>,
-    state: Vec<Member>,
-    locals: Vec<Member>,
-    /// numbers that stand in the statements
-    inline: Vec<Group>,
-    /// numbers that are declared
-    declared: Vec<Group>,
-    /// numbers that each cycle assigns anew
-    assigned: Vec<Group>,
-    body: String,
-}
 
 #[derive(Template)]
 #[template(path = "st/file.st")]
 struct PlainFile<'a> {
     origin: Origin<'a>,
-    blocks: Vec<StBlock>,
+    block: Listing,
 }
 
 #[derive(Template)]
 #[template(path = "scl/file.scl")]
 struct SclFile<'a> {
     origin: Origin<'a>,
-    blocks: Vec<StBlock>,
+    block: Listing,
 }
+
+/// The numbers of the modes under their names.
+#[derive(Template)]
+#[template(path = "scl/mode.scl")]
+struct SclMode<'a> {
+    file: &'a str,
+}
+
+#[derive(Template)]
+#[template(path = "scl/IMPORT.md")]
+struct SclGuide;
 
 /// The function that looks at a sample's exponent bits before it compares it: TwinCAT's file, of which CODESYS takes the parts.
 #[derive(Template)]
@@ -68,45 +53,39 @@ struct TcInRange<'a> {
     exponent: &'a str,
 }
 
-/// The file of an axis for any compiler of the standard's second edition.
-pub(super) fn plain(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
-    let name = format!("{}.st", stem(&axis.name));
-    let file = PlainFile { origin: origin(axis, &name, blocks), blocks: listings(axis, blocks, "", &PLAIN) };
-    vec![rendered(&name, "", &file)]
+/// The files of a block for any compiler of the standard's second edition.
+pub(super) fn plain(axis: &Header, block: &Legal<'_>) -> Vec<File> {
+    both(axis, block, &ST, "st", |origin, block| rendered(origin.file, "", &PlainFile { origin, block }))
 }
 
-/// The file of an axis for Siemens S7-1200 and S7-1500: an external source.
-pub(super) fn scl(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
-    let name = format!("{}.scl", stem(&axis.name));
-    let file = SclFile { origin: origin(axis, &name, blocks), blocks: listings(axis, blocks, "FB_", &SCL) };
-    vec![rendered(&name, "", &file)]
+/// The files of a block for Siemens S7-1200 and S7-1500: external sources.
+pub(super) fn scl(axis: &Header, block: &Legal<'_>) -> Vec<File> {
+    both(axis, block, &SIEMENS, "scl", |origin, block| rendered(origin.file, "", &SclFile { origin, block }))
 }
 
-/// The blocks of an axis; a dialect puts a prefix before their names.
-fn listings(axis: &Header, blocks: &[Legal<'_>], prefix: &str, dialect: &'static Language) -> Vec<StBlock> {
-    let listing = |block: &Legal<'_>| {
-        let printer = &Printer::new(&block.program, dialect);
-        let outline = Outline { block, language: dialect, printer, next_line: "\n       " };
-        StBlock {
-            name: format!("{prefix}{}", block_name(&axis.name, block.program.block)),
-            inputs: outline.inputs(),
-            outputs: outline.outputs(),
-            state: outline.state(),
-            locals: outline.locals(),
-            inline: outline.groups(Appearance::Inline),
-            declared: outline.groups(Appearance::Declared),
-            assigned: outline.groups(Appearance::Assigned),
-            body: printer.body(&block.program.step, 0),
-        }
-    };
-    blocks.iter().map(listing).collect()
+/// What all axes share there.
+pub(super) fn scl_shared(_: &[Unit<'_>]) -> Vec<File> {
+    let file = "axgen_mode.scl";
+    vec![rendered(file, "", &SclMode { file }), rendered("IMPORT_SCL.md", "", &SclGuide)]
 }
 
-/// The comment at the top of an axis's file, which holds these blocks.
-fn origin<'a>(axis: &'a Header, file: &'a str, blocks: &[Legal<'_>]) -> Origin<'a> {
-    let certificates: Vec<&String> = blocks.iter().flat_map(|block| &block.block.certificate).collect();
-    let certificate = comment::wrapped(&certificates, COMMENT_WIDTH, "\n   ");
-    Origin { file, axis, real: PLAIN.ty(Type::Real, axis.real), certificate }
+/// The file of a block, and that of its self-test.
+fn both(
+    axis: &Header,
+    block: &Legal<'_>,
+    dialect: &Dialect,
+    extension: &str,
+    file: impl Fn(Origin<'_>, Listing) -> File,
+) -> Vec<File> {
+    let name = block_name(&axis.name, block.program.block);
+    let of_block = format!("{name}.{extension}");
+    let of_test = format!("{name}_{}.{extension}", self_test::SUFFIX);
+    let mut test = origin(axis, &of_test, block, dialect);
+    test.is_test();
+    vec![
+        file(origin(axis, &of_block, block, dialect), listing(axis, block, dialect)),
+        file(test, self_test::listing(axis, block, dialect)),
+    ]
 }
 
 /// The real types that a set uses.

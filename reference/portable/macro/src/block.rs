@@ -111,6 +111,7 @@ pub fn expression(expression: &Expr, scope: &mut Scope, rejections: &mut Rejecti
             return quote!(::portable::Statement::Assign { place: #place, value: &#value });
         }
         Expr::ForLoop(each) => return describe_for(each, scope, rejections),
+        Expr::Call(call) if is_note(call) => return describe_note(call, rejections),
         Expr::Call(call) => call::describe(call, true, scope, rejections),
         Expr::If(branch) => branch::describe_if(branch, false, scope, rejections),
         Expr::Match(choice) => branch::describe_match(choice, false, scope, rejections),
@@ -120,6 +121,23 @@ pub fn expression(expression: &Expr, scope: &mut Scope, rejections: &mut Rejecti
         }
     };
     quote!(::portable::Statement::Expr { value: &#value })
+}
+
+/// Whether a call is one of `note`.
+fn is_note(call: &syn::ExprCall) -> bool {
+    matches!(&*call.func, Expr::Path(function) if function.path.segments.last().is_some_and(|last| last.ident == "note"))
+}
+
+fn describe_note(call: &syn::ExprCall, rejections: &mut Rejections) -> TokenStream {
+    match call.args.first() {
+        Some(Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(text), .. })) if call.args.len() == 1 => {
+            quote!(::portable::Statement::Note { text: #text })
+        }
+        _ => {
+            rejections.push(call, "a note is a text in quotes");
+            TokenStream::new()
+        }
+    }
 }
 
 /// Whether the operator is `+=` or one of its kind.

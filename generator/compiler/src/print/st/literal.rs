@@ -22,6 +22,8 @@ pub fn literal(value: Literal) -> String {
     match value {
         Literal::Bool(true) => "TRUE".to_owned(),
         Literal::Bool(false) => "FALSE".to_owned(),
+        // To some compilers -2147483648 is minus a number that fits no DINT.
+        Literal::I32(i32::MIN) => "-2147483647 - 1".to_owned(),
         Literal::I32(value) => value.to_string(),
         Literal::U32(value) => value.to_string(),
         Literal::F64(wide) => real(wide, digits(value)),
@@ -30,13 +32,9 @@ pub fn literal(value: Literal) -> String {
     }
 }
 
-/// The text of a literal in a statement, and how tightly it binds: it may be a product, or begin with a sign. To some
-/// compilers -2147483648 is there minus a number that fits no DINT.
+/// The text of a literal in a statement, and how tightly it binds: it may be a product, or begin with a sign.
 pub(super) fn operand(value: Literal) -> (String, Level) {
-    let text = match value {
-        Literal::I32(i32::MIN) => "-2147483647 - 1".to_owned(),
-        other => literal(other),
-    };
+    let text = literal(value);
     let level = match text.as_bytes() {
         _ if text.contains(" * ") => Level::Product,
         [b'-', ..] => Level::Any,
@@ -48,6 +46,10 @@ pub(super) fn operand(value: Literal) -> (String, Level) {
 /// The digits of a number within the limits; a product for one beyond them.
 fn real(value: f64, text: String) -> String {
     let magnitude = value.abs();
+    if magnitude == 0.0 && value.is_sign_negative() {
+        // To some compilers a sign before 0 is a subtraction from 0.
+        return "-1.0 * 0.0".to_owned();
+    }
     if magnitude == 0.0 || (SMALLEST..=LARGEST).contains(&magnitude) {
         return text;
     }

@@ -91,8 +91,10 @@ fn form_of_codesys(operation: &Expr, ty: Type, real: RealKind) -> Option<Form> {
     Some(Form { level: Level::And, text, least: [Level::Any; 2] })
 }
 
+/// Where the smallest DINT is no literal, it is no value of a constant either.
 fn declared(program: &Program) -> Vec<Appearance> {
-    vec![Appearance::Declared; program.constants.len()]
+    let appearance = |value| if value == Literal::I32(i32::MIN) { Appearance::Inline } else { Appearance::Declared };
+    program.constants.iter().map(|constant| appearance(constant.value)).collect()
 }
 
 /// Digits in an expression are LREAL in every implementation: they must not stand beside a REAL.

@@ -5,7 +5,9 @@ mod suite;
 
 pub(crate) use project::shared;
 
-use super::{Origin, StBlock, TcInRange, listings, origin};
+use super::dialect::Dialect;
+use super::listing::{self, Listing, Origin, listing, origin};
+use super::{TcInRange, self_test};
 use crate::target::{self, File, Header, Legal};
 use askama::Template;
 use askama::filters::Escaper;
@@ -13,7 +15,6 @@ use compiler::print::st::CODESYS;
 use compiler::program::Type;
 use portable::RealKind;
 use std::fmt::Write;
-use std::slice::from_ref;
 use uuid::{Uuid, uuid};
 
 /// Where the files lie, below the output folder.
@@ -25,8 +26,13 @@ const DUTS: &str = "DUTs";
 /// The folder of what only tests need.
 const TESTS: &str = "Tests";
 
-/// What the names of function blocks begin with.
-const PREFIX: &str = "FB_";
+static TWINCAT: Dialect = Dialect {
+    language: &CODESYS,
+    prefix: "FB_",
+    quote: "",
+    mark: "",
+    arguments: ["E_axgen_mode.MODE_DRYRUN", "100 * _TaskInfo[GETCURTASKINDEXEX()].CycleTime"],
+};
 
 /// TwinCAT's files begin with a byte order mark.
 const BYTE_ORDER_MARK: &str = "\u{feff}";
@@ -41,24 +47,34 @@ const NAMESPACE: Uuid = uuid!("4af64489-b926-5bad-acb2-20dca8f42d6a");
 struct TcPou<'a> {
     origin: Origin<'a>,
     id: String,
-    block: &'a StBlock,
+    block: Listing,
 }
 
-/// The files of an axis: for each block the function block, and a suite with its vector.
-pub(crate) fn files(axis: &Header, blocks: &[Legal<'_>]) -> Vec<File> {
-    let files = |(block, listing): (&Legal<'_>, &StBlock)| {
+/// The files of a block: the function block, its self-test, and a suite that runs that.
+pub(crate) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
+    let pou = |folder: &str, listing: Listing, is_test: bool| {
         let file = format!("{}.TcPOU", listing.name);
-        let origin = origin(axis, &file, from_ref(block));
-        let pou = rendered(POUS, &file, &TcPou { origin, id: guid("POU", &listing.name), block: listing });
-        let [vector, suite] = suite::files(axis, block, &listing.name);
-        [pou, vector, suite]
+        let mut origin = origin(axis, &file, block, &TWINCAT);
+        if is_test {
+            origin.is_test();
+        }
+        rendered(folder, &file, &TcPou { origin, id: guid("POU", &listing.name), block: listing })
     };
-    blocks.iter().zip(&listings(axis, blocks, PREFIX, &CODESYS)).flat_map(files).collect()
+    vec![
+        pou(POUS, listing(axis, block, &TWINCAT), false),
+        pou(TESTS, self_test::listing(axis, block, &TWINCAT), true),
+        suite::file(axis, block),
+    ]
 }
 
 /// The name of the function block of a block of an axis.
 fn block_name(axis: &str, block: &str) -> String {
-    format!("{PREFIX}{}", target::block_name(axis, block))
+    listing::name(axis, block, &TWINCAT)
+}
+
+/// The name of its self-test.
+fn self_test_name(block: &str) -> String {
+    format!("{block}_{}", self_test::SUFFIX)
 }
 
 /// The bit string of a real's size.

@@ -1,28 +1,15 @@
-//! What all axes of a set share in TwinCAT: the function, the types, the test program, the project's entries, the guide.
+//! What all axes of a set share in TwinCAT: the function, the type of the modes, the test program, the project's entries, the guide.
 
-use super::{DUTS, FOLDER, POUS, TESTS, block_name, guid, in_range, rendered, suite, word_name};
+use super::{DUTS, FOLDER, POUS, TESTS, block_name, guid, in_range, rendered, self_test_name, suite};
 use crate::target::st::real_types;
 use crate::target::{self, File, Unit};
 use askama::Template;
-use compiler::print::st::CODESYS;
-use compiler::program::Type;
-use portable::RealKind;
 
 /// The enumeration of the modes, with the reference's numbers.
 #[derive(Template)]
 #[template(path = "twincat/mode.TcDUT")]
 struct TcEnum {
     id: String,
-}
-
-/// The union of a real and its bits.
-#[derive(Template)]
-#[template(path = "twincat/bits.TcDUT")]
-struct TcUnion<'a> {
-    id: String,
-    real: &'a str,
-    /// the bit string of the same size
-    word: &'a str,
 }
 
 /// The program that runs all suites.
@@ -35,7 +22,7 @@ pub(super) struct TcProgram {
 
 /// What a project file has to name.
 #[derive(Template)]
-#[template(path = "twincat/axgen.plcproj")]
+#[template(path = "twincat/plcproj_entries.xml")]
 struct TcProject {
     /// what the machine runs
     objects: Vec<String>,
@@ -43,13 +30,9 @@ struct TcProject {
     tests: Vec<String>,
 }
 
-/// The guide, with a call of the first block of each kind that is called for itself; empty: there is none.
 #[derive(Template)]
 #[template(path = "twincat/IMPORT.md")]
-pub(super) struct TcGuide<'a> {
-    pub(super) damping: &'a str,
-    pub(super) axis: &'a str,
-}
+struct TcGuide;
 
 /// The shared files.
 pub(crate) fn shared(units: &[Unit<'_>]) -> Vec<File> {
@@ -62,36 +45,24 @@ pub(crate) fn shared(units: &[Unit<'_>]) -> Vec<File> {
     for real in real_types(units) {
         let function = in_range(real);
         files.push(rendered(POUS, &format!("{}.TcPOU", function.name), &function));
-        files.push(bits(real));
     }
     let suites = blocks.iter().map(|block| suite::suite_name(block)).collect();
     let program = TcProgram { id: guid("POU", "PRG_axgen_tests"), suites };
     files.push(rendered(TESTS, "PRG_axgen_tests.TcPOU", &program));
     let project = project(&files, &blocks);
-    let first = |block: &str| {
-        let having = units.iter().filter(|unit| unit.blocks.contains(&block));
-        having.map(|unit| block_name(unit.axis, block)).min().unwrap_or_default()
-    };
-    let guide = TcGuide { damping: &first("ipc"), axis: &first("axis") };
-    files.extend([project, target::rendered(&format!("{FOLDER}/IMPORT.md"), "", &guide)]);
+    files.extend([project, target::rendered(&format!("{FOLDER}/IMPORT.md"), "", &TcGuide)]);
     files
-}
-
-fn bits(real: RealKind) -> File {
-    let (real, word) = (CODESYS.ty(Type::Real, real), word_name(real));
-    let name = format!("U_axgen_{real}");
-    rendered(TESTS, &format!("{name}.TcDUT"), &TcUnion { id: guid("DUT", &name), real, word })
 }
 
 /// What the project file has to name: the shared files, and those of every block.
 fn project(shared: &[File], blocks: &[String]) -> File {
     let of_block = |block: &String| {
-        let (suite, vector) = (suite::suite_name(block), suite::vector_name(block));
-        [format!("{POUS}\\{block}.TcPOU"), format!("{TESTS}\\{suite}.TcPOU"), format!("{TESTS}\\{vector}.TcGVL")]
+        let (suite, test) = (suite::suite_name(block), self_test_name(block));
+        [format!("{POUS}\\{block}.TcPOU"), format!("{TESTS}\\{suite}.TcPOU"), format!("{TESTS}\\{test}.TcPOU")]
     };
     let shared = shared.iter().map(|file| file.name[FOLDER.len() + 1..].replace('/', "\\"));
     let mut entries: Vec<String> = shared.chain(blocks.iter().flat_map(of_block)).collect();
     entries.sort();
     let (tests, objects) = entries.into_iter().partition(|entry| entry.starts_with(TESTS));
-    target::rendered(&format!("{FOLDER}/axgen.plcproj"), "", &TcProject { objects, tests })
+    target::rendered(&format!("{FOLDER}/axgen.plcproj-fragment"), "", &TcProject { objects, tests })
 }

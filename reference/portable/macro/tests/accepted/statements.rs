@@ -1,7 +1,7 @@
 //! Locals, assignments, loops, and `if` and `match` without a value.
 
 use crate::text;
-use portable::{Real, portable};
+use portable::{Real, note, portable};
 
 const ON: i32 = 1;
 
@@ -23,6 +23,23 @@ struct State<R> {
 fn next<R: Real>(state: &mut State<R>) -> R {
     state.count += 1u32;
     state.x[0]
+}
+
+#[portable]
+fn noted(n: i32) -> i32 {
+    if n > 0i32 {
+        n
+    } else {
+        note("the caller gives no such number");
+        0i32
+    }
+}
+
+#[test]
+fn a_note_stays_where_it_is() {
+    assert_eq!((noted(3), noted(-1)), (3, 0));
+    let of = text::function(&noted::Ir::<f64>::IR);
+    assert!(of.contains("note(the caller gives no such number);"), "{of}");
 }
 
 #[portable]

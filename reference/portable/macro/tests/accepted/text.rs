@@ -49,6 +49,7 @@ fn statement(of: &Statement) -> String {
             leaves(&mut |literal| values.push(format!("{literal:?}")));
             format!("let {name} = default({});", values.join(", "))
         }
+        Statement::Note { text } => format!("note({text});"),
         Statement::Assign { place: target, value } => format!("{} = {};", place(target), expr(value)),
         Statement::For { variable, from, to, body } => {
             format!("for {variable} in {}..{} {}", expr(from), expr(to), block(body))

@@ -1,0 +1,33 @@
+//! Moves parts of expressions into locals of their own, which are assigned before the statement; what is moved is the pass's business.
+
+use crate::program::{Expr, Local, Program, Statement, Type, Var, rewrite};
+
+/// What is assigned before a statement.
+pub(super) struct Before<'p> {
+    pub(super) program: &'p mut Program,
+    statements: Vec<Statement>,
+}
+
+/// Calls `change` for every expression of a cycle; what it puts before comes to stand before its statement.
+pub(super) fn run(mut program: Program, mut change: impl FnMut(&mut Expr, &mut Before<'_>)) -> Program {
+    let mut step = std::mem::take(&mut program.step);
+    rewrite(&mut step, &mut |mut statement, list| {
+        let mut before = Before { program: &mut program, statements: Vec::new() };
+        if let Statement::Assign { value: expr, .. } | Statement::If { condition: expr, .. } = &mut statement {
+            change(expr, &mut before);
+        }
+        list.append(&mut before.statements);
+        list.push(statement);
+    });
+    Program { step, ..program }
+}
+
+impl Before<'_> {
+    /// A local that has this value.
+    pub(super) fn local(&mut self, path: &str, ty: Type, value: Expr) -> Var {
+        let target = Var::Local(self.program.locals.len());
+        self.program.locals.push(Local { path: path.to_owned(), ty: Some(ty) });
+        self.statements.push(Statement::Assign { target, value });
+        target
+    }
+}

@@ -1,0 +1,37 @@
+//! Keeps a sign from standing before a 0: to some compilers it is a subtraction from 0.
+//!
+//! ```text
+//! |x| <= 0   ->   (0.0 <= x) AND (x <= 0.0)          y := -0.0   ->   y := -1.0 * 0.0
+//! ```
+
+use crate::pass::Defect;
+use crate::program::{Constant, Expr, Program, map_expressions};
+use portable::{Binary, Intrinsic, Literal, Unary};
+
+pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
+    let constants = &program.constants;
+    map_expressions(&mut program.step, &mut |expr| expr.change(&mut |part| without_sign(part, constants)));
+    Ok(program)
+}
+
+fn without_sign(part: &mut Expr, constants: &[Constant]) {
+    match part {
+        Expr::Intrinsic(Intrinsic::Within, operands) if is_zero(&operands[1], constants) => {
+            let (x, limit) = (operands[0].clone(), operands[1].clone());
+            let above = Expr::binary(Binary::LessEqual, limit.clone(), x.clone());
+            *part = Expr::binary(Binary::And, above, Expr::binary(Binary::LessEqual, x, limit));
+        }
+        Expr::Unary(Unary::Negate, operand) if is_zero(operand, constants) => {
+            *part = Expr::Literal(match operand.known(constants) {
+                Some(Literal::F32(value)) => Literal::F32(-value),
+                Some(Literal::F64(value)) => Literal::F64(-value),
+                other => panic!("bound: {other:?} is no real 0"),
+            });
+        }
+        _ => {}
+    }
+}
+
+fn is_zero(expr: &Expr, constants: &[Constant]) -> bool {
+    matches!(expr.known(constants), Some(Literal::F64(0.0) | Literal::F32(0.0)))
+}

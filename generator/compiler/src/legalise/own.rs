@@ -1,0 +1,99 @@
+//! Leaves out the signals that an axis does not have: inputs that no cycle reads, and outputs that are always what they are at the
+//! start. A caller cannot connect them by mistake.
+
+use crate::pass::{Defect, prune};
+use crate::program::{Expr, Program, Statement, Type, Var, Variable, map_expressions, rename, rewrite};
+
+/// A program with the signals that its axis has.
+#[derive(Clone, Debug)]
+pub struct Own {
+    pub program: Program,
+    /// the position that each of its inputs has among all
+    pub inputs: Vec<usize>,
+    /// the same for its outputs
+    pub outputs: Vec<usize>,
+}
+
+impl Own {
+    /// The positions that its real inputs have among all.
+    pub fn reals(&self) -> Vec<usize> {
+        let reals = self.program.inputs.iter().zip(&self.inputs).filter(|(input, _)| input.ty == Type::Real);
+        reals.map(|(_, position)| *position).collect()
+    }
+}
+
+/// Takes the other signals away.
+///
+/// # Errors
+/// A defect of the program.
+pub fn own(program: &Program) -> Result<Own, Defect> {
+    let (read, changing) = (read(program), changing(program));
+    let mut program = program.clone();
+    drop_outputs(&mut program, &changing);
+    let inputs = retain(&mut program.inputs, &read);
+    let outputs = retain(&mut program.outputs, &changing);
+    let place = |all: &[usize], old| all.iter().position(|kept| *kept == old).unwrap_or(usize::MAX);
+    let renamed = |var| match var {
+        Var::Input(index) => Var::Input(place(&inputs, index)),
+        Var::Output(index) => Var::Output(place(&outputs, index)),
+        other => other,
+    };
+    rename(&mut program.init, &renamed);
+    rename(&mut program.step, &renamed);
+    program.switch = program.switch.filter(|switch| read[switch.input]);
+    if let Some(switch) = &mut program.switch {
+        switch.input = place(&inputs, switch.input);
+    }
+    Ok(Own { program: prune::run(program)?, inputs, outputs })
+}
+
+/// Which inputs a cycle reads.
+fn read(program: &Program) -> Vec<bool> {
+    let mut read = vec![false; program.inputs.len()];
+    for statement in &program.step {
+        statement.reads(&mut |var| {
+            if let Var::Input(index) = var {
+                read[index] = true;
+            }
+        });
+    }
+    read
+}
+
+/// Which outputs are ever anything but what they are at the start.
+fn changing(program: &Program) -> Vec<bool> {
+    let mut changing = vec![false; program.outputs.len()];
+    for statement in &program.step {
+        statement.assignments(&mut |target, value| {
+            if let Var::Output(index) = target {
+                changing[index] |= value.known(&program.constants) != Some(program.outputs[index].start);
+            }
+        });
+    }
+    changing
+}
+
+/// Takes the outputs that do not change out of the statements: their value stands in their place.
+fn drop_outputs(program: &mut Program, changing: &[bool]) {
+    let outputs = &program.outputs;
+    map_expressions(&mut program.step, &mut |expr| {
+        expr.change(&mut |part| {
+            if let Expr::Var(Var::Output(index)) = *part
+                && !changing[index]
+            {
+                *part = Expr::Literal(outputs[index].start);
+            }
+        });
+    });
+    rewrite(&mut program.step, &mut |statement, list| match statement {
+        Statement::Assign { target: Var::Output(index), .. } if !changing[index] => {}
+        other => list.push(other),
+    });
+}
+
+/// Keeps some of the variables; gives the position that each of them had.
+fn retain(variables: &mut Vec<Variable>, is_kept: &[bool]) -> Vec<usize> {
+    let mut flags = is_kept.iter();
+    variables.retain(|_| flags.next() == Some(&true));
+    (0..is_kept.len()).filter(|index| is_kept[*index]).collect()
+}

@@ -1,0 +1,100 @@
+//! Lets every statement on REAL do one operation: a compiler that evaluates an expression in double precision rounds each result once,
+//! where it is assigned. The double of an operation on two REALs, rounded to REAL, is what REAL itself gives.
+//!
+//! ```text
+//! y := a * x + s;   ->   a_times_x := a * x; y := a_times_x + s;
+//! ```
+
+use super::before::{self, Before};
+use crate::pass::Defect;
+use crate::program::{Expr, Program, Type};
+use portable::{Binary, Intrinsic, RealKind, Unary};
+
+/// A name that grows longer than this stands for its first operand.
+const LONGEST: usize = 48;
+
+pub(super) fn run(program: Program) -> Result<Program, Defect> {
+    if program.real == RealKind::F64 {
+        return Ok(program);
+    }
+    Ok(before::run(program, |expr, before| {
+        // What is assigned as a whole has its variable already.
+        if rounds(expr, before) {
+            expr.operands_mut().for_each(|operand| part(operand, before));
+        } else {
+            part(expr, before);
+        }
+    }))
+}
+
+/// Names the operations in an expression, inner ones first. A sign stands before a variable only: the operand of a sign has none, nor
+/// has the bound of a magnitude, before which one is printed.
+fn part(expr: &mut Expr, before: &mut Before<'_>) {
+    let signed = match expr {
+        Expr::Unary(Unary::Negate, _) => Some(0),
+        Expr::Intrinsic(Intrinsic::InRange | Intrinsic::Within, _) => Some(1),
+        _ => None,
+    };
+    for (index, operand) in expr.operands_mut().enumerate() {
+        part(operand, before);
+        let is_negative = matches!(operand, Expr::Unary(Unary::Negate, _)) && operand.ty(before.program) == Type::Real;
+        if Some(index) == signed && is_negative {
+            let path = name_of(operand, before);
+            let value = std::mem::replace(operand, Expr::bool(false));
+            *operand = Expr::Var(before.local(&path, Type::Real, value));
+        }
+    }
+    if rounds(expr, before) {
+        let path = name_of(expr, before);
+        let value = std::mem::replace(expr, Expr::bool(false));
+        *expr = Expr::Var(before.local(&path, Type::Real, value));
+    }
+}
+
+/// Whether this is an operation on reals whose result is rounded.
+fn rounds(expr: &Expr, before: &Before<'_>) -> bool {
+    match expr {
+        Expr::Binary(Binary::Add | Binary::Subtract | Binary::Multiply | Binary::Divide, ..) => {
+            expr.ty(before.program) == Type::Real
+        }
+        Expr::Intrinsic(Intrinsic::FromU32 | Intrinsic::FromI32, _) => true,
+        _ => false,
+    }
+}
+
+/// What an operation is called: `stage[0].filter[0].section[0].a2_times_y`, below the longest path of its operands.
+fn name_of(expr: &Expr, before: &Before<'_>) -> String {
+    let (mut place, mut names) = ("", Vec::new());
+    for operand in expr.operands() {
+        let var = match operand {
+            Expr::Var(var) => *var,
+            Expr::Unary(Unary::Negate, inner) if matches!(**inner, Expr::Var(_)) => {
+                let Expr::Var(var) = **inner else { continue };
+                var
+            }
+            _ => continue,
+        };
+        let (above, name) = before.program.path(var).rsplit_once('.').unwrap_or(("", before.program.path(var)));
+        if above.len() > place.len() {
+            place = above;
+        }
+        names.push(name);
+    }
+    let word = match expr {
+        Expr::Binary(Binary::Add, ..) => "_plus_",
+        Expr::Binary(Binary::Subtract, ..) => "_minus_",
+        Expr::Binary(Binary::Divide, ..) => "_over_",
+        Expr::Binary(..) => "_times_",
+        Expr::Unary(..) => "_negated",
+        _ => "_as_real",
+    };
+    let mut name = match names[..] {
+        [] => "number".to_owned(),
+        [only] => format!("{only}{}", word.trim_end_matches('_')),
+        [left, right, ..] => format!("{left}{word}{right}"),
+    };
+    if name.len() > LONGEST {
+        name = format!("{}_part", names.first().copied().unwrap_or("sum").split("_part").next().unwrap_or("sum"));
+    }
+    if place.is_empty() { name } else { format!("{place}.{name}") }
+}

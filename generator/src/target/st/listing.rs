@@ -1,0 +1,100 @@
+//! A block as a dialect lists it, and the comment at the top of its file.
+
+use super::dialect::Dialect;
+use crate::target::outline::{COMMENT_WIDTH, Group, Member, Outline};
+use crate::target::{Header, Legal, block_name};
+use askama::Template;
+use compiler::print::{Appearance, Printer, comment, signals};
+use compiler::program::Type;
+
+/// The comment at the top of a file.
+#[derive(Template)]
+#[template(path = "st/origin.st")]
+pub(super) struct Origin<'a> {
+    pub(super) file: &'a str,
+    axis: &'a Header,
+    block: &'static str,
+    real: &'a str,
+    /// what is certain of the block, and its measured response
+    certificate: String,
+    /// an instance with its type
+    instance: [String; 2],
+    /// what a call of it passes
+    arguments: Vec<String>,
+}
+
+/// A block: declarations, numbers, statements.
+pub(super) struct Listing {
+    pub(super) name: String,
+    pub(super) inputs: Vec<Member>,
+    pub(super) outputs: Vec<Member>,
+    pub(super) state: Vec<Member>,
+    pub(super) locals: Vec<Member>,
+    /// numbers that stand in the statements
+    pub(super) inline: Vec<Group>,
+    /// numbers that are declared
+    pub(super) declared: Vec<Group>,
+    /// numbers that each cycle assigns anew
+    pub(super) assigned: Vec<Group>,
+    pub(super) body: String,
+}
+
+impl Listing {
+    /// Whether a variable is an instance of another block.
+    pub(super) fn is_block(&self, member: &Member) -> bool {
+        !["BOOL", "DINT", "UDINT", "REAL", "LREAL"].contains(&&*member.ty)
+    }
+}
+
+/// The name of the function block of a block of an axis.
+pub(super) fn name(axis: &str, block: &str, dialect: &Dialect) -> String {
+    format!("{}{}", dialect.prefix, block_name(axis, block))
+}
+
+pub(super) fn listing(axis: &Header, block: &Legal<'_>, dialect: &Dialect) -> Listing {
+    let printer = &Printer::new(&block.program, dialect.language);
+    let outline = Outline { axis, block, language: dialect.language, printer, next_line: "\n       " };
+    Listing {
+        name: name(&axis.name, block.program.block, dialect),
+        inputs: outline.inputs(),
+        outputs: outline.outputs(),
+        state: outline.state(),
+        locals: outline.locals(),
+        inline: outline.groups(Appearance::Inline),
+        declared: outline.groups(Appearance::Declared),
+        assigned: outline.groups(Appearance::Assigned),
+        body: printer.body(&block.program.step, 0),
+    }
+}
+
+/// The comment at the top of a block's file.
+pub(super) fn origin<'a>(axis: &'a Header, file: &'a str, block: &Legal<'_>, dialect: &Dialect) -> Origin<'a> {
+    let kind = block.program.block;
+    let [mode, cycle] = dialect.arguments;
+    let [inputs, _] = signals(&block.program, dialect.language);
+    let argument = |input: &String| match input.as_str() {
+        "Enable" => format!("{input} := TRUE"),
+        "mode" => format!("{input} := {mode}"),
+        "task_cycle_ns" => format!("{input} := {cycle}"),
+        other => format!("{input} := {}{other}", dialect.mark),
+    };
+    let instance = format!("{}_{kind}", axis.name.to_ascii_lowercase());
+    let ty = format!("{0}{1}{0}", dialect.quote, name(&axis.name, kind, dialect));
+    Origin {
+        file,
+        axis,
+        block: kind,
+        real: dialect.language.ty(Type::Real, axis.real),
+        certificate: comment::wrapped(&block.block.certificate, COMMENT_WIDTH, "\n   "),
+        instance: [format!("{}{instance}", dialect.mark), format!("{instance} : {ty}")],
+        arguments: inputs.iter().map(argument).collect(),
+    }
+}
+
+impl Origin<'_> {
+    /// The file does not hold the block itself: nothing is certified in it, and nothing is called.
+    pub(super) fn is_test(&mut self) {
+        self.certificate.clear();
+        self.arguments.clear();
+    }
+}

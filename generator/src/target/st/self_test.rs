@@ -1,0 +1,207 @@
+//! The self-test of a block: a function block that calls it, one sample each cycle, and compares its outputs with those of the
+//! reference.
+
+use super::dialect::Dialect;
+use super::listing::{self, Listing};
+use crate::target::outline::Member;
+use crate::target::{Header, Legal};
+use crate::trial::{Answer, Noise, Trial, Turn};
+use askama::Template;
+use compiler::print::signals;
+use compiler::program::{Type, Variable};
+use portable::{Literal, Real, RealKind};
+use std::borrow::Cow;
+
+/// What the name of a self-test ends with.
+pub(super) const SUFFIX: &str = "self_test";
+
+/// The statements.
+#[derive(Template)]
+#[template(path = "st/self_test.st")]
+struct Body<'a> {
+    /// before a variable
+    mark: &'a str,
+    trial: &'a Trial,
+    real: &'a str,
+    is_single: bool,
+    scales: [String; 3],
+    small: String,
+    /// names of the inputs that get noise
+    noise: Vec<&'a str>,
+    /// the inputs that are turned
+    switches: Vec<Switch<'a>>,
+    /// the samples in which an input is out of range or huge, and its value
+    jumps: Vec<(usize, &'a str, String)>,
+    /// a number, and its rounded square
+    contraction: [String; 2],
+    inputs: &'a [String],
+    outputs: &'a [String],
+    /// what is expected from a sample on: names and values
+    steps: Vec<(usize, Vec<(&'a str, String)>)>,
+}
+
+/// An input that has some values at some times, else its usual one.
+struct Switch<'a> {
+    name: &'a str,
+    usual: String,
+    turns: Vec<(&'a Turn, String)>,
+}
+
+/// The self-test as a function block.
+pub(super) fn listing(axis: &Header, block: &Legal<'_>, dialect: &Dialect) -> Listing {
+    let (program, language) = (&block.program, dialect.language);
+    let trial: &Trial = &block.block.trial;
+    let [inputs, outputs] = &signals(program, language);
+    let name = listing::name(&axis.name, program.block, dialect);
+    let body = body(block, dialect, trial, [inputs, outputs]);
+    let variable = |ty: Type, name: String, doc: &str| member(language.ty(ty, axis.real).into(), name, doc);
+    let of_inputs = program.inputs.iter().zip(inputs);
+    let of_outputs = program.outputs.iter().zip(outputs);
+    let mut state = vec![
+        member(format!("{0}{name}{0}", dialect.quote).into(), "block".to_owned(), "the block under test"),
+        variable(Type::I32, "sample".to_owned(), "the number of the sample"),
+        variable(Type::I32, "random".to_owned(), "what the noise is made of"),
+    ];
+    let reals = [
+        ("noise", "an integer between -32768 and 32767"),
+        ("noise_scale", "its factor"),
+        ("small", "another factor, for some"),
+        ("factor", "a number whose square is rounded"),
+        ("square", "its rounded square"),
+        ("remainder", "what a build that fuses operations leaves of it"),
+        ("nothing", "what it must be: 0"),
+    ];
+    if axis.real == RealKind::F32 {
+        state.push(variable(Type::Real, "product".to_owned(), "the square, as this controller rounds it"));
+    }
+    state.extend(reals.map(|(name, doc)| variable(Type::Real, name.to_owned(), doc)));
+    state.extend(of_inputs.map(|(input, name)| variable(input.ty, format!("in_{name}"), "what the block gets")));
+    state.extend(
+        of_outputs.map(|(output, name)| variable(output.ty, format!("expected_{name}"), "the reference's answer")),
+    );
+    Listing {
+        name: format!("{name}_{SUFFIX}"),
+        inputs: Vec::new(),
+        outputs: vec![
+            variable(Type::Bool, "done".to_owned(), "all samples have run"),
+            variable(
+                Type::I32,
+                "differing".to_owned(),
+                "values that differ from the reference, so far: 0 in a good build",
+            ),
+        ],
+        state,
+        locals: Vec::new(),
+        inline: Vec::new(),
+        declared: Vec::new(),
+        assigned: Vec::new(),
+        body,
+    }
+}
+
+fn member(ty: Cow<'static, str>, name: String, doc: &str) -> Member {
+    Member { ty, name, doc: doc.to_owned(), value: String::new() }
+}
+
+fn body(block: &Legal<'_>, dialect: &Dialect, trial: &Trial, [inputs, outputs]: [&[String]; 2]) -> String {
+    let (program, literal) = (&block.program, dialect.language.literal);
+    let is_single = program.real == RealKind::F32;
+    let real = |value: f64| if is_single { Literal::F32(f32::lit(value)) } else { Literal::F64(value) };
+    // Where the block has the signal Enable, it is what turns it off.
+    let has_enable = program.inputs[0].path == ENABLE;
+    let position =
+        |variable: &Variable| block.block.program.inputs.iter().position(|input| input.path == variable.path);
+    let name_of = |position: usize| {
+        let path = &block.block.program.inputs[position].path;
+        let own = program.inputs.iter().position(|input| input.path == *path);
+        own.map_or("", |own| inputs[own].as_str())
+    };
+    let turn_text = |turn: &'_ Turn| literal(turn.value);
+    let switches = program.inputs.iter().zip(inputs).filter(|(input, _)| input.ty != Type::Real);
+    let switches = switches.map(|(input, name)| match position(input) {
+        None => Switch {
+            name,
+            usual: literal(Literal::Bool(true)),
+            turns: trial
+                .turns
+                .iter()
+                .filter(|turn| turn.is_off)
+                .map(|turn| (turn, literal(Literal::Bool(false))))
+                .collect(),
+        },
+        Some(position) => {
+            let turns = trial.turns.iter().filter(|turn| turn.input == position && !(turn.is_off && has_enable));
+            Switch {
+                name,
+                usual: literal(trial.usual[position]),
+                turns: turns.map(|turn| (turn, turn_text(turn))).collect(),
+            }
+        }
+    });
+    let factor = if is_single { 1.0 + libm::exp2(-15.0) } else { 1.0 + libm::exp2(-30.0) };
+    let square = if is_single { 1.0 + libm::exp2(-14.0) } else { factor * factor };
+    let body = Body {
+        mark: dialect.mark,
+        trial,
+        real: dialect.language.ty(Type::Real, program.real),
+        is_single,
+        scales: trial.scales.map(literal),
+        small: literal(real(Noise::SMALL.into())),
+        noise: trial.reals.iter().map(|position| name_of(*position)).collect(),
+        switches: switches.collect(),
+        jumps: trial.jumps.iter().map(|(at, input, value)| (*at, name_of(*input), literal(*value))).collect(),
+        contraction: [factor, square].map(|value| literal(real(value))),
+        inputs,
+        outputs,
+        steps: steps(block, dialect, trial, outputs),
+    };
+    body.render().expect("target: no input can keep a template from being filled") + "\n"
+}
+
+/// What is expected, where it changes.
+fn steps<'n>(
+    block: &Legal<'_>,
+    dialect: &Dialect,
+    trial: &Trial,
+    names: &'n [String],
+) -> Vec<(usize, Vec<(&'n str, String)>)> {
+    let all = &block.block.program.outputs;
+    let value = |output: &Variable, answer: &Answer| {
+        let of = |path: &str| answer.outputs[all.iter().position(|known| known.path == path).unwrap_or_default()];
+        match output.path.as_str() {
+            "Valid" => Literal::Bool(!answer.is_off && of("fault") == Literal::Bool(false)),
+            "Busy" => Literal::Bool(!answer.is_off || answer.is_busy),
+            path => of(compiler::legalise::RENAMED.iter().find(|(_, new)| *new == path).map_or(path, |(old, _)| old)),
+        }
+    };
+    // A variable of the self-test begins as 0 or FALSE.
+    let mut last: Vec<Option<Literal>> = vec![None; names.len()];
+    let mut steps = Vec::new();
+    for answer in &trial.answers {
+        let mut step = Vec::new();
+        for ((output, name), last) in block.program.outputs.iter().zip(names).zip(&mut last) {
+            let value = unsigned_zero(value(output, answer));
+            if *last != Some(value) {
+                step.push((name.as_str(), (dialect.language.operand)(value).0));
+                *last = Some(value);
+            }
+        }
+        if !step.is_empty() {
+            steps.push((answer.sample, step));
+        }
+    }
+    steps
+}
+
+/// The value; of a zero its sign is not compared.
+fn unsigned_zero(value: Literal) -> Literal {
+    match value {
+        // -0 + 0 is 0.
+        Literal::F64(value) => Literal::F64(value + 0.0),
+        Literal::F32(value) => Literal::F32(value + 0.0),
+        other => other,
+    }
+}
+
+/// The signal that turns a block on.
+const ENABLE: &str = "Enable";

@@ -1,0 +1,22 @@
+//! The unit of an axis in texts that know both: a translatory axis has um, a rotary axis and a spindle 0.001 deg.
+
+/// The text with the unit that the axis has: `um/s or 0.001 deg/s` becomes one of the two.
+pub(super) fn own(text: &str, is_rotary: bool) -> String {
+    let (mut own, mut rest) = (String::with_capacity(text.len()), text);
+    while let Some(at) = rest.find(BETWEEN) {
+        let (before, after) = (&rest[..at], &rest[at + BETWEEN.len()..]);
+        // What stands behind both units: `/s`, `/s^2`.
+        let power = after.find(|c: char| !"/s^0123456789".contains(c)).map_or(after, |end| &after[..end]);
+        let translatory = format!("um{power}");
+        match before.strip_suffix(&translatory) {
+            Some(before) if is_rotary => own.extend([before, "0.001 deg", power]),
+            _ => own.push_str(before),
+        }
+        rest = &after[power.len()..];
+    }
+    own.push_str(rest);
+    own
+}
+
+/// What stands between the two.
+const BETWEEN: &str = " or 0.001 deg";

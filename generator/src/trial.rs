@@ -1,0 +1,242 @@
+//! A run of a block that a user can repeat on the controller itself, with the answers of the reference. No NaN, no infinity: some
+//! runtimes stop on them. What it does is so simple that every controller can do it too, to the bit.
+
+use crate::noise::{Run, Running, exercised};
+use compiler::{leaf, legalise::Own, program::Program};
+use portable::{Block, Literal, Real};
+use reference::signal::sample_limit;
+use std::sync::{Arc, LazyLock};
+
+/// What a run does, and what came out.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Trial {
+    /// the inputs as they mostly are, in the order of all inputs
+    pub(crate) usual: Vec<Literal>,
+    /// the positions of the real inputs that the axis reads: they get noise
+    pub(crate) reals: Vec<usize>,
+    /// the factors of the noise, powers of two: one at which no limit acts, the full one, and 0 at the end
+    pub(crate) scales: [Literal; 3],
+    /// the first samples with the second and the third factor
+    pub(crate) scaled_from: [usize; 2],
+    /// the samples in which something is not as it mostly is
+    pub(crate) turns: Vec<Turn>,
+    /// the samples in which a real input is out of range or huge: sample, input, value
+    pub(crate) jumps: Vec<(usize, usize, Literal)>,
+    /// the samples that are compared: those before the first number, and those from the second one on
+    pub(crate) compared: [usize; 2],
+    /// how many samples there are
+    pub(crate) samples: usize,
+    /// the answers in the samples that are compared
+    pub(crate) answers: Vec<Answer>,
+}
+
+/// Some samples in which something is not as it mostly is.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Turn {
+    pub(crate) from: usize,
+    pub(crate) to: usize,
+    /// the input, and what it is; where the block is turned off, whatever turns it off
+    pub(crate) input: usize,
+    pub(crate) value: Literal,
+    pub(crate) is_off: bool,
+}
+
+/// What the reference answers in a sample.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Answer {
+    pub(crate) sample: usize,
+    /// whether it is turned off
+    pub(crate) is_off: bool,
+    /// whether it has to be called further on when it is turned off
+    pub(crate) is_busy: bool,
+    /// all outputs
+    pub(crate) outputs: Vec<Literal>,
+}
+
+/// A run that is recorded where it is first looked at: not every target prints it.
+pub(crate) type Recording = Arc<LazyLock<Trial, Box<dyn FnOnce() -> Trial + Send>>>;
+
+/// Samples at the beginning that are compared.
+const BEGINNING: usize = 8;
+/// Samples with little noise behind the beginning, once the block acts in full.
+const QUIET_SAMPLES: usize = 24;
+/// Samples with the full noise.
+const LOUD_SAMPLES: usize = 8;
+/// From one turn to the next.
+const TURN_DISTANCE: usize = 5;
+/// For how long something stays turned.
+const TURN_LENGTH: usize = 2;
+/// From one jump to the next: a block that has noticed it starts anew in the second sample and acts in the third.
+const JUMP_DISTANCE: usize = 3;
+/// Samples at rest, at the end.
+const REST_SAMPLES: usize = 5;
+/// A run is not longer for a block that takes its time.
+const LONGEST_START: usize = 10_000;
+
+/// The noise: an integer of 16 bits, less half of its range, times a factor. No product is above 2^31.
+#[derive(Clone, Copy)]
+pub(crate) struct Noise(pub(crate) u32);
+
+impl Noise {
+    pub(crate) const FACTOR: u32 = 25_173;
+    pub(crate) const SUMMAND: u32 = 13_849;
+    pub(crate) const RANGE: u32 = 1 << 16;
+    /// Below it the number is made smaller: terms of a sum are of one size then, whatever their coefficients are.
+    pub(crate) const SMALL_BELOW: u32 = 1 << 14;
+    /// So much smaller.
+    pub(crate) const SMALL: f32 = 1.0 / 256.0;
+
+    fn is_small(self) -> bool {
+        self.0 < Self::SMALL_BELOW
+    }
+
+    /// The next number, between -2^15 and 2^15.
+    fn next(&mut self) -> i32 {
+        self.0 = (self.0 * Self::FACTOR + Self::SUMMAND) % Self::RANGE;
+        self.0.cast_signed() - (Self::RANGE / 2).cast_signed()
+    }
+}
+
+/// Runs the reference: noise until it acts in full, then one input after the other is turned or out of range.
+///
+/// `state_paths` are the paths of all leaves of the reference's state; `ranges` are the noise's, each above 0; `start` is how many
+/// cycles the block takes until it acts in full.
+pub(crate) fn recording<R: Real, B: Block<R>>(
+    coeffs: B::Coeffs,
+    (program, own): (&Program, &Own),
+    state_paths: &[String],
+    ranges: [f64; 2],
+    start: usize,
+) -> Recording {
+    let (inputs, reals) = (own.inputs.clone(), own.reals());
+    let off = program.switch.as_ref().map(|switch| {
+        let value = switch.off.as_ref().map_or(Literal::Bool(false), |off| off.value);
+        (switch.input, value)
+    });
+    let busy = program.switch.as_ref().and_then(|switch| switch.busy).map(|busy| program.path(busy));
+    let busy = busy.and_then(|busy| state_paths.iter().position(|path| path == busy));
+    Arc::new(LazyLock::new(Box::new(move || {
+        let usual = exercised::<R, B>(&coeffs);
+        let mut trial = plan::<R>(usual, &inputs, reals, off, ranges, start.min(LONGEST_START));
+        record::<R, B>(&mut trial, coeffs, busy);
+        trial
+    })))
+}
+
+/// What happens when.
+fn plan<R: Real>(
+    usual: Vec<Literal>,
+    inputs: &[usize],
+    reals: Vec<usize>,
+    off: Option<(usize, Literal)>,
+    ranges: [f64; 2],
+    start: usize,
+) -> Trial {
+    let [quiet, loud] = ranges.map(|range| leaf(R::lit(libm::exp2(libm::floor(libm::log2(range)) - 15.0))));
+    let acts_from = BEGINNING + start;
+    let loud_from = acts_from + QUIET_SAMPLES;
+    let mut next = loud_from + LOUD_SAMPLES;
+    let beyond = leaf(sample_limit::<R>() + sample_limit::<R>());
+    let (mut turns, mut jumps) = (Vec::new(), Vec::new());
+    let mut add = |input, value, is_off, next: &mut usize| {
+        turns.push(Turn { from: *next, to: *next + TURN_LENGTH, input, value, is_off });
+        *next += TURN_DISTANCE;
+    };
+    for &input in inputs.iter().filter(|input| !reals.contains(input)) {
+        others(usual[input]).into_iter().for_each(|value| add(input, value, false, &mut next));
+    }
+    // Once more, each directly behind a fault.
+    for &input in inputs.iter().filter(|input| matches!(usual[**input], Literal::Bool(_))) {
+        jumps.extend(reals.first().map(|real| (next, *real, beyond)));
+        next += 1;
+        others(usual[input]).into_iter().for_each(|value| add(input, value, false, &mut next));
+    }
+    if let Some((input, value)) = off {
+        add(input, value, true, &mut next);
+    }
+    let huge = sample_limit::<R>() * R::lit(0.125);
+    for value in [beyond, leaf(huge), leaf(-huge)] {
+        for &real in &reals {
+            jumps.push((next, real, value));
+            next += JUMP_DISTANCE;
+        }
+    }
+    // What is huge is forgotten, and then nothing moves any more.
+    if let Some(input) = inputs.iter().find(|input| !reals.contains(input) && usual[**input] == Literal::Bool(false)) {
+        turns.push(Turn { from: next, to: next + 1, input: *input, value: Literal::Bool(true), is_off: false });
+    }
+    Trial {
+        samples: next + REST_SAMPLES,
+        scales: [quiet, loud, leaf(R::ZERO)],
+        scaled_from: [loud_from, next],
+        turns,
+        jumps,
+        compared: [BEGINNING, acts_from],
+        answers: Vec::new(),
+        usual,
+        reals,
+    }
+}
+
+impl Trial {
+    /// The inputs of every sample, in the order of all inputs.
+    pub(crate) fn inputs(&self) -> Vec<Vec<Literal>> {
+        let mut noise = Noise(0);
+        let sample = |sample: usize| {
+            let scale = self.scales[self.scaled_from.iter().filter(|from| sample >= **from).count()];
+            let mut inputs = self.usual.clone();
+            for &real in &self.reals {
+                let integer = noise.next();
+                inputs[real] = scaled(integer, scale, if noise.is_small() { Noise::SMALL } else { 1.0 });
+            }
+            for turn in self.turns.iter().filter(|turn| turn.holds(sample)) {
+                inputs[turn.input] = turn.value;
+            }
+            for (_, real, value) in self.jumps.iter().filter(|(at, ..)| *at == sample) {
+                inputs[*real] = *value;
+            }
+            inputs
+        };
+        (0..self.samples).map(sample).collect()
+    }
+}
+
+impl Turn {
+    fn holds(&self, sample: usize) -> bool {
+        (self.from..self.to).contains(&sample)
+    }
+}
+
+/// An integer of 16 bits times two powers of two: exact in both real types.
+fn scaled(integer: i32, scale: Literal, small: f32) -> Literal {
+    match scale {
+        Literal::F64(scale) => Literal::F64(f64::from(integer) * scale * f64::from(small)),
+        Literal::F32(scale) => Literal::F32(integer as f32 * scale * small),
+        other => panic!("trial: {other:?} is no factor"),
+    }
+}
+
+fn record<R: Real, B: Block<R>>(trial: &mut Trial, coeffs: B::Coeffs, busy: Option<usize>) {
+    let (mut run, mut outputs) = (Running::<R, B>::start(coeffs), Vec::new());
+    for (sample, inputs) in trial.inputs().into_iter().enumerate() {
+        run.step(&inputs, &mut outputs);
+        if sample < trial.compared[0] || sample >= trial.compared[1] {
+            trial.answers.push(Answer {
+                sample,
+                is_off: trial.turns.iter().any(|turn| turn.is_off && turn.holds(sample)),
+                is_busy: busy.is_some_and(|leaf| run.state()[leaf] == Literal::Bool(true)),
+                outputs: outputs.clone(),
+            });
+        }
+    }
+}
+
+/// Other values of a switch; of an integer those beside it, and two far away.
+fn others(value: Literal) -> Vec<Literal> {
+    match value {
+        Literal::Bool(value) => vec![Literal::Bool(!value)],
+        Literal::I32(value) => [1, -1, 200, -200].map(|more| Literal::I32(value.wrapping_add(more))).into(),
+        Literal::U32(value) => vec![Literal::U32(value.wrapping_add(1))],
+        other => panic!("trial: {other:?} is no switch"),
+    }
+}
