@@ -100,7 +100,7 @@ pub fn error_gantry_slave() -> u32 {
     70_600u32
 }
 
-/// largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named
+/// largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range
 #[portable]
 pub fn sample_limit<R: Real>() -> R {
     R::per_kind(1.0e15, 1.0e9)

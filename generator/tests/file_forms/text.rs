@@ -24,6 +24,35 @@ fn pieces(name: &str, text: &str) -> Vec<String> {
     found
 }
 
+/// Characters in a line of a language at most; XML breaks no line.
+const WIDTH: usize = 140;
+
+#[test]
+fn no_line_is_too_long() {
+    for case in CASES.iter() {
+        for (name, text) in case.with(&[".c", ".h", ".st", ".scl", ".TcPOU", ".TcDUT"]) {
+            let long = text.lines().find(|line| line.len() > WIDTH);
+            assert_eq!(long, None, "{}: {name}", case.name);
+        }
+    }
+}
+
+/// What no name in a file says: the number of a second one of that name, or of a number.
+#[test]
+fn names_say_what_they_name() {
+    for case in CASES.iter() {
+        for (name, text) in case.with(&[".c", ".st", ".scl", ".TcPOU"]) {
+            let words = text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_'));
+            let is_numbered = |word: &&str| {
+                let end = word.rsplit_once('_').map_or("", |(_, end)| end);
+                let is_count = !end.is_empty() && end.bytes().all(|digit| digit.is_ascii_digit());
+                is_count && !word.contains("axis_") && word.starts_with(|c: char| c.is_ascii_lowercase())
+            };
+            assert_eq!(words.clone().find(is_numbered), None, "{}: {name}", case.name);
+        }
+    }
+}
+
 /// What is wrong with the comments of a piece.
 fn fault(piece: &str) -> Option<&str> {
     let mut rest = piece;

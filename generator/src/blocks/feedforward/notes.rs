@@ -22,7 +22,7 @@ pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
         let cycles = f64::from(us) * 1000.0 / f64::from(axis.cycle_time_ns);
         notes.push(note(path, format!("delay of {us} us = {} cycles (P-AXIS-{id})", digits(cycles))));
     }
-    notes.extend(of.velocity.iter().flat_map(|velocity| of_velocity(velocity, axis.cycle_time_ns)));
+    notes.extend(of.velocity.iter().flat_map(|velocity| of_velocity(velocity, axis)));
     if let Some(torque) = &of.torque_scale {
         notes.push(note("torque_acceleration", of_torque(torque, of)));
         let jerk = "inferred from units: the jerk factor (P-AXIS-00337/00338) read in seconds".to_owned();
@@ -33,17 +33,18 @@ pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
 }
 
 /// Scaling and process data of the additive velocity.
-pub(crate) fn of_velocity(velocity: &Velocity, cycle_time_ns: u32) -> [(String, String); 2] {
+pub(crate) fn of_velocity(velocity: &Velocity, axis: &Axis) -> [(String, String); 2] {
     let time = match velocity.time_base {
         TimeBase::Minute => "minute",
         TimeBase::Second => "second",
         TimeBase::Cycle => "cycle",
     };
     let Ratio { num, denom } = velocity.reso;
+    let [path, _, velocity_unit] = axis.control.scaling_units();
+    let increments = digits(scale::velocity(velocity, axis.cycle_time_ns) * 1e6 / 60.0);
     let text = format!(
-        "additive velocity: {num} increments at {denom} um or 0.001 deg per {time} (P-AXIS-00206/00205, 00207): {} for 1 m/min or \
-         1000 deg/min",
-        digits(scale::velocity(velocity, cycle_time_ns) * 1e6 / 60.0)
+        "additive velocity: {num} increments at {denom} {path} per {time} (P-AXIS-00206/00205, 00207): {increments} for \
+         {velocity_unit}"
     );
     [note("velocity_scale", text), note("velocity_range", of_width(velocity.width))]
 }

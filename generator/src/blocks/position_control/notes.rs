@@ -14,7 +14,8 @@ pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
         Location::Cnc => {
             notes.push(note("kv", format!("position control in the CNC: Kv = {kv}/s (P-AXIS-00099)")));
             let Ratio { num, denom } = of.multi_gain;
-            let gain = format!("{num}/{denom} increments at 1 m/min or 1000 deg/min (P-AXIS-00129/00128)");
+            let [_, _, velocity] = axis.control.scaling_units();
+            let gain = format!("{num}/{denom} increments at {velocity} (P-AXIS-00129/00128)");
             notes.push(note("manipulated_scale", gain));
             notes.push(note("manipulated_range", of_width(of.command)));
         }
@@ -25,11 +26,12 @@ pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
     }
     if let Some(resolution) = &of.resolution {
         let increments = digits(scale::resolution(resolution));
+        let [_, fine, _] = axis.control.scaling_units();
         let text = format!(
-            "path resolution R = {increments} increments per 0.1 um or 0.0001 deg (P-AXIS-00092, 00233, 00234, 00362, 00363)"
+            "path resolution R = {increments} increments per {fine} (P-AXIS-00092, 00233, 00234, 00362, 00363)"
         );
         notes.push(note("xerr_scale", text));
     }
-    notes.extend(of.velocity.iter().flat_map(|velocity| of_velocity(velocity, axis.cycle_time_ns)));
+    notes.extend(of.velocity.iter().flat_map(|velocity| of_velocity(velocity, axis)));
     notes
 }

@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  8fe3d1f2dab55b1cc386ce2a9c62c311
- * checksum    66158e9e1dc44a0e84e37117092afc0b
+ * checksum    ecbf3641417eef5630f5317d2042fb37
  */
 #include "axis_y_ipc.h"
 
@@ -110,7 +110,7 @@ static const uint32_t error_none = 0u; /* error_id: no fault */
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
+/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;

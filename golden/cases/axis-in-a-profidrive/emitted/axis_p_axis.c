@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  f96437c6c55f5ffae303567efedf6e0d
- * checksum    29d9c7329778c8c438510fd0e70bee48
+ * checksum    9aec5ccf08a01e43d3510ae32302e254
  */
 #include "axis_p_axis.h"
 
@@ -61,7 +61,7 @@ static const double feedforward_t_a = 0.004; /* time constant of the acceleratio
 /* 1/Kv, Kv = 30/s (P-AXIS-00099): the drive must have the same (SERCOS S-0-0104, CANopen 30C0h:01) */
 static const double position_control_lag = 0.03333333333333333; /* 1 / Kv of the drive: position lag for a velocity [s] */
 
-/* path resolution R = 10.48576 increments per 0.1 um or 0.0001 deg (P-AXIS-00092, 00233, 00234, 00362, 00363) */
+/* path resolution R = 10.48576 increments per 0.1 um (P-AXIS-00092, 00233, 00234, 00362, 00363) */
 static const double position_control_xerr_scale = 104.8576; /* increments for 1 um */
 static const int32_t position_control_xerr_range_lowest = (-2147483647 - 1); /* smallest value of the process data */
 static const int32_t position_control_xerr_range_highest = 2147483647; /* largest value of the process data */
@@ -71,7 +71,7 @@ static const double position_control_xerr_range_lower_limit = -2147483648.499999
 static const double position_control_xerr_range_upper_limit = 2147483647.4999998;
 
 /* the same for every axis */
-/* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
+/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
 static const uint32_t error_x_command = 17u; /* error_id: x_command is not within the sample limit */
 static const uint32_t error_none = 0u; /* error_id: no fault */

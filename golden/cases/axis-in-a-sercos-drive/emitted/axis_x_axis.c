@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  84c1aaebe7d5efbf7942c2b9e5459fdc
- * checksum    7db2aa7e3e53a0557b9593ce92c5053a
+ * checksum    95df68ac917c09ebf9961b3533dd5fb7
  */
 #include "axis_x_axis.h"
 
@@ -109,8 +109,7 @@ static const double ipc_rest = 4.3368086899420177e-13;
 static const uint32_t ipc_fade_cycles = 100u; /* cycles that the fade takes from 0 to 1 */
 static const double ipc_fade_step = 0.01; /* 1 / fade_cycles */
 
-/* additive velocity: 10000 increments at 10000 um or 0.001 deg per minute (P-AXIS-00206/00205, 00207): 1000000
- * for 1 m/min or 1000 deg/min */
+/* additive velocity: 10000 increments at 10000 um per minute (P-AXIS-00206/00205, 00207): 1000000 for 1 m/min */
 static const double position_control_velocity_scale = 60.0; /* additive velocity: increments for 1 um/s */
 
 /* process data of 32 bits */
@@ -122,7 +121,7 @@ static const double position_control_velocity_range_lower_limit = -2147483648.49
 static const double position_control_velocity_range_upper_limit = 2147483647.4999998;
 
 /* the same for every axis */
-/* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
+/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
 static const uint32_t error_x_command = 17u; /* error_id: x_command is not within the sample limit */
 static const uint32_t error_none = 0u; /* error_id: no fault */

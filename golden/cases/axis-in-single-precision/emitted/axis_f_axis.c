@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  d9834b11557cb1d69918abf7f9c4bf67
- * checksum    e3918e6d817640f00e9edc1a66e98072
+ * checksum    bf49b3d4fe70472dfebb707132b3a3b6
  */
 #include "axis_f_axis.h"
 
@@ -80,7 +80,7 @@ static const float ipc_fade_step = 0.02f; /* 1 / fade_cycles */
 /* position control in the CNC: Kv = 20/s (P-AXIS-00099) */
 static const float position_control_kv = 20.0f; /* gain of the position controller Kv [1/s] */
 
-/* 5000/1 increments at 1 m/min or 1000 deg/min (P-AXIS-00129/00128) */
+/* 5000/1 increments at 1 m/min (P-AXIS-00129/00128) */
 static const float position_control_manipulated_scale = 0.3f; /* manipulated variable: increments for 1 um/s */
 
 /* process data of 16 bits */
@@ -92,7 +92,7 @@ static const float position_control_manipulated_range_lower_limit = -32768.496f;
 static const float position_control_manipulated_range_upper_limit = 32767.498f;
 
 /* the same for every axis */
-/* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
+/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const float sample_limit = 1000000000.0f;
 static const uint32_t error_x_command = 17u; /* error_id: x_command is not within the sample limit */
 static const uint32_t error_none = 0u; /* error_id: no fault */

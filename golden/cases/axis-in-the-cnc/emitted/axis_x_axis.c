@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e5deef9d65ceb21ba9e8f5a959e207a2
- * checksum    29ae874975bf54979ce32213215fd202
+ * checksum    5bab7f7ad72a9bd64207bf0dd3293089
  */
 #include "axis_x_axis.h"
 
@@ -107,7 +107,7 @@ static const double ipc_fade_step = 0.01; /* 1 / fade_cycles */
 /* position control in the CNC: Kv = 20/s (P-AXIS-00099) */
 static const double position_control_kv = 20.0; /* gain of the position controller Kv [1/s] */
 
-/* 20000/1 increments at 1 m/min or 1000 deg/min (P-AXIS-00129/00128) */
+/* 20000/1 increments at 1 m/min (P-AXIS-00129/00128) */
 static const double position_control_manipulated_scale = 1.2; /* manipulated variable: increments for 1 um/s */
 
 /* process data of 32 bits */
@@ -119,7 +119,7 @@ static const double position_control_manipulated_range_lower_limit = -2147483648
 static const double position_control_manipulated_range_upper_limit = 2147483647.4999998;
 
 /* the same for every axis */
-/* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
+/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
 static const uint32_t error_x_command = 17u; /* error_id: x_command is not within the sample limit */
 static const uint32_t error_none = 0u; /* error_id: no fault */

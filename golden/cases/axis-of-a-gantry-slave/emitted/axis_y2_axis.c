@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  977edd273d0f3ff3ebf9ace069e7b66d
- * checksum    7ca47a975e8c30b0ace79206e18aa8cb
+ * checksum    961c1c65e08f4376fc8315bee85e79e0
  */
 #include "axis_y2_axis.h"
 
@@ -58,7 +58,7 @@ static const double master_lower_limit = -500000.0; /* -master_limit */
 /* position control in the CNC: Kv = 20/s (P-AXIS-00099) */
 static const double position_control_kv = 20.0; /* gain of the position controller Kv [1/s] */
 
-/* 2000/1 increments at 1 m/min or 1000 deg/min (P-AXIS-00129/00128) */
+/* 2000/1 increments at 1 m/min (P-AXIS-00129/00128) */
 static const double position_control_manipulated_scale = 0.12; /* manipulated variable: increments for 1 um/s */
 
 /* process data of 32 bits */
@@ -70,7 +70,7 @@ static const double position_control_manipulated_range_lower_limit = -2147483648
 static const double position_control_manipulated_range_upper_limit = 2147483647.4999998;
 
 /* the same for every axis */
-/* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
+/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
 static const uint32_t error_x_command = 17u; /* error_id: x_command is not within the sample limit */
 static const uint32_t error_none = 0u; /* error_id: no fault */

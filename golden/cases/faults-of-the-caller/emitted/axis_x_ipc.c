@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  8f2a4ef34fb3ccdce79b4bb3427fd798
- * checksum    b3bc1cc232d9aa19cd14f052c05e82b6
+ * checksum    214696f2db765db9a5febe3bfa4fc669
  */
 #include "axis_x_ipc.h"
 
@@ -88,7 +88,7 @@ static const uint32_t error_none = 0u; /* error_id: no fault */
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
+/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;

@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e6c01a5b3ef569d72ebaa9f39de14a3f
- * checksum    572c2e4a1fb87faa536eded4a3b88426
+ * checksum    fa8466be173e3738082d9c7eb052241c
  */
 #include "axis_t_feedforward.h"
 
@@ -73,7 +73,7 @@ static const double torque_range_upper_limit = 32767.499999999996; /* largest nu
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_none = 0u; /* error_id: no fault */
-/* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
+/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
 static const uint32_t error_a_interpolator = 15u; /* error_id: a_interpolator is not within the sample limit */
 

@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9a5bb4a83307cb65482e42039b26788c
- * checksum    f3f40fd2ca34163f7456ce3c720033e0
+ * checksum    5ec5bf6c6800d53db0412d93501a6713
  */
 #include "axis_v_feedforward.h"
 
@@ -59,8 +59,7 @@ static const double weight_per_percent = 0.01; /* weight / 100 */
 static const double velocity_delay_now = 0.85; /* 1 - f: share of the sample N cycles ago */
 static const double velocity_delay_before = 0.15; /* f: share of the sample N + 1 cycles ago */
 
-/* additive velocity: 10000 increments at 3333 um or 0.001 deg per minute (P-AXIS-00206/00205, 00207): 3000300
- * for 1 m/min or 1000 deg/min */
+/* additive velocity: 10000 increments at 3333 um per minute (P-AXIS-00206/00205, 00207): 3000300 for 1 m/min */
 static const double velocity_scale = 180.01800180018003; /* additive velocity: increments for 1 um/s */
 
 /* process data of 32 bits */
@@ -73,7 +72,7 @@ static const double velocity_range_upper_limit = 2147483647.4999998; /* largest 
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_none = 0u; /* error_id: no fault */
-/* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
+/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
 static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
 

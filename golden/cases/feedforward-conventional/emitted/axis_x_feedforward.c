@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  b3ed5792d9f8226b8fcc93505e5e2511
- * checksum    aa0831c592fcfd4d4a0bfda4917b53d9
+ * checksum    741f3e0cf74a40d4751c87f132ceb632
  */
 #include "axis_x_feedforward.h"
 
@@ -54,7 +54,7 @@ static const double t_j = 8.0e-6; /* square of the time constant of the jerk [s^
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_none = 0u; /* error_id: no fault */
-/* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
+/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
 static const uint32_t error_j_interpolator = 16u; /* error_id: j_interpolator is not within the sample limit */
 static const uint32_t error_a_interpolator = 15u; /* error_id: a_interpolator is not within the sample limit */

@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  5081215969251b07d12905c1b2a3f3db
- * checksum    28ae24aa6dc85fbc0de5e924e743ab11
+ * checksum    2d10a9eb86fe9128a929bc542e898da8
  */
 #include "axis_x_feedforward.h"
 
@@ -59,8 +59,7 @@ static const double weight_per_percent = 0.0075; /* weight / 100 */
 static const double velocity_delay_now = 0.001; /* 1 - f: share of the sample N cycles ago */
 static const double velocity_delay_before = 0.999; /* f: share of the sample N + 1 cycles ago */
 
-/* additive velocity: 1 increments at 10 um or 0.001 deg per second (P-AXIS-00206/00205, 00207): 1666.667 for 1
- * m/min or 1000 deg/min */
+/* additive velocity: 1 increments at 10 um per second (P-AXIS-00206/00205, 00207): 1666.667 for 1 m/min */
 static const double velocity_scale = 0.1; /* additive velocity: increments for 1 um/s */
 
 /* process data of 16 bits */
@@ -84,7 +83,7 @@ static const double torque_range_upper_limit = 32767.499999999996; /* largest nu
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_none = 0u; /* error_id: no fault */
-/* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
+/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
 static const uint32_t error_j_interpolator = 16u; /* error_id: j_interpolator is not within the sample limit */
 static const uint32_t error_a_interpolator = 15u; /* error_id: a_interpolator is not within the sample limit */

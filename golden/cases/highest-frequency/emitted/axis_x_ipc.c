@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  31e1c061703d034773a37e854ddee59a
- * checksum    b8ef7550af7bed0bf90fa4477a2db69b
+ * checksum    52bf4ade5338d2d2ea62f144170169e8
  */
 #include "axis_x_ipc.h"
 
@@ -111,7 +111,7 @@ static const uint32_t error_none = 0u; /* error_id: no fault */
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
+/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;

@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  05853f723de7eac931d9702e2fd307a0
- * checksum    063e49f3e5aa6e83718792e4b072e5d8
+ * checksum    d7243bfe5dfd6e16d97b040dba576a70
  */
 #include "axis_x_ipc.h"
 
@@ -73,7 +73,7 @@ static const uint32_t error_none = 0u; /* error_id: no fault */
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
+/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;

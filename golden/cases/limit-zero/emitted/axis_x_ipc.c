@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  8b2c2e4a9ecf18e1cac56b7273a1d9be
- * checksum    a0ad4370d564fa7b194f27191535709c
+ * checksum    3dcd823501ba87d01e404a187ef9d2ed
  */
 #include "axis_x_ipc.h"
 
@@ -70,7 +70,7 @@ static const uint32_t error_none = 0u; /* error_id: no fault */
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
+/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;

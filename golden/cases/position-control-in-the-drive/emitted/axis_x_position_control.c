@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e6579a5fd4ee7e91a79841af8c74adc1
- * checksum    e78eaca49e07c9102272641dbe7db1dd
+ * checksum    9c8dc1b7444b9823bbf71c04386ef9b9
  */
 #include "axis_x_position_control.h"
 
@@ -54,8 +54,7 @@ static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficie
 /* 1/Kv, Kv = 20/s (P-AXIS-00099): the drive must have the same (SERCOS S-0-0104, CANopen 30C0h:01) */
 static const double lag = 0.05; /* 1 / Kv of the drive: position lag for a velocity [s] */
 
-/* additive velocity: 10000 increments at 10000 um or 0.001 deg per minute (P-AXIS-00206/00205, 00207): 1000000
- * for 1 m/min or 1000 deg/min */
+/* additive velocity: 10000 increments at 10000 um per minute (P-AXIS-00206/00205, 00207): 1000000 for 1 m/min */
 static const double velocity_scale = 60.0; /* additive velocity: increments for 1 um/s */
 
 /* process data of 32 bits */
@@ -65,7 +64,7 @@ static const double velocity_range_lower_limit = -2147483648.4999995; /* smalles
 static const double velocity_range_upper_limit = 2147483647.4999998; /* largest number that is rounded to the largest value */
 
 /* the same for every axis */
-/* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
+/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
 static const uint32_t error_x_command = 17u; /* error_id: x_command is not within the sample limit */
 static const uint32_t error_none = 0u; /* error_id: no fault */

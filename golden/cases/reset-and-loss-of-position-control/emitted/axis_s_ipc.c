@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  f238c861639f753c7ad0cad4ea3352d1
- * checksum    b0c26cf012690235dceb0860bc7fe8ca
+ * checksum    b1a4693bfd14154b5646fb55bd454e65
  */
 #include "axis_s_ipc.h"
 
@@ -70,7 +70,7 @@ static const uint32_t error_none = 0u; /* error_id: no fault */
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
+/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;

@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  91c6f1b05179a6542c9db8978950cedf
- * checksum    c4a184f8979a740839b4ca3af190a6db
+ * checksum    0e2af9ed5b87ec1a80f19b748128ac2f
  */
 #include "axis_f_position_control.h"
 
@@ -54,7 +54,7 @@ static const uint32_t cycle_time_ns = 2000000u; /* cycle time that all coefficie
 /* position control in the CNC: Kv = 20/s (P-AXIS-00099) */
 static const float kv = 20.0f; /* gain of the position controller Kv [1/s] */
 
-/* 500000/1 increments at 1 m/min or 1000 deg/min (P-AXIS-00129/00128) */
+/* 500000/1 increments at 1 m/min (P-AXIS-00129/00128) */
 static const float manipulated_scale = 30.0f; /* manipulated variable: increments for 1 um/s */
 
 /* process data of 32 bits */
@@ -64,7 +64,7 @@ static const float manipulated_range_lower_limit = -2147483600.0f; /* smallest n
 static const float manipulated_range_upper_limit = 2147483500.0f; /* largest number that is rounded to the largest value */
 
 /* the same for every axis */
-/* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
+/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const float sample_limit = 1000000000.0f;
 static const uint32_t error_x_command = 17u; /* error_id: x_command is not within the sample limit */
 static const uint32_t error_none = 0u; /* error_id: no fault */

@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  85973501273fb31e4d28546a16b52344
- * checksum    1b1b6136d2f41b8efc106efa24cff497
+ * checksum    9fe6c4442e5e0d60686fa9abe4b57df6
  */
 #include "axis_x_ipc.h"
 
@@ -74,7 +74,7 @@ static const uint32_t error_none = 0u; /* error_id: no fault */
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
+/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const float sample_limit = 1000000000.0f;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;

@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  62500 ns
  * parameters  a526672934bc99cde894e4692aa2fb94
- * checksum    aac3b2f1de9255874f610d80809dfb3a
+ * checksum    ad2befbd0674eceae506a335c610fe0b
  */
 #include "axis_x_ipc.h"
 
@@ -84,7 +84,7 @@ static const uint32_t error_none = 0u; /* error_id: no fault */
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
+/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const float sample_limit = 1000000000.0f;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;

@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  93aee06be26c056330bf348cc27a6125
- * checksum    d1ecd524d49e92cb6507ce3a4bc1f308
+ * checksum    64d6b62b025ba5ad123ade0fe25435b8
  */
 #include "axis_c_ipc.h"
 
@@ -134,7 +134,7 @@ static const uint32_t error_none = 0u; /* error_id: no fault */
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
+/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const float sample_limit = 1000000000.0f;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;

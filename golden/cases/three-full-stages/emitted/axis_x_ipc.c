@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  a0c645d4293c1d72ba63265e5e4c41a7
- * checksum    f692b83bc5ed869fe75d41765faf0c6d
+ * checksum    0b9fdabdc7bcfdd764c5fefd6a85d0e5
  */
 #include "axis_x_ipc.h"
 
@@ -156,7 +156,7 @@ static const uint32_t error_none = 0u; /* error_id: no fault */
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
+/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;

@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  c2f6b8fb6fa0145044514cee709a094e
- * checksum    11c0725757391dccb43651634509f514
+ * checksum    40456f5e32904e1414d5df2772bf064c
  */
 #include "axis_z_ipc.h"
 
@@ -103,7 +103,7 @@ static const uint32_t error_none = 0u; /* error_id: no fault */
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
+/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;

@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  81f1a4ebb88fdcedcefe43a9b0bae022
- * checksum    6bd0e4ac14588e24fd9414915dce4b91
+ * checksum    2c6a90b44c40a88f34a5760118cb6d10
  */
 #include "axis_two_frequencies_ipc.h"
 
@@ -99,7 +99,7 @@ static const uint32_t error_none = 0u; /* error_id: no fault */
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* largest magnitude of a sample in range: beyond any velocity, so that NaN and infinity need not be named */
+/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;
