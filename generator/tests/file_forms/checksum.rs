@@ -1,7 +1,7 @@
 //! The digest in every file: it is right, any change of the file is noticed, other line ends are none.
 
 use crate::CASES;
-use generator::digest::{digest, has_right_checksum};
+use generator::digest::{NO_CHECKSUM, digest, has_right_checksum};
 
 /// Changed bytes of every file form.
 const CHANGES: usize = 200;
@@ -23,6 +23,7 @@ fn every_file_bears_its_digest_once() {
             assert_eq!(has_right_checksum(text), Some(true), "{}: {name}", case.name);
             let stated = &text[digest_at(text)];
             assert_eq!(text.matches(stated).count(), 1, "{}: {name}", case.name);
+            assert!(!text.contains(NO_CHECKSUM), "{}: {name}: a checksum that nobody filled in", case.name);
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Changed blocks: fused operations, and planted faults. What REAL adds is tested inside the crate.
 
 use crate::support::{LREAL, answers, block, block_with, said};
-use portable::{Literal, RealKind};
+use portable::{Literal, Real, RealKind};
 use st::{Block, Dialect};
 
 /// Numbers of which each fused operation gives other bits.
@@ -133,21 +133,25 @@ fn an_assignment_is_left_out() {
     assert_eq!(block.without(4).map(|changed| whole(&changed)), Some(vec![vec![Literal::I32(0)]]));
 }
 
+/// What a constant is when it is another one.
+fn larger(value: f64) -> f64 {
+    value + value * 2f64.powi(-10)
+}
+
 #[test]
-fn a_constant_is_the_next_number_away_from_zero() {
+fn a_constant_is_larger_by_a_thousandth() {
     let block = reading(
         "y := 0.1 * a + 0.0 - (-1.0 * 0.0);\nIF a < -2.5 THEN\n    y := 7.0;\nEND_IF;\nz := -1.5 + 5.0 - (4.0);",
     );
-    let next = f64::next_up;
     let (y, z) = (0.1 * A, -1.5 + 5.0 - 4.0);
     assert_eq!(bits(cycle(&block)), bits([y, z]));
     let expected = [
-        [next(0.1) * A, z],
+        [larger(0.1) * A, z],
         [y, z],
         [y, z],
-        [y, -next(1.5) + 5.0 - 4.0],
-        [y, -1.5 + next(5.0) - 4.0],
-        [y, -1.5 + 5.0 - next(4.0)],
+        [y, -larger(1.5) + 5.0 - 4.0],
+        [y, -1.5 + larger(5.0) - 4.0],
+        [y, -1.5 + 5.0 - larger(4.0)],
     ];
     for (which, expected) in expected.into_iter().enumerate() {
         let changed = block.with_other_constant(which).unwrap_or_else(|| panic!("{which}"));
@@ -156,12 +160,12 @@ fn a_constant_is_the_next_number_away_from_zero() {
     assert!(block.with_other_constant(expected.len()).is_none());
     // The limit of the comparison moved too.
     let below =
-        |block: &Block| answers(block, &[("a", LREAL)], &[vec![Literal::F64(-next(2.5))]], &[("y", LREAL)], &[]);
+        |block: &Block| answers(block, &[("a", LREAL)], &[vec![Literal::F64(-larger(2.5))]], &[("y", LREAL)], &[]);
     assert_eq!(below(&block), [[Literal::F64(7.0)]]);
     let changed = block.with_other_constant(1).expect("it has one");
-    assert_eq!(below(&changed), [[Literal::F64(0.1 * -next(2.5))]]);
+    assert_eq!(below(&changed), [[Literal::F64(0.1 * -larger(2.5))]]);
     let changed = block.with_other_constant(2).expect("it has one");
-    assert_eq!(below(&changed), [[Literal::F64(next(7.0))]]);
+    assert_eq!(below(&changed), [[Literal::F64(larger(7.0))]]);
 }
 
 #[test]
@@ -175,7 +179,7 @@ fn declared_and_assigned_constants_count_and_start_values_do_not() {
     for (block, at_the_limit) in [(twincat, [0.0, 0.0, 5.0]), (scl, [0.0, 5.0, 0.0])] {
         let changed = |which| block.with_other_constant(which).expect("it has one");
         assert_eq!(y(&block, 3.0), [[Literal::F64(1.5)]]);
-        assert_eq!(y(&changed(0), 3.0), [[Literal::F64(3.0 * 0.5f64.next_up())]]);
+        assert_eq!(y(&changed(0), 3.0), [[Literal::F64(3.0 * larger(0.5))]]);
         assert_eq!(y(&block, 10.0), [[Literal::F64(0.0)]]);
         for (which, expected) in at_the_limit.into_iter().enumerate() {
             assert_eq!(y(&changed(which), 10.0), [[Literal::F64(expected)]], "{which}");
@@ -185,15 +189,15 @@ fn declared_and_assigned_constants_count_and_start_values_do_not() {
 }
 
 #[test]
-fn a_constant_of_real_is_the_next_real() {
+fn a_constant_of_real_is_larger_and_a_real() {
     let text = "FUNCTION_BLOCK probe\nVAR_OUTPUT\n    y : REAL;\n    z : REAL;\nEND_VAR\ny := -0.1;\nz := 2.0 * 0.5;\nEND_FUNCTION_BLOCK\n";
     let block = block(Dialect::Plain, text, "probe", RealKind::F32);
     let single = Literal::F32(0.0);
     let found = |block: &Block| answers(block, &[], &[vec![]], &[("y", single), ("z", single)], &[]).concat();
     assert_eq!(found(&block), [-0.1, 1.0].map(Literal::F32));
     let changed = |which| block.with_other_constant(which).map(|block| found(&block));
-    assert_eq!(changed(0), Some([(-0.1f32).next_down(), 1.0].map(Literal::F32).to_vec()));
-    assert_eq!(changed(1), Some([-0.1, 1.0f32.next_up()].map(Literal::F32).to_vec()));
+    assert_eq!(changed(0), Some([f32::lit(larger(-0.1)), 1.0].map(Literal::F32).to_vec()));
+    assert_eq!(changed(1), Some([-0.1, f32::lit(larger(1.0))].map(Literal::F32).to_vec()));
     assert_eq!(changed(2), None);
     assert_eq!(found(&block.wide()), [-0.1, 1.0].map(Literal::F32));
 }
@@ -229,13 +233,13 @@ fn a_changed_block_has_instances() {
     assert_eq!(found(Some(inner.clone())), bits([y, y + 1.0]));
     assert_eq!(found(inner.contracted(None)), bits([fused, fused + 1.0]));
     assert_eq!(found(inner.without(1)), bits([y, 1.0]));
-    let other = A * B + 0.7f64.next_up();
+    let other = A * B + larger(0.7);
     assert_eq!(found(inner.with_other_constant(0)), bits([other, other + 1.0]));
     // Assignments and numbers of the outer block are its own text's.
     let outer = outer(&inner);
     assert_eq!(outer.without(0).map(|changed| bits(cycle(&changed))), Some(bits([0.0, y + 1.0])));
     assert!(outer.without(2).is_none());
-    let next = Some(bits([y, y + 1.0f64.next_up()]));
+    let next = Some(bits([y, y + larger(1.0)]));
     assert_eq!(outer.with_other_constant(0).map(|changed| bits(cycle(&changed))), next);
     assert!(outer.with_other_constant(1).is_none());
 }
