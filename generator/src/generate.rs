@@ -51,11 +51,12 @@ pub fn header(axis: &Axis, block: &Block) -> Header {
 /// # Errors
 /// A defect of a block or of a pass.
 pub fn axis_files(designed: &Designed, targets: &[Target]) -> Result<Vec<File>, Defect> {
-    let mut files = Vec::new();
     let blocks = blocks::blocks(designed)?;
+    let headers: Vec<Header> = blocks.iter().map(|block| header(&designed.axis, block)).collect();
+    let mut files = Vec::new();
     for target in targets {
-        for block in &blocks {
-            files.extend(target.files(&header(&designed.axis, block), block)?);
+        for (header, block) in headers.iter().zip(&blocks) {
+            files.extend(target.files(header, block)?);
         }
     }
     Ok(files)

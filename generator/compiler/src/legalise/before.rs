@@ -23,11 +23,11 @@ pub(super) fn run(mut program: Program, mut change: impl FnMut(&mut Expr, &mut B
 }
 
 impl Before<'_> {
-    /// A local that has this value.
-    pub(super) fn local(&mut self, path: &str, ty: Type, value: Expr) -> Var {
+    /// Moves an expression into a local, which stands in its place.
+    pub(super) fn take(&mut self, expr: &mut Expr, path: String, ty: Type) {
         let target = Var::Local(self.program.locals.len());
-        self.program.locals.push(Local { path: path.to_owned(), ty: Some(ty) });
+        self.program.locals.push(Local { path, ty: Some(ty) });
+        let value = std::mem::replace(expr, Expr::Var(target));
         self.statements.push(Statement::Assign { target, value });
-        target
     }
 }

@@ -20,7 +20,7 @@ use crate::pass::{self, Defect, Stage};
 use crate::program::Program;
 use std::borrow::Cow;
 
-/// What every language needs.
+/// What C needs.
 pub const WITH_OUTPUTS: &[Stage] = &[("settled", settle::run), ("early", early::run)];
 
 /// What Structured Text needs where the digits of an LREAL may stand in an expression.

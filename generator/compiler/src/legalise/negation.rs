@@ -19,8 +19,7 @@ fn name(part: &mut Expr, before: &mut Before<'_>) {
         && !matches!(**condition, Expr::Var(_))
     {
         let name = name_of(condition, before);
-        let value = std::mem::replace(&mut **condition, Expr::bool(false));
-        **condition = Expr::Var(before.local(&name, Type::Bool, value));
+        before.take(condition, name, Type::Bool);
     }
 }
 

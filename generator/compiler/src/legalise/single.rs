@@ -40,14 +40,12 @@ fn part(expr: &mut Expr, before: &mut Before<'_>) {
         let is_negative = matches!(operand, Expr::Unary(Unary::Negate, _)) && operand.ty(before.program) == Type::Real;
         if Some(index) == signed && is_negative {
             let path = name_of(operand, before);
-            let value = std::mem::replace(operand, Expr::bool(false));
-            *operand = Expr::Var(before.local(&path, Type::Real, value));
+            before.take(operand, path, Type::Real);
         }
     }
     if rounds(expr, before) {
         let path = name_of(expr, before);
-        let value = std::mem::replace(expr, Expr::bool(false));
-        *expr = Expr::Var(before.local(&path, Type::Real, value));
+        before.take(expr, path, Type::Real);
     }
 }
 
@@ -66,15 +64,10 @@ fn rounds(expr: &Expr, before: &Before<'_>) -> bool {
 fn name_of(expr: &Expr, before: &Before<'_>) -> String {
     let (mut place, mut names) = ("", Vec::new());
     for operand in expr.operands() {
-        let var = match operand {
-            Expr::Var(var) => *var,
-            Expr::Unary(Unary::Negate, inner) if matches!(**inner, Expr::Var(_)) => {
-                let Expr::Var(var) = **inner else { continue };
-                var
-            }
-            _ => continue,
-        };
-        let (above, name) = before.program.path(var).rsplit_once('.').unwrap_or(("", before.program.path(var)));
+        let unsigned = if let Expr::Unary(Unary::Negate, inner) = operand { inner } else { operand };
+        let Expr::Var(var) = *unsigned else { continue };
+        let path = before.program.path(var);
+        let (above, name) = path.rsplit_once('.').unwrap_or(("", path));
         if above.len() > place.len() {
             place = above;
         }
@@ -93,8 +86,8 @@ fn name_of(expr: &Expr, before: &Before<'_>) -> String {
         [only] => format!("{only}{}", word.trim_end_matches('_')),
         [left, right, ..] => format!("{left}{word}{right}"),
     };
-    if name.len() > LONGEST {
-        name = format!("{}_part", names.first().copied().unwrap_or("sum").split("_part").next().unwrap_or("sum"));
+    if let (true, Some(first)) = (name.len() > LONGEST, names.first()) {
+        name = format!("{}_part", first.split("_part").next().unwrap_or(first));
     }
     if place.is_empty() { name } else { format!("{place}.{name}") }
 }

@@ -67,34 +67,37 @@ pub(super) fn listing(axis: &Header, block: &Legal<'_>, dialect: &Dialect) -> Li
     }
 }
 
-/// The comment at the top of a block's file.
+/// The comment at the top of a file that belongs to a block.
 pub(super) fn origin<'a>(axis: &'a Header, file: &'a str, block: &Legal<'_>, dialect: &Dialect) -> Origin<'a> {
-    let kind = block.program.block;
-    let [mode, cycle] = dialect.arguments;
-    let [inputs, _] = signals(&block.program, dialect.language);
-    let argument = |input: &String| match input.as_str() {
-        "Enable" => format!("{input} := TRUE"),
-        "mode" => format!("{input} := {mode}"),
-        "task_cycle_ns" => format!("{input} := {cycle}"),
-        other => format!("{input} := {}{other}", dialect.mark),
-    };
-    let instance = format!("{}_{kind}", axis.name.to_ascii_lowercase());
-    let ty = format!("{0}{1}{0}", dialect.quote, name(&axis.name, kind, dialect));
     Origin {
         file,
         axis,
-        block: kind,
+        block: block.program.block,
         real: dialect.language.ty(Type::Real, axis.real),
-        certificate: comment::wrapped(&block.block.certificate, COMMENT_WIDTH, "\n   "),
-        instance: [format!("{}{instance}", dialect.mark), format!("{instance} : {ty}")],
-        arguments: inputs.iter().map(argument).collect(),
+        certificate: String::new(),
+        instance: Default::default(),
+        arguments: Vec::new(),
     }
 }
 
 impl Origin<'_> {
-    /// The file does not hold the block itself: nothing is certified in it, and nothing is called.
-    pub(super) fn is_test(&mut self) {
-        self.certificate.clear();
-        self.arguments.clear();
+    /// The same of the file that holds the block itself: what is certain of it, and how it is called.
+    pub(super) fn with_call(self, block: &Legal<'_>, dialect: &Dialect) -> Self {
+        let [mode, cycle] = dialect.arguments;
+        let [inputs, _] = signals(&block.program, dialect.language);
+        let argument = |input: &String| match input.as_str() {
+            "Enable" => format!("{input} := TRUE"),
+            "mode" => format!("{input} := {mode}"),
+            "task_cycle_ns" => format!("{input} := {cycle}"),
+            other => format!("{input} := {}{other}", dialect.mark),
+        };
+        let instance = format!("{}_{}", self.axis.name.to_ascii_lowercase(), self.block);
+        let ty = format!("{0}{1}{0}", dialect.quote, name(&self.axis.name, self.block, dialect));
+        Self {
+            certificate: comment::wrapped(&block.block.certificate, COMMENT_WIDTH, "\n   "),
+            instance: [format!("{}{instance}", dialect.mark), format!("{instance} : {ty}")],
+            arguments: inputs.iter().map(argument).collect(),
+            ..self
+        }
     }
 }

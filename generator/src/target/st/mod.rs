@@ -79,12 +79,10 @@ fn both(
 ) -> Vec<File> {
     let name = block_name(&axis.name, block.program.block);
     let of_block = format!("{name}.{extension}");
-    let of_test = format!("{name}_{}.{extension}", self_test::SUFFIX);
-    let mut test = origin(axis, &of_test, block, dialect);
-    test.is_test();
+    let of_test = format!("{}.{extension}", self_test::name(&name));
     vec![
-        file(origin(axis, &of_block, block, dialect), listing(axis, block, dialect)),
-        file(test, self_test::listing(axis, block, dialect)),
+        file(origin(axis, &of_block, block, dialect).with_call(block, dialect), listing(axis, block, dialect)),
+        file(origin(axis, &of_test, block, dialect), self_test::listing(axis, block, dialect)),
     ]
 }
 

@@ -12,8 +12,13 @@ use compiler::program::{Type, Variable};
 use portable::{Literal, Real, RealKind};
 use std::borrow::Cow;
 
-/// What the name of a self-test ends with.
-pub(super) const SUFFIX: &str = "self_test";
+/// The signal that turns a block on.
+const ENABLE: &str = "Enable";
+
+/// The name of the self-test of what has a name.
+pub(super) fn name(tested: &str) -> String {
+    format!("{tested}_self_test")
+}
 
 /// The statements.
 #[derive(Template)]
@@ -52,13 +57,13 @@ pub(super) fn listing(axis: &Header, block: &Legal<'_>, dialect: &Dialect) -> Li
     let (program, language) = (&block.program, dialect.language);
     let trial: &Trial = &block.block.trial;
     let [inputs, outputs] = &signals(program, language);
-    let name = listing::name(&axis.name, program.block, dialect);
+    let tested = listing::name(&axis.name, program.block, dialect);
     let body = body(block, dialect, trial, [inputs, outputs]);
     let variable = |ty: Type, name: String, doc: &str| member(language.ty(ty, axis.real).into(), name, doc);
     let of_inputs = program.inputs.iter().zip(inputs);
     let of_outputs = program.outputs.iter().zip(outputs);
     let mut state = vec![
-        member(format!("{0}{name}{0}", dialect.quote).into(), "block".to_owned(), "the block under test"),
+        member(format!("{0}{tested}{0}", dialect.quote).into(), "block".to_owned(), "the block under test"),
         variable(Type::I32, "sample".to_owned(), "the number of the sample"),
         variable(Type::I32, "random".to_owned(), "what the noise is made of"),
     ];
@@ -80,7 +85,7 @@ pub(super) fn listing(axis: &Header, block: &Legal<'_>, dialect: &Dialect) -> Li
         of_outputs.map(|(output, name)| variable(output.ty, format!("expected_{name}"), "the reference's answer")),
     );
     Listing {
-        name: format!("{name}_{SUFFIX}"),
+        name: name(&tested),
         inputs: Vec::new(),
         outputs: vec![
             variable(Type::Bool, "done".to_owned(), "all samples have run"),
@@ -116,7 +121,6 @@ fn body(block: &Legal<'_>, dialect: &Dialect, trial: &Trial, [inputs, outputs]: 
         let own = program.inputs.iter().position(|input| input.path == *path);
         own.map_or("", |own| inputs[own].as_str())
     };
-    let turn_text = |turn: &'_ Turn| literal(turn.value);
     let switches = program.inputs.iter().zip(inputs).filter(|(input, _)| input.ty != Type::Real);
     let switches = switches.map(|(input, name)| match position(input) {
         None => Switch {
@@ -134,7 +138,7 @@ fn body(block: &Legal<'_>, dialect: &Dialect, trial: &Trial, [inputs, outputs]: 
             Switch {
                 name,
                 usual: literal(trial.usual[position]),
-                turns: turns.map(|turn| (turn, turn_text(turn))).collect(),
+                turns: turns.map(|turn| (turn, literal(turn.value))).collect(),
             }
         }
     });
@@ -174,7 +178,6 @@ fn steps<'n>(
             path => of(compiler::legalise::RENAMED.iter().find(|(_, new)| *new == path).map_or(path, |(old, _)| old)),
         }
     };
-    // A variable of the self-test begins as 0 or FALSE.
     let mut last: Vec<Option<Literal>> = vec![None; names.len()];
     let mut steps = Vec::new();
     for answer in &trial.answers {
@@ -202,6 +205,3 @@ fn unsigned_zero(value: Literal) -> Literal {
         other => other,
     }
 }
-
-/// The signal that turns a block on.
-const ENABLE: &str = "Enable";

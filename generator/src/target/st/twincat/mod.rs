@@ -54,10 +54,8 @@ struct TcPou<'a> {
 pub(crate) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
     let pou = |folder: &str, listing: Listing, is_test: bool| {
         let file = format!("{}.TcPOU", listing.name);
-        let mut origin = origin(axis, &file, block, &TWINCAT);
-        if is_test {
-            origin.is_test();
-        }
+        let origin = origin(axis, &file, block, &TWINCAT);
+        let origin = if is_test { origin } else { origin.with_call(block, &TWINCAT) };
         rendered(folder, &file, &TcPou { origin, id: guid("POU", &listing.name), block: listing })
     };
     vec![
@@ -70,11 +68,6 @@ pub(crate) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
 /// The name of the function block of a block of an axis.
 fn block_name(axis: &str, block: &str) -> String {
     listing::name(axis, block, &TWINCAT)
-}
-
-/// The name of its self-test.
-fn self_test_name(block: &str) -> String {
-    format!("{block}_{}", self_test::SUFFIX)
 }
 
 /// The bit string of a real's size.

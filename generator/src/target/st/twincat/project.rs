@@ -1,7 +1,7 @@
 //! What all axes of a set share in TwinCAT: the function, the type of the modes, the test program, the project's entries, the guide.
 
-use super::{DUTS, FOLDER, POUS, TESTS, block_name, guid, in_range, rendered, self_test_name, suite};
-use crate::target::st::real_types;
+use super::{DUTS, FOLDER, POUS, TESTS, block_name, guid, in_range, rendered, suite};
+use crate::target::st::{real_types, self_test};
 use crate::target::{self, File, Unit};
 use askama::Template;
 
@@ -57,7 +57,7 @@ pub(crate) fn shared(units: &[Unit<'_>]) -> Vec<File> {
 /// What the project file has to name: the shared files, and those of every block.
 fn project(shared: &[File], blocks: &[String]) -> File {
     let of_block = |block: &String| {
-        let (suite, test) = (suite::suite_name(block), self_test_name(block));
+        let (suite, test) = (suite::suite_name(block), self_test::name(block));
         [format!("{POUS}\\{block}.TcPOU"), format!("{TESTS}\\{suite}.TcPOU"), format!("{TESTS}\\{test}.TcPOU")]
     };
     let shared = shared.iter().map(|file| file.name[FOLDER.len() + 1..].replace('/', "\\"));

@@ -1,7 +1,8 @@
 //! A TcUnit suite for each block, which runs its self-test to the end.
 
-use super::{TESTS, TWINCAT, block_name, guid, rendered, self_test_name};
+use super::{TESTS, TWINCAT, block_name, guid, rendered};
 use crate::target::st::listing::{Origin, origin};
+use crate::target::st::self_test;
 use crate::target::{File, Header, Legal};
 use crate::trial::Trial;
 use askama::Template;
@@ -23,16 +24,14 @@ pub(super) fn file(axis: &Header, block: &Legal<'_>) -> File {
     let name = &block_name(&axis.name, block.program.block);
     let suite = &suite_name(name);
     let file = format!("{suite}.TcPOU");
-    let mut origin = origin(axis, &file, block, &TWINCAT);
-    origin.is_test();
     let trial: &Trial = &block.block.trial;
     let text = TcSuite {
-        origin,
+        origin: origin(axis, &file, block, &TWINCAT),
         id: guid("POU", suite),
         method_id: guid("Method", suite),
         name: suite,
         block: name,
-        self_test: &self_test_name(name),
+        self_test: &self_test::name(name),
         samples: trial.samples,
     };
     rendered(TESTS, &file, &text)
