@@ -1,0 +1,48 @@
+//! The changeover of a spindle between position and velocity control. Plain data, as the parameters say it.
+
+use super::{Ratio, Velocity};
+
+/// Automatic changeover of a spindle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spindle {
+    /// velocity above which M3 and M4 lead to velocity control [0.001 deg/s] (P-AXIS-00767, 00265)
+    pub v_velocity_control_on: u32,
+    /// velocity from which position control is taken up again [0.001 deg/s] (P-AXIS-00768, 00266)
+    pub v_position_control_on: u32,
+    pub drive: Changeover,
+    /// gain of the position controller, of the drive or of the CNC [0.01/s] (P-AXIS-00099)
+    pub kv: u32,
+    /// cycles between sending a command and receiving the actual value that it caused (P-AXIS-00191)
+    pub delay_cycles: u32,
+    /// of the velocity command on the way to position control [0.001 deg/s^2] (key `spindle.deceleration`)
+    pub deceleration: f64,
+    /// smallest window around the velocity of position control [0.001 deg/s] (key `spindle.window`)
+    pub window: f64,
+    /// largest step of the position command when the interpolator takes over [0.001 deg] (key `spindle.takeover_window`)
+    pub takeover_window: f64,
+    /// within which the drive displays the new mode [ns] (key `spindle.mode_timeout`)
+    pub mode_timeout_ns: u64,
+    /// within which the spindle has braked [ns] (key `spindle.brake_timeout`)
+    pub brake_timeout_ns: u64,
+}
+
+/// Who changes the mode.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Changeover {
+    /// position control in the CNC: the CNC alone, by opening its loop
+    Cnc {
+        /// weight of the feedforward of the velocity that is added to the position controller's output (P-AXIS-00228/00229)
+        feedforward: Option<Ratio>,
+    },
+    /// position control in the drive: it gets the mode and displays it
+    Drive {
+        /// number of the operation mode of position control
+        position_mode: i32,
+        /// number of the operation mode of velocity control
+        velocity_mode: i32,
+        /// weight of the feedforward in the drive [0.1 %] (P-AXIS-00833, 00766)
+        feed_forward_v_weighting: u32,
+        /// scaling of the velocity command
+        velocity: Velocity,
+    },
+}
