@@ -33,11 +33,11 @@ impl<R: Real, B: Block<R>> Run for Running<R, B> {
         let inputs = B::Inputs::build(&mut || next.next().expect("run: as many values as inputs"));
         B::step(&mut self.state, &self.coeffs, &inputs, &mut self.outputs);
         outputs.clear();
-        self.outputs.visit(&mut |output| outputs.push(output));
+        self.outputs.visit(&mut |output| outputs.push(output.at_run_time()));
     }
 
     fn state(&self) -> Vec<Literal> {
-        leaves(&self.state)
+        leaves(&self.state).into_iter().map(Literal::at_run_time).collect()
     }
 }
 

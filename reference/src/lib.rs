@@ -8,6 +8,7 @@
 #![warn(missing_docs)] // the emitted comments and the subset's rules come from here
 
 pub mod allpass;
+pub mod angle;
 pub mod axis;
 pub mod bandpass;
 pub mod biquad;
@@ -19,5 +20,6 @@ pub mod position_control;
 pub mod process_data;
 pub mod section;
 pub mod signal;
+pub mod spindle;
 pub mod stage;
 pub mod sum;

@@ -94,6 +94,78 @@ pub fn error_v_add_master() -> u32 {
     22u32
 }
 
+/// error_id: v_actual is not within the sample limit
+#[portable]
+pub fn error_v_actual() -> u32 {
+    23u32
+}
+
+/// error_id: spindle: two requests in one cycle, the one of lower priority is lost
+#[portable]
+pub fn error_requests() -> u32 {
+    31u32
+}
+
+/// error_id: spindle: M3 and M4 in one cycle, the request is lost
+#[portable]
+pub fn error_direction() -> u32 {
+    32u32
+}
+
+/// error_id: spindle: s_word is not within the sample limit, the request is lost
+#[portable]
+pub fn error_s_word() -> u32 {
+    33u32
+}
+
+/// error_id: spindle: s_position is not within the position limit, the request is lost
+#[portable]
+pub fn error_s_position() -> u32 {
+    34u32
+}
+
+/// error_id: spindle: four requests wait already, the request is lost
+#[portable]
+pub fn error_waiting() -> u32 {
+    35u32
+}
+
+/// error_id: spindle: the drive does not display velocity control within the time; stays until reset
+#[portable]
+pub fn error_to_velocity() -> u32 {
+    41u32
+}
+
+/// error_id: spindle: the spindle has not braked within the time; stays until reset
+#[portable]
+pub fn error_brake() -> u32 {
+    42u32
+}
+
+/// error_id: spindle: the drive does not display position control within the time; stays until reset
+#[portable]
+pub fn error_to_position() -> u32 {
+    43u32
+}
+
+/// error_id: spindle: 180 degrees a cycle or more, the drive cannot tell the direction; stays until reset
+#[portable]
+pub fn error_half_turn() -> u32 {
+    44u32
+}
+
+/// error_id: spindle: the drive has left its operation mode; stays until reset
+#[portable]
+pub fn error_mode_display() -> u32 {
+    45u32
+}
+
+/// error_id: spindle: the interpolator does not go on from x_spindle; stays until reset
+#[portable]
+pub fn error_takeover() -> u32 {
+    46u32
+}
+
 /// error_id: improved position control is enabled on a gantry slave, the error 70600 of the controller
 #[portable]
 pub fn error_gantry_slave() -> u32 {

@@ -56,6 +56,14 @@ static const {{ member.ty }} {{ member.name }} = {{ member.value }}; /* {{ membe
 {%- endmatch %}
 {%- endfor %}
 {% endfor %}
+{%- for group in block.enumerations %}
+/* {{ group.note }} */
+enum {
+{%- for member in group.constants %}
+    {{ member.name }} = {{ member.value }}{% if !loop.last %},{% endif %} /* {{ member.doc }} */
+{%- endfor %}
+};
+{% endfor %}
 void {{ block.prefix }}_init({{ block.prefix }}_state *state)
 {
 {%- if block.state.is_empty() %}

@@ -45,6 +45,15 @@ fn statements(program: &Program, list: &[Statement], level: usize, f: &mut Forma
                     statements(program, otherwise, level + 1, f)?;
                 }
             }
+            Statement::Choose { by, arms } => {
+                writeln!(f, "{indent}choose by {}", expr(program, by))?;
+                for arm in arms {
+                    let labels: Vec<String> =
+                        arm.labels.iter().map(|label| name(program, Var::Constant(*label))).collect();
+                    writeln!(f, "{indent}{}:", labels.join(", "))?;
+                    statements(program, &arm.body, level + 1, f)?;
+                }
+            }
         }
     }
     Ok(())

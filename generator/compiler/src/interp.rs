@@ -82,6 +82,12 @@ impl<'p> Machine<'p> {
                     let holds = self.value(condition) == Literal::Bool(true);
                     self.run(if holds { then } else { otherwise }, watch);
                 }
+                Statement::Choose { by, arms } => {
+                    let value = self.value(by);
+                    let is_chosen = |label: &usize| self.program.constants[*label].value == value;
+                    let arm = arms.iter().find(|arm| arm.labels.iter().any(is_chosen)).or(arms.last());
+                    self.run(arm.map_or(&[], |arm| &arm.body), watch);
+                }
             }
         }
     }

@@ -1,5 +1,6 @@
 //! What surrounds improved position control: feedforward, position control, gantry. Plain data, as the parameters say it.
 
+use super::Spindle;
 use crate::parameters::words::{Motor, Width};
 use reference::position_control::Location;
 
@@ -8,6 +9,8 @@ use reference::position_control::Location;
 pub struct Control {
     pub feedforward: Option<Feedforward>,
     pub position_control: Option<PositionControl>,
+    /// automatic changeover of a spindle
+    pub spindle: Option<Spindle>,
     /// logical axis number (P-AXIS-00016)
     pub number: u32,
     /// whether it is a rotary axis or a spindle (P-AXIS-00018): its velocities are in 0.001 deg/s, else in um/s

@@ -4,6 +4,7 @@
 use super::feedforward::design as feedforward;
 use super::ipc::design::{self as ipc, StageDesign};
 use super::position_control::design as position_control;
+use super::spindle::design as spindle;
 use crate::axis::Axis;
 use reference::ipc::STAGES;
 
@@ -18,6 +19,8 @@ pub struct Designed {
     pub feedforward: reference::feedforward::Coeffs<f64>,
     /// all 0 where there is none
     pub position_control: reference::position_control::Coeffs<f64>,
+    /// all 0 where there is none
+    pub spindle: reference::spindle::Coeffs<f64>,
 }
 
 /// The axis decides all of it.
@@ -32,6 +35,7 @@ impl From<Axis> for Designed {
         let (stage, ipc) = ipc::design(&axis);
         let feedforward = feedforward::coefficients(&axis);
         let position_control = position_control::coefficients(&axis);
-        Self { axis, stage, ipc, feedforward, position_control }
+        let spindle = spindle::coefficients(&axis);
+        Self { axis, stage, ipc, feedforward, position_control, spindle }
     }
 }

@@ -14,6 +14,7 @@ pub(crate) mod feedforward;
 pub(crate) mod ipc;
 mod kind;
 pub(crate) mod position_control;
+pub(crate) mod spindle;
 mod values;
 
 pub use designed::Designed;
@@ -26,10 +27,11 @@ use compiler::pass::Defect;
 use portable::Block as Reference;
 
 /// All blocks, in the order in which an axis needs them.
-pub(crate) const BLOCKS: [&dyn Kind; 4] = [
+pub(crate) const BLOCKS: [&dyn Kind; 5] = [
     &reference::ipc::Ipc,
     &reference::feedforward::Feedforward,
     &reference::position_control::PositionControl,
+    &reference::spindle::Spindle,
     &reference::axis::Axis,
 ];
 

@@ -130,7 +130,9 @@ fn control(
     let position_control = position_control::check(e, &drive, ipc, feedforward.as_ref(), master.is_some())?;
     let is_active = ipc.is_some_and(Ipc::is_active) && master.is_none();
     let assumed = e.assumed(|name| assumed::is_told(name, is_active));
-    let control = Control { feedforward, position_control, number, is_rotary, master, master_limit: None, assumed };
+    let spindle = None;
+    let control =
+        Control { feedforward, position_control, spindle, number, is_rotary, master, master_limit: None, assumed };
     Some((control, drive.gear))
 }
 

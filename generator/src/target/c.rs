@@ -48,6 +48,7 @@ struct CBlock<'a> {
     outputs: Vec<Member>,
     state: Vec<Member>,
     constants: Vec<Group>,
+    enumerations: Vec<Group>,
     init: String,
     step: String,
     /// what is certain of its range, and its measured response
@@ -127,6 +128,7 @@ fn block_text<'a>(axis: &'a Header, block: &'a Legal<'_>, prefix: String) -> CBl
         outputs: outline.outputs(),
         state: outline.state(),
         constants: outline.groups(Appearance::Declared),
+        enumerations: outline.groups(Appearance::Enumerator),
         init: printer.body(&program.init, 1),
         step: printer.body(&program.step, 1),
         certificate: comment::wrapped(&block.block.certificate, COMMENT_WIDTH, outline.next_line),

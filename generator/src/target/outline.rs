@@ -109,6 +109,7 @@ impl Outline<'_> {
                     notes_of(&constant.path).filter_map(|path| notes.get(path)).map(String::as_str).collect()
                 }
                 Origin::Function => vec!["the same for every axis"],
+                Origin::Variant(variant) => vec![variant.of.doc],
             };
             let fresh: Vec<&str> = notes.iter().copied().filter(|note| !said.contains(note)).collect();
             if groups.is_empty() || !fresh.is_empty() {
@@ -124,7 +125,9 @@ impl Outline<'_> {
                     name: name.clone(),
                     value: match wanted {
                         Appearance::Assigned => (self.language.operand)(constant.value).0,
-                        Appearance::Inline | Appearance::Declared => (self.language.literal)(constant.value),
+                        Appearance::Inline | Appearance::Declared | Appearance::Enumerator => {
+                            (self.language.literal)(constant.value)
+                        }
                     },
                     doc: self.doc(constant.doc),
                 });

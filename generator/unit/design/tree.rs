@@ -88,7 +88,7 @@ fn what_is_not_used_is_0() {
 }
 
 fn is_zero(literal: Literal) -> bool {
-    [Literal::F64(0.0), Literal::Usize(0), Literal::Variant(0)].contains(&literal)
+    [Literal::F64(0.0), Literal::Usize(0), Literal::I32(0)].contains(&literal.at_run_time())
 }
 
 #[test]

@@ -19,6 +19,6 @@ pub use intrinsic::{from_i32, from_u32, in_range, nearest, nearly_half, note, tr
 pub use ir::{
     Argument, Arm, Binary, Body, CodeBlock, Expr, Fn, Intrinsic, Mode, Param, Place, Projection, Statement, Unary,
 };
-pub use literal::{EnumDef, Field, Literal, Portable, StructDef, Ty, scalar};
+pub use literal::{EnumDef, Field, Literal, Portable, StructDef, Ty, Variant, VariantDef, scalar};
 pub use portable_macro::portable;
 pub use real::{Real, RealKind, is_within_i32};

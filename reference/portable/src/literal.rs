@@ -17,8 +17,19 @@ pub enum Literal {
     F64(f64),
     /// `f32`: C `float`, ST `REAL`
     F32(f32),
-    /// a unit variant, by its position in the [`EnumDef`]
-    Variant(u32),
+    /// a unit variant
+    Variant(Variant),
+}
+
+impl Literal {
+    /// The value as a program has it at run time: a variant is its number.
+    #[must_use]
+    pub fn at_run_time(self) -> Self {
+        match self {
+            Self::Variant(variant) => Self::I32(variant.index.cast_signed()),
+            other => other,
+        }
+    }
 }
 
 /// Literals are equal where their bits are: `-0.0` differs from `0.0`, and a NaN equals itself.
@@ -27,7 +38,8 @@ impl PartialEq for Literal {
         match (*self, *other) {
             (Self::Bool(a), Self::Bool(b)) => a == b,
             (Self::I32(a), Self::I32(b)) => a == b,
-            (Self::U32(a), Self::U32(b)) | (Self::Variant(a), Self::Variant(b)) => a == b,
+            (Self::U32(a), Self::U32(b)) => a == b,
+            (Self::Variant(a), Self::Variant(b)) => a == b,
             (Self::Usize(a), Self::Usize(b)) => a == b,
             (Self::F64(a), Self::F64(b)) => a.to_bits() == b.to_bits(),
             (Self::F32(a), Self::F32(b)) => a.to_bits() == b.to_bits(),
@@ -109,8 +121,73 @@ impl Ty {
 pub struct EnumDef {
     /// the Rust name
     pub name: &'static str,
-    /// the names of the variants
-    pub variants: &'static [&'static str],
+    /// the doc comment
+    pub doc: &'static str,
+    /// the variants
+    pub variants: &'static [VariantDef],
+}
+
+/// A variant of an enum.
+#[derive(Debug)]
+pub struct VariantDef {
+    /// the Rust name
+    pub name: &'static str,
+    /// the doc comment; it stands beside the number in every target
+    pub doc: &'static str,
+}
+
+/// The value of an enum.
+#[derive(Clone, Copy)]
+pub struct Variant {
+    /// its type
+    pub of: &'static EnumDef,
+    /// its position among the variants
+    pub index: u32,
+}
+
+impl Variant {
+    /// What its type says of it.
+    #[must_use]
+    pub fn def(&self) -> &'static VariantDef {
+        &self.of.variants[self.index as usize]
+    }
+
+    fn key(&self) -> (&'static str, u32) {
+        (self.of.name, self.index)
+    }
+}
+
+impl core::fmt::Debug for Variant {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "{}::{}", self.of.name, self.def().name)
+    }
+}
+
+/// In the order of the types' names, then of the variants.
+impl Ord for Variant {
+    fn cmp(&self, other: &Self) -> core::cmp::Ordering {
+        self.key().cmp(&other.key())
+    }
+}
+
+impl PartialOrd for Variant {
+    fn partial_cmp(&self, other: &Self) -> Option<core::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Variant {
+    fn eq(&self, other: &Self) -> bool {
+        self.key() == other.key()
+    }
+}
+
+impl Eq for Variant {}
+
+impl core::hash::Hash for Variant {
+    fn hash<H: core::hash::Hasher>(&self, state: &mut H) {
+        self.key().hash(state);
+    }
 }
 
 /// A type that the generator can describe, take apart into scalars and put together again.

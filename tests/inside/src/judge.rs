@@ -190,11 +190,7 @@ fn answer(frame: &Frame, kept: &[usize]) -> Vec<Literal> {
 
 /// Values as a program has them: a variant is its number.
 fn numbers(values: &[Literal]) -> Vec<Literal> {
-    let number = |value: &Literal| match *value {
-        Literal::Variant(variant) => Literal::I32(variant.cast_signed()),
-        other => other,
-    };
-    values.iter().map(number).collect()
+    values.iter().map(|value| value.at_run_time()).collect()
 }
 
 /// Whether two values have the same bits; any NaN is as good as any other.

@@ -2,7 +2,7 @@
 
 use super::rng::Rng;
 use super::subject::{Instance, scalars};
-use portable::{Literal, Real, RealKind, Ty};
+use portable::{Literal, Real, RealKind, Ty, Variant};
 
 /// Samples of a run, which begins anew after each.
 pub const SAMPLES: usize = 16;
@@ -31,7 +31,10 @@ fn value(ty: Ty, run: usize, rng: &mut Rng) -> Literal {
         Ty::I32 => Literal::I32(*rng.pick(&[0, 1, -1, 2, 3, 7, -100])),
         Ty::U32 if edge => Literal::U32(*rng.pick(&[u32::MAX, 0x8000_0000, 0x0100_0001, 65_536])),
         Ty::U32 => Literal::U32(*rng.pick(&[0, 1, 2, 3, 5, 1_000])),
-        Ty::Enum { def } => Literal::Variant(u32::try_from(rng.below(def.variants.len())).unwrap_or_default()),
+        Ty::Enum { def: of } => {
+            let index = u32::try_from(rng.below(of.variants.len())).unwrap_or_default();
+            Literal::Variant(Variant { of, index })
+        }
         Ty::Real(RealKind::F64) => Literal::F64(if edge { edge_of_f64(run, rng) } else { ordinary(rng) }),
         Ty::Real(RealKind::F32) => {
             Literal::F32(if edge { edge_of_f32(run, rng) } else { <f32 as Real>::lit(ordinary(rng)) })

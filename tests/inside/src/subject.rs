@@ -3,7 +3,7 @@
 use compiler::program::Program;
 use compiler::specialise;
 use portable::Block;
-use portable::{Literal, Portable, Real, RealKind, Ty};
+use portable::{Literal, Portable, Real, RealKind, Ty, Variant};
 use std::collections::BTreeMap;
 
 /// A random program as a block.
@@ -140,7 +140,10 @@ pub fn unset_leaves(ty: Ty) -> Vec<Literal> {
             Ty::Usize => Literal::Usize(1),
             Ty::Real(RealKind::F64) => Literal::F64(f64::from(position) * 0.25 - 0.5),
             Ty::Real(RealKind::F32) => Literal::F32(<f32 as Real>::from_u32(position) * 0.25 - 0.5),
-            Ty::Enum { def } => Literal::Variant(position % u32::try_from(def.variants.len()).unwrap_or(1)),
+            Ty::Enum { def: of } => {
+                let index = position % u32::try_from(of.variants.len()).unwrap_or(1);
+                Literal::Variant(Variant { of, index })
+            }
             Ty::Array { .. } | Ty::Struct { .. } => unreachable!("subject: no scalar"),
         });
     });

@@ -3,6 +3,7 @@
 
 mod before;
 mod bound;
+mod choose;
 mod early;
 mod enable;
 mod nearest;
@@ -21,7 +22,7 @@ use crate::program::Program;
 use std::borrow::Cow;
 
 /// What C needs.
-pub const WITH_OUTPUTS: &[Stage] = &[("settled", settle::run), ("early", early::run)];
+pub const WITH_OUTPUTS: &[Stage] = &[("settled", settle::run), ("early", early::run), ("chosen", choose::run)];
 
 /// What Structured Text needs where the digits of an LREAL may stand in an expression.
 pub const WITH_DIGITS: &[Stage] = &[
@@ -32,6 +33,7 @@ pub const WITH_DIGITS: &[Stage] = &[
     ("negated", negation::run),
     ("named", operands::run_single),
     ("single", single::run),
+    ("chosen", choose::run),
 ];
 
 /// What its dialects need where numbers have names, with the signals of PLCopen around the block.
@@ -44,6 +46,7 @@ pub const WITH_ENABLE: &[Stage] = &[
     ("negated", negation::run),
     ("named", operands::run),
     ("single", single::run),
+    ("chosen", choose::run),
 ];
 
 /// Runs the passes of a target over a verified program, and verifies what comes out.

@@ -40,8 +40,10 @@ fn times(list: &[Statement], output: Var) -> Option<usize> {
         .map(|statement| match statement {
             Statement::Note(_) => Some(0),
             Statement::Assign { target, .. } => Some(usize::from(*target == output)),
-            Statement::If { then, otherwise, .. } => {
-                times(then, output).filter(|count| times(otherwise, output) == Some(*count))
+            Statement::If { .. } | Statement::Choose { .. } => {
+                let mut counts = statement.branches().map(|list| times(list, output));
+                let first = counts.next().unwrap_or(Some(0));
+                first.filter(|count| counts.all(|other| other == Some(*count)))
             }
         })
         .sum()
@@ -137,10 +139,7 @@ fn read_instead(statement: &mut Statement, output: Var, local: Var) {
 
 /// Whether a statement reads the output before it writes anything.
 fn asks(statement: &Statement, output: Var) -> bool {
-    match statement {
-        Statement::Note(_) => false,
-        Statement::Assign { value: expr, .. } | Statement::If { condition: expr, .. } => expr.mentions(output),
-    }
+    statement.expr().is_some_and(|expr| expr.mentions(output))
 }
 
 /// Whether no statement can change the value.
@@ -153,8 +152,8 @@ fn always(statement: &Statement, output: Var) -> bool {
     match statement {
         Statement::Note(_) => false,
         Statement::Assign { target, .. } => *target == output,
-        Statement::If { then, otherwise, .. } => {
-            [then, otherwise].into_iter().all(|list| list.iter().any(|statement| always(statement, output)))
+        Statement::If { .. } | Statement::Choose { .. } => {
+            statement.branches().all(|list| list.iter().any(|statement| always(statement, output)))
         }
     }
 }

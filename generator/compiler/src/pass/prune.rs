@@ -25,18 +25,16 @@ fn live_variables(program: &Program) -> Table<bool> {
 
 /// Marks what the live part of a statement reads; tells whether there is such a part.
 fn mark(statement: &Statement, live: &mut Table<bool>, grows: &mut bool) -> bool {
-    let (alive, reads) = match statement {
-        Statement::Note(_) => return false,
-        Statement::Assign { target, value } => (live[*target], value),
-        Statement::If { condition, then, otherwise } => {
-            let inner = then.iter().chain(otherwise).rev();
-            (inner.filter(|inner| mark(inner, live, grows)).count() > 0, condition)
-        }
-    };
-    if alive {
+    let is_target_live = matches!(statement, Statement::Assign { target, .. } if live[*target]);
+    let alive =
+        statement.branches().flat_map(|list| list.iter().rev()).filter(|inner| mark(inner, live, grows)).count();
+    if !is_target_live && alive == 0 {
+        return false;
+    }
+    if let Some(reads) = statement.expr() {
         reads.variables(&mut |var| *grows |= !std::mem::replace(&mut live[var], true));
     }
-    alive
+    true
 }
 
 fn keep(list: &mut Vec<Statement>, live: &Table<bool>) {

@@ -28,6 +28,15 @@ fn type_statements(statements: &[Statement], program: &mut Program) -> Result<()
                 type_statements(then, program)?;
                 type_statements(otherwise, program)?;
             }
+            Statement::Choose { by, arms } => {
+                let found = type_of(by, program)?;
+                for arm in arms {
+                    arm.labels
+                        .iter()
+                        .try_for_each(|label| expect(variable_type(Var::Constant(*label), program)?, found, by))?;
+                    type_statements(&arm.body, program)?;
+                }
+            }
         }
     }
     Ok(())

@@ -39,18 +39,26 @@ fn statements(list: &[Statement], written: &mut Table<bool>, program: &Program) 
                     return Err(defect(format!("{target:?} is assigned twice on one way")));
                 }
             }
-            Statement::If { condition, then, otherwise } => {
-                readable(condition, written, program)?;
-                let mut yes = written.clone();
-                statements(then, &mut yes, program)?;
-                statements(otherwise, written, program)?;
-                for (no, yes) in [(&mut written.locals, yes.locals), (&mut written.outputs, yes.outputs)] {
-                    no.iter_mut().zip(yes).for_each(|(no, yes)| *no &= yes);
-                }
+            Statement::If { condition: asked, .. } | Statement::Choose { by: asked, .. } => {
+                readable(asked, written, program)?;
+                let mut branches = statement.branches().map(|list| {
+                    let mut written = written.clone();
+                    statements(list, &mut written, program).map(|()| written)
+                });
+                let first = branches.next().unwrap_or_else(|| Ok(written.clone()))?;
+                *written = branches.try_fold(first, |all, written| written.map(|written| both(all, &written)))?;
             }
         }
     }
     Ok(())
+}
+
+/// What is written on two ways.
+fn both(mut one: Table<bool>, other: &Table<bool>) -> Table<bool> {
+    for (one, other) in [(&mut one.locals, &other.locals), (&mut one.outputs, &other.outputs)] {
+        one.iter_mut().zip(other).for_each(|(one, other)| *one &= other);
+    }
+    one
 }
 
 fn readable(expr: &Expr, written: &Table<bool>, program: &Program) -> Result<(), Defect> {

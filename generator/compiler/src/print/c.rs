@@ -1,8 +1,8 @@
 //! What C99 is to the printer.
 
-use super::language::{Appearance, Form, Language, Level};
+use super::language::{Appearance, Cases, Form, Language, Level};
 use super::number::decimal;
-use crate::program::{Expr, Type};
+use crate::program::{Constant, Expr, Origin, Type};
 use portable::{Binary, Intrinsic, Literal, RealKind, Unary};
 use std::collections::HashSet;
 use std::sync::LazyLock;
@@ -22,12 +22,19 @@ pub static LANGUAGE: Language = Language {
     // `&&` beside `||` is legal and misread.
     logic: [Level::And, Level::Comparison],
     form,
-    appearances: |program| vec![Appearance::Declared; program.constants.len()],
+    appearances: |program| program.constants.iter().map(appearance).collect(),
     before: ["inputs->", "outputs->", "state->", "", ""],
     has_structs: true,
     constant: Some("const "),
     assign: " =",
     choice: ["if (", "} else if (", ") {", "} else {", "}"],
+    cases: Cases {
+        asks: ["switch (", ") {"],
+        label: (Some("case "), ": {"),
+        others: "default: {",
+        ends: ["break;", "}"],
+        end: "}",
+    },
     comment: ["/* ", " * ", " */"],
 };
 
@@ -46,6 +53,14 @@ static RESERVED: LazyLock<HashSet<&'static str>> = LazyLock::new(|| {
     .split_ascii_whitespace()
     .collect()
 });
+
+/// A constant that chooses a `case` is an enumerator: to C a `const` is none.
+fn appearance(constant: &Constant) -> Appearance {
+    match constant.origin {
+        Origin::Variant(_) => Appearance::Enumerator,
+        Origin::Coefficient(_) | Origin::Function => Appearance::Declared,
+    }
+}
 
 fn literal(value: Literal) -> String {
     match value {

@@ -53,8 +53,25 @@ pub struct Language {
     /// the texts of an `if`: before the first condition, before each further one, behind a condition, before the statements
     /// for which no condition holds, at the end
     pub(super) choice: [&'static str; 5],
+    /// how a choice by a number is written
+    pub(super) cases: Cases,
     /// what begins a comment, begins its next line, and ends it
     pub(super) comment: [&'static str; 3],
+}
+
+/// How a choice by a number is written.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cases {
+    /// before and behind what is asked
+    pub asks: [&'static str; 2],
+    /// before and behind a number that chooses; `None` before it: its digits, its name in a comment
+    pub label: (Option<&'static str>, &'static str),
+    /// before the list for every other number
+    pub others: &'static str,
+    /// at the end of each list, inside it and behind it
+    pub ends: [&'static str; 2],
+    /// at the end
+    pub end: &'static str,
 }
 
 impl Language {
@@ -87,4 +104,6 @@ pub enum Appearance {
     Declared,
     /// by its name, a variable that each cycle assigns anew
     Assigned,
+    /// by its name, a number of an enumeration
+    Enumerator,
 }

@@ -2,6 +2,7 @@
 //! and nothing is known of a language that its description does not say.
 
 pub mod c;
+mod choice;
 pub mod comment;
 mod expression;
 mod language;
@@ -165,6 +166,7 @@ impl<'d> Layout<'d> {
             Statement::Assign { target, value } => {
                 self.assignment(self.arena.text(&self.printer.texts[*target]), value)
             }
+            Statement::Choose { by, arms } => self.choice(by, arms, declared),
             Statement::If { condition, then, otherwise } => {
                 let [first, next, behind, last, end] = self.printer.language.choice;
                 let mut inner = |list| self.list(list, declared).nest(INDENTATION);

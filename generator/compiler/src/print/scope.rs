@@ -6,9 +6,9 @@ use crate::program::{Statement, Var};
 /// to that branch. `declared` knows the locals that an outer list declares, and learns those of this one.
 pub(super) fn declarations(list: &[Statement], declared: &mut [bool]) -> Vec<Vec<usize>> {
     // The first statement that mentions each local; with its branch, if nothing else mentions the local.
-    let mut places: Vec<Option<(usize, Option<bool>)>> = vec![None; declared.len()];
+    let mut places: Vec<Option<(usize, Option<usize>)>> = vec![None; declared.len()];
     let mut order = Vec::new();
-    let mut note = |var: Var, position: usize, branch: Option<bool>| {
+    let mut note = |var: Var, position: usize, branch: Option<usize>| {
         let Var::Local(local) = var else { return };
         match &mut places[local] {
             Some(known) if *known == (position, branch) => {}
@@ -20,13 +20,14 @@ pub(super) fn declarations(list: &[Statement], declared: &mut [bool]) -> Vec<Vec
         }
     };
     for (position, statement) in list.iter().enumerate() {
-        match statement {
-            Statement::If { condition, then, otherwise } => {
-                condition.variables(&mut |var| note(var, position, None));
-                then.iter().for_each(|inner| inner.variables(&mut |var| note(var, position, Some(true))));
-                otherwise.iter().for_each(|inner| inner.variables(&mut |var| note(var, position, Some(false))));
-            }
-            other => other.variables(&mut |var| note(var, position, None)),
+        if let Statement::Assign { target, .. } = statement {
+            note(*target, position, None);
+        }
+        if let Some(expr) = statement.expr() {
+            expr.variables(&mut |var| note(var, position, None));
+        }
+        for (branch, list) in statement.branches().enumerate() {
+            list.iter().for_each(|inner| inner.variables(&mut |var| note(var, position, Some(branch))));
         }
     }
     let mut here = vec![Vec::new(); list.len()];

@@ -11,7 +11,7 @@ pub use table::Table;
 pub use visit::map_expressions;
 pub(crate) use visit::{rename, rewrite};
 
-use portable::{Binary, Intrinsic, Literal, RealKind, Unary};
+use portable::{Binary, Intrinsic, Literal, RealKind, Unary, Variant};
 
 /// A specialised block.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,6 +79,20 @@ pub enum Origin {
     Coefficient(usize),
     /// a function without parameters, the same for every axis
     Function,
+    /// a variant of an enumeration
+    Variant(Variant),
+}
+
+/// The name of the number that a variant is: its enumeration's, then its own.
+pub(crate) fn variant_name(variant: Variant) -> String {
+    let mut name = String::new();
+    for letter in variant.of.name.chars().chain(variant.def().name.chars()) {
+        if letter.is_ascii_uppercase() && !name.is_empty() {
+            name.push('_');
+        }
+        name.push(letter.to_ascii_lowercase());
+    }
+    name
 }
 
 /// An intermediate value.
@@ -146,6 +160,20 @@ pub enum Statement {
         then: Vec<Statement>,
         otherwise: Vec<Statement>,
     },
+    /// one of several lists, by the value of an enumeration; a legalising pass makes it
+    Choose {
+        by: Expr,
+        /// the last one is for every other number too
+        arms: Vec<Arm>,
+    },
+}
+
+/// One list of a choice.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Arm {
+    /// the constants that choose it, by position
+    pub labels: Vec<usize>,
+    pub body: Vec<Statement>,
 }
 
 /// An expression without effect.

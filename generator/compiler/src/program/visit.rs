@@ -1,22 +1,27 @@
 //! The walks over statements and expressions that every pass, the printer and the interpreter share. No pass.
 
-use super::{Expr, Statement, Var};
+use super::{Arm, Expr, Statement, Var};
 
 impl Statement {
     /// Calls `visit` for this statement, then for those inside it.
     pub(crate) fn walk<'a>(&'a self, visit: &mut impl FnMut(&'a Self)) {
         visit(self);
-        if let Self::If { then, otherwise, .. } = self {
-            then.iter().chain(otherwise).for_each(|inner| inner.walk(visit));
+        self.branches().flatten().for_each(|inner| inner.walk(visit));
+    }
+
+    /// The expression that the statement itself evaluates.
+    pub(crate) fn expr(&self) -> Option<&Expr> {
+        match self {
+            Self::Note(_) => None,
+            Self::Assign { value: expr, .. } | Self::If { condition: expr, .. } | Self::Choose { by: expr, .. } => {
+                Some(expr)
+            }
         }
     }
 
     /// Calls `visit` for every expression of this statement and of those inside it, as a whole.
     pub fn expressions<'a>(&'a self, visit: &mut impl FnMut(&'a Expr)) {
-        self.walk(&mut |statement| match statement {
-            Self::Note(_) => {}
-            Self::Assign { value: expr, .. } | Self::If { condition: expr, .. } => visit(expr),
-        });
+        self.walk(&mut |statement| statement.expr().into_iter().for_each(&mut *visit));
     }
 
     /// Calls `visit` for every variable that this statement or one inside it writes, with what it writes.
@@ -48,22 +53,29 @@ impl Statement {
 
     /// Whether this statement or one inside it reads or writes the variable.
     pub fn mentions(&self, var: Var) -> bool {
-        match self {
-            Self::Note(_) => false,
-            Self::Assign { target, value } => *target == var || value.mentions(var),
-            Self::If { condition, then, otherwise } => {
-                condition.mentions(var) || then.iter().chain(otherwise).any(|inner| inner.mentions(var))
-            }
-        }
+        let is_target = matches!(self, Self::Assign { target, .. } if *target == var);
+        let inside = || self.branches().flatten().any(|inner| inner.mentions(var));
+        is_target || self.expr().is_some_and(|expr| expr.mentions(var)) || inside()
     }
 
-    /// The two lists of an `if`.
-    pub(crate) fn branches_mut(&mut self) -> impl Iterator<Item = &mut Vec<Self>> {
-        let branches = match self {
-            Self::If { then, otherwise, .. } => Some([then, otherwise]),
-            _ => None,
+    /// The lists of an `if` or of a choice.
+    pub(crate) fn branches(&self) -> impl Iterator<Item = &Vec<Self>> {
+        let (both, arms): (_, &[Arm]) = match self {
+            Self::If { then, otherwise, .. } => (Some([then, otherwise]), &[]),
+            Self::Choose { arms, .. } => (None, arms),
+            Self::Note(_) | Self::Assign { .. } => (None, &[]),
         };
-        branches.into_iter().flatten()
+        both.into_iter().flatten().chain(arms.iter().map(|arm| &arm.body))
+    }
+
+    /// The same, to be changed.
+    pub(crate) fn branches_mut(&mut self) -> impl Iterator<Item = &mut Vec<Self>> {
+        let (both, arms): (_, &mut [Arm]) = match self {
+            Self::If { then, otherwise, .. } => (Some([then, otherwise]), &mut []),
+            Self::Choose { arms, .. } => (None, arms),
+            Self::Note(_) | Self::Assign { .. } => (None, &mut []),
+        };
+        both.into_iter().flatten().chain(arms.iter_mut().map(|arm| &mut arm.body))
     }
 }
 
@@ -128,7 +140,7 @@ fn change_each(list: &mut [Statement], change: &mut impl FnMut(&mut Expr, Option
         match statement {
             Statement::Note(_) => {}
             Statement::Assign { target, value } => change(value, Some(target)),
-            Statement::If { condition, .. } => change(condition, None),
+            Statement::If { condition: expr, .. } | Statement::Choose { by: expr, .. } => change(expr, None),
         }
         statement.branches_mut().for_each(|list| change_each(list, change));
     }

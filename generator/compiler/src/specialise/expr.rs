@@ -1,7 +1,7 @@
 //! Expressions and places: from the portable IR to the program, folding what is known.
 
+use super::Specialiser;
 use super::part::{Cell, Named, Part};
-use super::{Specialiser, run_time};
 use crate::arithmetic;
 use crate::program::Expr;
 use portable::{Binary, Literal, Projection};
@@ -98,7 +98,7 @@ impl Specialiser<'_> {
 
     /// An operator on two values. A comparison of known values is decided; arithmetic on a named constant stays, so that
     /// the name stays.
-    pub(super) fn binary(&self, operator: Binary, left: Expr, right: Expr) -> Expr {
+    pub(super) fn binary(&mut self, operator: Binary, left: Expr, right: Expr) -> Expr {
         let known = (self.known(&left), self.known(&right));
         match (operator, known) {
             (Binary::And | Binary::Or, _) => return Expr::logic(operator, left, right),
@@ -118,6 +118,7 @@ impl Specialiser<'_> {
             }
             _ => {}
         }
-        Expr::binary(operator, run_time(left), run_time(right))
+        let (left, right) = (self.run_time(left), self.run_time(right));
+        Expr::binary(operator, left, right)
     }
 }

@@ -10,7 +10,7 @@ mod part;
 mod statement;
 
 use crate::leaves;
-use crate::program::{Constant, Expr, Local, Origin, Program, Statement, Switch, Type, Var, Variable};
+use crate::program::{Constant, Expr, Local, Origin, Program, Statement, Switch, Type, Var, Variable, variant_name};
 use part::{Cell, Leaf, Named, Part};
 use portable::{Block, Enable, Fn, Literal, Portable, Real, Ty};
 use std::collections::BTreeMap;
@@ -98,7 +98,7 @@ impl Specialiser<'_> {
     fn variables(&mut self, ty: Ty, starts: &[Literal], var: fn(usize) -> Var) -> Part {
         let variables = starts.iter().enumerate().map(|(position, start)| {
             let leaf = Leaf::at(ty, position);
-            Variable { ty: scalar_type(&leaf), doc: leaf.doc(), path: leaf.path, start: number(*start) }
+            Variable { ty: scalar_type(&leaf), doc: leaf.doc(), path: leaf.path, start: start.at_run_time() }
         });
         let (list, cell): (_, fn(Var) -> Cell) = match var(0) {
             Var::Output(_) => (&mut self.program.outputs, Cell::Memory),
@@ -155,6 +155,16 @@ impl Specialiser<'_> {
         Expr::Var(Var::Constant(index))
     }
 
+    /// A value that the program stores or computes with: a variant becomes a named number.
+    fn run_time(&mut self, value: Expr) -> Expr {
+        let Expr::Literal(literal @ Literal::Variant(variant)) = value else { return value };
+        let constants = &self.program.constants;
+        let known = constants.iter().position(|constant| constant.origin == Origin::Variant(variant));
+        Expr::Var(Var::Constant(known.unwrap_or_else(|| {
+            self.constant(variant.def().doc, variant_name(variant), literal.at_run_time(), Origin::Variant(variant))
+        })))
+    }
+
     fn constant(&mut self, doc: &'static str, path: String, value: Literal, origin: Origin) -> usize {
         self.program.constants.push(Constant { path, doc, value, origin });
         self.program.constants.len() - 1
@@ -186,21 +196,5 @@ fn scalar_type(leaf: &Leaf) -> Type {
         Ty::U32 => Type::U32,
         Ty::Real(_) => Type::Real,
         ty => panic!("specialise: `{}` is no variable: {ty:?}", leaf.path),
-    }
-}
-
-/// A literal as the program has it: a variant is its number.
-fn number(literal: Literal) -> Literal {
-    match literal {
-        Literal::Variant(index) => Literal::I32(i32::try_from(index).expect("specialise: an enum has few variants")),
-        other => other,
-    }
-}
-
-/// A value that the program stores or computes with: a variant becomes its number.
-fn run_time(expr: Expr) -> Expr {
-    match expr {
-        Expr::Literal(literal) => Expr::Literal(number(literal)),
-        other => other,
     }
 }

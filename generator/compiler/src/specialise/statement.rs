@@ -1,7 +1,7 @@
 //! Statements, branches and loops: the order of effects, and what is known after a branch.
 
+use super::Specialiser;
 use super::part::{Cell, Named, Part};
-use super::{Specialiser, run_time};
 use crate::program::{Expr, Statement, Var};
 use portable::{Arm, Binary, CodeBlock, Literal};
 
@@ -104,7 +104,7 @@ impl Specialiser<'_> {
         };
         match self.cells[cell] {
             Cell::Memory(target) => {
-                let value = run_time(value);
+                let value = self.run_time(value);
                 self.statements.push(Statement::Assign { target, value });
             }
             Cell::Known(_) | Cell::Fixed(_) => self.cells[cell] = self.fixed(name, value),
@@ -148,8 +148,11 @@ impl Specialiser<'_> {
                 self.decide(condition, name, |this| this.block(then), |this| this.block(otherwise))
             }
             portable::Expr::Match { scrutinee, arms } => {
-                let scrutinee = self.expr(scrutinee);
-                let scrutinee = value_of(self.fixed("choice", scrutinee));
+                // Nothing is executed between the questions of a chain: what is asked need not be copied.
+                let scrutinee = match self.expr(scrutinee) {
+                    var @ Expr::Var(_) => var,
+                    computed => value_of(self.fixed("choice", computed)),
+                };
                 self.arms(&scrutinee, arms, name)
             }
             other => panic!("specialise: in {}: no branch: {other:?}", self.frame().function),
@@ -218,8 +221,10 @@ impl Specialiser<'_> {
             return a; // nothing in the branches can have changed it
         }
         let target = self.local(name);
-        branches[0].push(Statement::Assign { target, value: run_time(a) });
-        branches[1].push(Statement::Assign { target, value: run_time(b) });
+        for (branch, value) in branches.iter_mut().zip([a, b]) {
+            let value = self.run_time(value);
+            branch.push(Statement::Assign { target, value });
+        }
         Expr::Var(target)
     }
 

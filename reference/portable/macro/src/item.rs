@@ -76,25 +76,28 @@ pub fn describe_enum(item: &syn::ItemEnum, rejections: &mut Rejections) -> Token
     }
     let name = &item.ident;
     if !rejections.is_empty() {
-        let def = quote!(::portable::EnumDef { name: stringify!(#name), variants: &[] });
+        let def = quote!(::portable::EnumDef { name: stringify!(#name), doc: "", variants: &[] });
         return undescribed(name, &item.generics, &quote!(::portable::Ty::Enum { def: &#def }));
     }
     let variant: Vec<_> = item.variants.iter().map(|variant| &variant.ident).collect();
+    let docs: Vec<_> = item.variants.iter().map(|variant| doc(&variant.attrs)).collect();
+    let meaning = doc(&item.attrs);
     let number: Vec<_> = (0u32..).take(variant.len()).collect();
     let unknown = quote!(other => panic!("a variant of {} expected, found {other:?}", stringify!(#name)));
     quote! {
         impl ::portable::Portable for #name {
             const TY: ::portable::Ty = ::portable::Ty::Enum {
-                def: &::portable::EnumDef { name: stringify!(#name), variants: &[#(stringify!(#variant)),*] },
+                def: &::portable::EnumDef { name: stringify!(#name), doc: #meaning, variants: &[#(::portable::VariantDef { name: stringify!(#variant), doc: #docs }),*] },
             };
 
             fn visit(&self, visit: &mut dyn FnMut(::portable::Literal)) {
-                visit(::portable::Literal::Variant(match self { #(Self::#variant => #number),* }));
+                let ::portable::Ty::Enum { def: of } = <Self as ::portable::Portable>::TY else { return };
+                visit(::portable::Literal::Variant(::portable::Variant { of, index: match self { #(Self::#variant => #number),* } }));
             }
 
             fn build(next: &mut dyn FnMut() -> ::portable::Literal) -> Self {
                 match next() {
-                    #(::portable::Literal::Variant(#number) => Self::#variant,)*
+                    #(::portable::Literal::Variant(::portable::Variant { index: #number, .. }) => Self::#variant,)*
                     #unknown
                 }
             }

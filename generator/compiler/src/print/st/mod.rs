@@ -5,7 +5,7 @@ mod literal;
 
 pub use literal::literal;
 
-use super::language::{Appearance, Form, Language, Level};
+use super::language::{Appearance, Cases, Form, Language, Level};
 use crate::program::{Expr, Program, Type, Var};
 use portable::{Intrinsic, Literal, RealKind, Unary};
 use std::collections::HashSet;
@@ -28,6 +28,7 @@ pub static PLAIN: Language = Language {
     constant: None,
     assign: " :=",
     choice: ["IF ", "ELSIF ", " THEN", "ELSE", "END_IF;"],
+    cases: Cases { asks: ["CASE ", " OF"], label: (None, ":"), others: "ELSE", ends: [""; 2], end: "END_CASE;" },
     comment: ["(* ", "   ", " *)"],
 };
 

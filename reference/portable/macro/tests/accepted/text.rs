@@ -104,7 +104,7 @@ fn literal(of: Literal) -> String {
         Literal::Usize(value) => value.to_string(),
         Literal::F64(value) => format!("{value:?}f64"),
         Literal::F32(value) => format!("{value:?}f32"),
-        Literal::Variant(number) => format!("variant {number}"),
+        Literal::Variant(variant) => format!("variant {}", variant.index),
     }
 }
 

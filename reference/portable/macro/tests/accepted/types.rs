@@ -1,7 +1,7 @@
 //! Structs, enums, parameters and results.
 
 use crate::text;
-use portable::{Literal, Portable, Real, Ty, portable};
+use portable::{Literal, Portable, Real, Ty, Variant, portable};
 
 const LEN: usize = 2;
 
@@ -82,7 +82,13 @@ fn a_struct_lists_its_fields_with_their_first_paragraph() {
 #[test]
 fn an_enum_lists_its_variants() {
     let Ty::Enum { def } = Mode::TY else { panic!("an enum expected") };
-    assert_eq!((def.name, def.variants), ("Mode", &["Off", "On"][..]));
+    let variants: Vec<_> = def.variants.iter().map(|variant| variant.name).collect();
+    assert_eq!((def.name, variants), ("Mode", vec!["Off", "On"]));
+}
+
+fn mode(index: u32) -> Literal {
+    let Ty::Enum { def: of } = Mode::TY else { panic!("an enum") };
+    Literal::Variant(Variant { of, index })
 }
 
 #[test]
@@ -91,9 +97,9 @@ fn a_value_is_taken_apart_and_put_together() {
     state().visit(&mut |literal| leaves.push(literal));
     let expected = [
         Literal::F64(0.5),
-        Literal::Variant(0),
+        mode(0),
         Literal::F64(0.25),
-        Literal::Variant(1),
+        mode(1),
         Literal::U32(1),
         Literal::U32(2),
         Literal::U32(3),

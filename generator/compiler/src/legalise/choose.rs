@@ -1,0 +1,112 @@
+//! Makes one choice of a chain of questions for the same enumeration: a state machine then reads as one.
+//!
+//! ```text
+//! if state == a { x } else if state == b { y } else { z }   ->   choose by state: a { x }, b { y }, c { z }
+//! ```
+
+use crate::pass::Defect;
+use crate::program::{Arm, Constant, Expr, Origin, Program, Statement, Var, variant_name};
+use portable::{Binary, Literal, Variant};
+
+/// A chain of two arms stays an `if`.
+const LEAST_ARMS: usize = 3;
+
+pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
+    in_list(&mut program.step, &mut program.constants);
+    Ok(program)
+}
+
+fn in_list(list: &mut [Statement], constants: &mut Vec<Constant>) {
+    for statement in list {
+        if let Some(by) = by(statement, constants) {
+            let chain = std::mem::replace(statement, Statement::Note(String::new()));
+            *statement = Statement::Choose { by: Expr::Var(by), arms: arms(chain, by, constants) };
+        }
+        statement.branches_mut().for_each(|list| in_list(list, constants));
+    }
+}
+
+/// What a chain of questions asks for, if it has enough of them for a choice.
+fn by(statement: &Statement, constants: &[Constant]) -> Option<Var> {
+    let (by, _) = asked(statement, constants)?;
+    let (mut link, mut arms) = (statement, 1);
+    while let Statement::If { then, otherwise, .. } = link {
+        // A branch without a statement is none in Structured Text.
+        if then.iter().all(|inner| matches!(inner, Statement::Note(_))) {
+            return None;
+        }
+        arms += 1;
+        match &otherwise[..] {
+            [next] if asked(next, constants).is_some_and(|(same, _)| same == by) => link = next,
+            _ => break,
+        }
+    }
+    (arms >= LEAST_ARMS).then_some(by)
+}
+
+/// The arms of a chain; the last one is for the variants that no question names.
+fn arms(chain: Statement, by: Var, constants: &mut Vec<Constant>) -> Vec<Arm> {
+    let (mut arms, mut rest) = (Vec::new(), vec![chain]);
+    while let [link] = &rest[..]
+        && let Some((_, labels)) = asked(link, constants).filter(|(same, _)| *same == by)
+        && let Some(Statement::If { then, otherwise, .. }) = rest.pop()
+    {
+        arms.push(Arm { labels, body: then });
+        rest = otherwise;
+    }
+    arms.push(Arm { labels: others(&arms, constants), body: rest });
+    arms
+}
+
+/// What a statement asks, and for which variants, if it does nothing else.
+fn asked(statement: &Statement, constants: &[Constant]) -> Option<(Var, Vec<usize>)> {
+    let Statement::If { condition, .. } = statement else { return None };
+    let mut labels = Vec::new();
+    let by = questions(condition, constants, &mut labels)?;
+    Some((by, labels))
+}
+
+fn questions(condition: &Expr, constants: &[Constant], labels: &mut Vec<usize>) -> Option<Var> {
+    match condition {
+        Expr::Binary(Binary::Equal, left, right) => match (&**left, &**right) {
+            (Expr::Var(by), Expr::Var(Var::Constant(label))) if variant(*label, constants).is_some() => {
+                labels.push(*label);
+                Some(*by)
+            }
+            _ => None,
+        },
+        Expr::Binary(Binary::Or, left, right) => {
+            let by = questions(left, constants, labels)?;
+            questions(right, constants, labels).filter(|other| *other == by)
+        }
+        _ => None,
+    }
+}
+
+fn variant(label: usize, constants: &[Constant]) -> Option<Variant> {
+    match constants[label].origin {
+        Origin::Variant(variant) => Some(variant),
+        Origin::Coefficient(_) | Origin::Function => None,
+    }
+}
+
+/// The variants that no arm names.
+fn others(arms: &[Arm], constants: &mut Vec<Constant>) -> Vec<usize> {
+    let named: Vec<Variant> =
+        arms.iter().flat_map(|arm| &arm.labels).filter_map(|label| variant(*label, constants)).collect();
+    let Some(of) = named.first().map(|variant| variant.of) else { return Vec::new() };
+    let all = (0..).take(of.variants.len()).map(|index| Variant { of, index });
+    let mut label = |variant: Variant| {
+        let known = constants.iter().position(|constant| constant.origin == Origin::Variant(variant));
+        known.unwrap_or_else(|| {
+            constants.push(Constant {
+                path: variant_name(variant),
+                doc: variant.def().doc,
+                value: Literal::Variant(variant).at_run_time(),
+                origin: Origin::Variant(variant),
+            });
+            constants.len() - 1
+        })
+    };
+    all.filter(|variant| !named.contains(variant)).map(&mut label).collect()
+}

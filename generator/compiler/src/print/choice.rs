@@ -1,0 +1,62 @@
+//! A choice by the number of an enumeration: one `switch` or `CASE`, every list under the names that choose it.
+
+use super::{Doc, INDENTATION, Layout};
+use crate::program::{Arm, Expr, Statement};
+use pretty::DocAllocator;
+
+impl<'d> Layout<'d> {
+    pub(super) fn choice(&self, by: &'d Expr, arms: &'d [Arm], declared: &mut [bool]) -> Doc<'d> {
+        let cases = &self.printer.language.cases;
+        let [before, behind] = cases.asks;
+        let mut doc = self.arena.text(before).append(self.expr(by).doc).append(behind);
+        let (last, named) = arms.split_last().expect("print: a choice has arms");
+        for arm in named {
+            doc = doc.append(self.hardline).append(self.labels(&arm.labels)).append(self.arm(&arm.body, declared));
+        }
+        if !last.body.is_empty() {
+            let [open, _, close] = self.printer.language.comment;
+            let names: Vec<&str> = last.labels.iter().map(|label| self.name(*label)).collect();
+            let note = if names.is_empty() { String::new() } else { format!(" {open}{}{close}", names.join(", ")) };
+            doc = doc.append(self.hardline).append(cases.others).append(note).append(self.arm(&last.body, declared));
+        }
+        doc.append(self.hardline).append(cases.end)
+    }
+
+    fn arm(&self, body: &'d [Statement], declared: &mut [bool]) -> Doc<'d> {
+        let [inside, behind] = self.printer.language.cases.ends;
+        let mut list = self.list(body, declared);
+        if !inside.is_empty() {
+            list = list.append(self.hardline).append(inside);
+        }
+        let list = list.nest(INDENTATION);
+        if behind.is_empty() { list } else { list.append(self.hardline).append(behind) }
+    }
+
+    /// The numbers that choose a list.
+    fn labels(&self, labels: &[usize]) -> Doc<'d> {
+        let cases = &self.printer.language.cases;
+        let [open, _, close] = self.printer.language.comment;
+        let names: Vec<&str> = labels.iter().map(|label| self.name(*label)).collect();
+        let (before, behind) = cases.label;
+        self.arena.text(match before {
+            // Each name has its own label; what opens the list stands behind the last one.
+            Some(before) => {
+                let between = format!("{}{before}", behind.trim_end_matches(" {").to_owned() + " ");
+                format!("{before}{}{behind}", names.join(&between))
+            }
+            None => {
+                let digits: Vec<String> =
+                    labels.iter().map(|label| (self.printer.language.literal)(self.value(*label))).collect();
+                format!("{}{behind} {open}{}{close}", digits.join(", "), names.join(", "))
+            }
+        })
+    }
+
+    fn name(&self, label: usize) -> &'d str {
+        &self.printer.names.constants[label]
+    }
+
+    fn value(&self, label: usize) -> portable::Literal {
+        self.printer.program.constants[label].value
+    }
+}

@@ -1,0 +1,91 @@
+//! The changeover: velocities, times and scalings as coefficients.
+
+use crate::axis::{Axis, Changeover, Spindle};
+use crate::design::scale;
+use reference::spindle::Coeffs;
+
+/// Half a turn [0.001 deg].
+const HALF_TURN: f64 = 180_000.0;
+
+/// Coefficients of the changeover of one axis; of an axis without it all zero.
+///
+/// ```text
+/// lead_time = (Nd + 1) T + (1 - w) / Kv        w of the drive; in the CNC the block subtracts w / Kv while feedforward is active
+/// ```
+pub(crate) fn coefficients(axis: &Axis) -> Coeffs<f64> {
+    let Some(of) = &axis.control.spindle else { return Coeffs::default() };
+    let cycle_time = axis.cycle_time();
+    let off = f64::from(of.v_position_control_on);
+    let coeffs = Coeffs {
+        cycle_time_ns: axis.cycle_time_ns,
+        cycle_time,
+        v_velocity_control_on: f64::from(of.v_velocity_control_on),
+        v_position_control_on: off,
+        v_position_control_on_negative: 0.0 - off, // not `-off`: 0 stays +0
+        v_settled: settled(of),
+        v_step: of.deceleration * cycle_time,
+        v_half_turn: half_turn(axis),
+        lead_time: f64::from(of.delay_cycles + 1) * cycle_time + (1.0 - weight(of)) / kv(of),
+        takeover_window: of.takeover_window,
+        mode_cycles: cycles(of.mode_timeout_ns, axis),
+        brake_cycles: cycles(brake_timeout_ns(of, axis), axis),
+        ..Coeffs::default()
+    };
+    match &of.drive {
+        Changeover::Cnc { feedforward } => Coeffs {
+            has_feedforward: feedforward.is_some(),
+            lead_time_per_percent: feedforward.map_or(0.0, |weight| weight.value() / 100.0 / kv(of)),
+            ..coeffs
+        },
+        Changeover::Drive { position_mode, velocity_mode, velocity, .. } => Coeffs {
+            in_drive: true,
+            position_mode: *position_mode,
+            velocity_mode: *velocity_mode,
+            velocity_scale: scale::velocity(velocity, axis.cycle_time_ns),
+            velocity_range: scale::range(velocity.width, axis.real),
+            ..coeffs
+        },
+    }
+}
+
+/// Gain of the position controller Kv [1/s].
+pub(crate) fn kv(of: &Spindle) -> f64 {
+    f64::from(of.kv) / 100.0
+}
+
+/// Weight w of the drive's feedforward; 0 with position control in the CNC.
+pub(crate) fn weight(of: &Spindle) -> f64 {
+    match of.drive {
+        Changeover::Cnc { .. } => 0.0,
+        Changeover::Drive { feed_forward_v_weighting, .. } => f64::from(feed_forward_v_weighting) / 1000.0,
+    }
+}
+
+/// Largest actual velocity at which position control is taken up [0.001 deg/s]: Voff and its window, of at least 1 % of Voff.
+pub(crate) fn settled(of: &Spindle) -> f64 {
+    let off = f64::from(of.v_position_control_on);
+    off + (off / 100.0).max(of.window)
+}
+
+/// The velocity at which a drive cannot tell the direction any more [0.001 deg/s].
+pub(crate) fn half_turn(axis: &Axis) -> f64 {
+    HALF_TURN * 1e9 / f64::from(axis.cycle_time_ns)
+}
+
+/// How long the ramp takes from the largest velocity of the axis to Voff [s].
+pub(crate) fn brake_time(of: &Spindle, axis: &Axis) -> f64 {
+    (axis.ipc.v_max - f64::from(of.v_position_control_on)).max(0.0) / of.deceleration
+}
+
+/// Within which the spindle has braked [ns]: as given, or twice the longest ramp and half a second.
+pub(crate) fn brake_timeout_ns(of: &Spindle, axis: &Axis) -> u64 {
+    match of.brake_timeout_ns {
+        0 => libm::ceil((2.0 * brake_time(of, axis) + 0.5) * 1e9) as u64,
+        given => given,
+    }
+}
+
+/// A time in cycles, rounded up.
+fn cycles(ns: u64, axis: &Axis) -> u32 {
+    u32::try_from(ns.div_ceil(u64::from(axis.cycle_time_ns))).unwrap_or(u32::MAX)
+}

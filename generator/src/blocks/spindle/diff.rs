@@ -1,0 +1,35 @@
+//! The changeover of an axis as named values, each in its unit, for the semantic diff.
+
+use super::super::values::{Value, Values, of_part};
+use super::design::{kv, settled, weight};
+use super::notes::RPM;
+use crate::axis::{Axis, Changeover};
+
+/// Its values; none where there is no changeover.
+pub(crate) fn values(axis: &Axis) -> Values {
+    let Some(of) = &axis.control.spindle else { return Values::new() };
+    let rpm = |velocity: f64| Some(Value::Number(velocity / RPM, " rpm"));
+    let [on, off] = [of.v_velocity_control_on, of.v_position_control_on].map(f64::from);
+    let seconds = |ns: u64| Some(Value::Number(ns as f64 / 1e9, " s"));
+    let (place, modes) = match &of.drive {
+        Changeover::Cnc { .. } => ("in the CNC", None),
+        Changeover::Drive { position_mode, velocity_mode, .. } => {
+            ("in the drive", Some(format!("{position_mode} and {velocity_mode}")))
+        }
+    };
+    let values = [
+        ("place", Some(Value::Words(place.to_owned()))),
+        ("operation modes", modes.map(Value::Words)),
+        ("velocity control from", rpm(on)),
+        ("position control from", rpm(off)),
+        ("window", rpm(settled(of) - off)),
+        ("deceleration", Some(Value::Number(of.deceleration / RPM, " rpm/s"))),
+        ("Kv", Some(Value::Number(kv(of), "/s"))),
+        ("weight of the drive's feedforward", Some(Value::Number(weight(of), ""))),
+        ("delay", Some(Value::Number(f64::from(of.delay_cycles), " cycles"))),
+        ("take-over window", Some(Value::Number(of.takeover_window / 1000.0, " deg"))),
+        ("time of a change of mode", seconds(of.mode_timeout_ns)),
+        ("time to brake", seconds(super::design::brake_timeout_ns(of, axis))),
+    ];
+    of_part("spindle", values)
+}

@@ -1,0 +1,37 @@
+//! The block `spindle`: the change between position and velocity control.
+
+pub(crate) mod design;
+mod diff;
+pub(crate) mod notes;
+
+use super::{Part, Summary, values::Values};
+use crate::{axis::Axis, blocks::designed::Designed};
+use reference::spindle::{Coeffs, Spindle};
+
+impl Part for Spindle {
+    fn is_asked_for(&self, axis: &Axis) -> bool {
+        axis.control.spindle.is_some()
+    }
+
+    fn design(designed: &Designed) -> Coeffs<f64> {
+        designed.spindle
+    }
+
+    fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
+        notes::notes(&designed.axis)
+    }
+
+    /// The quiet noise keeps within the window of the take-over, so that the spindle stays in position control.
+    fn ranges(&self, designed: &Designed) -> [f64; 2] {
+        let coeffs = &designed.spindle;
+        [(coeffs.takeover_window / 4.0).clamp(1e-3, 400.0), coeffs.v_velocity_control_on.clamp(6000.0, 2e9)]
+    }
+
+    fn summary(&self, _: &Designed) -> Summary {
+        Summary::default()
+    }
+
+    fn values(&self, designed: &Designed) -> Values {
+        diff::values(&designed.axis)
+    }
+}

@@ -1,0 +1,46 @@
+//! Angles of a modulo axis, in 0.001 deg. No state.
+
+use portable::{Real, from_i32, portable, truncate};
+
+const TURNS: f64 = 1.0 / 360_000.0;
+
+/// a full turn [0.001 deg]
+#[portable]
+pub fn full_turn<R: Real>() -> R {
+    R::lit(360_000.0)
+}
+
+/// half a turn [0.001 deg]
+#[portable]
+pub fn half_turn<R: Real>() -> R {
+    R::lit(180_000.0)
+}
+
+/// 1 / full_turn
+#[portable]
+pub fn per_turn<R: Real>() -> R {
+    R::lit(TURNS)
+}
+
+/// largest magnitude of a position in range: its number of turns is an integer of 32 bits
+#[portable]
+pub fn position_limit<R: Real>() -> R {
+    R::per_kind(7.0e14, 1.0e9)
+}
+
+/// The angle within one turn: 0 <= angle < full_turn. `x` is a number, at most one turn beyond the position limit.
+#[portable]
+pub fn wrapped<R: Real>(x: R) -> R {
+    let turns = truncate(x * per_turn());
+    let rest = x - from_i32::<R>(turns) * full_turn();
+    // The number of turns is towards 0, and one beside it where x is near a full turn.
+    let above = if rest < R::ZERO { rest + full_turn() } else { rest };
+    if above >= full_turn() { above - full_turn() } else { above }
+}
+
+/// The same angle by the shortest way: -half_turn <= angle < half_turn.
+#[portable]
+pub fn shortest<R: Real>(x: R) -> R {
+    let above = wrapped(x + half_turn());
+    above - half_turn()
+}

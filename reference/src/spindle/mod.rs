@@ -1,0 +1,288 @@
+//! A spindle changes between position control, in which it stops at an angle, and velocity control, in which it turns fast.
+//!
+//! ```text
+//! POSITION    --- TURN faster than Von, and |v| >= Von --->  TO_VELOCITY  --- the drive says so --->  VELOCITY
+//!     ^                                                                                                   |
+//!     |                                                                       M19, G74, S[PUTAX], reset   |
+//!     |                                                                                                   v
+//!     +--------------- the drive says so ---  TO_POSITION  <--- |v_actual| has settled at Voff  ---     BRAKE
+//! ```
+//!
+//! Positions grow with positive velocities. What a cycle puts out follows the state with which it began; a transition acts from the
+//! next cycle on.
+
+mod jobs;
+mod motion;
+mod signals;
+mod transition;
+
+pub use jobs::{Before, Job, Request};
+pub use signals::{Inputs, Outputs};
+
+use crate::process_data;
+use crate::signal::{error_cycle_time, error_none};
+use portable::{Block, Enable, Fn, Real, portable};
+use transition::{brake, position, to_position, to_velocity, velocity};
+
+/// What controls the spindle.
+#[portable]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SpindleState {
+    /// position control
+    Position,
+    /// velocity control is asked for
+    ToVelocity,
+    /// velocity control
+    Velocity,
+    /// velocity control, on the way to the velocity at which position control is taken up
+    Brake,
+    /// position control is asked for
+    #[default]
+    ToPosition,
+}
+
+/// Coefficients.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Coeffs<R> {
+    /// cycle time that all coefficients were designed for [ns]
+    pub cycle_time_ns: u32,
+    /// cycle time T [s]
+    pub cycle_time: R,
+    /// whether the drive controls the position, and is told its mode
+    pub in_drive: bool,
+    /// Von: a faster TURN leads to velocity control [0.001 deg/s]
+    pub v_velocity_control_on: R,
+    /// Voff: position control is taken up there [0.001 deg/s]
+    pub v_position_control_on: R,
+    /// -Voff [0.001 deg/s]
+    pub v_position_control_on_negative: R,
+    /// Voff and its window: largest |v_actual| at which position control is taken up [0.001 deg/s]
+    pub v_settled: R,
+    /// deceleration * T: largest change of the velocity in a cycle [0.001 deg/s]
+    pub v_step: R,
+    /// 180 deg / T: from here on the drive cannot tell the direction [0.001 deg/s]
+    pub v_half_turn: R,
+    /// (Nd + 1) T + (1 - w) / Kv: the position command leads x_actual by the way of this time [s]
+    pub lead_time: R,
+    /// whether the CNC's feedforward shortens that time
+    pub has_feedforward: bool,
+    /// by which each percent of the feedforward does [s]
+    pub lead_time_per_percent: R,
+    /// largest step of the position command where the interpolator takes over [0.001 deg]
+    pub takeover_window: R,
+    /// cycles within which the drive displays a new mode
+    pub mode_cycles: u32,
+    /// cycles within which the spindle has braked
+    pub brake_cycles: u32,
+    /// operation mode of position control
+    pub position_mode: i32,
+    /// operation mode of velocity control
+    pub velocity_mode: i32,
+    /// velocity command: increments for 0.001 deg/s
+    pub velocity_scale: R,
+    /// range of the velocity command
+    pub velocity_range: process_data::Coeffs<R>,
+}
+
+/// State.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct State<R> {
+    /// what controls the spindle
+    pub state: SpindleState,
+    /// cycles in this state, this one included
+    pub cycles: u32,
+    /// cycles in which v_actual has been settled
+    pub settled: u32,
+    /// an error that stays until reset
+    pub error_id: u32,
+    /// whether velocity control is asked for
+    pub asks_velocity: bool,
+    /// whether a reset leads back to position control
+    pub returns: bool,
+    /// whether x stands on the actual position
+    pub preset: bool,
+    /// whether the interpolator has just been given the spindle
+    pub takes_over: bool,
+    /// the position command [0.001 deg]
+    pub x: R,
+    /// where position control is taken up [0.001 deg]
+    pub x_start: R,
+    /// the velocity command [0.001 deg/s]
+    pub v: R,
+    /// the present job
+    pub job: Request<R>,
+    /// counts the jobs
+    pub job_number: u32,
+    /// how many requests wait
+    pub waiting: u32,
+    /// the requests that wait, the first one first
+    pub request: [Request<R>; 4],
+    /// the request inputs of the last cycle
+    pub before: Before,
+}
+
+/// What is known of one cycle.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Cycle {
+    /// an error that does not stay
+    pub error_id: u32,
+}
+
+/// Before the first cycle.
+#[portable]
+pub fn init<R: Real>(state: &mut State<R>) {
+    state.state = SpindleState::ToPosition;
+    state.cycles = 0u32;
+    state.settled = 0u32;
+    state.error_id = error_none();
+    state.asks_velocity = false;
+    state.returns = false;
+    state.preset = false;
+    state.takes_over = false;
+    state.x = R::ZERO;
+    state.v = R::ZERO;
+    state.job.kind = Job::Stop;
+    state.job.speed = R::ZERO;
+    state.job.position = R::ZERO;
+    state.job_number = 0u32;
+    state.waiting = 0u32;
+    state.before.m3 = false;
+    state.before.m4 = false;
+    state.before.m5 = false;
+    state.before.m19 = false;
+    state.before.putax = false;
+    state.before.g74 = false;
+}
+
+/// The next cycle begins in another state.
+#[portable]
+pub fn enter<R: Real>(state: &mut State<R>, next: SpindleState) {
+    state.state = next;
+    state.cycles = 0u32;
+    state.settled = 0u32;
+}
+
+/// A reset: nothing waits any more, and an error that stays is gone.
+#[portable]
+pub fn reset<R: Real>(state: &mut State<R>, is_off: bool) {
+    state.waiting = 0u32;
+    if state.error_id != error_none() {
+        state.error_id = error_none();
+        if !is_off {
+            enter(state, SpindleState::Brake);
+        }
+    } else if state.state == SpindleState::ToVelocity || state.state == SpindleState::Velocity {
+        state.returns = true;
+    }
+}
+
+/// What the outputs say of the jobs, of the mode and of errors.
+#[portable]
+pub fn put_out<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &mut Outputs<R>, cycle: &Cycle) {
+    outputs.x_spindle = state.x;
+    outputs.v_spindle = state.v;
+    outputs.job_speed = state.job.speed;
+    outputs.job_position = state.job.position;
+    outputs.job = state.job.kind;
+    outputs.job_number = state.job_number;
+    outputs.waiting = state.waiting;
+    if coeffs.in_drive {
+        outputs.operation_mode = if state.asks_velocity { coeffs.velocity_mode } else { coeffs.position_mode };
+        let mut datum = process_data::Datum::default();
+        process_data::round(&mut datum, &coeffs.velocity_range, coeffs.velocity_scale * state.v);
+        outputs.velocity_command = datum.value;
+        outputs.limited = datum.limited;
+    } else {
+        outputs.operation_mode = 0i32;
+        outputs.velocity_command = 0i32;
+        outputs.limited = false;
+    }
+    let error_id = if state.error_id != error_none() { state.error_id } else { cycle.error_id };
+    outputs.error_id = error_id;
+    outputs.fault = error_id != error_none();
+    outputs.loop_closed = outputs.state == SpindleState::Position && error_id == error_none();
+}
+
+/// One cycle. Only the samples that the state uses are checked.
+#[portable]
+pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    let mut cycle = Cycle::default();
+    jobs::take(state, inputs, &mut cycle);
+    let is_wrong = inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns;
+    if is_wrong {
+        cycle.error_id = error_cycle_time();
+    }
+    let is_off = is_wrong || !inputs.drive_on;
+    if inputs.reset {
+        reset(state, is_off);
+    }
+    if is_off {
+        enter(state, SpindleState::ToPosition);
+    }
+    outputs.state = state.state;
+    if is_off {
+        motion::follow(state, inputs, &mut cycle);
+    } else if state.error_id == error_none() {
+        state.cycles += 1u32;
+        match state.state {
+            SpindleState::Position => position(state, coeffs, inputs, &mut cycle),
+            SpindleState::ToVelocity => to_velocity(state, coeffs, inputs, &mut cycle),
+            SpindleState::Velocity => velocity(state, coeffs, inputs, &mut cycle),
+            SpindleState::Brake => brake(state, coeffs, inputs, &mut cycle),
+            SpindleState::ToPosition => to_position(state, coeffs, inputs, &mut cycle),
+        }
+    }
+    let has_failed = state.error_id != error_none();
+    if has_failed && !is_off {
+        motion::stop(state, coeffs);
+    }
+    if is_off || inputs.reset || has_failed || state.state == SpindleState::Brake {
+        jobs::stop(state);
+    }
+    if !has_failed
+        && (state.state == SpindleState::Position
+            || state.state == SpindleState::Velocity && jobs::is_free(&state.request[0]))
+    {
+        jobs::serve(state, inputs.job_done);
+    }
+    put_out(state, coeffs, outputs, &cycle);
+}
+
+/// The block.
+#[derive(Clone, Copy, Debug)]
+pub struct Spindle;
+
+impl<R: Real> Block<R> for Spindle {
+    type Coeffs = Coeffs<R>;
+    type State = State<R>;
+    type Inputs = Inputs<R>;
+    type Outputs = Outputs<R>;
+
+    const NAME: &'static str = "spindle";
+    const ENABLE: Option<Enable> = Some(Enable { input: "drive_on", mode: None });
+    const INIT: Fn = init::Ir::<R>::IR;
+    const STEP: Fn = step::Ir::<R>::IR;
+
+    fn state() -> State<R> {
+        State::default()
+    }
+
+    fn inputs(_: &Coeffs<R>) -> Inputs<R> {
+        Inputs { feedforward_percentage: 100, ..Inputs::default() }
+    }
+
+    fn exercise(inputs: &mut Inputs<R>) {
+        inputs.drive_on = true;
+    }
+
+    fn outputs() -> Outputs<R> {
+        Outputs::default()
+    }
+
+    fn step(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+        step(state, coeffs, inputs, outputs);
+    }
+}
