@@ -1,6 +1,6 @@
 //! Angles of a modulo axis, in 0.001 deg. No state.
 
-use portable::{Real, from_i32, portable, truncate};
+use portable::{Real, from_i32, nearest, portable, truncate};
 
 const TURNS: f64 = 1.0 / 360_000.0;
 
@@ -8,12 +8,6 @@ const TURNS: f64 = 1.0 / 360_000.0;
 #[portable]
 pub fn full_turn<R: Real>() -> R {
     R::lit(360_000.0)
-}
-
-/// half a turn [0.001 deg]
-#[portable]
-pub fn half_turn<R: Real>() -> R {
-    R::lit(180_000.0)
 }
 
 /// 1 / full_turn
@@ -28,19 +22,19 @@ pub fn position_limit<R: Real>() -> R {
     R::per_kind(7.0e14, 1.0e9)
 }
 
-/// The angle within one turn: 0 <= angle < full_turn. `x` is a number, at most one turn beyond the position limit.
+/// The angle within one turn: 0 <= angle < full_turn. `angle` is a number, at most half a turn beyond the position limit.
 #[portable]
-pub fn wrapped<R: Real>(x: R) -> R {
-    let turns = truncate(x * per_turn());
-    let rest = x - from_i32::<R>(turns) * full_turn();
-    // The number of turns is towards 0, and one beside it where x is near a full turn.
+pub fn wrapped<R: Real>(angle: R) -> R {
+    let turns = truncate(angle * per_turn());
+    let rest = angle - from_i32::<R>(turns) * full_turn();
+    // The number of turns is towards 0, and one beside it where the angle is near a full turn.
     let above = if rest < R::ZERO { rest + full_turn() } else { rest };
     if above >= full_turn() { above - full_turn() } else { above }
 }
 
-/// The same angle by the shortest way: -half_turn <= angle < half_turn.
+/// The same distance by the shortest way: -half a turn <= distance <= half a turn.
 #[portable]
-pub fn shortest<R: Real>(x: R) -> R {
-    let above = wrapped(x + half_turn());
-    above - half_turn()
+pub fn shortest<R: Real>(distance: R) -> R {
+    let whole_turns = nearest(distance * per_turn());
+    distance - from_i32::<R>(whole_turns) * full_turn()
 }

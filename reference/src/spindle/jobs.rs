@@ -1,9 +1,11 @@
 //! The jobs of a spindle: requests are taken, wait in programmed order, and are served. No motion.
 
 use super::signals::Inputs;
-use super::{Cycle, State};
+use super::{SpindleState, State};
 use crate::angle::position_limit;
-use crate::signal::{error_direction, error_requests, error_s_position, error_s_word, error_waiting, sample_limit};
+use crate::signal::{
+    error_direction, error_none, error_requests, error_s_position, error_s_word, error_waiting, sample_limit,
+};
 use portable::{Real, in_range, portable};
 
 /// How many requests may wait.
@@ -56,9 +58,33 @@ pub struct Before {
     pub g74: bool,
 }
 
-/// Takes the request of this cycle, if there is one: G74 before S[PUTAX] before M19 before M5 before M3 and M4.
+/// The direction with which a request turns the spindle, and how fast.
 #[portable]
-pub fn take<R: Real>(state: &mut State<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
+pub fn speed_of<R: Real>(inputs: &Inputs<R>) -> R {
+    let is_negative = inputs.s_word < R::ZERO;
+    if is_negative == inputs.m4 { inputs.s_word } else { -inputs.s_word }
+}
+
+/// Why a request is refused.
+#[portable]
+pub fn refusal<R: Real>(inputs: &Inputs<R>, wanted: Job, queued: u32) -> u32 {
+    let is_moving = wanted == Job::Turn || wanted == Job::Position;
+    if is_moving && inputs.m3 && inputs.m4 {
+        error_direction()
+    } else if is_moving && !in_range(inputs.s_word, sample_limit()) {
+        error_s_word()
+    } else if wanted == Job::Position && !in_range(inputs.s_position, position_limit()) {
+        error_s_position()
+    } else if queued >= 4u32 {
+        error_waiting()
+    } else {
+        error_none()
+    }
+}
+
+/// Takes the request of this cycle, if there is one: G74 before S[PUTAX] before M19 before M5 before M3 and M4. Gives the error.
+#[portable]
+pub fn take<R: Real>(state: &mut State<R>, inputs: &Inputs<R>) -> u32 {
     let new_m19 = inputs.m19 && !state.before.m19;
     // With M19, M3 and M4 are its direction.
     let new_turn = !new_m19 && (inputs.m3 && !state.before.m3 || inputs.m4 && !state.before.m4);
@@ -71,61 +97,48 @@ pub fn take<R: Real>(state: &mut State<R>, inputs: &Inputs<R>, cycle: &mut Cycle
     state.before.m19 = inputs.m19;
     state.before.putax = inputs.putax;
     state.before.g74 = inputs.g74;
+    let mut request_error = error_none();
     if !inputs.reset && (new_g74 || new_putax || new_m19 || new_m5 || new_turn) {
-        let mut job = Job::Turn;
+        let mut wanted = Job::Turn;
         let mut is_alone = true;
         if new_g74 {
-            job = Job::Home;
+            wanted = Job::Home;
             is_alone = !(new_putax || new_m19 || new_m5 || new_turn);
         } else if new_putax {
-            job = Job::Release;
+            wanted = Job::Release;
             is_alone = !(new_m19 || new_m5 || new_turn);
         } else if new_m19 {
-            job = Job::Position;
+            wanted = Job::Position;
             is_alone = !new_m5;
         } else if new_m5 {
-            job = Job::Stop;
+            wanted = Job::Stop;
             is_alone = !new_turn;
         }
-        if !is_alone {
-            cycle.error_id = error_requests();
-        }
-        let is_moving = job == Job::Turn || job == Job::Position;
-        if is_moving && inputs.m3 && inputs.m4 {
-            cycle.error_id = error_direction();
-        } else if is_moving && !in_range(inputs.s_word, sample_limit()) {
-            cycle.error_id = error_s_word();
-        } else if job == Job::Position && !in_range(inputs.s_position, position_limit()) {
-            cycle.error_id = error_s_position();
-        } else if state.waiting >= 4u32 {
-            cycle.error_id = error_waiting();
+        let why = refusal(inputs, wanted, state.queued);
+        if why != error_none() {
+            request_error = why;
         } else {
-            let mut speed = R::ZERO;
-            if is_moving {
-                let magnitude = if inputs.s_word < R::ZERO { -inputs.s_word } else { inputs.s_word };
-                speed = if inputs.m4 { -magnitude } else { magnitude };
+            let speed = if wanted == Job::Turn || wanted == Job::Position { speed_of(inputs) } else { R::ZERO };
+            let target = if wanted == Job::Position { inputs.s_position } else { R::ZERO };
+            match state.queued {
+                0u32 => fill(&mut state.request[0], wanted, speed, target),
+                1u32 => fill(&mut state.request[1], wanted, speed, target),
+                2u32 => fill(&mut state.request[2], wanted, speed, target),
+                _ => fill(&mut state.request[3], wanted, speed, target),
             }
-            let mut position = R::ZERO;
-            if job == Job::Position {
-                position = inputs.s_position;
-            }
-            match state.waiting {
-                0u32 => fill(&mut state.request[0], job, speed, position),
-                1u32 => fill(&mut state.request[1], job, speed, position),
-                2u32 => fill(&mut state.request[2], job, speed, position),
-                _ => fill(&mut state.request[3], job, speed, position),
-            }
-            state.waiting += 1u32;
+            state.queued += 1u32;
+            request_error = if is_alone { error_none() } else { error_requests() };
         }
     }
+    request_error
 }
 
 /// Writes down a request.
 #[portable]
-pub fn fill<R: Real>(request: &mut Request<R>, job: Job, speed: R, position: R) {
-    request.kind = job;
+pub fn fill<R: Real>(request: &mut Request<R>, wanted: Job, speed: R, target: R) {
+    request.kind = wanted;
     request.speed = speed;
-    request.position = position;
+    request.position = target;
 }
 
 /// Whether a job needs no position control.
@@ -134,31 +147,33 @@ pub fn is_free<R: Real>(request: &Request<R>) -> bool {
     request.kind == Job::Stop || request.kind == Job::Turn
 }
 
-/// The first request that waits becomes the job, if the present one is over.
+/// The first request that waits becomes the job, if the present one is over and the next cycle's state can do it.
 #[portable]
 pub fn serve<R: Real>(state: &mut State<R>, job_done: bool) {
-    let is_over = is_free(&state.job) || job_done;
-    if is_over && state.waiting > 0u32 {
-        state.job.kind = state.request[0].kind;
-        state.job.speed = state.request[0].speed;
-        state.job.position = state.request[0].position;
+    let is_over = is_free(&state.present) || job_done;
+    let can_serve = state.control == SpindleState::Position
+        || state.control == SpindleState::Velocity && is_free(&state.request[0]);
+    if is_over && can_serve && state.queued > 0u32 {
+        state.present.kind = state.request[0].kind;
+        state.present.speed = state.request[0].speed;
+        state.present.position = state.request[0].position;
         for place in 1..WAITING {
             state.request[place - 1].kind = state.request[place].kind;
             state.request[place - 1].speed = state.request[place].speed;
             state.request[place - 1].position = state.request[place].position;
         }
-        state.waiting -= 1u32;
-        state.job_number += 1u32;
+        state.queued -= 1u32;
+        state.jobs += 1u32;
     }
 }
 
 /// The job ends: STOP begins, unless it is the job already.
 #[portable]
 pub fn stop<R: Real>(state: &mut State<R>) {
-    if state.job.kind != Job::Stop {
-        state.job.kind = Job::Stop;
-        state.job.speed = R::ZERO;
-        state.job.position = R::ZERO;
-        state.job_number += 1u32;
+    if state.present.kind != Job::Stop {
+        state.present.kind = Job::Stop;
+        state.present.speed = R::ZERO;
+        state.present.position = R::ZERO;
+        state.jobs += 1u32;
     }
 }

@@ -19,8 +19,10 @@ mod transition;
 pub use jobs::{Before, Job, Request};
 pub use signals::{Inputs, Outputs};
 
+use crate::angle::wrapped;
 use crate::process_data;
 use crate::signal::{error_cycle_time, error_none};
+use motion::{advance, follow, slow_down};
 use portable::{Block, Enable, Fn, Real, portable};
 use transition::{brake, position, to_position, to_velocity, velocity};
 
@@ -90,13 +92,13 @@ pub struct Coeffs<R> {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// what controls the spindle
-    pub state: SpindleState,
+    pub control: SpindleState,
     /// cycles in this state, this one included
     pub cycles: u32,
     /// cycles in which v_actual has been settled
     pub settled: u32,
     /// an error that stays until reset
-    pub error_id: u32,
+    pub lasting_error: u32,
     /// whether velocity control is asked for
     pub asks_velocity: bool,
     /// whether a reset leads back to position control
@@ -111,44 +113,44 @@ pub struct State<R> {
     pub x_start: R,
     /// the velocity command [0.001 deg/s]
     pub v: R,
-    /// the present job
-    pub job: Request<R>,
-    /// counts the jobs
-    pub job_number: u32,
+    /// the job
+    pub present: Request<R>,
+    /// how many jobs there were
+    pub jobs: u32,
     /// how many requests wait
-    pub waiting: u32,
+    pub queued: u32,
     /// the requests that wait, the first one first
     pub request: [Request<R>; 4],
     /// the request inputs of the last cycle
     pub before: Before,
 }
 
-/// What is known of one cycle.
+/// What is found in one cycle.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Cycle {
-    /// an error that does not stay
-    pub error_id: u32,
+    /// of a sample that is needed and out of range
+    pub sample_error: u32,
 }
 
 /// Before the first cycle.
 #[portable]
 pub fn init<R: Real>(state: &mut State<R>) {
-    state.state = SpindleState::ToPosition;
+    state.control = SpindleState::ToPosition;
     state.cycles = 0u32;
     state.settled = 0u32;
-    state.error_id = error_none();
+    state.lasting_error = error_none();
     state.asks_velocity = false;
     state.returns = false;
     state.preset = false;
     state.takes_over = false;
     state.x = R::ZERO;
     state.v = R::ZERO;
-    state.job.kind = Job::Stop;
-    state.job.speed = R::ZERO;
-    state.job.position = R::ZERO;
-    state.job_number = 0u32;
-    state.waiting = 0u32;
+    state.present.kind = Job::Stop;
+    state.present.speed = R::ZERO;
+    state.present.position = R::ZERO;
+    state.jobs = 0u32;
+    state.queued = 0u32;
     state.before.m3 = false;
     state.before.m4 = false;
     state.before.m5 = false;
@@ -160,7 +162,7 @@ pub fn init<R: Real>(state: &mut State<R>) {
 /// The next cycle begins in another state.
 #[portable]
 pub fn enter<R: Real>(state: &mut State<R>, next: SpindleState) {
-    state.state = next;
+    state.control = next;
     state.cycles = 0u32;
     state.settled = 0u32;
 }
@@ -168,31 +170,27 @@ pub fn enter<R: Real>(state: &mut State<R>, next: SpindleState) {
 /// A reset: nothing waits any more, and an error that stays is gone.
 #[portable]
 pub fn reset<R: Real>(state: &mut State<R>, is_off: bool) {
-    state.waiting = 0u32;
-    if state.error_id != error_none() {
-        state.error_id = error_none();
+    state.queued = 0u32;
+    if state.lasting_error != error_none() {
+        state.lasting_error = error_none();
         if !is_off {
             enter(state, SpindleState::Brake);
         }
-    } else if state.state == SpindleState::ToVelocity || state.state == SpindleState::Velocity {
+    } else if state.control == SpindleState::ToVelocity || state.control == SpindleState::Velocity {
         state.returns = true;
     }
 }
 
-/// What the outputs say of the jobs, of the mode and of errors.
+/// What the drive gets.
 #[portable]
-pub fn put_out<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &mut Outputs<R>, cycle: &Cycle) {
+pub fn command<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &mut Outputs<R>) {
     outputs.x_spindle = state.x;
     outputs.v_spindle = state.v;
-    outputs.job_speed = state.job.speed;
-    outputs.job_position = state.job.position;
-    outputs.job = state.job.kind;
-    outputs.job_number = state.job_number;
-    outputs.waiting = state.waiting;
     if coeffs.in_drive {
         outputs.operation_mode = if state.asks_velocity { coeffs.velocity_mode } else { coeffs.position_mode };
         let mut datum = process_data::Datum::default();
-        process_data::round(&mut datum, &coeffs.velocity_range, coeffs.velocity_scale * state.v);
+        let increments = coeffs.velocity_scale * state.v;
+        process_data::round(&mut datum, &coeffs.velocity_range, increments);
         outputs.velocity_command = datum.value;
         outputs.limited = datum.limited;
     } else {
@@ -200,21 +198,27 @@ pub fn put_out<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &mut Outp
         outputs.velocity_command = 0i32;
         outputs.limited = false;
     }
-    let error_id = if state.error_id != error_none() { state.error_id } else { cycle.error_id };
-    outputs.error_id = error_id;
-    outputs.fault = error_id != error_none();
-    outputs.loop_closed = outputs.state == SpindleState::Position && error_id == error_none();
+}
+
+/// The error of a cycle: one that stays before one of a sample, before one of the cycle time, before one of a request.
+#[portable]
+pub fn error_of(lasting_error: u32, sample_error: u32, is_wrong: bool, request_error: u32) -> u32 {
+    if lasting_error != error_none() {
+        lasting_error
+    } else if sample_error != error_none() {
+        sample_error
+    } else if is_wrong {
+        error_cycle_time()
+    } else {
+        request_error
+    }
 }
 
 /// One cycle. Only the samples that the state uses are checked.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    let mut cycle = Cycle::default();
-    jobs::take(state, inputs, &mut cycle);
+    let request_error = jobs::take(state, inputs);
     let is_wrong = inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns;
-    if is_wrong {
-        cycle.error_id = error_cycle_time();
-    }
     let is_off = is_wrong || !inputs.drive_on;
     if inputs.reset {
         reset(state, is_off);
@@ -222,12 +226,13 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     if is_off {
         enter(state, SpindleState::ToPosition);
     }
-    outputs.state = state.state;
+    outputs.spindle_state = state.control;
+    let mut cycle = Cycle::default();
     if is_off {
-        motion::follow(state, inputs, &mut cycle);
-    } else if state.error_id == error_none() {
+        follow(state, inputs, &mut cycle);
+    } else if state.lasting_error == error_none() {
         state.cycles += 1u32;
-        match state.state {
+        match state.control {
             SpindleState::Position => position(state, coeffs, inputs, &mut cycle),
             SpindleState::ToVelocity => to_velocity(state, coeffs, inputs, &mut cycle),
             SpindleState::Velocity => velocity(state, coeffs, inputs, &mut cycle),
@@ -235,20 +240,28 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
             SpindleState::ToPosition => to_position(state, coeffs, inputs, &mut cycle),
         }
     }
-    let has_failed = state.error_id != error_none();
+    let has_failed = state.lasting_error != error_none();
     if has_failed && !is_off {
-        motion::stop(state, coeffs);
+        slow_down(state, coeffs, R::ZERO, R::ZERO);
+        advance(state, coeffs);
     }
-    if is_off || inputs.reset || has_failed || state.state == SpindleState::Brake {
+    let x_wrapped = wrapped(state.x);
+    state.x = x_wrapped;
+    command(state, coeffs, outputs);
+    let error_id = error_of(state.lasting_error, cycle.sample_error, is_wrong, request_error);
+    outputs.error_id = error_id;
+    outputs.fault = error_id != error_none();
+    outputs.loop_closed = outputs.spindle_state == SpindleState::Position && error_id == error_none();
+    if is_off || inputs.reset || has_failed || state.control == SpindleState::Brake {
         jobs::stop(state);
-    }
-    if !has_failed
-        && (state.state == SpindleState::Position
-            || state.state == SpindleState::Velocity && jobs::is_free(&state.request[0]))
-    {
+    } else {
         jobs::serve(state, inputs.job_done);
     }
-    put_out(state, coeffs, outputs, &cycle);
+    outputs.job = state.present.kind;
+    outputs.job_speed = state.present.speed;
+    outputs.job_position = state.present.position;
+    outputs.job_number = state.jobs;
+    outputs.waiting = state.queued;
 }
 
 /// The block.
