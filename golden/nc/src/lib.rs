@@ -50,7 +50,6 @@ pub mod profile;
 mod program;
 mod read;
 mod spindle;
-
 mod unknown;
 mod word;
 

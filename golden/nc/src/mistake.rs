@@ -65,11 +65,15 @@ impl Mistakes {
     }
 }
 
-/// A word as a message shows it: a long one by its beginning.
+/// Text of the file as a message shows it: a long one by its beginning, what a terminal would obey by its code.
 pub(crate) fn shown(text: &str) -> String {
     const LENGTH: usize = 40;
-    match text.char_indices().nth(LENGTH) {
-        Some((end, _)) => format!("`{}...`", &text[..end]),
-        None => format!("`{text}`"),
+    let mut shown = String::from("`");
+    for letter in text.chars().take(LENGTH) {
+        match letter {
+            ' '..='~' => shown.push(letter),
+            _ => shown.extend(letter.escape_debug()),
+        }
     }
+    shown + if text.chars().nth(LENGTH).is_some() { "...`" } else { "`" }
 }

@@ -141,6 +141,6 @@ fn selection_with_percentages() {
         Percentage { target: Target::Axis(Axis::X), percent: 80 },
         Percentage { target: Target::Axis(Axis::Y), percent: 90 },
     ];
-    assert_eq!(commands("G135 G136 X80 Y90\nM30"), [expected.clone()]);
+    assert_eq!(commands("G135 G136 X80 Y90\nM30"), std::slice::from_ref(&expected));
     assert_eq!(commands("G136 X80 Y90 G135\nM30"), [expected]);
 }
