@@ -1,0 +1,33 @@
+//! What is refused: a text, and all that is said of it.
+
+mod axes;
+mod brackets;
+mod program;
+mod spindle;
+mod words;
+
+use crate::support::said;
+
+/// What messages repeat, by the names that the rows have for it.
+const REPEATED: [(&str, &str); 5] = [
+    (
+        "{words}",
+        "`N`, `G00`, `G01`, `G04`, `G74`, `G135`, `G136`, `G137`, `M3`, `M4`, `M5`, `M19`, `M30`, `S`, `S.POS=`, `S[ ]`, `F`, `X`, `Y`, `Z`; write one of these words, or nothing",
+    ),
+    ("{number}", "a number like `5`, `-5` or `0.5`, with up to 9 digits before the point and up to 6 behind it"),
+    ("{bracket}", "`G135`, `G136=` and a percentage, both of them, `G137`, `G74`, `PUTAX`"),
+    (
+        "{speed}",
+        "a speed in rpm, no less than 0, with up to 9 digits before the point and up to 6 behind it; write `S` and such a number",
+    ),
+    ("{functions}", "one of `M3`, `M4`, `M5`, `M19` in a block, or `M19` with `M3` or `M4`"),
+];
+
+/// Holds each text against what is said of it.
+fn refuses(rows: &[(&str, &[&str])]) {
+    for (text, expected) in rows {
+        let whole = |row: &&str| REPEATED.iter().fold((*row).to_owned(), |row, (name, part)| row.replace(name, part));
+        let expected: Vec<String> = expected.iter().map(whole).collect();
+        assert_eq!(said(text), expected, "{text:?}");
+    }
+}
