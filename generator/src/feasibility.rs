@@ -2,6 +2,7 @@
 //! designed here.
 
 use crate::blocks::ipc::{advice as ipc, feasibility as sections};
+use crate::blocks::spindle::advice as spindle;
 use crate::blocks::{Designed, feedforward::advice as feedforward, position_control::advice as position_control};
 use crate::check::{assumed, gear, inert};
 use crate::design::rounding::{largest, sample_limit};
@@ -23,6 +24,7 @@ pub(crate) fn validate(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
         inert::advise(axis, gear, e);
         feedforward::advise(axis, e);
         position_control::advise(axis, gear, e);
+        spindle::advise(axis, gear, e);
     }
 }
 

@@ -9,7 +9,7 @@ use reference::position_control::Location;
 pub struct Control {
     pub feedforward: Option<Feedforward>,
     pub position_control: Option<PositionControl>,
-    /// automatic changeover of a spindle
+    /// changeover of a spindle
     pub spindle: Option<Spindle>,
     /// logical axis number (P-AXIS-00016)
     pub number: u32,
@@ -27,6 +27,11 @@ impl Control {
     /// The units of a path, of a fine path, and of a velocity as scalings have it.
     pub(crate) fn scaling_units(&self) -> [&'static str; 3] {
         if self.is_rotary { ["0.001 deg", "0.0001 deg", "1000 deg/min"] } else { ["um", "0.1 um", "1 m/min"] }
+    }
+
+    /// Whether nothing but improved position control is asked for.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.feedforward.is_none() && self.position_control.is_none() && self.spindle.is_none()
     }
 
     pub(crate) fn velocity_unit(&self) -> &'static str {

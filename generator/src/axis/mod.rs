@@ -8,7 +8,7 @@ pub use crate::parameters::words::{DirectSource, Enable, Motor, Prototype, Width
 pub use control::{Control, Feedforward, PositionControl, Quantities, Ratio, Resolution, TimeBase, Torque, Velocity};
 pub use ipc::{Filter, Ipc, Mode, Stage};
 pub use reference::position_control::Location;
-pub use spindle::{Changeover, Spindle};
+pub use spindle::{Bus, Changeover, Spindle};
 
 use crate::parameters::words::{RealType, Words};
 use portable::RealKind;

@@ -31,18 +31,28 @@ pub struct Spindle {
 pub enum Changeover {
     /// position control in the CNC: the CNC alone, by opening its loop
     Cnc {
-        /// weight of the feedforward of the velocity that is added to the position controller's output (P-AXIS-00228/00229)
+        /// weight of the feedforward of the velocity (P-AXIS-00228/00229)
         feedforward: Option<Ratio>,
+        /// whether it is active despite G137 (P-AXIS-00255)
+        default_active: bool,
     },
     /// position control in the drive: it gets the mode and displays it
     Drive {
-        /// number of the operation mode of position control
+        bus: Bus,
+        /// number of the operation mode of position control: P-AXIS-00463, of SERCOS 0, the main mode
         position_mode: i32,
-        /// number of the operation mode of velocity control
+        /// number of the operation mode of velocity control (P-AXIS-00464, 00264)
         velocity_mode: i32,
         /// weight of the feedforward in the drive [0.1 %] (P-AXIS-00833, 00766)
         feed_forward_v_weighting: u32,
         /// scaling of the velocity command
         velocity: Velocity,
     },
+}
+
+/// Drives that change their operation mode on demand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bus {
+    Sercos,
+    CanOpen,
 }

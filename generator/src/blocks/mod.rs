@@ -39,6 +39,9 @@ pub(crate) const BLOCKS: [&dyn Kind; 5] = [
 pub(crate) const IPC: &str = <reference::ipc::Ipc as Reference<f64>>::NAME;
 pub(crate) const FEEDFORWARD: &str = <reference::feedforward::Feedforward as Reference<f64>>::NAME;
 pub(crate) const POSITION_CONTROL: &str = <reference::position_control::PositionControl as Reference<f64>>::NAME;
+pub(crate) const SPINDLE: &str = "spindle";
+/// It has those of its parts, which the changeover is none of.
+pub(crate) const AXIS: &str = <reference::axis::Axis as Reference<f64>>::NAME;
 
 /// The blocks that the parameters of an axis ask for.
 pub fn of_axis(axis: &Axis) -> impl Iterator<Item = &'static dyn Kind> {

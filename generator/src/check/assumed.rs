@@ -4,11 +4,11 @@ use crate::axis::{Axis, Enable};
 use crate::parameters::Name;
 use crate::{codes, config::values::key, diagnostics::Diagnostic, rules::effective::Effective};
 
-/// Whether an axis is told that nobody gave it; without an active stage the largest velocity limits nothing.
-pub(crate) fn is_told(name: Name, is_active: bool) -> bool {
+/// Whether an axis is told that nobody gave it; without an active stage or a changeover the largest velocity limits nothing.
+pub(crate) fn is_told(name: Name, is_limited: bool) -> bool {
     let of_velocity = matches!(name, Name::VResoNum | Name::VResoDenom | Name::VTimeBase);
     let of_position = matches!(name, Name::MultiGainZ | Name::MultiGainN | Name::IncrPerRev | Name::ShiftTime);
-    of_velocity || of_position || name == Name::VbMax && is_active
+    of_velocity || of_position || name == Name::NbrDelayCycles || name == Name::VbMax && is_limited
 }
 
 pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
@@ -18,6 +18,11 @@ pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     let limit = format!("sets the limit |v_add| <= {} {}", ipc.limit(), control.velocity_unit());
     for (key, is_used, does) in [
         ((Name::VbMax, [gear, 0]), acts, limit.as_str()),
+        (
+            (Name::VbMax, [gear, 0]),
+            !acts && control.spindle.is_some(),
+            "is the largest velocity of the spindle, from which it brakes",
+        ),
         ((Name::IncrPerRev, [gear, 0]), is_profidrive, "scales the control deviation XERR"),
         (key(Name::ShiftTime), is_profidrive, "shifts the position behind the feedforward"),
     ] {
@@ -26,7 +31,10 @@ pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
             let default = parameter.default_at(key.1).unwrap_or_default();
             let found =
                 format!("{} is not given: its default {default} {does}", parameter.title(parameter.path, key.1));
-            let place = e.place_near(key, |name| matches!(name, Name::Enable | Name::DriveType));
+            let place = e.place_near(key, |name| {
+                let of_changeover = Name::VVelocityControlOn..=Name::VelocityPositionControlOff;
+                matches!(name, Name::Enable | Name::DriveType) || of_changeover.contains(&name)
+            });
             let diagnostic = Diagnostic::warning(codes::ASSUMED, place, found);
             e.report.push(diagnostic.instead(format!("{} with the value of the machine", parameter.short())));
         }

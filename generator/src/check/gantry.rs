@@ -38,6 +38,7 @@ pub(crate) fn couple(axes: &mut [&mut Axis], places: &[Place]) -> Report {
             Ok(master) => {
                 compare(axes[slave], axes[master], place, &mut report);
                 way_out(axes[slave], axes[master], place, &mut report);
+                spindle(axes[slave], axes[master], place, &mut report);
                 take(axes, slave, master);
             }
         }
@@ -132,6 +133,16 @@ fn way_out(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
                 .allowed("an additive velocity command in the process data of the slave too")
                 .instead("process_data.additive_velocity = \"INT32\" for this axis, if the drive has it"),
         );
+    }
+}
+
+/// A master that loses its position takes the gantry askew.
+fn spindle(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
+    if master.control.spindle.is_some() {
+        let found =
+            format!("{} follows {}, which changes to velocity control (P-AXIS-00767, 00768)", slave.name, master.name);
+        let said = Diagnostic::error(codes::GANTRY_SPINDLE, place.clone(), found);
+        report.push(said.instead("no gantry, or no P-AXIS-00767 and P-AXIS-00768 of the master"));
     }
 }
 

@@ -16,6 +16,17 @@ const OF_CONTROL: [RangeInclusive<Name>; 6] = [
     Name::ShiftTime..=Name::AccReferenceValue,
 ];
 
+/// Keys of our own that only the changeover of a spindle uses.
+const OF_SPINDLE: [Name; 7] = [
+    Name::ProcessDataObjects,
+    Name::DriveSettings,
+    Name::SpindleDeceleration,
+    Name::SpindleWindow,
+    Name::SpindleTakeoverWindow,
+    Name::SpindleModeTimeout,
+    Name::SpindleBrakeTimeout,
+];
+
 pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     zeros(gear, e);
     no_effect(axis, gear, e);
@@ -46,8 +57,11 @@ fn zeros(gear: u32, e: &mut Effective<'_>) {
 /// feedforward nor position control is there, a list may have them for other functions; keys of our own are for this one only.
 fn no_effect(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     let control = &axis.control;
-    let own = [Name::Motor, Name::VelocityCommandData, Name::AdditiveVelocityData, Name::AdditiveTorqueData].map(key);
-    let is_controlled = control.feedforward.is_some() || control.position_control.is_some();
+    let own = [Name::Motor, Name::VelocityCommandData, Name::AdditiveVelocityData, Name::AdditiveTorqueData];
+    // What a changeover does not use of these, its own rules say.
+    let of_spindle = if control.spindle.is_some() { &[] } else { &OF_SPINDLE[..] };
+    let own = own.into_iter().chain(of_spindle.iter().copied()).map(key);
+    let is_controlled = !control.is_empty();
     let is_of_step = |(name, [step, _]): Key| step == gear || !name.parameter().path.starts_with("getriebe[");
     let of_lists = e
         .all_given()

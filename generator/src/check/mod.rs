@@ -16,15 +16,16 @@ pub(crate) mod inert;
 
 use crate::axis::{Axis, Control, Ipc};
 use crate::blocks::ipc::check as ipc;
-use crate::blocks::{FEEDFORWARD, IPC, POSITION_CONTROL};
+use crate::blocks::spindle::check as spindle;
+use crate::blocks::{AXIS, FEEDFORWARD, IPC, POSITION_CONTROL, SPINDLE};
 use crate::blocks::{feedforward::check as feedforward, position_control::check as position_control};
-use crate::codes;
 use crate::config::values::{Values, key};
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::words::{AxisType, FeedforwardWord, RealType, Words};
 use crate::parameters::{Name, Value};
 use crate::rules::{drive, effective::Effective};
 use portable::RealKind;
+use std::collections::BTreeMap;
 
 /// The cycle time of the set, in ns.
 pub(crate) fn cycle_time(values: &Values, missing: Diagnostic, report: &mut Report) -> Option<u32> {
@@ -66,18 +67,22 @@ pub(crate) fn axis<'v>(name: &str, cycle_time: Option<u32>, values: &'v Values, 
         RealType::F64 => RealKind::F64,
         RealType::F32 => RealKind::F32,
     });
+    let changes_over = spindle::is_asked_for(&mut effective);
     let axis_type = effective.word(key(Name::AxisType));
     gear::check(&mut effective);
-    changeover(&mut effective);
     effective.block = Some(IPC);
     let ipc = ipc::check(&mut effective, cycle_time, real);
-    let control = control(&mut effective, cycle_time, axis_type, ipc.as_ref());
+    let control = control(&mut effective, cycle_time, (axis_type, changes_over), ipc.as_ref());
     let gear = control.as_ref().map_or(0, |(_, gear)| *gear);
     let axis = match (real, cycle_time, ipc, control) {
         (Some(real), Some(cycle_time_ns), Some(ipc), Some((control, _))) if !effective.report.has_errors() => {
-            let blocks = [IPC, FEEDFORWARD, POSITION_CONTROL];
+            let blocks = [IPC, FEEDFORWARD, POSITION_CONTROL, SPINDLE];
             let (canonical, own) = effective.canonical(blocks);
-            let canonical_of = blocks.into_iter().zip(own).collect();
+            let mut canonical_of: BTreeMap<_, _> = blocks.into_iter().zip(own).collect();
+            if control.spindle.is_some() {
+                // The changeover is no part of the block `axis`.
+                canonical_of.insert(AXIS, effective.canonical_without(SPINDLE));
+            }
             Some(Axis { name: name.to_owned(), real, cycle_time_ns, ipc, control, canonical, canonical_of })
         }
         _ => None,
@@ -85,27 +90,11 @@ pub(crate) fn axis<'v>(name: &str, cycle_time: Option<u32>, values: &'v Values, 
     Checked { axis, gear, effective }
 }
 
-/// A spindle changes to velocity control above the velocity at which it changes back, or there as well.
-fn changeover(e: &mut Effective<'_>) {
-    let [to_velocity, to_position] = [Name::VVelocityControlOn, Name::VPositionControlOn].map(key);
-    let given = |key| match e.given(key).and_then(|setting| setting.value.as_ref()) {
-        Some(Value::Integer(velocity)) => Some(*velocity),
-        _ => None,
-    };
-    let (Some(on), Some(off)) = (given(to_velocity), given(to_position)) else { return };
-    if on < off {
-        let found = format!("{} is {on}, below {} with {off}", e.title(to_velocity), e.title(to_position));
-        let said = Diagnostic::error(codes::CHANGEOVER, e.place_of(to_velocity), found);
-        let said = said.allowed("v_velocity_control_on >= v_position_control_on [0.001 deg/s]");
-        e.report.push(said.instead("both velocities, each at its own name: 200 rpm are 1200000"));
-    }
-}
-
-/// Feedforward, position control and gantry, with the gear step; none: an error, which has been said.
+/// Feedforward, position control, changeover and gantry, with the gear step; none: an error, which has been said.
 fn control(
     e: &mut Effective<'_>,
     cycle_time: Option<u32>,
-    axis_type: Option<AxisType>,
+    (axis_type, changes_over): (Option<AxisType>, bool),
     ipc: Option<&Ipc>,
 ) -> Option<(Control, u32)> {
     let number = e.validated_integer(key(Name::AxisNumber))?;
@@ -114,7 +103,7 @@ fn control(
         Some(AxisType::Rotator | AxisType::Spindle) => true,
     };
     let master = ipc::master(e);
-    if ipc.is_some_and(|ipc| !ipc.is_active()) && master.is_none() && !is_asked_for(e) {
+    if ipc.is_some_and(|ipc| !ipc.is_active()) && master.is_none() && !changes_over && !is_asked_for(e) {
         // Nothing of the drive matters: a real machine's list may hold whatever it likes.
         return Some((Control { number, is_rotary, ..Control::default() }, 0));
     }
@@ -124,13 +113,20 @@ fn control(
     let v_max = (Name::VbMax, [drive.gear, 0]);
     e.block = Some(FEEDFORWARD);
     e.integer(v_max);
-    let feedforward = feedforward::check(e, cycle_time, &drive)?;
+    let feedforward = feedforward::check(e, cycle_time, &drive);
+    let has_feedforward = feedforward.as_ref().and_then(Option::as_ref);
     e.block = Some(POSITION_CONTROL);
     e.integer(v_max);
-    let position_control = position_control::check(e, &drive, ipc, feedforward.as_ref(), master.is_some())?;
+    let position_control =
+        feedforward.as_ref().and_then(|_| position_control::check(e, &drive, ipc, has_feedforward, master.is_some()));
+    e.block = Some(SPINDLE);
+    let spindle = match changes_over {
+        true => spindle::check(e, cycle_time, &drive, has_feedforward, master.is_some()).map(Some),
+        false => Some(None),
+    };
+    let (feedforward, position_control, spindle) = (feedforward?, position_control?, spindle?);
     let is_active = ipc.is_some_and(Ipc::is_active) && master.is_none();
-    let assumed = e.assumed(|name| assumed::is_told(name, is_active));
-    let spindle = None;
+    let assumed = e.assumed(|name| assumed::is_told(name, is_active || spindle.is_some()));
     let control =
         Control { feedforward, position_control, spindle, number, is_rotary, master, master_limit: None, assumed };
     Some((control, drive.gear))

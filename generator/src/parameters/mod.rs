@@ -59,7 +59,7 @@ pub(crate) enum Kind {
     Word(&'static [Word]),
     Words(&'static [Word]),
     Flags(&'static [Word]),
-    Integer { from: u32, to: u32 },
+    Integer { from: i64, to: i64 },
     Real { from: f64, to: f64, open: [bool; 2] },
     Duration { from: u64, to: u64 },
     Text,
@@ -123,7 +123,7 @@ impl Parameter {
     /// Whether the value lies within the range of the kind.
     pub(crate) fn contains(&self, value: &Value) -> bool {
         match (&self.kind, value) {
-            (Kind::Integer { from, to }, Value::Integer(n)) => (i64::from(*from)..=i64::from(*to)).contains(n),
+            (Kind::Integer { from, to }, Value::Integer(n)) => (from..=to).contains(&n),
             (Kind::Real { from, to, open: [above, below] }, Value::Real(x)) => {
                 (from..=to).contains(&x) && !(*above && x <= from) && !(*below && x >= to)
             }

@@ -4,8 +4,9 @@
 //! Beckhoff TF5200. Parameters without an id are keys of our own, for what no axis list holds.
 
 use super::words::{
-    AddJerk, AxisType, Boolean, DirectSource, DriveType, Enable, FeedforwardWord, FilterType, LineEnd, ListEncoding,
-    Motor, OperationMode, ProcessDatum, Prototype, RealType, StageMode, TargetName, Width, Words,
+    AddJerk, AxisType, Boolean, DirectSource, DriveObject, DriveSetting, DriveType, Enable, FeedforwardWord,
+    FilterType, LineEnd, ListEncoding, Motor, OperationMode, ProcessDatum, Prototype, RealType, StageMode, TargetName,
+    Width, Words,
 };
 use super::{Kind, Parameter, Scope};
 
@@ -17,7 +18,12 @@ pub(crate) const FILTERS: u32 = 2;
 const GEARS: u32 = 16;
 
 const fn integer(from: u32, to: u32) -> Kind {
-    Kind::Integer { from, to }
+    Kind::Integer { from: from as i64, to: to as i64 }
+}
+
+/// A real number above 0.
+const fn above_0(to: f64) -> Kind {
+    Kind::Real { from: 0.0, to, open: [true, false] }
 }
 
 /// Weights are unsigned numbers of 32 bits without 0 and the largest.
@@ -26,6 +32,8 @@ const WEIGHT: Kind = integer(1, u32::MAX - 1);
 const UNSIGNED: Kind = integer(1, u32::MAX);
 /// A factor of the vendor's type SGN32; a denominator of 0 takes its term away.
 const SIGNED: Kind = integer(0, i32::MAX as u32);
+/// A number of the vendor's type SGN16.
+const SIGNED_16: Kind = Kind::Integer { from: i16::MIN as i64, to: i16::MAX as i64 };
 /// A delay; six cycles end it, which the cycle time says.
 const DELAY: Kind = integer(0, u16::MAX as u32);
 /// A finite real number that is not negative.
@@ -118,7 +126,8 @@ table! {
     Gear: AXIS_KEY("gear", kind: integer(0, GEARS - 1), default: &["0"])
     /// time in which the additive velocity is faded in and out, at least one period of the lowest f0
     Fade: AXIS_KEY("fade", kind: Kind::Duration { from: 0, to: 1_000_000_000_000 }, unit: "ns", default: &["0.1s"])
-    /// velocity command of the drive: its type in the process data; for position control in the CNC
+    /// velocity command of the drive: its type in the process data; for position control in the CNC, and for a spindle whose drive changes
+    /// to velocity control
     VelocityCommandData: AXIS_KEY("process_data.velocity_command", kind: Kind::Word(Width::WORDS), default: &["INT32"])
     /// additive velocity command of the drive: its type in the process data, SERCOS S-0-0037, CANopen 60B1h, PROFIdrive NSOLL_B
     AdditiveVelocityData: AXIS_KEY("process_data.additive_velocity",
@@ -130,6 +139,25 @@ table! {
     Motor: AXIS_KEY("motor", kind: Kind::Word(Motor::WORDS), default: &["rotary"])
     /// whether ADD_JERK of P-AXIS-00223 is generated: its formula is inferred from units, not documented
     AddJerk: AXIS_KEY("add_jerk", kind: Kind::Word(AddJerk::WORDS), default: &["refused"])
+    /// spindle whose drive changes its operation mode: what the drive's cyclic telegrams have; where it is given, it is checked
+    ProcessDataObjects: AXIS_KEY("process_data.objects", kind: Kind::Words(DriveObject::WORDS))
+    /// spindle whose SERCOS drive changes its operation mode: settings that the drive has (010: bits 2 to 0, rotary); where it is given, it
+    /// is checked
+    DriveSettings: AXIS_KEY("drive_settings", kind: Kind::Words(DriveSetting::WORDS))
+    /// spindle: deceleration of the velocity command on the way from velocity control to position control
+    SpindleDeceleration: AXIS_KEY("spindle.deceleration",
+        kind: above_0(1e12), unit: "0.001 deg/s^2", default: &["6000000"])
+    /// spindle: how close the actual velocity must be to that of position control; at least 1 % of P-AXIS-00768
+    SpindleWindow: AXIS_KEY("spindle.window", kind: above_0(2e9), unit: "0.001 deg/s", default: &["6000"])
+    /// spindle: largest step of the position command when the interpolator takes over
+    SpindleTakeoverWindow: AXIS_KEY("spindle.takeover_window",
+        kind: above_0(180_000.0), unit: "0.001 deg", default: &["1000"])
+    /// spindle: time in which the drive displays the new operation mode
+    SpindleModeTimeout: AXIS_KEY("spindle.mode_timeout",
+        kind: Kind::Duration { from: 1, to: 1_000_000_000_000 }, unit: "ns", default: &["0.1s"])
+    /// spindle: time in which it has braked; 0: twice the ramp from P-AXIS-00212 to P-AXIS-00768, and 0.5 s
+    SpindleBrakeTimeout: AXIS_KEY("spindle.brake_timeout",
+        kind: Kind::Duration { from: 0, to: 1_000_000_000_000 }, unit: "ns", default: &["0s"])
     /// logical axis number
     AxisNumber: VENDOR("kopf.achs_nr", "P-AXIS-00016", kind: integer(0, 65_535), default: &["0"])
     /// axis type: translatory axis, rotary axis or spindle
@@ -180,13 +208,13 @@ table! {
     /// cycles between sending a command and receiving the actual value that it caused
     NbrDelayCycles: SHARED("antr.nbr_delay_cycles", "P-AXIS-00191",
         kind: integer(0, 10), unit: "cycles", default: &["-1"])
-    /// scaling of the additive velocity: path in the time of P-AXIS-00207 at which the drive gets P-AXIS-00206
+    /// scaling of the additive velocity, and of the velocity command of a spindle: path in the time of P-AXIS-00207 at which the drive gets P-AXIS-00206
     VResoDenom: SHARED("antr.v_reso_denom", "P-AXIS-00205",
         data_type: "UNS32", kind: UNSIGNED, unit: "um or 0.001 deg", default: &["36"], drives: "all")
-    /// scaling of the additive velocity: value that the drive gets
+    /// scaling of the additive velocity, and of the velocity command of a spindle: value that the drive gets
     VResoNum: SHARED("antr.v_reso_num", "P-AXIS-00206",
         data_type: "UNS32", kind: integer(0, u32::MAX), unit: "increments", default: &["1"], drives: "all")
-    /// scaling of the additive velocity: the time of P-AXIS-00205
+    /// scaling of the additive velocity, and of the velocity command of a spindle: the time of P-AXIS-00205
     VTimeBase: SHARED("antr.v_time_base", "P-AXIS-00207",
         data_type: "UNS16", kind: integer(0, 2), default: &["0"],
         numbers: &["per minute", "per second", "per sampling interval"], drives: "SERCOS")
@@ -239,20 +267,37 @@ table! {
     /// additive torque: nominal torque or force of the motor, from its data sheet; 0 takes the additive torque away
     AccReferenceValue: SHARED("antr.acc_reference_value", "P-AXIS-00392",
         data_type: "REAL64", kind: POSITIVE, unit: "Nm, linear motor: N", default: &["1"], drives: "SERCOS, CANopen")
-    /// weight of the feedforward that the drive itself has (SERCOS S-0-0296, CANopen 3062h)
+    /// weight of the velocity feedforward that the drive itself has (SERCOS S-0-0296, CANopen 3062h)
     FeedForwardVWeighting: SHARED("antr.feed_forward_v_weighting", "P-AXIS-00833",
         kind: integer(0, 1200), unit: "0.1 %", default: &["0"], since: "V3.1.3125.0", drives: "SERCOS, CANopen")
     /// predecessor of P-AXIS-00833, which adopts it
     ChangeFeedForwardVWeighting: SHARED("antr.sai_op_mode_change.feed_forward_v_weighting", "P-AXIS-00766",
         data_type: "UNS16", kind: integer(0, 1200), unit: "0.1 %", default: &["0"], drives: "SERCOS, CANopen")
-    /// spindle: velocity from which it is in velocity control; nothing is generated from it yet
+    /// spindle: velocity above which M3 and M4 lead to velocity control; at 0 at every velocity
     VVelocityControlOn: SHARED("antr.sai_op_mode_change.v_velocity_control_on", "P-AXIS-00767",
         data_type: "SGN32", kind: SIGNED, unit: "0.001 deg/s", default: &["200000000"], since: "V3.1.3079.13",
         drives: "SERCOS, CANopen")
-    /// spindle: velocity below which it is in position control again; nothing is generated from it yet
+    /// spindle: velocity to which it brakes before position control is taken up again
     VPositionControlOn: SHARED("antr.sai_op_mode_change.v_position_control_on", "P-AXIS-00768",
         data_type: "SGN32", kind: SIGNED, unit: "0.001 deg/s", default: &["0"], since: "V3.1.3079.13",
         drives: "SERCOS, CANopen")
+    /// predecessor of P-AXIS-00767, which adopts it
+    VelocityPositionControlOn: SHARED("antr.velocity_position_control_on", "P-AXIS-00265",
+        kind: SIGNED, unit: "0.001 deg/s", default: &["200000000"])
+    /// predecessor of P-AXIS-00768, which adopts it
+    VelocityPositionControlOff: SHARED("antr.velocity_position_control_off", "P-AXIS-00266",
+        kind: SIGNED, unit: "0.001 deg/s", default: &["0"])
+    /// spindle with a SERCOS drive: operation mode of velocity control; the main mode is that of position control
+    OpModeForVelocityControl: SHARED("antr.sercos.op_mode_for_velocity_control", "P-AXIS-00264",
+        data_type: "UNS16", kind: integer(0, 3), default: &["0"],
+        numbers: &["main mode, S-0-0032", "auxiliary mode 1, S-0-0033", "auxiliary mode 2, S-0-0034", "auxiliary mode 3, S-0-0035"],
+        drives: "SERCOS")
+    /// CANopen: operation mode (6060h) of position control; 8 is the cyclic synchronous position mode
+    CyclicPositionOpMode: SHARED("antr.canopen.cyclic_position_op_mode", "P-AXIS-00463",
+        data_type: "SGN16", kind: SIGNED_16, default: &["8"], drives: "CANopen")
+    /// CANopen: operation mode (6060h) of velocity control; 9 is the cyclic synchronous velocity mode
+    CyclicVelocityOpMode: SHARED("antr.canopen.cyclic_velocity_op_mode", "P-AXIS-00464",
+        data_type: "SGN16", kind: SIGNED_16, default: &["9"], drives: "CANopen")
     /// mode of improved position control at start; DRYRUN calculates and puts out nothing
     Enable: IPC("lr_param.improved_position_control.enable", "P-AXIS-00758",
         data_type: "STRING, before V3.1.3132.0 BOOLEAN", kind: Kind::Word(Enable::WORDS), default: &["OFF"],

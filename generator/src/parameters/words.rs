@@ -48,6 +48,30 @@ words! {
     Width { Int16 "INT16" | "INT", Int32 "INT32" | "DINT" }
     /// Process data that a drive may lack.
     ProcessDatum { None "NONE", Int16 "INT16" | "INT", Int32 "INT32" | "DINT" }
+    /// Cyclic data of a drive that a spindle needs whose drive changes its operation mode.
+    DriveObject {
+        SercosVelocityCommand "S-0-0036",
+        SercosVelocity "S-0-0040",
+        SercosPositionCommand "S-0-0047",
+        SercosPosition1 "S-0-0051",
+        SercosPosition2 "S-0-0053",
+        Mode "6060h" | "0x6060",
+        ModeDisplay "6061h" | "0x6061",
+        TargetPosition "607Ah" | "0x607A",
+        Position "6064h" | "0x6064",
+        TargetVelocity "60FFh" | "0x60FF",
+        Velocity "606Ch" | "0x606C",
+    }
+    /// Settings of a SERCOS drive that such a spindle needs: what an operation mode controls, and rotary scaling (bits 2 to 0).
+    DriveSetting {
+        MainPosition "S-0-0032=3",
+        Auxiliary1Velocity "S-0-0033=2",
+        Auxiliary2Velocity "S-0-0034=2",
+        Auxiliary3Velocity "S-0-0035=2",
+        RotaryPosition "S-0-0076=010",
+        RotaryVelocity "S-0-0044=010",
+        RotaryAcceleration "S-0-0160=010",
+    }
     Motor { Rotary "rotary", Linear "linear" }
     /// Whether the inferred formula of ADD_JERK is generated.
     AddJerk { Refused "refused", Experimental "experimental" }

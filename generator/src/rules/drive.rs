@@ -20,10 +20,9 @@ impl Drive {
     /// Scaling of the additive velocity (P-AXIS-00205 to 00207), where it is put out; outer none: an error, which has been said.
     pub(crate) fn velocity(&self, e: &mut Effective<'_>, is_put_out: bool) -> Option<Option<Velocity>> {
         let Some(width) = self.velocity.filter(|_| is_put_out) else { return Some(None) };
-        let reso = ratio(e, key(Name::VResoNum), key(Name::VResoDenom));
-        let time_base = e.integer(key(Name::VTimeBase)).and_then(|base| TimeBase::ALL.get(base as usize).copied());
+        let velocity = velocity(e, width);
         note(e, &[Name::AdditiveVelocityData]);
-        Some(Some(Velocity { reso: reso?, time_base: time_base?, width }))
+        Some(Some(velocity?))
     }
 
     /// The increments per revolution of the gear step are 0 (P-AXIS-00092), and something needs them.
@@ -52,6 +51,13 @@ pub(crate) fn check(e: &mut Effective<'_>) -> Option<Drive> {
     };
     let velocity = datum(e, Name::AdditiveVelocityData);
     Some(Drive { location, gear, velocity, torque: datum(e, Name::AdditiveTorqueData) })
+}
+
+/// Scaling of a velocity that a drive gets which controls the position (P-AXIS-00205 to 00207).
+pub(crate) fn velocity(e: &mut Effective<'_>, width: Width) -> Option<Velocity> {
+    let reso = ratio(e, key(Name::VResoNum), key(Name::VResoDenom));
+    let time_base = e.integer(key(Name::VTimeBase)).and_then(|base| TimeBase::ALL.get(base as usize).copied());
+    Some(Velocity { reso: reso?, time_base: time_base?, width })
 }
 
 fn controls_position(drive_type: DriveType) -> bool {

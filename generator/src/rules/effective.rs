@@ -16,6 +16,8 @@ pub(crate) struct Effective<'a> {
     pub(crate) report: Report,
     /// the block whose rules are looked at; none: all blocks depend on what is used
     pub(crate) block: Option<&'static str>,
+    /// what holds instead of a default
+    adopted: BTreeMap<Key, Value>,
     used: BTreeMap<Key, Used>,
 }
 
@@ -28,7 +30,7 @@ struct Used {
 
 impl<'a> Effective<'a> {
     pub(crate) fn new(values: &'a Values, home: Place) -> Self {
-        Self { values, home, report: Report::default(), block: None, used: BTreeMap::new() }
+        Self { values, home, report: Report::default(), block: None, adopted: BTreeMap::new(), used: BTreeMap::new() }
     }
 
     pub(crate) fn given(&self, key: Key) -> Option<&'a Setting> {
@@ -37,6 +39,11 @@ impl<'a> Effective<'a> {
 
     pub(crate) fn all_given(&self) -> impl Iterator<Item = (Key, &'a Setting)> + use<'a> {
         self.values.iter()
+    }
+
+    /// Takes a value in place of the default of a parameter that is not given: that of its predecessor, or of a rule.
+    pub(crate) fn adopt(&mut self, key: Key, value: Value) {
+        self.adopted.insert(key, value);
     }
 
     /// Where a parameter was given; else where its stage was; else where the axis is named.
@@ -74,6 +81,9 @@ impl<'a> Effective<'a> {
                 None => setting.refused.clone(),
             },
             None => {
+                if let Some(adopted) = self.adopted.get(&key) {
+                    return Some(adopted.clone());
+                }
                 let text = parameter.default_at(key.1).unwrap_or_default();
                 let default = value::of_text(parameter, text).ok().filter(|value| parameter.contains(value));
                 if default.is_some() {
@@ -113,6 +123,14 @@ impl<'a> Effective<'a> {
 
     pub(crate) fn integer(&mut self, key: Key) -> Option<u32> {
         self.used_value(key).and_then(|value| integer_of(key, &value))
+    }
+
+    /// A whole number that may be below 0.
+    pub(crate) fn signed(&mut self, key: Key) -> Option<i32> {
+        match self.used_value(key)? {
+            Value::Integer(n) => i32::try_from(n).ok(),
+            other => wrong_kind(key, &other),
+        }
     }
 
     pub(crate) fn real(&mut self, key: Key) -> Option<f64> {
@@ -185,13 +203,19 @@ impl<'a> Effective<'a> {
         used.by.insert(self.block);
     }
 
+    /// What others than this block use, as below.
+    pub(crate) fn canonical_without(&self, block: &'static str) -> String {
+        let of_others = self.used.iter().filter(|(_, used)| used.by.iter().any(|by| *by != Some(block)));
+        of_others.map(|(key, used)| line(*key, used)).collect()
+    }
+
     /// What all blocks use: one `path value` a line, in the order of the table, independent of how it was written; and what each of
     /// some blocks uses.
     pub(crate) fn canonical<const N: usize>(&self, blocks: [&'static str; N]) -> (String, [String; N]) {
         let mut all = String::new();
         let mut own = [const { String::new() }; N];
-        for ((name, index), used) in &self.used {
-            let line = format!("{} {}\n", path_with(name.parameter().path, *index), used.text);
+        for (key, used) in &self.used {
+            let line = line(*key, used);
             for (own, block) in own.iter_mut().zip(blocks) {
                 if used.by.contains(&None) || used.by.contains(&Some(block)) {
                     own.push_str(&line);
@@ -201,6 +225,10 @@ impl<'a> Effective<'a> {
         }
         (all, own)
     }
+}
+
+fn line((name, index): Key, used: &Used) -> String {
+    format!("{} {}\n", path_with(name.parameter().path, index), used.text)
 }
 
 /// How the word of a parameter is written in the file of a message: as a line of a list, or as a key of a set.

@@ -50,7 +50,7 @@ fn any_case(text: &str) -> String {
     text.chars()
         .map(|c| match c {
             c if c.is_ascii_alphabetic() => format!("[{}{}]", c.to_ascii_uppercase(), c.to_ascii_lowercase()),
-            c if c.is_ascii_alphanumeric() || c == '_' => c.to_string(),
+            c if c.is_ascii_alphanumeric() || "_-=".contains(c) => c.to_string(),
             c => format!("\\{c}"),
         })
         .collect()

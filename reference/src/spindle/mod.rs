@@ -69,6 +69,8 @@ pub struct Coeffs<R> {
     pub lead_time: R,
     /// whether the CNC's feedforward shortens that time
     pub has_feedforward: bool,
+    /// whether the feedforward is active despite G137 (P-AXIS-00255)
+    pub default_active: bool,
     /// by which each percent of the feedforward does [s]
     pub lead_time_per_percent: R,
     /// largest step of the position command where the interpolator takes over [0.001 deg]

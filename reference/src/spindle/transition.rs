@@ -125,7 +125,8 @@ pub fn velocity<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inpu
 #[portable]
 pub fn lead_time<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
     let mut time = coeffs.lead_time;
-    if coeffs.has_feedforward && inputs.feedforward_active && inputs.feedforward_percentage > 0i32 {
+    let is_active = coeffs.default_active || inputs.feedforward_active;
+    if coeffs.has_feedforward && is_active && inputs.feedforward_percentage > 0i32 {
         let percentage = if inputs.feedforward_percentage < 100i32 { inputs.feedforward_percentage } else { 100i32 };
         time = coeffs.lead_time - coeffs.lead_time_per_percent * from_i32(percentage);
     }

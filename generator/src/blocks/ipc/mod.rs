@@ -20,9 +20,8 @@ use reference::ipc::{Coeffs, Ipc};
 
 impl Part for Ipc {
     fn is_asked_for(&self, axis: &Axis) -> bool {
-        let control = &axis.control;
         // An axis of which nothing is asked gets a block that puts out 0, and a warning.
-        axis.ipc.is_active() || control.feedforward.is_none() && control.position_control.is_none()
+        axis.ipc.is_active() || axis.control.is_empty()
     }
 
     fn design(designed: &Designed) -> Coeffs<f64> {

@@ -8,11 +8,11 @@ use portable::RealKind;
 
 /// Says what a user would want to know before the block acts.
 pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
-    let Some(control) = &axis.control.position_control else { return };
-    if let Some(feedforward) = &axis.control.feedforward {
+    if let (Some(control), Some(feedforward)) = (&axis.control.position_control, &axis.control.feedforward) {
         twice(control, feedforward, e);
     }
-    kv_default(control, axis, gear, e);
+    kv_default(gear, e);
+    let Some(control) = &axis.control.position_control else { return };
     saturation(axis, control, gear, e);
     if axis.real == RealKind::F32 {
         let what = if control.location == Location::Cnc { "the position lag" } else { "the drive's position command" };
@@ -41,21 +41,23 @@ fn twice(control: &PositionControl, feedforward: &Feedforward, e: &mut Effective
 }
 
 /// A default gain is nobody's gain.
-fn kv_default(control: &PositionControl, axis: &Axis, gear: u32, e: &mut Effective<'_>) {
-    let leads = axis.control.feedforward.as_ref().is_some_and(|feedforward| feedforward.conventional.any());
+fn kv_default(gear: u32, e: &mut Effective<'_>) {
     let kv_key = (Name::Kv, [gear, 0]);
-    if (control.location == Location::Cnc || leads) && e.given(kv_key).is_none() {
-        let found = format!(
-            "getriebe[{gear}].kv (P-AXIS-00099) is not given: its default {} is used, {}/s",
-            control.kv,
-            rounded(f64::from(control.kv) / 100.0)
-        );
-        let place = e.place_near(kv_key, |name| {
-            matches!(name, Name::FeedforwardMode | Name::GantryMaster) || name.parameter().path.starts_with("getriebe[")
-        });
-        let diagnostic = Diagnostic::warning(codes::KV_DEFAULT, place, found);
-        e.report.push(diagnostic.instead("the gain of the machine, in 0.01/s"));
+    if !e.is_used(kv_key) || e.given(kv_key).is_some() {
+        return;
     }
+    let Some(kv) = e.validated_integer(kv_key).map(f64::from) else { return };
+    let found =
+        format!("getriebe[{gear}].kv (P-AXIS-00099) is not given: its default {kv} is used, {}/s", rounded(kv / 100.0));
+    let place = e.place_near(kv_key, |name| {
+        let path = name.parameter().path;
+        matches!(name, Name::FeedforwardMode | Name::GantryMaster)
+            || path.starts_with("getriebe[")
+            || path.starts_with("antr.sai_op_mode_change.v_")
+            || path.starts_with("antr.velocity_position_control_")
+    });
+    let diagnostic = Diagnostic::warning(codes::KV_DEFAULT, place, found);
+    e.report.push(diagnostic.instead("the gain of the machine, in 0.01/s"));
 }
 
 /// Says where a velocity that the axis may have does not fit into its process datum.
@@ -82,7 +84,8 @@ fn additive(axis: &Axis, control: &PositionControl) -> Option<(&'static str, f64
     (is_active && limit > 0.0).then_some(("the additive velocity at its limit v_add_max_fact", limit))
 }
 
-fn fits(
+/// Says where a velocity has more increments than its process datum holds.
+pub(crate) fn fits(
     axis: &Axis,
     e: &mut Effective<'_>,
     keys: [Key; 2],

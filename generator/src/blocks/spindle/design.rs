@@ -32,8 +32,9 @@ pub(crate) fn coefficients(axis: &Axis) -> Coeffs<f64> {
         ..Coeffs::default()
     };
     match &of.drive {
-        Changeover::Cnc { feedforward } => Coeffs {
+        Changeover::Cnc { feedforward, default_active } => Coeffs {
             has_feedforward: feedforward.is_some(),
+            default_active: *default_active,
             lead_time_per_percent: feedforward.map_or(0.0, |weight| weight.value() / 100.0 / kv(of)),
             ..coeffs
         },

@@ -1,8 +1,15 @@
 //! The block `spindle`: the change between position and velocity control.
 
+pub(crate) mod advice;
+pub(crate) mod check;
 pub(crate) mod design;
 mod diff;
+mod in_drive;
+mod limits;
 pub(crate) mod notes;
+mod offered;
+mod velocities;
+pub(crate) mod words;
 
 use super::{Part, Summary, values::Values};
 use crate::{axis::Axis, blocks::designed::Designed};
@@ -27,8 +34,8 @@ impl Part for Spindle {
         [(coeffs.takeover_window / 4.0).clamp(1e-3, 400.0), coeffs.v_velocity_control_on.clamp(6000.0, 2e9)]
     }
 
-    fn summary(&self, _: &Designed) -> Summary {
-        Summary::default()
+    fn summary(&self, designed: &Designed) -> Summary {
+        Summary { lines: words::lines(&designed.axis), ..Summary::default() }
     }
 
     fn values(&self, designed: &Designed) -> Values {

@@ -37,7 +37,7 @@ pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
         note("brake_cycles", brake),
     ];
     match &of.drive {
-        Changeover::Cnc { feedforward } => notes.extend(feedforward.map(|weight| {
+        Changeover::Cnc { feedforward, .. } => notes.extend(feedforward.map(|weight| {
             let weight = digits(weight.value());
             note(
                 "lead_time_per_percent",

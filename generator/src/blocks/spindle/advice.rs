@@ -1,0 +1,106 @@
+//! What is legal in a changeover, but without effect, never reached or misunderstood: warnings. Nothing here is an error.
+
+use super::limits::rpm;
+use super::velocities::asks;
+use crate::axis::{Axis, Bus, Changeover, Spindle};
+use crate::config::values::key;
+use crate::parameters::{Name, Value};
+use crate::{blocks::position_control::advice::fits, codes, design::scale, rules::effective::Effective};
+
+/// Says what a user would want to know before the spindle turns.
+pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
+    let Some(spindle) = &axis.control.spindle else { return };
+    never(axis, spindle, gear, e);
+    adds(axis, spindle, e);
+    no_effect(spindle, e);
+    if let Changeover::Drive { velocity, .. } = &spindle.drive {
+        two_weights(e);
+        let keys = [key(Name::VelocityCommandData), key(Name::VResoNum)];
+        let scaling = (scale::velocity(velocity, axis.cycle_time_ns), velocity.width);
+        fits(axis, e, keys, ("the velocity command at vb_max", axis.ipc.v_max), scaling);
+    }
+}
+
+/// A velocity that the spindle does not have, or that nobody gave.
+fn never(axis: &Axis, spindle: &Spindle, gear: u32, e: &mut Effective<'_>) {
+    let on = spindle.v_velocity_control_on;
+    let names = [Name::VVelocityControlOn, Name::VelocityPositionControlOn];
+    let given = names.into_iter().map(key).find(|key| e.given(*key).is_some());
+    let v_max = (Name::VbMax, [gear, 0]);
+    let (at, found) = match given {
+        None => {
+            let title = e.title(key(Name::VVelocityControlOn));
+            let speed = rpm(f64::from(on));
+            (
+                key(Name::VPositionControlOn),
+                format!(
+                    "{title} is not given: its default is {on}, and up to {speed} rpm the spindle stays in position control"
+                ),
+            )
+        }
+        // Of a default that is no machine's another message says so.
+        Some(given) if f64::from(on) >= axis.ipc.v_max && e.given(v_max).is_some() => {
+            let found = format!(
+                "{} is {on}, and vb_max {} (P-AXIS-00212) is not above it: the spindle stays in position control",
+                e.title(given),
+                axis.ipc.v_max
+            );
+            (given, found)
+        }
+        Some(_) => return,
+    };
+    let diagnostic = crate::diagnostics::Diagnostic::warning(codes::NEVER, e.place_near(at, asks), found);
+    e.report.push(diagnostic.instead("v_velocity_control_on with a speed of the spindle: 200 rpm are 1200000"));
+}
+
+/// In velocity control an additive velocity would come on top of the velocity command.
+fn adds(axis: &Axis, spindle: &Spindle, e: &mut Effective<'_>) {
+    let adds = axis.control.feedforward.as_ref().is_some_and(|of| of.additive.velocity && !of.global_disable);
+    if !adds {
+        return;
+    }
+    let counted = match spindle.drive {
+        Changeover::Cnc { .. } => "",
+        Changeover::Drive { .. } => ", and the change to position control does not count it",
+    };
+    let found = format!(
+        "{} has ADD_VEL: in velocity control the drive would get the velocity twice{counted}",
+        e.title(key(Name::FeedforwardMode))
+    );
+    let instead = "G137 while `loop_closed` is FALSE, or the feedforward of the drive (P-AXIS-00833)".to_owned();
+    e.warn(codes::ADDS, key(Name::FeedforwardMode), found, instead);
+}
+
+/// Parameters of another kind of changeover.
+fn no_effect(spindle: &Spindle, e: &mut Effective<'_>) {
+    use Name::*;
+    let sercos = [OpModeForVelocityControl, DriveSettings];
+    let canopen = [CyclicPositionOpMode, CyclicVelocityOpMode];
+    let weights = [FeedForwardVWeighting, ChangeFeedForwardVWeighting, ProcessDataObjects];
+    let (who, idle) = match spindle.drive {
+        Changeover::Cnc { .. } => ("position control in the CNC", [&sercos[..], &canopen, &weights].concat()),
+        Changeover::Drive { bus: Bus::Sercos, .. } => ("a SERCOS drive", canopen.to_vec()),
+        Changeover::Drive { bus: Bus::CanOpen, .. } => ("a CANopen drive", sercos.to_vec()),
+    };
+    let given: Vec<Name> = idle.into_iter().filter(|name| e.given(key(*name)).is_some()).collect();
+    let Some(first) = given.first() else { return };
+    let listed: Vec<&str> = given.iter().map(|name| name.parameter().id.unwrap_or(name.parameter().path)).collect();
+    let found = format!("without effect here: the changeover with {who} does not use {}", listed.join(", "));
+    e.warn(codes::NO_EFFECT, key(*first), found, None);
+}
+
+/// P-AXIS-00833 beside a P-AXIS-00766 of another value.
+fn two_weights(e: &mut Effective<'_>) {
+    let keys = [Name::FeedForwardVWeighting, Name::ChangeFeedForwardVWeighting].map(key);
+    let [new, old] = keys.map(|key| e.given(key).and_then(|setting| setting.value.clone()));
+    if let (Some(Value::Integer(new)), Some(Value::Integer(old))) = (new, old)
+        && new != old
+    {
+        let found = format!(
+            "{} is {old}, and {}, which replaces it, is {new}: {new} holds",
+            e.title(keys[1]),
+            e.title(keys[0])
+        );
+        e.warn(codes::TWO_WEIGHTS, keys[1], found, "only P-AXIS-00833".to_owned());
+    }
+}

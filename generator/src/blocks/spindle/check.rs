@@ -1,0 +1,111 @@
+//! The rules of a spindle that changes between position and velocity control, and whether an axis is one.
+
+use super::velocities::{self, VELOCITIES, asks};
+use super::{in_drive, limits};
+use crate::axis::{Changeover, Feedforward, Location, Spindle};
+use crate::config::values::key;
+use crate::parameters::words::{AxisType, Words};
+use crate::parameters::{Name, Value};
+use crate::rules::drive::{self, Drive};
+use crate::rules::effective::{Effective, as_written};
+use crate::{codes, diagnostics::Diagnostic};
+
+/// Whether the axis changes over: a spindle (P-AXIS-00018) with a velocity of the changeover. Examples of the manual have no axis
+/// type: an axis without one is taken for a spindle then.
+pub(crate) fn is_asked_for(e: &mut Effective<'_>) -> bool {
+    let given: Vec<Name> = VELOCITIES.into_iter().filter(|name| e.given(key(*name)).is_some()).collect();
+    let Some(first) = given.first().map(|name| key(*name)) else { return false };
+    let ids = given.iter().filter_map(|name| name.parameter().id).collect::<Vec<_>>().join(", ");
+    let spindle = AxisType::Spindle.name();
+    let type_key = key(Name::AxisType);
+    match e.given(type_key).map(|setting| setting.value.as_ref()) {
+        None => {
+            e.adopt(type_key, Value::Word(spindle));
+            let found =
+                format!("{} is not given: the axis is taken for a spindle, because of {ids}", e.title(type_key));
+            let instead = as_written(&e.place_of(first), type_key, &[spindle]);
+            e.warn(codes::TAKEN_FOR_SPINDLE, first, found, instead);
+            true
+        }
+        Some(Some(Value::Word(word))) if *word == spindle => true,
+        // What cannot be read is said where the type is used.
+        Some(None) => false,
+        Some(Some(other)) => {
+            let found = format!("the axis is {} (P-AXIS-00018), no spindle: {ids} without effect", other.text());
+            let instead = as_written(&e.place_of(type_key), type_key, &[spindle]) + ", if it is a spindle";
+            e.warn(codes::NO_EFFECT, first, found, instead);
+            false
+        }
+    }
+}
+
+/// The changeover of a spindle; none: an error, which has been said.
+pub(crate) fn check(
+    e: &mut Effective<'_>,
+    cycle_time: Option<u32>,
+    drive: &Drive,
+    feedforward: Option<&Feedforward>,
+    is_slave: bool,
+) -> Option<Spindle> {
+    drive::note(e, &[Name::DriveType, Name::OperationMode]);
+    if is_slave {
+        let found =
+            "a gantry slave (P-AXIS-00070) follows its master's position, and cannot change to velocity control";
+        let said = Diagnostic::error(codes::GANTRY_SPINDLE, e.place_of(key(Name::GantryMaster)), found);
+        e.report.push(said.instead("no gantry, or no P-AXIS-00767 and P-AXIS-00768"));
+    }
+    let velocities = velocities::check(e, drive.gear);
+    let kv = e.integer((Name::Kv, [drive.gear, 0]));
+    let deceleration = e.real(key(Name::SpindleDeceleration));
+    let window = e.real(key(Name::SpindleWindow));
+    let takeover_window = e.real(key(Name::SpindleTakeoverWindow));
+    let (changeover, delay_cycles) = if drive.location == Location::Cnc {
+        (Some(in_cnc(e, feedforward)), delay_in_cnc(e))
+    } else {
+        (in_drive::check(e, drive.location, feedforward), in_drive::delay_cycles(e))
+    };
+    let is_in_drive = drive.location != Location::Cnc;
+    if let (true, Some(ns), Some(velocities), Some(window)) = (is_in_drive, cycle_time, &velocities, window) {
+        limits::half_a_revolution(e, ns, velocities, window);
+    }
+    let waited_for = if is_in_drive { delay_cycles } else { Some(0) };
+    let mode_timeout_ns = limits::mode_timeout(e, cycle_time, waited_for);
+    let brake_timeout_ns = limits::brake_timeout(e, cycle_time, velocities.as_ref(), deceleration);
+    let velocities = velocities?;
+    Some(Spindle {
+        v_velocity_control_on: velocities.on.value,
+        v_position_control_on: velocities.off.value,
+        drive: changeover?,
+        kv: kv?,
+        delay_cycles: delay_cycles?,
+        deceleration: deceleration?,
+        window: window?,
+        takeover_window: takeover_window?,
+        mode_timeout_ns: mode_timeout_ns?,
+        brake_timeout_ns: brake_timeout_ns?,
+    })
+}
+
+/// Position control in the CNC: a feedforward of the velocity takes its part of the position lag.
+fn in_cnc(e: &mut Effective<'_>, feedforward: Option<&Feedforward>) -> Changeover {
+    let acts = |of: &&Feedforward| of.sums().velocity && !of.global_disable;
+    let Some(of) = feedforward.filter(acts) else {
+        return Changeover::Cnc { feedforward: None, default_active: false };
+    };
+    let names = [Name::FeedforwardMode, Name::VsVFaktor, Name::VsVNenner, Name::DefaultActive, Name::GlobalDisable];
+    drive::note(e, &names);
+    Changeover::Cnc { feedforward: Some(of.weight), default_active: of.default_active }
+}
+
+/// Cycles between command and actual value (P-AXIS-00191); within the CNC one is usual.
+fn delay_in_cnc(e: &mut Effective<'_>) -> Option<u32> {
+    let delay = key(Name::NbrDelayCycles);
+    if e.given(delay).is_none() {
+        e.adopt(delay, Value::Integer(1));
+        let found = format!("{} is not given: 1 is assumed for the change to position control", e.title(delay));
+        let place = e.place_near(delay, asks);
+        let instead = "nbr_delay_cycles with the cycles between a command and the actual value that it causes";
+        e.report.push(Diagnostic::warning(codes::ASSUMED, place, found).instead(instead));
+    }
+    e.integer(delay)
+}

@@ -1,0 +1,143 @@
+//! What the cycle time and the deceleration allow: half a revolution in a cycle, and the times of the changeover.
+
+use super::velocities::{Velocities, asks};
+use crate::config::values::key;
+use crate::parameters::{Name, time_text};
+use crate::{codes, diagnostics::Diagnostic, number::rounded, rules::effective::Effective};
+
+/// Half a revolution [0.001 deg]: a drive cannot tell the direction of a longer way.
+const HALF_A_REVOLUTION: f64 = 180_000.0;
+/// Single precision counts up to here.
+const MOST_CYCLES: u64 = 1 << 24;
+/// Beside twice the ramp, in the default of the brake's time [ns].
+const BRAKE_RESERVE: u64 = 500_000_000;
+
+/// 0.001 deg/s as revolutions per minute.
+pub(super) fn rpm(velocity: f64) -> f64 {
+    rounded(velocity / 6000.0)
+}
+
+/// Around the velocity of position control, half the width [0.001 deg/s].
+pub(super) fn window(off: u32, least: f64) -> f64 {
+    (f64::from(off) / 100.0).max(least)
+}
+
+/// A drive that controls the position turns by less than half a revolution in a cycle.
+pub(super) fn half_a_revolution(e: &mut Effective<'_>, cycle_ns: u32, of: &Velocities, least_window: f64) {
+    let cycle = f64::from(cycle_ns);
+    // In nanoseconds, where 15000 rpm and 2 ms make exactly half a revolution.
+    let is_beyond = |velocity: f64| velocity * cycle >= HALF_A_REVOLUTION * 1e9;
+    let end = HALF_A_REVOLUTION * 1e9 / cycle;
+    let allowed = format!(
+        "less than half a revolution in a cycle: below {} rpm, {} [0.001 deg/s], at a cycle time of {}",
+        rpm(end),
+        rounded(end),
+        time_text(u64::from(cycle_ns))
+    );
+    let window = window(of.off.value, least_window);
+    let taken_up = f64::from(of.off.value) + window;
+    if is_beyond(taken_up) {
+        let found = format!(
+            "{} is {}: with its window of {} rpm the drive takes up position control at up to {} rpm",
+            e.title(of.off.key),
+            of.off.value,
+            rpm(window),
+            rpm(taken_up)
+        );
+        let at = if e.given(of.off.key).is_some() { of.off.key } else { key(Name::SpindleWindow) };
+        let said = Diagnostic::error(codes::HALF_A_REVOLUTION, e.place_near(at, asks), found);
+        e.report.push(said.allowed(allowed.clone()).instead("a lower v_position_control_on: 50 rpm are 300000"));
+    }
+    let (lower, higher) = if of.on.value <= of.largest.value { (of.on, of.largest) } else { (of.largest, of.on) };
+    if is_beyond(f64::from(lower.value)) {
+        let found = format!(
+            "in position control the spindle turns with up to {} rpm: {} is {}, {} is {}",
+            rpm(f64::from(lower.value)),
+            e.title(lower.key),
+            lower.value,
+            e.title(higher.key),
+            higher.value
+        );
+        let at = if e.given(lower.key).is_some() { lower.key } else { higher.key };
+        let said = Diagnostic::error(codes::HALF_A_REVOLUTION, e.place_near(at, asks), found);
+        e.report.push(said.allowed(allowed).instead("a lower v_velocity_control_on: 200 rpm are 1200000"));
+    }
+}
+
+/// Within which the drive displays the new mode [ns]: not before its answer can be there.
+pub(super) fn mode_timeout(e: &mut Effective<'_>, cycle_time: Option<u32>, answer_cycles: Option<u32>) -> Option<u64> {
+    let timeout_key = key(Name::SpindleModeTimeout);
+    let timeout = e.duration(timeout_key)?;
+    let Some(cycle) = cycle_time.map(u64::from) else { return Some(timeout) };
+    let answer = u64::from(answer_cycles.unwrap_or(0)) * cycle;
+    if timeout < answer {
+        let found = format!(
+            "{} is {}, and the drive's answer takes {} (P-AXIS-00191)",
+            e.title(timeout_key),
+            time_text(timeout),
+            time_text(answer)
+        );
+        let said = Diagnostic::error(codes::TOO_SHORT, e.place_of(timeout_key), found);
+        e.report.push(
+            said.allowed(format!("{} <= mode_timeout", time_text(answer))).instead("spindle.mode_timeout = \"0.1s\""),
+        );
+    }
+    countable(e, Name::SpindleModeTimeout, timeout, cycle);
+    Some(timeout)
+}
+
+/// Within which the spindle has braked [ns]: not before its ramp can be over; by default twice as long, and half a second.
+pub(super) fn brake_timeout(
+    e: &mut Effective<'_>,
+    cycle_time: Option<u32>,
+    of: Option<&Velocities>,
+    deceleration: Option<f64>,
+) -> Option<u64> {
+    let timeout_key = key(Name::SpindleBrakeTimeout);
+    let given = e.duration(timeout_key)?;
+    let (of, deceleration) = (of?, deceleration?);
+    let ramp = ramp(f64::from(of.largest.value), f64::from(of.off.value), deceleration);
+    let by_default = ramp.saturating_mul(2).saturating_add(BRAKE_RESERVE);
+    if given > 0 && given < ramp {
+        let found = format!(
+            "{} is {}, and the ramp from vb_max {} (P-AXIS-00212) to {} (P-AXIS-00768) takes {}",
+            e.title(timeout_key),
+            time_text(given),
+            of.largest.value,
+            of.off.value,
+            time_text(ramp)
+        );
+        let said = Diagnostic::error(codes::TOO_SHORT, e.place_of(timeout_key), found);
+        let allowed = format!("{} <= brake_timeout, or 0s: twice the ramp and 0.5 s", time_text(ramp));
+        e.report.push(said.allowed(allowed).instead(format!("spindle.brake_timeout = \"{}\"", time_text(by_default))));
+    }
+    let timeout = if given > 0 { given } else { by_default };
+    if let Some(cycle) = cycle_time {
+        countable(e, Name::SpindleBrakeTimeout, timeout, u64::from(cycle));
+    }
+    Some(timeout)
+}
+
+/// The time that the velocity command takes from one velocity down to another [ns].
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates, and is not below 0")]
+pub(super) fn ramp(from: f64, to: f64, deceleration: f64) -> u64 {
+    // The product is exact: whole numbers up to 2^31, and nine binary places of a milliard are 0.
+    ((from - to).max(0.0) * 1e9 / deceleration).ceil() as u64
+}
+
+/// A time that is counted in cycles.
+fn countable(e: &mut Effective<'_>, name: Name, timeout: u64, cycle: u64) {
+    let longest = MOST_CYCLES * cycle;
+    if timeout <= longest {
+        return;
+    }
+    let at = key(name);
+    let how = if e.given(at).is_some() { "is" } else { "has its default," };
+    let found = format!("{} {how} {}, {} cycles", e.title(at), time_text(timeout), timeout.div_ceil(cycle));
+    let said = Diagnostic::error(codes::TOO_LONG, e.place_of(at), found);
+    let allowed = format!("{MOST_CYCLES} cycles: {} at a cycle time of {}", time_text(longest), time_text(cycle));
+    e.report.push(said.allowed(allowed).instead(match name {
+        Name::SpindleBrakeTimeout => "a shorter time, or a larger spindle.deceleration",
+        _ => "a shorter time",
+    }));
+}

@@ -1,0 +1,100 @@
+//! What the changeover of a spindle will do, in words: from which speeds on, how long it may take, what the drive must have.
+
+use super::limits::{ramp, rpm, window};
+use super::offered::{objects, one_of, settings};
+use crate::axis::{Axis, Bus, Changeover, Spindle};
+use crate::number::digits;
+use crate::parameters::time_text;
+use crate::parameters::words::{DriveSetting, Words};
+
+/// A line each.
+pub(crate) fn lines(axis: &Axis) -> Vec<String> {
+    let Some(spindle) = &axis.control.spindle else { return Vec::new() };
+    let mut lines = vec![speeds(spindle), who(spindle), brake(axis, spindle), lag(axis, spindle)];
+    if spindle.v_velocity_control_on == 0 {
+        let sensorless = "velocity control at every speed, as a spindle without a position sensor needs it: only M19, S[PUTAX], G74 and reset \
+                          lead to position control, from standstill";
+        lines.push(sensorless.to_owned());
+    }
+    if let Changeover::Drive { bus, velocity_mode, .. } = spindle.drive {
+        lines.extend(needs(bus, velocity_mode));
+    }
+    lines
+}
+
+/// 0.001 deg/s for people.
+fn speed(velocity: f64) -> String {
+    format!("{} rpm ({} deg/s)", rpm(velocity), digits(velocity / 1000.0))
+}
+
+fn speeds(spindle: &Spindle) -> String {
+    let [on, off] = [spindle.v_velocity_control_on, spindle.v_position_control_on].map(|of| speed(f64::from(of)));
+    let window = rpm(window(spindle.v_position_control_on, spindle.window));
+    format!("changeover: M3 and M4 above {on} lead to velocity control, back at {off} within {window} rpm")
+}
+
+fn who(spindle: &Spindle) -> String {
+    let timeout = time_text(spindle.mode_timeout_ns);
+    match spindle.drive {
+        Changeover::Cnc { .. } => {
+            "the CNC opens and closes its position loop, within a cycle; the drive stays in velocity control".to_owned()
+        }
+        Changeover::Drive { bus, position_mode, velocity_mode, .. } => {
+            let of = match bus {
+                Bus::Sercos => "SERCOS: 0 is S-0-0032, 1 to 3 are S-0-0033 to S-0-0035",
+                Bus::CanOpen => "CANopen: 6060h and 6061h",
+            };
+            format!(
+                "the drive changes from mode {position_mode}, position control, to mode {velocity_mode}, velocity control, and back, \
+                 within {timeout} each ({of})"
+            )
+        }
+    }
+}
+
+fn brake(axis: &Axis, spindle: &Spindle) -> String {
+    let largest = axis.ipc.v_max;
+    let ramp = ramp(largest, f64::from(spindle.v_position_control_on), spindle.deceleration);
+    format!(
+        "it brakes by {} rpm/s: from vb_max, {}, in {}, or it stops with an error after {}",
+        rpm(spindle.deceleration),
+        speed(largest),
+        time_text(ramp),
+        time_text(spindle.brake_timeout_ns)
+    )
+}
+
+/// The position lag (1 - w) v / Kv at the velocity at which position control is left, which tells whether the scaling is right.
+fn lag(axis: &Axis, spindle: &Spindle) -> String {
+    let (weight, whose) = match &spindle.drive {
+        Changeover::Cnc { feedforward, .. } => (feedforward.map_or(0.0, |of| of.value()), "of the CNC at 100 %"),
+        Changeover::Drive { feed_forward_v_weighting, .. } => {
+            (f64::from(*feed_forward_v_weighting) / 1000.0, "of the drive")
+        }
+    };
+    let largest = f64::from(spindle.v_velocity_control_on).min(axis.ipc.v_max);
+    let kv = f64::from(spindle.kv) / 100.0;
+    let lag = (1.0 - weight) * largest / 1000.0 / kv;
+    format!(
+        "position lag in position control at {} rpm: {} deg (Kv {}/s, feedforward {whose} {} %, {} delay cycles)",
+        rpm(largest),
+        digits(lag),
+        digits(kv),
+        digits(weight * 100.0),
+        spindle.delay_cycles
+    )
+}
+
+fn needs(bus: Bus, velocity_mode: i32) -> Vec<String> {
+    let of_telegram: Vec<String> =
+        objects(bus).iter().map(|(words, what)| format!("{} {what}", one_of(words))).collect();
+    let mut lines =
+        vec![format!("the drive must have in its cyclic telegram (process_data.objects): {}", of_telegram.join(", "))];
+    let settings = settings(bus, velocity_mode);
+    if !settings.is_empty() {
+        let setting = |(words, what): &(&[DriveSetting], &str)| format!("{} {what}", words[0].name());
+        let settings: Vec<String> = settings.iter().map(setting).collect();
+        lines.push(format!("and these settings (drive_settings; 010: bits 2 to 0): {}", settings.join(", ")));
+    }
+    lines
+}
