@@ -203,11 +203,6 @@ impl<'a> Effective<'a> {
         used.by.insert(self.block);
     }
 
-    /// What others than this block use, as below.
-    pub(crate) fn canonical_without(&self, block: &'static str) -> String {
-        let of_others = self.used.iter().filter(|(_, used)| used.by.iter().any(|by| *by != Some(block)));
-        of_others.map(|(key, used)| line(*key, used)).collect()
-    }
 
     /// What all blocks use: one `path value` a line, in the order of the table, independent of how it was written; and what each of
     /// some blocks uses.
