@@ -75,7 +75,7 @@ impl Model {
         told.extend(self.requests.take(inputs));
         let is_on = inputs.drive_on && !is_wrong;
         if inputs.reset {
-            self.reset(is_on);
+            self.reset();
         }
         let motion = if is_on { self.run(inputs, &mut told) } else { self.be_off(inputs, &mut told) };
         self.x = motion.position(self.x, &self.p);
@@ -109,11 +109,12 @@ impl Model {
         }
     }
 
-    fn reset(&mut self, is_on: bool) {
+    fn reset(&mut self) {
         self.requests.waiting.clear();
         self.reset_at = self.now;
         self.end_job();
-        if self.stays.take().is_some() && is_on {
+        // With the drive off the next lines of the cycle enter another one.
+        if self.stays.take().is_some() {
             self.enter(BRAKE, self.now);
         }
     }
@@ -286,7 +287,7 @@ impl Model {
     }
 
     fn is_slow(&self, inputs: &Inputs) -> bool {
-        is_velocity(inputs.v_actual) && inputs.v_actual.abs() <= self.p.v_off + self.p.window
+        inputs.v_actual.abs() <= self.p.v_off + self.p.window
     }
 
     fn displays(&self, inputs: &Inputs, mode: i32) -> bool {

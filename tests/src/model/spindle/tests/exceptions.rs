@@ -218,3 +218,46 @@ fn what_is_told_first() {
     assert_eq!(out.error_id, 44);
     assert_eq!(bench.once(|i| (i.m3, i.m4) = (true, true)).error_id, 44);
 }
+
+#[test]
+fn of_the_tests_the_first_is_told() {
+    let first = |v, display, x| {
+        let mut bench = Bench::drive();
+        bench.cycles(1);
+        bench.echoes = false;
+        let out = bench.once(|i| (i.v_interpolator, i.operation_mode_display, i.x_command) = (v, display, x));
+        (out.state, out.error_id)
+    };
+    assert_eq!(first(9e7, 9, 0.0), (POSITION, 44));
+    assert_eq!(first(0.0, 9, 0.0), (POSITION, 45));
+    assert_eq!(first(0.0, 8, 0.0), (POSITION, 46));
+    assert_eq!(first(0.0, 8, 100_000.0), (POSITION, 0));
+}
+
+#[test]
+fn brake_after_an_error_of_position_control_keeps_its_mode() {
+    let mut bench = Bench::drive().positioned();
+    assert_eq!(bench.once(|i| i.v_interpolator = 9e7).error_id, 44);
+    let out = bench.once(|i| i.reset = true);
+    assert_eq!((out.state, out.operation_mode, out.error_id), (BRAKE, 8, 0));
+}
+
+#[test]
+fn the_mode_goes_out_with_a_bad_sample_too() {
+    let mut bench = Bench::drive().positioned();
+    bench.inputs.v_interpolator = FAST;
+    bench.once(|i| (i.m3, i.s_word) = (true, FAST));
+    bench.cycle();
+    let out = bench.once(|i| i.x_command = f64::NAN);
+    assert_eq!((out.state, out.operation_mode, out.error_id), (TO_VELOCITY, 9, 17));
+}
+
+#[test]
+fn a_position_of_brake_is_forgotten_with_the_drive_off() {
+    let mut bench = Bench::drive().brake();
+    bench.inputs.v_actual = 0.0;
+    bench.cycles(3);
+    assert_eq!(bench.once(|i| i.drive_on = false).state, TO_POSITION);
+    bench.inputs.x_actual = 7.0;
+    assert!(same(bench.cycle().x_spindle, 7.0), "{:?}", bench.out);
+}

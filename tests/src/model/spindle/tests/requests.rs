@@ -129,3 +129,16 @@ fn velocity_serves_what_waited_for_it_one_a_cycle_until_it_has_to_leave() {
     assert_eq!(told(bench.cycle()), (2, 0, 4, 1));
     assert_eq!(told(bench.cycle()), (3, 0, 4, 1));
 }
+
+#[test]
+fn nothing_is_refused_with_a_reset() {
+    assert_eq!(after(|i| (i.reset, i.m3, i.m4, i.g74) = (true, true, true, true)), (0, 0, 0));
+}
+
+#[test]
+fn m3_is_a_request_again_while_m19_stays() {
+    let mut bench = Bench::drive().positioned();
+    bench.inputs.m19 = true;
+    assert_eq!((bench.cycle().job, bench.out.waiting), (2, 0));
+    assert_eq!((bench.once(|i| i.m3 = true).error_id, bench.out.waiting), (0, 1));
+}
