@@ -203,7 +203,6 @@ impl<'a> Effective<'a> {
         used.by.insert(self.block);
     }
 
-
     /// What all blocks use: one `path value` a line, in the order of the table, independent of how it was written; and what each of
     /// some blocks uses.
     pub(crate) fn canonical<const N: usize>(&self, blocks: [&'static str; N]) -> (String, [String; N]) {
