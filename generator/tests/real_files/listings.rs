@@ -1,4 +1,5 @@
-//! Every listing that the manuals print, as their text has it: accepted as it stands, or refused at the line with the reason.
+//! Every listing that the manuals print, as their text has it, and the parameters of a spindle with their printed defaults: accepted as they
+//! stand, or refused at the line with the reason.
 
 use super::{assert_transcript, read};
 use std::path::{Path, PathBuf};
