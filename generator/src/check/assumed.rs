@@ -8,7 +8,7 @@ use crate::{codes, config::values::key, diagnostics::Diagnostic, number::rounded
 pub(crate) fn is_told(name: Name, is_limited: bool) -> bool {
     let of_velocity = matches!(name, Name::VResoNum | Name::VResoDenom | Name::VTimeBase);
     let of_position = matches!(name, Name::MultiGainZ | Name::MultiGainN | Name::IncrPerRev | Name::ShiftTime);
-    of_velocity || of_position || name == Name::NbrDelayCycles || name == Name::VbMax && is_limited
+    of_velocity || of_position || name == Name::VbMax && is_limited
 }
 
 pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {

@@ -163,7 +163,7 @@ set.toml:4:49: warning[AX444]: `antr.sai_op_mode_change.v_velocity_control_on` (
     );
 }
 
-/// Kv, the largest velocity, the delay.
+/// Kv, the largest velocity.
 #[test]
 fn what_nobody_gave() {
     assert_transcript(
@@ -175,8 +175,6 @@ set.toml:2:7: warning[AX440]: `getriebe[0].dynamik.vb_max` (P-AXIS-00212) is not
     write instead: vb_max with the value of the machine
 set.toml:2:7: warning[AX431]: getriebe[0].kv (P-AXIS-00099) is not given: its default 1000 is used, 10/s
     write instead: the gain of the machine, in 0.01/s
-set.toml:2:7: warning[AX440]: `antr.nbr_delay_cycles` (P-AXIS-00191) is not given: 1 is assumed for the change to position control
-    write instead: nbr_delay_cycles with the cycles between a command and the actual value that it causes
 
 > kenngr.achs_typ = 4
 > kenngr.antr_typ = 'CANOPEN'

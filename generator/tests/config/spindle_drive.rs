@@ -217,7 +217,7 @@ set.toml:3:54: warning[AX429]: vorsteuer.global_disable (P-AXIS-00256) is TRUE: 
 
 > vorsteuer.vorsteuerung = 'ADD_VEL'
 > process_data.additive_velocity = 'INT32'
-set.toml:3:26: warning[AX445]: `vorsteuer.vorsteuerung` (P-AXIS-00223) has ADD_VEL: in velocity control the drive would get the velocity twice, and the change to position control does not count it
+set.toml:3:26: warning[AX445]: `vorsteuer.vorsteuerung` (P-AXIS-00223) has ADD_VEL: beside the block spindle the drive would get the velocity twice in velocity control, where spindle_axis puts out none, and the change to position control does not count it
     write instead: G137 while `loop_closed` is FALSE, or the feedforward of the drive (P-AXIS-00833)
 
 > vorsteuer.vorsteuerung = 'ADD_VEL'
@@ -225,7 +225,7 @@ set.toml:3:26: warning[AX445]: `vorsteuer.vorsteuerung` (P-AXIS-00223) has ADD_V
 > antr.sai_op_mode_change.feed_forward_v_weighting = 500
 set.toml:5:52: warning[AX423]: the drive feeds 50 % of the velocity forward itself (P-AXIS-00766), and the CNC does too: the axis leads
     write instead: feedforward in one of the two
-set.toml:3:26: warning[AX445]: `vorsteuer.vorsteuerung` (P-AXIS-00223) has ADD_VEL: in velocity control the drive would get the velocity twice, and the change to position control does not count it
+set.toml:3:26: warning[AX445]: `vorsteuer.vorsteuerung` (P-AXIS-00223) has ADD_VEL: beside the block spindle the drive would get the velocity twice in velocity control, where spindle_axis puts out none, and the change to position control does not count it
     write instead: G137 while `loop_closed` is FALSE, or the feedforward of the drive (P-AXIS-00833)
 
 > antr.feed_forward_v_weighting = 1000
@@ -256,12 +256,12 @@ fn feedforward_in_the_cnc() {
 
 > vorsteuer.vorsteuerung = 'ADD_VEL'
 > process_data.additive_velocity = 'INT32'
-set.toml:3:26: warning[AX445]: `vorsteuer.vorsteuerung` (P-AXIS-00223) has ADD_VEL: in velocity control the drive would get the velocity twice
+set.toml:3:26: warning[AX445]: `vorsteuer.vorsteuerung` (P-AXIS-00223) has ADD_VEL: beside the block spindle the drive would get the velocity twice in velocity control, where spindle_axis puts out none
     write instead: G137 while `loop_closed` is FALSE, or VEL
 
 > vorsteuer = { vorsteuerung = 'ADD_VEL', default_active = true }
 > process_data.additive_velocity = 'INT32'
-set.toml:3:30: warning[AX445]: `vorsteuer.vorsteuerung` (P-AXIS-00223) has ADD_VEL: in velocity control the drive would get the velocity twice
+set.toml:3:30: warning[AX445]: `vorsteuer.vorsteuerung` (P-AXIS-00223) has ADD_VEL: beside the block spindle the drive would get the velocity twice in velocity control, where spindle_axis puts out none
     write instead: vorsteuer.default_active FALSE, and G137 while `loop_closed` is FALSE, or VEL
 ",
     );

@@ -81,7 +81,7 @@ fn the_lag_of_the_other_examples() {
     assert_eq!(
         lag(&in_cnc("vorsteuer.vorsteuerung = 'VEL'"))[..],
         *"without feedforward the position lag at 200 rpm must be 12 deg, within 1 %: else P-AXIS-00129/00128 do not scale the \
-          velocity command as the drive does (Kv 100/s, 1 delay cycles)"
+          velocity command as the drive does (Kv 100/s)"
     );
 }
 

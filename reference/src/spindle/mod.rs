@@ -225,7 +225,8 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     if inputs.reset {
         reset(state, inputs.drive_on);
     }
-    if inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns {
+    let is_wrong = inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns;
+    if is_wrong && state.lasting_error == error_none() {
         state.lasting_error = error_cycle_time();
     }
     if !inputs.drive_on {

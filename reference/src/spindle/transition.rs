@@ -75,7 +75,7 @@ pub fn position<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inpu
         } else {
             state.takes_over = false;
             track(state, inputs);
-            if turns_fast(&state.present, coeffs, inputs.v_interpolator) {
+            if turns_fast(&state.present, coeffs, inputs.v_interpolator) && !inputs.reset {
                 note("POSITION -> TO_VELOCITY: M3 or M4 with more than Von, and Von is reached");
                 enter(state, SpindleState::ToVelocity);
             }

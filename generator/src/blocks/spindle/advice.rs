@@ -11,7 +11,6 @@ use crate::{blocks::position_control::advice::fits, codes, design::scale, diagno
 /// Says what a user would want to know before the spindle turns.
 pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     let Some(spindle) = &axis.control.spindle else { return };
-    delay(e);
     never(axis, spindle, gear, e);
     adds(axis, spindle, e);
     no_effect(spindle, e);
@@ -21,18 +20,6 @@ pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
         let scaling = (scale::velocity(velocity, axis.cycle_time_ns), velocity.width);
         fits(axis, e, keys, ("the velocity command at vb_max", axis.ipc.v_max), scaling);
     }
-}
-
-/// A delay that nobody gave, of position control in the CNC.
-fn delay(e: &mut Effective<'_>) {
-    let at = key(Name::NbrDelayCycles);
-    if e.given(at).is_some() {
-        return;
-    }
-    let found = format!("{} is not given: 1 is assumed for the change to position control", e.title(at));
-    let said = Diagnostic::warning(codes::ASSUMED, e.place_near(at, asks), found);
-    e.report
-        .push(said.instead("nbr_delay_cycles with the cycles between a command and the actual value that it causes"));
 }
 
 /// A velocity that the spindle does not have, or that nobody gave.
@@ -67,7 +54,7 @@ fn never(axis: &Axis, spindle: &Spindle, gear: u32, e: &mut Effective<'_>) {
     e.report.push(diagnostic.instead("v_velocity_control_on with a speed of the spindle: 200 rpm are 1200000"));
 }
 
-/// In velocity control an additive velocity would come on top of the velocity command.
+/// In velocity control an additive velocity would come on top of the velocity command; the block of the whole axis puts out none then.
 fn adds(axis: &Axis, spindle: &Spindle, e: &mut Effective<'_>) {
     let adds = |of: &&Feedforward| of.additive.velocity && !of.global_disable;
     let Some(feedforward) = axis.control.feedforward.as_ref().filter(adds) else { return };
@@ -78,8 +65,11 @@ fn adds(axis: &Axis, spindle: &Spindle, e: &mut Effective<'_>) {
             (", and the change to position control does not count it", "the feedforward of the drive (P-AXIS-00833)")
         }
     };
-    let found =
-        format!("{} has ADD_VEL: in velocity control the drive would get the velocity twice{counted}", e.title(mode));
+    let found = format!(
+        "{} has ADD_VEL: beside the block spindle the drive would get the velocity twice in velocity control, where spindle_axis puts out \
+             none{counted}",
+        e.title(mode)
+    );
     // P-AXIS-00255 wins over G137.
     let first = if feedforward.default_active { "vorsteuer.default_active FALSE, and " } else { "" };
     let instead = format!("{first}G137 while `loop_closed` is FALSE, or {other}");

@@ -77,7 +77,7 @@ pub(crate) fn check(
     let window = e.real(key(Name::SpindleWindow));
     let takeover_window = e.real(key(Name::SpindleTakeoverWindow));
     let (changeover, delay_cycles) = if drive.location == Location::Cnc {
-        (Some(in_cnc(e, feedforward)), delay_in_cnc(e))
+        (Some(in_cnc(e, feedforward)), Some(0))
     } else {
         (in_drive::check(e, drive.location, feedforward), in_drive::delay_cycles(e))
     };
@@ -85,8 +85,7 @@ pub(crate) fn check(
     if let (true, Some(ns), Some(velocities), Some(window)) = (is_in_drive, cycle_time, &velocities, window) {
         limits::half_a_revolution(e, ns, velocities, window);
     }
-    let waited_for = if is_in_drive { delay_cycles } else { Some(0) };
-    let mode_timeout_ns = limits::mode_timeout(e, cycle_time, waited_for);
+    let mode_timeout_ns = limits::mode_timeout(e, cycle_time, delay_cycles);
     let brake_timeout_ns = limits::brake_timeout(e, cycle_time, velocities.as_ref(), deceleration);
     let velocities = velocities?;
     Some(Spindle {
@@ -112,13 +111,4 @@ fn in_cnc(e: &mut Effective<'_>, feedforward: Option<&Feedforward>) -> Changeove
     let names = [Name::FeedforwardMode, Name::VsVFaktor, Name::VsVNenner, Name::DefaultActive, Name::GlobalDisable];
     drive::note(e, &names);
     Changeover::Cnc { feedforward: Some(of.weight), default_active: of.default_active }
-}
-
-/// Cycles between command and actual value (P-AXIS-00191); within the CNC one is usual.
-fn delay_in_cnc(e: &mut Effective<'_>) -> Option<u32> {
-    let delay = key(Name::NbrDelayCycles);
-    if e.given(delay).is_none() {
-        e.adopt(delay, Value::Integer(1));
-    }
-    e.integer(delay)
 }

@@ -28,7 +28,7 @@ pub(crate) fn coefficients(axis: &Axis) -> Coeffs<f64> {
         window: window(of.v_position_control_on, of.window),
         v_step: of.deceleration * cycle_time,
         v_half_turn: half_turn(axis),
-        lead_time: f64::from(lead_cycles(of)) * cycle_time + (1.0 - weight(of)) / kv(of),
+        lead_time: f64::from(of.delay_cycles + 1) * cycle_time + (1.0 - weight(of)) / kv(of),
         takeover_window: of.takeover_window,
         mode_cycles: cycles(of.mode_timeout_ns, axis),
         brake_cycles: cycles(of.brake_timeout_ns, axis),
@@ -62,14 +62,6 @@ pub(crate) fn weight(of: &Spindle) -> f64 {
     match of.drive {
         Changeover::Cnc { .. } => 0.0,
         Changeover::Drive { feed_forward_v_weighting, .. } => f64::from(feed_forward_v_weighting) / 1000.0,
-    }
-}
-
-/// Cycles by which the position command leads the actual position, beside the lag.
-pub(crate) fn lead_cycles(of: &Spindle) -> u32 {
-    match of.drive {
-        Changeover::Cnc { .. } => 1,
-        Changeover::Drive { .. } => of.delay_cycles + 1,
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::super::feedforward::notes::{of_velocity, of_width};
 use super::super::ipc::notes::{cycle_time, note};
-use super::design::{kv, lead_cycles, weight};
+use super::design::{kv, weight};
 use super::limits::{ramp, window};
 use crate::axis::{Axis, Changeover};
 use crate::number::digits;
@@ -17,7 +17,7 @@ pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
     let window = window(of.v_position_control_on, of.window);
     let lead = format!(
         "{} cycles (P-AXIS-00191) and {} / Kv, Kv = {}/s (P-AXIS-00099)",
-        lead_cycles(of),
+        of.delay_cycles + 1,
         digits(1.0 - weight(of)),
         digits(kv(of))
     );

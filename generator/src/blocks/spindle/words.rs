@@ -77,7 +77,7 @@ fn lag(axis: &Axis, spindle: &Spindle) -> String {
     match &spindle.drive {
         Changeover::Cnc { .. } => format!(
             "without feedforward the position lag at {speed} rpm must be {} deg, within 1 %: else P-AXIS-00129/00128 do not scale the velocity \
-             command as the drive does (Kv {kv}/s, {cycles} delay cycles)",
+             command as the drive does (Kv {kv}/s)",
             lag(0.0)
         ),
         Changeover::Drive { bus, feed_forward_v_weighting, .. } => {
