@@ -20,7 +20,7 @@ pub fn agree(p: &Parameters, seed: u64, cycles: usize, block: impl FnMut(&Inputs
 /// As [`agree`].
 pub fn compare(p: &Parameters, history: &[Inputs], mut block: impl FnMut(&Inputs) -> Outputs) -> Result<(), String> {
     let mut model = Model::new(p);
-    let mut before = Outputs::start(p);
+    let mut before = Outputs::START;
     for (cycle, inputs) in history.iter().enumerate() {
         let (expected, found) = (model.cycle(inputs), block(inputs));
         if let Some(text) = difference(p, &expected, &found) {
@@ -50,7 +50,7 @@ pub fn difference(p: &Parameters, expected: &Outputs, found: &Outputs) -> Option
     // Both on the circle and not beyond it; a fast spindle's position is a sum of its steps.
     let is_on_circle = (0.0..TURN).contains(&f.x_spindle);
     let angle = if is_on_circle { near(e.x_spindle - f.x_spindle).abs() } else { f64::NAN };
-    integer("state", e.state.into(), f.state.into())
+    integer("spindle_state", e.spindle_state.into(), f.spindle_state.into())
         .or_else(|| integer("error_id", e.error_id.into(), f.error_id.into()))
         .or_else(|| flag("fault", e.fault, f.fault))
         .or_else(|| flag("loop_closed", e.loop_closed, f.loop_closed))

@@ -18,7 +18,7 @@ pub enum Habit {
     Late,
     /// does not display another mode
     Silent,
-    /// displays something else now and then
+    /// displays something else now and then, for some cycles
     Flickering,
     Off,
 }
@@ -38,6 +38,8 @@ pub struct Drive {
     answers_after: u32,
     /// cycles until it goes off or on
     left: usize,
+    /// displays something else for some cycles
+    lapse: Option<(i32, usize)>,
 }
 
 /// What a drive tells.
@@ -63,6 +65,7 @@ impl Drive {
             asked_for: 0,
             answers_after: 3,
             left: 0,
+            lapse: None,
         }
     }
 
@@ -86,7 +89,7 @@ impl Drive {
         let is_off = self.habit == Habit::Off && self.left > 0;
         self.left = self.left.saturating_sub(1);
         let is_in_position = match p.in_cnc {
-            true => matches!(block.state, POSITION | TO_VELOCITY | TO_POSITION),
+            true => matches!(block.spindle_state, POSITION | TO_VELOCITY | TO_POSITION),
             false => self.displayed == p.position_mode,
         };
         let lag = near(block.x_spindle - self.x);
@@ -118,9 +121,12 @@ impl Drive {
                 self.displayed = block.operation_mode;
             }
         }
-        let flickers = self.habit == Habit::Flickering && rng.chance(3);
-        let mode =
-            if flickers { *rng.pick(&[-1, 0, p.position_mode, p.velocity_mode, i32::MAX]) } else { self.displayed };
+        self.lapse = self.lapse.and_then(|(mode, left)| Some((mode, left.checked_sub(1)?)));
+        if self.lapse.is_none() && self.habit == Habit::Flickering && rng.chance(2) {
+            let mode = *rng.pick(&[-1, 0, p.position_mode, p.velocity_mode, i32::MAX]);
+            self.lapse = Some((mode, *rng.pick(&[0, 0, 1, 2, 2, 3, 4])));
+        }
+        let mode = self.lapse.map_or(self.displayed, |(mode, _)| mode);
         Told { x: self.x, v: self.v * (1.0 + 0.001 * uniform(rng)), mode, is_on: !is_off }
     }
 }

@@ -3,7 +3,7 @@
 use super::drives::{Drive, uniform};
 use super::interpolator::{Interpolator, bad};
 use super::motion::TURN;
-use super::{Inputs, Model, Outputs, POSITION, Parameters};
+use super::{Inputs, Model, Outputs, POSITION, Parameters, TO_VELOCITY};
 use crate::random::rng::Rng;
 use std::collections::VecDeque;
 
@@ -12,7 +12,7 @@ use std::collections::VecDeque;
 pub fn history(seed: u64, cycles: usize, p: &Parameters) -> Vec<Inputs> {
     let mut source = Source::new(p, Rng::new(seed));
     let mut model = Model::new(p);
-    let mut block = Outputs::start(p);
+    let mut block = Outputs::START;
     (0..cycles)
         .map(|_| {
             let inputs = source.advance(p, &block);
@@ -39,11 +39,15 @@ struct Source {
     interpolator: Interpolator,
     /// mistakes in 1000 cycles, of each kind
     mistakes: usize,
+    /// the same of a wrong cycle, in the first one
+    wrong_cycles: usize,
     /// cycles between two requests
     gap: usize,
     presses: VecDeque<Press>,
     /// cycles until the drive has another habit
     left: usize,
+    /// a sample that is none for some cycles: which, what, how long
+    gone: Option<(usize, f64, usize)>,
     last: Inputs,
 }
 
@@ -51,10 +55,11 @@ impl Source {
     fn new(p: &Parameters, mut rng: Rng) -> Self {
         let (drive, interpolator) = (Drive::new(p, &mut rng), Interpolator::new(p, &mut rng));
         let mistakes = *rng.pick(&[0, 0, 2, 10, 40, 150]);
-        let gap = *rng.pick(&[10, 40, 100, 400]);
+        let wrong_cycles = if rng.chance(5) { 40_000 } else { 0 };
+        let gap = *rng.pick(&[10, 40, 100, 200]);
         let last = Inputs { drive_on: true, ..Inputs::START };
         let left = rng.below(400);
-        Self { rng, drive, interpolator, mistakes, gap, presses: VecDeque::new(), left, last }
+        Self { rng, drive, interpolator, mistakes, wrong_cycles, gap, presses: VecDeque::new(), left, gone: None, last }
     }
 
     fn advance(&mut self, p: &Parameters, block: &Outputs) -> Inputs {
@@ -91,8 +96,13 @@ impl Source {
                 self.presses.pop_front();
             }
         }
-        // A spindle with an error waits for somebody who comes.
-        let resets = if block.error_id > 40 { 30 } else { self.mistakes.min(3) + 1 };
+        // A spindle with an error, or with a job that does not end, waits for somebody who comes.
+        let resets = match block.waiting {
+            _ if block.fault => 30,
+            4 => 15,
+            _ if changes(p, block) => 6 * self.mistakes.min(3) + 1,
+            _ => self.mistakes.min(3) + 1,
+        };
         inputs.reset = rng.below(1000) < resets || (self.last.reset && rng.chance(60));
         self.last.reset = inputs.reset;
         self.mistake(p, block, &mut inputs);
@@ -100,7 +110,7 @@ impl Source {
     }
 
     fn mistake(&mut self, p: &Parameters, block: &Outputs, inputs: &mut Inputs) {
-        let (rng, mistakes) = (&mut self.rng, self.mistakes);
+        let (rng, mistakes, wrong_cycles) = (&mut self.rng, self.mistakes, &mut self.wrong_cycles);
         let samples = [
             &mut inputs.x_command,
             &mut inputs.v_interpolator,
@@ -109,18 +119,36 @@ impl Source {
             &mut inputs.s_word,
             &mut inputs.s_position,
         ];
-        // States that are short.
-        let changes = block.job == 1 && block.v_spindle.abs() > 0.98 * p.v_on;
-        let more = usize::from(block.state != POSITION || changes) * mistakes;
+        let more = usize::from(block.spindle_state != POSITION || changes(p, block)) * 2 * mistakes;
         for sample in samples {
             if rng.below(4000) < mistakes + more {
                 *sample = bad(p, rng);
             }
         }
-        if rng.below(4000) < mistakes {
+        if self.gone.is_none() && rng.below(12_000) < mistakes + more {
+            let value = *rng.pick(&[f64::NAN, f64::INFINITY, -1.1e15]);
+            self.gone = Some((rng.below(4), value, rng.between(1, 6)));
+        }
+        if let Some((which, value, left)) = self.gone {
+            match which {
+                0 => inputs.x_command = value,
+                1 => inputs.v_interpolator = value,
+                2 => inputs.x_actual = value,
+                _ => inputs.v_actual = value,
+            }
+            self.gone = (left > 1).then_some((which, value, left - 1));
+            if self.gone.is_none() && rng.chance(30) {
+                self.interpolator.jump(p, rng);
+            }
+        }
+        // An error that stays: rarely.
+        if rng.below(40_000) < mistakes + *wrong_cycles {
+            *wrong_cycles = 0;
             inputs.task_cycle_ns = *rng.pick(&[1, p.cycle_ns + 1, p.cycle_ns - 1, u32::MAX]);
         }
-        if rng.below(4000) < mistakes {
+        // More often while no other request has a place.
+        let full = usize::from(block.waiting == 4) * 20 * mistakes;
+        if rng.below(8000) < mistakes + more + full {
             inputs.drive_on = false;
         }
         if rng.below(4000) < mistakes {
@@ -134,24 +162,38 @@ impl Source {
         if !self.presses.is_empty() || rng.below(self.gap) != 0 {
             return;
         }
+        let mut held = [false; 6];
         for _ in 0..*rng.pick(&[1, 1, 1, 2, 6]) {
-            let press = press(p, rng);
+            let mut press = press(p, rng);
+            // One is pressed while others are held.
+            press.levels.iter_mut().zip(held).for_each(|(level, held)| *level |= held);
             let released = Press { levels: [false; 6], held: rng.between(1, 3), ..press };
-            self.presses.extend([press, released]);
+            self.presses.push_back(press);
+            held = if rng.chance(20) { press.levels } else { released.levels };
+            if held == released.levels {
+                self.presses.push_back(released);
+            }
         }
     }
+}
+
+/// Short: the spindle turns for a change of the mode, or changes it.
+fn changes(p: &Parameters, block: &Outputs) -> bool {
+    block.spindle_state == TO_VELOCITY
+        || block.spindle_state == POSITION && block.job == 1 && block.v_spindle.abs() > 0.98 * p.v_on
 }
 
 fn press(p: &Parameters, rng: &mut Rng) -> Press {
     const M3: [bool; 6] = [true, false, false, false, false, false];
     const M4: [bool; 6] = [false, true, false, false, false, false];
+    const M3_M4: [bool; 6] = [true, true, false, false, false, false];
     const M5: [bool; 6] = [false, false, true, false, false, false];
     const M19: [bool; 6] = [false, false, false, true, false, false];
     const M19_M3: [bool; 6] = [true, false, false, true, false, false];
     const M19_M4: [bool; 6] = [false, true, false, true, false, false];
     const PUTAX: [bool; 6] = [false, false, false, false, true, false];
     const G74: [bool; 6] = [false, false, false, false, false, true];
-    let usual = [M3, M3, M3, M3, M4, M4, M4, M4, M5, M19, M19_M3, M19_M4, PUTAX, G74];
+    let usual = [M3, M3, M3, M3, M4, M4, M4, M4, M3_M4, M5, M19, M19_M3, M19_M4, PUTAX, G74];
     let any = std::array::from_fn(|_| rng.chance(40));
     let fast = if p.v_on > 0.0 { p.v_on } else { 600_000.0 };
     let other = uniform(rng) * 3.0;

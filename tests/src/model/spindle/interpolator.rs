@@ -48,7 +48,7 @@ impl Interpolator {
             self.done = false;
             self.left = (!rng.chance(5)).then(|| rng.between(0, 30));
         }
-        match block.state {
+        match block.spindle_state {
             TO_POSITION => {
                 (self.x, self.v) = (block.x_spindle, block.v_spindle);
                 self.ramp(p, block);
@@ -65,14 +65,19 @@ impl Interpolator {
             BRAKE => (self.x, self.v) = (block.x_spindle, block.v_spindle),
             _ => {}
         }
-        let has_no_say = matches!(block.state, BRAKE | TO_POSITION | VELOCITY);
+        let has_no_say = matches!(block.spindle_state, BRAKE | TO_POSITION | VELOCITY);
         // In VELOCITY its position, elsewhere both; the block may have left that state in the meantime.
-        if self.is_loose && has_no_say && block.state != TO_POSITION {
+        if self.is_loose && has_no_say && block.spindle_state != TO_POSITION {
             let x = *rng.pick(&[f64::NAN, 1e300, 0.0, 123_456.0]);
-            let v = if block.state == VELOCITY { self.v } else { *rng.pick(&[f64::NAN, 0.0, 1e14]) };
+            let v = if block.spindle_state == VELOCITY { self.v } else { *rng.pick(&[f64::NAN, 0.0, 1e14]) };
             return Told { x, v, done: self.done };
         }
         Told { x: self.x + self.turns * TURN, v: self.v, done: self.done }
+    }
+
+    /// Is somewhere else, as after a jump that nobody has seen.
+    pub fn jump(&mut self, p: &Parameters, rng: &mut Rng) {
+        self.x += *rng.pick(&[1.2, -1.2, 0.7]) * p.takeover_window;
     }
 
     /// A cycle of the job.

@@ -1,9 +1,10 @@
 //! An independent model of the block `spindle`, in plain double precision: written from `docs/spindle.md`, and nothing of the
 //! block may be copied into it.
 //!
-//! It is no state machine of counters. The model numbers its cycles and keeps a log of when which state was entered; times are
-//! differences of numbers of cycles. A cycle first collects what is wrong ([`Model::cycle`]), then chooses one motion
-//! ([`motion::Motion`]), then appends to the log what is next. Requests are a queue ([`requests`]). Angles are remainders.
+//! It is no state machine of counters. The model numbers its cycles and keeps a log of when which state was entered, and where; times
+//! and "in a row" are differences of numbers of cycles. A cycle ([`Model::cycle`]) first collects what is wrong, then what the state
+//! would change to, then chooses one motion ([`motion::Motion`]), then appends to the log. Requests are a queue ([`requests`]). Angles
+//! are remainders.
 //!
 //! # What is compared ([`agree`])
 //!
@@ -14,25 +15,24 @@
 //!
 //! # What the model took where the page leaves a choice
 //!
-//! 1. Several errors in one cycle: one that stays is told, else the first in the order of the page. Of 32 to 35 only the
-//!    first is one.
-//! 2. A request that is the only one of its cycle and is refused (32 to 35) does not let another one of that cycle in.
-//!    `m3` and `m4` that become TRUE together are error 32, not 31.
-//! 3. The direction of M19 is the level of `m4` in the cycle in which `m19` becomes TRUE; in later cycles `m3` and `m4` are
-//!    requests although `m19` is still TRUE.
-//! 4. `operation_mode` changes in TO_VELOCITY and TO_POSITION, and with the drive off, nowhere else: BRAKE after a reset in POSITION keeps the
-//!    mode of position control.
-//! 5. Requests that change a job in a cycle are seen in this cycle's `job`, `job_number`, `waiting`; `state` is the one before the
-//!    change.
-//! 6. The first cycle of a state is cycle 1; the error of the time comes in cycle N + 1, also where a sample is bad in it.
-//! 7. With a bad sample there are no tests 44 to 46, and no state changes; a request is served, for no error stays. The mode is put out.
-//!    The test 46 stays due until there is a cycle of POSITION with good samples.
-//! 8. BRAKE is an exception: it brakes on with a bad `v_actual` or `x_actual`.
-//! 9. BRAKE integrates its position with the new velocity.
-//! 10. A request that begins in a cycle is tested by that cycle's BRAKE of VELOCITY, and served in that cycle.
-//! 11. STOP of BRAKE is a new job, also where the job is STOP.
-//! 12. `loop_closed` is FALSE with any `fault`, a refused request too.
-//! 13. `feedforward_percentage` counts within 0 to 100, as in the block `feedforward`.
+//! 1. The first cycle, in which no request counts, is the first one of all, not the first one after the drive was off.
+//! 2. An error that stays is not replaced by another one: a wrong cycle while 45 stays tells 45.
+//! 3. Error 1 is none of those that ask for the mode of TO_VELOCITY and TO_POSITION in their own cycle: the mode is that of the cycle
+//!    before, and 0 in the first cycle of all.
+//! 4. A cycle that misses a sample, of whatever signal, makes no other test: not half a turn, not the take-over. Of 44, 46 and
+//!    41 the first in this order is told.
+//! 5. "No sample is missing" means the missing samples of POSITION, TO_VELOCITY and VELOCITY: neither 23 in BRAKE nor 18 in BRAKE and at the
+//!    start keeps 42 and 43 away.
+//! 6. Error 23 is told in each cycle of BRAKE, also while v_spindle is too high itself. The 3 cycles are counted from the first one
+//!    of BRAKE, whose cycle before is one of another state, or of the error that stayed.
+//! 7. A reset in the cycle in which POSITION changes to TO_VELOCITY lets it change: the job ends behind the state, and nothing
+//!    is remembered, for the state is POSITION.
+//! 8. "In VELOCITY only STOP and TURN are served" is about the next state, in the last cycle of TO_VELOCITY too.
+//! 9. Jobs are served in cycles that miss samples.
+//! 10. Requests wait while an error stays.
+//! 11. The fourth cycle without a sample tells its own error, whatever the three before it missed.
+//! 12. A reset that lasts and a wrong cycle: BRAKE from the beginning in each cycle, with error 1.
+//! 13. `velocity_command` is rounded half away from zero, as process data are elsewhere.
 
 pub mod agree;
 pub mod cycle;
@@ -50,15 +50,15 @@ pub use cycle::Model;
 pub use history::history;
 pub use parameters::Parameters;
 
-/// Output `state`.
+/// Output `spindle_state`.
 pub const POSITION: i32 = 0;
-/// Output `state`.
+/// Output `spindle_state`.
 pub const TO_VELOCITY: i32 = 1;
-/// Output `state`.
+/// Output `spindle_state`.
 pub const VELOCITY: i32 = 2;
-/// Output `state`.
+/// Output `spindle_state`.
 pub const BRAKE: i32 = 3;
-/// Output `state`.
+/// Output `spindle_state`.
 pub const TO_POSITION: i32 = 4;
 
 /// One cycle's inputs.
@@ -113,7 +113,7 @@ impl Inputs {
 /// One cycle's outputs. With position control in the CNC `operation_mode`, `velocity_command` and `limited` are 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outputs {
-    pub state: i32,
+    pub spindle_state: i32,
     pub loop_closed: bool,
     pub x_spindle: f64,
     pub v_spindle: f64,
@@ -131,23 +131,20 @@ pub struct Outputs {
 
 impl Outputs {
     /// As they start.
-    #[must_use]
-    pub fn start(p: &Parameters) -> Self {
-        Self {
-            state: TO_POSITION,
-            loop_closed: false,
-            x_spindle: 0.0,
-            v_spindle: 0.0,
-            operation_mode: if p.in_cnc { 0 } else { p.position_mode },
-            velocity_command: 0,
-            job: 0,
-            job_number: 0,
-            job_speed: 0.0,
-            job_position: 0.0,
-            waiting: 0,
-            limited: false,
-            fault: false,
-            error_id: 0,
-        }
-    }
+    pub const START: Self = Self {
+        spindle_state: TO_POSITION,
+        loop_closed: false,
+        x_spindle: 0.0,
+        v_spindle: 0.0,
+        operation_mode: 0,
+        velocity_command: 0,
+        job: 0,
+        job_number: 0,
+        job_speed: 0.0,
+        job_position: 0.0,
+        waiting: 0,
+        limited: false,
+        fault: false,
+        error_id: 0,
+    };
 }

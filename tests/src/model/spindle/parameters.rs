@@ -78,7 +78,8 @@ impl Parameters {
         let v_off = *rng.pick(&[1.0, 0.25, 0.5, 0.0]) * v_on;
         let in_cnc = rng.chance(40);
         let fast: f64 = if v_on > 0.0 { v_on } else { 600_000.0 };
-        let cycles_of_braking = *rng.pick(&[10.0, 60.0, 200.0]);
+        // No whole number of steps from Von to Voff: whether one is left would be a matter of rounding.
+        let cycles_of_braking = *rng.pick(&[10.03, 60.07, 200.17]);
         let small = |rng: &mut Rng, largest| u32::try_from(rng.between(1, largest)).expect("small");
         Self {
             cycle,

@@ -32,7 +32,7 @@ pub struct Request {
 }
 
 impl Request {
-    /// Of a reset, of BRAKE, of an error.
+    /// Of a reset, of BRAKE, of an error that stays, of a drive that is off.
     pub const STOP: Self = Self { kind: Kind::Stop, speed: 0.0, target: 0.0 };
 }
 
@@ -42,26 +42,30 @@ const PLACES: usize = 4;
 /// The inputs of the cycle before, and the requests that wait.
 #[derive(Clone, Debug, Default)]
 pub struct Requests {
-    levels: [bool; 6],
+    /// none before the first cycle
+    levels: Option<[bool; 6]>,
     pub waiting: VecDeque<Request>,
 }
 
 impl Requests {
-    /// Takes a cycle's inputs: the errors, in the order of the page.
-    pub fn take(&mut self, inputs: &Inputs) -> Vec<u32> {
+    /// Takes a cycle's inputs.
+    ///
+    /// # Errors
+    /// What was refused, or else that a request was lost.
+    pub fn take(&mut self, inputs: &Inputs) -> Result<(), u32> {
         let levels = [inputs.g74, inputs.putax, inputs.m19, inputs.m5, inputs.m3, inputs.m4];
-        let before = std::mem::replace(&mut self.levels, levels);
+        let before = self.levels.replace(levels).unwrap_or(levels);
         if inputs.reset {
-            return Vec::new();
+            return Ok(());
         }
         let [g74, putax, m19, m5, m3, m4] = std::array::from_fn(|index| levels[index] && !before[index]);
         let turn = !m19 && (m3 || m4);
         let ranking =
             [(g74, Kind::Home), (putax, Kind::Release), (m19, Kind::Position), (m5, Kind::Stop), (turn, Kind::Turn)];
         let mut counting = ranking.into_iter().filter_map(|(became_true, kind)| became_true.then_some(kind));
-        let Some(first) = counting.next() else { return Vec::new() };
-        let too_many = counting.next().map(|_| 31);
-        too_many.into_iter().chain(self.admit(first, inputs).err()).collect()
+        let Some(first) = counting.next() else { return Ok(()) };
+        self.admit(first, inputs)?;
+        if counting.next().is_some() { Err(31) } else { Ok(()) }
     }
 
     /// Puts a request behind those that wait, or refuses it.
@@ -72,6 +76,7 @@ impl Requests {
             (has_speed && inputs.m3 && inputs.m4, 32),
             (has_speed && !is_velocity(inputs.s_word), 33),
             (has_target && !is_position(inputs.s_position), 34),
+            (!inputs.drive_on, 36),
             (self.waiting.len() >= PLACES, 35),
         ];
         if let Some((_, id)) = refusals.into_iter().find(|(is_refused, _)| *is_refused) {

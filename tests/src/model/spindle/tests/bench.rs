@@ -21,7 +21,7 @@ impl Bench {
     /// Before the first cycle, at 100 deg.
     pub fn new(p: &Parameters) -> Self {
         let inputs = Inputs { drive_on: true, x_actual: 100_000.0, x_command: 100_000.0, ..Inputs::START };
-        Self { p: p.clone(), model: Model::new(p), inputs, out: Outputs::start(p), echoes: true }
+        Self { p: p.clone(), model: Model::new(p), inputs, out: Outputs::START, echoes: true }
     }
 
     pub fn drive() -> Self {
@@ -67,12 +67,12 @@ impl Bench {
     /// The cycle before the first one of POSITION has passed; the interpolator stays with the spindle.
     pub fn positioned(mut self) -> Self {
         for _ in 0..5000 {
-            if self.cycle().state == POSITION {
+            if self.cycle().spindle_state == POSITION {
                 break;
             }
             self.inputs.x_command = self.out.x_spindle + self.out.v_spindle * self.p.cycle;
         }
-        assert_eq!((self.out.state, self.out.error_id), (POSITION, 0));
+        assert_eq!((self.out.spindle_state, self.out.error_id), (POSITION, 0));
         self
     }
 
@@ -82,14 +82,14 @@ impl Bench {
         bench.inputs.v_interpolator = FAST;
         bench.once(|i| (i.m3, i.s_word) = (true, FAST));
         bench.cycles(2);
-        assert_eq!((bench.out.state, bench.out.job), (TO_VELOCITY, 1));
+        assert_eq!((bench.out.spindle_state, bench.out.job), (TO_VELOCITY, 1));
         bench
     }
 
     /// The first cycle of VELOCITY has passed.
     pub fn velocity(self) -> Self {
         let mut bench = self.changing();
-        bench.until(|out| out.state == VELOCITY);
+        bench.until(|out| out.spindle_state == VELOCITY);
         (bench.inputs.v_actual, bench.inputs.x_command) = (FAST, f64::NAN);
         bench
     }
@@ -100,7 +100,7 @@ impl Bench {
         bench.once(|i| (i.m19, i.s_word, i.s_position) = (true, 60_000.0, 180_000.0));
         bench.inputs.v_interpolator = f64::NAN;
         bench.cycle();
-        assert_eq!((bench.out.state, bench.out.job, bench.out.waiting), (BRAKE, 0, 1));
+        assert_eq!((bench.out.spindle_state, bench.out.job, bench.out.waiting), (BRAKE, 0, 1));
         bench
     }
 
@@ -108,7 +108,7 @@ impl Bench {
     pub fn back(self) -> Self {
         let mut bench = self.brake();
         (bench.echoes, bench.inputs.v_actual) = (false, bench.p.v_off);
-        bench.until(|out| out.state == TO_POSITION);
+        bench.until(|out| out.spindle_state == TO_POSITION);
         bench
     }
 }

@@ -13,9 +13,10 @@ fn the_change_at_10_deg_and_300_deg_per_s_begins_at_20_5_deg() {
     let inputs = Inputs { x_actual: 10_000.0, ..Inputs::START };
     assert!(is_near(resynchronised(&Parameters::example(), &inputs, 300_000.0), 20_500.0));
     let mut bench = Bench::drive().brake();
-    bench.until(|out| out.state == BRAKE && out.v_spindle <= 300_000.0);
+    bench.until(|out| out.spindle_state == BRAKE && out.v_spindle <= 300_000.0);
     (bench.inputs.x_actual, bench.inputs.v_actual) = (10_000.0, 300_000.0);
-    assert_eq!(bench.until(|out| out.state == TO_POSITION), 4);
+    // 3 cycles whose velocity before is 50 rpm.
+    assert_eq!(bench.until(|out| out.spindle_state == TO_POSITION), 4);
     assert!(is_near(bench.out.x_spindle, 20_500.0), "{:?}", bench.out);
     assert!(is_near(bench.out.v_spindle, 300_000.0));
 }
@@ -63,12 +64,26 @@ fn above_200_rpm_the_change_begins_and_at_200_rpm_it_does_not() {
         let mut bench = Bench::drive().positioned();
         bench.inputs.v_interpolator = v_interpolator;
         bench.once(|i| (i.m4, i.s_word) = (true, s_word));
-        bench.cycles(3).state != 0
+        bench.cycles(3).spindle_state != 0
     };
     assert!(!changes(1_200_000.0, 1_200_000.0));
     assert!(changes(1_200_000.1, 1_200_000.0));
     assert!(changes(1_200_000.1, -1_200_000.0));
     assert!(!changes(2_000_000.0, 1_199_999.9));
+}
+
+#[test]
+fn in_the_cnc_the_delay_of_the_actual_position_does_not_count() {
+    let p = Parameters { in_cnc: true, kv: 100.0, feedforward: None, ..Parameters::example() };
+    // The first closed cycle at 50 rpm: Kv times the distance to the actual position of that cycle.
+    let first = |p: &Parameters| p.kv * (resynchronised(p, &Inputs::START, 300_000.0) - 300_000.0 * p.cycle);
+    assert!(is_near(first(&p), 300_000.0));
+    assert!(is_near(first(&Parameters { nd: 9, ..p.clone() }), 300_000.0));
+    assert!(is_near(first(&Parameters { in_cnc: false, w: 0.0, ..p.clone() }) - 240_000.0, 300_000.0));
+    let mut bench = Bench::new(&p).brake();
+    bench.inputs.v_actual = 300_000.0;
+    bench.until(|out| out.spindle_state == TO_POSITION);
+    assert!(is_near(bench.out.x_spindle, 100_000.0 + 3600.0), "{:?}", bench.out);
 }
 
 #[test]
@@ -84,8 +99,8 @@ fn from_200_rpm_it_brakes_to_50_rpm_in_75_cycles_and_looks_at_3() {
     bench.inputs.v_actual = -303_000.0;
     bench.cycles(2);
     bench.once(|i| i.v_actual = 303_001.0);
-    assert_eq!(bench.cycles(3).state, BRAKE);
-    assert_eq!(bench.cycle().state, TO_POSITION);
+    assert_eq!(bench.cycles(3).spindle_state, BRAKE);
+    assert_eq!(bench.cycle().spindle_state, TO_POSITION);
 }
 
 #[test]
@@ -97,7 +112,7 @@ fn half_a_turn_a_cycle_is_15_000_rpm_at_2_ms_and_strictly_less_is_allowed() {
     bench.inputs.operation_mode_display = 8;
     assert_eq!(bench.once(|i| i.v_interpolator = 89_999_999.0).error_id, 0);
     assert_eq!(bench.once(|i| i.v_interpolator = 90_000_000.0).error_id, 44);
-    assert_eq!(bench.out.state, TO_VELOCITY);
+    assert_eq!(bench.out.spindle_state, TO_VELOCITY);
     let mut bench = Bench::cnc().positioned();
     assert_eq!(bench.once(|i| i.v_interpolator = 90_000_000.0).error_id, 0);
     let mut bench = Bench::drive().velocity();
