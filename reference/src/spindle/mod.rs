@@ -179,6 +179,7 @@ pub fn reset<R: Real>(state: &mut State<R>, drive_on: bool) {
     state.queued = 0u32;
     if state.lasting_error != error_none() {
         state.lasting_error = error_none();
+        state.returns = false;
         if drive_on {
             enter(state, SpindleState::Brake);
         }

@@ -60,7 +60,7 @@ impl Model {
             stays: None,
             x: 0.0,
             v: 0.0,
-            mode: 0,
+            mode: p.position_mode,
             reset_at: 0,
             unsettled_at: 0,
             followed_at: 0,
@@ -207,7 +207,7 @@ impl Model {
         match self.current().state {
             POSITION => {
                 let is_fast = self.job.speed.abs() > self.p.v_on && inputs.v_interpolator.abs() >= self.p.v_on;
-                (self.job.kind == Kind::Turn && is_fast).then_some(TO_VELOCITY)
+                (self.job.kind == Kind::Turn && is_fast && !inputs.reset).then_some(TO_VELOCITY)
             }
             TO_VELOCITY => self.displays(inputs, self.p.velocity_mode).then_some(VELOCITY),
             VELOCITY => {

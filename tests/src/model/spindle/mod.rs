@@ -35,6 +35,7 @@
 //! 13. `velocity_command` is rounded half away from zero, as process data are elsewhere.
 
 pub mod agree;
+pub mod block;
 pub mod cycle;
 pub mod drives;
 pub mod history;
