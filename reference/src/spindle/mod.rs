@@ -288,7 +288,9 @@ impl<R: Real> Block<R> for Spindle {
     const STEP: Fn = step::Ir::<R>::IR;
 
     fn state() -> State<R> {
-        State::default()
+        let mut state = State::default();
+        init(&mut state);
+        state
     }
 
     fn inputs(_: &Coeffs<R>) -> Inputs<R> {

@@ -212,7 +212,9 @@ impl<R: Real> Block<R> for SpindleAxis {
     const STEP: Fn = step::Ir::<R>::IR;
 
     fn state() -> State<R> {
-        State::default()
+        let mut state = State::default();
+        init(&mut state);
+        state
     }
 
     fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {
