@@ -297,8 +297,9 @@ impl<R: Real> Block<R> for Spindle {
         Inputs { feedforward_percentage: 100, ..Inputs::default() }
     }
 
-    fn exercise(inputs: &mut Inputs<R>) {
+    fn exercise(inputs: &mut Inputs<R>, coeffs: &Coeffs<R>) {
         inputs.drive_on = true;
+        inputs.operation_mode_display = coeffs.position_mode;
     }
 
     fn outputs() -> Outputs<R> {
