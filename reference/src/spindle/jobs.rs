@@ -1,7 +1,8 @@
 //! The jobs of a spindle: requests are taken, wait in programmed order, and are served. No motion.
 
+use super::request::{Job, Request};
 use super::signals::Inputs;
-use super::{SpindleState, State};
+use super::state::{SpindleState, State};
 use crate::angle::position_limit;
 use crate::signal::{
     error_direction, error_drive_off, error_none, error_requests, error_s_position, error_s_word, error_waiting,
@@ -11,53 +12,6 @@ use portable::{Real, in_range, portable};
 
 /// How many requests may wait.
 const WAITING: usize = 4;
-
-/// What the interpolator has to do.
-#[portable]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Job {
-    /// M5, and what stops the spindle otherwise
-    #[default]
-    Stop,
-    /// M3 or M4
-    Turn,
-    /// M19
-    Position,
-    /// S[PUTAX]
-    Release,
-    /// G74
-    Home,
-}
-
-/// A job with what belongs to it.
-#[portable]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Request<R> {
-    /// what to do
-    pub kind: Job,
-    /// how fast, below 0 in negative direction [0.001 deg/s]
-    pub speed: R,
-    /// where to [0.001 deg]
-    pub position: R,
-}
-
-/// Which request inputs were TRUE in the last cycle.
-#[portable]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Before {
-    /// turn in positive direction
-    pub m3: bool,
-    /// turn in negative direction
-    pub m4: bool,
-    /// stop
-    pub m5: bool,
-    /// stop at a position
-    pub m19: bool,
-    /// give the axis away
-    pub putax: bool,
-    /// homing
-    pub g74: bool,
-}
 
 /// The direction with which a request turns the spindle, and how fast.
 #[portable]

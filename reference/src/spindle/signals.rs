@@ -1,6 +1,7 @@
 //! What goes into the block `spindle` and what comes out. Nothing is computed here.
 
-use super::{Job, SpindleState};
+use super::request::Job;
+use super::state::SpindleState;
 use portable::portable;
 
 /// Inputs.

@@ -2,8 +2,9 @@
 
 use super::jobs::is_free;
 use super::motion::{advance, slow_down};
+use super::request::{Job, Request};
 use super::signals::Inputs;
-use super::{Coeffs, Cycle, Job, Request, SpindleState, State, enter};
+use super::state::{Coeffs, Cycle, SpindleState, State, enter};
 use crate::angle::{position_limit, shortest};
 use crate::signal::{
     error_brake, error_half_turn, error_mode_display, error_takeover, error_to_position, error_to_velocity,
