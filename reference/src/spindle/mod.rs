@@ -80,8 +80,8 @@ pub fn command<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &mut Outp
     if coeffs.in_drive {
         outputs.operation_mode = if state.asks_velocity { coeffs.velocity_mode } else { coeffs.position_mode };
         let mut datum = process_data::Datum::default();
-        let increments = coeffs.velocity_scale * state.v;
-        process_data::round(&mut datum, &coeffs.velocity_range, increments);
+        let velocity_increments = coeffs.velocity_scale * state.v;
+        process_data::round(&mut datum, &coeffs.velocity_range, velocity_increments);
         outputs.velocity_command = datum.value;
         outputs.limited = datum.limited;
     } else {
@@ -93,13 +93,13 @@ pub fn command<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &mut Outp
 
 /// The error of a cycle: one that stays before one of a sample, before one of a request.
 #[portable]
-pub fn error_of(lasting_error: u32, sample_error: u32, request_error: u32) -> u32 {
-    if lasting_error != error_none() {
-        lasting_error
-    } else if sample_error != error_none() {
-        sample_error
+pub fn error_of(lasting: u32, of_sample: u32, of_request: u32) -> u32 {
+    if lasting != error_none() {
+        lasting
+    } else if of_sample != error_none() {
+        of_sample
     } else {
-        request_error
+        of_request
     }
 }
 

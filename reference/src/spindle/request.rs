@@ -12,7 +12,7 @@ pub enum Job {
     /// M3 or M4
     Turn,
     /// M19
-    Position,
+    Orient,
     /// S[PUTAX]
     Release,
     /// G74
