@@ -139,9 +139,9 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     let x_wrapped = wrapped(state.x);
     state.x = x_wrapped;
     command(state, coeffs, outputs);
-    let error_id = error_of(state.lasting_error, cycle.sample_error, request_error);
-    outputs.error_id = error_id;
-    outputs.fault = error_id != error_none();
+    let error_now = error_of(state.lasting_error, cycle.sample_error, request_error);
+    outputs.error_id = error_now;
+    outputs.fault = error_now != error_none();
     outputs.loop_closed =
         outputs.spindle_state == SpindleState::Position && !has_failed && cycle.sample_error == error_none();
     if !inputs.drive_on || inputs.reset || has_failed || state.control == SpindleState::Brake {

@@ -15,10 +15,10 @@ mod signals;
 pub use signals::{Inputs, Outputs};
 
 use crate::angle::{position_limit, shortest};
-use crate::position_control::{Location, rounded};
+use crate::position_control::Location;
 use crate::signal::{error_none, error_x_actual};
 use crate::spindle::SpindleState;
-use crate::{axis, ipc, position_control, spindle};
+use crate::{axis, ipc, position_control, process_data, spindle};
 use portable::{Block, Enable, Fn, Real, in_range, portable};
 
 /// Coefficients.
@@ -127,11 +127,11 @@ pub fn open<R: Real>(
     axis::follow(&mut state.axis, &coeffs.axis, &axis_inputs, axis_outputs, error_none());
     if coeffs.axis.position_control.location == Location::Cnc {
         axis_outputs.v_command = spindle_outputs.v_spindle;
-        let mut control_outputs = position_control::Outputs::<R>::default();
-        let increments = coeffs.axis.position_control.manipulated_scale * spindle_outputs.v_spindle;
-        let datum = rounded(&mut control_outputs, &coeffs.axis.position_control.manipulated_range, increments);
-        axis_outputs.manipulated_variable = datum;
-        axis_outputs.limited = control_outputs.limited;
+        let mut open_datum = process_data::Datum::default();
+        let open_increments = coeffs.axis.position_control.manipulated_scale * spindle_outputs.v_spindle;
+        process_data::round(&mut open_datum, &coeffs.axis.position_control.manipulated_range, open_increments);
+        axis_outputs.manipulated_variable = open_datum.value;
+        axis_outputs.limited = open_datum.limited;
     }
 }
 
@@ -171,28 +171,28 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     let mut spindle_outputs = spindle::Outputs::<R>::default();
     change_over(state, coeffs, inputs, &mut spindle_outputs);
     let mut axis_outputs = axis::Outputs::<R>::default();
-    let mut error_id = spindle_outputs.error_id;
+    let mut error_now = spindle_outputs.error_id;
     let mut loop_closed = spindle_outputs.loop_closed;
     // What stops the spindle, or lets it go on without the interpolator, moves by its velocity alone.
     let is_led = state.spindle.lasting_error == error_none() && state.spindle.missing == 0u32 && inputs.drive_on;
     if is_led && follows_position(coeffs, spindle_outputs.spindle_state) {
         let reads_actual = position_control::reads_actual(&coeffs.axis.position_control);
         if reads_actual && !in_range(inputs.x_actual, position_limit()) {
-            error_id = error_x_actual();
+            error_now = error_x_actual();
             loop_closed = false;
             open(state, coeffs, &spindle_outputs, &mut axis_outputs);
         } else {
             act(state, coeffs, inputs, &spindle_outputs, &mut axis_outputs);
             if axis_outputs.fault {
-                error_id = axis_outputs.error_id;
+                error_now = axis_outputs.error_id;
             }
         }
     } else {
         open(state, coeffs, &spindle_outputs, &mut axis_outputs);
     }
     put_out(coeffs, &spindle_outputs, &axis_outputs, outputs);
-    outputs.error_id = error_id;
-    outputs.fault = error_id != error_none();
+    outputs.error_id = error_now;
+    outputs.fault = error_now != error_none();
     outputs.loop_closed = loop_closed;
 }
 

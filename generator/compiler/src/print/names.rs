@@ -29,10 +29,12 @@ impl Names {
         if (self.is_reserved)(&name) {
             name.push_str("_value");
         }
-        let mut number = 2;
+        // Mostly a new value of what has a name already.
+        let mut others = (2..).map(|number| format!("_{number}"));
+        let mut end = "_next".to_owned();
         while !self.taken.insert(name.to_ascii_lowercase()) {
-            name = format!("{}_{number}", identifier(path));
-            number += 1;
+            name = identifier(path) + &end;
+            end = others.next().unwrap_or_default();
         }
         name
     }

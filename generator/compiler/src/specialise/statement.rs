@@ -58,10 +58,10 @@ impl Specialiser<'_> {
                     portable::Projection::Field { name } => Some(*name),
                     portable::Projection::Index { .. } => None,
                 });
-                let name = name.unwrap_or(place.root);
-                let value = self.named_value(value, name);
+                let name = self.distinct(place.root, name.unwrap_or(place.root));
+                let value = self.named_value(value, &name);
                 let part = self.place(place);
-                self.assign(part, name, value);
+                self.assign(part, &name, value);
             }
             portable::Statement::Note { text } => self.statements.push(Statement::Note((*text).to_owned())),
             portable::Statement::For { variable, from, to, body } => {
@@ -231,7 +231,15 @@ impl Specialiser<'_> {
     /// The Rust name that stands for a cell, innermost function first: of a struct, the field's.
     fn name_of(&self, cell: usize) -> String {
         let mut names = self.frames.iter().rev().flat_map(|frame| frame.names.iter().rev());
-        names.find_map(|named| named.name_of(cell)).unwrap_or("value").to_owned()
+        let (root, name) = names.find_map(|named| Some((named.name, named.name_of(cell)?))).unwrap_or(("", "value"));
+        self.distinct(root, name)
+    }
+
+    /// What a local is called that is a field of a struct: with the struct, where the field has the name of a signal.
+    fn distinct(&self, root: &str, field: &str) -> String {
+        let mut signals = self.program.inputs.iter().chain(&self.program.outputs);
+        let is_signal = root != field && self.frame().context.is_empty() && signals.any(|signal| signal.path == field);
+        if is_signal { format!("{root}_{field}") } else { field.to_owned() }
     }
 }
 
