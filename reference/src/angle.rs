@@ -25,11 +25,15 @@ pub fn position_limit<R: Real>() -> R {
 /// The angle within one turn: 0 <= angle < full_turn. `angle` is a number, at most half a turn beyond the position limit.
 #[portable]
 pub fn wrapped<R: Real>(angle: R) -> R {
-    let turns = truncate(angle * per_turn());
-    let rest = angle - from_i32::<R>(turns) * full_turn();
-    // The number of turns is towards 0, and one beside it where the angle is near a full turn.
-    let above = if rest < R::ZERO { rest + full_turn() } else { rest };
-    if above >= full_turn() { above - full_turn() } else { above }
+    let mut within_turn = angle;
+    if angle < R::ZERO || angle >= full_turn() {
+        let turns = truncate(angle * per_turn());
+        let rest = angle - from_i32::<R>(turns) * full_turn();
+        // The number of turns is towards 0, and one beside it where the angle is near a full turn.
+        let above = if rest < R::ZERO { rest + full_turn() } else { rest };
+        within_turn = if above >= full_turn() { above - full_turn() } else { above };
+    }
+    within_turn
 }
 
 /// The same distance by the shortest way: -half a turn <= distance <= half a turn.

@@ -2,6 +2,7 @@
 //! together. How a type, a number or a comment looks is the language's business.
 
 use super::{Header, Legal, unit};
+use compiler::legalise::RENAMED;
 use compiler::print::{Appearance, Language, Printer, comment};
 use compiler::program::{Local, Origin, Program, Type, Variable};
 use portable::Literal;
@@ -56,7 +57,8 @@ impl Outline<'_> {
     pub(super) fn outputs(&self) -> Vec<Member> {
         let program = &*self.block.program;
         let mut members = self.members(&program.outputs, &self.printer.names().outputs);
-        for (member, _) in members.iter_mut().zip(&program.outputs).filter(|(_, output)| output.ty == Type::U32) {
+        let is_id = |output: &Variable| ["error_id", RENAMED[1].1].contains(&output.path.as_str());
+        for (member, _) in members.iter_mut().zip(&program.outputs).filter(|(_, output)| is_id(output)) {
             member.doc.push_str(&error_ids(program));
         }
         members

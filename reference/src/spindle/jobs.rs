@@ -39,7 +39,7 @@ pub fn refusal<R: Real>(inputs: &Inputs<R>, wanted: Job, waiting_now: u32) -> u3
     }
 }
 
-/// Takes the request of this cycle, if there is one: G74 before S[PUTAX] before M19 before M5 before M3 and M4. Gives the error.
+/// Takes the request of this cycle: G74 before S[PUTAX] before M19 before M5 before M3 and M4. Gives the error.
 #[portable]
 pub fn take<R: Real>(state: &mut State<R>, inputs: &Inputs<R>) -> u32 {
     let new_m19 = inputs.m19 && !state.before.m19;
@@ -54,7 +54,7 @@ pub fn take<R: Real>(state: &mut State<R>, inputs: &Inputs<R>) -> u32 {
     state.before.m19 = inputs.m19;
     state.before.putax = inputs.putax;
     state.before.g74 = inputs.g74;
-    let mut request_error = error_none();
+    let mut error_taken = error_none();
     if !inputs.reset && (new_g74 || new_putax || new_m19 || new_m5 || new_turn) {
         let mut wanted = Job::Turn;
         let mut has_others = false;
@@ -73,7 +73,7 @@ pub fn take<R: Real>(state: &mut State<R>, inputs: &Inputs<R>) -> u32 {
         }
         let why = refusal(inputs, wanted, state.queued);
         if why != error_none() {
-            request_error = why;
+            error_taken = why;
         } else {
             let speed = if wanted == Job::Turn || wanted == Job::Orient { speed_of(inputs) } else { R::ZERO };
             let target = if wanted == Job::Orient { inputs.s_position } else { R::ZERO };
@@ -84,8 +84,21 @@ pub fn take<R: Real>(state: &mut State<R>, inputs: &Inputs<R>) -> u32 {
                 _ => fill(&mut state.request[3], wanted, speed, target),
             }
             state.queued += 1u32;
-            request_error = if has_others { error_requests() } else { error_none() };
+            error_taken = if has_others { error_requests() } else { error_none() };
         }
+    }
+    error_taken
+}
+
+/// The request of this cycle, if there is one. Gives the error.
+#[portable]
+pub fn look<R: Real>(state: &mut State<R>, inputs: &Inputs<R>) -> u32 {
+    let is_any = inputs.m3 || inputs.m4 || inputs.m5 || inputs.m19 || inputs.putax || inputs.g74;
+    let mut request_error = error_none();
+    // Mostly nobody asks for anything, and nobody did.
+    if is_any || state.before.any {
+        request_error = take(state, inputs);
+        state.before.any = is_any;
     }
     request_error
 }
@@ -107,21 +120,29 @@ pub fn is_free<R: Real>(request: &Request<R>) -> bool {
 /// The first request that waits becomes the job, if the present one is over and the next cycle's state can do it.
 #[portable]
 pub fn serve<R: Real>(state: &mut State<R>, job_done: bool) {
-    let is_over = is_free(&state.present) || job_done;
-    let can_serve = state.control == SpindleState::Position
-        || state.control == SpindleState::Velocity && !state.returns && is_free(&state.request[0]);
-    if is_over && can_serve && state.queued > 0u32 {
-        state.present.kind = state.request[0].kind;
-        state.present.speed = state.request[0].speed;
-        state.present.position = state.request[0].position;
-        for place in 1..WAITING {
-            state.request[place - 1].kind = state.request[place].kind;
-            state.request[place - 1].speed = state.request[place].speed;
-            state.request[place - 1].position = state.request[place].position;
+    if state.queued > 0u32 {
+        let is_over = is_free(&state.present) || job_done;
+        let can_serve = state.control == SpindleState::Position
+            || state.control == SpindleState::Velocity && !state.returns && is_free(&state.request[0]);
+        if is_over && can_serve {
+            next(state);
         }
-        state.queued -= 1u32;
-        state.jobs += 1u32;
     }
+}
+
+/// The first request that waits becomes the job.
+#[portable]
+pub fn next<R: Real>(state: &mut State<R>) {
+    state.present.kind = state.request[0].kind;
+    state.present.speed = state.request[0].speed;
+    state.present.position = state.request[0].position;
+    for place in 1..WAITING {
+        state.request[place - 1].kind = state.request[place].kind;
+        state.request[place - 1].speed = state.request[place].speed;
+        state.request[place - 1].position = state.request[place].position;
+    }
+    state.queued -= 1u32;
+    state.jobs += 1u32;
 }
 
 /// The job ends: STOP begins, unless it is the job already.

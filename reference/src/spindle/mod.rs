@@ -55,6 +55,7 @@ pub fn init<R: Real>(state: &mut State<R>) {
     state.before.m19 = true;
     state.before.putax = true;
     state.before.g74 = true;
+    state.before.any = true;
 }
 
 /// A reset: nothing waits any more, and an error that stays is gone.
@@ -106,7 +107,7 @@ pub fn error_of(lasting: u32, of_sample: u32, of_request: u32) -> u32 {
 /// One cycle. Only the samples that the state uses are checked.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    let request_error = jobs::take(state, inputs);
+    let request_error = jobs::look(state, inputs);
     if inputs.reset {
         reset(state, inputs.drive_on);
     }

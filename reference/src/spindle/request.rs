@@ -47,4 +47,6 @@ pub struct Before {
     pub putax: bool,
     /// homing
     pub g74: bool,
+    /// whether one of them was
+    pub any: bool,
 }

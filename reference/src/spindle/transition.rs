@@ -48,9 +48,12 @@ pub fn track<R: Real>(state: &mut State<R>, inputs: &Inputs<R>) {
 /// Whether the job is to turn faster than Von, and the spindle has reached it.
 #[portable]
 pub fn turns_fast<R: Real>(job: &Request<R>, coeffs: &Coeffs<R>, v: R) -> bool {
-    let is_fast = job.speed > coeffs.v_velocity_control_on || -job.speed > coeffs.v_velocity_control_on;
-    let is_there = v >= coeffs.v_velocity_control_on || -v >= coeffs.v_velocity_control_on;
-    job.kind == Job::Turn && is_fast && is_there
+    let mut is_fast_there = false;
+    if job.kind == Job::Turn {
+        let is_fast = job.speed > coeffs.v_velocity_control_on || -job.speed > coeffs.v_velocity_control_on;
+        is_fast_there = is_fast && (v >= coeffs.v_velocity_control_on || -v >= coeffs.v_velocity_control_on);
+    }
+    is_fast_there
 }
 
 /// POSITION: the interpolator moves the spindle under position control.
@@ -76,7 +79,8 @@ pub fn position<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inpu
         } else {
             state.takes_over = false;
             track(state, inputs);
-            if turns_fast(&state.present, coeffs, inputs.v_interpolator) && !inputs.reset {
+            let is_leaving = turns_fast(&state.present, coeffs, inputs.v_interpolator);
+            if is_leaving && !inputs.reset {
                 note("POSITION -> TO_VELOCITY: M3 or M4 with more than Von, and Von is reached");
                 enter(state, SpindleState::ToVelocity);
             }
