@@ -46,7 +46,7 @@ fn read(folder: &TempDir) -> Case {
 fn said(replaced: &str, by: &str) -> String {
     assert!(CASE.contains(replaced));
     let folder = folder(&CASE.replace(replaced, by));
-    let said = case::read(folder.path()).and_then(|case| case::record(&case)).expect_err("a mistake");
+    let said = case::read(folder.path()).and_then(|case| case::record(&case, None)).expect_err("a mistake");
     assert_eq!(std::fs::read_dir(folder.path()).expect("a folder").count(), 2, "nothing was written");
     said
 }
@@ -71,7 +71,7 @@ fn what_was_recorded_is_verified() {
         ],
         "nothing is recorded yet"
     );
-    case::record(&case).unwrap();
+    case::record(&case, None).unwrap();
     assert_eq!(case::verify(&case).unwrap(), [""; 0]);
     assert_eq!(
         case::folders(folder.path().parent().unwrap()).unwrap().iter().filter(|f| *f == folder.path()).count(),
@@ -83,7 +83,7 @@ fn what_was_recorded_is_verified() {
 fn a_changed_byte_and_a_file_of_another_time_are_named() {
     let folder = folder(CASE);
     let case = read(&folder);
-    case::record(&case).unwrap();
+    case::record(&case, None).unwrap();
     let outputs = folder.path().join("outputs.csv");
     let text = std::fs::read_to_string(&outputs).unwrap();
     let (head, tail) = text.split_at(text.len() - 2);
@@ -92,7 +92,7 @@ fn a_changed_byte_and_a_file_of_another_time_are_named() {
     std::fs::write(&left_over, "").unwrap();
     let expected = ["outputs.csv".to_owned(), format!("{} (no such file is emitted)", left_over.display())];
     assert_eq!(case::verify(&case).unwrap(), expected);
-    case::record(&case).unwrap();
+    case::record(&case, None).unwrap();
     assert!(!left_over.exists());
     assert_eq!(std::fs::read_to_string(&outputs).unwrap(), text);
 }
@@ -101,7 +101,7 @@ fn a_changed_byte_and_a_file_of_another_time_are_named() {
 fn a_case_that_does_not_show_what_it_says_is_not_recorded() {
     assert!(said("\"faded in\"", "\"fault 11\"").ends_with("the case does not show fault 11"));
     let folder = folder(CASE);
-    case::record(&read(&folder)).unwrap();
+    case::record(&read(&folder), None).unwrap();
     let path = folder.path().join("case.toml");
     std::fs::write(&path, CASE.replace("faded in", "limited above")).unwrap();
     assert_eq!(case::verify(&read(&folder)).unwrap(), ["shows: limited above"]);
@@ -112,7 +112,7 @@ fn a_case_that_does_not_show_what_it_says_is_not_recorded() {
 fn recorded_inputs_leave_out_what_keeps_its_start() {
     let folder = folder(CASE);
     let case = read(&folder);
-    case::record(&case).unwrap();
+    case::record(&case, None).unwrap();
     let text = std::fs::read_to_string(folder.path().join("inputs.csv")).unwrap();
     assert!(text.starts_with("v_command,v_motor\n0x0000000000000000,"), "the first signal stays, and what changes");
     let shape = Shape::of(&case.block.program.inputs, case.axis.axis.real);

@@ -223,6 +223,9 @@ pub enum Golden {
         /// Folders with a case.toml
         #[arg(required = true)]
         cases: Vec<PathBuf>,
+        /// Record the inputs of scenarios anew, too; without it they stay as they are
+        #[arg(long)]
+        again: bool,
     },
     /// Compares the vectors of these cases with the current outputs of the reference
     Verify {

@@ -85,7 +85,7 @@ fn run(command: Command, format: Format) -> Result<Exit, Exit> {
         Command::Schema => schema::run(),
         Command::Completions { shell } => shell::completions(shell),
         Command::Man { folder, force } => shell::man(&folder, force),
-        Command::Golden { command: Golden::Record { cases } } => golden_cases::record(&cases),
+        Command::Golden { command: Golden::Record { cases, again } } => golden_cases::record(&cases, again),
         Command::Golden { command: Golden::Verify { cases, results } } => golden_cases::verify(&cases, &results),
     }
 }
