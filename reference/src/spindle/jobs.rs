@@ -4,7 +4,8 @@ use super::signals::Inputs;
 use super::{SpindleState, State};
 use crate::angle::position_limit;
 use crate::signal::{
-    error_direction, error_none, error_requests, error_s_position, error_s_word, error_waiting, sample_limit,
+    error_direction, error_drive_off, error_none, error_requests, error_s_position, error_s_word, error_waiting,
+    sample_limit,
 };
 use portable::{Real, in_range, portable};
 
@@ -75,6 +76,8 @@ pub fn refusal<R: Real>(inputs: &Inputs<R>, wanted: Job, queued: u32) -> u32 {
         error_s_word()
     } else if wanted == Job::Position && !in_range(inputs.s_position, position_limit()) {
         error_s_position()
+    } else if !inputs.drive_on {
+        error_drive_off()
     } else if queued >= 4u32 {
         error_waiting()
     } else {

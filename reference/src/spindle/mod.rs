@@ -59,13 +59,13 @@ pub struct Coeffs<R> {
     pub v_position_control_on: R,
     /// -Voff [0.001 deg/s]
     pub v_position_control_on_negative: R,
-    /// Voff and its window: largest |v_actual| at which position control is taken up [0.001 deg/s]
-    pub v_settled: R,
+    /// by which |v_actual| is above |v_spindle| at most where position control is taken up [0.001 deg/s]
+    pub window: R,
     /// deceleration * T: largest change of the velocity in a cycle [0.001 deg/s]
     pub v_step: R,
     /// 180 deg / T: from here on the drive cannot tell the direction [0.001 deg/s]
     pub v_half_turn: R,
-    /// (Nd + 1) T + (1 - w) / Kv: the position command leads x_actual by the way of this time [s]
+    /// the position command leads x_actual by the way of this time: (Nd + 1) T + (1 - w) / Kv, in the CNC T + 1 / Kv [s]
     pub lead_time: R,
     /// whether the CNC's feedforward shortens that time
     pub has_feedforward: bool,
@@ -99,15 +99,17 @@ pub struct State<R> {
     pub cycles: u32,
     /// cycles in which v_actual has been settled
     pub settled: u32,
+    /// cycles in which a sample has been missing
+    pub missing: u32,
     /// an error that stays until reset
     pub lasting_error: u32,
     /// whether velocity control is asked for
     pub asks_velocity: bool,
     /// whether a reset leads back to position control
     pub returns: bool,
-    /// whether x stands on the actual position
-    pub preset: bool,
-    /// whether the interpolator has just been given the spindle
+    /// whether position control is taken up at x_start; else x follows the actual position
+    pub is_moving: bool,
+    /// whether the interpolator has to go on from x
     pub takes_over: bool,
     /// the position command [0.001 deg]
     pub x: R,
@@ -135,16 +137,17 @@ pub struct Cycle {
     pub sample_error: u32,
 }
 
-/// Before the first cycle.
+/// Before the first cycle: a request that is TRUE then is none.
 #[portable]
 pub fn init<R: Real>(state: &mut State<R>) {
     state.control = SpindleState::ToPosition;
     state.cycles = 0u32;
     state.settled = 0u32;
+    state.missing = 0u32;
     state.lasting_error = error_none();
     state.asks_velocity = false;
     state.returns = false;
-    state.preset = false;
+    state.is_moving = false;
     state.takes_over = false;
     state.x = R::ZERO;
     state.v = R::ZERO;
@@ -153,12 +156,12 @@ pub fn init<R: Real>(state: &mut State<R>) {
     state.present.position = R::ZERO;
     state.jobs = 0u32;
     state.queued = 0u32;
-    state.before.m3 = false;
-    state.before.m4 = false;
-    state.before.m5 = false;
-    state.before.m19 = false;
-    state.before.putax = false;
-    state.before.g74 = false;
+    state.before.m3 = true;
+    state.before.m4 = true;
+    state.before.m5 = true;
+    state.before.m19 = true;
+    state.before.putax = true;
+    state.before.g74 = true;
 }
 
 /// The next cycle begins in another state.
@@ -167,15 +170,17 @@ pub fn enter<R: Real>(state: &mut State<R>, next: SpindleState) {
     state.control = next;
     state.cycles = 0u32;
     state.settled = 0u32;
+    state.missing = 0u32;
 }
 
 /// A reset: nothing waits any more, and an error that stays is gone.
 #[portable]
-pub fn reset<R: Real>(state: &mut State<R>, is_off: bool) {
+pub fn reset<R: Real>(state: &mut State<R>, drive_on: bool) {
     state.queued = 0u32;
     if state.lasting_error != error_none() {
         state.lasting_error = error_none();
-        if !is_off {
+        state.returns = false;
+        if drive_on {
             enter(state, SpindleState::Brake);
         }
     } else if state.control == SpindleState::ToVelocity || state.control == SpindleState::Velocity {
@@ -202,15 +207,13 @@ pub fn command<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &mut Outp
     }
 }
 
-/// The error of a cycle: one that stays before one of a sample, before one of the cycle time, before one of a request.
+/// The error of a cycle: one that stays before one of a sample, before one of a request.
 #[portable]
-pub fn error_of(lasting_error: u32, sample_error: u32, is_wrong: bool, request_error: u32) -> u32 {
+pub fn error_of(lasting_error: u32, sample_error: u32, request_error: u32) -> u32 {
     if lasting_error != error_none() {
         lasting_error
     } else if sample_error != error_none() {
         sample_error
-    } else if is_wrong {
-        error_cycle_time()
     } else {
         request_error
     }
@@ -220,17 +223,19 @@ pub fn error_of(lasting_error: u32, sample_error: u32, is_wrong: bool, request_e
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let request_error = jobs::take(state, inputs);
-    let is_wrong = inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns;
-    let is_off = is_wrong || !inputs.drive_on;
     if inputs.reset {
-        reset(state, is_off);
+        reset(state, inputs.drive_on);
     }
-    if is_off {
+    let is_wrong = inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns;
+    if is_wrong && state.lasting_error == error_none() {
+        state.lasting_error = error_cycle_time();
+    }
+    if !inputs.drive_on {
         enter(state, SpindleState::ToPosition);
     }
     outputs.spindle_state = state.control;
     let mut cycle = Cycle::default();
-    if is_off {
+    if !inputs.drive_on {
         follow(state, inputs, &mut cycle);
     } else if state.lasting_error == error_none() {
         state.cycles += 1u32;
@@ -243,18 +248,19 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
         }
     }
     let has_failed = state.lasting_error != error_none();
-    if has_failed && !is_off {
+    if has_failed && inputs.drive_on {
         slow_down(state, coeffs, R::ZERO, R::ZERO);
         advance(state, coeffs);
     }
     let x_wrapped = wrapped(state.x);
     state.x = x_wrapped;
     command(state, coeffs, outputs);
-    let error_id = error_of(state.lasting_error, cycle.sample_error, is_wrong, request_error);
+    let error_id = error_of(state.lasting_error, cycle.sample_error, request_error);
     outputs.error_id = error_id;
     outputs.fault = error_id != error_none();
-    outputs.loop_closed = outputs.spindle_state == SpindleState::Position && error_id == error_none();
-    if is_off || inputs.reset || has_failed || state.control == SpindleState::Brake {
+    outputs.loop_closed =
+        outputs.spindle_state == SpindleState::Position && !has_failed && cycle.sample_error == error_none();
+    if !inputs.drive_on || inputs.reset || has_failed || state.control == SpindleState::Brake {
         jobs::stop(state);
     } else {
         jobs::serve(state, inputs.job_done);
@@ -282,7 +288,9 @@ impl<R: Real> Block<R> for Spindle {
     const STEP: Fn = step::Ir::<R>::IR;
 
     fn state() -> State<R> {
-        State::default()
+        let mut state = State::default();
+        init(&mut state);
+        state
     }
 
     fn inputs(_: &Coeffs<R>) -> Inputs<R> {

@@ -34,7 +34,8 @@ pub fn follow<R: Real>(state: &mut State<R>, inputs: &Inputs<R>, cycle: &mut Cyc
     state.v = R::ZERO;
     state.asks_velocity = false;
     state.returns = false;
-    state.preset = false;
+    state.is_moving = false;
+    state.queued = 0u32;
     state.takes_over = false;
     if in_range(inputs.x_actual, position_limit()) {
         state.x = inputs.x_actual;
