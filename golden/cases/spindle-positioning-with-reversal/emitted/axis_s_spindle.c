@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  b92e28125bf8b73ebb5b80376f6f2970
- * checksum    492e1a825fbfa12b90737a60f06630db
+ * checksum    ad66b597758082431153da6066444ff0
  */
 #include "axis_s_spindle.h"
 
@@ -59,9 +59,9 @@ static const double v_velocity_control_on = 1200000.0; /* Von: a faster TURN lea
 static const double v_position_control_on = 300000.0; /* Voff: position control is taken up there [0.001 deg/s] */
 static const double v_position_control_on_negative = -300000.0; /* -Voff [0.001 deg/s] */
 
-/* Voff and a window of 1 rpm (key spindle.window) */
-/* Voff and its window: largest |v_actual| at which position control is taken up [0.001 deg/s] */
-static const double v_settled = 306000.0;
+/* 1 rpm (key spindle.window) */
+/* by which |v_actual| is above |v_spindle| at most where position control is taken up [0.001 deg/s] */
+static const double window = 6000.0;
 
 /* deceleration 2000 rpm/s (key spindle.deceleration) */
 static const double v_step = 24000.0; /* deceleration * T: largest change of the velocity in a cycle [0.001 deg/s] */
@@ -69,18 +69,19 @@ static const double v_step = 24000.0; /* deceleration * T: largest change of the
 /* 15000 rpm */
 static const double v_half_turn = 90000000.0; /* 180 deg / T: from here on the drive cannot tell the direction [0.001 deg/s] */
 
-/* (4 + 1) cycles (P-AXIS-00191) and 0.5 / Kv, Kv = 20/s (P-AXIS-00099) */
-/* (Nd + 1) T + (1 - w) / Kv: the position command leads x_actual by the way of this time [s] */
+/* 5 cycles (P-AXIS-00191) and 0.5 / Kv, Kv = 20/s (P-AXIS-00099) */
+/* the position command leads x_actual by the way of this time: (Nd + 1) T + (1 - w) / Kv, in the CNC T + 1 / Kv
+ * [s] */
 static const double lead_time = 0.035;
 
 /* 1 deg (key spindle.takeover_window) */
 /* largest step of the position command where the interpolator takes over [0.001 deg] */
 static const double takeover_window = 1000.0;
 
-/* 0.1 s (key spindle.mode_timeout) */
+/* 100ms (key spindle.mode_timeout) */
 static const uint32_t mode_cycles = 50u; /* cycles within which the drive displays a new mode */
 
-/* 1.95 s; from the largest velocity (P-AXIS-00212) the ramp takes 0.725 s */
+/* 1.95s; from the largest velocity (P-AXIS-00212) the ramp takes 725ms */
 static const uint32_t brake_cycles = 975u; /* cycles within which the spindle has braked */
 static const int32_t position_mode = 0; /* operation mode of position control */
 static const int32_t velocity_mode = 1; /* operation mode of velocity control */
@@ -105,26 +106,26 @@ static const uint32_t error_s_word = 33u; /* error_id: spindle: s_word is not wi
 static const double position_limit = 700000000000000.0;
 /* error_id: spindle: s_position is not within the position limit, the request is lost */
 static const uint32_t error_s_position = 34u;
+static const uint32_t error_drive_off = 36u; /* error_id: spindle: the drive is off, the request is lost */
 static const uint32_t error_waiting = 35u; /* error_id: spindle: four requests wait already, the request is lost */
 static const uint32_t error_requests = 31u; /* error_id: spindle: two requests in one cycle, the one of lower priority is lost */
+/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
+static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_x_actual = 18u; /* error_id: x_actual is not within the sample limit */
 static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
 static const uint32_t error_x_command = 17u; /* error_id: x_command is not within the sample limit */
+static const uint32_t error_mode_display = 45u; /* error_id: spindle: the drive has left its operation mode; stays until reset */
 /* error_id: spindle: 180 degrees a cycle or more, the drive cannot tell the direction; stays until reset */
 static const uint32_t error_half_turn = 44u;
-static const uint32_t error_mode_display = 45u; /* error_id: spindle: the drive has left its operation mode; stays until reset */
 static const double per_turn = 2.777777777777778e-6; /* 1 / full_turn */
 static const double full_turn = 360000.0; /* a full turn [0.001 deg] */
-/* error_id: spindle: the interpolator does not go on from x_spindle; stays until reset */
-static const uint32_t error_takeover = 46u;
+static const uint32_t error_takeover = 46u; /* error_id: spindle: x_command does not go on from x_spindle; stays until reset */
 /* error_id: spindle: the drive does not display velocity control within the time; stays until reset */
 static const uint32_t error_to_velocity = 41u;
 static const uint32_t error_v_actual = 23u; /* error_id: v_actual is not within the sample limit */
 static const uint32_t error_brake = 42u; /* error_id: spindle: the spindle has not braked within the time; stays until reset */
 /* error_id: spindle: the drive does not display position control within the time; stays until reset */
 static const uint32_t error_to_position = 43u;
-/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_cycle_time = 1u;
 
 /* What the interpolator has to do. */
 enum {
@@ -149,10 +150,11 @@ void axis_s_spindle_init(axis_s_spindle_state *state)
     state->control = spindle_state_to_position;
     state->cycles = 0u;
     state->settled = 0u;
+    state->missing = 0u;
     state->lasting_error = error_none;
     state->asks_velocity = false;
     state->returns = false;
-    state->preset = false;
+    state->is_moving = false;
     state->takes_over = false;
     state->x = 0.0;
     state->v = 0.0;
@@ -161,12 +163,12 @@ void axis_s_spindle_init(axis_s_spindle_state *state)
     state->present_position = 0.0;
     state->jobs = 0u;
     state->queued = 0u;
-    state->before_m3 = false;
-    state->before_m4 = false;
-    state->before_m5 = false;
-    state->before_m19 = false;
-    state->before_putax = false;
-    state->before_g74 = false;
+    state->before_m3 = true;
+    state->before_m4 = true;
+    state->before_m5 = true;
+    state->before_m19 = true;
+    state->before_putax = true;
+    state->before_g74 = true;
 }
 
 void axis_s_spindle_inputs_init(axis_s_spindle_inputs *inputs)
@@ -235,6 +237,8 @@ void axis_s_spindle_step(
             why = error_s_word;
         } else if (wanted == job_position && !(magnitude(inputs->s_position) <= position_limit)) {
             why = error_s_position;
+        } else if (!inputs->drive_on) {
+            why = error_drive_off;
         } else if (queued >= 4u) {
             why = error_waiting;
         } else {
@@ -287,39 +291,45 @@ void axis_s_spindle_step(
     } else {
         request_error = error_none;
     }
-    const bool is_wrong = inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns;
-    const bool is_off = is_wrong || !inputs->drive_on;
     if (inputs->reset) {
         state->queued = 0u;
         if (state->lasting_error != error_none) {
             state->lasting_error = error_none;
-            if (!is_off) {
+            state->returns = false;
+            if (inputs->drive_on) {
                 state->control = spindle_state_brake;
                 state->cycles = 0u;
                 state->settled = 0u;
+                state->missing = 0u;
             }
         } else if (state->control == spindle_state_to_velocity || state->control == spindle_state_velocity) {
             state->returns = true;
         }
     }
-    if (is_wrong || !inputs->drive_on) {
+    const bool is_wrong = inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns;
+    if (is_wrong && state->lasting_error == error_none) {
+        state->lasting_error = error_cycle_time;
+    }
+    if (!inputs->drive_on) {
         state->control = spindle_state_to_position;
         state->cycles = 0u;
         state->settled = 0u;
+        state->missing = 0u;
     }
     outputs->spindle_state = state->control;
-    uint32_t sample_error;
-    if (is_off) {
+    uint32_t sample_error_2;
+    if (!inputs->drive_on) {
         state->v = 0.0;
         state->asks_velocity = false;
         state->returns = false;
-        state->preset = false;
+        state->is_moving = false;
+        state->queued = 0u;
         state->takes_over = false;
         if (magnitude(inputs->x_actual) <= position_limit) {
             state->x = inputs->x_actual;
-            sample_error = 0u;
+            sample_error_2 = 0u;
         } else {
-            sample_error = error_x_actual;
+            sample_error_2 = error_x_actual;
         }
     } else if (state->lasting_error == error_none) {
         state->cycles = state->cycles + 1u;
@@ -327,12 +337,27 @@ void axis_s_spindle_step(
         case spindle_state_position: {
             const bool is_v_known = magnitude(inputs->v_interpolator) <= sample_limit;
             if (!is_v_known) {
-                state->x = state->x + state->v * cycle_time;
-                sample_error = error_v_interpolator;
-            } else if (magnitude(inputs->x_command) <= position_limit) {
+                state->missing = state->missing + 1u;
+                state->takes_over = true;
+                if (state->missing > 3u) {
+                    state->lasting_error = error_v_interpolator;
+                } else {
+                    state->x = state->x + state->v * cycle_time;
+                }
+                sample_error_2 = error_v_interpolator;
+            } else if (!(magnitude(inputs->x_command) <= position_limit)) {
+                state->missing = state->missing + 1u;
+                state->takes_over = true;
+                if (state->missing > 3u) {
+                    state->lasting_error = error_x_command;
+                } else {
+                    state->x = state->x + state->v * cycle_time;
+                }
+                sample_error_2 = error_x_command;
+            } else if (inputs->operation_mode_display == position_mode) {
                 if (inputs->v_interpolator >= v_half_turn || -inputs->v_interpolator >= v_half_turn) {
                     state->lasting_error = error_half_turn;
-                } else if (inputs->operation_mode_display == position_mode) {
+                } else {
                     bool is_jump;
                     if (state->takes_over) {
                         const double distance = inputs->x_command - (state->x + state->v * cycle_time);
@@ -346,6 +371,7 @@ void axis_s_spindle_step(
                         state->lasting_error = error_takeover;
                     } else {
                         state->takes_over = false;
+                        state->missing = 0u;
                         state->x = inputs->x_command;
                         state->v = inputs->v_interpolator;
                         const bool is_fast =
@@ -354,96 +380,142 @@ void axis_s_spindle_step(
                         const bool is_there =
                             inputs->v_interpolator >= v_velocity_control_on
                                 || -inputs->v_interpolator >= v_velocity_control_on;
-                        if (state->present_kind == job_turn && is_fast && is_there) {
+                        if (state->present_kind == job_turn && is_fast && is_there && !inputs->reset) {
                             /* POSITION -> TO_VELOCITY: M3 or M4 with more than Von, and Von is reached */
                             state->control = spindle_state_to_velocity;
                             state->cycles = 0u;
                             state->settled = 0u;
+                            state->missing = 0u;
                         }
                     }
-                } else {
-                    state->lasting_error = error_mode_display;
                 }
-                sample_error = 0u;
+                sample_error_2 = 0u;
             } else {
-                state->x = state->x + state->v * cycle_time;
-                sample_error = error_x_command;
+                state->missing = state->missing + 1u;
+                state->takes_over = true;
+                if (state->missing > 3u) {
+                    state->lasting_error = error_mode_display;
+                } else {
+                    state->x = state->x + state->v * cycle_time;
+                }
+                sample_error_2 = error_mode_display;
             }
             break;
         }
         case spindle_state_to_velocity: {
             state->asks_velocity = true;
-            const bool is_velocity_displayed = inputs->operation_mode_display == velocity_mode;
             const bool is_v_still_known = magnitude(inputs->v_interpolator) <= sample_limit;
+            const bool is_velocity_displayed = inputs->operation_mode_display == velocity_mode;
             if (!is_v_still_known) {
-                state->x = state->x + state->v * cycle_time;
-                sample_error = error_v_interpolator;
+                state->missing = state->missing + 1u;
+                state->takes_over = true;
+                if (state->missing > 3u) {
+                    state->lasting_error = error_v_interpolator;
+                } else {
+                    state->x = state->x + state->v * cycle_time;
+                }
+                sample_error_2 = error_v_interpolator;
             } else if (magnitude(inputs->x_command) <= position_limit) {
                 if (inputs->v_interpolator >= v_half_turn || -inputs->v_interpolator >= v_half_turn) {
                     state->lasting_error = error_half_turn;
                 } else if (is_velocity_displayed) {
                     /* TO_VELOCITY -> VELOCITY: the drive displays velocity control */
+                    state->missing = 0u;
                     state->x = inputs->x_command;
                     state->v = inputs->v_interpolator;
                     state->control = spindle_state_velocity;
                     state->cycles = 0u;
                     state->settled = 0u;
+                    state->missing = 0u;
                 } else if (state->cycles > mode_cycles) {
                     state->lasting_error = error_to_velocity;
                 } else {
+                    state->missing = 0u;
                     state->x = inputs->x_command;
                     state->v = inputs->v_interpolator;
                 }
-                sample_error = 0u;
+                sample_error_2 = 0u;
             } else {
-                state->x = state->x + state->v * cycle_time;
-                sample_error = error_x_command;
+                state->missing = state->missing + 1u;
+                state->takes_over = true;
+                if (state->missing > 3u) {
+                    state->lasting_error = error_x_command;
+                } else {
+                    state->x = state->x + state->v * cycle_time;
+                }
+                sample_error_2 = error_x_command;
             }
             break;
         }
         case spindle_state_velocity: {
-            if (magnitude(inputs->v_interpolator) <= sample_limit) {
-                if (inputs->operation_mode_display == velocity_mode) {
-                    state->v = inputs->v_interpolator;
-                    if (magnitude(inputs->x_actual) <= position_limit) {
-                        state->x = inputs->x_actual;
-                    } else {
-                        state->x = state->x + state->v * cycle_time;
-                    }
-                    if (state->returns
-                            || (state->queued > 0u
-                                && !(state->request0_kind == job_stop || state->request0_kind == job_turn))) {
-                        /* VELOCITY -> BRAKE: M19, G74, S[PUTAX] or a reset */
-                        state->returns = false;
-                        state->control = spindle_state_brake;
-                        state->cycles = 0u;
-                        state->settled = 0u;
-                    }
+            if (!(magnitude(inputs->v_interpolator) <= sample_limit)) {
+                state->missing = state->missing + 1u;
+                state->takes_over = true;
+                if (state->missing > 3u) {
+                    state->lasting_error = error_v_interpolator;
                 } else {
-                    state->lasting_error = error_mode_display;
+                    state->x = state->x + state->v * cycle_time;
                 }
-                sample_error = 0u;
+                sample_error_2 = error_v_interpolator;
+            } else if (inputs->operation_mode_display == velocity_mode) {
+                state->missing = 0u;
+                state->v = inputs->v_interpolator;
+                if (magnitude(inputs->x_actual) <= position_limit) {
+                    state->x = inputs->x_actual;
+                } else {
+                    state->x = state->x + state->v * cycle_time;
+                }
+                if (state->returns
+                        || (state->queued > 0u
+                            && !(state->request0_kind == job_stop || state->request0_kind == job_turn))) {
+                    /* VELOCITY -> BRAKE: M19, G74, S[PUTAX] or a reset */
+                    state->returns = false;
+                    state->control = spindle_state_brake;
+                    state->cycles = 0u;
+                    state->settled = 0u;
+                    state->missing = 0u;
+                }
+                sample_error_2 = 0u;
             } else {
-                state->x = state->x + state->v * cycle_time;
-                sample_error = error_v_interpolator;
+                state->missing = state->missing + 1u;
+                state->takes_over = true;
+                if (state->missing > 3u) {
+                    state->lasting_error = error_mode_display;
+                } else {
+                    state->x = state->x + state->v * cycle_time;
+                }
+                sample_error_2 = error_mode_display;
             }
             break;
         }
         case spindle_state_brake: {
-            const bool is_known = magnitude(inputs->v_actual) <= sample_limit;
-            if (is_known && magnitude(inputs->v_actual) <= v_settled) {
+            bool is_slow;
+            uint32_t sample_error;
+            if (magnitude(inputs->v_actual) <= sample_limit) {
+                const double v = state->v;
+                double v_magnitude;
+                if (v < 0.0) {
+                    v_magnitude = -v;
+                } else {
+                    v_magnitude = v;
+                }
+                is_slow = magnitude(v) <= v_position_control_on && magnitude(inputs->v_actual) <= v_magnitude + window;
+                sample_error = 0u;
+            } else {
+                sample_error = error_v_actual;
+                is_slow = false;
+            }
+            if (is_slow) {
                 state->settled = state->settled + 1u;
             } else {
                 state->settled = 0u;
             }
             const bool is_settled = state->settled >= 3u;
             const bool can_leave = is_settled && magnitude(inputs->x_actual) <= position_limit;
-            if (!is_known) {
-                sample_error = error_v_actual;
-            } else if (is_settled && !can_leave) {
-                sample_error = error_x_actual;
+            if (is_settled && !can_leave) {
+                sample_error_2 = error_x_actual;
             } else {
-                sample_error = 0u;
+                sample_error_2 = sample_error;
             }
             if (!can_leave && state->cycles > brake_cycles) {
                 state->lasting_error = error_brake;
@@ -463,34 +535,34 @@ void axis_s_spindle_step(
                 if (can_leave) {
                     /* BRAKE -> TO_POSITION: the actual velocity has settled at Voff */
                     state->x_start = inputs->x_actual + state->v * lead_time;
-                    state->preset = true;
+                    state->is_moving = true;
                     state->control = spindle_state_to_position;
                     state->cycles = 0u;
                     state->settled = 0u;
+                    state->missing = 0u;
                 }
             }
             break;
         }
         default: { /* spindle_state_to_position */
             state->asks_velocity = false;
-            const bool can_start = state->preset || magnitude(inputs->x_actual) <= position_limit;
+            const bool can_start = state->is_moving || magnitude(inputs->x_actual) <= position_limit;
             const bool is_position_displayed = can_start && inputs->operation_mode_display == position_mode;
             if (!is_position_displayed && state->cycles > mode_cycles) {
                 state->lasting_error = error_to_position;
-                sample_error = 0u;
+                sample_error_2 = 0u;
             } else {
                 if (can_start) {
-                    if (!state->preset) {
+                    if (!state->is_moving) {
                         state->x = inputs->x_actual;
-                        state->preset = true;
                     } else if (state->cycles == 1u) {
                         state->x = state->x_start;
                     } else {
                         state->x = state->x + state->v * cycle_time;
                     }
-                    sample_error = 0u;
+                    sample_error_2 = 0u;
                 } else {
-                    sample_error = error_x_actual;
+                    sample_error_2 = error_x_actual;
                 }
                 if (is_position_displayed) {
                     /* TO_POSITION -> POSITION: the drive displays position control */
@@ -498,16 +570,17 @@ void axis_s_spindle_step(
                     state->control = spindle_state_position;
                     state->cycles = 0u;
                     state->settled = 0u;
+                    state->missing = 0u;
                 }
             }
             break;
         }
         }
     } else {
-        sample_error = 0u;
+        sample_error_2 = 0u;
     }
     const bool has_failed = state->lasting_error != error_none;
-    if (has_failed && !is_off) {
+    if (has_failed && inputs->drive_on) {
         if (state->v > 0.0) {
             state->v = state->v - v_step;
             if (state->v < 0.0) {
@@ -563,17 +636,16 @@ void axis_s_spindle_step(
     uint32_t error_id;
     if (lasting_error != error_none) {
         error_id = lasting_error;
-    } else if (sample_error != error_none) {
-        error_id = sample_error;
-    } else if (is_wrong) {
-        error_id = error_cycle_time;
+    } else if (sample_error_2 != error_none) {
+        error_id = sample_error_2;
     } else {
         error_id = request_error;
     }
     outputs->error_id = error_id;
     outputs->fault = error_id != error_none;
-    outputs->loop_closed = outputs->spindle_state == spindle_state_position && error_id == error_none;
-    if (is_off || inputs->reset || has_failed || state->control == spindle_state_brake) {
+    outputs->loop_closed =
+        outputs->spindle_state == spindle_state_position && !has_failed && sample_error_2 == error_none;
+    if (!inputs->drive_on || inputs->reset || has_failed || state->control == spindle_state_brake) {
         if (state->present_kind != job_stop) {
             state->present_kind = job_stop;
             state->present_speed = 0.0;
@@ -639,56 +711,56 @@ uint32_t axis_s_spindle_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint64_t expected[50] = {
-        UINT64_C(0x07fe2e018d008084),
-        UINT64_C(0xaa823200b9020d84),
-        UINT64_C(0x159d9631a3b09626),
-        UINT64_C(0xde3904a48474b233),
-        UINT64_C(0x4b7e4942ec70e654),
-        UINT64_C(0x6e6dc26f0747a37e),
-        UINT64_C(0xabb32a654e15c2c7),
-        UINT64_C(0x4af86ea9ca289632),
-        UINT64_C(0x5e4b422b01f16840),
-        UINT64_C(0xf0590274e0a9a38e),
-        UINT64_C(0xebaf6e345212a89f),
-        UINT64_C(0xb0d0af852930de3d),
-        UINT64_C(0x8650752d5c04dfb2),
-        UINT64_C(0x07cfba69ccfbb0df),
-        UINT64_C(0xb913c28e233e2430),
-        UINT64_C(0x2c4e07f1417bf92d),
-        UINT64_C(0x6147c9ff435ccf96),
-        UINT64_C(0xd7cf244a6505818a),
-        UINT64_C(0xc9bf9384e23e86bf),
-        UINT64_C(0x0ef08d78070d17dc),
-        UINT64_C(0x5ff149ef8198d324),
-        UINT64_C(0x5b385a42cf93e6a5),
-        UINT64_C(0x0eda1e823b83f607),
-        UINT64_C(0x9e3bca23365db3a0),
-        UINT64_C(0x3bb5297ab4bcd867),
-        UINT64_C(0x409bff7772f44ca0),
-        UINT64_C(0x54b8456eed5e3802),
-        UINT64_C(0xa01354e89418b1dc),
-        UINT64_C(0xb9f1929f677e1488),
-        UINT64_C(0x1ca7a543838596ae),
-        UINT64_C(0x9ecc01c5e6dc29f5),
-        UINT64_C(0xf22e5aa3fab9326d),
-        UINT64_C(0x7a8eb18db9c1c4b0),
-        UINT64_C(0x8cc57645669e5d6e),
-        UINT64_C(0x458fce1b357dc4d2),
-        UINT64_C(0x0cebe963dda9e5e2),
-        UINT64_C(0x6dfe06e9d8919a31),
-        UINT64_C(0x82662a29650fcc46),
-        UINT64_C(0x347f4582ba712001),
-        UINT64_C(0x281b69247cc842f5),
-        UINT64_C(0xeb25eb30b5541db3),
-        UINT64_C(0x45cdf37f8a2f1a61),
-        UINT64_C(0x8290a70892f272a9),
-        UINT64_C(0x3adb31931171fd19),
-        UINT64_C(0xe5493c22831a0aca),
-        UINT64_C(0xd2f13190174b8d11),
-        UINT64_C(0x55421cb3ce80a6c7),
-        UINT64_C(0x6ee9489d3ef47ed1),
-        UINT64_C(0x670200a2f06304b3),
-        UINT64_C(0xcce7196c88cfd9de),
+        UINT64_C(0x07fe6bf3a0100004),
+        UINT64_C(0x487eebe0e6840208),
+        UINT64_C(0x4b123bf302a86500),
+        UINT64_C(0xaa1491e18a021574),
+        UINT64_C(0xde88f28e4b5ba176),
+        UINT64_C(0x38e48cdd13f63d24),
+        UINT64_C(0xaeac22835590dec7),
+        UINT64_C(0xc315d67aeac3a5ab),
+        UINT64_C(0xbf799b4de33f0b6c),
+        UINT64_C(0x77a7d8a1317a8b91),
+        UINT64_C(0x7c3eb077050f1e19),
+        UINT64_C(0xcd509228a9f41743),
+        UINT64_C(0xf284b0199305feba),
+        UINT64_C(0xc16bce8bb204ec07),
+        UINT64_C(0x8b1d2ae8f8e2173d),
+        UINT64_C(0xf1bef49e2341ca22),
+        UINT64_C(0x4e6117b4dc661b89),
+        UINT64_C(0x7b49ce5ba08e4283),
+        UINT64_C(0x5a94701d48ef3910),
+        UINT64_C(0x2c2c557abcf7c197),
+        UINT64_C(0x3ceb074832e911e0),
+        UINT64_C(0x260bde86792aeeb2),
+        UINT64_C(0xc060c86f204763c1),
+        UINT64_C(0x625d132a6a967c80),
+        UINT64_C(0x9a111e1682f783ff),
+        UINT64_C(0x8a104a2d27a94b60),
+        UINT64_C(0x76198669945186e9),
+        UINT64_C(0xc73702d55eeb0a00),
+        UINT64_C(0x4a2515172c17db61),
+        UINT64_C(0x76306fd65b0358fb),
+        UINT64_C(0x297be71ccb5a1e6b),
+        UINT64_C(0xd78e3c3da824cd7b),
+        UINT64_C(0xb982f173705e3381),
+        UINT64_C(0x7a3c7463c8ea715e),
+        UINT64_C(0x35d8c932fd3cd3ce),
+        UINT64_C(0x63d09f9ec137a422),
+        UINT64_C(0x8e50b8adb60ba7e4),
+        UINT64_C(0xe6b5d3bd9ffd2814),
+        UINT64_C(0x0cbcdb97ffe5cdd1),
+        UINT64_C(0xa42c092a3db0fd39),
+        UINT64_C(0xb1558a955ed54393),
+        UINT64_C(0x7c787831fe886c50),
+        UINT64_C(0x94373a821ef0d05d),
+        UINT64_C(0x15d4740c280912f2),
+        UINT64_C(0x6862fe51c0821c42),
+        UINT64_C(0x926b9eed59db3f3b),
+        UINT64_C(0xf192d9f2b6791adf),
+        UINT64_C(0x46106c192cc8c93b),
+        UINT64_C(0x31889ec2879e40f9),
+        UINT64_C(0x29422e3205ce1340),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_s_spindle_state *, const axis_s_spindle_inputs *, axis_s_spindle_outputs *) =
@@ -759,10 +831,11 @@ uint32_t axis_s_spindle_self_test(void)
         digest = fold(digest, (uint32_t)state.control);
         digest = fold(digest, state.cycles);
         digest = fold(digest, state.settled);
+        digest = fold(digest, state.missing);
         digest = fold(digest, state.lasting_error);
         digest = fold(digest, state.asks_velocity);
         digest = fold(digest, state.returns);
-        digest = fold(digest, state.preset);
+        digest = fold(digest, state.is_moving);
         digest = fold(digest, state.takes_over);
         digest = fold(digest, bits_of(state.x));
         digest = fold(digest, bits_of(state.x_start));

@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  b92e28125bf8b73ebb5b80376f6f2970
- * checksum    21402ab6c6ef85f0ff187ee3d644e14f
+ * checksum    305287ff465aeafbe614f9d25a054b4f
  */
 #ifndef AXIS_S_SPINDLE_H
 #define AXIS_S_SPINDLE_H
@@ -50,19 +50,19 @@ typedef struct {
      * (G74) */
     int32_t job;
     /* counts the jobs: another number is another job, 1 cycle_time, 14 v_interpolator, 17 x_command, 18 x_actual, 23
-     * v_actual, 31 requests, 32 direction, 33 s_word, 34 s_position, 35 waiting, 41 to_velocity, 42 brake, 43
-     * to_position, 44 half_turn, 45 mode_display, 46 takeover */
+     * v_actual, 31 requests, 32 direction, 33 s_word, 34 s_position, 35 waiting, 36 drive_off, 41 to_velocity, 42
+     * brake, 43 to_position, 44 half_turn, 45 mode_display, 46 takeover */
     uint32_t job_number;
     /* requests that wait, 1 cycle_time, 14 v_interpolator, 17 x_command, 18 x_actual, 23 v_actual, 31 requests, 32
-     * direction, 33 s_word, 34 s_position, 35 waiting, 41 to_velocity, 42 brake, 43 to_position, 44 half_turn, 45
-     * mode_display, 46 takeover */
+     * direction, 33 s_word, 34 s_position, 35 waiting, 36 drive_off, 41 to_velocity, 42 brake, 43 to_position, 44
+     * half_turn, 45 mode_display, 46 takeover */
     uint32_t waiting;
     int32_t operation_mode; /* the operation mode that the drive is to take: SERCOS S-0-0134, CANopen 6060h */
     /* v_spindle as process data of the drive: SERCOS S-0-0036, CANopen 60FFh [increments] */
     int32_t velocity_command;
     /* an error of this cycle, or from 41 on one that stays until reset: 0 none, 1 cycle_time, 14 v_interpolator, 17
-     * x_command, 18 x_actual, 23 v_actual, 31 requests, 32 direction, 33 s_word, 34 s_position, 35 waiting, 41
-     * to_velocity, 42 brake, 43 to_position, 44 half_turn, 45 mode_display, 46 takeover */
+     * x_command, 18 x_actual, 23 v_actual, 31 requests, 32 direction, 33 s_word, 34 s_position, 35 waiting, 36
+     * drive_off, 41 to_velocity, 42 brake, 43 to_position, 44 half_turn, 45 mode_display, 46 takeover */
     uint32_t error_id;
     /* state POSITION without a fault: improved position control acts, position lag and position may be monitored */
     bool loop_closed;
@@ -75,11 +75,12 @@ typedef struct {
     int32_t control; /* what controls the spindle */
     uint32_t cycles; /* cycles in this state, this one included */
     uint32_t settled; /* cycles in which v_actual has been settled */
+    uint32_t missing; /* cycles in which a sample has been missing */
     uint32_t lasting_error; /* an error that stays until reset */
     bool asks_velocity; /* whether velocity control is asked for */
     bool returns; /* whether a reset leads back to position control */
-    bool preset; /* whether x stands on the actual position */
-    bool takes_over; /* whether the interpolator has just been given the spindle */
+    bool is_moving; /* whether position control is taken up at x_start; else x follows the actual position */
+    bool takes_over; /* whether the interpolator has to go on from x */
     double x; /* the position command [0.001 deg] */
     double x_start; /* where position control is taken up [0.001 deg] */
     double v; /* the velocity command [0.001 deg/s] */
