@@ -146,3 +146,91 @@ fn mistakes_are_told_with_what_is_there() {
 fn event(signal: &str, value: &str) -> String {
     format!("[[stimulus.event]]\nsignal = \"{signal}\"\nvalue = {value}\nwindow = {{}}\n\n[stimulus.signal]")
 }
+
+const SPINDLE: &str = r#"
+cycle_time = "2ms"
+
+[axis.S]
+kenngr.achs_typ = "ACHSTYP_SPINDEL"
+getriebe = [{ kv = 2000, dynamik.vb_max = 9000000 }]
+antr = { operation_mode = "CNC_POSITION_CONTROL", nbr_delay_cycles = 1 }
+
+[axis.S.antr.sai_op_mode_change]
+v_velocity_control_on = 1200000
+v_position_control_on = 300000
+"#;
+
+const SCENARIO: &str = r#"
+purpose = "Shows how a scenario is kept."
+axis = "S"
+block = "spindle"
+scenario = "turn.nc"
+emitted = []
+shows = ["M3", "state POSITION"]
+"#;
+
+/// A folder with a scenario.
+fn scenario() -> TempDir {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for (name, text) in [("set.toml", SPINDLE), ("case.toml", SCENARIO), ("turn.nc", "M3 S60\nM5\nM30\n")] {
+        std::fs::write(folder.path().join(name), text).expect("room in it");
+    }
+    folder
+}
+
+fn record(folder: &TempDir, again: bool) -> Result<(), String> {
+    let case = read(folder);
+    case::record(&case, case::scenario_inputs(&case, again)?)
+}
+
+/// The inputs of a scenario are made once: neither another interpolator nor another program makes them anew.
+#[test]
+fn recorded_inputs_of_a_scenario_stay_as_they_are() {
+    let folder = scenario();
+    let file = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    let missing = case::verify(&read(&folder)).unwrap_err();
+    assert!(missing.contains("inputs.csv"), "{missing}");
+    record(&folder, false).unwrap();
+    assert_eq!(case::verify(&read(&folder)).unwrap(), [""; 0]);
+    let made = file("inputs.csv");
+
+    // As another version of the library might have made them: they are kept, and their outputs are recorded.
+    let other = made.replacen(",10000.0", ",10000.1", 1);
+    assert_ne!(made, other);
+    write("inputs.csv", &other);
+    assert_eq!(case::verify(&read(&folder)).unwrap(), ["outputs.csv", "digest"]);
+    record(&folder, false).unwrap();
+    assert_eq!((file("inputs.csv"), case::verify(&read(&folder)).unwrap()), (other.clone(), vec![]));
+
+    write("turn.nc", "M3 S90\nM5\nM30\n");
+    let refused = record(&folder, false).unwrap_err();
+    let place = folder.path().join("turn.nc");
+    let expected = format!(
+        "{}: is not the program whose inputs are recorded in inputs.csv; --again records them anew",
+        place.display()
+    );
+    assert_eq!(refused, expected);
+    assert_eq!(case::verify(&read(&folder)).unwrap(), [expected, "digest".to_owned()]);
+    assert_eq!(file("inputs.csv"), other);
+
+    record(&folder, true).unwrap();
+    assert_ne!(file("inputs.csv"), other);
+    assert_eq!(case::verify(&read(&folder)).unwrap(), [""; 0]);
+    write("turn.nc", "M3 S60\nM5\nM30\n");
+    record(&folder, true).unwrap();
+    assert_eq!(file("inputs.csv"), made, "the same program makes the same bits");
+}
+
+#[test]
+fn a_case_has_a_stimulus_or_a_scenario_and_targets_that_there_are() {
+    let folder = scenario();
+    let said = |text: &str| {
+        std::fs::write(folder.path().join("case.toml"), text).unwrap();
+        case::read(folder.path()).unwrap_err()
+    };
+    let neither = said(&SCENARIO.replace("scenario = \"turn.nc\"\n", ""));
+    assert!(neither.ends_with("case.toml: either `stimulus` or `scenario` is needed"), "{neither}");
+    let unknown = said(&SCENARIO.replace("emitted = []", "emitted = [\"pascal\"]"));
+    assert!(unknown.ends_with("case.toml: no target `pascal`; there are: c, st, twincat, codesys, scl"), "{unknown}");
+}
