@@ -153,11 +153,11 @@ cycle_time = "2ms"
 [axis.S]
 kenngr.achs_typ = "ACHSTYP_SPINDEL"
 getriebe = [{ kv = 2000, dynamik.vb_max = 9000000 }]
-antr = { operation_mode = "CNC_POSITION_CONTROL", nbr_delay_cycles = 1 }
 
-[axis.S.antr.sai_op_mode_change]
-v_velocity_control_on = 1200000
-v_position_control_on = 300000
+[axis.S.antr]
+operation_mode = "CNC_POSITION_CONTROL"
+nbr_delay_cycles = 1
+sai_op_mode_change = { v_velocity_control_on = 1200000, v_position_control_on = 300000 }
 "#;
 
 const SCENARIO: &str = r#"

@@ -18,11 +18,14 @@ kenngr.achs_typ = "ACHSTYP_SPINDEL"
 kenngr.antr_typ = "SERCOS"
 getriebe = [{ kv = 2000, dynamik.vb_max = 9000000 }]
 spindle.deceleration = 12000000
-antr = { nbr_delay_cycles = 4, v_reso_num = 1, v_reso_denom = 36, sercos.op_mode_for_velocity_control = 1 }
 
-[axis.S.antr.sai_op_mode_change]
-v_velocity_control_on = 1200000
-v_position_control_on = 300000
+[axis.S.antr]
+nbr_delay_cycles = 4
+v_time_base = 0
+v_reso_num = 1
+v_reso_denom = 36
+sercos.op_mode_for_velocity_control = 1
+sai_op_mode_change = { v_velocity_control_on = 1200000, v_position_control_on = 300000 }
 
 [axis.X]
 getriebe = [{ kv = 3000, dynamik.vb_max = 500000 }]
