@@ -18,6 +18,7 @@ pub(crate) mod spindle;
 mod spindle_axis;
 mod values;
 
+pub use crate::trial::Drill;
 pub use designed::Designed;
 pub use ipc::{check::lowest_f0_ts, feasibility::refusals};
 pub use kind::{Block, Kind, Part, Summary};

@@ -1,6 +1,6 @@
 //! The block `spindle_axis`: the changeover with feedforward, position control and improved position control.
 
-use super::{Part, Summary};
+use super::{Drill, Part, Summary};
 use crate::blocks::designed::Designed;
 use reference::axis::Axis;
 use reference::spindle::Spindle;
@@ -29,6 +29,10 @@ impl Part for SpindleAxis {
 
     fn start_cycles(&self, designed: &Designed) -> usize {
         Axis.start_cycles(designed)
+    }
+
+    fn drill(&self, designed: &Designed) -> Vec<Drill> {
+        Spindle.drill(designed)
     }
 
     /// Its parts say it.

@@ -360,7 +360,7 @@ impl<R: Real> Block<R> for Axis {
         Inputs { mode: coeffs.ipc.enable, feedforward_percentage: 100, position_controlled: true, ..Inputs::default() }
     }
 
-    fn exercise(inputs: &mut Inputs<R>) {
+    fn exercise(inputs: &mut Inputs<R>, _: &Coeffs<R>) {
         inputs.mode = ipc::mode_on();
         inputs.feedforward_active = true;
         inputs.feedforward_percentage = 87;

@@ -1,7 +1,7 @@
 //! What the spindle's commands do where the interpolator has no say. No transition.
 
 use super::signals::Inputs;
-use super::{Coeffs, Cycle, State};
+use super::state::{Coeffs, Cycle, State};
 use crate::angle::position_limit;
 use crate::signal::error_x_actual;
 use portable::{Real, in_range, portable};

@@ -2,8 +2,9 @@
 
 use super::jobs::is_free;
 use super::motion::{advance, slow_down};
+use super::request::{Job, Request};
 use super::signals::Inputs;
-use super::{Coeffs, Cycle, Job, Request, SpindleState, State, enter};
+use super::state::{Coeffs, Cycle, SpindleState, State, enter};
 use crate::angle::{position_limit, shortest};
 use crate::signal::{
     error_brake, error_half_turn, error_mode_display, error_takeover, error_to_position, error_to_velocity,
@@ -143,19 +144,18 @@ pub fn lead_time<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
 
 /// Whether the drive has the velocity command, which is at Voff or below, and is no faster than the window allows.
 #[portable]
-pub fn has_slowed_down<R: Real>(coeffs: &Coeffs<R>, v: R, v_actual: R) -> bool {
-    let v_magnitude = if v < R::ZERO { -v } else { v };
-    within(v, coeffs.v_position_control_on) && within(v_actual, v_magnitude + coeffs.window)
+pub fn has_slowed_down<R: Real>(coeffs: &Coeffs<R>, v_before: R, v_actual: R) -> bool {
+    let v_magnitude = if v_before < R::ZERO { -v_before } else { v_before };
+    within(v_before, coeffs.v_position_control_on) && within(v_actual, v_magnitude + coeffs.window)
 }
 
 /// BRAKE: down to Voff, until the actual velocity has been there for three cycles.
 #[portable]
 pub fn brake<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
+    let is_known = in_range(inputs.v_actual, sample_limit());
     let mut is_slow = false;
-    if in_range(inputs.v_actual, sample_limit()) {
+    if is_known {
         is_slow = has_slowed_down(coeffs, state.v, inputs.v_actual);
-    } else {
-        cycle.sample_error = error_v_actual();
     }
     if is_slow {
         state.settled += 1u32;
@@ -164,7 +164,9 @@ pub fn brake<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
     }
     let is_settled = state.settled >= 3u32;
     let can_leave = is_settled && in_range(inputs.x_actual, position_limit());
-    if is_settled && !can_leave {
+    if !is_known {
+        cycle.sample_error = error_v_actual();
+    } else if is_settled && !can_leave {
         cycle.sample_error = error_x_actual();
     }
     if !can_leave && state.cycles > coeffs.brake_cycles {

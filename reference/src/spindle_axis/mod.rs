@@ -221,11 +221,12 @@ impl<R: Real> Block<R> for SpindleAxis {
         Inputs { mode: coeffs.axis.ipc.enable, feedforward_percentage: 100, ..Inputs::default() }
     }
 
-    fn exercise(inputs: &mut Inputs<R>) {
+    fn exercise(inputs: &mut Inputs<R>, coeffs: &Coeffs<R>) {
         inputs.mode = ipc::mode_on();
         inputs.feedforward_active = true;
         inputs.feedforward_percentage = 87;
         inputs.drive_on = true;
+        inputs.operation_mode_display = coeffs.spindle.position_mode;
     }
 
     fn outputs() -> Outputs<R> {

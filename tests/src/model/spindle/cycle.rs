@@ -211,9 +211,8 @@ impl Model {
             }
             TO_VELOCITY => self.displays(inputs, self.p.velocity_mode).then_some(VELOCITY),
             VELOCITY => {
-                let away = self.log.iter().rfind(|entry| entry.state == TO_VELOCITY).expect("the state before");
                 let is_asked_for = self.requests.waiting.front().is_some_and(|request| !request.kind.is_of_velocity());
-                (is_asked_for || self.reset_at >= away.since).then_some(BRAKE)
+                (is_asked_for || self.returns()).then_some(BRAKE)
             }
             BRAKE => self.is_settled().then_some(TO_POSITION),
             _ => self.displays(inputs, self.p.position_mode).then_some(POSITION),
@@ -255,7 +254,7 @@ impl Model {
         }
         let may_serve = match (next, self.requests.waiting.front()) {
             (POSITION, _) => true,
-            (VELOCITY, Some(request)) => request.kind.is_of_velocity(),
+            (VELOCITY, Some(request)) => request.kind.is_of_velocity() && !self.returns(),
             _ => false,
         };
         if may_serve
@@ -264,6 +263,12 @@ impl Model {
         {
             self.begin(request);
         }
+    }
+
+    /// Whether there was a reset since velocity control was asked for.
+    fn returns(&self) -> bool {
+        let away = self.log.iter().rfind(|entry| entry.state == TO_VELOCITY);
+        away.is_some_and(|entry| self.reset_at >= entry.since)
     }
 
     /// Settled in this cycle and in those before it, in BRAKE.
