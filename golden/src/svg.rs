@@ -138,9 +138,8 @@ fn curves(panel: &Curves, until: f64, top: f64, lines: &mut Vec<String>) -> f64 
     let scale = Scale { until, high: (high, top), low: (low, bottom) };
     lines.push(text([MARGIN, top - 10.0], "start", INK, &panel.name));
     legend(panel, top - 10.0, lines);
-    let count = ((high - low) / step).round() as i32;
-    for n in 0..=count {
-        let value = low + f64::from(n) * step;
+    let values = (0..).map(|n| low + f64::from(n) * step).take_while(|value| *value < high + step / 2.0);
+    for value in values {
         let y = scale.y(value);
         lines.push(line([LEFT, y, RIGHT, y], if value == 0.0 { "1" } else { "0.3" }, ""));
         lines.push(text([LEFT - 8.0, y + 4.0], "end", INK, &number(value, step)));

@@ -33,7 +33,7 @@ pub(super) enum State {
 pub(super) enum Job {
     Stop,
     Turn,
-    Position,
+    Orient,
     Release,
     Home,
 }
@@ -95,7 +95,7 @@ impl Interpolator {
         match seen.job {
             Job::Stop | Job::Release => self.mover.turn(0.0),
             Job::Turn => self.mover.turn(seen.job_speed),
-            Job::Position => self.approach(seen.job_position, seen.job_speed),
+            Job::Orient => self.approach(seen.job_position, seen.job_speed),
             Job::Home => self.approach(0.0, HOMING),
         }
     }

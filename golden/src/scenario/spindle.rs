@@ -162,7 +162,7 @@ impl<'a> Closed<'a> {
             None if v == 0.0 => shortest(target - self.x_actual) < 0.0,
             None => v < 0.0,
         };
-        self.request(if is_negative { &["m19", "m4"] } else { &["m19", "m3"] }, speed, target, Job::Position, line)?;
+        self.request(if is_negative { &["m19", "m4"] } else { &["m19", "m3"] }, speed, target, Job::Orient, line)?;
         self.until_done(line)
     }
 
@@ -273,7 +273,7 @@ impl<'a> Closed<'a> {
             },
             job: match self.recorder.integer("job") {
                 1 => Job::Turn,
-                2 => Job::Position,
+                2 => Job::Orient,
                 3 => Job::Release,
                 4 => Job::Home,
                 _ => Job::Stop,

@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  b92e28125bf8b73ebb5b80376f6f2970
- * checksum    ad66b597758082431153da6066444ff0
+ * checksum    06e640d6125fea6e1524ca31150c6a1a
  */
 #include "axis_s_spindle.h"
 
@@ -114,7 +114,8 @@ static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_x_actual = 18u; /* error_id: x_actual is not within the sample limit */
 static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
 static const uint32_t error_x_command = 17u; /* error_id: x_command is not within the sample limit */
-static const uint32_t error_mode_display = 45u; /* error_id: spindle: the drive has left its operation mode; stays until reset */
+/* error_id: spindle: the drive does not display the operation mode that it is in; stays from the fourth cycle on */
+static const uint32_t error_mode_display = 45u;
 /* error_id: spindle: 180 degrees a cycle or more, the drive cannot tell the direction; stays until reset */
 static const uint32_t error_half_turn = 44u;
 static const double per_turn = 2.777777777777778e-6; /* 1 / full_turn */
@@ -131,7 +132,7 @@ static const uint32_t error_to_position = 43u;
 enum {
     job_stop = 0, /* M5, and what stops the spindle otherwise */
     job_turn = 1, /* M3 or M4 */
-    job_position = 2, /* M19 */
+    job_orient = 2, /* M19 */
     job_release = 3, /* S[PUTAX] */
     job_home = 4 /* G74 */
 };
@@ -210,36 +211,36 @@ void axis_s_spindle_step(
     state->before_g74 = inputs->g74;
     uint32_t request_error;
     if (!inputs->reset && (new_g74 || new_putax || new_m19 || new_m5 || new_turn)) {
-        bool is_alone;
+        bool has_others;
         int32_t wanted;
         if (new_g74) {
-            is_alone = !(new_putax || new_m19 || new_m5 || new_turn);
+            has_others = new_putax || new_m19 || new_m5 || new_turn;
             wanted = job_home;
         } else if (new_putax) {
-            is_alone = !(new_m19 || new_m5 || new_turn);
+            has_others = new_m19 || new_m5 || new_turn;
             wanted = job_release;
         } else if (new_m19) {
-            is_alone = !new_m5;
-            wanted = job_position;
+            wanted = job_orient;
+            has_others = new_m5;
         } else if (new_m5) {
-            is_alone = !new_turn;
             wanted = job_stop;
+            has_others = new_turn;
         } else {
             wanted = job_turn;
-            is_alone = true;
+            has_others = false;
         }
-        const uint32_t queued = state->queued;
-        const bool is_moving = wanted == job_turn || wanted == job_position;
+        const uint32_t waiting_now = state->queued;
+        const bool has_speed = wanted == job_turn || wanted == job_orient;
         uint32_t why;
-        if (is_moving && inputs->m3 && inputs->m4) {
+        if (has_speed && inputs->m3 && inputs->m4) {
             why = error_direction;
-        } else if (is_moving && !(magnitude(inputs->s_word) <= sample_limit)) {
+        } else if (has_speed && !(magnitude(inputs->s_word) <= sample_limit)) {
             why = error_s_word;
-        } else if (wanted == job_position && !(magnitude(inputs->s_position) <= position_limit)) {
+        } else if (wanted == job_orient && !(magnitude(inputs->s_position) <= position_limit)) {
             why = error_s_position;
         } else if (!inputs->drive_on) {
             why = error_drive_off;
-        } else if (queued >= 4u) {
+        } else if (waiting_now >= 4u) {
             why = error_waiting;
         } else {
             why = error_none;
@@ -248,7 +249,7 @@ void axis_s_spindle_step(
             request_error = why;
         } else {
             double speed;
-            if (wanted == job_turn || wanted == job_position) {
+            if (wanted == job_turn || wanted == job_orient) {
                 const bool is_negative = inputs->s_word < 0.0;
                 if (is_negative == inputs->m4) {
                     speed = inputs->s_word;
@@ -259,7 +260,7 @@ void axis_s_spindle_step(
                 speed = 0.0;
             }
             double target;
-            if (wanted == job_position) {
+            if (wanted == job_orient) {
                 target = inputs->s_position;
             } else {
                 target = 0.0;
@@ -282,10 +283,10 @@ void axis_s_spindle_step(
                 state->request3_position = target;
             }
             state->queued = state->queued + 1u;
-            if (is_alone) {
-                request_error = error_none;
-            } else {
+            if (has_others) {
                 request_error = error_requests;
+            } else {
+                request_error = error_none;
             }
         }
     } else {
@@ -317,7 +318,7 @@ void axis_s_spindle_step(
         state->missing = 0u;
     }
     outputs->spindle_state = state->control;
-    uint32_t sample_error_2;
+    uint32_t sample_error;
     if (!inputs->drive_on) {
         state->v = 0.0;
         state->asks_velocity = false;
@@ -327,9 +328,9 @@ void axis_s_spindle_step(
         state->takes_over = false;
         if (magnitude(inputs->x_actual) <= position_limit) {
             state->x = inputs->x_actual;
-            sample_error_2 = 0u;
+            sample_error = 0u;
         } else {
-            sample_error_2 = error_x_actual;
+            sample_error = error_x_actual;
         }
     } else if (state->lasting_error == error_none) {
         state->cycles = state->cycles + 1u;
@@ -344,7 +345,7 @@ void axis_s_spindle_step(
                 } else {
                     state->x = state->x + state->v * cycle_time;
                 }
-                sample_error_2 = error_v_interpolator;
+                sample_error = error_v_interpolator;
             } else if (!(magnitude(inputs->x_command) <= position_limit)) {
                 state->missing = state->missing + 1u;
                 state->takes_over = true;
@@ -353,7 +354,7 @@ void axis_s_spindle_step(
                 } else {
                     state->x = state->x + state->v * cycle_time;
                 }
-                sample_error_2 = error_x_command;
+                sample_error = error_x_command;
             } else if (inputs->operation_mode_display == position_mode) {
                 if (inputs->v_interpolator >= v_half_turn || -inputs->v_interpolator >= v_half_turn) {
                     state->lasting_error = error_half_turn;
@@ -389,7 +390,7 @@ void axis_s_spindle_step(
                         }
                     }
                 }
-                sample_error_2 = 0u;
+                sample_error = 0u;
             } else {
                 state->missing = state->missing + 1u;
                 state->takes_over = true;
@@ -398,7 +399,7 @@ void axis_s_spindle_step(
                 } else {
                     state->x = state->x + state->v * cycle_time;
                 }
-                sample_error_2 = error_mode_display;
+                sample_error = error_mode_display;
             }
             break;
         }
@@ -414,7 +415,7 @@ void axis_s_spindle_step(
                 } else {
                     state->x = state->x + state->v * cycle_time;
                 }
-                sample_error_2 = error_v_interpolator;
+                sample_error = error_v_interpolator;
             } else if (magnitude(inputs->x_command) <= position_limit) {
                 if (inputs->v_interpolator >= v_half_turn || -inputs->v_interpolator >= v_half_turn) {
                     state->lasting_error = error_half_turn;
@@ -434,7 +435,7 @@ void axis_s_spindle_step(
                     state->x = inputs->x_command;
                     state->v = inputs->v_interpolator;
                 }
-                sample_error_2 = 0u;
+                sample_error = 0u;
             } else {
                 state->missing = state->missing + 1u;
                 state->takes_over = true;
@@ -443,7 +444,7 @@ void axis_s_spindle_step(
                 } else {
                     state->x = state->x + state->v * cycle_time;
                 }
-                sample_error_2 = error_x_command;
+                sample_error = error_x_command;
             }
             break;
         }
@@ -456,7 +457,7 @@ void axis_s_spindle_step(
                 } else {
                     state->x = state->x + state->v * cycle_time;
                 }
-                sample_error_2 = error_v_interpolator;
+                sample_error = error_v_interpolator;
             } else if (inputs->operation_mode_display == velocity_mode) {
                 state->missing = 0u;
                 state->v = inputs->v_interpolator;
@@ -475,7 +476,7 @@ void axis_s_spindle_step(
                     state->settled = 0u;
                     state->missing = 0u;
                 }
-                sample_error_2 = 0u;
+                sample_error = 0u;
             } else {
                 state->missing = state->missing + 1u;
                 state->takes_over = true;
@@ -484,25 +485,24 @@ void axis_s_spindle_step(
                 } else {
                     state->x = state->x + state->v * cycle_time;
                 }
-                sample_error_2 = error_mode_display;
+                sample_error = error_mode_display;
             }
             break;
         }
         case spindle_state_brake: {
+            const bool is_known = magnitude(inputs->v_actual) <= sample_limit;
             bool is_slow;
-            uint32_t sample_error;
-            if (magnitude(inputs->v_actual) <= sample_limit) {
-                const double v = state->v;
+            if (is_known) {
+                const double v_before = state->v;
                 double v_magnitude;
-                if (v < 0.0) {
-                    v_magnitude = -v;
+                if (v_before < 0.0) {
+                    v_magnitude = -v_before;
                 } else {
-                    v_magnitude = v;
+                    v_magnitude = v_before;
                 }
-                is_slow = magnitude(v) <= v_position_control_on && magnitude(inputs->v_actual) <= v_magnitude + window;
-                sample_error = 0u;
+                is_slow =
+                    magnitude(v_before) <= v_position_control_on && magnitude(inputs->v_actual) <= v_magnitude + window;
             } else {
-                sample_error = error_v_actual;
                 is_slow = false;
             }
             if (is_slow) {
@@ -512,10 +512,12 @@ void axis_s_spindle_step(
             }
             const bool is_settled = state->settled >= 3u;
             const bool can_leave = is_settled && magnitude(inputs->x_actual) <= position_limit;
-            if (is_settled && !can_leave) {
-                sample_error_2 = error_x_actual;
+            if (!is_known) {
+                sample_error = error_v_actual;
+            } else if (is_settled && !can_leave) {
+                sample_error = error_x_actual;
             } else {
-                sample_error_2 = sample_error;
+                sample_error = 0u;
             }
             if (!can_leave && state->cycles > brake_cycles) {
                 state->lasting_error = error_brake;
@@ -550,7 +552,7 @@ void axis_s_spindle_step(
             const bool is_position_displayed = can_start && inputs->operation_mode_display == position_mode;
             if (!is_position_displayed && state->cycles > mode_cycles) {
                 state->lasting_error = error_to_position;
-                sample_error_2 = 0u;
+                sample_error = 0u;
             } else {
                 if (can_start) {
                     if (!state->is_moving) {
@@ -560,9 +562,9 @@ void axis_s_spindle_step(
                     } else {
                         state->x = state->x + state->v * cycle_time;
                     }
-                    sample_error_2 = 0u;
+                    sample_error = 0u;
                 } else {
-                    sample_error_2 = error_x_actual;
+                    sample_error = error_x_actual;
                 }
                 if (is_position_displayed) {
                     /* TO_POSITION -> POSITION: the drive displays position control */
@@ -577,7 +579,7 @@ void axis_s_spindle_step(
         }
         }
     } else {
-        sample_error_2 = 0u;
+        sample_error = 0u;
     }
     const bool has_failed = state->lasting_error != error_none;
     if (has_failed && inputs->drive_on) {
@@ -617,34 +619,34 @@ void axis_s_spindle_step(
     } else {
         outputs->operation_mode = position_mode;
     }
-    const double increments = velocity_scale * state->v;
-    if (magnitude(increments) <= velocity_range_upper_limit) {
-        outputs->velocity_command = nearest(increments);
+    const double velocity_increments = velocity_scale * state->v;
+    if (magnitude(velocity_increments) <= velocity_range_upper_limit) {
+        outputs->velocity_command = nearest(velocity_increments);
         outputs->limited = false;
-    } else if (increments > 0.0) {
+    } else if (velocity_increments > 0.0) {
         outputs->velocity_command = velocity_range_highest;
         outputs->limited = true;
-    } else if (increments < 0.0) {
-        outputs->limited = increments < velocity_range_lower_limit;
+    } else if (velocity_increments < 0.0) {
+        outputs->limited = velocity_increments < velocity_range_lower_limit;
         outputs->velocity_command = velocity_range_lowest;
     } else {
         /* only what is no number comes here, which no sample in range leads to: nothing is put out */
         outputs->velocity_command = 0;
         outputs->limited = true;
     }
-    const uint32_t lasting_error = state->lasting_error;
+    const uint32_t lasting = state->lasting_error;
     uint32_t error_id;
-    if (lasting_error != error_none) {
-        error_id = lasting_error;
-    } else if (sample_error_2 != error_none) {
-        error_id = sample_error_2;
+    if (lasting != error_none) {
+        error_id = lasting;
+    } else if (sample_error != error_none) {
+        error_id = sample_error;
     } else {
         error_id = request_error;
     }
     outputs->error_id = error_id;
     outputs->fault = error_id != error_none;
     outputs->loop_closed =
-        outputs->spindle_state == spindle_state_position && !has_failed && sample_error_2 == error_none;
+        outputs->spindle_state == spindle_state_position && !has_failed && sample_error == error_none;
     if (!inputs->drive_on || inputs->reset || has_failed || state->control == spindle_state_brake) {
         if (state->present_kind != job_stop) {
             state->present_kind = job_stop;
@@ -656,7 +658,7 @@ void axis_s_spindle_step(
         const bool is_over = state->present_kind == job_stop || state->present_kind == job_turn || inputs->job_done;
         const bool can_serve =
             state->control == spindle_state_position
-                || (state->control == spindle_state_velocity
+                || (state->control == spindle_state_velocity && !state->returns
                     && (state->request0_kind == job_stop || state->request0_kind == job_turn));
         if (is_over && can_serve && state->queued > 0u) {
             state->present_kind = state->request0_kind;

@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  b92e28125bf8b73ebb5b80376f6f2970
- * checksum    305287ff465aeafbe614f9d25a054b4f
+ * checksum    5ee4807956ef50b4a2c5e8718f43dad3
  */
 #ifndef AXIS_S_SPINDLE_H
 #define AXIS_S_SPINDLE_H
@@ -46,7 +46,7 @@ typedef struct {
     double job_speed; /* speed of the job, below 0 for M4 [0.001 deg/s] */
     double job_position; /* target of the job M19 [0.001 deg] */
     int32_t spindle_state; /* 0 POSITION, 1 TO_VELOCITY, 2 VELOCITY, 3 BRAKE, 4 TO_POSITION */
-    /* what the interpolator has to do: 0 STOP (M5), 1 TURN (M3, M4), 2 POSITION (M19), 3 RELEASE (S[PUTAX]), 4 HOME
+    /* what the interpolator has to do: 0 STOP (M5), 1 TURN (M3, M4), 2 ORIENT (M19), 3 RELEASE (S[PUTAX]), 4 HOME
      * (G74) */
     int32_t job;
     /* counts the jobs: another number is another job, 1 cycle_time, 14 v_interpolator, 17 x_command, 18 x_actual, 23
