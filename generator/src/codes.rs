@@ -120,6 +120,9 @@ codes! {
     NO_ENGINE = "AX018", "an engine that cannot run",
         "The engine needs a program that is not there, or that does not work: mostly the C compiler, `cc` or what the variable CC \
          names. This is no mistake in the set.";
+    NC_PROGRAM = "AX019", "a mistake in an NC program",
+        "A scenario is an NC program of the words that docs/scenarios.md lists, run on one axis: a spindle, or a path axis named X, Y or Z. \
+         Every block must be over at some time, and no error of the generated block may occur.";
 
     LINE = "AX101", "no line of an axis list",
         "A line is `path value`, with blanks or tabs between and no `=`; `#`, `(`, `/*`, `;` or `//` begins a comment, to the end of \

@@ -75,7 +75,7 @@ impl Diagnostic {
         Self { allowed: Some(allowed.into()), ..self }
     }
 
-    pub(crate) fn instead(self, instead: impl Into<String>) -> Self {
+    pub fn instead(self, instead: impl Into<String>) -> Self {
         Self { instead: Some(instead.into()), ..self }
     }
 }

@@ -1,20 +1,22 @@
-//! Golden cases: a folder with an axis set, a stimulus, and the answers that were recorded.
+//! Golden cases: a folder with an axis set, a stimulus or a scenario, and the answers that were recorded.
 //!
 //! ```text
 //! case.toml      purpose, axis, block, stimulus, what it shows
 //! set.toml       the axis set (or what case.toml names)
-//! inputs.csv     the first 2,000 samples as bits, without the inputs that keep their start
+//! inputs.csv     the first 2,000 samples as bits, without the inputs that keep their start; of a scenario all
 //! outputs.csv    the answers
-//! digest         128-bit digests of inputs and outputs of 1,000,000 samples
+//! digest         128-bit digests of inputs and outputs of 1,000,000 samples, or of all of a scenario
 //! emitted/       the files that the block gets, but its self-tests
 //! ```
 //!
-//! `axgen run set.toml --axis X --stimulus inputs.csv --hex` prints outputs.csv, whatever the engine.
+//! `axgen run set.toml --axis X --stimulus inputs.csv --hex` prints outputs.csv, whatever the engine; of a scenario without `--hex`:
+//! its numbers are decimal, and short. `source` says where the inputs come from.
 
 use crate::csv::{self, Reals};
 use crate::engine::{self, Engine};
 use crate::samples::{Samples, Shape};
 use crate::shows::shown;
+use crate::source::{self, Source};
 use crate::stimulus::{self, Stimulus};
 use generator::blocks::Designed;
 use generator::blocks::{self, Block};
@@ -23,7 +25,7 @@ use generator::diagnostics::Slashes;
 use generator::digest::digest;
 use generator::generate::header;
 use generator::pipeline;
-use generator::target::{File, TARGETS};
+use generator::target::{File, TARGETS, Target};
 use generator::write;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
@@ -50,7 +52,9 @@ pub struct Case {
     /// the block
     pub block: Block,
     /// what its inputs do
-    pub stimulus: Stimulus,
+    pub source: Source,
+    /// the targets whose files it keeps; none: all
+    pub emitted: Option<Vec<String>>,
 }
 
 /// `case.toml`.
@@ -65,7 +69,9 @@ struct Description {
     cycle_time: Option<String>,
     axis: String,
     block: String,
-    stimulus: Stimulus,
+    stimulus: Option<Stimulus>,
+    scenario: Option<PathBuf>,
+    emitted: Option<Vec<String>>,
 }
 
 fn set_beside() -> String {
@@ -86,13 +92,23 @@ pub fn read(folder: &Path) -> Result<Case, String> {
     let set = set.ok_or_else(|| report.to_string())?;
     let axis = set.axes.into_iter().find(|of| of.axis.name == description.axis);
     let axis = axis.ok_or_else(|| format!("{}: no axis `{}`", path.slashes(), description.axis))?;
+    let source = match (description.stimulus, description.scenario) {
+        (Some(stimulus), None) => Source::Stimulus(stimulus),
+        (None, Some(program)) => Source::Scenario(folder.join(program)),
+        _ => return Err(format!("{}: either `stimulus` or `scenario` is needed", path.slashes())),
+    };
+    let names = TARGETS.map(|target| target.name);
+    if let Some(unknown) = description.emitted.iter().flatten().find(|name| !names.contains(&name.as_str())) {
+        return Err(format!("{}: no target `{unknown}`; there are: {}", path.slashes(), names.join(", ")));
+    }
     Ok(Case {
         folder: folder.to_owned(),
         purpose: description.purpose,
         shows: description.shows,
         block: named_block(&axis, &description.block)?,
         axis,
-        stimulus: description.stimulus,
+        source,
+        emitted: description.emitted,
     })
 }
 
@@ -108,14 +124,28 @@ pub fn named_block(designed: &Designed, name: &str) -> Result<Block, String> {
     Ok(blocks[position].clone())
 }
 
-/// The inputs of a case.
+/// The inputs of a case: at most so many.
 ///
 /// # Errors
-/// The stimulus does not fit the block.
+/// The stimulus does not fit the block, or the inputs of the scenario are not recorded.
 pub fn inputs(case: &Case, count: usize) -> Result<Samples, String> {
     let shape = Shape::of(&case.block.program.inputs, case.axis.axis.real);
-    stimulus::samples(&case.stimulus, &shape, count)
-        .map_err(|mistake| format!("{}: {mistake}", case.folder.join("case.toml").slashes()))
+    match &case.source {
+        Source::Stimulus(stimulus) => stimulus::samples(stimulus, &shape, count)
+            .map_err(|mistake| format!("{}: {mistake}", case.folder.join("case.toml").slashes())),
+        Source::Scenario(_) => Ok(source::recorded(&case.folder, &shape)?.first(count)),
+    }
+}
+
+/// The inputs that stand in `inputs.csv`.
+///
+/// # Errors
+/// As [`inputs`].
+pub fn vectors(case: &Case) -> Result<Samples, String> {
+    match case.source {
+        Source::Stimulus(_) => inputs(case, VECTOR_SAMPLES),
+        Source::Scenario(_) => inputs(case, usize::MAX),
+    }
 }
 
 /// A run of a case and what it must leave in the case's folder.
@@ -126,21 +156,29 @@ struct Recording {
 }
 
 /// What the reference answers now.
-fn recording(case: &Case) -> Result<Recording, String> {
-    let inputs = inputs(case, DIGEST_SAMPLES)?;
+fn recording(case: &Case, inputs: &Samples) -> Result<Recording, String> {
     let outputs =
-        engine::run(Engine::Reference, &case.axis, &case.block, &inputs).map_err(|failure| failure.to_string())?;
-    let (first, answers) = (inputs.first(VECTOR_SAMPLES), outputs.first(VECTOR_SAMPLES));
+        engine::run(Engine::Reference, &case.axis, &case.block, inputs).map_err(|failure| failure.to_string())?;
+    let (count, reals) = match case.source {
+        Source::Stimulus(_) => (VECTOR_SAMPLES, Reals::Hexadecimal),
+        Source::Scenario(_) => (inputs.len(), Reals::Decimal),
+    };
+    let (first, answers) = (inputs.first(count), outputs.first(count));
     let shown = shown(&case.axis.axis, &first, &answers);
-    let digests =
-        format!("samples {DIGEST_SAMPLES}\ninputs {}\noutputs {}\n", digest(&inputs.bytes), digest(&outputs.bytes));
+    let mut digests =
+        format!("samples {}\ninputs {}\noutputs {}\n", inputs.len(), digest(&inputs.bytes), digest(&outputs.bytes));
+    if let Source::Scenario(program) = &case.source {
+        digests += &source::program_line(program)?;
+    }
     let texts = [
-        ("inputs.csv", csv::write(&[&first.without_constant()], Reals::Hexadecimal)),
-        ("outputs.csv", csv::write(&[&answers], Reals::Hexadecimal)),
-        ("digest", digests),
+        (source::INPUTS, csv::write(&[&first.without_constant()], reals)),
+        ("outputs.csv", csv::write(&[&answers], reals)),
+        (source::DIGEST, digests),
     ];
+    let is_kept =
+        |target: &&Target| case.emitted.as_ref().is_none_or(|kept| kept.iter().any(|name| name == target.name));
     let mut emitted = Vec::new();
-    for target in TARGETS {
+    for target in TARGETS.iter().filter(is_kept) {
         let files = target.files(&header(&case.axis.axis, &case.block), &case.block);
         emitted.extend(files.map_err(|defect| defect.to_string())?);
     }
@@ -154,12 +192,28 @@ fn recording(case: &Case) -> Result<Recording, String> {
     })
 }
 
-/// Writes the reference's answers and the emitted files; what else lies among the emitted files goes.
+/// The inputs that the scenario of a case makes now, where there are none recorded yet, or `again`; else those that are recorded stay
+/// as they are. A stimulus needs none.
+///
+/// # Errors
+/// The program cannot be run, or is another one than that of the recorded inputs.
+pub fn scenario_inputs(case: &Case, again: bool) -> Result<Option<Samples>, String> {
+    match &case.source {
+        Source::Scenario(program) => source::made(program, &case.folder, &case.axis, &case.block, again),
+        Source::Stimulus(_) => Ok(None),
+    }
+}
+
+/// Writes the reference's answers and the emitted files, and the inputs, if they are those of a stimulus or `made`; what else lies
+/// among the emitted files goes.
 ///
 /// # Errors
 /// The stimulus does not fit, the case does not show what it says, or the folder does not take the files.
-pub fn record(case: &Case) -> Result<(), String> {
-    let Recording { files, missing } = recording(case)?;
+pub fn record(case: &Case, made: Option<Samples>) -> Result<(), String> {
+    let keeps_inputs = made.is_none() && matches!(case.source, Source::Scenario(_));
+    let inputs = made.map_or_else(|| inputs(case, DIGEST_SAMPLES), Ok)?;
+    let Recording { mut files, missing } = recording(case, &inputs)?;
+    files.retain(|file| !(keeps_inputs && file.name == source::INPUTS));
     if !missing.is_empty() {
         return Err(format!("{}: the case does not show {}", case.folder.slashes(), missing.join(", ")));
     }
@@ -179,10 +233,13 @@ pub fn record(case: &Case) -> Result<(), String> {
 /// Compares the folder with what the reference and the targets give now; names every difference.
 ///
 /// # Errors
-/// The stimulus does not fit the block.
+/// As [`inputs`].
 pub fn verify(case: &Case) -> Result<Vec<String>, String> {
-    let Recording { files, missing } = recording(case)?;
+    let Recording { files, missing } = recording(case, &inputs(case, DIGEST_SAMPLES)?)?;
     let mut differing: Vec<String> = missing.iter().map(|word| format!("shows: {word}")).collect();
+    if let Source::Scenario(program) = &case.source {
+        differing.extend(source::same_program(program, &case.folder).err());
+    }
     for file in &files {
         let found = config::load(&case.folder.join(&file.name));
         if found.ok().as_deref() != Some(file.text.as_bytes()) {

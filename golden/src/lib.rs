@@ -7,7 +7,9 @@
 //! recording  what a controller recorded, and how far it agrees
 //! compare    how many bits of two runs differ, and where first
 //! exercise   the stimulus for a user's own axes; boundaries: the events at the boundaries of its process data
-//! case       a folder with an axis set, a stimulus and the answers that were recorded
+//! scenario   the inputs that an NC program makes, in a loop with a simple drive; svg: its picture, as text
+//! source     the inputs of a case: a stimulus, or those that a scenario has once made
+//! case       a folder with an axis set, a stimulus or a scenario, and the answers that were recorded
 //! shows      what a case has in it: so that none can silently cease to show what it is there for
 //! ```
 #![forbid(unsafe_code)]
@@ -20,7 +22,10 @@ pub mod engine;
 pub mod exercise;
 pub mod recording;
 pub mod samples;
+pub mod scenario;
 pub mod shows;
+pub mod source;
 pub mod stimulus;
+pub mod svg;
 pub mod table;
 pub mod waveform;

@@ -46,7 +46,7 @@ fn read(folder: &TempDir) -> Case {
 fn said(replaced: &str, by: &str) -> String {
     assert!(CASE.contains(replaced));
     let folder = folder(&CASE.replace(replaced, by));
-    let said = case::read(folder.path()).and_then(|case| case::record(&case)).expect_err("a mistake");
+    let said = case::read(folder.path()).and_then(|case| case::record(&case, None)).expect_err("a mistake");
     assert_eq!(std::fs::read_dir(folder.path()).expect("a folder").count(), 2, "nothing was written");
     said
 }
@@ -71,7 +71,7 @@ fn what_was_recorded_is_verified() {
         ],
         "nothing is recorded yet"
     );
-    case::record(&case).unwrap();
+    case::record(&case, None).unwrap();
     assert_eq!(case::verify(&case).unwrap(), [""; 0]);
     assert_eq!(
         case::folders(folder.path().parent().unwrap()).unwrap().iter().filter(|f| *f == folder.path()).count(),
@@ -83,7 +83,7 @@ fn what_was_recorded_is_verified() {
 fn a_changed_byte_and_a_file_of_another_time_are_named() {
     let folder = folder(CASE);
     let case = read(&folder);
-    case::record(&case).unwrap();
+    case::record(&case, None).unwrap();
     let outputs = folder.path().join("outputs.csv");
     let text = std::fs::read_to_string(&outputs).unwrap();
     let (head, tail) = text.split_at(text.len() - 2);
@@ -92,7 +92,7 @@ fn a_changed_byte_and_a_file_of_another_time_are_named() {
     std::fs::write(&left_over, "").unwrap();
     let expected = ["outputs.csv".to_owned(), format!("{} (no such file is emitted)", left_over.display())];
     assert_eq!(case::verify(&case).unwrap(), expected);
-    case::record(&case).unwrap();
+    case::record(&case, None).unwrap();
     assert!(!left_over.exists());
     assert_eq!(std::fs::read_to_string(&outputs).unwrap(), text);
 }
@@ -101,7 +101,7 @@ fn a_changed_byte_and_a_file_of_another_time_are_named() {
 fn a_case_that_does_not_show_what_it_says_is_not_recorded() {
     assert!(said("\"faded in\"", "\"fault 11\"").ends_with("the case does not show fault 11"));
     let folder = folder(CASE);
-    case::record(&read(&folder)).unwrap();
+    case::record(&read(&folder), None).unwrap();
     let path = folder.path().join("case.toml");
     std::fs::write(&path, CASE.replace("faded in", "limited above")).unwrap();
     assert_eq!(case::verify(&read(&folder)).unwrap(), ["shows: limited above"]);
@@ -112,7 +112,7 @@ fn a_case_that_does_not_show_what_it_says_is_not_recorded() {
 fn recorded_inputs_leave_out_what_keeps_its_start() {
     let folder = folder(CASE);
     let case = read(&folder);
-    case::record(&case).unwrap();
+    case::record(&case, None).unwrap();
     let text = std::fs::read_to_string(folder.path().join("inputs.csv")).unwrap();
     assert!(text.starts_with("v_command,v_motor\n0x0000000000000000,"), "the first signal stays, and what changes");
     let shape = Shape::of(&case.block.program.inputs, case.axis.axis.real);
@@ -145,4 +145,92 @@ fn mistakes_are_told_with_what_is_there() {
 
 fn event(signal: &str, value: &str) -> String {
     format!("[[stimulus.event]]\nsignal = \"{signal}\"\nvalue = {value}\nwindow = {{}}\n\n[stimulus.signal]")
+}
+
+const SPINDLE: &str = r#"
+cycle_time = "2ms"
+
+[axis.S]
+kenngr.achs_typ = "ACHSTYP_SPINDEL"
+getriebe = [{ kv = 2000, dynamik.vb_max = 9000000 }]
+
+[axis.S.antr]
+operation_mode = "CNC_POSITION_CONTROL"
+nbr_delay_cycles = 1
+sai_op_mode_change = { v_velocity_control_on = 1200000, v_position_control_on = 300000 }
+"#;
+
+const SCENARIO: &str = r#"
+purpose = "Shows how a scenario is kept."
+axis = "S"
+block = "spindle"
+scenario = "turn.nc"
+emitted = []
+shows = ["M3", "state POSITION"]
+"#;
+
+/// A folder with a scenario.
+fn scenario() -> TempDir {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for (name, text) in [("set.toml", SPINDLE), ("case.toml", SCENARIO), ("turn.nc", "M3 S60\nM5\nM30\n")] {
+        std::fs::write(folder.path().join(name), text).expect("room in it");
+    }
+    folder
+}
+
+fn record(folder: &TempDir, again: bool) -> Result<(), String> {
+    let case = read(folder);
+    case::record(&case, case::scenario_inputs(&case, again)?)
+}
+
+/// The inputs of a scenario are made once: neither another interpolator nor another program makes them anew.
+#[test]
+fn recorded_inputs_of_a_scenario_stay_as_they_are() {
+    let folder = scenario();
+    let file = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    let missing = case::verify(&read(&folder)).unwrap_err();
+    assert!(missing.contains("inputs.csv"), "{missing}");
+    record(&folder, false).unwrap();
+    assert_eq!(case::verify(&read(&folder)).unwrap(), [""; 0]);
+    let made = file("inputs.csv");
+
+    // As another version of the library might have made them: they are kept, and their outputs are recorded.
+    let other = made.replacen(",10000.0", ",10000.1", 1);
+    assert_ne!(made, other);
+    write("inputs.csv", &other);
+    assert_eq!(case::verify(&read(&folder)).unwrap(), ["outputs.csv", "digest"]);
+    record(&folder, false).unwrap();
+    assert_eq!((file("inputs.csv"), case::verify(&read(&folder)).unwrap()), (other.clone(), vec![]));
+
+    write("turn.nc", "M3 S90\nM5\nM30\n");
+    let refused = record(&folder, false).unwrap_err();
+    let place = folder.path().join("turn.nc");
+    let expected = format!(
+        "{}: is not the program whose inputs are recorded in inputs.csv; --again records them anew",
+        place.display()
+    );
+    assert_eq!(refused, expected);
+    assert_eq!(case::verify(&read(&folder)).unwrap(), [expected, "digest".to_owned()]);
+    assert_eq!(file("inputs.csv"), other);
+
+    record(&folder, true).unwrap();
+    assert_ne!(file("inputs.csv"), other);
+    assert_eq!(case::verify(&read(&folder)).unwrap(), [""; 0]);
+    write("turn.nc", "M3 S60\nM5\nM30\n");
+    record(&folder, true).unwrap();
+    assert_eq!(file("inputs.csv"), made, "the same program makes the same bits");
+}
+
+#[test]
+fn a_case_has_a_stimulus_or_a_scenario_and_targets_that_there_are() {
+    let folder = scenario();
+    let said = |text: &str| {
+        std::fs::write(folder.path().join("case.toml"), text).unwrap();
+        case::read(folder.path()).unwrap_err()
+    };
+    let neither = said(&SCENARIO.replace("scenario = \"turn.nc\"\n", ""));
+    assert!(neither.ends_with("case.toml: either `stimulus` or `scenario` is needed"), "{neither}");
+    let unknown = said(&SCENARIO.replace("emitted = []", "emitted = [\"pascal\"]"));
+    assert!(unknown.ends_with("case.toml: no target `pascal`; there are: c, st, twincat, codesys, scl"), "{unknown}");
 }

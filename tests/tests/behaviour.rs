@@ -57,7 +57,7 @@ fn assert_states_normal(case: &Case) {
     let samples = case::inputs(case, count).unwrap_or_else(|mistake| panic!("{mistake}"));
     let kind = blocks::named(case.block.program.block).expect("the registry has the block");
     let (mut reference, mut values, mut outputs) = (kind.start(&case.axis), Vec::new(), Vec::new());
-    for sample in 0..count {
+    for sample in 0..samples.len() {
         samples.read(sample, &mut values);
         reference.step(&values, &mut outputs);
         let is_bad = |leaf: &Literal| match *leaf {

@@ -11,12 +11,13 @@ use std::path::{Path, PathBuf};
 type Module = String;
 
 /// The folders of the crates' sources, by the names that `use` lines give them.
-const CRATES: [(&str, &str); 6] = [
+const CRATES: [(&str, &str); 7] = [
     ("portable", "reference/portable/src"),
     ("reference", "reference/src"),
     ("compiler", "generator/compiler/src"),
     ("generator", "generator/src"),
     ("st", "golden/st/src"),
+    ("nc", "golden/nc/src"),
     ("golden", "golden/src"),
 ];
 

@@ -64,15 +64,18 @@ pub enum Command {
         /// The axis; optional if the set has only one
         #[arg(long, value_name = "X")]
         axis: Option<String>,
-        /// The block: ipc, feedforward, position_control or axis
+        /// The block: ipc, feedforward, position_control, spindle or axis
         #[arg(long, value_name = "B", default_value = "ipc")]
         block: String,
         /// The engine: reference, program, c, st, twincat, codesys or scl
         #[arg(long, value_name = "E", default_value = "reference")]
         engine: String,
         /// CSV file with the inputs, `-`: standard input
-        #[arg(long, value_name = "FILE", required_unless_present = "compare")]
+        #[arg(long, value_name = "FILE", required_unless_present_any = ["compare", "scenario"])]
         stimulus: Option<PathBuf>,
+        /// NC program whose scenario gives the inputs
+        #[arg(long, value_name = "FILE", conflicts_with = "stimulus")]
+        scenario: Option<PathBuf>,
         /// CSV file with recorded outputs, and inputs unless --stimulus gives them; counts the bits that differ
         #[arg(long, value_name = "FILE")]
         compare: Option<PathBuf>,
@@ -96,11 +99,42 @@ pub enum Command {
         /// Samples of each run
         #[arg(long, value_name = "N", default_value = "100000", value_parser = verify::samples)]
         samples: usize,
+        /// NC program whose scenario gives the inputs of one block
+        #[arg(long, value_name = "FILE", conflicts_with = "samples")]
+        scenario: Option<PathBuf>,
+        /// The axis of the scenario; optional if the set has only one
+        #[arg(long, value_name = "X", requires = "scenario")]
+        axis: Option<String>,
+        /// The block of the scenario [default: spindle, else axis, else the one that there is]
+        #[arg(long, value_name = "B", requires = "scenario")]
+        block: Option<String>,
         /// Only this engine beside the reference, may be given several times [default: all]
         #[arg(long = "engine", value_name = "E")]
         engines: Vec<String>,
         #[command(flatten)]
         results: Files,
+    },
+    /// Runs an NC program on an axis, in a closed loop with a simple drive: a stimulus for `run`, and a picture
+    Scenario {
+        #[command(flatten)]
+        set: SetArguments,
+        /// The NC program
+        program: PathBuf,
+        /// The axis; optional if the set has only one
+        #[arg(long, value_name = "X")]
+        axis: Option<String>,
+        /// The block [default: spindle, else axis, else the one that there is]
+        #[arg(long, value_name = "B")]
+        block: Option<String>,
+        /// CSV file for the inputs of the block
+        #[arg(long, value_name = "FILE")]
+        stimulus: Option<PathBuf>,
+        /// SVG file for the picture
+        #[arg(long, value_name = "FILE")]
+        picture: Option<PathBuf>,
+        /// Replace any files of these names, not only earlier outputs of this command
+        #[arg(long)]
+        force: bool,
     },
     /// Shows what a change between two sets means, in Hz, dB, degrees and seconds
     Diff {
@@ -189,6 +223,9 @@ pub enum Golden {
         /// Folders with a case.toml
         #[arg(required = true)]
         cases: Vec<PathBuf>,
+        /// Record the inputs of scenarios anew, too; without it they stay as they are
+        #[arg(long)]
+        again: bool,
     },
     /// Compares the vectors of these cases with the current outputs of the reference
     Verify {

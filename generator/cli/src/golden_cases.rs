@@ -8,11 +8,12 @@ use generator::diagnostics::Slashes;
 use golden::case::{self, Case};
 use std::path::{Path, PathBuf};
 
-/// Writes the vectors of every case.
-pub fn record(folders: &[PathBuf]) -> Result<Exit, Exit> {
+/// Writes the vectors of every case; the inputs of a scenario only where there are none, or again.
+pub fn record(folders: &[PathBuf], again: bool) -> Result<Exit, Exit> {
     for case in read_all(folders)? {
         let failed = |text| Exit::environment(codes::CASE, case.folder.slashes(), text);
-        case::record(&case).map_err(failed)?;
+        let made = case::scenario_inputs(&case, again).map_err(|text| unusable(&case.folder, text))?;
+        case::record(&case, made).map_err(failed)?;
         output::line(format!("{}: recorded", case.folder.slashes()))?;
     }
     Ok(Exit::Done)

@@ -23,6 +23,7 @@ mod output;
 mod params;
 mod results;
 mod run;
+mod scenario;
 mod schema;
 mod shared;
 mod shell;
@@ -55,10 +56,22 @@ fn run(command: Command, format: Format) -> Result<Exit, Exit> {
             generate::run(&set, format, &generate::Request { targets, axes, out, force, compare, emit })
         }
         Command::Check { set, verbose } => check::run(&set, format, verbose),
-        Command::Run { set, axis, block, engine, stimulus, compare, map, out, force, hex } => {
-            run::run(&set, format, &run::Request { axis, block, engine, stimulus, compare, map, out, force, hex })
+        Command::Run { set, axis, block, engine, stimulus, scenario, compare, map, out, force, hex } => run::run(
+            &set,
+            format,
+            &run::Request { axis, block, engine, stimulus, scenario, compare, map, out, force, hex },
+        ),
+        Command::Verify { set, samples, scenario: None, engines, results, .. } => {
+            verify::run(&set, format, samples, &engines, &results)
         }
-        Command::Verify { set, samples, engines, results } => verify::run(&set, format, samples, &engines, &results),
+        Command::Verify { set, scenario: Some(program), axis, block, engines, results, .. } => {
+            let request = verify::Scenario { program, axis, block };
+            verify::run_scenario(&set, format, &request, &engines, &results)
+        }
+        Command::Scenario { set, program, axis, block, stimulus, picture, force } => {
+            let request = scenario::Request { axis, block, program, stimulus, picture, force };
+            scenario::run(&set, format, &request)
+        }
         Command::Diff { old, new, cycle_time, name } => {
             diff::run(&old, &new, &ListOptions { cycle_time, name }, format)
         }
@@ -72,7 +85,7 @@ fn run(command: Command, format: Format) -> Result<Exit, Exit> {
         Command::Schema => schema::run(),
         Command::Completions { shell } => shell::completions(shell),
         Command::Man { folder, force } => shell::man(&folder, force),
-        Command::Golden { command: Golden::Record { cases } } => golden_cases::record(&cases),
+        Command::Golden { command: Golden::Record { cases, again } } => golden_cases::record(&cases, again),
         Command::Golden { command: Golden::Verify { cases, results } } => golden_cases::verify(&cases, &results),
     }
 }

@@ -6,6 +6,7 @@ use crate::input::{self, counted};
 use crate::messages::Format;
 use crate::one_file::{self, Rule};
 use crate::output;
+use crate::scenario;
 use generator::blocks::Designed;
 use generator::blocks::{self, Block};
 use generator::codes;
@@ -28,8 +29,10 @@ pub struct Request {
     pub block: String,
     /// the engine
     pub engine: String,
-    /// where the inputs are; none: in `compare`
+    /// where the inputs are; none: in `compare`, or in the scenario
     pub stimulus: Option<PathBuf>,
+    /// the NC program that makes the inputs
+    pub scenario: Option<PathBuf>,
     /// a recording of the outputs
     pub compare: Option<PathBuf>,
     /// which column of the recording is which signal, where the names do not say it
@@ -62,23 +65,25 @@ pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Resul
     let is_output = |found: &[u8]| found.starts_with(head.as_bytes());
     let rule = Rule::own(request.force, &is_output);
     if let Some(out) = out {
-        let inputs = [Some(arguments.set.as_path()), request.stimulus.as_deref(), request.compare.as_deref()];
+        let Request { stimulus, scenario, compare, .. } = request;
+        let inputs = [Some(arguments.set.as_path()), stimulus.as_deref(), scenario.as_deref(), compare.as_deref()];
         one_file::kept_apart(out, inputs.into_iter().flatten())?;
         rule.allows(out)?;
     }
     let recording = request.compare.as_deref().map(|file| {
         // Beside a stimulus the recording has only outputs.
-        let of =
-            if request.stimulus.is_some() { &Shape { real: designed.axis.real, signals: Vec::new() } } else { &inputs };
+        let has_inputs = request.stimulus.is_none() && request.scenario.is_none();
+        let of = if !has_inputs { &Shape { real: designed.axis.real, signals: Vec::new() } } else { &inputs };
         recording::read(&read(file)?, [of, &outputs], &request.map, designed.axis.cycle_time_ns)
             .map_err(|mistakes| wrong(file, &mistakes))
     });
     let recording = recording.transpose()?;
-    let inputs = match (request.stimulus.as_deref(), &recording) {
-        (Some(file), _) => csv::read(&read(file)?, &inputs).map_err(|mistakes| wrong(file, &mistakes))?,
-        (None, Some(recording)) => recording.inputs.clone(),
-        (None, None) => {
-            let found = "which inputs? give --stimulus or --compare with a CSV file";
+    let inputs = match (request.stimulus.as_deref(), request.scenario.as_deref(), &recording) {
+        (Some(file), ..) => csv::read(&read(file)?, &inputs).map_err(|mistakes| wrong(file, &mistakes))?,
+        (None, Some(program), _) => scenario::made(program, designed, &block)?.inputs,
+        (None, None, Some(recording)) => recording.inputs.clone(),
+        (None, None, None) => {
+            let found = "which inputs? give --stimulus or --compare with a CSV file, or --scenario";
             return Err(Exit::input(codes::USAGE, "--stimulus", found));
         }
     };
@@ -180,7 +185,7 @@ fn wrong(file: &Path, mistakes: &[csv::Mistake]) -> Exit {
 }
 
 /// The block of that name.
-fn block_of(designed: &Designed, name: &str) -> Result<Block, Exit> {
+pub fn block_of(designed: &Designed, name: &str) -> Result<Block, Exit> {
     let names = blocks::names(&designed.axis);
     if !names.contains(&name) {
         return Err(Exit::no_such("--block", "block", name, &names));

@@ -1,4 +1,4 @@
-//! `axgen verify`: every block of every axis, every engine, against the reference, bit by bit.
+//! `axgen verify`: every block of every axis, or one block in a scenario, every engine, against the reference, bit by bit.
 
 use crate::arguments::SetArguments;
 use crate::compiler;
@@ -8,6 +8,7 @@ use crate::messages::Format;
 use crate::output;
 use crate::results::{Files, Outcome};
 use crate::run::engine_named;
+use crate::scenario;
 use generator::blocks::Designed;
 use generator::blocks::{self, Block};
 use generator::codes;
@@ -18,6 +19,7 @@ use golden::samples::{Samples, Shape};
 use golden::{exercise, stimulus};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::collections::BTreeMap;
+use std::path::PathBuf;
 
 /// How many samples each run has: without any, nothing would be verified.
 pub fn samples(text: &str) -> Result<usize, &'static str> {
@@ -31,7 +33,7 @@ fn chosen(names: &[String]) -> Result<Vec<Engine>, Exit> {
     Ok(ENGINES.into_iter().filter(is_chosen).collect())
 }
 
-/// Runs the command. An engine that is not there is named at the end; the others have run then.
+/// Runs the command on every block of every axis.
 pub fn run(
     arguments: &SetArguments,
     format: Format,
@@ -42,39 +44,60 @@ pub fn run(
     let engines = chosen(engines)?;
     let (set, _) = input::read(arguments, format)?;
     files.kept_apart(Some(&arguments.set))?;
-    let mut run = Run { outcomes: Vec::new(), missing: BTreeMap::new() };
-    output::line(format!(
-        "{:<20} {:<16} {:<10} {:>10} {:>15}  first difference",
-        "axis", "block", "engine", "samples", "differing bits"
-    ))?;
     let blocks: usize = set.axes.iter().map(|of| blocks::names(&of.axis).len()).sum();
-    // Machines have nothing but objects on standard error.
-    let bar = if format == Format::Json { ProgressBar::hidden() } else { progress(blocks * engines.len()) };
+    let mut run = Run::start()?;
+    let bar = progress(blocks * engines.len(), format);
     for designed in &set.axes {
         let axis = &designed.axis;
         let blocks = blocks::blocks(designed).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
-        for (which, block) in blocks.iter().enumerate() {
+        for block in &blocks {
             let shape = Shape::of(&block.program.inputs, axis.real);
             let inputs = stimulus::samples(&exercise::stimulus(axis, &block.program), &shape, samples)
                 .unwrap_or_else(|mistake| panic!("a defect of axgen: {mistake}"));
-            run.every_engine(&engines, designed, &blocks, which, &inputs, &bar)?;
+            run.every_engine(&engines, designed, block, &inputs, &bar)?;
         }
     }
     bar.finish_and_clear();
-    files.write("axgen verify", &run.outcomes)?;
-    if run.outcomes.iter().any(|outcome| outcome.failure.is_some()) {
-        return Ok(Exit::Different);
-    }
-    let missing = run.missing.into_iter();
-    let diagnostics: Vec<Diagnostic> = missing
-        .map(|(engine, why)| Diagnostic::error(codes::NO_ENGINE, Place::whole(format!("engine {engine}")), why))
-        .collect();
-    let report = Report { diagnostics };
-    if report.has_errors() { Err(Exit::Environment(report)) } else { Ok(Exit::Done) }
+    run.end(files)
 }
 
-/// How far it is, on a terminal; elsewhere nothing.
-fn progress(runs: usize) -> ProgressBar {
+/// The scenario of one block.
+pub struct Scenario {
+    /// the NC program
+    pub program: PathBuf,
+    /// the axis; none: the only one
+    pub axis: Option<String>,
+    /// the block; none: the usual one of the axis
+    pub block: Option<String>,
+}
+
+/// Runs the command on one block, with the inputs of a scenario.
+pub fn run_scenario(
+    arguments: &SetArguments,
+    format: Format,
+    request: &Scenario,
+    engines: &[String],
+    files: &Files,
+) -> Result<Exit, Exit> {
+    let engines = chosen(engines)?;
+    let (set, _) = input::read(arguments, format)?;
+    files.kept_apart(Some(&arguments.set))?;
+    files.kept_apart(Some(&request.program))?;
+    let designed = input::axis(&set, request.axis.as_deref())?;
+    let block = scenario::block_of_scenario(designed, request.block.as_deref())?;
+    let inputs = scenario::made(&request.program, designed, &block)?.inputs;
+    let mut run = Run::start()?;
+    let bar = progress(engines.len(), format);
+    run.every_engine(&engines, designed, &block, &inputs, &bar)?;
+    bar.finish_and_clear();
+    run.end(files)
+}
+
+/// How far it is, on a terminal; elsewhere nothing. Machines have nothing but objects on standard error.
+fn progress(runs: usize, format: Format) -> ProgressBar {
+    if format == Format::Json {
+        return ProgressBar::hidden();
+    }
     let bar = ProgressBar::new(runs as u64);
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg}");
     bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
@@ -89,22 +112,44 @@ struct Run {
 }
 
 impl Run {
+    /// Prints the head of the table.
+    fn start() -> Result<Self, Exit> {
+        output::line(format!(
+            "{:<20} {:<16} {:<10} {:>10} {:>15}  first difference",
+            "axis", "block", "engine", "samples", "differing bits"
+        ))?;
+        Ok(Self { outcomes: Vec::new(), missing: BTreeMap::new() })
+    }
+
+    /// Writes the results. An engine that is not there is named at the end; the others have run then.
+    fn end(self, files: &Files) -> Result<Exit, Exit> {
+        files.write("axgen verify", &self.outcomes)?;
+        if self.outcomes.iter().any(|outcome| outcome.failure.is_some()) {
+            return Ok(Exit::Different);
+        }
+        let missing = self.missing.into_iter();
+        let diagnostics: Vec<Diagnostic> = missing
+            .map(|(engine, why)| Diagnostic::error(codes::NO_ENGINE, Place::whole(format!("engine {engine}")), why))
+            .collect();
+        let report = Report { diagnostics };
+        if report.has_errors() { Err(Exit::Environment(report)) } else { Ok(Exit::Done) }
+    }
+
     /// Prints a line for each engine, and notes what came of it.
     fn every_engine(
         &mut self,
         engines: &[Engine],
         designed: &Designed,
-        blocks: &[Block],
-        which: usize,
+        block: &Block,
         inputs: &Samples,
         bar: &ProgressBar,
     ) -> Result<(), Exit> {
-        let (axis, block) = (&designed.axis, &blocks[which]);
+        let axis = &designed.axis;
         let mut expected: Option<Samples> = None;
         for &engine in engines {
             bar.set_message(format!("{} {} {engine}", axis.name, block.program.block));
             let is_missing = self.missing.contains_key(&engine);
-            let found = if is_missing { None } else { Some(engine::run(engine, designed, &blocks[which], inputs)) };
+            let found = if is_missing { None } else { Some(engine::run(engine, designed, block, inputs)) };
             let (bits, first) = match found {
                 Some(Ok(found)) => {
                     let difference = compare(expected.as_ref().unwrap_or(&found), &found);

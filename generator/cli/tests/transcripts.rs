@@ -37,7 +37,7 @@ fn blocks(page: &str) -> Vec<Block> {
 /// The file that a line of text begins with.
 fn file_of(before: &str) -> Option<&str> {
     let name = before.strip_prefix('`')?.split('`').next()?;
-    [".toml", ".lis", ".csv"].iter().any(|end| name.ends_with(end)).then_some(name)
+    [".toml", ".lis", ".csv", ".nc"].iter().any(|end| name.ends_with(end)).then_some(name)
 }
 
 /// Runs the command; what it prints must have all the lines that a page shows, in their order: a page may leave some out.

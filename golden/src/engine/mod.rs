@@ -8,6 +8,7 @@ mod reference;
 
 pub use c::Harness;
 pub use compiler::Compiler;
+pub use reference::{Cycle, start};
 
 use crate::samples::Samples;
 use generator::blocks::{Block, Designed};

@@ -1,0 +1,114 @@
+//! `axgen scenario`: an NC program on one axis, as a stimulus and as a picture; and the scenarios of `run` and `verify`.
+
+use crate::arguments::SetArguments;
+use crate::exit::Exit;
+use crate::input::{self, counted};
+use crate::messages::Format;
+use crate::one_file::{self, Rule};
+use crate::output;
+use crate::run::block_of;
+use generator::blocks::{self, Block, Designed};
+use generator::codes;
+use generator::config;
+use generator::diagnostics::{Diagnostic, Place, Report, Slashes};
+use golden::csv::{self, Reals};
+use golden::samples::Samples;
+use golden::scenario::{self, Mistake, Scenario, picture};
+use std::path::{Path, PathBuf};
+
+/// What the command takes, beside the set.
+pub struct Request {
+    /// the axis; none: the only one
+    pub axis: Option<String>,
+    /// the block; none: the usual one of the axis
+    pub block: Option<String>,
+    /// the NC program
+    pub program: PathBuf,
+    /// where the inputs go
+    pub stimulus: Option<PathBuf>,
+    /// where the picture goes
+    pub picture: Option<PathBuf>,
+    /// whether any file there may be replaced, not only an earlier output
+    pub force: bool,
+}
+
+/// Runs the command.
+pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Result<Exit, Exit> {
+    let (set, _) = input::read(arguments, format)?;
+    let designed = input::axis(&set, request.axis.as_deref())?;
+    let block = block_of_scenario(designed, request.block.as_deref())?;
+    let outputs = [request.stimulus.as_deref(), request.picture.as_deref()];
+    for out in outputs.into_iter().flatten() {
+        one_file::kept_apart(out, [arguments.set.as_path(), &request.program].into_iter())?;
+    }
+    let scenario = made(&request.program, designed, &block)?;
+    let stimulus = csv::write(&[&scenario.inputs.without_constant()], Reals::Decimal);
+    let name = request.program.file_stem().unwrap_or_default().to_string_lossy();
+    let drawn = picture::svg(&scenario, &name, designed);
+    // An earlier stimulus has signals of the block in its first line, an earlier picture is one of ours.
+    let is_stimulus = |found: &[u8]| is_header(found, &scenario.inputs);
+    let is_picture = |found: &[u8]| found.starts_with(picture::HEAD.as_bytes());
+    let [of_stimulus, of_picture] = [Rule::own(request.force, &is_stimulus), Rule::own(request.force, &is_picture)];
+    let stimulus = request.stimulus.as_deref().map(|path| one_file::stage(path, stimulus.as_bytes(), of_stimulus));
+    let picture = request.picture.as_deref().map(|path| one_file::stage(path, drawn.as_bytes(), of_picture));
+    let staged = [stimulus.transpose()?, picture.transpose()?];
+    one_file::commit(staged.into_iter().flatten())?;
+    output::print(table(&scenario, designed, &block))?;
+    Ok(Exit::Done)
+}
+
+/// When the blocks of the program acted.
+fn table(scenario: &Scenario, designed: &Designed, block: &Block) -> String {
+    let time = |sample: usize| sample as f64 * designed.axis.cycle_time();
+    let samples = scenario.inputs.len();
+    let mut text = format!(
+        "axis {}, block {}: {}, {:.3} s\n{:>6}  {:<6} {:>10} {:>10}\n",
+        designed.axis.name,
+        block.program.block,
+        counted(samples, "sample"),
+        time(samples),
+        "line",
+        "block",
+        "from [s]",
+        "to [s]"
+    );
+    for step in &scenario.steps {
+        let number = step.number.map_or_else(String::new, |number| format!("N{number}"));
+        text += &format!("{:>6}  {number:<6} {:>10.3} {:>10.3}\n", step.line, time(step.from), time(step.to));
+    }
+    text
+}
+
+/// Whether a file begins with the names of some of these signals, which a stimulus does.
+fn is_header(found: &[u8], inputs: &Samples) -> bool {
+    let first = found.split(|byte| *byte == b'\n').next().unwrap_or_default();
+    let is_signal = |name: &[u8]| inputs.shape.signals.iter().any(|signal| signal.name.as_bytes() == name);
+    first.split(|byte| *byte == b',').all(is_signal)
+}
+
+/// The block that a scenario is for.
+pub fn block_of_scenario(designed: &Designed, name: Option<&str>) -> Result<Block, Exit> {
+    let names = blocks::names(&designed.axis);
+    match name.or(scenario::usual_block(&names)) {
+        Some(name) => block_of(designed, name),
+        None => Err(Exit::no_such("--axis", "block", &designed.axis.name, &names)),
+    }
+}
+
+/// The scenario of a program on an axis.
+pub fn made(program: &Path, designed: &Designed, block: &Block) -> Result<Scenario, Exit> {
+    let unreadable = |code, found: String| Exit::input(code, program.slashes(), found);
+    let bytes = config::load(program).map_err(|of| {
+        let (code, found) = of.said();
+        unreadable(code, found)
+    })?;
+    let text = String::from_utf8(bytes).map_err(|_| unreadable(codes::UNREADABLE, "it is not UTF-8".to_owned()))?;
+    scenario::run(&text, designed, block).map_err(|mistakes| {
+        let mut report = Report::default();
+        for Mistake { line, column, found, allowed, instead } in mistakes {
+            let place = Place { line, column, ..Place::whole(program.slashes()) };
+            report.push(Diagnostic::error(codes::NC_PROGRAM, place, found).allowed(allowed).instead(instead));
+        }
+        Exit::Input(report)
+    })
+}

@@ -1,0 +1,10 @@
+%spindle-in-a-canopen-drive
+N10 M3 S800
+N20 S100
+N30 S[G74]
+N40 M4 S600
+N50 S[PUTAX]
+N60 M3 S300
+N70 G04 X0.05
+N80 M5
+M30

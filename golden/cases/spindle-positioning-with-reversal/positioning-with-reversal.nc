@@ -1,0 +1,4 @@
+%spindle-position
+N10 M3 S1000
+N20 M19 S.POS=180 M4 S50
+M30

@@ -1,0 +1,127 @@
+//! The interpolator of a spindle: the job that the block puts out, as command position and velocity. It knows no NC program.
+
+use super::grid::{TURN, angle, rate};
+use nc::profile::{Error, Limits, Mover};
+
+/// Speed of homing [0.001 deg/s]: 50 rpm.
+const HOMING: f64 = 300_000.0;
+
+/// What the block put out in the cycle before.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Seen {
+    pub(super) state: State,
+    pub(super) job: Job,
+    pub(super) job_number: f64,
+    pub(super) job_speed: f64,
+    pub(super) job_position: f64,
+    pub(super) x_spindle: f64,
+    pub(super) v_spindle: f64,
+}
+
+/// The output `state`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum State {
+    Position,
+    ToVelocity,
+    Velocity,
+    Brake,
+    ToPosition,
+}
+
+/// The output `job`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Job {
+    Stop,
+    Turn,
+    Orient,
+    Release,
+    Home,
+}
+
+/// What the block gets.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Commanded {
+    pub(super) x: f64,
+    pub(super) v: f64,
+    /// whether the motion of the job is over
+    pub(super) is_done: bool,
+}
+
+/// An interpolator.
+pub(super) struct Interpolator {
+    limits: Limits,
+    cycle: f64,
+    mover: Mover,
+    /// number of the job that it moves for
+    job: f64,
+    /// where to and how fast, once it stands: it has to turn round
+    after_stop: Option<[f64; 2]>,
+    last: Commanded,
+}
+
+impl Interpolator {
+    /// At rest.
+    pub(super) fn at(limits: Limits, cycle: f64, x: f64) -> Result<Self, Error> {
+        let mover = Mover::at(limits, cycle, x, 0.0)?;
+        Ok(Self { limits, cycle, mover, job: 0.0, after_stop: None, last: Commanded { x, v: 0.0, is_done: false } })
+    }
+
+    /// One cycle. In BRAKE it has no say, and from TO_POSITION it moves on with what the block put out. In VELOCITY only the velocity
+    /// counts: the position stays.
+    pub(super) fn next(&mut self, seen: &Seen) -> Result<Commanded, Error> {
+        match seen.state {
+            State::Brake => return Ok(self.last),
+            State::ToPosition => {
+                self.mover = Mover::at(self.limits, self.cycle, seen.x_spindle, seen.v_spindle)?;
+                self.begin(seen)?;
+            }
+            _ if self.job.to_bits() != seen.job_number.to_bits() => self.begin(seen)?,
+            _ => {}
+        }
+        let now = self.mover.next();
+        if let Some([target, speed]) = self.after_stop.filter(|_| self.mover.is_done()) {
+            self.after_stop = None;
+            self.approach(target, speed)?;
+        }
+        let x = if seen.state == State::Velocity { self.last.x } else { angle(now.x) };
+        let is_done = self.mover.is_done() && !matches!(seen.job, Job::Stop | Job::Turn);
+        self.last = Commanded { x, v: rate(now.v), is_done };
+        Ok(self.last)
+    }
+
+    fn begin(&mut self, seen: &Seen) -> Result<(), Error> {
+        self.job = seen.job_number;
+        self.after_stop = None;
+        match seen.job {
+            Job::Stop | Job::Release => self.mover.turn(0.0),
+            Job::Turn => self.mover.turn(seen.job_speed),
+            Job::Orient => self.approach(seen.job_position, seen.job_speed),
+            Job::Home => self.approach(0.0, HOMING),
+        }
+    }
+
+    /// To the next passage of an angle, in the direction of the speed, for which it can brake. In the other direction it stops first.
+    fn approach(&mut self, target: f64, speed: f64) -> Result<(), Error> {
+        let v = self.mover.now().v;
+        if v * speed < 0.0 {
+            self.after_stop = Some([target, speed]);
+            return self.mover.turn(0.0);
+        }
+        let stop = self.stop(speed)?;
+        let turns = if speed < 0.0 { ((stop - target) / TURN).floor() } else { ((stop - target) / TURN).ceil() };
+        self.mover.go(target + turns * TURN, speed.abs())
+    }
+
+    /// Where it stands, if it brakes now: to a lower speed first, if it is faster.
+    fn stop(&self, speed: f64) -> Result<f64, Error> {
+        let mut trial = self.mover.clone();
+        let speeds = if trial.now().v.abs() > speed.abs() { [speed, 0.0] } else { [0.0, 0.0] };
+        for speed in speeds {
+            trial.turn(speed)?;
+            while !trial.is_done() {
+                trial.next();
+            }
+        }
+        Ok(trial.now().x)
+    }
+}

@@ -1,0 +1,176 @@
+//! The picture of a scenario: which signals are drawn, in which units. How a picture is drawn is in `svg`.
+
+use super::Scenario;
+use super::recorder::number;
+use crate::samples::Samples;
+use crate::svg::{self, Curve, Curves, Panel, Picture, Point, Rows};
+use generator::axis::Changeover;
+use generator::blocks::Designed;
+
+/// What every picture begins with.
+pub const HEAD: &str = svg::HEAD;
+
+/// Points of a curve, at most.
+const MOST: usize = 600;
+/// 0.001 deg/s in 1 rpm, 0.001 deg in 1 deg, um in 1 mm, um/s in 1 mm/min.
+const RPM: f64 = 6000.0;
+const DEGREE: f64 = 1000.0;
+const MM: f64 = 1000.0;
+const MM_MIN: f64 = 1000.0 / 60.0;
+
+/// The states of a spindle, by their numbers.
+const STATES: [&str; 5] = ["POSITION", "TO_VELOCITY", "VELOCITY", "BRAKE", "TO_POSITION"];
+
+/// The picture of a scenario of that name.
+#[must_use]
+pub fn svg(scenario: &Scenario, name: &str, designed: &Designed) -> String {
+    let run = Run { scenario, cycle: designed.axis.cycle_time() };
+    let events = scenario.steps.iter().filter(|step| step.to > step.from);
+    let events = events.map(|step| {
+        (run.time(step.from), step.number.map_or_else(|| format!("line {}", step.line), |number| format!("N{number}")))
+    });
+    let block = if scenario.outputs.shape.signals.iter().any(|signal| signal.name == "spindle_state") {
+        spindle(&run, designed)
+    } else {
+        path(&run)
+    };
+    svg::svg(&Picture {
+        title: name.to_owned(),
+        setup: setup(scenario, designed),
+        until: run.time(scenario.inputs.len()),
+        events: events.collect(),
+        panels: block,
+    })
+}
+
+fn setup(scenario: &Scenario, designed: &Designed) -> String {
+    let mode = match designed.axis.control.spindle.as_ref().map(|of| &of.drive) {
+        Some(Changeover::Drive { velocity_mode, .. }) => format!("; operation mode {velocity_mode}: velocity control"),
+        _ => String::new(),
+    };
+    let [name, cycles] = [designed.axis.name.clone(), scenario.inputs.len().to_string()];
+    let cycle = f64::from(designed.axis.cycle_time_ns) / 1e6;
+    format!("axis {name}, {cycles} cycles of {cycle} ms, simulated drive{mode}")
+}
+
+fn spindle(run: &Run<'_>, designed: &Designed) -> Vec<Panel> {
+    let of = designed.axis.control.spindle.as_ref();
+    let limits = of.map_or([0.0; 2], |of| [of.v_velocity_control_on, of.v_position_control_on].map(f64::from));
+    let marks = [("Von", limits[0]), ("Voff", limits[1])]
+        .into_iter()
+        .flat_map(|(name, v)| [1.0, -1.0].map(|sign| (sign * v / RPM, name.to_owned())));
+    let [command, actual] = ["v_spindle", "v_actual"].map(|name| run.values(name));
+    let state = run.values("spindle_state");
+    let states =
+        STATES.into_iter().zip(0..).map(|(name, number)| (name.to_owned(), run.when(&state, f64::from(number))));
+    let mut panels = vec![
+        Panel::Curves(Curves {
+            name: "speed [rpm]".to_owned(),
+            scale: None,
+            marks: marks.collect(),
+            curves: vec![run.curve("command", &command, RPM, None), run.curve("actual", &actual, RPM, None)],
+        }),
+        Panel::Curves(Curves {
+            name: "position [deg]".to_owned(),
+            scale: Some([0.0, 360.0, 90.0]),
+            marks: Vec::new(),
+            curves: vec![
+                run.curve("command", &run.values("x_spindle"), DEGREE, Some(180.0)),
+                run.curve("actual", &run.values("x_actual"), DEGREE, Some(180.0)),
+            ],
+        }),
+        Panel::Rows(Rows { rows: states.collect() }),
+    ];
+    if let Some(Changeover::Drive { velocity_mode, .. }) = of.map(|of| &of.drive) {
+        let mode = f64::from(*velocity_mode);
+        let rows = [("requested", "operation_mode"), ("displayed", "operation_mode_display")];
+        let rows = rows.map(|(what, signal)| (format!("mode {mode} {what}"), run.when(&run.values(signal), mode)));
+        panels.push(Panel::Rows(Rows { rows: rows.into() }));
+    }
+    panels
+}
+
+fn path(run: &Run<'_>) -> Vec<Panel> {
+    let [command, actual] = ["v_interpolator", "v_feedforward"].map(|name| run.values(name));
+    let active = run.values("feedforward_active");
+    let mut panels = vec![
+        Panel::Curves(Curves {
+            name: "velocity [mm/min]".to_owned(),
+            scale: None,
+            marks: Vec::new(),
+            curves: vec![run.curve("command", &command, MM_MIN, None), run.curve("feedforward", &actual, MM_MIN, None)],
+        }),
+        Panel::Curves(Curves {
+            name: "feedforward [%]".to_owned(),
+            scale: Some([0.0, 100.0, 50.0]),
+            marks: Vec::new(),
+            curves: vec![run.curve("G136", &run.values("feedforward_percentage"), 1.0, None)],
+        }),
+        Panel::Rows(Rows { rows: vec![("G135".to_owned(), run.when(&active, 1.0))] }),
+    ];
+    let [command, actual] = ["x_command", "x_actual"].map(|name| run.values(name));
+    if !command.is_empty() && !actual.is_empty() {
+        let lag: Vec<f64> = command.iter().zip(&actual).map(|(command, actual)| command - actual).collect();
+        let curves = |name: &str, curves| {
+            Panel::Curves(Curves { name: name.to_owned(), scale: None, marks: Vec::new(), curves })
+        };
+        let both = vec![run.curve("command", &command, MM, None), run.curve("actual", &actual, MM, None)];
+        panels.insert(1, curves("position [mm]", both));
+        panels.insert(2, curves("position lag [mm]", vec![run.curve("lag", &lag, MM, None)]));
+    }
+    panels
+}
+
+/// A scenario over time.
+struct Run<'s> {
+    scenario: &'s Scenario,
+    /// [s]
+    cycle: f64,
+}
+
+impl Run<'_> {
+    fn time(&self, sample: usize) -> f64 {
+        sample as f64 * self.cycle
+    }
+
+    /// All values of a signal; none: the block does not have it.
+    fn values(&self, name: &str) -> Vec<f64> {
+        let of = |run: &Samples| {
+            let at = run.shape.signals.iter().position(|signal| signal.name == name)?;
+            let mut values = Vec::new();
+            let value = |sample| {
+                run.read(sample, &mut values);
+                number(values[at])
+            };
+            Some((0..run.len()).map(value).collect())
+        };
+        of(&self.scenario.outputs).or_else(|| of(&self.scenario.inputs)).unwrap_or_default()
+    }
+
+    /// Some of the values as a curve, broken where it jumps by more than that.
+    fn curve(&self, name: &str, values: &[f64], unit: f64, jump: Option<f64>) -> Curve {
+        let step = values.len().div_ceil(MOST).max(1);
+        let mut pieces: Vec<Vec<Point>> = Vec::new();
+        for (sample, value) in values.iter().enumerate().step_by(step) {
+            let point = (self.time(sample), value / unit);
+            let jumps = |last: &Point| jump.is_some_and(|jump| (last.1 - point.1).abs() > jump);
+            match pieces.last_mut().filter(|piece| !piece.last().is_some_and(jumps)) {
+                Some(piece) => piece.push(point),
+                None => pieces.push(vec![point]),
+            }
+        }
+        Curve { name: name.to_owned(), pieces }
+    }
+
+    /// When a signal has a value: from the first of its samples to the first one behind them.
+    fn when(&self, values: &[f64], wanted: f64) -> Vec<[f64; 2]> {
+        let mut spans: Vec<[usize; 2]> = Vec::new();
+        for (sample, _) in values.iter().enumerate().filter(|(_, value)| value.to_bits() == wanted.to_bits()) {
+            match spans.last_mut().filter(|[_, to]| *to == sample) {
+                Some([_, to]) => *to = sample + 1,
+                None => spans.push([sample, sample + 1]),
+            }
+        }
+        spans.into_iter().map(|span| span.map(|sample| self.time(sample))).collect()
+    }
+}

@@ -1,0 +1,288 @@
+//! Scenarios of the block `spindle`: the commands of spindle 1, each until it is done. No path axis.
+
+use super::drive::{Command as Sent, Drive, Setup};
+use super::grid::{angle, shortest};
+use super::interpolator::{Interpolator, Job, Seen, State};
+use super::recorder::Recorder;
+use super::{Scenario, refused, steps};
+use generator::axis::{Axis, Changeover, Spindle};
+use generator::blocks::{Block, Designed};
+use nc::profile::{self, Limits};
+use nc::{Command, Direction, Mistake, Program, Target};
+
+/// 0.001 deg/s in 1 rpm.
+const RPM: f64 = 6000.0;
+/// Where the spindle stands at first [0.001 deg].
+const START: f64 = 10_000.0;
+/// How near the actual position is to the target, when a job is done [0.001 deg].
+const POSITION_WINDOW: f64 = 100.0;
+/// How near the actual velocity is to the speed, when it is reached: a part of it, at least 1 rpm.
+const SPEED_WINDOW: f64 = 0.01;
+/// Speed of M19 without an S word, if the velocity of position control is 0 [0.001 deg/s].
+const SLOW: f64 = 300_000.0;
+/// Within which the acceleration is there [s].
+const JERK_TIME: f64 = 0.05;
+/// Cycles before the first block and behind the last one.
+const REST: usize = 20;
+
+/// Runs a program.
+pub(super) fn run(program: &Program, designed: &Designed, block: &Block) -> Result<Scenario, Mistake> {
+    let axis = &designed.axis;
+    let line = program.blocks.first().map_or(1, |block| block.line);
+    let Some(spindle) = &axis.control.spindle else {
+        let found = format!("axis `{}` does not change over", axis.name);
+        return Err(refused(line, found, "an axis with the block `spindle`", "another axis"));
+    };
+    let mut closed =
+        Closed::start(axis, spindle, Recorder::start(designed, block)).map_err(|error| no_motion(line, &error))?;
+    closed.rest(line)?;
+    let steps = steps(program, |block| {
+        let from = closed.recorder.inputs.len();
+        block.commands.iter().try_for_each(|command| closed.perform(command, block.line))?;
+        Ok((from, closed.recorder.inputs.len()))
+    })?;
+    closed.rest(steps.last().map_or(line, |step| step.line))?;
+    Ok(Scenario { inputs: closed.recorder.inputs, outputs: closed.recorder.outputs, steps })
+}
+
+fn no_motion(line: usize, error: &profile::Error) -> Mistake {
+    refused(line, error.to_string(), "what the interpolator can do", "other speeds, or another vb_max (P-AXIS-00212)")
+}
+
+/// The loop: program, interpolator, block, drive.
+struct Closed<'a> {
+    axis: &'a Axis,
+    spindle: &'a Spindle,
+    recorder: Recorder,
+    interpolator: Interpolator,
+    drive: Drive,
+    /// G135, and the percentage of G136
+    feedforward: [f64; 2],
+    x_actual: f64,
+    v_actual: f64,
+    is_done: bool,
+}
+
+impl<'a> Closed<'a> {
+    fn start(axis: &'a Axis, spindle: &'a Spindle, mut recorder: Recorder) -> Result<Self, profile::Error> {
+        let (cycle, acceleration) = (axis.cycle_time(), spindle.deceleration);
+        let limits = Limits { velocity: axis.ipc.v_max, acceleration, jerk: acceleration / JERK_TIME };
+        let (position_mode, weight) = match spindle.drive {
+            Changeover::Cnc { .. } => (None, 0.0),
+            Changeover::Drive { position_mode, feed_forward_v_weighting, .. } => {
+                (Some(position_mode), f64::from(feed_forward_v_weighting) / 1000.0)
+            }
+        };
+        let kv = f64::from(spindle.kv) / 100.0;
+        let setup = Setup { cycle, delay_cycles: spindle.delay_cycles, kv, weight, position_mode };
+        recorder.set("drive_on", 1.0);
+        Ok(Self {
+            axis,
+            spindle,
+            recorder,
+            interpolator: Interpolator::at(limits, cycle, START)?,
+            drive: Drive::at(setup, START),
+            feedforward: [0.0, 100.0],
+            x_actual: START,
+            v_actual: 0.0,
+            is_done: false,
+        })
+    }
+
+    /// Does what a command asks for; is back when that is done.
+    fn perform(&mut self, command: &Command, line: usize) -> Result<(), Mistake> {
+        match *command {
+            Command::Feedforward { target: Target::Spindle(1), on } => self.feedforward[0] = f64::from(u8::from(on)),
+            Command::Percentage { target: Target::Spindle(1), percent } => self.feedforward[1] = f64::from(percent),
+            Command::Turn { direction, rpm, .. } => {
+                let speed = self.speed(rpm, line)?;
+                let is_negative = direction == Direction::Negative;
+                self.request(if is_negative { &["m4"] } else { &["m3"] }, speed, 0.0, Job::Turn, line)?;
+                let v = if is_negative { -speed } else { speed };
+                while !self.turns(v) {
+                    self.cycle(line)?;
+                }
+            }
+            Command::Stop { .. } => {
+                self.request(&["m5"], 0.0, 0.0, Job::Stop, line)?;
+                while !self.turns(0.0) {
+                    self.cycle(line)?;
+                }
+            }
+            Command::Position { direction, rpm, degrees, .. } => {
+                self.position(direction, rpm, degrees, line)?;
+            }
+            Command::Home { target: Target::Spindle(1) } => {
+                self.request(&["g74"], 0.0, 0.0, Job::Home, line)?;
+                self.until_done(line)?;
+            }
+            Command::Release { spindle: 1 } => {
+                self.request(&["putax"], 0.0, 0.0, Job::Release, line)?;
+                self.until_done(line)?;
+            }
+            Command::Dwell { seconds } => {
+                let end = seconds / self.axis.cycle_time();
+                for _ in (0_u32..).take_while(|cycle| f64::from(*cycle) < end) {
+                    self.cycle(line)?;
+                }
+            }
+            Command::Move { .. } | Command::Home { target: Target::Axis(_) } => {
+                let found = "a motion of path axes in the scenario of a spindle";
+                return Err(refused(line, found, "commands of spindle 1", "a scenario of its own for the axis"));
+            }
+            // Of other spindles, and of path axes.
+            Command::Feedforward { .. } | Command::Percentage { .. } => {}
+            Command::Home { .. } | Command::Release { .. } | Command::End => {}
+        }
+        Ok(())
+    }
+
+    /// M19: without a direction the present one, at rest the shorter way; without a speed that of position control.
+    fn position(
+        &mut self,
+        direction: Option<Direction>,
+        rpm: Option<f64>,
+        degrees: f64,
+        line: usize,
+    ) -> Result<(), Mistake> {
+        let off = f64::from(self.spindle.v_position_control_on);
+        let speed = match rpm {
+            Some(rpm) => self.speed(rpm, line)?,
+            None if off > 0.0 => off,
+            None => SLOW,
+        };
+        if speed == 0.0 {
+            let instead = "`M19` with another speed, or without one";
+            return Err(refused(line, "`M19` with the speed 0", "a speed above 0", instead));
+        }
+        let target = angle(degrees * 1000.0);
+        let v = self.recorder.get("v_spindle");
+        let is_negative = match direction {
+            Some(direction) => direction == Direction::Negative,
+            None if v == 0.0 => shortest(target - self.x_actual) < 0.0,
+            None => v < 0.0,
+        };
+        self.request(if is_negative { &["m19", "m4"] } else { &["m19", "m3"] }, speed, target, Job::Orient, line)?;
+        self.until_done(line)
+    }
+
+    /// A speed that the axis has [0.001 deg/s].
+    fn speed(&self, rpm: f64, line: usize) -> Result<f64, Mistake> {
+        let (speed, largest) = (rpm * RPM, self.axis.ipc.v_max);
+        if speed > largest {
+            let found = format!("a speed of {rpm} rpm");
+            let allowed = format!("up to {} rpm, vb_max (P-AXIS-00212)", largest / RPM);
+            return Err(refused(line, found, allowed, "a lower speed, or another vb_max"));
+        }
+        Ok(speed)
+    }
+
+    /// Gives a request for one cycle, and waits until it is the job.
+    fn request(&mut self, inputs: &[&str], speed: f64, target: f64, job: Job, line: usize) -> Result<(), Mistake> {
+        let number = self.recorder.get("job_number");
+        for input in inputs {
+            self.recorder.set(input, 1.0);
+        }
+        self.recorder.set("s_word", speed);
+        self.recorder.set("s_position", target);
+        self.cycle(line)?;
+        for input in inputs.iter().chain(&["s_word", "s_position"]) {
+            self.recorder.set(input, 0.0);
+        }
+        while self.recorder.get("job_number") <= number || self.recorder.get("waiting") > 0.0 || self.seen().job != job
+        {
+            self.cycle(line)?;
+        }
+        Ok(())
+    }
+
+    fn until_done(&mut self, line: usize) -> Result<(), Mistake> {
+        loop {
+            self.cycle(line)?;
+            if self.is_done {
+                return Ok(());
+            }
+        }
+    }
+
+    /// Whether a speed is reached, and no other state is on the way to it.
+    fn turns(&self, v: f64) -> bool {
+        let is_fast = v.abs() > f64::from(self.spindle.v_velocity_control_on);
+        let is_there = match self.seen().state {
+            State::Position => !is_fast,
+            State::Velocity => true,
+            _ => false,
+        };
+        let window = (v.abs() * SPEED_WINDOW).max(RPM);
+        is_there && (self.v_actual - v).abs() <= window && (self.recorder.get("v_spindle") - v).abs() < 1.0
+    }
+
+    fn rest(&mut self, line: usize) -> Result<(), Mistake> {
+        (0..REST).try_for_each(|_| self.cycle(line))
+    }
+
+    /// One cycle: actual values, interpolator, block, drive.
+    fn cycle(&mut self, line: usize) -> Result<(), Mistake> {
+        let actual = self.drive.actual();
+        (self.x_actual, self.v_actual) = (actual.x, actual.v);
+        let commanded = self.interpolator.next(&self.seen()).map_err(|error| no_motion(line, &error))?;
+        let is_near = shortest(commanded.x - actual.x).abs() <= POSITION_WINDOW;
+        self.is_done = commanded.is_done && is_near;
+        let inputs = [
+            ("x_command", commanded.x),
+            ("v_interpolator", commanded.v),
+            ("job_done", f64::from(u8::from(self.is_done))),
+            ("x_actual", actual.x),
+            ("v_actual", actual.v),
+            ("operation_mode_display", f64::from(actual.mode)),
+            ("feedforward_active", self.feedforward[0]),
+            ("feedforward_percentage", self.feedforward[1]),
+        ];
+        for (name, value) in inputs {
+            self.recorder.set(name, value);
+        }
+        self.recorder.cycle(line)?;
+        self.drive.obey(self.sent());
+        Ok(())
+    }
+
+    /// What the drive gets: with position control in the CNC a velocity, from its controller where the loop is closed.
+    fn sent(&self) -> Sent {
+        let [x, v] = ["x_spindle", "v_spindle"].map(|name| self.recorder.get(name));
+        let mode = self.recorder.integer("operation_mode");
+        let Changeover::Cnc { feedforward, default_active } = &self.spindle.drive else { return Sent { x, v, mode } };
+        if self.recorder.get("loop_closed") == 0.0 {
+            return Sent { x, v, mode };
+        }
+        let is_active = *default_active || self.feedforward[0] != 0.0;
+        let weight = feedforward.filter(|_| is_active).map_or(0.0, generator::axis::Ratio::value);
+        let weight = weight * self.feedforward[1].clamp(0.0, 100.0) / 100.0;
+        let v = f64::from(self.spindle.kv) / 100.0 * shortest(x - self.x_actual) + weight * v;
+        Sent { x, v, mode }
+    }
+
+    fn seen(&self) -> Seen {
+        let get = |name| self.recorder.get(name);
+        Seen {
+            state: match self.recorder.integer("spindle_state") {
+                0 => State::Position,
+                1 => State::ToVelocity,
+                2 => State::Velocity,
+                3 => State::Brake,
+                _ => State::ToPosition,
+            },
+            job: match self.recorder.integer("job") {
+                1 => Job::Turn,
+                2 => Job::Orient,
+                3 => Job::Release,
+                4 => Job::Home,
+                _ => Job::Stop,
+            },
+            job_number: get("job_number"),
+            job_speed: get("job_speed"),
+            job_position: get("job_position"),
+            x_spindle: get("x_spindle"),
+            v_spindle: get("v_spindle"),
+        }
+    }
+}

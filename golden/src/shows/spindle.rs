@@ -1,0 +1,65 @@
+//! The constructs of a spindle that changes over, and the events of its runs, in words.
+
+use crate::samples::Samples;
+use generator::axis::{Axis, Bus, Changeover};
+use portable::Literal;
+use std::collections::BTreeSet;
+
+/// Its states, by their numbers.
+const STATES: [&str; 5] = ["POSITION", "TO_VELOCITY", "VELOCITY", "BRAKE", "TO_POSITION"];
+
+/// Its requests: the input of each, and the word.
+const REQUESTS: [(&str, &str); 6] =
+    [("m3", "M3"), ("m4", "M4"), ("m5", "M5"), ("m19", "M19"), ("putax", "S[PUTAX]"), ("g74", "G74")];
+
+/// Beyond it a velocity is none of rounding [0.001 deg/s].
+const MOVING: f64 = 1000.0;
+
+/// The constructs of an axis.
+pub fn constructs(axis: &Axis) -> BTreeSet<String> {
+    let word = |drive: &Changeover| match drive {
+        Changeover::Cnc { .. } => "changeover in the CNC",
+        Changeover::Drive { bus: Bus::Sercos, .. } => "changeover of a SERCOS drive",
+        Changeover::Drive { bus: Bus::CanOpen, .. } => "changeover of a CANopen drive",
+    };
+    axis.control.spindle.iter().map(|of| word(&of.drive).to_owned()).collect()
+}
+
+/// The events of a run; none: it is of another block.
+pub fn events(inputs: &Samples, outputs: &Samples) -> BTreeSet<String> {
+    let place = |run: &Samples, name: &str| run.shape.signals.iter().position(|signal| signal.name == name);
+    let (Some(state), Some(v)) = (place(outputs, "spindle_state"), place(outputs, "v_spindle")) else {
+        return BTreeSet::new();
+    };
+    let requests = REQUESTS.map(|(name, word)| (place(inputs, name), word));
+    let mut shown = BTreeSet::new();
+    let (mut given, mut answers, mut states) = (Vec::new(), Vec::new(), Vec::new());
+    let mut turned = 0.0;
+    for sample in 0..inputs.len() {
+        inputs.read(sample, &mut given);
+        outputs.read(sample, &mut answers);
+        let Literal::I32(number) = answers[state] else { continue };
+        if states.last() != Some(&number) {
+            states.push(number);
+        }
+        let requested = requests.iter().filter(|(at, _)| at.is_some_and(|at| given[at] == Literal::Bool(true)));
+        shown.extend(requested.map(|(_, word)| (*word).to_owned()));
+        let velocity = match answers[v] {
+            Literal::F64(v) => v,
+            Literal::F32(v) => f64::from(v),
+            _ => 0.0,
+        };
+        if velocity.abs() > MOVING {
+            if velocity * turned < 0.0 && number == 0 {
+                shown.insert("turns round in POSITION".to_owned());
+            }
+            turned = velocity;
+        }
+    }
+    if states[..] == [4, 0] {
+        shown.insert("stays in POSITION".to_owned());
+    }
+    let name = |number: &i32| usize::try_from(*number).ok().and_then(|number| STATES.get(number));
+    shown.extend(states.iter().filter_map(name).map(|name| format!("state {name}")));
+    shown
+}

@@ -1,0 +1,86 @@
+//! Where the inputs of a golden case come from: a stimulus, or the recorded inputs of a scenario, which are never made anew unless
+//! somebody asks for it. Not what the block answers.
+
+use crate::csv;
+use crate::samples::{Samples, Shape};
+use crate::scenario;
+use crate::stimulus::Stimulus;
+use generator::blocks::{Block, Designed};
+use generator::config;
+use generator::diagnostics::Slashes;
+use generator::digest::digest;
+use std::path::{Path, PathBuf};
+
+/// The file of the inputs.
+pub(crate) const INPUTS: &str = "inputs.csv";
+/// The file of the digests.
+pub(crate) const DIGEST: &str = "digest";
+
+/// Where inputs come from.
+#[derive(Clone, Debug)]
+pub enum Source {
+    /// computed each time
+    Stimulus(Stimulus),
+    /// made once by this NC program
+    Scenario(PathBuf),
+}
+
+/// The inputs that a program makes now, if they are to be recorded: there are none yet, or `again`.
+///
+/// # Errors
+/// The program cannot be run, or the recorded inputs are those of another program.
+pub(crate) fn made(
+    program: &Path,
+    folder: &Path,
+    designed: &Designed,
+    block: &Block,
+    again: bool,
+) -> Result<Option<Samples>, String> {
+    if folder.join(INPUTS).exists() && !again {
+        return same_program(program, folder).map(|()| None);
+    }
+    let scenario = scenario::run(&text(program)?, designed, block).map_err(|mistakes| {
+        let lines = mistakes.iter().map(|mistake| format!("{}:{mistake}", program.slashes()));
+        lines.collect::<Vec<_>>().join("\n")
+    })?;
+    Ok(Some(scenario.inputs))
+}
+
+/// Whether the recorded inputs are those of this program.
+///
+/// # Errors
+/// They are not, in words.
+pub(crate) fn same_program(program: &Path, folder: &Path) -> Result<(), String> {
+    let line = program_line(program)?;
+    match config::load(&folder.join(DIGEST)) {
+        Ok(found) if String::from_utf8_lossy(&found).ends_with(&line) => Ok(()),
+        _ => Err(format!(
+            "{}: is not the program whose inputs are recorded in {INPUTS}; --again records them anew",
+            program.slashes()
+        )),
+    }
+}
+
+/// The recorded inputs.
+///
+/// # Errors
+/// They are not there, or are no samples of the block.
+pub(crate) fn recorded(folder: &Path, shape: &Shape) -> Result<Samples, String> {
+    let path = folder.join(INPUTS);
+    csv::read(&text(&path)?, shape).map_err(|mistakes| {
+        let line = |csv::Mistake { line, column, found, allowed }: &csv::Mistake| {
+            format!("{}:{line}:{column}: {found}; allowed: {allowed}", path.slashes())
+        };
+        mistakes.iter().map(line).collect::<Vec<_>>().join("\n")
+    })
+}
+
+/// What `digest` says of the program.
+pub(crate) fn program_line(program: &Path) -> Result<String, String> {
+    Ok(format!("program {}\n", digest(text(program)?.as_bytes())))
+}
+
+fn text(path: &Path) -> Result<String, String> {
+    let bytes = config::load(path).map_err(|unreadable| format!("{}: {}", path.slashes(), unreadable.said().1))?;
+    String::from_utf8(bytes).map_err(|error| format!("{}: {error}", path.slashes()))
+}
