@@ -1,0 +1,199 @@
+//! BRAKE, and TO_POSITION behind it.
+
+use super::bench::{
+    BRAKE_CYCLES, Bench, LEAD_TIME, MODE_CYCLES, POSITION_MODE, RPM, T, V_OFF, V_SETTLED, V_STEP, VELOCITY_MODE,
+    assert_angle, wrap,
+};
+use reference::spindle::{Coeffs, Job, SpindleState};
+
+#[test]
+fn brake_goes_down_to_voff_by_the_deceleration() {
+    for bench in [Bench::in_drive, Bench::in_cnc] {
+        for sign in [1.0, -1.0] {
+            let mut bench = bench().before_brake(sign * 75.0 * RPM);
+            for v in [65.0, 55.0, 50.0, 50.0] {
+                let (old, o) = (bench.outputs, bench.cycle());
+                assert_eq!((o.spindle_state, o.v_spindle), (SpindleState::Brake, sign * v * RPM));
+                assert_eq!(o.operation_mode, bench.coeffs.velocity_mode);
+                assert_angle(o.x_spindle, wrap(old.x_spindle + o.v_spindle * T));
+            }
+        }
+    }
+}
+
+#[test]
+fn brake_does_not_change_a_velocity_below_voff() {
+    for v in [0.0, 10.0 * RPM, -V_OFF] {
+        let mut bench = Bench::in_drive().before_brake(v);
+        assert_eq!(bench.cycle().v_spindle, v);
+        assert_eq!(bench.until(SpindleState::ToPosition).v_spindle, v);
+    }
+}
+
+#[test]
+fn brake_does_not_look_at_the_interpolator() {
+    let mut bench = Bench::in_drive().before_brake(75.0 * RPM);
+    (bench.v, bench.x_command) = (f64::NAN, Some(f64::NAN));
+    assert_eq!((bench.cycle().error_id, bench.outputs.v_spindle), (0, 75.0 * RPM - V_STEP));
+}
+
+/// Cycles in BRAKE at Voff with these actual velocities, the last one again and again.
+fn cycles_in_brake(actual: &[f64]) -> u32 {
+    let mut bench = Bench::in_drive().before_brake(V_OFF);
+    for cycle in 1.. {
+        bench.v_actual = Some(actual[(cycle as usize - 1).min(actual.len() - 1)]);
+        bench.cycle();
+        if bench.next() != SpindleState::Brake || bench.outputs.fault {
+            return cycle;
+        }
+    }
+    unreachable!("its time is over")
+}
+
+#[test]
+fn brake_to_to_position_after_three_cycles_in_a_row() {
+    assert_eq!(cycles_in_brake(&[V_OFF]), 3);
+    assert_eq!(cycles_in_brake(&[0.0]), 3);
+    assert_eq!(cycles_in_brake(&[V_OFF, V_OFF, 60.0 * RPM, V_OFF]), 6);
+}
+
+/// A drive that approaches Voff from above arrives, if it comes into the window.
+#[test]
+fn brake_to_to_position_at_voff_and_its_window_and_not_beyond() {
+    assert_eq!(cycles_in_brake(&[V_SETTLED]), 3);
+    assert_eq!(cycles_in_brake(&[-V_SETTLED]), 3);
+    assert_eq!(cycles_in_brake(&[60.0 * RPM, 52.0 * RPM, 50.6 * RPM, 50.5 * RPM]), 6);
+    assert_eq!(cycles_in_brake(&[V_SETTLED + 1.0]), BRAKE_CYCLES + 1);
+    assert_eq!(cycles_in_brake(&[-V_SETTLED - 1.0]), BRAKE_CYCLES + 1);
+}
+
+#[test]
+fn brake_with_voff_0_stops() {
+    let coeffs = Coeffs {
+        v_position_control_on: 0.0,
+        v_position_control_on_negative: 0.0,
+        v_settled: 100.0,
+        ..Bench::in_drive().coeffs
+    };
+    let mut bench = Bench::with(coeffs).before_brake(15.0 * RPM);
+    assert_eq!([bench.cycle().v_spindle, bench.cycle().v_spindle], [5.0 * RPM, 0.0]);
+    assert_eq!(bench.until(SpindleState::Position).v_spindle, 0.0);
+}
+
+#[test]
+fn brake_for_too_long_is_error_42_and_stops() {
+    let mut bench = Bench::in_drive().before_brake(1000.0 * RPM);
+    bench.v_actual = Some(1000.0 * RPM);
+    let o = bench.cycles(BRAKE_CYCLES);
+    assert_eq!((o.error_id, o.v_spindle), (0, 1000.0 * RPM - f64::from(BRAKE_CYCLES) * V_STEP));
+    let o = bench.cycle();
+    assert_eq!((o.error_id, o.v_spindle), (42, 1000.0 * RPM - f64::from(BRAKE_CYCLES + 1) * V_STEP));
+    assert_eq!((o.operation_mode, o.spindle_state), (VELOCITY_MODE, SpindleState::Brake));
+    assert_eq!(bench.cycles(60).v_spindle, 0.0);
+}
+
+#[test]
+fn brake_counts_an_unknown_velocity_as_not_settled_with_error_23() {
+    let mut bench = Bench::in_drive().before_brake(V_OFF);
+    bench.cycles(2);
+    bench.v_actual = Some(f64::NAN);
+    assert_eq!((bench.cycle().error_id, bench.next()), (23, SpindleState::Brake));
+    bench.v_actual = None;
+    assert_eq!((bench.cycles(2).error_id, bench.next()), (0, SpindleState::Brake));
+    bench.cycle();
+    assert_eq!(bench.next(), SpindleState::ToPosition);
+}
+
+#[test]
+fn brake_is_not_left_without_an_actual_position_and_keeps_its_count() {
+    let mut bench = Bench::in_drive().before_brake(V_OFF);
+    bench.x_actual = Some(f64::NAN);
+    assert_eq!(bench.cycles(2).error_id, 0, "it is not needed yet");
+    assert_eq!((bench.cycle().error_id, bench.next()), (18, SpindleState::Brake));
+    bench.x_actual = None;
+    assert_eq!((bench.cycle().error_id, bench.next()), (0, SpindleState::ToPosition));
+}
+
+/// CONTRADICTION with the manual, which decelerates to Voff before position control is switched on: an actual velocity that
+/// passes through the window while the command is above Voff, as in a reversal at the current limit, ends BRAKE.
+#[test]
+fn brake_is_not_left_before_the_command_has_reached_voff() {
+    let mut bench = Bench::in_drive().before_brake(500.0 * RPM);
+    for v in [-40.0, -20.0, 0.0, 20.0, 40.0] {
+        bench.v_actual = Some(v * RPM);
+        let o = bench.cycle();
+        let may_leave = o.v_spindle.abs() <= V_OFF;
+        assert!(may_leave || bench.next() == SpindleState::Brake, "position control is taken up at {}", o.v_spindle);
+    }
+}
+
+#[test]
+fn to_position_begins_with_the_formula() {
+    for (sign, percentage, lead) in [(1.0, None, LEAD_TIME), (-1.0, None, LEAD_TIME), (1.0, Some(100), 0.010)] {
+        let bench = if percentage.is_some() { Bench::in_cnc() } else { Bench::in_drive() };
+        let mut bench = bench.before_brake(sign * V_OFF);
+        bench.inputs.feedforward_active = true;
+        bench.cycles(2);
+        bench.x_actual = Some(359_000.0);
+        let v = bench.cycle().v_spindle;
+        bench.x_actual = Some(f64::NAN);
+        let o = bench.cycle();
+        assert_eq!((o.spindle_state, o.operation_mode), (SpindleState::ToPosition, bench.coeffs.position_mode));
+        assert_eq!((v, o.v_spindle, o.error_id), (sign * V_OFF, sign * V_OFF, 0));
+        assert_angle(o.x_spindle, 359_000.0 + v * lead);
+    }
+}
+
+/// While the drive has not answered it obeys the velocity.
+#[test]
+fn to_position_goes_on_by_v_t_and_keeps_the_velocity_until_the_display() {
+    let mut bench = Bench::in_drive().before_to_position();
+    bench.display = Some(VELOCITY_MODE);
+    let mut old = bench.cycle();
+    for _ in 1..MODE_CYCLES {
+        let o = bench.cycle();
+        assert_eq!((o.spindle_state, o.v_spindle, o.velocity_command), (SpindleState::ToPosition, V_OFF, 300_000));
+        assert_eq!(o.x_spindle, wrap(old.x_spindle + V_OFF * T));
+        old = o;
+    }
+}
+
+#[test]
+fn to_position_ends_when_the_drive_displays_position() {
+    let mut bench = Bench::in_drive().before_to_position();
+    bench.display = Some(VELOCITY_MODE);
+    assert_eq!(bench.cycles(MODE_CYCLES).error_id, 0);
+    bench.display = Some(POSITION_MODE);
+    let o = bench.cycle();
+    assert_eq!((o.spindle_state, o.error_id, bench.next()), (SpindleState::ToPosition, 0, SpindleState::Position));
+}
+
+#[test]
+fn to_position_takes_one_cycle_in_the_cnc() {
+    let mut bench = Bench::in_cnc().before_to_position();
+    assert_eq!((bench.cycle().spindle_state, bench.next()), (SpindleState::ToPosition, SpindleState::Position));
+}
+
+#[test]
+fn to_position_without_an_answer_is_error_43_and_stops() {
+    let mut bench = Bench::in_drive().before_to_position();
+    bench.display = Some(VELOCITY_MODE);
+    assert_eq!(bench.cycles(MODE_CYCLES).error_id, 0);
+    let o = bench.cycle();
+    assert_eq!((o.error_id, o.v_spindle, o.operation_mode), (43, V_OFF - V_STEP, POSITION_MODE));
+    assert_eq!((o.spindle_state, bench.cycles(5).v_spindle), (SpindleState::ToPosition, 0.0));
+}
+
+/// The interpolator goes on from v with the job that waited, which has its own speed and direction.
+#[test]
+fn to_position_begins_the_job_that_waits_for_the_first_cycle_of_position() {
+    let mut bench = Bench::in_drive().fast(1000.0 * RPM);
+    bench.with_inputs(|i| (i.m19, i.m4, i.s_word, i.s_position) = (true, true, 50.0 * RPM, 90_000.0));
+    while bench.next() != SpindleState::Position {
+        assert_eq!(bench.outputs.job, Job::Stop);
+        bench.cycle();
+    }
+    let o = bench.outputs;
+    assert_eq!((o.spindle_state, o.job, o.waiting), (SpindleState::ToPosition, Job::Position, 0));
+    assert_eq!((o.job_speed, o.job_position), (-50.0 * RPM, 90_000.0));
+}
