@@ -114,8 +114,7 @@ pub const INTERPOLATOR: [Letter; 5] =
     [&[Act::Hold], &[Act::Jump(U)], &[Act::Interpolator(4.0 * U)], &[Act::Interpolator(3.0 * U)], &[Act::Done]];
 
 /// The display flickers.
-pub const DISPLAY: [Letter; 3] =
-    [&[Act::Display(0)], &[Act::Display(POSITION_MODE)], &[Act::Display(VELOCITY_MODE)]];
+pub const DISPLAY: [Letter; 3] = [&[Act::Display(0)], &[Act::Display(POSITION_MODE)], &[Act::Display(VELOCITY_MODE)]];
 
 /// Whether a letter has a request.
 #[must_use]

@@ -172,7 +172,7 @@ impl Edge<'_> {
             && matches!(then, Node::ToVelocity | Node::Velocity);
         after.takes_over = then == Node::Position && (inside != then || after.takes_over && is_blind);
         let leaves = inside == Node::Brake && then == Node::ToPosition;
-        after.x_start = leaves.then(|| inputs.x_actual + outputs.v_spindle * coeffs.lead_time);
+        after.x_start = leaves.then_some(inputs.x_actual + outputs.v_spindle * coeffs.lead_time);
         after.last = self.transitions.into_iter().flatten().last().or(after.last);
         after.block.jobs = 0;
     }

@@ -33,7 +33,7 @@ pub const WINDOW: f64 = 1000.0;
 pub const MODE_CYCLES: u32 = 5;
 
 /// Cycles within which the spindle has braked.
-pub const BRAKE_CYCLES: u32 = 60;
+pub const BRAKE_CYCLES: u32 = 120;
 
 pub const POSITION_MODE: i32 = 8;
 pub const VELOCITY_MODE: i32 = 9;
@@ -138,7 +138,9 @@ impl Bench {
 
     /// Cycles; the outputs of the last one.
     pub fn cycles(&mut self, count: u32) -> Outputs<f64> {
-        (0..count).for_each(|_| drop(self.cycle()));
+        for _ in 0..count {
+            self.cycle();
+        }
         self.outputs
     }
 
@@ -157,6 +159,18 @@ impl Bench {
             if self.cycle().spindle_state == state {
                 return self.outputs;
             }
+            assert!(!self.outputs.fault, "{:?}", self.outputs);
+        }
+        panic!("no {state:?}: {:?}", self.outputs);
+    }
+
+    /// Cycles, if need be, until the next one begins in a state.
+    pub fn until_next(&mut self, state: SpindleState) -> Outputs<f64> {
+        for _ in 0..200 {
+            if self.next() == state {
+                return self.outputs;
+            }
+            self.cycle();
             assert!(!self.outputs.fault, "{:?}", self.outputs);
         }
         panic!("no {state:?}: {:?}", self.outputs);
@@ -202,18 +216,14 @@ impl Bench {
     /// In TO_POSITION, whose first cycle is the next one; M19 waits.
     pub fn before_to_position(self) -> Self {
         let mut bench = self.before_brake(60.0 * RPM);
-        while bench.state.control != SpindleState::ToPosition {
-            bench.cycle();
-        }
+        bench.until_next(SpindleState::ToPosition);
         bench
     }
 
     /// In POSITION behind TO_POSITION, whose first cycle is the next one.
     pub fn before_takeover(self) -> Self {
         let mut bench = self.before_to_position();
-        while bench.state.control != SpindleState::Position {
-            bench.cycle();
-        }
+        bench.until_next(SpindleState::Position);
         bench.v = bench.outputs.v_spindle;
         bench
     }

@@ -77,7 +77,7 @@ fn brake_with_voff_0_stops() {
     };
     let mut bench = Bench::with(coeffs).before_brake(15.0 * RPM);
     assert_eq!([bench.cycle().v_spindle, bench.cycle().v_spindle], [5.0 * RPM, 0.0]);
-    assert_eq!(bench.until(SpindleState::Position).v_spindle, 0.0);
+    assert_eq!(bench.until_next(SpindleState::Position).v_spindle, 0.0);
 }
 
 #[test]
@@ -85,9 +85,9 @@ fn brake_for_too_long_is_error_42_and_stops() {
     let mut bench = Bench::in_drive().before_brake(1000.0 * RPM);
     bench.v_actual = Some(1000.0 * RPM);
     let o = bench.cycles(BRAKE_CYCLES);
-    assert_eq!((o.error_id, o.v_spindle), (0, 1000.0 * RPM - f64::from(BRAKE_CYCLES) * V_STEP));
+    assert_eq!((o.error_id, o.v_spindle), (0, V_OFF));
     let o = bench.cycle();
-    assert_eq!((o.error_id, o.v_spindle), (42, 1000.0 * RPM - f64::from(BRAKE_CYCLES + 1) * V_STEP));
+    assert_eq!((o.error_id, o.v_spindle, o.job), (42, V_OFF - V_STEP, Job::Stop));
     assert_eq!((o.operation_mode, o.spindle_state), (VELOCITY_MODE, SpindleState::Brake));
     assert_eq!(bench.cycles(60).v_spindle, 0.0);
 }
@@ -189,11 +189,8 @@ fn to_position_without_an_answer_is_error_43_and_stops() {
 fn to_position_begins_the_job_that_waits_for_the_first_cycle_of_position() {
     let mut bench = Bench::in_drive().fast(1000.0 * RPM);
     bench.with_inputs(|i| (i.m19, i.m4, i.s_word, i.s_position) = (true, true, 50.0 * RPM, 90_000.0));
-    while bench.next() != SpindleState::Position {
-        assert_eq!(bench.outputs.job, Job::Stop);
-        bench.cycle();
-    }
-    let o = bench.outputs;
+    assert_eq!(bench.until_next(SpindleState::ToPosition).job, Job::Stop);
+    let o = bench.until_next(SpindleState::Position);
     assert_eq!((o.spindle_state, o.job, o.waiting), (SpindleState::ToPosition, Job::Position, 0));
     assert_eq!((o.job_speed, o.job_position), (-50.0 * RPM, 90_000.0));
 }

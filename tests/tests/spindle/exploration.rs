@@ -24,7 +24,8 @@ static FOUND: LazyLock<Vec<(Scenario, Found)>> = LazyLock::new(|| {
 /// Past the capture of test output: what was visited is a result.
 #[test]
 fn every_state_is_visited_and_counted() {
-    let mut text = String::from("spindle: states, cycles, transitions, pairs of transitions, depth of the last pair, depth\n");
+    let mut text =
+        String::from("spindle: states, cycles, transitions, pairs of transitions, depth of the last pair, depth\n");
     let mut sums = [0; 3];
     for (scenario, found) in FOUND.iter() {
         let passed: usize = found.transitions.values().sum();

@@ -86,9 +86,7 @@ fn a_reset_ends_an_error_and_brakes_in_the_same_cycle() {
 fn a_reset_of_an_error_leads_back_to_position() {
     for (id, _, mut bench) in failed() {
         bench.with_inputs(|i| i.reset = true);
-        while bench.next() != SpindleState::Position {
-            assert_eq!(bench.cycle().error_id, 0, "{id}");
-        }
+        bench.until_next(SpindleState::Position);
         bench.v = bench.outputs.v_spindle;
         assert_eq!((bench.cycle().error_id, bench.outputs.job), (0, Job::Stop), "{id}");
     }
@@ -118,10 +116,8 @@ fn a_reset_of_an_error_that_outlasted_drive_off_brakes_when_the_drive_is_on() {
 fn brake_behind_an_error_ends_with_the_formula() {
     for (id, _, mut bench) in failed() {
         bench.with_inputs(|i| i.reset = true);
-        while bench.next() == SpindleState::Brake {
-            bench.x_actual = Some(77_000.0);
-            bench.cycle();
-        }
+        bench.x_actual = Some(77_000.0);
+        bench.until_next(SpindleState::ToPosition);
         let o = bench.cycle();
         let x = wrap(77_000.0 + o.v_spindle * bench.coeffs.lead_time);
         assert_eq!((o.spindle_state, o.x_spindle), (SpindleState::ToPosition, x), "{id}");

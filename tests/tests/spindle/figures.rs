@@ -116,8 +116,8 @@ fn half_a_turn_a_cycle_of_2_ms_is_15_000_rpm_and_too_fast() {
     }
 }
 
-/// The reason for the formula, by a drive that is none of the block's: Kv 20/s, feedforward 0.5, the command 2 cycles on its way
-/// there, the actual value 2 on its way back (Nd 4). Without a jerk the drive goes on at the velocity that it has.
+/// The reason for the formula, by a drive that is none of the block's: Kv 20/s, feedforward 0.5, the command 2 cycles on its
+/// way there, the actual value 2 on its way back (Nd 4). Without a jerk the drive goes on at the velocity that it has.
 #[test]
 fn a_drive_that_takes_up_position_control_by_the_formula_keeps_its_velocity() {
     const KV: f64 = 20.0;
@@ -127,10 +127,10 @@ fn a_drive_that_takes_up_position_control_by_the_formula_keeps_its_velocity() {
         let mut bench = Bench::with(coeffs).before_brake(v);
         let (mut x, mut is_position) = (wrap(bench.outputs.x_spindle), false);
         let mut there = VecDeque::from([bench.outputs; 2]);
-        let mut back = VecDeque::from([(x - v * T, v), (x, v)]);
+        let mut back = VecDeque::from([(x - 2.0 * v * T, v), (x - v * T, v), (x, v)]);
         for _ in 0..100 {
-            // A cycle passes while the command is sent, and one each for what stands in the queues.
-            let (x_seen, v_seen) = back.pop_front().expect("two");
+            // What is seen is where the drive was 2 cycles ago; what is put out arrives 2 cycles later.
+            let (x_seen, v_seen) = back.pop_front().expect("three");
             (bench.x_actual, bench.v_actual, bench.v) = (Some(x_seen), Some(v_seen), v);
             bench.display = Some(bench.outputs.operation_mode);
             there.push_back(bench.cycle());

@@ -121,8 +121,8 @@ fn requests_are_served_in_their_order_and_a_turn_during_brake_waits_for_m19() {
     bench.cycle();
     assert_eq!(bench.with_inputs(|i| i.m3 = true).waiting, 2);
     bench.with_inputs(|i| i.m5 = true);
-    bench.until(SpindleState::Position);
-    (bench.v, bench.x_command) = (bench.outputs.v_spindle, None);
+    bench.until_next(SpindleState::Position);
+    bench.v = bench.outputs.v_spindle;
     let o = bench.cycles(50);
     assert_eq!((o.job, o.waiting), (Job::Position, 2), "until it has been done");
     let o = bench.with_inputs(|i| i.job_done = true);

@@ -102,9 +102,7 @@ fn a_turn_in_to_velocity_behind_a_reset_is_not_lost() {
         bench.with_inputs(|i| i.reset = true);
         bench.with_inputs(|i| (i.m3, i.s_word) = (true, 100.0 * RPM));
         (bench.v, bench.display) = (1000.0 * RPM, None);
-        while bench.next() != SpindleState::Position {
-            bench.cycle();
-        }
+        bench.until_next(SpindleState::Position);
         assert_eq!((bench.outputs.job, bench.outputs.job_speed), (Job::Turn, 100.0 * RPM));
     }
 }
@@ -120,9 +118,7 @@ fn a_reset_before_an_error_does_not_end_a_later_turn() {
     bench.display = None;
     bench.v = 0.0;
     bench.with_inputs(|i| i.reset = true);
-    while bench.next() != SpindleState::Position {
-        bench.cycle();
-    }
+    bench.until_next(SpindleState::Position);
     bench.v = bench.outputs.v_spindle;
     bench.cycle();
     bench.with_inputs(|i| i.m3 = true);
@@ -140,9 +136,7 @@ fn a_reset_in_the_cycle_of_an_error_does_not_end_a_later_turn() {
     assert_eq!(bench.with_inputs(|i| i.reset = true).error_id, 45);
     bench.display = None;
     bench.with_inputs(|i| i.reset = true);
-    while bench.next() != SpindleState::Position {
-        bench.cycle();
-    }
+    bench.until_next(SpindleState::Position);
     bench.v = bench.outputs.v_spindle;
     bench.cycle();
     bench.with_inputs(|i| i.m3 = true);

@@ -164,15 +164,16 @@ fn assert_brakes(ask: fn(&mut Inputs<f64>), job: Job) {
     for bench in Bench::both() {
         let mut bench = bench.fast(1000.0 * RPM);
         let o = bench.with_inputs(ask);
-        assert_eq!((o.spindle_state, o.v_spindle, bench.next()), (SpindleState::Velocity, bench.v, SpindleState::Brake));
+        assert_eq!(
+            (o.spindle_state, o.v_spindle, bench.next()),
+            (SpindleState::Velocity, bench.v, SpindleState::Brake)
+        );
         let waiting = u32::from(job != Job::Stop);
         assert_eq!((o.job, o.waiting), (Job::Stop, waiting));
         let o = bench.cycle();
         assert_eq!((o.spindle_state, o.job, o.waiting), (SpindleState::Brake, Job::Stop, waiting));
         bench.until(SpindleState::ToPosition);
-        while bench.next() != SpindleState::Position {
-            bench.cycle();
-        }
+        bench.until_next(SpindleState::Position);
         assert_eq!((bench.outputs.job, bench.outputs.waiting), (job, 0), "begun in the cycle that POSITION follows");
     }
 }
