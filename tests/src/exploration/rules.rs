@@ -1,7 +1,7 @@
 //! What must be so in every cycle, from docs/spindle.md: modes, commands, times. Requests stand beside it; nothing is searched.
 
 use super::drive::wrap;
-use super::transitions::{By, Node};
+use super::transitions::{By, Node, Transition};
 use super::world::{Edge, is_free};
 use super::{orders, transitions};
 use reference::spindle::{Job, SpindleState};
@@ -27,7 +27,7 @@ pub enum Rule {
     Formula,
     /// the first step of POSITION is within the window around v_spindle * T
     TakeOver,
-    /// a state that waits ends within its time, or an error stays
+    /// a state that waits ends within its time, or an error stays, and not before
     Time,
     /// BRAKE ends after three cycles within the window, and not before
     Settled,
@@ -220,7 +220,9 @@ fn is_in_time(edge: &Edge<'_>) -> bool {
     let is_new = edge.before.node != edge.inside;
     let is_over = if is_new { 1 } else { edge.before.waited + 1 } > time;
     let is_left = edge.after.node != edge.inside;
-    !is_over || is_left
+    let is_timeout = |one: &Transition| matches!(one.by, By::Error(41..=43));
+    let is_early = !is_over && edge.transitions.iter().flatten().any(is_timeout);
+    (!is_over || is_left) && !is_early
 }
 
 fn is_settled(edge: &Edge<'_>) -> bool {
