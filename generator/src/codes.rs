@@ -31,6 +31,19 @@ static ERROR_IDS: &[&Fn] = &[
     &signal::error_v_additive::Ir::<f64>::IR,
     &signal::error_v_add::Ir::<f64>::IR,
     &signal::error_v_add_master::Ir::<f64>::IR,
+    &signal::error_v_actual::Ir::<f64>::IR,
+    &signal::error_requests::Ir::<f64>::IR,
+    &signal::error_direction::Ir::<f64>::IR,
+    &signal::error_s_word::Ir::<f64>::IR,
+    &signal::error_s_position::Ir::<f64>::IR,
+    &signal::error_waiting::Ir::<f64>::IR,
+    &signal::error_drive_off::Ir::<f64>::IR,
+    &signal::error_to_velocity::Ir::<f64>::IR,
+    &signal::error_brake::Ir::<f64>::IR,
+    &signal::error_to_position::Ir::<f64>::IR,
+    &signal::error_half_turn::Ir::<f64>::IR,
+    &signal::error_mode_display::Ir::<f64>::IR,
+    &signal::error_takeover::Ir::<f64>::IR,
     &signal::error_gantry_slave::Ir::<f64>::IR,
 ];
 
@@ -164,8 +177,8 @@ codes! {
     DURATION = "AX205", "not a time",
         "A time is a number with its unit, such as \"1ms\", \"62.5us\" or \"0.1s\", and a whole number of nanoseconds.";
     MISSING = "AX206", "a parameter is missing",
-        "An active stage, or the changeover of a spindle, needs the parameter, and its default lies outside of its range on purpose: the \
-         controller wants it in writing too, or manuals do not agree on it.";
+        "An active stage, or the changeover of a spindle, needs the parameter, and its default lies outside of its range on \
+         purpose: the controller wants it in writing too, or manuals do not agree on it.";
 
     NO_BANDPASS = "AX301", "an active stage without a band-pass",
         "Without a band-pass the whole velocity would be fed back. Every active stage needs a BANDPASS in one of its two \
@@ -226,35 +239,40 @@ codes! {
         "A spindle changes to velocity control at P-AXIS-00767 and back at P-AXIS-00768, which is not above it. The manual's second example has \
          its values one line too low: it changes at 0.001 deg/s, if it is taken as it stands.";
     NO_CHANGEOVER = "AX321", "a drive that does not change its operation mode",
-        "Where the drive controls the position, it changes to velocity control itself: it gets the operation mode and displays it. The \
-         controller does so with SERCOS and CANopen drives only. With position control in the CNC (P-AXIS-00320) any drive will do.";
+        "Where the drive controls the position, it changes to velocity control itself: it gets the operation mode and displays \
+         it. The controller does so with SERCOS and CANopen drives only. With position control in the CNC (P-AXIS-00320) any \
+         drive will do.";
     ONE_MODE = "AX322", "one operation mode for position and velocity control",
-        "The changeover is over when the drive displays the new operation mode. If both modes have one number, nothing can be told from \
-         the display: of SERCOS velocity control is an auxiliary mode (P-AXIS-00264), of CANopen another number (P-AXIS-00463, 00464).";
+        "The changeover is over when the drive displays the new operation mode. If both modes have one number, nothing can be \
+         told from the display: of SERCOS velocity control is an auxiliary mode (P-AXIS-00264), of CANopen another number \
+         (P-AXIS-00463, 00464).";
     HALF_A_REVOLUTION = "AX323", "position control at half a revolution in a cycle",
-        "A drive that controls the position of a spindle cannot tell the direction of a way of 180 deg and more in a cycle: the speed stays \
-         below 30/T rpm, at a cycle time of 2 ms below 15000 rpm. That holds for the velocity up to which position control lasts (P-AXIS-00767, \
-         or 00212 if it is lower) and for that at which it is taken up again (P-AXIS-00768) with its window.";
+        "A drive that controls the position of a spindle cannot tell the direction of a way of 180 deg and more in a cycle: the \
+         speed stays below 30/T rpm, at a cycle time of 2 ms below 15000 rpm. That holds for the velocity up to which position \
+         control lasts (P-AXIS-00767, or 00212 if it is lower) and for that at which it is taken up again (P-AXIS-00768) with \
+         its window.";
     TWO_VELOCITIES = "AX324", "two values for one velocity",
-        "P-AXIS-00767 replaces P-AXIS-00265, and P-AXIS-00768 replaces P-AXIS-00266. Both are given, and differ: which one is meant cannot be told.";
+        "P-AXIS-00767 replaces P-AXIS-00265, and P-AXIS-00768 replaces P-AXIS-00266. Both are given, and differ: which one is \
+         meant cannot be told.";
     NOT_OFFERED = "AX325", "a drive without what the changeover needs",
-        "A drive that changes its operation mode gets the commands of both modes in its cyclic telegram, and answers with its actual values. A \
-         SERCOS drive needs its operation modes and rotary scaling, too. The keys process_data.objects and drive_settings name what the drive has: \
-         where they are given, all of it must be there.";
+        "A drive that changes its operation mode gets the commands of both modes in its cyclic telegram, and answers with its \
+         actual values. A SERCOS drive needs its operation modes and rotary scaling, too. The keys process_data.objects and \
+         drive_settings name what the drive has: where they are given, all of it must be there.";
     TOO_SHORT = "AX326", "a time that the changeover cannot keep",
-        "The drive's answer takes the cycles of P-AXIS-00191, and braking takes its ramp. A time that ends before would stop the spindle with \
-         an error at each changeover.";
+        "The drive's answer takes the cycles of P-AXIS-00191, and braking takes its ramp. A time that ends before would stop the \
+         spindle with an error at each changeover.";
     TOO_LONG = "AX327", "a time of too many cycles",
-        "The times of the changeover are counted in cycles, up to 2^24, which single precision still counts exactly. A brake's time follows from the \
-         deceleration, where it is not given.";
+        "The times of the changeover are counted in cycles, up to 2^24, which single precision still counts exactly. A brake's \
+         time follows from the deceleration, where it is not given.";
     GANTRY_SPINDLE = "AX328", "a changeover in a gantry",
         "The axes of a gantry have one position. In velocity control they would lose it, and each other.";
     STEP = "AX329", "conventional feedforward beside a changeover in the drive",
-        "Where the drive controls the position, conventional feedforward leads its position command by v_feedforward / Kv. The command that is computed \
-         for the change to position control does not, and would step by that at the changeover. This is our inference from how the command is made. Use \
-         an additive velocity, or the feedforward of the drive.";
+        "Where the drive controls the position, conventional feedforward leads its position command by v_feedforward / Kv. The \
+         command that is computed for the change to position control does not, and would step by that at the changeover. This is \
+         our inference from how the command is made. Use an additive velocity, or the feedforward of the drive.";
     NO_VELOCITY = "AX330", "a velocity command that is always 0",
-        "In velocity control the drive gets its velocity command in the scaling of P-AXIS-00205 to 00207, whose numerator (P-AXIS-00206) is 0.";
+        "In velocity control the drive gets its velocity command in the scaling of P-AXIS-00205 to 00207, whose numerator \
+         (P-AXIS-00206) is 0.";
 
     NO_STAGE = "AX401", "no stage is active",
         "Improved position control does nothing; without feedforward and position control the block is generated all the same, \
@@ -377,16 +395,19 @@ codes! {
         "Feedforward adds a cycle at the least between interpolator and position controller, which the controller does not count in a \
          measuring run. Its manual wants a longer stroke of the probe (P-AXIS-00086).";
     PREDECESSOR = "AX442", "the predecessor of a parameter",
-        "P-AXIS-00265 and P-AXIS-00266 still work, and their values are adopted. New lists have P-AXIS-00767 and P-AXIS-00768 in their place.";
+        "P-AXIS-00265 and P-AXIS-00266 still work, and their values are adopted. New lists have P-AXIS-00767 and P-AXIS-00768 in \
+         their place.";
     TAKEN_FOR_SPINDLE = "AX443", "an axis without a type that has a changeover",
-        "The velocities of the changeover (P-AXIS-00767, 00768) belong to spindles. The axis type (P-AXIS-00018), whose default is a translatory axis, is not \
-         given: the axis is taken for a spindle, with positions in 0.001 deg. Write the axis type.";
+        "The velocities of the changeover (P-AXIS-00767, 00768) belong to spindles. The axis type (P-AXIS-00018), whose default \
+         is a translatory axis, is not given: the axis is taken for a spindle, with positions in 0.001 deg. Write the axis type.";
     NEVER = "AX444", "a changeover that never comes",
-        "Velocity control begins above P-AXIS-00767, whose default is 33333 rpm. The spindle does not turn so fast, or is not meant to: it would stay in position \
-         control.";
+        "Velocity control begins above P-AXIS-00767, whose default is 33333 rpm. The spindle does not turn so fast, or is not \
+         meant to: it would stay in position control.";
     ADDS = "AX445", "an additive velocity beside a changeover",
-        "ADD_VEL sends the whole velocity as an additive command. In velocity control the drive would get it twice, and the position command of the change to position \
-         control counts the drive's own feedforward only. Switch it off (G137) while `loop_closed` is FALSE, or use the feedforward of the drive.";
+        "ADD_VEL sends the whole velocity as an additive command. In velocity control the drive would get it twice, and the \
+         position command of the change to position control counts the drive's own feedforward only. Switch it off (G137) while \
+         `loop_closed` is FALSE, or use the feedforward of the drive.";
     TWO_WEIGHTS = "AX446", "two weights of the drive's feedforward",
-        "P-AXIS-00833 replaces P-AXIS-00766. Both are given, and differ: the new one holds. Write what the drive has (SERCOS S-0-0296, CANopen 3062h).";
+        "P-AXIS-00833 replaces P-AXIS-00766. Both are given, and differ: the new one holds. Write what the drive has (SERCOS \
+         S-0-0296, CANopen 3062h).";
 }

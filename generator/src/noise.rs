@@ -44,7 +44,7 @@ impl<R: Real, B: Block<R>> Run for Running<R, B> {
 /// The inputs with which a block does all that it can.
 pub(crate) fn exercised<R: Real, B: Block<R>>(coeffs: &B::Coeffs) -> Vec<Literal> {
     let mut inputs = B::inputs(coeffs);
-    B::exercise(&mut inputs);
+    B::exercise(&mut inputs, coeffs);
     leaves(&inputs)
 }
 

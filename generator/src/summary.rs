@@ -1,6 +1,6 @@
 //! What an axis's blocks do, in a few lines for the user, and what that means for the machine.
 
-use crate::blocks::{self, Designed, Summary, spindle::words as spindle};
+use crate::blocks::{self, Designed, Summary};
 
 /// The lines for an axis.
 pub fn text(designed: &Designed) -> String {
@@ -19,7 +19,7 @@ fn lines(designed: &Designed, heads: &str, lines: impl Iterator<Item = String>) 
     let cycle = f64::from(axis.cycle_time_ns) / 1000.0;
     let names = blocks::names(axis).join(", ");
     let mut text = format!("axis {}: {names}, {}, cycle {cycle} us{heads}\n", axis.name, axis.real_name());
-    for line in lines.chain(spindle::lines(axis)) {
+    for line in lines {
         text.extend(["  ", &line, "\n"]);
     }
     if !axis.control.assumed.is_empty() {

@@ -5,6 +5,7 @@ use crate::noise::{Run, Running, exercised};
 use compiler::{leaf, legalise::Own, program::Program};
 use portable::{Block, Literal, Real};
 use reference::signal::sample_limit;
+use std::ops::Range;
 use std::sync::{Arc, LazyLock};
 
 /// What a run does, and what came out.
@@ -39,6 +40,23 @@ pub(crate) struct Turn {
     pub(crate) input: usize,
     pub(crate) value: Literal,
     pub(crate) is_off: bool,
+}
+
+/// A part of what a block is led through, because noise alone would not: an input, its value, and the samples in which it has it,
+/// counted from where the drill begins.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drill {
+    pub(crate) input: &'static str,
+    pub(crate) value: Set,
+    pub(crate) samples: Range<usize>,
+}
+
+/// The value of an input in a drill.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Set {
+    Bool(bool),
+    I32(i32),
+    Real(f64),
 }
 
 /// What the reference answers in a sample.
@@ -107,8 +125,15 @@ pub(crate) fn recording<R: Real, B: Block<R>>(
     state_paths: &[String],
     ranges: [f64; 2],
     start: usize,
+    drill: &[Drill],
 ) -> Recording {
     let (inputs, reals) = (own.inputs.clone(), own.reals());
+    let position = |path: &str| program.inputs.iter().position(|input| input.path == path);
+    let drill: Vec<(usize, Set, Range<usize>)> = drill
+        .iter()
+        .filter_map(|part| Some((position(part.input)?, part.value, part.samples.clone())))
+        .filter(|(input, ..)| inputs.contains(input))
+        .collect();
     let off = program.switch.as_ref().map(|switch| {
         let value = switch.off.as_ref().map_or(Literal::Bool(false), |off| off.value);
         (switch.input, value)
@@ -117,7 +142,7 @@ pub(crate) fn recording<R: Real, B: Block<R>>(
     let busy = busy.and_then(|busy| state_paths.iter().position(|path| path == busy));
     Arc::new(LazyLock::new(Box::new(move || {
         let usual = exercised::<R, B>(&coeffs);
-        let mut trial = plan::<R>(usual, &inputs, reals, off, ranges, start.min(LONGEST_START));
+        let mut trial = plan::<R>(usual, (&inputs, reals, off), ranges, start.min(LONGEST_START), &drill);
         record::<R, B>(&mut trial, coeffs, busy);
         trial
     })))
@@ -126,18 +151,26 @@ pub(crate) fn recording<R: Real, B: Block<R>>(
 /// What happens when.
 fn plan<R: Real>(
     usual: Vec<Literal>,
-    inputs: &[usize],
-    reals: Vec<usize>,
-    off: Option<(usize, Literal)>,
+    (inputs, reals, off): (&[usize], Vec<usize>, Option<(usize, Literal)>),
     ranges: [f64; 2],
     start: usize,
+    drill: &[(usize, Set, Range<usize>)],
 ) -> Trial {
     let [quiet, loud] = ranges.map(|range| leaf(R::lit(libm::exp2(libm::floor(libm::log2(range)) - 15.0))));
     let acts_from = BEGINNING + start;
-    let loud_from = acts_from + QUIET_SAMPLES;
+    let drill_from = acts_from + QUIET_SAMPLES;
+    let loud_from = drill_from + drill.iter().map(|(.., samples)| samples.end).max().unwrap_or(0);
     let mut next = loud_from + LOUD_SAMPLES;
     let beyond = leaf(sample_limit::<R>() + sample_limit::<R>());
     let (mut turns, mut jumps) = (Vec::new(), Vec::new());
+    for (input, value, samples) in drill {
+        let [from, to] = [samples.start, samples.end].map(|sample| drill_from + sample);
+        match value {
+            Set::Real(value) => jumps.extend((from..to).map(|at| (at, *input, leaf(R::lit(*value))))),
+            Set::Bool(value) => turns.push(turn(from..to, *input, Literal::Bool(*value))),
+            Set::I32(value) => turns.push(turn(from..to, *input, Literal::I32(*value))),
+        }
+    }
     let mut add = |input, value, is_off, next: &mut usize| {
         turns.push(Turn { from: *next, to: *next + TURN_LENGTH, input, value, is_off });
         *next += TURN_DISTANCE;
@@ -229,6 +262,10 @@ fn record<R: Real, B: Block<R>>(trial: &mut Trial, coeffs: B::Coeffs, busy: Opti
             });
         }
     }
+}
+
+fn turn(samples: Range<usize>, input: usize, value: Literal) -> Turn {
+    Turn { from: samples.start, to: samples.end, input, value, is_off: false }
 }
 
 /// Other values of a switch; of an integer those beside it, and two far away.

@@ -21,5 +21,6 @@ pub mod process_data;
 pub mod section;
 pub mod signal;
 pub mod spindle;
+pub mod spindle_axis;
 pub mod stage;
 pub mod sum;

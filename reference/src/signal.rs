@@ -130,6 +130,12 @@ pub fn error_waiting() -> u32 {
     35u32
 }
 
+/// error_id: spindle: the drive is off, the request is lost
+#[portable]
+pub fn error_drive_off() -> u32 {
+    36u32
+}
+
 /// error_id: spindle: the drive does not display velocity control within the time; stays until reset
 #[portable]
 pub fn error_to_velocity() -> u32 {
@@ -154,13 +160,13 @@ pub fn error_half_turn() -> u32 {
     44u32
 }
 
-/// error_id: spindle: the drive has left its operation mode; stays until reset
+/// error_id: spindle: the drive does not display the operation mode that it is in; stays from the fourth cycle on
 #[portable]
 pub fn error_mode_display() -> u32 {
     45u32
 }
 
-/// error_id: spindle: the interpolator does not go on from x_spindle; stays until reset
+/// error_id: spindle: x_command does not go on from x_spindle; stays until reset
 #[portable]
 pub fn error_takeover() -> u32 {
     46u32

@@ -1,6 +1,8 @@
 //! The reference against the independent model, on random axes and random histories.
 
 use axgen_tests::model::agree::{self, Tally};
+use axgen_tests::model::spindle::{self, Parameters, block};
+use axgen_tests::random::rng::Rng;
 use rayon::prelude::*;
 
 /// Sets, and cycles of each.
@@ -25,4 +27,18 @@ fn the_reference_agrees_with_the_model_on_1000_random_sets_of_1000_cycles() {
     assert!(tally.choices * 1000 < tally.integers, "{tally:?}");
     assert!(tally.choices_in_single * 20 < tally.integers_in_single, "{tally:?}");
     assert!(tally.runs > 2 * sets as u64, "{tally:?}");
+}
+
+/// Histories of the changeover, and cycles of each.
+const SPINDLES: u64 = 10_000;
+const SPINDLE_CYCLES: usize = 2000;
+
+#[test]
+fn the_changeover_agrees_with_its_model_on_random_histories_of_2000_cycles() {
+    let differs = |seed: u64| {
+        let p = Parameters::random(&mut Rng::new(SEED.wrapping_add(seed)));
+        spindle::agree(&p, seed, SPINDLE_CYCLES, block::start(&p)).err()
+    };
+    let wrong: Vec<String> = (0..SPINDLES).into_par_iter().filter_map(differs).collect();
+    assert!(wrong.is_empty(), "{} of {SPINDLES} histories disagree\n{}", wrong.len(), wrong[0]);
 }

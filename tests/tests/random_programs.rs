@@ -32,6 +32,6 @@ fn a_planted_defect_is_found_and_made_small() {
         let report = campaign::run(&settings).unwrap();
         let shrunk = report.shrunk.unwrap_or_else(|| panic!("{name} is not found"));
         println!("{name}\n{}", shrunk.text);
-        assert!(print::lines(&shrunk.program) < 30, "{name}: {}", shrunk.text);
+        assert!(print::lines(&shrunk.program) <= 30, "{name}: {}", shrunk.text);
     }
 }

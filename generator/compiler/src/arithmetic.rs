@@ -32,6 +32,10 @@ pub fn binary(operator: Binary, left: Literal, right: Literal) -> Literal {
         (Literal::F64(_) | Literal::F32(_), _, Binary::Equal | Binary::NotEqual) => None,
         (Literal::F64(a), Literal::F64(b), _) => compute(operator, a, b, Literal::F64, [f64::add, f64::sub, f64::mul]),
         (Literal::F32(a), Literal::F32(b), _) => compute(operator, a, b, Literal::F32, [f32::add, f32::sub, f32::mul]),
+        (Literal::I32(a), Literal::I32(b), Binary::Divide) => a.checked_div(b).map(Literal::I32),
+        (Literal::I32(a), Literal::I32(b), Binary::Remainder) => a.checked_rem(b).map(Literal::I32),
+        (Literal::U32(a), Literal::U32(b), Binary::Divide) => a.checked_div(b).map(Literal::U32),
+        (Literal::U32(a), Literal::U32(b), Binary::Remainder) => a.checked_rem(b).map(Literal::U32),
         (Literal::I32(a), Literal::I32(b), _) => {
             compute(operator, a, b, Literal::I32, [i32::wrapping_add, i32::wrapping_sub, i32::wrapping_mul])
         }

@@ -5,7 +5,7 @@ use portable::{Intrinsic, Literal, Unary};
 use std::fmt::{Display, Formatter, Result};
 
 /// The operators, in the order of [`portable::Binary`].
-const SYMBOLS: [&str; 12] = ["+", "-", "*", "/", "<", "<=", ">", ">=", "==", "!=", "and", "or"];
+const SYMBOLS: [&str; 13] = ["+", "-", "*", "/", "%", "<", "<=", ">", ">=", "==", "!=", "and", "or"];
 
 /// The whole program: its variables, then its statements.
 impl Display for Program {

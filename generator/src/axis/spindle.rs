@@ -12,7 +12,8 @@ pub struct Spindle {
     pub drive: Changeover,
     /// gain of the position controller, of the drive or of the CNC [0.01/s] (P-AXIS-00099)
     pub kv: u32,
-    /// cycles between sending a command and receiving the actual value that it caused (P-AXIS-00191)
+    /// position control in the drive: cycles between sending a command and receiving the actual value that it caused (P-AXIS-00191);
+    /// else 0
     pub delay_cycles: u32,
     /// of the velocity command on the way to position control [0.001 deg/s^2] (key `spindle.deceleration`)
     pub deceleration: f64,

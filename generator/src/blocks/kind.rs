@@ -4,7 +4,7 @@ use super::designed::Designed;
 use super::values::{self, Values};
 use crate::noise::{Run, Running};
 use crate::self_test::{self, SelfTest};
-use crate::trial::{self, Recording};
+use crate::trial::{self, Drill, Recording};
 use crate::{axis::Axis, design::rounding::rounded};
 use compiler::legalise::{self, Own};
 use compiler::pass::{self, Defect};
@@ -36,6 +36,11 @@ pub trait Part: Sync {
     /// How many cycles it takes from its start until it acts in full.
     fn start_cycles(&self, _: &Designed) -> usize {
         0
+    }
+
+    /// What it is led through in a self-test, beside noise.
+    fn drill(&self, _: &Designed) -> Vec<Drill> {
+        Vec::new()
     }
 
     /// What it does, for the summary of an axis.
@@ -182,6 +187,7 @@ fn block<R: Real, P: Part + Reference<f64> + Reference<R>>(part: &P, designed: &
     let self_test = self_test::record::<R, P>(coeffs(), &own, &paths, ranges);
     let certificate = part.certificate(designed, &program);
     let start = part.start_cycles(designed);
-    let trial = trial::recording::<R, P>(coeffs(), (&program, &own), &paths, ranges, start);
+    let drill = part.drill(designed);
+    let trial = trial::recording::<R, P>(coeffs(), (&program, &own), &paths, ranges, start, &drill);
     Ok(Block { program, own, notes, self_test, trial, certificate })
 }

@@ -15,8 +15,10 @@ pub(crate) mod ipc;
 mod kind;
 pub(crate) mod position_control;
 pub(crate) mod spindle;
+mod spindle_axis;
 mod values;
 
+pub use crate::trial::Drill;
 pub use designed::Designed;
 pub use ipc::{check::lowest_f0_ts, feasibility::refusals};
 pub use kind::{Block, Kind, Part, Summary};
@@ -27,21 +29,20 @@ use compiler::pass::Defect;
 use portable::Block as Reference;
 
 /// All blocks, in the order in which an axis needs them.
-pub(crate) const BLOCKS: [&dyn Kind; 5] = [
+pub(crate) const BLOCKS: [&dyn Kind; 6] = [
     &reference::ipc::Ipc,
     &reference::feedforward::Feedforward,
     &reference::position_control::PositionControl,
     &reference::spindle::Spindle,
     &reference::axis::Axis,
+    &reference::spindle_axis::SpindleAxis,
 ];
 
 /// The blocks whose parameters are known one by one; any other block depends on all parameters of its axis.
 pub(crate) const IPC: &str = <reference::ipc::Ipc as Reference<f64>>::NAME;
 pub(crate) const FEEDFORWARD: &str = <reference::feedforward::Feedforward as Reference<f64>>::NAME;
 pub(crate) const POSITION_CONTROL: &str = <reference::position_control::PositionControl as Reference<f64>>::NAME;
-pub(crate) const SPINDLE: &str = "spindle";
-/// It has those of its parts, which the changeover is none of.
-pub(crate) const AXIS: &str = <reference::axis::Axis as Reference<f64>>::NAME;
+pub(crate) const SPINDLE: &str = <reference::spindle::Spindle as Reference<f64>>::NAME;
 
 /// The blocks that the parameters of an axis ask for.
 pub fn of_axis(axis: &Axis) -> impl Iterator<Item = &'static dyn Kind> {

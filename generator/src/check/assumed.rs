@@ -2,27 +2,24 @@
 
 use crate::axis::{Axis, Enable};
 use crate::parameters::Name;
-use crate::{codes, config::values::key, diagnostics::Diagnostic, rules::effective::Effective};
+use crate::{codes, config::values::key, diagnostics::Diagnostic, number::rounded, rules::effective::Effective};
 
 /// Whether an axis is told that nobody gave it; without an active stage or a changeover the largest velocity limits nothing.
 pub(crate) fn is_told(name: Name, is_limited: bool) -> bool {
     let of_velocity = matches!(name, Name::VResoNum | Name::VResoDenom | Name::VTimeBase);
     let of_position = matches!(name, Name::MultiGainZ | Name::MultiGainN | Name::IncrPerRev | Name::ShiftTime);
-    of_velocity || of_position || name == Name::NbrDelayCycles || name == Name::VbMax && is_limited
+    of_velocity || of_position || name == Name::VbMax && is_limited
 }
 
 pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     let (ipc, control) = (&axis.ipc, &axis.control);
     let acts = ipc.is_active() && ipc.enable != Enable::Off && ipc.v_add_max_fact > 0;
     let is_profidrive = control.position_control.as_ref().is_some_and(|of| of.resolution.is_some());
+    let largest = format!("is the largest velocity of the spindle, {} rpm", rounded(ipc.v_max / 6000.0));
     let limit = format!("sets the limit |v_add| <= {} {}", ipc.limit(), control.velocity_unit());
     for (key, is_used, does) in [
         ((Name::VbMax, [gear, 0]), acts, limit.as_str()),
-        (
-            (Name::VbMax, [gear, 0]),
-            !acts && control.spindle.is_some(),
-            "is the largest velocity of the spindle, from which it brakes",
-        ),
+        ((Name::VbMax, [gear, 0]), !acts && control.spindle.is_some(), largest.as_str()),
         ((Name::IncrPerRev, [gear, 0]), is_profidrive, "scales the control deviation XERR"),
         (key(Name::ShiftTime), is_profidrive, "shifts the position behind the feedforward"),
     ] {

@@ -3,7 +3,7 @@
 use crate::config::values::{Key, key};
 use crate::parameters::words::{ProcessDatum, Words};
 use crate::parameters::{Name, Parameter, Value};
-use crate::{axis::Axis, codes, rules::effective::Effective};
+use crate::{axis::Axis, blocks::spindle::check::KEYS, codes, rules::effective::Effective};
 use std::ops::RangeInclusive;
 
 /// Of the parameters of lists, in the order of their table, those that only feedforward and position control use.
@@ -14,17 +14,6 @@ const OF_CONTROL: [RangeInclusive<Name>; 6] = [
     Name::VsAFaktor..=Name::VsVNenner,
     Name::JerkFactNum..=Name::JerkDelayTime,
     Name::ShiftTime..=Name::AccReferenceValue,
-];
-
-/// Keys of our own that only the changeover of a spindle uses.
-const OF_SPINDLE: [Name; 7] = [
-    Name::ProcessDataObjects,
-    Name::DriveSettings,
-    Name::SpindleDeceleration,
-    Name::SpindleWindow,
-    Name::SpindleTakeoverWindow,
-    Name::SpindleModeTimeout,
-    Name::SpindleBrakeTimeout,
 ];
 
 pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
@@ -59,7 +48,7 @@ fn no_effect(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     let control = &axis.control;
     let own = [Name::Motor, Name::VelocityCommandData, Name::AdditiveVelocityData, Name::AdditiveTorqueData];
     // What a changeover does not use of these, its own rules say.
-    let of_spindle = if control.spindle.is_some() { &[] } else { &OF_SPINDLE[..] };
+    let of_spindle = if control.spindle.is_some() { &[] } else { &KEYS[..] };
     let own = own.into_iter().chain(of_spindle.iter().copied()).map(key);
     let is_controlled = !control.is_empty();
     let is_of_step = |(name, [step, _]): Key| step == gear || !name.parameter().path.starts_with("getriebe[");

@@ -17,7 +17,7 @@ pub(crate) mod inert;
 use crate::axis::{Axis, Control, Ipc};
 use crate::blocks::ipc::check as ipc;
 use crate::blocks::spindle::check as spindle;
-use crate::blocks::{AXIS, FEEDFORWARD, IPC, POSITION_CONTROL, SPINDLE};
+use crate::blocks::{FEEDFORWARD, IPC, POSITION_CONTROL, SPINDLE};
 use crate::blocks::{feedforward::check as feedforward, position_control::check as position_control};
 use crate::config::values::{Values, key};
 use crate::diagnostics::{Diagnostic, Place, Report};
@@ -25,7 +25,6 @@ use crate::parameters::words::{AxisType, FeedforwardWord, RealType, Words};
 use crate::parameters::{Name, Value};
 use crate::rules::{drive, effective::Effective};
 use portable::RealKind;
-use std::collections::BTreeMap;
 
 /// The cycle time of the set, in ns.
 pub(crate) fn cycle_time(values: &Values, missing: Diagnostic, report: &mut Report) -> Option<u32> {
@@ -78,11 +77,7 @@ pub(crate) fn axis<'v>(name: &str, cycle_time: Option<u32>, values: &'v Values, 
         (Some(real), Some(cycle_time_ns), Some(ipc), Some((control, _))) if !effective.report.has_errors() => {
             let blocks = [IPC, FEEDFORWARD, POSITION_CONTROL, SPINDLE];
             let (canonical, own) = effective.canonical(blocks);
-            let mut canonical_of: BTreeMap<_, _> = blocks.into_iter().zip(own).collect();
-            if control.spindle.is_some() {
-                // The changeover is no part of the block `axis`.
-                canonical_of.insert(AXIS, effective.canonical_without(SPINDLE));
-            }
+            let canonical_of = blocks.into_iter().zip(own).collect();
             Some(Axis { name: name.to_owned(), real, cycle_time_ns, ipc, control, canonical, canonical_of })
         }
         _ => None,

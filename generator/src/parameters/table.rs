@@ -290,7 +290,10 @@ table! {
     /// spindle with a SERCOS drive: operation mode of velocity control; the main mode is that of position control
     OpModeForVelocityControl: SHARED("antr.sercos.op_mode_for_velocity_control", "P-AXIS-00264",
         data_type: "UNS16", kind: integer(0, 3), default: &["0"],
-        numbers: &["main mode, S-0-0032", "auxiliary mode 1, S-0-0033", "auxiliary mode 2, S-0-0034", "auxiliary mode 3, S-0-0035"],
+        numbers: &[
+            "main mode, S-0-0032", "auxiliary mode 1, S-0-0033", "auxiliary mode 2, S-0-0034",
+            "auxiliary mode 3, S-0-0035",
+        ],
         drives: "SERCOS")
     /// CANopen: operation mode (6060h) of position control; 8 is the cyclic synchronous position mode
     CyclicPositionOpMode: SHARED("antr.canopen.cyclic_position_op_mode", "P-AXIS-00463",

@@ -203,12 +203,6 @@ impl<'a> Effective<'a> {
         used.by.insert(self.block);
     }
 
-    /// What others than this block use, as below.
-    pub(crate) fn canonical_without(&self, block: &'static str) -> String {
-        let of_others = self.used.iter().filter(|(_, used)| used.by.iter().any(|by| *by != Some(block)));
-        of_others.map(|(key, used)| line(*key, used)).collect()
-    }
-
     /// What all blocks use: one `path value` a line, in the order of the table, independent of how it was written; and what each of
     /// some blocks uses.
     pub(crate) fn canonical<const N: usize>(&self, blocks: [&'static str; N]) -> (String, [String; N]) {
@@ -234,8 +228,7 @@ fn line((name, index): Key, used: &Used) -> String {
 /// How the word of a parameter is written in the file of a message: as a line of a list, or as a key of a set.
 pub(crate) fn as_written(place: &Place, (name, index): Key, words: &[&str]) -> String {
     let path = path_with(name.parameter().path, index);
-    let is_set = Path::new(&place.file).extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"));
-    if !is_set {
+    if !is_set(place) {
         return format!("{path} {}", words.join(" or "));
     }
     let words = words.iter().map(|word| format!("\"{word}\"")).collect::<Vec<_>>().join(" or ");
@@ -244,6 +237,16 @@ pub(crate) fn as_written(place: &Place, (name, index): Key, words: &[&str]) -> S
         Some((table, short)) => format!("{short} = {words} in {table}"),
         None => format!("{path} = {words}"),
     }
+}
+
+/// The same with a number.
+pub(crate) fn number_as_written(place: &Place, (name, index): Key, number: u32) -> String {
+    let equals = if is_set(place) { " =" } else { "" };
+    format!("{}{equals} {number}", path_with(name.parameter().path, index))
+}
+
+fn is_set(place: &Place) -> bool {
+    Path::new(&place.file).extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
 }
 
 fn word_of<T: Words>(key: Key, value: &Value) -> T {

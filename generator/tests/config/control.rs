@@ -477,23 +477,3 @@ set.toml:5:25: warning[AX441]: the axis has a measuring probe (P-AXIS-00086), an
 "#,
     );
 }
-
-/// The manual's second example of a spindle, whose values stand one line too low.
-#[test]
-fn changeover_velocities_the_wrong_way_round() {
-    assert_transcript(
-        said_of_axis,
-        r#"
-> antr.sai_op_mode_change.v_velocity_control_on = 1
-> antr.sai_op_mode_change.v_position_control_on = 1200000
-> getriebe = [{ kv = 6666 }]
-set.toml:3:49: error[AX320]: `antr.sai_op_mode_change.v_velocity_control_on` (P-AXIS-00767) is 1, below `antr.sai_op_mode_change.v_position_control_on` (P-AXIS-00768) with 1200000
-    allowed: v_velocity_control_on >= v_position_control_on [0.001 deg/s]
-    write instead: both velocities, each at its own name: 200 rpm are 1200000
-
-> antr.sai_op_mode_change.v_velocity_control_on = 300000
-> antr.sai_op_mode_change.v_position_control_on = 300000
-> getriebe = [{ kv = 6666 }]
-"#,
-    );
-}

@@ -16,6 +16,10 @@ mod phase;
 mod rules;
 mod set;
 mod spellings;
+mod spindle;
+mod spindle_drive;
+mod spindle_limits;
+mod spindle_words;
 mod values;
 mod wording;
 
@@ -112,6 +116,52 @@ fn indirect(but: &str) -> String {
 /// The same, SET_POINT.
 fn set_point(but: &str) -> String {
     indirect(but).replace("INDIRECT", "SET_POINT")
+}
+
+/// A spindle with a changeover in a SERCOS drive that nothing is said about, as keys of a set, without what the test itself gives.
+fn sercos(but: &str) -> String {
+    stage(
+        &[
+            "kenngr.achs_typ = 'ACHSTYP_SPINDEL'",
+            "kenngr.antr_typ = 'SERCOS'",
+            "antr.sai_op_mode_change.v_velocity_control_on = 1200000",
+            "antr.sai_op_mode_change.v_position_control_on = 300000",
+            "antr.nbr_delay_cycles = 4",
+            "antr.sercos.op_mode_for_velocity_control = 1",
+            "getriebe = [{ kv = 2000, dynamik.vb_max = 18000000 }]",
+        ],
+        but,
+    )
+}
+
+/// The same in a CANopen drive.
+fn canopen(but: &str) -> String {
+    stage(
+        &[
+            "kenngr.achs_typ = 'ACHSTYP_SPINDEL'",
+            "kenngr.antr_typ = 'CANOPEN'",
+            "antr.sai_op_mode_change.v_velocity_control_on = 1200000",
+            "antr.sai_op_mode_change.v_position_control_on = 300000",
+            "antr.nbr_delay_cycles = 4",
+            "getriebe = [{ kv = 2000, dynamik.vb_max = 18000000 }]",
+        ],
+        but,
+    )
+}
+
+/// The same in the CNC.
+fn in_cnc(but: &str) -> String {
+    stage(
+        &[
+            "kenngr.achs_typ = 'ACHSTYP_SPINDEL'",
+            "kenngr.antr_typ = 'CONVENTIONAL'",
+            "antr.sai_op_mode_change.v_velocity_control_on = 1200000",
+            "antr.sai_op_mode_change.v_position_control_on = 300000",
+            "antr.nbr_delay_cycles = 1",
+            "getriebe = [{ kv = 10000, multi_gain_z = 10000000, multi_gain_n = 360, dynamik.vb_max = 18000000 }]",
+        ],
+        but,
+    )
 }
 
 /// `but` first, then those lines whose path it does not give.

@@ -78,7 +78,9 @@ fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
         }
     }
     // By 0, and the smallest DINT by -1, every controller does something else.
-    if matches!(code, Code::DivideDint | Code::RemainderDint) && !is_positive_literal(right, lowering.text) {
+    if matches!(code, Code::DivideDint | Code::RemainderDint | Code::DivideUdint | Code::RemainderUdint)
+        && !is_positive_literal(right, lowering.text)
+    {
         lowering.say(right, "a divisor that is no positive literal", "an integer literal from 1 on");
         return None;
     }
@@ -112,6 +114,8 @@ fn code(operator: &str, kind: Kind) -> Option<(Code, Kind, bool)> {
         ("*", Dint | Udint) => (Code::MultiplyWord, kind, false),
         ("/", Dint) => (Code::DivideDint, Dint, false),
         ("MOD", Dint) => (Code::RemainderDint, Dint, false),
+        ("/", Udint) => (Code::DivideUdint, Udint, false),
+        ("MOD", Udint) => (Code::RemainderUdint, Udint, false),
         ("=", Dint | Udint) => (Code::EqualWord, Bool, false),
         ("<>", Dint | Udint) => (Code::UnequalWord, Bool, false),
         ("<", Dint) => (Code::LessDint, Bool, false),

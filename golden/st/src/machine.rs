@@ -63,6 +63,8 @@ impl<R: Real> Slots<R> {
                 Code::RemainderDint => {
                     words[to] = words[a].cast_signed().wrapping_rem(words[b].cast_signed()).cast_unsigned();
                 }
+                Code::DivideUdint => words[to] = words[a] / words[b],
+                Code::RemainderUdint => words[to] = words[a] % words[b],
                 Code::EqualWord => bools[to] = words[a] == words[b],
                 Code::UnequalWord => bools[to] = words[a] != words[b],
                 Code::LessDint => bools[to] = words[a].cast_signed() < words[b].cast_signed(),

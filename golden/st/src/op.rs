@@ -55,6 +55,10 @@ pub(crate) enum Code {
     DivideDint,
     /// DINT := DINT MOD DINT, with the sign of the first one
     RemainderDint,
+    /// UDINT := UDINT / UDINT
+    DivideUdint,
+    /// UDINT := UDINT MOD UDINT
+    RemainderUdint,
     /// bool := word = word
     EqualWord,
     /// bool := word <> word
@@ -164,7 +168,9 @@ fn places(code: Code) -> (Place, Place) {
         | Code::SubtractWord
         | Code::MultiplyWord
         | Code::DivideDint
-        | Code::RemainderDint => (Place::Word, Place::Word),
+        | Code::RemainderDint
+        | Code::DivideUdint
+        | Code::RemainderUdint => (Place::Word, Place::Word),
         Code::EqualWord
         | Code::UnequalWord
         | Code::LessDint

@@ -39,7 +39,7 @@ pub trait Block<R: Real> {
     fn inputs(coeffs: &Self::Coeffs) -> Self::Inputs;
 
     /// Sets the switches among the inputs so that the block does all that it can; what a self-test runs with.
-    fn exercise(inputs: &mut Self::Inputs);
+    fn exercise(inputs: &mut Self::Inputs, coeffs: &Self::Coeffs);
 
     /// The values of the outputs before the first cycle.
     fn outputs() -> Self::Outputs;

@@ -260,8 +260,10 @@ pub enum Binary {
     Subtract,
     /// `*`
     Multiply,
-    /// `/`, of reals only
+    /// `/`; of integers towards 0, by a number from 1 on
     Divide,
+    /// `%` of integers, by a number from 1 on: with the sign of the first one
+    Remainder,
     /// `<`
     Less,
     /// `<=`

@@ -152,7 +152,7 @@ pub fn follow_master<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &
     v_followed
 }
 
-/// The additive velocity of improved position control.
+/// The additive velocity of improved position control; 0 at once where the position loop is not closed.
 #[portable]
 pub fn improve<R: Real>(
     state: &mut State<R>,
@@ -160,6 +160,7 @@ pub fn improve<R: Real>(
     inputs: &Inputs<R>,
     outputs: &mut Outputs<R>,
     v_command: R,
+    loop_closed: bool,
 ) -> R {
     let mut ipc_inputs = ipc::Inputs::<R>::default();
     // Where the drive has the position controller, the interpolator's velocity is the command (P-AXIS-00753).
@@ -168,7 +169,7 @@ pub fn improve<R: Real>(
     ipc_inputs.v_motor = inputs.v_motor;
     ipc_inputs.v_direct = inputs.v_direct;
     ipc_inputs.mode = inputs.mode;
-    ipc_inputs.position_controlled = true;
+    ipc_inputs.position_controlled = loop_closed;
     let mut ipc_outputs = ipc::Outputs::<R>::default();
     ipc::step(&mut state.ipc, &coeffs.ipc, &ipc_inputs, &mut ipc_outputs);
     if ipc_outputs.fault {
@@ -190,11 +191,12 @@ pub fn add<R: Real>(
     inputs: &Inputs<R>,
     outputs: &mut Outputs<R>,
     v_command: R,
+    loop_closed: bool,
 ) -> R {
     match coeffs.addition {
         Addition::None => R::ZERO,
         Addition::Master => follow_master(coeffs, inputs, outputs),
-        Addition::Ipc => improve(state, coeffs, inputs, outputs, v_command),
+        Addition::Ipc => improve(state, coeffs, inputs, outputs, v_command, loop_closed),
     }
 }
 
@@ -239,9 +241,15 @@ pub fn clear<R: Real>(outputs: &mut Outputs<R>, coeffs: &Coeffs<R>) {
     outputs.fault = false;
 }
 
-/// A cycle in which the axis acts.
+/// A cycle in which the axis acts; improved position control does so with a closed position loop only.
 #[portable]
-pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+pub fn act<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    inputs: &Inputs<R>,
+    outputs: &mut Outputs<R>,
+    loop_closed: bool,
+) {
     clear(outputs, coeffs);
     let mut control_inputs = position_control::Inputs::<R>::default();
     control_inputs.x_command = inputs.x_command;
@@ -256,7 +264,7 @@ pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>
     control_inputs.torque_feedforward = feedforward_outputs.additive_torque;
     let mut control_outputs = position_control::Outputs::<R>::default();
     control_outputs.v_command = position_control::command(&coeffs.position_control, &control_inputs);
-    control_inputs.v_add = add(state, coeffs, inputs, outputs, control_outputs.v_command);
+    control_inputs.v_add = add(state, coeffs, inputs, outputs, control_outputs.v_command, loop_closed);
     position_control::put_out(
         &mut state.position_control,
         &coeffs.position_control,
@@ -325,7 +333,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     } else if !inputs.position_controlled || inputs.reset {
         follow(state, coeffs, inputs, outputs, error_none());
     } else {
-        act(state, coeffs, inputs, outputs);
+        act(state, coeffs, inputs, outputs, true);
     }
 }
 
@@ -352,7 +360,7 @@ impl<R: Real> Block<R> for Axis {
         Inputs { mode: coeffs.ipc.enable, feedforward_percentage: 100, position_controlled: true, ..Inputs::default() }
     }
 
-    fn exercise(inputs: &mut Inputs<R>) {
+    fn exercise(inputs: &mut Inputs<R>, _: &Coeffs<R>) {
         inputs.mode = ipc::mode_on();
         inputs.feedforward_active = true;
         inputs.feedforward_percentage = 87;

@@ -297,7 +297,7 @@ impl<R: Real> Block<R> for Feedforward {
         Inputs { feedforward_percentage: 100, position_controlled: true, ..Inputs::default() }
     }
 
-    fn exercise(inputs: &mut Inputs<R>) {
+    fn exercise(inputs: &mut Inputs<R>, _: &Coeffs<R>) {
         inputs.feedforward_active = true;
         inputs.feedforward_percentage = 87;
     }

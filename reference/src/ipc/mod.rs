@@ -303,7 +303,7 @@ impl<R: Real> Block<R> for Ipc {
         Inputs { mode: coeffs.enable, position_controlled: true, ..Inputs::default() }
     }
 
-    fn exercise(inputs: &mut Inputs<R>) {
+    fn exercise(inputs: &mut Inputs<R>, _: &Coeffs<R>) {
         inputs.mode = mode_on();
     }
 

@@ -267,7 +267,7 @@ impl<R: Real> Block<R> for PositionControl {
         Inputs { position_controlled: true, ..Inputs::default() }
     }
 
-    fn exercise(inputs: &mut Inputs<R>) {
+    fn exercise(inputs: &mut Inputs<R>, _: &Coeffs<R>) {
         inputs.torque_feedforward = 321;
     }
 

@@ -1,62 +1,17 @@
 //! The jobs of a spindle: requests are taken, wait in programmed order, and are served. No motion.
 
+use super::request::{Job, Request};
 use super::signals::Inputs;
-use super::{SpindleState, State};
+use super::state::{SpindleState, State};
 use crate::angle::position_limit;
 use crate::signal::{
-    error_direction, error_none, error_requests, error_s_position, error_s_word, error_waiting, sample_limit,
+    error_direction, error_drive_off, error_none, error_requests, error_s_position, error_s_word, error_waiting,
+    sample_limit,
 };
 use portable::{Real, in_range, portable};
 
 /// How many requests may wait.
 const WAITING: usize = 4;
-
-/// What the interpolator has to do.
-#[portable]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Job {
-    /// M5, and what stops the spindle otherwise
-    #[default]
-    Stop,
-    /// M3 or M4
-    Turn,
-    /// M19
-    Position,
-    /// S[PUTAX]
-    Release,
-    /// G74
-    Home,
-}
-
-/// A job with what belongs to it.
-#[portable]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Request<R> {
-    /// what to do
-    pub kind: Job,
-    /// how fast, below 0 in negative direction [0.001 deg/s]
-    pub speed: R,
-    /// where to [0.001 deg]
-    pub position: R,
-}
-
-/// Which request inputs were TRUE in the last cycle.
-#[portable]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Before {
-    /// turn in positive direction
-    pub m3: bool,
-    /// turn in negative direction
-    pub m4: bool,
-    /// stop
-    pub m5: bool,
-    /// stop at a position
-    pub m19: bool,
-    /// give the axis away
-    pub putax: bool,
-    /// homing
-    pub g74: bool,
-}
 
 /// The direction with which a request turns the spindle, and how fast.
 #[portable]
@@ -67,15 +22,17 @@ pub fn speed_of<R: Real>(inputs: &Inputs<R>) -> R {
 
 /// Why a request is refused.
 #[portable]
-pub fn refusal<R: Real>(inputs: &Inputs<R>, wanted: Job, queued: u32) -> u32 {
-    let is_moving = wanted == Job::Turn || wanted == Job::Position;
-    if is_moving && inputs.m3 && inputs.m4 {
+pub fn refusal<R: Real>(inputs: &Inputs<R>, wanted: Job, waiting_now: u32) -> u32 {
+    let has_speed = wanted == Job::Turn || wanted == Job::Orient;
+    if has_speed && inputs.m3 && inputs.m4 {
         error_direction()
-    } else if is_moving && !in_range(inputs.s_word, sample_limit()) {
+    } else if has_speed && !in_range(inputs.s_word, sample_limit()) {
         error_s_word()
-    } else if wanted == Job::Position && !in_range(inputs.s_position, position_limit()) {
+    } else if wanted == Job::Orient && !in_range(inputs.s_position, position_limit()) {
         error_s_position()
-    } else if queued >= 4u32 {
+    } else if !inputs.drive_on {
+        error_drive_off()
+    } else if waiting_now >= 4u32 {
         error_waiting()
     } else {
         error_none()
@@ -100,26 +57,26 @@ pub fn take<R: Real>(state: &mut State<R>, inputs: &Inputs<R>) -> u32 {
     let mut request_error = error_none();
     if !inputs.reset && (new_g74 || new_putax || new_m19 || new_m5 || new_turn) {
         let mut wanted = Job::Turn;
-        let mut is_alone = true;
+        let mut has_others = false;
         if new_g74 {
             wanted = Job::Home;
-            is_alone = !(new_putax || new_m19 || new_m5 || new_turn);
+            has_others = new_putax || new_m19 || new_m5 || new_turn;
         } else if new_putax {
             wanted = Job::Release;
-            is_alone = !(new_m19 || new_m5 || new_turn);
+            has_others = new_m19 || new_m5 || new_turn;
         } else if new_m19 {
-            wanted = Job::Position;
-            is_alone = !new_m5;
+            wanted = Job::Orient;
+            has_others = new_m5;
         } else if new_m5 {
             wanted = Job::Stop;
-            is_alone = !new_turn;
+            has_others = new_turn;
         }
         let why = refusal(inputs, wanted, state.queued);
         if why != error_none() {
             request_error = why;
         } else {
-            let speed = if wanted == Job::Turn || wanted == Job::Position { speed_of(inputs) } else { R::ZERO };
-            let target = if wanted == Job::Position { inputs.s_position } else { R::ZERO };
+            let speed = if wanted == Job::Turn || wanted == Job::Orient { speed_of(inputs) } else { R::ZERO };
+            let target = if wanted == Job::Orient { inputs.s_position } else { R::ZERO };
             match state.queued {
                 0u32 => fill(&mut state.request[0], wanted, speed, target),
                 1u32 => fill(&mut state.request[1], wanted, speed, target),
@@ -127,7 +84,7 @@ pub fn take<R: Real>(state: &mut State<R>, inputs: &Inputs<R>) -> u32 {
                 _ => fill(&mut state.request[3], wanted, speed, target),
             }
             state.queued += 1u32;
-            request_error = if is_alone { error_none() } else { error_requests() };
+            request_error = if has_others { error_requests() } else { error_none() };
         }
     }
     request_error
@@ -152,7 +109,7 @@ pub fn is_free<R: Real>(request: &Request<R>) -> bool {
 pub fn serve<R: Real>(state: &mut State<R>, job_done: bool) {
     let is_over = is_free(&state.present) || job_done;
     let can_serve = state.control == SpindleState::Position
-        || state.control == SpindleState::Velocity && is_free(&state.request[0]);
+        || state.control == SpindleState::Velocity && !state.returns && is_free(&state.request[0]);
     if is_over && can_serve && state.queued > 0u32 {
         state.present.kind = state.request[0].kind;
         state.present.speed = state.request[0].speed;

@@ -1,7 +1,7 @@
 //! What the spindle's commands do where the interpolator has no say. No transition.
 
 use super::signals::Inputs;
-use super::{Coeffs, Cycle, State};
+use super::state::{Coeffs, Cycle, State};
 use crate::angle::position_limit;
 use crate::signal::error_x_actual;
 use portable::{Real, in_range, portable};
@@ -34,7 +34,8 @@ pub fn follow<R: Real>(state: &mut State<R>, inputs: &Inputs<R>, cycle: &mut Cyc
     state.v = R::ZERO;
     state.asks_velocity = false;
     state.returns = false;
-    state.preset = false;
+    state.is_moving = false;
+    state.queued = 0u32;
     state.takes_over = false;
     if in_range(inputs.x_actual, position_limit()) {
         state.x = inputs.x_actual;

@@ -1,6 +1,7 @@
 //! What goes into the block `spindle` and what comes out. Nothing is computed here.
 
-use super::{Job, SpindleState};
+use super::request::Job;
+use super::state::SpindleState;
 use portable::portable;
 
 /// Inputs.
@@ -61,7 +62,7 @@ pub struct Outputs<R> {
     pub job_position: R,
     /// 0 POSITION, 1 TO_VELOCITY, 2 VELOCITY, 3 BRAKE, 4 TO_POSITION
     pub spindle_state: SpindleState,
-    /// what the interpolator has to do: 0 STOP (M5), 1 TURN (M3, M4), 2 POSITION (M19), 3 RELEASE (S[PUTAX]), 4 HOME (G74)
+    /// what the interpolator has to do: 0 STOP (M5), 1 TURN (M3, M4), 2 ORIENT (M19), 3 RELEASE (S[PUTAX]), 4 HOME (G74)
     pub job: Job,
     /// counts the jobs: another number is another job
     pub job_number: u32,

@@ -2,8 +2,9 @@
 
 use super::jobs::is_free;
 use super::motion::{advance, slow_down};
+use super::request::{Job, Request};
 use super::signals::Inputs;
-use super::{Coeffs, Cycle, Job, Request, SpindleState, State, enter};
+use super::state::{Coeffs, Cycle, SpindleState, State, enter};
 use crate::angle::{position_limit, shortest};
 use crate::signal::{
     error_brake, error_half_turn, error_mode_display, error_takeover, error_to_position, error_to_velocity,
@@ -23,18 +24,25 @@ pub fn is_displayed<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, mode: i32) 
     !coeffs.in_drive || inputs.operation_mode_display == mode
 }
 
-/// The interpolator moves the spindle.
-#[portable]
-pub fn track<R: Real>(state: &mut State<R>, inputs: &Inputs<R>) {
-    state.x = inputs.x_command;
-    state.v = inputs.v_interpolator;
-}
-
-/// A cycle without a sample that its state needs: the spindle goes on as before.
+/// A cycle without a sample that its state needs: the spindle goes on as before, and stops where that lasts.
 #[portable]
 pub fn coast<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle: &mut Cycle, error_id: u32) {
     cycle.sample_error = error_id;
-    advance(state, coeffs);
+    state.missing += 1u32;
+    state.takes_over = true;
+    if state.missing > 3u32 {
+        state.lasting_error = error_id;
+    } else {
+        advance(state, coeffs);
+    }
+}
+
+/// The interpolator moves the spindle.
+#[portable]
+pub fn track<R: Real>(state: &mut State<R>, inputs: &Inputs<R>) {
+    state.missing = 0u32;
+    state.x = inputs.x_command;
+    state.v = inputs.v_interpolator;
 }
 
 /// Whether the job is to turn faster than Von, and the spindle has reached it.
@@ -53,10 +61,10 @@ pub fn position<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inpu
         coast(state, coeffs, cycle, error_v_interpolator());
     } else if !in_range(inputs.x_command, position_limit()) {
         coast(state, coeffs, cycle, error_x_command());
+    } else if !is_displayed(coeffs, inputs, coeffs.position_mode) {
+        coast(state, coeffs, cycle, error_mode_display());
     } else if is_half_turn(coeffs, inputs.v_interpolator) {
         state.lasting_error = error_half_turn();
-    } else if !is_displayed(coeffs, inputs, coeffs.position_mode) {
-        state.lasting_error = error_mode_display();
     } else {
         let mut is_jump = false;
         if state.takes_over {
@@ -68,7 +76,7 @@ pub fn position<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inpu
         } else {
             state.takes_over = false;
             track(state, inputs);
-            if turns_fast(&state.present, coeffs, inputs.v_interpolator) {
+            if turns_fast(&state.present, coeffs, inputs.v_interpolator) && !inputs.reset {
                 note("POSITION -> TO_VELOCITY: M3 or M4 with more than Von, and Von is reached");
                 enter(state, SpindleState::ToVelocity);
             }
@@ -80,8 +88,8 @@ pub fn position<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inpu
 #[portable]
 pub fn to_velocity<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
     state.asks_velocity = true;
-    let is_velocity_displayed = is_displayed(coeffs, inputs, coeffs.velocity_mode);
     let is_v_still_known = in_range(inputs.v_interpolator, sample_limit());
+    let is_velocity_displayed = is_displayed(coeffs, inputs, coeffs.velocity_mode);
     if !is_v_still_known {
         coast(state, coeffs, cycle, error_v_interpolator());
     } else if !in_range(inputs.x_command, position_limit()) {
@@ -105,8 +113,9 @@ pub fn velocity<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inpu
     if !in_range(inputs.v_interpolator, sample_limit()) {
         coast(state, coeffs, cycle, error_v_interpolator());
     } else if !is_displayed(coeffs, inputs, coeffs.velocity_mode) {
-        state.lasting_error = error_mode_display();
+        coast(state, coeffs, cycle, error_mode_display());
     } else {
+        state.missing = 0u32;
         state.v = inputs.v_interpolator;
         if in_range(inputs.x_actual, position_limit()) {
             state.x = inputs.x_actual;
@@ -133,11 +142,22 @@ pub fn lead_time<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
     time
 }
 
+/// Whether the drive has the velocity command, which is at Voff or below, and is no faster than the window allows.
+#[portable]
+pub fn has_slowed_down<R: Real>(coeffs: &Coeffs<R>, v_before: R, v_actual: R) -> bool {
+    let v_magnitude = if v_before < R::ZERO { -v_before } else { v_before };
+    within(v_before, coeffs.v_position_control_on) && within(v_actual, v_magnitude + coeffs.window)
+}
+
 /// BRAKE: down to Voff, until the actual velocity has been there for three cycles.
 #[portable]
 pub fn brake<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
     let is_known = in_range(inputs.v_actual, sample_limit());
-    if is_known && within(inputs.v_actual, coeffs.v_settled) {
+    let mut is_slow = false;
+    if is_known {
+        is_slow = has_slowed_down(coeffs, state.v, inputs.v_actual);
+    }
+    if is_slow {
         state.settled += 1u32;
     } else {
         state.settled = 0u32;
@@ -159,7 +179,7 @@ pub fn brake<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
             // Where the actual position is when the command arrives, and the lag that the controller needs for this velocity.
             let lead = lead_time(coeffs, inputs);
             state.x_start = inputs.x_actual + state.v * lead;
-            state.preset = true;
+            state.is_moving = true;
             enter(state, SpindleState::ToPosition);
         }
     }
@@ -169,16 +189,15 @@ pub fn brake<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
 #[portable]
 pub fn to_position<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
     state.asks_velocity = false;
-    let can_start = state.preset || in_range(inputs.x_actual, position_limit());
+    let can_start = state.is_moving || in_range(inputs.x_actual, position_limit());
     let is_position_displayed = can_start && is_displayed(coeffs, inputs, coeffs.position_mode);
     if !is_position_displayed && state.cycles > coeffs.mode_cycles {
         state.lasting_error = error_to_position();
     } else {
         if !can_start {
             cycle.sample_error = error_x_actual();
-        } else if !state.preset {
+        } else if !state.is_moving {
             state.x = inputs.x_actual;
-            state.preset = true;
         } else if state.cycles == 1u32 {
             state.x = state.x_start;
         } else {

@@ -39,7 +39,7 @@ macro_rules! subject {
                 $crate::subject::unset()
             }
 
-            fn exercise(_: &mut $inputs) {}
+            fn exercise(_: &mut $inputs, _: &$coeffs) {}
 
             fn outputs() -> $outputs {
                 $crate::subject::unset()

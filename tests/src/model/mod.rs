@@ -2,6 +2,8 @@
 //! from the documents (`docs/feedforward.md`, `docs/position-control.md`, `docs/improved-position-control.md`,
 //! `docs/gantry.md`, decisions 3, 4 and 5) and shares no line with `reference/`; nothing of a block may be copied into it.
 //!
+//! The block `spindle` has a model of its own, in double precision ([`spindle`]).
+//!
 //! # What is compared
 //!
 //! `tests/model.rs` draws 1,000 axes ([`random`]) with histories of 1,000 cycles each ([`history`]), runs the three blocks
@@ -65,4 +67,5 @@ pub mod position_control;
 pub mod random;
 pub mod rounding;
 pub mod sections;
+pub mod spindle;
 pub mod subject;

@@ -31,7 +31,11 @@ impl Expr {
             Self::Read(_, scalar) => *scalar,
             Self::Unary(Unary::Not, _) => Scalar::Bool,
             Self::Unary(_, operand) => operand.scalar(),
-            Self::Binary(Binary::Add | Binary::Subtract | Binary::Multiply | Binary::Divide, left, _) => left.scalar(),
+            Self::Binary(
+                Binary::Add | Binary::Subtract | Binary::Multiply | Binary::Divide | Binary::Remainder,
+                left,
+                _,
+            ) => left.scalar(),
             Self::Binary(..) => Scalar::Bool,
             Self::Call(call) => call.returns.expect("types: a call that is a value has one"),
             Self::If(choice) => choice.then.scalar(),

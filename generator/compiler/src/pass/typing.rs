@@ -2,7 +2,7 @@
 
 use super::Defect;
 use crate::program::{Expr, Program, Statement, Type, Var};
-use portable::{Binary, Intrinsic, Unary};
+use portable::{Binary, Intrinsic, Literal, Unary};
 
 pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
     let (init, step) = (std::mem::take(&mut program.init), std::mem::take(&mut program.step));
@@ -59,6 +59,10 @@ fn type_of(expr: &Expr, program: &Program) -> Result<Type, Defect> {
         Expr::Binary(operator, left, right) => {
             let found = type_of(left, program)?;
             expect(found, type_of(right, program)?, right)?;
+            let is_division = matches!(operator, Binary::Divide | Binary::Remainder) && found != Type::Real;
+            if is_division && !is_from_one(right) {
+                return Err(defect(format!("{operator:?} of {found:?} by no number from 1 on in {expr:?}")));
+            }
             binary_type(*operator, found).ok_or_else(|| defect(format!("{operator:?} of {found:?} in {expr:?}")))
         }
         Expr::Intrinsic(intrinsic, operands) => {
@@ -75,10 +79,19 @@ fn type_of(expr: &Expr, program: &Program) -> Result<Type, Defect> {
     }
 }
 
+fn is_from_one(divisor: &Expr) -> bool {
+    match divisor {
+        Expr::Literal(Literal::I32(divisor)) => *divisor > 0,
+        Expr::Literal(Literal::U32(divisor)) => *divisor > 0,
+        _ => false,
+    }
+}
+
 fn binary_type(operator: Binary, operand: Type) -> Option<Type> {
     match (operator, operand) {
         (Binary::Add | Binary::Subtract | Binary::Multiply, Type::Real | Type::I32 | Type::U32)
-        | (Binary::Divide, Type::Real)
+        | (Binary::Divide, Type::Real | Type::I32 | Type::U32)
+        | (Binary::Remainder, Type::I32 | Type::U32)
         | (Binary::And | Binary::Or, Type::Bool) => Some(operand),
         (Binary::Less | Binary::LessEqual | Binary::Greater | Binary::GreaterEqual, ty) if ty != Type::Bool => {
             Some(Type::Bool)

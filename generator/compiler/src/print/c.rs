@@ -18,7 +18,7 @@ pub static LANGUAGE: Language = Language {
         let level = if text.starts_with('-') { Level::Sign } else { Level::Primary };
         (text, level)
     },
-    symbols: ["+", "-", "*", "/", "<", "<=", ">", ">=", "==", "!=", "&&", "||"],
+    symbols: ["+", "-", "*", "/", "%", "<", "<=", ">", ">=", "==", "!=", "&&", "||"],
     // `&&` beside `||` is legal and misread.
     logic: [Level::And, Level::Comparison],
     form,

@@ -3,7 +3,7 @@
 use super::language::{Form, Level};
 use super::{Doc, INDENTATION, Layout};
 use crate::program::Expr;
-use portable::Binary;
+use portable::{Binary, Unary};
 use pretty::DocAllocator;
 
 #[derive(Clone)]
@@ -37,6 +37,8 @@ impl<'d> Layout<'d> {
         let (level, [mut left_least, mut right_least]) = match operator {
             Binary::Add | Binary::Subtract => (Level::Sum, [Level::Sum, Level::Product]),
             Binary::Multiply | Binary::Divide => (Level::Product, [Level::Product, Level::Primary]),
+            // How tightly a remainder binds beside other operators is easily misread.
+            Binary::Remainder => (Level::Any, [Level::Primary; 2]),
             Binary::And => (Level::And, [language.logic[0]; 2]),
             Binary::Or => (Level::Or, [language.logic[1]; 2]),
             // A comparison of comparisons is legal in C and misread: it gets parentheses.
@@ -45,6 +47,10 @@ impl<'d> Layout<'d> {
         let is_logic = matches!(operator, Binary::And | Binary::Or);
         if is_logic && matches!(left, Expr::Binary(same, ..) if *same == operator) {
             left_least = Level::Any;
+        }
+        // Compilers take a negation left of a comparison for a slip.
+        if level == Level::Comparison && matches!(left, Expr::Unary(Unary::Not, _)) {
+            left_least = Level::Primary;
         }
         // A sign right of an operator is easily overlooked.
         if matches!(right, Expr::Literal(_)) {

@@ -35,7 +35,7 @@ pub struct Language {
     /// the text of a value in a statement, and how tightly it binds
     pub operand: fn(Literal) -> (String, Level),
     /// the operators between two operands, in the order of [`portable::Binary`]
-    pub(super) symbols: [&'static str; 12],
+    pub(super) symbols: [&'static str; 13],
     /// how tightly the operands of an `and` and of an `or` bind at least, or they get parentheses
     pub(super) logic: [Level; 2],
     /// how an operation is written whose first operand has this type; `None`: by its symbol

@@ -42,14 +42,14 @@ impl Expr {
 
     /// The type of an expression in a program whose types fit.
     pub(crate) fn ty(&self, program: &Program) -> Type {
-        use Binary::{Add, And, Divide, Multiply, Or, Subtract};
+        use Binary::{Add, And, Divide, Multiply, Or, Remainder, Subtract};
         match self {
             Self::Literal(literal) => {
                 Type::of_literal(*literal).expect("program: the passes leave what exists at run time")
             }
             Self::Var(var) => program.ty(*var).expect("program: the typing pass has typed every local"),
             Self::Unary(_, operand) => operand.ty(program),
-            Self::Binary(Add | Subtract | Multiply | Divide | And | Or, left, _) => left.ty(program),
+            Self::Binary(Add | Subtract | Multiply | Divide | Remainder | And | Or, left, _) => left.ty(program),
             Self::Binary(..) => Type::Bool,
             Self::Intrinsic(intrinsic, _) => Type::of_intrinsic(*intrinsic),
         }

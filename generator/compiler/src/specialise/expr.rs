@@ -107,7 +107,10 @@ impl Specialiser<'_> {
                 return right;
             }
             (_, (Some(a), Some(b))) => {
-                let computes = matches!(operator, Binary::Add | Binary::Subtract | Binary::Multiply | Binary::Divide);
+                let computes = matches!(
+                    operator,
+                    Binary::Add | Binary::Subtract | Binary::Multiply | Binary::Divide | Binary::Remainder
+                );
                 let anonymous = matches!((&left, &right), (Expr::Literal(_), Expr::Literal(_)));
                 if anonymous || !computes {
                     let value = arithmetic::binary(operator, a, b);

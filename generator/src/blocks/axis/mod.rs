@@ -10,7 +10,7 @@ use reference::ipc::Ipc;
 
 impl Part for Axis {
     fn is_asked_for(&self, axis: &crate::axis::Axis) -> bool {
-        axis.control.position_control.is_some()
+        axis.control.position_control.is_some() && axis.control.spindle.is_none()
     }
 
     fn design(designed: &Designed) -> Coeffs<f64> {

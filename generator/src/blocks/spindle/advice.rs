@@ -2,10 +2,11 @@
 
 use super::limits::rpm;
 use super::velocities::asks;
-use crate::axis::{Axis, Bus, Changeover, Spindle};
+use crate::axis::{Axis, Bus, Changeover, Feedforward, Spindle};
 use crate::config::values::key;
 use crate::parameters::{Name, Value};
-use crate::{blocks::position_control::advice::fits, codes, design::scale, rules::effective::Effective};
+use crate::rules::effective::Effective;
+use crate::{blocks::position_control::advice::fits, codes, design::scale, diagnostics::Diagnostic};
 
 /// Says what a user would want to know before the spindle turns.
 pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
@@ -49,26 +50,30 @@ fn never(axis: &Axis, spindle: &Spindle, gear: u32, e: &mut Effective<'_>) {
         }
         Some(_) => return,
     };
-    let diagnostic = crate::diagnostics::Diagnostic::warning(codes::NEVER, e.place_near(at, asks), found);
+    let diagnostic = Diagnostic::warning(codes::NEVER, e.place_near(at, asks), found);
     e.report.push(diagnostic.instead("v_velocity_control_on with a speed of the spindle: 200 rpm are 1200000"));
 }
 
-/// In velocity control an additive velocity would come on top of the velocity command.
+/// In velocity control an additive velocity would come on top of the velocity command; the block of the whole axis puts out none then.
 fn adds(axis: &Axis, spindle: &Spindle, e: &mut Effective<'_>) {
-    let adds = axis.control.feedforward.as_ref().is_some_and(|of| of.additive.velocity && !of.global_disable);
-    if !adds {
-        return;
-    }
-    let counted = match spindle.drive {
-        Changeover::Cnc { .. } => "",
-        Changeover::Drive { .. } => ", and the change to position control does not count it",
+    let adds = |of: &&Feedforward| of.additive.velocity && !of.global_disable;
+    let Some(feedforward) = axis.control.feedforward.as_ref().filter(adds) else { return };
+    let mode = key(Name::FeedforwardMode);
+    let (counted, other) = match spindle.drive {
+        Changeover::Cnc { .. } => ("", "VEL"),
+        Changeover::Drive { .. } => {
+            (", and the change to position control does not count it", "the feedforward of the drive (P-AXIS-00833)")
+        }
     };
     let found = format!(
-        "{} has ADD_VEL: in velocity control the drive would get the velocity twice{counted}",
-        e.title(key(Name::FeedforwardMode))
+        "{} has ADD_VEL: beside the block spindle the drive would get the velocity twice in velocity control, where spindle_axis puts out \
+             none{counted}",
+        e.title(mode)
     );
-    let instead = "G137 while `loop_closed` is FALSE, or the feedforward of the drive (P-AXIS-00833)".to_owned();
-    e.warn(codes::ADDS, key(Name::FeedforwardMode), found, instead);
+    // P-AXIS-00255 wins over G137.
+    let first = if feedforward.default_active { "vorsteuer.default_active FALSE, and " } else { "" };
+    let instead = format!("{first}G137 while `loop_closed` is FALSE, or {other}");
+    e.warn(codes::ADDS, mode, found, instead);
 }
 
 /// Parameters of another kind of changeover.

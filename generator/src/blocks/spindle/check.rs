@@ -1,6 +1,6 @@
 //! The rules of a spindle that changes between position and velocity control, and whether an axis is one.
 
-use super::velocities::{self, VELOCITIES, asks};
+use super::velocities::{self, VELOCITIES};
 use super::{in_drive, limits};
 use crate::axis::{Changeover, Feedforward, Location, Spindle};
 use crate::config::values::key;
@@ -10,9 +10,26 @@ use crate::rules::drive::{self, Drive};
 use crate::rules::effective::{Effective, as_written};
 use crate::{codes, diagnostics::Diagnostic};
 
+/// Keys of our own that only a changeover uses.
+pub(crate) const KEYS: [Name; 7] = [
+    Name::ProcessDataObjects,
+    Name::DriveSettings,
+    Name::SpindleDeceleration,
+    Name::SpindleWindow,
+    Name::SpindleTakeoverWindow,
+    Name::SpindleModeTimeout,
+    Name::SpindleBrakeTimeout,
+];
+
 /// Whether the axis changes over: a spindle (P-AXIS-00018) with a velocity of the changeover. Examples of the manual have no axis
 /// type: an axis without one is taken for a spindle then.
 pub(crate) fn is_asked_for(e: &mut Effective<'_>) -> bool {
+    // No other function has these keys: a wrong value is wrong on any axis.
+    for own in KEYS.map(key) {
+        if e.given(own).is_some() {
+            e.validated(own);
+        }
+    }
     let given: Vec<Name> = VELOCITIES.into_iter().filter(|name| e.given(key(*name)).is_some()).collect();
     let Some(first) = given.first().map(|name| key(*name)) else { return false };
     let ids = given.iter().filter_map(|name| name.parameter().id).collect::<Vec<_>>().join(", ");
@@ -60,7 +77,7 @@ pub(crate) fn check(
     let window = e.real(key(Name::SpindleWindow));
     let takeover_window = e.real(key(Name::SpindleTakeoverWindow));
     let (changeover, delay_cycles) = if drive.location == Location::Cnc {
-        (Some(in_cnc(e, feedforward)), delay_in_cnc(e))
+        (Some(in_cnc(e, feedforward)), Some(0))
     } else {
         (in_drive::check(e, drive.location, feedforward), in_drive::delay_cycles(e))
     };
@@ -68,8 +85,7 @@ pub(crate) fn check(
     if let (true, Some(ns), Some(velocities), Some(window)) = (is_in_drive, cycle_time, &velocities, window) {
         limits::half_a_revolution(e, ns, velocities, window);
     }
-    let waited_for = if is_in_drive { delay_cycles } else { Some(0) };
-    let mode_timeout_ns = limits::mode_timeout(e, cycle_time, waited_for);
+    let mode_timeout_ns = limits::mode_timeout(e, cycle_time, delay_cycles);
     let brake_timeout_ns = limits::brake_timeout(e, cycle_time, velocities.as_ref(), deceleration);
     let velocities = velocities?;
     Some(Spindle {
@@ -95,17 +111,4 @@ fn in_cnc(e: &mut Effective<'_>, feedforward: Option<&Feedforward>) -> Changeove
     let names = [Name::FeedforwardMode, Name::VsVFaktor, Name::VsVNenner, Name::DefaultActive, Name::GlobalDisable];
     drive::note(e, &names);
     Changeover::Cnc { feedforward: Some(of.weight), default_active: of.default_active }
-}
-
-/// Cycles between command and actual value (P-AXIS-00191); within the CNC one is usual.
-fn delay_in_cnc(e: &mut Effective<'_>) -> Option<u32> {
-    let delay = key(Name::NbrDelayCycles);
-    if e.given(delay).is_none() {
-        e.adopt(delay, Value::Integer(1));
-        let found = format!("{} is not given: 1 is assumed for the change to position control", e.title(delay));
-        let place = e.place_near(delay, asks);
-        let instead = "nbr_delay_cycles with the cycles between a command and the actual value that it causes";
-        e.report.push(Diagnostic::warning(codes::ASSUMED, place, found).instead(instead));
-    }
-    e.integer(delay)
 }

@@ -1,5 +1,6 @@
 //! The changeover: velocities, times and scalings as coefficients.
 
+use super::limits::window;
 use crate::axis::{Axis, Changeover, Spindle};
 use crate::design::scale;
 use reference::spindle::Coeffs;
@@ -10,7 +11,9 @@ const HALF_TURN: f64 = 180_000.0;
 /// Coefficients of the changeover of one axis; of an axis without it all zero.
 ///
 /// ```text
-/// lead_time = (Nd + 1) T + (1 - w) / Kv        w of the drive; in the CNC the block subtracts w / Kv while feedforward is active
+/// lead_time = (Nd + 1) T + (1 - w) / Kv        position control in the drive, w its feedforward
+/// lead_time = T + 1 / Kv                       position control in the CNC: its loop compares with the same delayed x_actual, so
+///                                              that the delay is part of the lag; while feedforward is active less w / Kv
 /// ```
 pub(crate) fn coefficients(axis: &Axis) -> Coeffs<f64> {
     let Some(of) = &axis.control.spindle else { return Coeffs::default() };
@@ -22,13 +25,13 @@ pub(crate) fn coefficients(axis: &Axis) -> Coeffs<f64> {
         v_velocity_control_on: f64::from(of.v_velocity_control_on),
         v_position_control_on: off,
         v_position_control_on_negative: 0.0 - off, // not `-off`: 0 stays +0
-        v_settled: settled(of),
+        window: window(of.v_position_control_on, of.window),
         v_step: of.deceleration * cycle_time,
         v_half_turn: half_turn(axis),
         lead_time: f64::from(of.delay_cycles + 1) * cycle_time + (1.0 - weight(of)) / kv(of),
         takeover_window: of.takeover_window,
         mode_cycles: cycles(of.mode_timeout_ns, axis),
-        brake_cycles: cycles(brake_timeout_ns(of, axis), axis),
+        brake_cycles: cycles(of.brake_timeout_ns, axis),
         ..Coeffs::default()
     };
     match &of.drive {
@@ -62,28 +65,9 @@ pub(crate) fn weight(of: &Spindle) -> f64 {
     }
 }
 
-/// Largest actual velocity at which position control is taken up [0.001 deg/s]: Voff and its window, of at least 1 % of Voff.
-pub(crate) fn settled(of: &Spindle) -> f64 {
-    let off = f64::from(of.v_position_control_on);
-    off + (off / 100.0).max(of.window)
-}
-
 /// The velocity at which a drive cannot tell the direction any more [0.001 deg/s].
 pub(crate) fn half_turn(axis: &Axis) -> f64 {
     HALF_TURN * 1e9 / f64::from(axis.cycle_time_ns)
-}
-
-/// How long the ramp takes from the largest velocity of the axis to Voff [s].
-pub(crate) fn brake_time(of: &Spindle, axis: &Axis) -> f64 {
-    (axis.ipc.v_max - f64::from(of.v_position_control_on)).max(0.0) / of.deceleration
-}
-
-/// Within which the spindle has braked [ns]: as given, or twice the longest ramp and half a second.
-pub(crate) fn brake_timeout_ns(of: &Spindle, axis: &Axis) -> u64 {
-    match of.brake_timeout_ns {
-        0 => libm::ceil((2.0 * brake_time(of, axis) + 0.5) * 1e9) as u64,
-        given => given,
-    }
 }
 
 /// A time in cycles, rounded up.

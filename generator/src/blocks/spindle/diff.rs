@@ -1,7 +1,8 @@
 //! The changeover of an axis as named values, each in its unit, for the semantic diff.
 
 use super::super::values::{Value, Values, of_part};
-use super::design::{kv, settled, weight};
+use super::design::{kv, weight};
+use super::limits::window;
 use super::notes::RPM;
 use crate::axis::{Axis, Changeover};
 
@@ -22,14 +23,14 @@ pub(crate) fn values(axis: &Axis) -> Values {
         ("operation modes", modes.map(Value::Words)),
         ("velocity control from", rpm(on)),
         ("position control from", rpm(off)),
-        ("window", rpm(settled(of) - off)),
+        ("window", rpm(window(of.v_position_control_on, of.window))),
         ("deceleration", Some(Value::Number(of.deceleration / RPM, " rpm/s"))),
         ("Kv", Some(Value::Number(kv(of), "/s"))),
         ("weight of the drive's feedforward", Some(Value::Number(weight(of), ""))),
         ("delay", Some(Value::Number(f64::from(of.delay_cycles), " cycles"))),
         ("take-over window", Some(Value::Number(of.takeover_window / 1000.0, " deg"))),
         ("time of a change of mode", seconds(of.mode_timeout_ns)),
-        ("time to brake", seconds(super::design::brake_timeout_ns(of, axis))),
+        ("time to brake", seconds(of.brake_timeout_ns)),
     ];
     of_part("spindle", values)
 }

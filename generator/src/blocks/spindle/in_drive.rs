@@ -6,7 +6,7 @@ use crate::config::values::key;
 use crate::parameters::words::{DriveType, FeedforwardWord, OperationMode, Words};
 use crate::parameters::{Name, Value};
 use crate::rules::drive;
-use crate::rules::effective::{Effective, as_written};
+use crate::rules::effective::{Effective, as_written, number_as_written};
 use crate::{codes, diagnostics::Diagnostic};
 
 /// The changeover of a drive that controls the position; none: an error, which has been said.
@@ -74,19 +74,20 @@ fn modes(e: &mut Effective<'_>, bus: Bus) -> Option<[i32; 2]> {
     if modes[0] != modes[1] {
         return Some(modes);
     }
-    let (at, found, [allowed, instead]) = match bus {
+    let (at, found, allowed, instead) = match bus {
         Bus::Sercos => {
             let at = key(Name::OpModeForVelocityControl);
             let how = if e.given(at).is_some() { "is" } else { "has its default" };
             let found = format!("{} {how} 0, the main mode, which is that of position control", e.title(at));
             let allowed = "1, 2 or 3: an auxiliary mode of the drive (S-0-0033 to S-0-0035) with velocity control";
-            (at, found, [allowed, "antr.sercos.op_mode_for_velocity_control 1, if S-0-0033 is velocity control"])
+            let instead = number_as_written(&e.place_near(at, asks), at, 1) + ", if S-0-0033 is velocity control";
+            (at, found, allowed, instead)
         }
         Bus::CanOpen => {
             let [position, velocity] = [Name::CyclicPositionOpMode, Name::CyclicVelocityOpMode].map(key);
             let at = if e.given(velocity).is_some() { velocity } else { position };
             let found = format!("{} and {} are both {}", e.title(position), e.title(velocity), modes[0]);
-            (at, found, ["two operation modes (6060h)", "8 for position control and 9 for velocity control"])
+            (at, found, "two operation modes (6060h)", "8 for position control and 9 for velocity control".to_owned())
         }
     };
     let place = e.place_near(at, asks);

@@ -46,7 +46,9 @@ pub(super) fn half_a_revolution(e: &mut Effective<'_>, cycle_ns: u32, of: &Veloc
         );
         let at = if e.given(of.off.key).is_some() { of.off.key } else { key(Name::SpindleWindow) };
         let said = Diagnostic::error(codes::HALF_A_REVOLUTION, e.place_near(at, asks), found);
-        e.report.push(said.allowed(allowed.clone()).instead("a lower v_position_control_on: 50 rpm are 300000"));
+        e.report.push(
+            said.allowed(allowed.clone()).instead("a lower v_position_control_on or spindle.window: 50 rpm are 300000"),
+        );
     }
     let (lower, higher) = if of.on.value <= of.largest.value { (of.on, of.largest) } else { (of.largest, of.on) };
     if is_beyond(f64::from(lower.value)) {
@@ -134,7 +136,10 @@ fn countable(e: &mut Effective<'_>, name: Name, timeout: u64, cycle: u64) {
     let at = key(name);
     let how = if e.given(at).is_some() { "is" } else { "has its default," };
     let found = format!("{} {how} {}, {} cycles", e.title(at), time_text(timeout), timeout.div_ceil(cycle));
-    let said = Diagnostic::error(codes::TOO_LONG, e.place_of(at), found);
+    // The default of the brake's time follows from the deceleration.
+    let is_given = e.given(at).is_some() || name != Name::SpindleBrakeTimeout;
+    let place = e.place_of(if is_given { at } else { key(Name::SpindleDeceleration) });
+    let said = Diagnostic::error(codes::TOO_LONG, place, found);
     let allowed = format!("{MOST_CYCLES} cycles: {} at a cycle time of {}", time_text(longest), time_text(cycle));
     e.report.push(said.allowed(allowed).instead(match name {
         Name::SpindleBrakeTimeout => "a shorter time, or a larger spindle.deceleration",

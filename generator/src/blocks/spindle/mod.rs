@@ -4,6 +4,7 @@ pub(crate) mod advice;
 pub(crate) mod check;
 pub(crate) mod design;
 mod diff;
+mod drill;
 mod in_drive;
 mod limits;
 pub(crate) mod notes;
@@ -11,7 +12,7 @@ mod offered;
 mod velocities;
 pub(crate) mod words;
 
-use super::{Part, Summary, values::Values};
+use super::{Drill, Part, Summary, values::Values};
 use crate::{axis::Axis, blocks::designed::Designed};
 use reference::spindle::{Coeffs, Spindle};
 
@@ -32,6 +33,10 @@ impl Part for Spindle {
     fn ranges(&self, designed: &Designed) -> [f64; 2] {
         let coeffs = &designed.spindle;
         [(coeffs.takeover_window / 4.0).clamp(1e-3, 400.0), coeffs.v_velocity_control_on.clamp(6000.0, 2e9)]
+    }
+
+    fn drill(&self, designed: &Designed) -> Vec<Drill> {
+        drill::through_all_states(&designed.spindle)
     }
 
     fn summary(&self, designed: &Designed) -> Summary {

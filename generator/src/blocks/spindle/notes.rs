@@ -2,9 +2,11 @@
 
 use super::super::feedforward::notes::{of_velocity, of_width};
 use super::super::ipc::notes::{cycle_time, note};
-use super::design::{brake_time, brake_timeout_ns, kv, settled, weight};
+use super::design::{kv, weight};
+use super::limits::{ramp, window};
 use crate::axis::{Axis, Changeover};
 use crate::number::digits;
+use crate::parameters::time_text;
 
 /// 1 rpm [0.001 deg/s].
 pub(crate) const RPM: f64 = 6000.0;
@@ -12,28 +14,28 @@ pub(crate) const RPM: f64 = 6000.0;
 pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
     let Some(of) = &axis.control.spindle else { return Vec::new() };
     let [on, off] = [of.v_velocity_control_on, of.v_position_control_on].map(f64::from);
-    let window = settled(of) - off;
+    let window = window(of.v_position_control_on, of.window);
     let lead = format!(
-        "({} + 1) cycles (P-AXIS-00191) and {} / Kv, Kv = {}/s (P-AXIS-00099)",
-        of.delay_cycles,
+        "{} cycles (P-AXIS-00191) and {} / Kv, Kv = {}/s (P-AXIS-00099)",
+        of.delay_cycles + 1,
         digits(1.0 - weight(of)),
         digits(kv(of))
     );
     let brake = format!(
-        "{} s; from the largest velocity (P-AXIS-00212) the ramp takes {} s",
-        digits(brake_timeout_ns(of, axis) as f64 / 1e9),
-        digits(brake_time(of, axis))
+        "{}; from the largest velocity (P-AXIS-00212) the ramp takes {}",
+        time_text(of.brake_timeout_ns),
+        time_text(ramp(axis.ipc.v_max, off, of.deceleration))
     );
     let mut notes = vec![
         note("cycle_time_ns", cycle_time(axis)),
         note("v_velocity_control_on", format!("Von = {} rpm (P-AXIS-00767)", digits(on / RPM))),
         note("v_position_control_on", format!("Voff = {} rpm (P-AXIS-00768)", digits(off / RPM))),
-        note("v_settled", format!("Voff and a window of {} rpm (key spindle.window)", digits(window / RPM))),
+        note("window", format!("{} rpm (key spindle.window)", digits(window / RPM))),
         note("v_step", format!("deceleration {} rpm/s (key spindle.deceleration)", digits(of.deceleration / RPM))),
         note("v_half_turn", format!("{} rpm", digits(super::design::half_turn(axis) / RPM))),
         note("lead_time", lead),
         note("takeover_window", format!("{} deg (key spindle.takeover_window)", digits(of.takeover_window / 1000.0))),
-        note("mode_cycles", format!("{} s (key spindle.mode_timeout)", digits(of.mode_timeout_ns as f64 / 1e9))),
+        note("mode_cycles", format!("{} (key spindle.mode_timeout)", time_text(of.mode_timeout_ns))),
         note("brake_cycles", brake),
     ];
     match &of.drive {

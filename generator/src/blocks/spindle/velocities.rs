@@ -2,7 +2,8 @@
 
 use crate::config::values::{Key, key};
 use crate::parameters::{Name, Value};
-use crate::{codes, diagnostics::Diagnostic, rules::effective::Effective};
+use crate::rules::effective::{Effective, number_as_written};
+use crate::{codes, diagnostics::Diagnostic};
 
 /// What asks for a changeover.
 pub(super) const VELOCITIES: [Name; 4] = [
@@ -65,7 +66,8 @@ fn one_of(e: &mut Effective<'_>, new: Name, old: Name) -> Option<Velocity> {
         // Which of the two it came from changes nothing in the block.
         e.adopt(new, Value::Integer(i64::from(value)));
         let found = format!("{} is the predecessor of {id}, which takes its value", e.title(old));
-        e.warn(codes::PREDECESSOR, old, found, format!("{} {value}", new.0.parameter().path));
+        let instead = number_as_written(&e.place_of(old), new, value);
+        e.warn(codes::PREDECESSOR, old, found, instead);
         return e.integer(new).map(|value| Velocity { value, key: old });
     }
     let (value, old_value) = (e.integer(new)?, old_value?);

@@ -10,17 +10,20 @@ use crate::parameters::words::{DriveSetting, Words};
 /// A line each.
 pub(crate) fn lines(axis: &Axis) -> Vec<String> {
     let Some(spindle) = &axis.control.spindle else { return Vec::new() };
-    let mut lines = vec![speeds(spindle), who(spindle), brake(axis, spindle), lag(axis, spindle)];
+    let mut lines = vec![speeds(spindle), who(spindle), brake(axis, spindle)];
     if spindle.v_velocity_control_on == 0 {
-        let sensorless = "velocity control at every speed, as a spindle without a position sensor needs it: only M19, S[PUTAX], G74 and reset \
-                          lead to position control, from standstill";
-        lines.push(sensorless.to_owned());
+        lines.push(SENSORLESS.to_owned());
+    } else {
+        lines.push(lag(axis, spindle));
     }
     if let Changeover::Drive { bus, velocity_mode, .. } = spindle.drive {
         lines.extend(needs(bus, velocity_mode));
     }
     lines
 }
+
+const SENSORLESS: &str = "velocity control at every speed, as a spindle without a position sensor needs it; M19, S[PUTAX], G74 and reset \
+                          lead to position control";
 
 /// 0.001 deg/s for people.
 fn speed(velocity: f64) -> String {
@@ -64,25 +67,32 @@ fn brake(axis: &Axis, spindle: &Spindle) -> String {
     )
 }
 
-/// The position lag (1 - w) v / Kv at the velocity at which position control is left, which tells whether the scaling is right.
+/// The position lag (1 - w) v / Kv at the velocity at which position control is left: what to measure, once.
 fn lag(axis: &Axis, spindle: &Spindle) -> String {
-    let (weight, whose) = match &spindle.drive {
-        Changeover::Cnc { feedforward, .. } => (feedforward.map_or(0.0, |of| of.value()), "of the CNC at 100 %"),
-        Changeover::Drive { feed_forward_v_weighting, .. } => {
-            (f64::from(*feed_forward_v_weighting) / 1000.0, "of the drive")
-        }
-    };
     let largest = f64::from(spindle.v_velocity_control_on).min(axis.ipc.v_max);
     let kv = f64::from(spindle.kv) / 100.0;
-    let lag = (1.0 - weight) * largest / 1000.0 / kv;
-    format!(
-        "position lag in position control at {} rpm: {} deg (Kv {}/s, feedforward {whose} {} %, {} delay cycles)",
-        rpm(largest),
-        digits(lag),
-        digits(kv),
-        digits(weight * 100.0),
-        spindle.delay_cycles
-    )
+    let lag = |weight: f64| digits((1.0 - weight) * largest / 1000.0 / kv);
+    let (speed, kv) = (rpm(largest), digits(kv));
+    let cycles = spindle.delay_cycles;
+    match &spindle.drive {
+        Changeover::Cnc { .. } => format!(
+            "without feedforward the position lag at {speed} rpm must be {} deg, within 1 %: else P-AXIS-00129/00128 do not scale the velocity \
+             command as the drive does (Kv {kv}/s)",
+            lag(0.0)
+        ),
+        Changeover::Drive { bus, feed_forward_v_weighting, .. } => {
+            let weight = f64::from(*feed_forward_v_weighting) / 1000.0;
+            let [of_gain, of_weight] = match bus {
+                Bus::Sercos => ["S-0-0104", "S-0-0296"],
+                Bus::CanOpen => ["30C0h:01", "3062h"],
+            };
+            format!(
+                "the position lag at {speed} rpm must be {} deg: Kv {kv}/s ({of_gain}), {} % feedforward ({of_weight}), {cycles} delay cycles",
+                lag(weight),
+                digits(weight * 100.0)
+            )
+        }
+    }
 }
 
 fn needs(bus: Bus, velocity_mode: i32) -> Vec<String> {

@@ -248,6 +248,9 @@ fn integers_wrap_around() {
         let list = ["a < b", "a <= b", "a > b", "a >= b", "a = b", "a <> b", "a > 2147483648"];
         let expected = [a < b, a <= b, a > b, a >= b, a == b, a != b, a > 1 << 31];
         assert_eq!(values(Literal::Bool(false), &list, &[a, b].map(Literal::U32)), expected.map(Literal::Bool));
+        let list = ["a / 3", "a MOD 3", "a / 2147483648", "(a MOD 16#10) / 2", "a - (a / 7) * 7"];
+        let expected = [a / 3, a % 3, a >> 31, a % 16 / 2, a % 7];
+        assert_eq!(values(Literal::U32(0), &list, &[a, b].map(Literal::U32)), expected.map(Literal::U32));
         let found = values(LREAL, &["UDINT_TO_LREAL(a - b)"], &[a, b].map(Literal::U32));
         assert_eq!(found, [Literal::F64(f64::from(a.wrapping_sub(b)))]);
     }

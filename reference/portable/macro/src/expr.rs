@@ -106,9 +106,7 @@ pub fn compound(
     rejections: &mut Rejections,
 ) -> TokenStream {
     let operator = operator(&binary.op, rejections);
-    if matches!(binary.op, BinOp::DivAssign(_)) {
-        rejections.push(binary, "integers are not divided; divide reals, with `x = x / y`");
-    }
+    kind::check_divisor(binary, rejections);
     let right = operand(&binary.right, scope, rejections);
     quote! {
         ::portable::Expr::Binary {
@@ -186,6 +184,7 @@ fn operator(operator: &BinOp, rejections: &mut Rejections) -> TokenStream {
         BinOp::Sub(_) | BinOp::SubAssign(_) => quote!(Subtract),
         BinOp::Mul(_) | BinOp::MulAssign(_) => quote!(Multiply),
         BinOp::Div(_) | BinOp::DivAssign(_) => quote!(Divide),
+        BinOp::Rem(_) | BinOp::RemAssign(_) => quote!(Remainder),
         BinOp::Lt(_) => quote!(Less),
         BinOp::Le(_) => quote!(LessEqual),
         BinOp::Gt(_) => quote!(Greater),

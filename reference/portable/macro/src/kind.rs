@@ -35,7 +35,9 @@ pub fn classify(expression: &Expr, scope: &Scope) -> Kind {
         Expr::Lit(literal) if matches!(literal.lit, Lit::Float(_)) => Kind::Real,
         Expr::Array(_) | Expr::Repeat(_) => Kind::Array,
         Expr::Unary(unary) => classify(&unary.expr, scope),
-        Expr::Binary(binary) if matches!(binary.op, BinOp::Add(_) | BinOp::Sub(_) | BinOp::Mul(_) | BinOp::Div(_)) => {
+        Expr::Binary(binary)
+            if matches!(binary.op, BinOp::Add(_) | BinOp::Sub(_) | BinOp::Mul(_) | BinOp::Div(_) | BinOp::Rem(_)) =>
+        {
             match classify(&binary.left, scope) {
                 Kind::Unknown => classify(&binary.right, scope),
                 known => known,
@@ -54,9 +56,25 @@ pub fn check_binary(binary: &syn::ExprBinary, scope: &Scope, rejections: &mut Re
                 .push(binary, "reals are never compared for equality; write `<` or `>`, or `within(a - b, tolerance)`");
         }
         BinOp::Div(_) if kinds.contains(&Kind::Integer) && !kinds.contains(&Kind::Real) => {
-            rejections.push(binary, "integers are not divided; divide reals, or let the design compute the quotient");
+            check_divisor(binary, rejections);
         }
+        BinOp::Rem(_) => check_divisor(binary, rejections),
         _ => {}
+    }
+}
+
+/// Rejects a divisor of integers that is no number from 1 on: by 0, and the smallest by -1, languages do different things.
+pub fn check_divisor(binary: &syn::ExprBinary, rejections: &mut Rejections) {
+    let is_number = match expr::bare(&binary.right) {
+        Expr::Lit(syn::ExprLit { lit: Lit::Int(integer), .. }) => {
+            integer.base10_parse::<u32>().is_ok_and(|divisor| divisor > 0)
+        }
+        _ => false,
+    };
+    let divides = matches!(binary.op, BinOp::Div(_) | BinOp::DivAssign(_) | BinOp::Rem(_) | BinOp::RemAssign(_));
+    if divides && !is_number {
+        rejections
+            .push(binary, "integers are divided by a number from 1 on; write it, with its type, right of the operator");
     }
 }
 

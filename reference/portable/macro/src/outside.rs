@@ -75,9 +75,6 @@ fn instead(expression: &Expr) -> &'static str {
 /// What to write instead of an operator.
 pub fn operator(operator: &BinOp) -> &'static str {
     match operator {
-        BinOp::Rem(_) | BinOp::RemAssign(_) => {
-            "a remainder has no counterpart; write a counter that begins again at its bound"
-        }
         BinOp::BitAnd(_) | BinOp::BitAndAssign(_) => {
             "bits have no counterpart; write `&&` between bools, or a bool of its own for each bit"
         }
@@ -90,7 +87,7 @@ pub fn operator(operator: &BinOp) -> &'static str {
         BinOp::Shl(_) | BinOp::ShlAssign(_) | BinOp::Shr(_) | BinOp::ShrAssign(_) => {
             "a shift has no counterpart; write a product, or a constant"
         }
-        _ => "this operator has no counterpart; write + - * / or a comparison",
+        _ => "this operator has no counterpart; write + - * / % or a comparison",
     }
 }
 

@@ -216,6 +216,7 @@ fn symbol(operator: Binary) -> (&'static str, u8) {
     match operator {
         Binary::Multiply => ("*", 6),
         Binary::Divide => ("/", 6),
+        Binary::Remainder => ("%", 6),
         Binary::Add => ("+", 5),
         Binary::Subtract => ("-", 5),
         Binary::Less => ("<", 4),

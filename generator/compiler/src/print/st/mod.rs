@@ -19,7 +19,7 @@ pub static PLAIN: Language = Language {
     types: ["BOOL", "DINT", "UDINT", "LREAL", "REAL"],
     literal,
     operand: literal::operand,
-    symbols: ["+", "-", "*", "/", "<", "<=", ">", ">=", "=", "<>", "AND", "OR"],
+    symbols: ["+", "-", "*", "/", "MOD", "<", "<=", ">", ">=", "=", "<>", "AND", "OR"],
     logic: [Level::Primary; 2],
     form,
     appearances: among_statements,

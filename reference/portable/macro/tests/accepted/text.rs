@@ -113,6 +113,7 @@ fn binary(operator: Binary) -> &'static str {
         Binary::Add => "+",
         Binary::Subtract => "-",
         Binary::Multiply => "*",
+        Binary::Remainder => "%",
         Binary::Divide => "/",
         Binary::Less => "<",
         Binary::LessEqual => "<=",

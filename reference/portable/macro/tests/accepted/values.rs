@@ -45,6 +45,9 @@ fn operators<R: Real>(x: R, y: R, n: u32, mode: Mode, on: bool) -> bool {
     count += n;
     count -= 1u32;
     count *= n;
+    count /= 3u32;
+    count %= 5u32;
+    let seventh = count / 7u32 + count % 2u32;
     count == n && count != 2u32 && mode == Mode::On && mode != Mode::Off && order != reverse && sum > x
 }
 
@@ -114,6 +117,9 @@ fn operators_keep_their_order() {
                     count = (count + n); \
                     count = (count - 1u32); \
                     count = (count * n); \
+                    count = (count / 3u32); \
+                    count = (count % 5u32); \
+                    let seventh = ((count / 7u32) + (count % 2u32)); \
                     ((((((count == n) && (count != 2u32)) && (mode == variant 1)) && (mode != variant 0)) \
                     && (order != reverse)) && (sum > x)) }";
     assert_eq!(body(&operators::Ir::<f64>::IR), expected);

@@ -1,8 +1,8 @@
 use portable::portable;
 
 #[portable]
-fn half(count: u32) -> u32 {
-    count / 2u32
+fn part(count: u32, parts: u32) -> u32 {
+    (count + 1u32) / parts
 }
 
 fn main() {}

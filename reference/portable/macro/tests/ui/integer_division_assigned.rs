@@ -1,9 +1,9 @@
 use portable::portable;
 
 #[portable]
-fn half(count: u32) -> u32 {
+fn half(count: u32, parts: u32) -> u32 {
     let mut half = count;
-    half /= 2u32;
+    half /= parts;
     half
 }
 

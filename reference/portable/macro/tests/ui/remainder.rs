@@ -1,8 +1,8 @@
 use portable::portable;
 
 #[portable]
-fn phase(count: u32) -> u32 {
-    count % 3u32
+fn phase(count: i32) -> i32 {
+    count % -3i32
 }
 
 fn main() {}

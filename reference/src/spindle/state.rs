@@ -1,0 +1,125 @@
+//! What the changeover knows: coefficients, state, the five states. No motion.
+
+use super::request::{Before, Request};
+use crate::process_data;
+use portable::{Real, portable};
+
+/// What controls the spindle.
+#[portable]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SpindleState {
+    /// position control
+    Position,
+    /// velocity control is asked for
+    ToVelocity,
+    /// velocity control
+    Velocity,
+    /// velocity control, on the way to the velocity at which position control is taken up
+    Brake,
+    /// position control is asked for
+    #[default]
+    ToPosition,
+}
+
+/// Coefficients.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Coeffs<R> {
+    /// cycle time that all coefficients were designed for [ns]
+    pub cycle_time_ns: u32,
+    /// cycle time T [s]
+    pub cycle_time: R,
+    /// whether the drive controls the position, and is told its mode
+    pub in_drive: bool,
+    /// Von: a faster TURN leads to velocity control [0.001 deg/s]
+    pub v_velocity_control_on: R,
+    /// Voff: position control is taken up there [0.001 deg/s]
+    pub v_position_control_on: R,
+    /// -Voff [0.001 deg/s]
+    pub v_position_control_on_negative: R,
+    /// by which |v_actual| is above |v_spindle| at most where position control is taken up [0.001 deg/s]
+    pub window: R,
+    /// deceleration * T: largest change of the velocity in a cycle [0.001 deg/s]
+    pub v_step: R,
+    /// 180 deg / T: from here on the drive cannot tell the direction [0.001 deg/s]
+    pub v_half_turn: R,
+    /// the position command leads x_actual by the way of this time: (Nd + 1) T + (1 - w) / Kv, in the CNC T + 1 / Kv [s]
+    pub lead_time: R,
+    /// whether the CNC's feedforward shortens that time
+    pub has_feedforward: bool,
+    /// whether the feedforward is active despite G137 (P-AXIS-00255)
+    pub default_active: bool,
+    /// by which each percent of the feedforward does [s]
+    pub lead_time_per_percent: R,
+    /// largest step of the position command where the interpolator takes over [0.001 deg]
+    pub takeover_window: R,
+    /// cycles within which the drive displays a new mode
+    pub mode_cycles: u32,
+    /// cycles within which the spindle has braked
+    pub brake_cycles: u32,
+    /// operation mode of position control
+    pub position_mode: i32,
+    /// operation mode of velocity control
+    pub velocity_mode: i32,
+    /// velocity command: increments for 0.001 deg/s
+    pub velocity_scale: R,
+    /// range of the velocity command
+    pub velocity_range: process_data::Coeffs<R>,
+}
+
+/// State.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct State<R> {
+    /// what controls the spindle
+    pub control: SpindleState,
+    /// cycles in this state, this one included
+    pub cycles: u32,
+    /// cycles in which v_actual has been settled
+    pub settled: u32,
+    /// cycles in which a sample has been missing
+    pub missing: u32,
+    /// an error that stays until reset
+    pub lasting_error: u32,
+    /// whether velocity control is asked for
+    pub asks_velocity: bool,
+    /// whether a reset leads back to position control
+    pub returns: bool,
+    /// whether position control is taken up at x_start; else x follows the actual position
+    pub is_moving: bool,
+    /// whether the interpolator has to go on from x
+    pub takes_over: bool,
+    /// the position command [0.001 deg]
+    pub x: R,
+    /// where position control is taken up [0.001 deg]
+    pub x_start: R,
+    /// the velocity command [0.001 deg/s]
+    pub v: R,
+    /// the job
+    pub present: Request<R>,
+    /// how many jobs there were
+    pub jobs: u32,
+    /// how many requests wait
+    pub queued: u32,
+    /// the requests that wait, the first one first
+    pub request: [Request<R>; 4],
+    /// the request inputs of the last cycle
+    pub before: Before,
+}
+
+/// What is found in one cycle.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Cycle {
+    /// of a sample that is needed and out of range
+    pub sample_error: u32,
+}
+
+/// The next cycle begins in another state.
+#[portable]
+pub fn enter<R: Real>(state: &mut State<R>, next: SpindleState) {
+    state.control = next;
+    state.cycles = 0u32;
+    state.settled = 0u32;
+    state.missing = 0u32;
+}

@@ -1,0 +1,239 @@
+//! The whole axis of a spindle: the changeover moves the axis, whose position loop is open under velocity control.
+//!
+//! ```text
+//! spindle   requests, interpolator, actual values    -> x_spindle, v_spindle, state, operation mode
+//! axis      x_spindle, v_spindle, actual values      -> what the drive gets, while it follows the position
+//! ```
+//!
+//! In VELOCITY and BRAKE, and with position control in the CNC in TO_POSITION too, the drive gets v_spindle alone: no position
+//! controller, no feedforward, no improved position control.
+
+#![expect(clippy::field_reassign_with_default, reason = "portable Rust makes a struct by its default alone")]
+
+mod signals;
+
+pub use signals::{Inputs, Outputs};
+
+use crate::angle::{position_limit, shortest};
+use crate::position_control::{Location, rounded};
+use crate::signal::{error_none, error_x_actual};
+use crate::spindle::SpindleState;
+use crate::{axis, ipc, position_control, spindle};
+use portable::{Block, Enable, Fn, Real, in_range, portable};
+
+/// Coefficients.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Coeffs<R> {
+    /// changeover
+    pub spindle: spindle::Coeffs<R>,
+    /// feedforward, position control, improved position control
+    pub axis: axis::Coeffs<R>,
+}
+
+/// State.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct State<R> {
+    /// changeover
+    pub spindle: spindle::State<R>,
+    /// feedforward, position control, improved position control
+    pub axis: axis::State<R>,
+}
+
+/// Before the first cycle.
+#[portable]
+pub fn init<R: Real>(state: &mut State<R>) {
+    spindle::init(&mut state.spindle);
+    axis::init(&mut state.axis);
+}
+
+/// The changeover.
+#[portable]
+pub fn change_over<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    inputs: &Inputs<R>,
+    spindle_outputs: &mut spindle::Outputs<R>,
+) {
+    let mut spindle_inputs = spindle::Inputs::<R>::default();
+    spindle_inputs.x_command = inputs.x_command;
+    spindle_inputs.v_interpolator = inputs.v_interpolator;
+    spindle_inputs.x_actual = inputs.x_actual;
+    spindle_inputs.v_actual = inputs.v_actual;
+    spindle_inputs.s_word = inputs.s_word;
+    spindle_inputs.s_position = inputs.s_position;
+    spindle_inputs.m3 = inputs.m3;
+    spindle_inputs.m4 = inputs.m4;
+    spindle_inputs.m5 = inputs.m5;
+    spindle_inputs.m19 = inputs.m19;
+    spindle_inputs.putax = inputs.putax;
+    spindle_inputs.g74 = inputs.g74;
+    spindle_inputs.job_done = inputs.job_done;
+    spindle_inputs.drive_on = inputs.drive_on;
+    spindle_inputs.operation_mode_display = inputs.operation_mode_display;
+    spindle_inputs.feedforward_active = inputs.feedforward_active;
+    spindle_inputs.feedforward_percentage = inputs.feedforward_percentage;
+    spindle_inputs.reset = inputs.reset;
+    spindle_inputs.task_cycle_ns = inputs.task_cycle_ns;
+    spindle::step(&mut state.spindle, &coeffs.spindle, &spindle_inputs, spindle_outputs);
+}
+
+/// Whether the drive may follow the position command in this cycle: then the axis acts.
+#[portable]
+pub fn follows_position<R: Real>(coeffs: &Coeffs<R>, control: SpindleState) -> bool {
+    control == SpindleState::Position
+        || control == SpindleState::ToVelocity
+        || coeffs.spindle.in_drive && control == SpindleState::ToPosition
+}
+
+/// The axis follows the spindle's commands.
+#[portable]
+pub fn act<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    inputs: &Inputs<R>,
+    spindle_outputs: &spindle::Outputs<R>,
+    axis_outputs: &mut axis::Outputs<R>,
+) {
+    let mut axis_inputs = axis::Inputs::<R>::default();
+    axis_inputs.x_command = spindle_outputs.x_spindle;
+    if coeffs.axis.position_control.location == Location::Cnc {
+        // On the same turn: the lag goes the shortest way.
+        let lag = shortest(spindle_outputs.x_spindle - inputs.x_actual);
+        axis_inputs.x_actual = spindle_outputs.x_spindle - lag;
+    }
+    axis_inputs.v_interpolator = spindle_outputs.v_spindle;
+    axis_inputs.a_interpolator = inputs.a_interpolator;
+    axis_inputs.j_interpolator = inputs.j_interpolator;
+    axis_inputs.v_motor = inputs.v_motor;
+    axis_inputs.v_direct = inputs.v_direct;
+    axis_inputs.mode = inputs.mode;
+    axis_inputs.feedforward_active = inputs.feedforward_active;
+    axis_inputs.feedforward_percentage = inputs.feedforward_percentage;
+    axis::act(&mut state.axis, &coeffs.axis, &axis_inputs, axis_outputs, spindle_outputs.loop_closed);
+}
+
+/// The drive gets the velocity alone.
+#[portable]
+pub fn open<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    spindle_outputs: &spindle::Outputs<R>,
+    axis_outputs: &mut axis::Outputs<R>,
+) {
+    let mut axis_inputs = axis::Inputs::<R>::default();
+    axis_inputs.x_command = spindle_outputs.x_spindle;
+    axis::follow(&mut state.axis, &coeffs.axis, &axis_inputs, axis_outputs, error_none());
+    if coeffs.axis.position_control.location == Location::Cnc {
+        axis_outputs.v_command = spindle_outputs.v_spindle;
+        let mut control_outputs = position_control::Outputs::<R>::default();
+        let increments = coeffs.axis.position_control.manipulated_scale * spindle_outputs.v_spindle;
+        let datum = rounded(&mut control_outputs, &coeffs.axis.position_control.manipulated_range, increments);
+        axis_outputs.manipulated_variable = datum;
+        axis_outputs.limited = control_outputs.limited;
+    }
+}
+
+/// What the spindle and its axis put out.
+#[portable]
+pub fn put_out<R: Real>(
+    coeffs: &Coeffs<R>,
+    spindle_outputs: &spindle::Outputs<R>,
+    axis_outputs: &axis::Outputs<R>,
+    outputs: &mut Outputs<R>,
+) {
+    outputs.x_spindle = spindle_outputs.x_spindle;
+    outputs.v_spindle = spindle_outputs.v_spindle;
+    outputs.job_speed = spindle_outputs.job_speed;
+    outputs.job_position = spindle_outputs.job_position;
+    outputs.v_command = axis_outputs.v_command;
+    outputs.v_feedforward = axis_outputs.v_feedforward;
+    outputs.v_add = axis_outputs.v_add;
+    outputs.v_add_calculated = axis_outputs.v_add_calculated;
+    outputs.x_drive = axis_outputs.x_drive;
+    outputs.spindle_state = spindle_outputs.spindle_state;
+    outputs.job = spindle_outputs.job;
+    outputs.job_number = spindle_outputs.job_number;
+    outputs.waiting = spindle_outputs.waiting;
+    outputs.operation_mode = spindle_outputs.operation_mode;
+    outputs.velocity_command = spindle_outputs.velocity_command;
+    outputs.manipulated_variable = axis_outputs.manipulated_variable;
+    outputs.additive_torque = axis_outputs.additive_torque;
+    outputs.additive_velocity = axis_outputs.additive_velocity;
+    outputs.limited =
+        if coeffs.spindle.in_drive { spindle_outputs.limited || axis_outputs.limited } else { axis_outputs.limited };
+}
+
+/// One cycle. Only the samples that the spindle uses are checked.
+#[portable]
+pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    let mut spindle_outputs = spindle::Outputs::<R>::default();
+    change_over(state, coeffs, inputs, &mut spindle_outputs);
+    let mut axis_outputs = axis::Outputs::<R>::default();
+    let mut error_id = spindle_outputs.error_id;
+    let mut loop_closed = spindle_outputs.loop_closed;
+    // What stops the spindle, or lets it go on without the interpolator, moves by its velocity alone.
+    let is_led = state.spindle.lasting_error == error_none() && state.spindle.missing == 0u32 && inputs.drive_on;
+    if is_led && follows_position(coeffs, spindle_outputs.spindle_state) {
+        let reads_actual = position_control::reads_actual(&coeffs.axis.position_control);
+        if reads_actual && !in_range(inputs.x_actual, position_limit()) {
+            error_id = error_x_actual();
+            loop_closed = false;
+            open(state, coeffs, &spindle_outputs, &mut axis_outputs);
+        } else {
+            act(state, coeffs, inputs, &spindle_outputs, &mut axis_outputs);
+            if axis_outputs.fault {
+                error_id = axis_outputs.error_id;
+            }
+        }
+    } else {
+        open(state, coeffs, &spindle_outputs, &mut axis_outputs);
+    }
+    put_out(coeffs, &spindle_outputs, &axis_outputs, outputs);
+    outputs.error_id = error_id;
+    outputs.fault = error_id != error_none();
+    outputs.loop_closed = loop_closed;
+}
+
+/// The block.
+#[derive(Clone, Copy, Debug)]
+pub struct SpindleAxis;
+
+impl<R: Real> Block<R> for SpindleAxis {
+    type Coeffs = Coeffs<R>;
+    type State = State<R>;
+    type Inputs = Inputs<R>;
+    type Outputs = Outputs<R>;
+
+    const NAME: &'static str = "spindle_axis";
+    const ENABLE: Option<Enable> = Some(Enable { input: "drive_on", mode: None });
+    const INIT: Fn = init::Ir::<R>::IR;
+    const STEP: Fn = step::Ir::<R>::IR;
+
+    fn state() -> State<R> {
+        let mut state = State::default();
+        init(&mut state);
+        state
+    }
+
+    fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {
+        Inputs { mode: coeffs.axis.ipc.enable, feedforward_percentage: 100, ..Inputs::default() }
+    }
+
+    fn exercise(inputs: &mut Inputs<R>, coeffs: &Coeffs<R>) {
+        inputs.mode = ipc::mode_on();
+        inputs.feedforward_active = true;
+        inputs.feedforward_percentage = 87;
+        inputs.drive_on = true;
+        inputs.operation_mode_display = coeffs.spindle.position_mode;
+    }
+
+    fn outputs() -> Outputs<R> {
+        Outputs::default()
+    }
+
+    fn step(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+        step(state, coeffs, inputs, outputs);
+    }
+}

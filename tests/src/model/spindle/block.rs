@@ -1,0 +1,97 @@
+//! The reference as what the model is compared with: parameters become coefficients here, and signals of the one those of the other.
+
+use super::{Inputs, Outputs, Parameters};
+use reference::process_data;
+use reference::spindle::{self, Coeffs, State};
+
+/// The reference before its first cycle.
+#[must_use]
+pub fn start(p: &Parameters) -> impl FnMut(&Inputs) -> Outputs + use<> {
+    let coeffs = coefficients(p);
+    let (mut state, mut outputs) = (State::<f64>::default(), spindle::Outputs::default());
+    spindle::init(&mut state);
+    move |inputs| {
+        spindle::step(&mut state, &coeffs, &inputs_of(inputs), &mut outputs);
+        outputs_of(&outputs)
+    }
+}
+
+/// The formulas of the page, once more: the generator's design has tests of its own.
+#[must_use]
+pub fn coefficients(p: &Parameters) -> Coeffs<f64> {
+    let [lowest, highest] = p.velocity_range;
+    let delay = if p.in_cnc { 0 } else { p.nd };
+    let weight = if p.in_cnc { 0.0 } else { p.w };
+    Coeffs {
+        cycle_time_ns: p.cycle_ns,
+        cycle_time: p.cycle,
+        in_drive: !p.in_cnc,
+        v_velocity_control_on: p.v_on,
+        v_position_control_on: p.v_off,
+        v_position_control_on_negative: -p.v_off,
+        window: p.window,
+        v_step: p.deceleration * p.cycle,
+        v_half_turn: 180_000.0 / p.cycle,
+        lead_time: f64::from(delay + 1) * p.cycle + (1.0 - weight) / p.kv,
+        has_feedforward: p.in_cnc && p.feedforward.is_some(),
+        default_active: false,
+        lead_time_per_percent: p.feedforward.map_or(0.0, |weight| weight / 100.0 / p.kv),
+        takeover_window: p.takeover_window,
+        mode_cycles: p.mode_timeout_cycles,
+        brake_cycles: p.brake_timeout_cycles,
+        position_mode: p.position_mode,
+        velocity_mode: p.velocity_mode,
+        velocity_scale: p.velocity_scale,
+        velocity_range: process_data::Coeffs {
+            lowest,
+            highest,
+            lower_limit: (f64::from(lowest) - 0.5).next_up(),
+            upper_limit: (f64::from(highest) + 0.5).next_down(),
+        },
+    }
+}
+
+/// The reference's inputs.
+#[must_use]
+pub fn inputs_of(of: &Inputs) -> spindle::Inputs<f64> {
+    spindle::Inputs {
+        x_command: of.x_command,
+        v_interpolator: of.v_interpolator,
+        x_actual: of.x_actual,
+        v_actual: of.v_actual,
+        s_word: of.s_word,
+        s_position: of.s_position,
+        m3: of.m3,
+        m4: of.m4,
+        m5: of.m5,
+        m19: of.m19,
+        putax: of.putax,
+        g74: of.g74,
+        job_done: of.job_done,
+        drive_on: of.drive_on,
+        operation_mode_display: of.operation_mode_display,
+        feedforward_active: of.feedforward_active,
+        feedforward_percentage: of.feedforward_percentage,
+        reset: of.reset,
+        task_cycle_ns: of.task_cycle_ns,
+    }
+}
+
+fn outputs_of(of: &spindle::Outputs<f64>) -> Outputs {
+    Outputs {
+        spindle_state: of.spindle_state as i32,
+        loop_closed: of.loop_closed,
+        x_spindle: of.x_spindle,
+        v_spindle: of.v_spindle,
+        operation_mode: of.operation_mode,
+        velocity_command: of.velocity_command,
+        job: of.job as i32,
+        job_number: of.job_number,
+        job_speed: of.job_speed,
+        job_position: of.job_position,
+        waiting: of.waiting,
+        limited: of.limited,
+        fault: of.fault,
+        error_id: of.error_id,
+    }
+}

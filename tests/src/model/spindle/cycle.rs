@@ -1,0 +1,299 @@
+//! A cycle of the block: what is wrong, how the spindle moves, what is next. Angles and requests have files of their own.
+
+use super::motion::{Motion, is_position, is_velocity, near, resynchronised, slower, velocity_command, wrap};
+use super::requests::{Kind, Request, Requests};
+use super::{BRAKE, Inputs, Outputs, POSITION, Parameters, TO_POSITION, TO_VELOCITY, VELOCITY};
+use std::collections::VecDeque;
+
+/// Cycles in a row that BRAKE asks for.
+const SETTLED: u64 = 3;
+/// The cycle without a sample, of those in a row, that is one too many.
+const TOO_MANY: u64 = 4;
+
+/// An entry of the log: a state begins.
+#[derive(Clone, Copy, Debug)]
+struct Entry {
+    state: i32,
+    /// its first cycle
+    since: u64,
+    /// the position of that cycle, if BRAKE chose it
+    origin: Option<f64>,
+}
+
+/// The block's memory: a log and numbers of cycles.
+#[derive(Clone, Debug)]
+pub struct Model {
+    p: Parameters,
+    /// number of the cycle
+    now: u64,
+    requests: Requests,
+    job: Request,
+    jobs: u32,
+    /// the present state at the end
+    log: VecDeque<Entry>,
+    /// the error that stays
+    stays: Option<u32>,
+    x: f64,
+    v: f64,
+    mode: i32,
+    /// the last cycle with a reset
+    reset_at: u64,
+    /// the last cycle of BRAKE that was not settled
+    unsettled_at: u64,
+    /// the last cycle in which the spindle followed the interpolator's position
+    followed_at: u64,
+    /// the last cycle that missed no sample
+    complete_at: u64,
+}
+
+impl Model {
+    /// Before the first cycle.
+    #[must_use]
+    pub fn new(p: &Parameters) -> Self {
+        Self {
+            p: p.clone(),
+            now: 0,
+            requests: Requests::default(),
+            job: Request::STOP,
+            jobs: 0,
+            log: VecDeque::from([Entry { state: TO_POSITION, since: 1, origin: None }]),
+            stays: None,
+            x: 0.0,
+            v: 0.0,
+            mode: p.position_mode,
+            reset_at: 0,
+            unsettled_at: 0,
+            followed_at: 0,
+            complete_at: 0,
+        }
+    }
+
+    /// One cycle.
+    pub fn cycle(&mut self, inputs: &Inputs) -> Outputs {
+        self.now += 1;
+        let refused = self.requests.take(inputs).err();
+        self.prepare(inputs);
+        let is_off = !inputs.drive_on;
+        // With the drive off the state is the start, also with an error that stays.
+        let has_state = is_off || self.stays.is_none();
+        let sample = if has_state { self.sample(inputs) } else { None };
+        let is_missing = sample.is_some() && matches!(self.current().state, POSITION | TO_VELOCITY | VELOCITY);
+        if !is_missing {
+            self.complete_at = self.now;
+        }
+        let mut next = None;
+        if has_state {
+            self.ask_for_mode();
+            if !is_off {
+                next = if sample.is_none() { self.next(inputs) } else { None };
+                self.stays = if is_missing {
+                    sample.filter(|_| self.now - self.complete_at >= TOO_MANY)
+                } else {
+                    self.test(inputs).or_else(|| self.overdue(next))
+                };
+            }
+        }
+        let Entry { state, .. } = self.current();
+        let motion = match (self.stays, is_missing) {
+            (Some(_), _) if !is_off => Motion { v: slower(self.v, 0.0, self.p.deceleration * self.p.cycle), x: None },
+            (_, true) => Motion { v: self.v, x: None },
+            _ => self.moved(inputs),
+        };
+        self.x = motion.position(self.x, &self.p);
+        self.v = motion.v;
+        if is_off {
+            // The next cycle is the first one, if the drive is on in it.
+            self.enter(TO_POSITION, self.now + 1, None);
+        } else if let Some(next) = next.filter(|_| self.stays.is_none()) {
+            let origin = (next == TO_POSITION).then(|| resynchronised(&self.p, inputs, self.v));
+            self.enter(next, self.now + 1, origin);
+        }
+        self.employ(inputs);
+        let is_closed = state == POSITION && !is_missing && self.stays.is_none();
+        self.outputs(state, is_closed, self.stays.or(sample).or(refused).unwrap_or(0))
+    }
+
+    fn outputs(&self, spindle_state: i32, loop_closed: bool, error_id: u32) -> Outputs {
+        let p = &self.p;
+        let (velocity_command, limited) = if p.in_cnc { (0, false) } else { velocity_command(p, self.v) };
+        Outputs {
+            spindle_state,
+            loop_closed,
+            x_spindle: self.x,
+            v_spindle: self.v,
+            operation_mode: if p.in_cnc { 0 } else { self.mode },
+            velocity_command,
+            job: self.job.kind as i32,
+            job_number: self.jobs,
+            job_speed: self.job.speed,
+            job_position: self.job.target,
+            waiting: u32::try_from(self.requests.waiting.len()).expect("a few"),
+            limited,
+            fault: error_id != 0,
+            error_id,
+        }
+    }
+
+    /// What acts before the state: a reset, a wrong cycle, a drive that is off.
+    fn prepare(&mut self, inputs: &Inputs) {
+        if inputs.reset {
+            self.requests.waiting.clear();
+            self.reset_at = self.now;
+            if self.stays.take().is_some() {
+                self.enter(BRAKE, self.now, None);
+            }
+        }
+        if inputs.task_cycle_ns != 0 && inputs.task_cycle_ns != self.p.cycle_ns {
+            self.stays.get_or_insert(1);
+        }
+        if !inputs.drive_on {
+            self.requests.waiting.clear();
+            self.enter(TO_POSITION, self.now, None);
+            self.v = 0.0;
+        }
+    }
+
+    /// The error of a sample that the state needs and does not have: the state does not change then.
+    fn sample(&mut self, inputs: &Inputs) -> Option<u32> {
+        let Entry { state, origin, .. } = self.current();
+        let p = &self.p;
+        let follows = matches!(state, POSITION | TO_VELOCITY);
+        let is_elsewhere = match state {
+            POSITION => !self.displays(inputs, p.position_mode),
+            VELOCITY => !self.displays(inputs, p.velocity_mode),
+            _ => false,
+        };
+        // The velocity that is put out is the one of the cycle before; no number is not slow.
+        let is_slow = self.v.abs() <= p.v_off && inputs.v_actual.abs() <= self.v.abs() + p.window;
+        if state == BRAKE && !is_slow {
+            self.unsettled_at = self.now;
+        }
+        let is_start = state == TO_POSITION && origin.is_none();
+        let missing = [
+            ((follows || state == VELOCITY) && !is_velocity(inputs.v_interpolator), 14),
+            (follows && !is_position(inputs.x_command), 17),
+            (is_elsewhere, 45),
+            (state == BRAKE && !is_velocity(inputs.v_actual), 23),
+            ((is_start || self.is_settled()) && !is_position(inputs.x_actual), 18),
+        ];
+        missing.into_iter().find_map(|(is_missing, id)| is_missing.then_some(id))
+    }
+
+    /// Half a turn, and the take-over: where the spindle has not followed the interpolator in the cycle before.
+    fn test(&self, inputs: &Inputs) -> Option<u32> {
+        let Entry { state, .. } = self.current();
+        let follows = matches!(state, POSITION | TO_VELOCITY);
+        let steps_too_far = follows && !self.p.in_cnc && inputs.v_interpolator.abs() * self.p.cycle >= 180_000.0;
+        let takes_over = state == POSITION && self.followed_at + 1 < self.now;
+        let step = near(wrap(inputs.x_command) - (self.x + self.v * self.p.cycle));
+        let jumps = takes_over && step.abs() > self.p.takeover_window;
+        if steps_too_far { Some(44) } else { jumps.then_some(46) }
+    }
+
+    /// The time of the state is over.
+    fn overdue(&self, next: Option<i32>) -> Option<u32> {
+        let Entry { state, since, .. } = self.current();
+        let (limit, id) = match state {
+            TO_VELOCITY => (self.p.mode_timeout_cycles, 41),
+            BRAKE => (self.p.brake_timeout_cycles, 42),
+            TO_POSITION => (self.p.mode_timeout_cycles, 43),
+            _ => return None,
+        };
+        (next.is_none() && self.now >= since + u64::from(limit)).then_some(id)
+    }
+
+    /// What the state changes to.
+    fn next(&self, inputs: &Inputs) -> Option<i32> {
+        match self.current().state {
+            POSITION => {
+                let is_fast = self.job.speed.abs() > self.p.v_on && inputs.v_interpolator.abs() >= self.p.v_on;
+                (self.job.kind == Kind::Turn && is_fast && !inputs.reset).then_some(TO_VELOCITY)
+            }
+            TO_VELOCITY => self.displays(inputs, self.p.velocity_mode).then_some(VELOCITY),
+            VELOCITY => {
+                let is_asked_for = self.requests.waiting.front().is_some_and(|request| !request.kind.is_of_velocity());
+                (is_asked_for || self.returns()).then_some(BRAKE)
+            }
+            BRAKE => self.is_settled().then_some(TO_POSITION),
+            _ => self.displays(inputs, self.p.position_mode).then_some(POSITION),
+        }
+    }
+
+    /// The outputs of the state.
+    fn moved(&mut self, inputs: &Inputs) -> Motion {
+        let Entry { state, since, origin } = self.current();
+        let actual = is_position(inputs.x_actual).then_some(inputs.x_actual);
+        match state {
+            POSITION | TO_VELOCITY => {
+                self.followed_at = self.now;
+                Motion { v: inputs.v_interpolator, x: Some(inputs.x_command) }
+            }
+            VELOCITY => Motion { v: inputs.v_interpolator, x: actual },
+            BRAKE => Motion { v: slower(self.v, self.p.v_off, self.p.deceleration * self.p.cycle), x: None },
+            _ if origin.is_none() => Motion { v: self.v, x: actual.or(Some(self.x)) },
+            _ => Motion { v: self.v, x: origin.filter(|_| self.now == since) },
+        }
+    }
+
+    fn ask_for_mode(&mut self) {
+        match self.current().state {
+            TO_VELOCITY => self.mode = self.p.velocity_mode,
+            TO_POSITION => self.mode = self.p.position_mode,
+            _ => {}
+        }
+    }
+
+    /// The job, once the next state is known.
+    fn employ(&mut self, inputs: &Inputs) {
+        let Entry { state: next, .. } = self.current();
+        if !inputs.drive_on || inputs.reset || self.stays.is_some() || next == BRAKE {
+            if self.job.kind != Kind::Stop {
+                self.begin(Request::STOP);
+            }
+            return;
+        }
+        let may_serve = match (next, self.requests.waiting.front()) {
+            (POSITION, _) => true,
+            (VELOCITY, Some(request)) => request.kind.is_of_velocity() && !self.returns(),
+            _ => false,
+        };
+        if may_serve
+            && (self.job.kind.is_of_velocity() || inputs.job_done)
+            && let Some(request) = self.requests.waiting.pop_front()
+        {
+            self.begin(request);
+        }
+    }
+
+    /// Whether there was a reset since velocity control was asked for.
+    fn returns(&self) -> bool {
+        let away = self.log.iter().rfind(|entry| entry.state == TO_VELOCITY);
+        away.is_some_and(|entry| self.reset_at >= entry.since)
+    }
+
+    /// Settled in this cycle and in those before it, in BRAKE.
+    fn is_settled(&self) -> bool {
+        let Entry { state, since, .. } = self.current();
+        state == BRAKE && self.now - self.unsettled_at.max(since - 1) >= SETTLED
+    }
+
+    fn displays(&self, inputs: &Inputs, mode: i32) -> bool {
+        self.p.in_cnc || inputs.operation_mode_display == mode
+    }
+
+    fn current(&self) -> Entry {
+        *self.log.back().expect("the log begins with a state")
+    }
+
+    fn enter(&mut self, state: i32, since: u64, origin: Option<f64>) {
+        self.log.push_back(Entry { state, since, origin });
+        if self.log.len() > 8 {
+            self.log.pop_front();
+        }
+    }
+
+    fn begin(&mut self, request: Request) {
+        self.job = request;
+        self.jobs = self.jobs.wrapping_add(1);
+    }
+}
