@@ -83,7 +83,7 @@ pub struct Drive {
     pub halved: u8,
 }
 
-/// The coefficients: lead time 3 s, a window of U/4 at Voff and of U/2 at the take-over.
+/// The coefficients: lead time 3 s, a window of U/4 around the velocity and of U/2 at the take-over.
 #[must_use]
 pub fn coefficients(in_drive: bool, v_off: f64, v_step: f64) -> Coeffs<f64> {
     Coeffs {
@@ -93,7 +93,7 @@ pub fn coefficients(in_drive: bool, v_off: f64, v_step: f64) -> Coeffs<f64> {
         v_velocity_control_on: V_ON,
         v_position_control_on: v_off,
         v_position_control_on_negative: 0.0 - v_off,
-        v_settled: v_off + U / 4.0,
+        window: U / 4.0,
         v_step,
         v_half_turn: 180_000.0,
         lead_time: 3.0,

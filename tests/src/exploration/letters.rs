@@ -86,19 +86,28 @@ pub const REFUSED: [Letter; 10] = [
     &[Act::M5, Act::Speed(f64::NAN)],
 ];
 
-/// Reset, alone and with what it has to win against.
-pub const RESETS: [Letter; 6] = [
-    RESET,
+/// Reset with what it has to win against, and what wins against it.
+pub const RESETS: [Letter; 8] = [
     &[Act::Reset, Act::M3],
     &[Act::Reset, Act::Off],
+    &[Act::Reset, Act::WrongCycle],
+    &[Act::Reset, Act::Off, Act::WrongCycle],
     &[Act::Reset, Act::Interpolator(f64::NAN)],
     &[Act::Reset, Act::Display(0)],
     &[Act::Reset, Act::Actual(f64::NAN)],
+    &[Act::Reset, Act::Jump(U)],
 ];
 
 /// The drive is off, or the cycle is wrong.
-pub const OFF: [Letter; 4] =
-    [&[Act::Off], &[Act::Off, Act::Position(f64::NAN)], &[Act::WrongCycle], &[Act::Off, Act::M3]];
+pub const OFF: [Letter; 7] = [
+    &[Act::Off],
+    &[Act::Off, Act::Position(f64::NAN)],
+    &[Act::WrongCycle],
+    &[Act::Off, Act::WrongCycle],
+    &[Act::Off, Act::M3],
+    &[Act::Off, Act::M3, Act::M4],
+    &[Act::WrongCycle, Act::M5],
+];
 
 /// Bad samples of each kind.
 pub const SAMPLES: [Letter; 5] = [
@@ -110,8 +119,14 @@ pub const SAMPLES: [Letter; 5] = [
 ];
 
 /// The interpolator does not do its job, or says that it has done it.
-pub const INTERPOLATOR: [Letter; 5] =
-    [&[Act::Hold], &[Act::Jump(U)], &[Act::Interpolator(4.0 * U)], &[Act::Interpolator(3.0 * U)], &[Act::Done]];
+pub const INTERPOLATOR: [Letter; 6] = [
+    &[Act::Hold],
+    &[Act::Jump(U)],
+    &[Act::Jump(U / 2.0)],
+    &[Act::Interpolator(4.0 * U)],
+    &[Act::Interpolator(3.0 * U)],
+    &[Act::Done],
+];
 
 /// The display flickers.
 pub const DISPLAY: [Letter; 3] = [&[Act::Display(0)], &[Act::Display(POSITION_MODE)], &[Act::Display(VELOCITY_MODE)]];

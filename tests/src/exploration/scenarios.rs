@@ -36,8 +36,7 @@ impl Scenario {
     /// Whether a letter can come in a state.
     #[must_use]
     pub fn allows(&self, world: &World, letter: Letter) -> bool {
-        let held = world.block.before;
-        let was_request = held.m3 || held.m4 || held.m5 || held.m19 || held.putax || held.g74;
+        let was_request = world.held.contains(&true) && !world.is_first;
         !is_request(letter) || world.block.queued < self.waiting && (self.is_dense || !was_request)
     }
 }

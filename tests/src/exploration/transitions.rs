@@ -53,8 +53,13 @@ const fn error(from: Node, id: u32) -> Transition {
     Transition { from, to: Node::Stopped, by: By::Error(id) }
 }
 
+/// The error of a wrong cycle, in a cycle in which the drive is off.
+const fn wrong_and_off(from: Node) -> Transition {
+    Transition { from, to: Node::OffStopped, by: By::Error(1) }
+}
+
 /// All transitions.
-pub const TRANSITIONS: [Transition; 26] = [
+pub const TRANSITIONS: [Transition; 43] = [
     t(Node::Off, Node::ToPosition),
     t(Node::ToPosition, Node::Position),
     t(Node::Position, Node::ToVelocity),
@@ -62,6 +67,23 @@ pub const TRANSITIONS: [Transition; 26] = [
     Transition { from: Node::Velocity, to: Node::Brake, by: By::Request },
     Transition { from: Node::Velocity, to: Node::Brake, by: By::Reset },
     t(Node::Brake, Node::ToPosition),
+    error(Node::Off, 1),
+    error(Node::Position, 1),
+    error(Node::ToVelocity, 1),
+    error(Node::Velocity, 1),
+    error(Node::Brake, 1),
+    error(Node::ToPosition, 1),
+    wrong_and_off(Node::Off),
+    wrong_and_off(Node::Position),
+    wrong_and_off(Node::ToVelocity),
+    wrong_and_off(Node::Velocity),
+    wrong_and_off(Node::Brake),
+    wrong_and_off(Node::ToPosition),
+    error(Node::Position, 14),
+    error(Node::ToVelocity, 14),
+    error(Node::Velocity, 14),
+    error(Node::Position, 17),
+    error(Node::ToVelocity, 17),
     error(Node::ToVelocity, 41),
     error(Node::Brake, 42),
     error(Node::ToPosition, 43),
@@ -83,8 +105,9 @@ pub const TRANSITIONS: [Transition; 26] = [
     t(Node::ToPosition, Node::Off),
 ];
 
-/// Transitions that position control in the CNC does not have, and why. It has 41: of samples that stay out of range.
-pub const NOT_IN_CNC: [(Transition, &str); 4] = [
+/// Transitions that position control in the CNC does not have, and why.
+pub const NOT_IN_CNC: [(Transition, &str); 5] = [
+    (error(Node::ToVelocity, 41), "the CNC answers at once"),
     (error(Node::Position, 44), "the CNC counts the turns"),
     (error(Node::ToVelocity, 44), "the CNC counts the turns"),
     (error(Node::Position, 45), "there is no display"),

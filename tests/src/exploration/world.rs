@@ -21,9 +21,17 @@ pub struct World {
     pub waited: u32,
     /// cycles in a row in BRAKE with an actual velocity within the window
     pub settled: u32,
+    /// cycles in a row in which a sample has been missing
+    pub missing: u32,
+    /// m3, m4, m5, m19, putax, g74 of the cycle before
+    pub held: [bool; 6],
+    /// there was no cycle yet
+    pub is_first: bool,
+    /// TO_POSITION has not been entered from BRAKE
+    pub is_start: bool,
     /// a reset came in TO_VELOCITY or VELOCITY, and the spindle has not left them since
     pub was_reset: bool,
-    /// POSITION has not had its first cycle with samples in range
+    /// the take-over is watched: the first cycle of POSITION with all samples, or one behind missing ones
     pub takes_over: bool,
     /// where position control is taken up in the next cycle
     pub x_start: Option<f64>,
@@ -42,16 +50,16 @@ pub struct Edge<'a> {
     pub outputs: Outputs<f64>,
     /// what the block was doing in this cycle
     pub inside: Node,
-    /// drive_on FALSE, or the cycle is wrong
+    /// drive_on FALSE
     pub is_off: bool,
-    /// the transitions of this cycle, at most one to `inside` and one from there
-    pub transitions: [Option<Transition>; 2],
+    /// the transitions of this cycle: by a reset, to `inside`, from there
+    pub transitions: [Option<Transition>; 3],
     /// behind
     pub after: World,
 }
 
 /// By which a state is known again.
-pub type Key = [u8; 40];
+pub type Key = [u8; 44];
 
 impl World {
     /// Before the first cycle.
@@ -59,8 +67,22 @@ impl World {
     pub fn start() -> Self {
         let block = <Spindle as Block<f64>>::state();
         let (drive, node) = (Drive::default(), Node::Off);
-        let (was_reset, takes_over) = (false, false);
-        Self { block, drive, node, last: None, waited: 0, settled: 0, was_reset, takes_over, x_start: None }
+        Self {
+            block,
+            drive,
+            node,
+            last: None,
+            waited: 0,
+            settled: 0,
+            missing: 0,
+            // What is TRUE in the first cycle does not become TRUE.
+            held: [true; 6],
+            is_first: true,
+            is_start: false,
+            was_reset: false,
+            takes_over: false,
+            x_start: None,
+        }
     }
 
     /// A cycle.
@@ -72,24 +94,22 @@ impl World {
         letters::apply(letter, &mut inputs, &self.block);
         let mut outputs = <Spindle as Block<f64>>::outputs();
         <Spindle as Block<f64>>::step(&mut after.block, coeffs, &inputs, &mut outputs);
-        let is_off = !inputs.drive_on || inputs.task_cycle_ns != coeffs.cycle_time_ns;
-        let inside = self.inside(&inputs, is_off);
+        let is_off = !inputs.drive_on;
+        let between = self.between(&inputs);
+        let inside = inside(between, &inputs, coeffs);
         let then = if is_off { inside } else { node_of(&after.block) };
-        let mut edge = Edge { coeffs, before: self, inputs, outputs, inside, is_off, transitions: [None; 2], after };
-        edge.transitions = [edge.transition(self.node, inside), edge.transition(inside, then)];
+        let mut edge = Edge { coeffs, before: self, inputs, outputs, inside, is_off, transitions: [None; 3], after };
+        let ways = [(self.node, between), (between, inside), (inside, then)];
+        edge.transitions = ways.map(|(from, to)| edge.transition(from, to));
         edge.remember(then);
         edge
     }
 
-    /// What the block is doing in this cycle, by docs/spindle.md, (3) to (5).
-    fn inside(&self, inputs: &Inputs<f64>, is_off: bool) -> Node {
-        let is_stopped = matches!(self.node, Node::Stopped | Node::OffStopped);
+    /// What the block is doing behind (2) of docs/spindle.md: a reset ends an error that stays.
+    fn between(&self, inputs: &Inputs<f64>) -> Node {
         match self.node {
-            _ if is_off && is_stopped && !inputs.reset => Node::OffStopped,
-            _ if is_off => Node::Off,
-            _ if is_stopped && inputs.reset => Node::Brake,
-            _ if is_stopped => Node::Stopped,
-            Node::Off => Node::ToPosition,
+            Node::Stopped | Node::OffStopped if inputs.reset && inputs.drive_on => Node::Brake,
+            Node::Stopped | Node::OffStopped if inputs.reset => Node::Off,
             node => node,
         }
     }
@@ -101,15 +121,17 @@ impl World {
     pub fn key(&self, is_absolute: bool, remembers: bool) -> Key {
         let Self { block, drive, .. } = self;
         let is_timed = matches!(self.node, Node::ToVelocity | Node::Brake | Node::ToPosition);
-        let is_first = self.node == Node::ToPosition && block.cycles == 0 && block.preset;
+        let is_first = self.node == Node::ToPosition && block.cycles == 0 && block.is_moving;
+        let is_coasting = matches!(self.node, Node::Position | Node::ToVelocity | Node::Velocity);
         let zero = if is_absolute { 0.0 } else { block.x };
         let place = |x: f64| grains(wrap(x - zero));
-        let flags = [block.asks_velocity, block.returns, block.preset, block.takes_over, drive.is_velocity];
+        let takes_over = block.takes_over && self.node == Node::Position;
+        let flags = [block.asks_velocity, block.returns, block.is_moving, takes_over, drive.is_velocity];
         let flags = flags.into_iter().chain([self.was_reset, self.takes_over, self.x_start.is_some()]);
         let held = block.before;
         let held = [held.m3, held.m4, held.m5, held.m19, held.putax, held.g74];
         let last = TRANSITIONS.iter().position(|one| remembers && Some(*one) == self.last);
-        let mut key = [0; 40];
+        let mut key = [0; 44];
         let mut bytes = vec![
             block.control as u8,
             if is_timed { byte(block.cycles.min(SLOW_BRAKE_CYCLES + 1)) } else { 0 },
@@ -117,6 +139,10 @@ impl World {
             byte(block.lasting_error),
             bits(flags),
             bits(held.into_iter()),
+            bits(self.held.into_iter()),
+            bits([self.is_first, self.is_start].into_iter()),
+            if is_coasting { byte(block.missing) } else { 0 },
+            byte(self.missing),
             place(block.x),
             grains(block.v),
             if is_first { place(block.x_start) } else { 0 },
@@ -148,33 +174,90 @@ impl Edge<'_> {
             (Node::Velocity, Node::Brake) if self.before.was_reset || self.inputs.reset => By::Reset,
             (Node::Velocity, Node::Brake) => By::Request,
             (Node::Stopped | Node::OffStopped, _) => By::Ends,
-            (_, Node::Stopped) => By::Error(self.after.block.lasting_error),
+            (_, Node::Stopped | Node::OffStopped) => By::Error(self.after.block.lasting_error),
             _ => By::Ends,
         };
         (from != to).then_some(Transition { from, to, by })
     }
 
+    /// The error of the sample that the state has missed in this cycle, else 0.
+    #[must_use]
+    pub fn missing(&self) -> u32 {
+        let i = &self.inputs;
+        let is_tracking = matches!(self.inside, Node::Position | Node::ToVelocity);
+        let mode = match self.inside {
+            Node::Position => Some(self.coeffs.position_mode),
+            Node::Velocity => Some(self.coeffs.velocity_mode),
+            _ => None,
+        };
+        match () {
+            () if !is_tracking && self.inside != Node::Velocity => 0,
+            () if !is_number(i.v_interpolator) => 14,
+            () if is_tracking && !is_place(i.x_command) => 17,
+            () if self.coeffs.in_drive && mode.is_some_and(|mode| i.operation_mode_display != mode) => 45,
+            () => 0,
+        }
+    }
+
+    /// Cycles in `inside`, this one included.
+    #[must_use]
+    pub fn cycles(&self) -> u32 {
+        if self.before.node == self.inside { self.before.waited + 1 } else { 1 }
+    }
+
+    /// Cycles in a row in which BRAKE has been settled, this one included.
+    #[must_use]
+    pub fn settled(&self) -> u32 {
+        let v_before = self.before.block.v.abs();
+        let is_slow = v_before <= self.coeffs.v_position_control_on;
+        let is_settled = is_slow && self.inputs.v_actual.abs() <= v_before + self.coeffs.window;
+        let before = if self.before.node == Node::Brake { self.before.settled } else { 0 };
+        if self.inside == Node::Brake && is_settled { before + 1 } else { 0 }
+    }
+
+    /// Whether this cycle is one of TO_POSITION that BRAKE does not precede.
+    #[must_use]
+    pub fn is_start(&self) -> bool {
+        self.inside == Node::ToPosition && (self.before.node == Node::Off || self.before.is_start)
+    }
+
     /// What the rules need in the next cycle.
     fn remember(&mut self, then: Node) {
-        let Self { inputs, outputs, inside, .. } = *self;
-        let (coeffs, after) = (self.coeffs, &mut self.after);
-        let is_new = after.node != inside;
-        let waited = if is_new { 1 } else { after.waited + 1 };
-        let settled = if is_new { 0 } else { after.settled };
-        let is_settled = inside == Node::Brake && inputs.v_actual.abs() <= coeffs.v_settled;
-        let was_reset = inputs.reset || after.was_reset;
-        let is_blind = matches!(outputs.error_id, 14 | 17);
+        let Self { inputs, outputs, inside, coeffs, .. } = *self;
+        let stays = then == inside;
+        let waited = if stays { self.cycles().min(SLOW_BRAKE_CYCLES + 2) } else { 0 };
+        let settled = if stays { self.settled().min(3) } else { 0 };
+        let is_missing = self.missing() != 0;
+        let missing = if is_missing && stays { self.before.missing + 1 } else { 0 };
+        let is_start = self.is_start() && stays;
+        let is_free = |node| matches!(node, Node::ToVelocity | Node::Velocity);
+        let after = &mut self.after;
         after.node = then;
-        after.waited = if then == inside { waited.min(SLOW_BRAKE_CYCLES + 2) } else { 0 };
-        after.settled = if is_settled && then == inside { (settled + 1).min(3) } else { 0 };
-        after.was_reset = was_reset
-            && matches!(inside, Node::ToVelocity | Node::Velocity)
-            && matches!(then, Node::ToVelocity | Node::Velocity);
-        after.takes_over = then == Node::Position && (inside != then || after.takes_over && is_blind);
+        after.waited = waited;
+        after.settled = settled;
+        after.missing = missing;
+        after.held = [inputs.m3, inputs.m4, inputs.m5, inputs.m19, inputs.putax, inputs.g74];
+        after.is_first = false;
+        after.is_start = is_start;
+        after.was_reset = (inputs.reset || after.was_reset) && is_free(inside) && is_free(then);
+        after.takes_over = then == Node::Position && (inside != then || is_missing);
         let leaves = inside == Node::Brake && then == Node::ToPosition;
         after.x_start = leaves.then_some(inputs.x_actual + outputs.v_spindle * coeffs.lead_time);
         after.last = self.transitions.into_iter().flatten().last().or(after.last);
         after.block.jobs = 0;
+    }
+}
+
+/// What the block is doing in this cycle, by docs/spindle.md, (3) and (4), from what it was doing behind (2).
+fn inside(between: Node, inputs: &Inputs<f64>, coeffs: &Coeffs<f64>) -> Node {
+    let is_wrong = inputs.task_cycle_ns != coeffs.cycle_time_ns;
+    let is_stopped = is_wrong || matches!(between, Node::Stopped | Node::OffStopped);
+    match (inputs.drive_on, is_stopped) {
+        (false, true) => Node::OffStopped,
+        (false, false) => Node::Off,
+        (true, true) => Node::Stopped,
+        (true, false) if between == Node::Off => Node::ToPosition,
+        (true, false) => between,
     }
 }
 
@@ -188,6 +271,18 @@ fn node_of(block: &State<f64>) -> Node {
         SpindleState::Brake => Node::Brake,
         SpindleState::ToPosition => Node::ToPosition,
     }
+}
+
+/// Whether a velocity is in range.
+#[must_use]
+pub fn is_number(v: f64) -> bool {
+    v.abs() <= 1e15
+}
+
+/// Whether a position is in range.
+#[must_use]
+pub fn is_place(x: f64) -> bool {
+    x.abs() <= 7e14
 }
 
 /// Whether a job needs no position control.

@@ -17,8 +17,8 @@ pub const V_ON: f64 = 200.0 * RPM;
 /// Voff.
 pub const V_OFF: f64 = 50.0 * RPM;
 
-/// Voff and its window.
-pub const V_SETTLED: f64 = V_OFF * 1.01;
+/// By how much the actual velocity may be above the command where BRAKE ends.
+pub const V_WINDOW: f64 = V_OFF / 100.0;
 
 /// Deceleration * T.
 pub const V_STEP: f64 = 10.0 * RPM;
@@ -65,7 +65,7 @@ impl Bench {
             v_velocity_control_on: V_ON,
             v_position_control_on: V_OFF,
             v_position_control_on_negative: -V_OFF,
-            v_settled: V_SETTLED,
+            window: V_WINDOW,
             v_step: V_STEP,
             v_half_turn: 180_000.0 / T,
             lead_time: LEAD_TIME,
@@ -91,7 +91,7 @@ impl Bench {
         let drive = Self::in_drive().coeffs;
         Self::with(Coeffs {
             in_drive: false,
-            lead_time: 0.060,
+            lead_time: 0.052,
             has_feedforward: true,
             lead_time_per_percent: 0.01 / 20.0,
             position_mode: 0,

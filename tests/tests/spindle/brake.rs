@@ -1,7 +1,7 @@
 //! BRAKE, and TO_POSITION behind it.
 
 use super::bench::{
-    BRAKE_CYCLES, Bench, LEAD_TIME, MODE_CYCLES, POSITION_MODE, RPM, T, V_OFF, V_SETTLED, V_STEP, VELOCITY_MODE,
+    BRAKE_CYCLES, Bench, LEAD_TIME, MODE_CYCLES, POSITION_MODE, RPM, T, V_OFF, V_STEP, V_WINDOW, VELOCITY_MODE,
     assert_angle, wrap,
 };
 use reference::spindle::{Coeffs, Job, SpindleState};
@@ -59,12 +59,12 @@ fn brake_to_to_position_after_three_cycles_in_a_row() {
 
 /// A drive that approaches Voff from above arrives, if it comes into the window.
 #[test]
-fn brake_to_to_position_at_voff_and_its_window_and_not_beyond() {
-    assert_eq!(cycles_in_brake(&[V_SETTLED]), 3);
-    assert_eq!(cycles_in_brake(&[-V_SETTLED]), 3);
+fn brake_to_to_position_within_the_window_and_not_beyond() {
+    assert_eq!(cycles_in_brake(&[V_OFF + V_WINDOW]), 3);
+    assert_eq!(cycles_in_brake(&[-V_OFF - V_WINDOW]), 3);
     assert_eq!(cycles_in_brake(&[60.0 * RPM, 52.0 * RPM, 50.6 * RPM, 50.5 * RPM]), 6);
-    assert_eq!(cycles_in_brake(&[V_SETTLED + 1.0]), BRAKE_CYCLES + 1);
-    assert_eq!(cycles_in_brake(&[-V_SETTLED - 1.0]), BRAKE_CYCLES + 1);
+    assert_eq!(cycles_in_brake(&[V_OFF + V_WINDOW + 1.0]), BRAKE_CYCLES + 1);
+    assert_eq!(cycles_in_brake(&[-V_OFF - V_WINDOW - 1.0]), BRAKE_CYCLES + 1);
 }
 
 #[test]
@@ -72,7 +72,7 @@ fn brake_with_voff_0_stops() {
     let coeffs = Coeffs {
         v_position_control_on: 0.0,
         v_position_control_on_negative: 0.0,
-        v_settled: 100.0,
+        window: 100.0,
         ..Bench::in_drive().coeffs
     };
     let mut bench = Bench::with(coeffs).before_brake(15.0 * RPM);
@@ -114,8 +114,7 @@ fn brake_is_not_left_without_an_actual_position_and_keeps_its_count() {
     assert_eq!((bench.cycle().error_id, bench.next()), (0, SpindleState::ToPosition));
 }
 
-/// CONTRADICTION with the manual, which decelerates to Voff before position control is switched on: an actual velocity that
-/// passes through the window while the command is above Voff, as in a reversal at the current limit, ends BRAKE.
+/// An actual velocity that passes through the window while the command is above Voff, as in a reversal at the current limit.
 #[test]
 fn brake_is_not_left_before_the_command_has_reached_voff() {
     let mut bench = Bench::in_drive().before_brake(500.0 * RPM);
@@ -127,12 +126,60 @@ fn brake_is_not_left_before_the_command_has_reached_voff() {
     }
 }
 
+/// The command of the cycle before: the actual velocity cannot have followed this cycle's.
+#[test]
+fn brake_counts_from_the_cycle_behind_the_one_whose_command_reaches_voff() {
+    let mut bench = Bench::in_drive().before_brake(60.0 * RPM);
+    bench.v_actual = Some(0.0);
+    assert_eq!(bench.cycle().v_spindle, V_OFF);
+    bench.cycles(2);
+    assert_eq!(bench.next(), SpindleState::Brake);
+    bench.cycle();
+    assert_eq!(bench.next(), SpindleState::ToPosition);
+}
+
+/// A spindle that turns while the command is 0 has not arrived, slow as it may be.
+#[test]
+fn brake_compares_the_actual_velocity_with_the_command_and_not_with_voff() {
+    for (v, actual, cycles) in [
+        (0.0, V_WINDOW, 3),
+        (0.0, V_WINDOW + 1.0, BRAKE_CYCLES + 1),
+        (0.0, V_OFF, BRAKE_CYCLES + 1),
+        (-10.0 * RPM, 10.0 * RPM + V_WINDOW, 3),
+        (10.0 * RPM, -10.0 * RPM - V_WINDOW - 1.0, BRAKE_CYCLES + 1),
+    ] {
+        let mut bench = Bench::in_drive().before_brake(v);
+        bench.v_actual = Some(actual);
+        bench.cycles(cycles - 1);
+        assert_eq!((bench.next(), bench.outputs.error_id), (SpindleState::Brake, 0));
+        let error = bench.cycle().error_id;
+        assert_eq!(error, if cycles == 3 { 0 } else { 42 }, "{v} {actual}");
+        assert_eq!(bench.next(), if cycles == 3 { SpindleState::ToPosition } else { SpindleState::Brake });
+    }
+}
+
+#[test]
+fn brake_without_actual_values_for_too_long_is_error_42() {
+    for (x, v, id) in [(f64::NAN, 0.0, 18), (0.0, f64::NAN, 23)] {
+        let mut bench = Bench::in_drive().before_brake(V_OFF);
+        (bench.x_actual, bench.v_actual) = (Some(x), Some(v));
+        assert_eq!((bench.cycles(BRAKE_CYCLES).error_id, bench.cycle().error_id), (id, 42));
+    }
+}
+
 #[test]
 fn to_position_begins_with_the_formula() {
-    for (sign, percentage, lead) in [(1.0, None, LEAD_TIME), (-1.0, None, LEAD_TIME), (1.0, Some(100), 0.010)] {
+    for (sign, percentage, lead) in [
+        (1.0, None, LEAD_TIME),
+        (-1.0, None, LEAD_TIME),
+        (1.0, Some(0), 0.052),
+        (1.0, Some(50), 0.027),
+        (1.0, Some(100), T),
+    ] {
         let bench = if percentage.is_some() { Bench::in_cnc() } else { Bench::in_drive() };
         let mut bench = bench.before_brake(sign * V_OFF);
         bench.inputs.feedforward_active = true;
+        bench.inputs.feedforward_percentage = percentage.unwrap_or(100);
         bench.cycles(2);
         bench.x_actual = Some(359_000.0);
         let v = bench.cycle().v_spindle;
@@ -191,6 +238,6 @@ fn to_position_begins_the_job_that_waits_for_the_first_cycle_of_position() {
     bench.with_inputs(|i| (i.m19, i.m4, i.s_word, i.s_position) = (true, true, 50.0 * RPM, 90_000.0));
     assert_eq!(bench.until_next(SpindleState::ToPosition).job, Job::Stop);
     let o = bench.until_next(SpindleState::Position);
-    assert_eq!((o.spindle_state, o.job, o.waiting), (SpindleState::ToPosition, Job::Position, 0));
+    assert_eq!((o.spindle_state, o.job, o.waiting), (SpindleState::ToPosition, Job::Orient, 0));
     assert_eq!((o.job_speed, o.job_position), (-50.0 * RPM, 90_000.0));
 }

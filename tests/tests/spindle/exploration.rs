@@ -100,7 +100,7 @@ fn only_listed_transitions_happen() {
 }
 
 #[test]
-fn state_fault_and_loop_closed_say_what_is() {
+fn spindle_state_and_loop_closed_say_what_is() {
     assert_kept(Rule::Shown);
 }
 
@@ -135,8 +135,23 @@ fn the_first_position_command_behind_brake_is_the_formulas() {
 }
 
 #[test]
-fn the_first_step_of_position_is_within_the_window() {
+fn the_step_at_the_take_over_is_within_the_window() {
     assert_kept(Rule::TakeOver);
+}
+
+#[test]
+fn three_cycles_without_a_sample_are_coasted_and_the_fourth_stops() {
+    assert_kept(Rule::Coasts);
+}
+
+#[test]
+fn an_error_that_stays_begins_where_it_is_said() {
+    assert_kept(Rule::Lasts);
+}
+
+#[test]
+fn the_error_of_a_cycle_is_the_first_of_its_errors() {
+    assert_kept(Rule::Errors);
 }
 
 #[test]
@@ -145,7 +160,7 @@ fn a_state_that_waits_ends_within_its_time() {
 }
 
 #[test]
-fn brake_ends_after_three_cycles_within_the_window() {
+fn brake_ends_after_three_settled_cycles() {
     assert_kept(Rule::Settled);
 }
 
@@ -165,7 +180,7 @@ fn brake_begins_for_a_request_or_a_reset_alone() {
 }
 
 #[test]
-fn a_reset_clears_the_queue_and_stops_the_job() {
+fn a_reset_and_drive_off_clear_the_queue_and_stop_the_job() {
     assert_kept(Rule::ResetClears);
 }
 

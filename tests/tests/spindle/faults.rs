@@ -1,7 +1,7 @@
 //! Errors that stay: what they do, how long they stay, and what a reset makes of them.
 
 use super::bench::{BRAKE_CYCLES, Bench, MODE_CYCLES, POSITION_MODE, RPM, T, V_OFF, V_STEP, VELOCITY_MODE, wrap};
-use reference::spindle::{Job, SpindleState};
+use reference::spindle::{Inputs, Job, SpindleState};
 
 /// A bench in each error: the id, the state in which it came, and the bench behind that cycle.
 fn failed() -> Vec<(u32, SpindleState, Bench)> {
@@ -34,10 +34,27 @@ fn failed() -> Vec<(u32, SpindleState, Bench)> {
             fail(Bench::in_drive().before_to_position(), Some(VELOCITY_MODE), MODE_CYCLES + 1),
         ),
         (44, SpindleState::ToVelocity, half_turn),
-        (45, SpindleState::Position, fail(Bench::in_drive().before_takeover(), Some(VELOCITY_MODE), 1)),
-        (45, SpindleState::Velocity, fail(Bench::in_drive().fast(1000.0 * RPM), Some(POSITION_MODE), 1)),
+        (45, SpindleState::Position, fail(Bench::in_drive().before_takeover(), Some(VELOCITY_MODE), 4)),
+        (45, SpindleState::Velocity, fail(Bench::in_drive().fast(1000.0 * RPM), Some(POSITION_MODE), 4)),
         (46, SpindleState::Position, takeover),
     ];
+    for (state, at) in [
+        (SpindleState::Position, Bench::before_takeover as fn(Bench) -> Bench),
+        (SpindleState::ToVelocity, Bench::before_to_velocity),
+        (SpindleState::Velocity, |bench| bench.fast(1000.0 * RPM)),
+    ] {
+        let mut blind = at(Bench::in_drive());
+        blind.v = f64::NAN;
+        benches.push((14, state, fail(blind, None, 4)));
+        let mut wrong = at(Bench::in_drive());
+        wrong.with_inputs(|i| i.task_cycle_ns = 1);
+        benches.push((1, state, wrong));
+        if state != SpindleState::Velocity {
+            let mut blind = at(Bench::in_drive());
+            blind.x_command = Some(f64::NAN);
+            benches.push((17, state, fail(blind, None, 4)));
+        }
+    }
     for (id, state, bench) in &mut benches {
         assert_eq!((bench.outputs.error_id, bench.outputs.spindle_state), (*id, *state));
         (bench.v, bench.x_command) = (0.0, None);
@@ -122,4 +139,29 @@ fn brake_behind_an_error_ends_with_the_formula() {
         let x = wrap(77_000.0 + o.v_spindle * bench.coeffs.lead_time);
         assert_eq!((o.spindle_state, o.x_spindle), (SpindleState::ToPosition, x), "{id}");
     }
+}
+
+#[test]
+fn a_wrong_cycle_replaces_no_error_that_stays() {
+    for (id, _, mut bench) in failed() {
+        assert_eq!(bench.with_inputs(|i| i.task_cycle_ns = 1_000_000).error_id, id);
+        assert_eq!(bench.cycle().error_id, id);
+    }
+}
+
+/// The error that stays, else that of a sample, else that of a request.
+#[test]
+fn the_error_of_a_request_is_shown_behind_all_others() {
+    for (id, _, mut bench) in failed() {
+        assert_eq!(bench.with_inputs(|i| (i.m3, i.m4) = (true, true)).error_id, id);
+    }
+    let mut bench = Bench::in_drive().at_rest();
+    bench.v = f64::NAN;
+    assert_eq!(bench.with_inputs(|i| (i.m3, i.m4) = (true, true)).error_id, 14);
+    bench.v = 0.0;
+    bench.cycle();
+    assert_eq!(bench.with_inputs(|i| (i.m3, i.m4) = (true, true)).error_id, 32);
+    bench.x_actual = Some(f64::NAN);
+    let off = |i: &mut Inputs<f64>| (i.drive_on, i.m5) = (false, true);
+    assert_eq!(bench.with_inputs(off).error_id, 18);
 }

@@ -10,7 +10,6 @@ fn resynchronised(x: f64, v: f64, lead_time: f64) -> f64 {
         lead_time,
         v_position_control_on: 1e9,
         v_position_control_on_negative: -1e9,
-        v_settled: 1.01e9,
         ..Bench::in_drive().coeffs
     };
     let mut bench = Bench::with(coeffs).before_brake(v * 1000.0);
@@ -57,7 +56,6 @@ fn the_lag_in_the_cnc_is_60_deg_without_feedforward_and_30_deg_with_50_percent()
             lead_time: 1.0 / 20.0,
             default_active: is_default,
             v_position_control_on: V_ON,
-            v_settled: V_ON,
             ..Bench::in_cnc().coeffs
         };
         let mut bench = Bench::with(coeffs);
@@ -148,13 +146,43 @@ fn a_drive_that_takes_up_position_control_by_the_formula_keeps_its_velocity() {
     }
 }
 
-/// CONTRADICTION with 0 <= x_spindle < 360 000: the number of turns does not fit an integer of 32 bits. All samples are in range;
-/// Kv is 10/s.
+/// With position control in the CNC: 50 rpm, Kv 100/s, T 2 ms, Nd 4. The drive goes on at 300 deg/s.
+#[test]
+fn the_first_closed_cycle_in_the_cnc_asks_for_300_deg_per_s_and_with_nd_in_the_formula_for_540() {
+    const KV: f64 = 100.0;
+    for (lead_time, expected) in [(T + 1.0 / KV, 300_000.0), (lead_time(4.0, T, 0.0, KV), 540_000.0)] {
+        let coeffs = Coeffs { lead_time, has_feedforward: false, ..Bench::in_cnc().coeffs };
+        let mut bench = Bench::with(coeffs).before_brake(V_OFF);
+        let mut x_actual = 10_000.0;
+        while bench.outputs.spindle_state != SpindleState::ToPosition {
+            x_actual += V_OFF * T;
+            bench.x_actual = Some(x_actual);
+            bench.cycle();
+        }
+        let lag = wrap(bench.outputs.x_spindle - x_actual + 180_000.0) - 180_000.0;
+        assert!((KV * lag - expected).abs() < 1e-3, "{lag}");
+    }
+}
+
+/// The number of turns must fit an integer of 32 bits.
 #[test]
 fn x_spindle_is_within_a_turn_at_the_limits_of_all_samples() {
-    let coeffs = Coeffs { lead_time: lead_time(4.0, T, 0.0, 10.0), ..Bench::in_drive().coeffs };
-    let mut bench = Bench::with(coeffs).before_brake(1e15);
-    (bench.x_actual, bench.v_actual) = (Some(7e14), Some(0.0));
-    let o = bench.cycles(4);
-    assert!((0.0..360_000.0).contains(&o.x_spindle), "{o:?}");
+    for sign in [1.0, -1.0] {
+        let mut bench = Bench::in_cnc().at_rest();
+        bench.x_command = Some(sign * 7e14);
+        let mut found = vec![bench.cycle()];
+        let mut bench = Bench::in_drive().fast(sign * 1e15);
+        bench.x_actual = Some(sign * 7e14);
+        found.push(bench.cycle());
+        bench.x_actual = Some(f64::NAN);
+        found.push(bench.cycle());
+        let mut bench = Bench::in_drive().before_brake(sign * 1e15);
+        found.push(bench.cycle());
+        let mut bench = Bench::in_drive().before_brake(sign * V_OFF);
+        bench.x_actual = Some(sign * 7e14);
+        found.extend([bench.until(SpindleState::ToPosition), bench.cycle()]);
+        for o in found {
+            assert!((0.0..360_000.0).contains(&o.x_spindle) && o.error_id == 0, "{o:?}");
+        }
+    }
 }

@@ -69,7 +69,7 @@ fn position_is_not_left_for_m19_faster_than_von() {
         assert_eq!(bench.with_inputs(|i| i.m19 = true).job_speed, 500.0 * RPM);
         bench.v = 500.0 * RPM;
         let o = bench.cycles(100);
-        assert_eq!((o.spindle_state, o.job, o.error_id), (SpindleState::Position, Job::Position, 0));
+        assert_eq!((o.spindle_state, o.job, o.error_id), (SpindleState::Position, Job::Orient, 0));
     }
 }
 
@@ -116,26 +116,105 @@ fn position_does_not_look_at_actual_values() {
 }
 
 #[test]
-fn position_in_another_mode_is_error_45() {
+fn position_in_another_mode_is_a_missing_sample_with_error_45() {
     let mut bench = Bench::in_drive().at_rest();
-    bench.display = Some(VELOCITY_MODE);
+    bench.v = 100.0 * RPM;
+    let old = bench.cycle();
+    (bench.v, bench.display) = (101.0 * RPM, Some(VELOCITY_MODE));
     let o = bench.cycle();
     assert_eq!((o.error_id, o.spindle_state, o.loop_closed), (45, SpindleState::Position, false));
+    assert_eq!((o.v_spindle, o.x_spindle), (old.v_spindle, wrap(old.x_spindle + old.v_spindle * T)));
     let mut bench = Bench::in_cnc().at_rest();
     bench.display = Some(VELOCITY_MODE);
     assert_eq!(bench.cycle().error_id, 0, "nothing is displayed with position control in the CNC");
 }
 
-/// The same before the tests of the display and of the take-over.
+/// A cycle in which a sample is missing.
+fn lack(bench: &mut Bench, id: u32) {
+    let (v, x_command, display) = (bench.v, bench.x_command, bench.display);
+    match id {
+        14 => bench.v = f64::NAN,
+        17 => bench.x_command = Some(f64::INFINITY),
+        _ => bench.display = Some(VELOCITY_MODE),
+    }
+    bench.cycle();
+    (bench.v, bench.x_command, bench.display) = (v, x_command, display);
+}
+
 #[test]
-fn position_tests_the_half_turn_first_and_the_display_next() {
-    let mut bench = Bench::in_drive().before_takeover();
-    (bench.x_command, bench.display) = (Some(bench.outputs.x_spindle + 90_000.0), Some(0));
-    bench.v = 15_000.0 * RPM;
-    assert_eq!(bench.cycle().error_id, 44);
-    let mut bench = Bench::in_drive().before_takeover();
-    (bench.x_command, bench.display) = (Some(bench.outputs.x_spindle + 90_000.0), Some(0));
+fn the_fourth_cycle_of_position_without_a_sample_stops() {
+    for id in [14, 17, 45] {
+        let mut bench = Bench::in_drive().at_rest();
+        bench.v = 100.0 * RPM;
+        bench.cycle();
+        for _ in 0..3 {
+            lack(&mut bench, id);
+            assert_eq!((bench.outputs.error_id, bench.outputs.v_spindle), (id, 100.0 * RPM));
+        }
+        lack(&mut bench, id);
+        assert_eq!((bench.outputs.error_id, bench.outputs.v_spindle), (id, 90.0 * RPM));
+        assert_eq!((bench.cycle().error_id, bench.outputs.v_spindle), (id, 80.0 * RPM), "it stays");
+    }
+}
+
+/// The error is the fourth one's, whichever sample the others have missed.
+#[test]
+fn missing_samples_of_different_kinds_are_counted_together() {
+    let mut bench = Bench::in_drive().at_rest();
+    for id in [14, 17, 45, 17] {
+        lack(&mut bench, id);
+    }
+    assert_eq!((bench.outputs.error_id, bench.cycle().error_id), (17, 17));
+}
+
+#[test]
+fn a_cycle_of_position_with_all_samples_counts_anew() {
+    let mut bench = Bench::in_drive().at_rest();
+    for _ in 0..3 {
+        for id in [14, 17, 45] {
+            lack(&mut bench, id);
+        }
+        let o = bench.cycle();
+        assert_eq!((o.error_id, o.loop_closed), (0, true));
+    }
+}
+
+#[test]
+fn the_step_of_position_behind_missing_samples_is_looked_at() {
+    for id in [14, 17, 45] {
+        for (off, error) in [(0.999 * WINDOW, 0), (1.001 * WINDOW, 46), (180_000.0, 46)] {
+            let mut bench = Bench::in_drive().at_rest();
+            bench.v = 100.0 * RPM;
+            bench.cycle();
+            lack(&mut bench, id);
+            bench.x_command = Some(bench.outputs.x_spindle + bench.outputs.v_spindle * T + off);
+            assert_eq!(bench.cycle().error_id, error, "{id} {off}");
+        }
+    }
+}
+
+#[test]
+fn loop_closed_does_not_depend_on_a_refused_request() {
+    let mut bench = Bench::in_drive().at_rest();
+    let o = bench.with_inputs(|i| (i.m3, i.m4) = (true, true));
+    assert_eq!((o.error_id, o.fault, o.loop_closed), (32, true, true));
+}
+
+/// Missing samples, then the half turn, then the take-over.
+#[test]
+fn position_looks_at_its_samples_first_and_at_the_half_turn_next() {
+    let far = || {
+        let mut bench = Bench::in_drive().before_takeover();
+        (bench.v, bench.x_command) = (15_000.0 * RPM, Some(bench.outputs.x_spindle + 90_000.0));
+        bench
+    };
+    let mut bench = far();
+    bench.display = Some(0);
     assert_eq!(bench.cycle().error_id, 45);
+    assert_eq!(far().cycle().error_id, 44);
+    let mut bench = far();
+    bench.v = 0.0;
+    assert_eq!(bench.cycle().error_id, 46);
 }
 
 #[test]

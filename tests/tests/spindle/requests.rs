@@ -14,7 +14,7 @@ fn each_request_is_its_job() {
     assert_eq!(of(asked(|i| i.m3 = true)), (Job::Turn, 1000.0 * RPM, 0.0, 1, 0));
     assert_eq!(of(asked(|i| i.m4 = true)), (Job::Turn, -1000.0 * RPM, 0.0, 1, 0));
     assert_eq!(of(asked(|i| i.m5 = true)), (Job::Stop, 0.0, 0.0, 1, 0));
-    assert_eq!(of(asked(|i| i.m19 = true)), (Job::Position, 1000.0 * RPM, 180_000.0, 1, 0));
+    assert_eq!(of(asked(|i| i.m19 = true)), (Job::Orient, 1000.0 * RPM, 180_000.0, 1, 0));
     assert_eq!(of(asked(|i| i.putax = true)), (Job::Release, 0.0, 0.0, 1, 0));
     assert_eq!(of(asked(|i| i.g74 = true)), (Job::Home, 0.0, 0.0, 1, 0));
 }
@@ -29,8 +29,8 @@ fn the_sign_of_the_s_word_does_not_matter() {
 #[test]
 fn m3_and_m4_are_the_direction_of_m19() {
     let of = |o: Outputs<f64>| (o.job, o.job_speed, o.waiting, o.error_id);
-    assert_eq!(of(asked(|i| (i.m19, i.m4) = (true, true))), (Job::Position, -1000.0 * RPM, 0, 0));
-    assert_eq!(of(asked(|i| (i.m19, i.m3) = (true, true))), (Job::Position, 1000.0 * RPM, 0, 0));
+    assert_eq!(of(asked(|i| (i.m19, i.m4) = (true, true))), (Job::Orient, -1000.0 * RPM, 0, 0));
+    assert_eq!(of(asked(|i| (i.m19, i.m3) = (true, true))), (Job::Orient, 1000.0 * RPM, 0, 0));
 }
 
 #[test]
@@ -49,7 +49,7 @@ fn a_request_counts_once_when_it_becomes_true() {
 fn of_two_requests_the_one_of_higher_priority_counts_and_the_other_is_error_31() {
     let set: [fn(&mut Inputs<f64>); 5] =
         [|i| i.g74 = true, |i| i.putax = true, |i| i.m19 = true, |i| i.m5 = true, |i| i.m3 = true];
-    let jobs = [Job::Home, Job::Release, Job::Position, Job::Stop, Job::Turn];
+    let jobs = [Job::Home, Job::Release, Job::Orient, Job::Stop, Job::Turn];
     for high in 0..set.len() {
         for low in high + 1..set.len() {
             let o = asked(|i| {
@@ -107,7 +107,66 @@ fn the_fifth_request_that_waits_is_error_35() {
 }
 
 #[test]
-fn a_refused_request_is_lost() {
+fn a_request_with_the_drive_off_is_error_36() {
+    let requests: [fn(&mut Inputs<f64>); 6] =
+        [|i| i.m3 = true, |i| i.m4 = true, |i| i.m5 = true, |i| i.m19 = true, |i| i.putax = true, |i| i.g74 = true];
+    for ask in requests {
+        let mut bench = Bench::in_drive().at_rest();
+        bench.inputs.drive_on = false;
+        let o = bench.with_inputs(ask);
+        assert_eq!((o.error_id, o.waiting, o.job_number), (36, 0, 0));
+        assert_eq!(bench.cycle().error_id, 0, "this cycle's error");
+    }
+}
+
+/// In the order of the page: 32, 33, 34, 36, 35; and 31 only for those beside a request that is not refused.
+#[test]
+fn a_request_is_refused_for_the_first_reason() {
+    let full = || {
+        let mut bench = Bench::in_drive().before_brake(1000.0 * RPM);
+        for _ in 0..3 {
+            bench.with_inputs(|i| i.m5 = true);
+            bench.cycle();
+        }
+        assert_eq!(bench.outputs.waiting, 4);
+        bench
+    };
+    let bad: [fn(&mut Inputs<f64>); 5] = [
+        |i| (i.m3, i.m4) = (true, true),
+        |i| i.s_word = f64::NAN,
+        |i| i.s_position = f64::NAN,
+        |i| i.drive_on = false,
+        |_| (),
+    ];
+    for (first, id) in [32, 33, 34, 36, 35].into_iter().enumerate() {
+        let o = full().with_inputs(|i| {
+            (i.m19, i.m5) = (true, true);
+            bad[first..].iter().for_each(|spoil| spoil(i));
+        });
+        assert_eq!(o.error_id, id);
+    }
+}
+
+#[test]
+fn a_refused_request_is_lost_and_so_are_the_others_of_its_cycle() {
+    for change in [
+        (|i: &mut Inputs<f64>| i.s_position = f64::NAN) as fn(&mut Inputs<f64>),
+        |i| i.s_word = f64::NAN,
+        |i| (i.m3, i.m4) = (true, true),
+    ] {
+        let mut bench = Bench::in_drive().at_rest();
+        let o = bench.with_inputs(|i| {
+            (i.m19, i.m5) = (true, true);
+            change(i);
+        });
+        assert!(matches!(o.error_id, 32..=34));
+        let o = bench.cycles(3);
+        assert_eq!((o.job_number, o.waiting, o.error_id), (0, 0, 0));
+    }
+}
+
+#[test]
+fn a_request_beside_one_of_higher_priority_is_lost() {
     let mut bench = Bench::in_drive().at_rest();
     bench.with_inputs(|i| (i.m3, i.m5) = (true, true));
     let o = bench.cycles(3);
@@ -124,7 +183,7 @@ fn requests_are_served_in_their_order_and_a_turn_during_brake_waits_for_m19() {
     bench.until_next(SpindleState::Position);
     bench.v = bench.outputs.v_spindle;
     let o = bench.cycles(50);
-    assert_eq!((o.job, o.waiting), (Job::Position, 2), "until it has been done");
+    assert_eq!((o.job, o.waiting), (Job::Orient, 2), "until it has been done");
     let o = bench.with_inputs(|i| i.job_done = true);
     assert_eq!((o.job, o.waiting), (Job::Turn, 1));
     assert_eq!((bench.cycle().job, bench.outputs.waiting), (Job::Stop, 0), "one a cycle");

@@ -1,7 +1,7 @@
 //! Resets: one wins against everything else.
 
 use super::bench::{Bench, MODE_CYCLES, POSITION_MODE, RPM, V_STEP, VELOCITY_MODE};
-use reference::spindle::{Job, SpindleState};
+use reference::spindle::{Inputs, Job, SpindleState};
 
 #[test]
 fn a_reset_clears_what_waits_and_makes_stop_the_job_in_its_cycle() {
@@ -39,8 +39,6 @@ fn a_reset_in_position_stays_there() {
     assert_eq!((o.spindle_state, o.job, bench.next()), (SpindleState::Position, Job::Stop, SpindleState::Position));
 }
 
-/// CONTRADICTION: (4) ends the job before (6) looks at it, but the block looks at the old job, and forgets the reset: the
-/// spindle goes to VELOCITY and stays.
 #[test]
 fn a_reset_in_the_cycle_that_would_leave_position_stays_there() {
     for bench in Bench::both() {
@@ -90,8 +88,7 @@ fn a_turn_during_brake_behind_a_reset_is_served() {
     assert_eq!((bench.outputs.job, bench.outputs.waiting), (Job::Turn, 0));
 }
 
-/// CONTRADICTION: the request is served in VELOCITY, which the reset before it ends in the next cycle, and is lost without an
-/// error. Only a reset behind it may clear it.
+/// It waits until POSITION. Only a reset behind it may clear it.
 #[test]
 fn a_turn_in_to_velocity_behind_a_reset_is_not_lost() {
     for bench in Bench::both() {
@@ -107,8 +104,7 @@ fn a_turn_in_to_velocity_behind_a_reset_is_not_lost() {
     }
 }
 
-/// CONTRADICTION: the reset in TO_VELOCITY is remembered beyond the error that follows and the next reset, and ends the next
-/// M3 as soon as it is in VELOCITY.
+/// A reset that ends an error ends what an older one wanted.
 #[test]
 fn a_reset_before_an_error_does_not_end_a_later_turn() {
     let mut bench = Bench::in_drive().before_to_velocity();
@@ -128,12 +124,14 @@ fn a_reset_before_an_error_does_not_end_a_later_turn() {
     assert_eq!((o.spindle_state, o.job), (SpindleState::Velocity, Job::Turn));
 }
 
-/// CONTRADICTION: the same when the drive leaves its mode in the cycle of the reset.
+/// The same when the error comes in the cycle of the reset.
 #[test]
 fn a_reset_in_the_cycle_of_an_error_does_not_end_a_later_turn() {
     let mut bench = Bench::in_drive().fast(1000.0 * RPM);
     bench.display = Some(POSITION_MODE);
+    bench.cycles(3);
     assert_eq!(bench.with_inputs(|i| i.reset = true).error_id, 45);
+    assert_eq!(bench.outputs.v_spindle, 1000.0 * RPM - V_STEP);
     bench.display = None;
     bench.with_inputs(|i| i.reset = true);
     bench.until_next(SpindleState::Position);
@@ -146,16 +144,48 @@ fn a_reset_in_the_cycle_of_an_error_does_not_end_a_later_turn() {
     assert_eq!((o.spindle_state, o.job), (SpindleState::Velocity, Job::Turn));
 }
 
-/// CONTRADICTION with "reset always wins": without an interpolator the spindle turns on at its velocity, reset or not. BRAKE needs
-/// nothing of the interpolator.
+/// The reset is a level: it ends the error of the fourth cycle without a sample, and BRAKE needs nothing of the interpolator.
 #[test]
 fn a_reset_in_velocity_brakes_without_an_interpolator() {
     for bench in Bench::both() {
         let mut bench = bench.fast(1000.0 * RPM);
         bench.v = f64::NAN;
         bench.inputs.reset = true;
-        bench.cycles(3);
-        assert_eq!(bench.outputs.spindle_state, SpindleState::Brake);
-        assert!(bench.outputs.v_spindle < 1000.0 * RPM);
+        let o = bench.cycles(3);
+        assert_eq!((o.spindle_state, o.error_id, o.v_spindle), (SpindleState::Velocity, 14, 1000.0 * RPM));
+        assert_eq!(bench.cycle().v_spindle, 1000.0 * RPM - V_STEP);
+        let o = bench.cycle();
+        assert_eq!((o.spindle_state, o.error_id), (SpindleState::Brake, 0));
+        assert_eq!(o.v_spindle, 1000.0 * RPM - 2.0 * V_STEP);
     }
+}
+
+/// A reset in VELOCITY that a missing sample delays: what is asked for behind it waits for POSITION.
+#[test]
+fn nothing_is_served_in_velocity_while_a_reset_is_remembered() {
+    for bench in Bench::both() {
+        let mut bench = bench.fast(1000.0 * RPM);
+        bench.v = f64::NAN;
+        let o = bench.with_inputs(|i| i.reset = true);
+        assert_eq!((o.job, o.error_id), (Job::Stop, 14));
+        let o = bench.with_inputs(|i| (i.m4, i.s_word) = (true, 100.0 * RPM));
+        assert_eq!((o.spindle_state, o.job, o.waiting), (SpindleState::Velocity, Job::Stop, 1));
+        bench.v = 1000.0 * RPM;
+        let o = bench.cycle();
+        assert_eq!((o.job, o.waiting, bench.next()), (Job::Stop, 1, SpindleState::Brake));
+        bench.until_next(SpindleState::Position);
+        assert_eq!((bench.outputs.job, bench.outputs.job_speed), (Job::Turn, -100.0 * RPM));
+    }
+}
+
+/// (3) is behind (2): the spindle is in BRAKE, and stops there.
+#[test]
+fn a_reset_in_a_wrong_cycle_ends_an_error_and_error_1_stays() {
+    let mut bench = Bench::in_drive().before_to_velocity();
+    bench.display = Some(POSITION_MODE);
+    assert_eq!(bench.cycles(MODE_CYCLES + 1).error_id, 41);
+    let wrong = |i: &mut Inputs<f64>| (i.reset, i.task_cycle_ns) = (true, 1);
+    let o = bench.with_inputs(wrong);
+    assert_eq!((o.error_id, o.spindle_state, o.v_spindle), (1, SpindleState::Brake, 1000.0 * RPM - 2.0 * V_STEP));
+    assert_eq!((bench.cycle().error_id, bench.next()), (1, SpindleState::Brake));
 }

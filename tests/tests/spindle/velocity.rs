@@ -66,15 +66,44 @@ fn to_velocity_without_a_sample_goes_on_with_its_id() {
     }
 }
 
-/// CONTRADICTION: the page lets the time run, and says in which cycle error 41 comes.
 #[test]
-fn to_velocity_without_samples_is_error_41_behind_its_time() {
-    for bench in Bench::both() {
-        let mut bench = bench.before_to_velocity();
-        bench.v = f64::NAN;
-        assert_eq!(bench.cycles(MODE_CYCLES).error_id, 14);
-        assert_eq!(bench.cycle().error_id, 41);
+fn the_fourth_cycle_of_to_velocity_without_a_sample_stops() {
+    for (v, x, id) in [(f64::NAN, 0.0, 14), (1000.0 * RPM, f64::NAN, 17)] {
+        for bench in Bench::both() {
+            let mut bench = bench.before_to_velocity();
+            (bench.v, bench.x_command) = (v, Some(x));
+            let o = bench.cycles(3);
+            assert_eq!((o.error_id, o.v_spindle), (id, 1000.0 * RPM));
+            let o = bench.cycle();
+            assert_eq!((o.error_id, o.v_spindle, o.job), (id, 1000.0 * RPM - V_STEP, Job::Stop));
+            assert_eq!((o.spindle_state, o.operation_mode), (SpindleState::ToVelocity, bench.coeffs.velocity_mode));
+            (bench.v, bench.x_command) = (0.0, None);
+            assert_eq!(bench.cycle().error_id, id, "it stays");
+        }
     }
+}
+
+/// The time runs in cycles without a sample, but error 41 needs one with all samples.
+#[test]
+fn the_time_of_to_velocity_runs_without_samples_and_is_over_with_them() {
+    for (display, error, next) in
+        [(POSITION_MODE, 41, SpindleState::ToVelocity), (VELOCITY_MODE, 0, SpindleState::Velocity)]
+    {
+        let mut bench = Bench::in_drive().before_to_velocity();
+        bench.display = Some(POSITION_MODE);
+        assert_eq!(bench.cycles(MODE_CYCLES - 1).error_id, 0);
+        bench.v = f64::NAN;
+        assert_eq!(bench.cycles(3).error_id, 14);
+        (bench.v, bench.display) = (1000.0 * RPM, Some(display));
+        assert_eq!((bench.cycle().error_id, bench.next()), (error, next));
+    }
+}
+
+#[test]
+fn to_velocity_at_half_a_turn_a_cycle_is_error_44_before_its_answer() {
+    let mut bench = Bench::in_drive().before_to_velocity();
+    (bench.v, bench.display) = (15_000.0 * RPM, Some(VELOCITY_MODE));
+    assert_eq!((bench.cycle().error_id, bench.next()), (44, SpindleState::ToVelocity));
 }
 
 #[test]
@@ -109,11 +138,17 @@ fn velocity_without_an_actual_position_goes_on_from_its_own_without_an_error() {
 }
 
 #[test]
-fn velocity_without_the_interpolators_velocity_goes_on_with_error_14() {
-    let mut bench = Bench::in_drive().fast(1000.0 * RPM);
-    bench.v = f64::NAN;
-    let o = bench.cycle();
-    assert_eq!((o.error_id, o.v_spindle, bench.next()), (14, 1000.0 * RPM, SpindleState::Velocity));
+fn velocity_without_the_interpolators_velocity_goes_on_with_error_14_and_the_fourth_stops() {
+    for bench in Bench::both() {
+        let mut bench = bench.fast(1000.0 * RPM);
+        bench.v = f64::NAN;
+        let o = bench.cycles(3);
+        assert_eq!((o.error_id, o.v_spindle, bench.next()), (14, 1000.0 * RPM, SpindleState::Velocity));
+        let o = bench.cycle();
+        assert_eq!((o.error_id, o.v_spindle, o.job), (14, 1000.0 * RPM - V_STEP, Job::Stop));
+        bench.v = 1000.0 * RPM;
+        assert_eq!(bench.cycle().error_id, 14, "it stays");
+    }
 }
 
 #[test]
@@ -125,13 +160,46 @@ fn velocity_has_no_limit_of_half_a_turn() {
 }
 
 #[test]
-fn velocity_in_another_mode_is_error_45() {
+fn velocity_in_another_mode_is_a_missing_sample_with_error_45_and_the_fourth_stops() {
     for display in [POSITION_MODE, 0] {
         let mut bench = Bench::in_drive().fast(1000.0 * RPM);
-        bench.display = Some(display);
+        (bench.v, bench.x_actual, bench.display) = (500.0 * RPM, Some(1.0), Some(display));
+        for _ in 0..3 {
+            let (old, o) = (bench.outputs, bench.cycle());
+            assert_eq!((o.error_id, o.job, o.v_spindle), (45, Job::Turn, 1000.0 * RPM));
+            assert_angle(o.x_spindle, wrap(old.x_spindle + o.v_spindle * T));
+        }
         let o = bench.cycle();
         assert_eq!((o.error_id, o.job, o.v_spindle), (45, Job::Stop, 1000.0 * RPM - V_STEP));
         assert_eq!((o.spindle_state, o.operation_mode), (SpindleState::Velocity, VELOCITY_MODE));
+        bench.display = None;
+        assert_eq!(bench.cycle().error_id, 45, "it stays");
+    }
+}
+
+#[test]
+fn velocity_with_a_display_again_goes_on() {
+    let mut bench = Bench::in_drive().fast(1000.0 * RPM);
+    bench.v = 500.0 * RPM;
+    for _ in 0..3 {
+        bench.display = Some(POSITION_MODE);
+        assert_eq!(bench.cycles(3).error_id, 45);
+        bench.display = None;
+        let o = bench.cycle();
+        assert_eq!((o.error_id, o.v_spindle), (0, 500.0 * RPM));
+    }
+}
+
+#[test]
+fn velocity_is_not_left_without_a_sample() {
+    for bench in Bench::both() {
+        let mut bench = bench.fast(1000.0 * RPM);
+        bench.v = f64::NAN;
+        let o = bench.with_inputs(|i| i.m19 = true);
+        assert_eq!((o.error_id, o.waiting, bench.next()), (14, 1, SpindleState::Velocity));
+        bench.v = 1000.0 * RPM;
+        bench.cycle();
+        assert_eq!(bench.next(), SpindleState::Brake);
     }
 }
 
@@ -180,7 +248,7 @@ fn assert_brakes(ask: fn(&mut Inputs<f64>), job: Job) {
 
 #[test]
 fn velocity_to_brake_for_m19() {
-    assert_brakes(|i| i.m19 = true, Job::Position);
+    assert_brakes(|i| i.m19 = true, Job::Orient);
 }
 
 #[test]
