@@ -118,6 +118,9 @@ pub const SAMPLES: [Letter; 5] = [
     &[Act::Interpolator(f64::NEG_INFINITY), Act::Command(f64::NAN), Act::Actual(f64::NAN), Act::Position(f64::NAN)],
 ];
 
+/// Bad samples of what the drive measures.
+pub const ACTUAL: [Letter; 2] = [&[Act::Actual(f64::INFINITY)], &[Act::Position(f64::NAN)]];
+
 /// The interpolator does not do its job, or says that it has done it.
 pub const INTERPOLATOR: [Letter; 6] = [
     &[Act::Hold],

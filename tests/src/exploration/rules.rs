@@ -257,13 +257,8 @@ fn lasting(edge: &Edge<'_>) -> u32 {
     match edge.inside {
         _ if old != 0 => old,
         _ if i.task_cycle_ns != coeffs.cycle_time_ns => 1,
-        _ if edge.missing() != 0 => {
-            if edge.before.missing == 3 {
-                edge.missing()
-            } else {
-                0
-            }
-        }
+        _ if edge.missing() != 0 && edge.before.missing < 3 => 0,
+        _ if edge.missing() != 0 => edge.missing(),
         Node::Position | Node::ToVelocity if is_half_turn => 44,
         Node::Position if is_jump => 46,
         Node::ToVelocity if !is_answered(edge) && edge.cycles() > coeffs.mode_cycles => 41,

@@ -2,8 +2,8 @@
 
 use super::drive::{Answer, Follows, IDEAL, Model, U, V_STEP};
 use super::letters::{
-    BACKWARD, DISPLAY, FEW_REQUESTS, INTERPOLATOR, Letter, OFF, QUIET, REFUSED, REQUESTS, RESET, RESETS, SAMPLES,
-    is_request,
+    ACTUAL, BACKWARD, DISPLAY, FEW_REQUESTS, INTERPOLATOR, Letter, OFF, QUIET, REFUSED, REQUESTS, RESET, RESETS,
+    SAMPLES, is_request,
 };
 use super::world::World;
 
@@ -56,12 +56,15 @@ fn scenario(name: &str, in_drive: bool, model: Model, letters: &[&[Letter]]) -> 
     }
 }
 
-/// All of them; `is_deep`: with more requests that wait, and positions told apart.
+/// All of them; `is_deep`: with more requests that wait, more letters, and positions told apart.
 #[must_use]
 pub fn all(is_deep: bool) -> Vec<Scenario> {
     let quiet: &[Letter] = &[QUIET, RESET];
     let few: &[&[Letter]] = &[quiet, &FEW_REQUESTS, &BACKWARD, &RESETS, &OFF, &SAMPLES, &INTERPOLATOR, &DISPLAY];
     let moving: &[&[Letter]] = &[quiet, &FEW_REQUESTS, &BACKWARD, &INTERPOLATOR];
+    // What a drive that follows in its own way sees of the rest: the actual values, and the drive that is off.
+    let following: &[&[Letter]] = &[moving[0], moving[1], moving[2], moving[3], &OFF[..2], &ACTUAL];
+    let following = if is_deep { few } else { following };
     let asking: &[&[Letter]] = &[quiet, &REQUESTS, &BACKWARD, &REFUSED, &OFF, &INTERPOLATOR];
     let model = |answer, follows| Model { answer, follows };
     let mut all = Vec::new();
@@ -75,7 +78,7 @@ pub fn all(is_deep: bool) -> Vec<Scenario> {
         });
         all.push(Scenario { v_off: 0.0, ..scenario("Voff 0", in_drive, IDEAL, few) });
         for follows in [Follows::Late, Follows::Beyond, Follows::Weak, Follows::FromAbove(2), Follows::FromAbove(1)] {
-            all.push(scenario(&format!("{follows:?}"), in_drive, model(Answer::After(0), follows), few));
+            all.push(scenario(&format!("{follows:?}"), in_drive, model(Answer::After(0), follows), following));
         }
         let weak = model(Answer::After(0), Follows::Weak);
         all.push(Scenario { v_step: U / 2.0, ..scenario("Weak, and a slow ramp", in_drive, weak, moving) });

@@ -160,8 +160,10 @@ fn an_error_that_stays_outlasts_drive_off() {
     assert_eq!((on.error_id, on.v_spindle, on.spindle_state), (45, 0.0, SpindleState::ToPosition));
 }
 
-/// From each of the five states, and from the start.
-const STATES: [(SpindleState, fn(Bench) -> Bench); 6] = [
+type Way = fn(Bench) -> Bench;
+
+/// Ways to each of the five states, and to the start.
+const STATES: [(SpindleState, Way); 6] = [
     (SpindleState::ToPosition, |bench| bench),
     (SpindleState::Position, Bench::turning),
     (SpindleState::ToVelocity, Bench::before_to_velocity),
