@@ -3,6 +3,7 @@
 
 pub mod cases;
 pub mod environment;
+pub mod exploration;
 pub mod model;
 pub mod pictures;
 pub mod random;
