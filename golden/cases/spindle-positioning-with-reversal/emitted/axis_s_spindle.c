@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  b92e28125bf8b73ebb5b80376f6f2970
- * checksum    06e640d6125fea6e1524ca31150c6a1a
+ * checksum    86e3a7b5407892adaa6217653d68b9ae
  */
 #include "axis_s_spindle.h"
 
@@ -170,6 +170,7 @@ void axis_s_spindle_init(axis_s_spindle_state *state)
     state->before_m19 = true;
     state->before_putax = true;
     state->before_g74 = true;
+    state->before_any = true;
 }
 
 void axis_s_spindle_inputs_init(axis_s_spindle_inputs *inputs)
@@ -198,96 +199,102 @@ void axis_s_spindle_step(
     const axis_s_spindle_inputs *restrict inputs,
     axis_s_spindle_outputs *restrict outputs)
 {
-    const bool new_m19 = inputs->m19 && !state->before_m19;
-    const bool new_turn = !new_m19 && ((inputs->m3 && !state->before_m3) || (inputs->m4 && !state->before_m4));
-    const bool new_m5 = inputs->m5 && !state->before_m5;
-    const bool new_putax = inputs->putax && !state->before_putax;
-    const bool new_g74 = inputs->g74 && !state->before_g74;
-    state->before_m3 = inputs->m3;
-    state->before_m4 = inputs->m4;
-    state->before_m5 = inputs->m5;
-    state->before_m19 = inputs->m19;
-    state->before_putax = inputs->putax;
-    state->before_g74 = inputs->g74;
+    const bool is_any = inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74;
     uint32_t request_error;
-    if (!inputs->reset && (new_g74 || new_putax || new_m19 || new_m5 || new_turn)) {
-        bool has_others;
-        int32_t wanted;
-        if (new_g74) {
-            has_others = new_putax || new_m19 || new_m5 || new_turn;
-            wanted = job_home;
-        } else if (new_putax) {
-            has_others = new_m19 || new_m5 || new_turn;
-            wanted = job_release;
-        } else if (new_m19) {
-            wanted = job_orient;
-            has_others = new_m5;
-        } else if (new_m5) {
-            wanted = job_stop;
-            has_others = new_turn;
-        } else {
-            wanted = job_turn;
-            has_others = false;
-        }
-        const uint32_t waiting_now = state->queued;
-        const bool has_speed = wanted == job_turn || wanted == job_orient;
-        uint32_t why;
-        if (has_speed && inputs->m3 && inputs->m4) {
-            why = error_direction;
-        } else if (has_speed && !(magnitude(inputs->s_word) <= sample_limit)) {
-            why = error_s_word;
-        } else if (wanted == job_orient && !(magnitude(inputs->s_position) <= position_limit)) {
-            why = error_s_position;
-        } else if (!inputs->drive_on) {
-            why = error_drive_off;
-        } else if (waiting_now >= 4u) {
-            why = error_waiting;
-        } else {
-            why = error_none;
-        }
-        if (why != error_none) {
-            request_error = why;
-        } else {
-            double speed;
-            if (wanted == job_turn || wanted == job_orient) {
-                const bool is_negative = inputs->s_word < 0.0;
-                if (is_negative == inputs->m4) {
-                    speed = inputs->s_word;
+    if (is_any || state->before_any) {
+        state->before_any = is_any;
+        const bool new_m19 = inputs->m19 && !state->before_m19;
+        const bool new_turn = !new_m19 && ((inputs->m3 && !state->before_m3) || (inputs->m4 && !state->before_m4));
+        const bool new_m5 = inputs->m5 && !state->before_m5;
+        const bool new_putax = inputs->putax && !state->before_putax;
+        const bool new_g74 = inputs->g74 && !state->before_g74;
+        state->before_m3 = inputs->m3;
+        state->before_m4 = inputs->m4;
+        state->before_m5 = inputs->m5;
+        state->before_m19 = inputs->m19;
+        state->before_putax = inputs->putax;
+        state->before_g74 = inputs->g74;
+        if (!inputs->reset && (new_g74 || new_putax || new_m19 || new_m5 || new_turn)) {
+            bool has_others;
+            int32_t wanted;
+            if (new_g74) {
+                has_others = new_putax || new_m19 || new_m5 || new_turn;
+                wanted = job_home;
+            } else if (new_putax) {
+                has_others = new_m19 || new_m5 || new_turn;
+                wanted = job_release;
+            } else if (new_m19) {
+                wanted = job_orient;
+                has_others = new_m5;
+            } else if (new_m5) {
+                wanted = job_stop;
+                has_others = new_turn;
+            } else {
+                wanted = job_turn;
+                has_others = false;
+            }
+            const uint32_t waiting_now = state->queued;
+            const bool has_speed = wanted == job_turn || wanted == job_orient;
+            uint32_t why;
+            if (has_speed && inputs->m3 && inputs->m4) {
+                why = error_direction;
+            } else if (has_speed && !(magnitude(inputs->s_word) <= sample_limit)) {
+                why = error_s_word;
+            } else if (wanted == job_orient && !(magnitude(inputs->s_position) <= position_limit)) {
+                why = error_s_position;
+            } else if (!inputs->drive_on) {
+                why = error_drive_off;
+            } else if (waiting_now >= 4u) {
+                why = error_waiting;
+            } else {
+                why = error_none;
+            }
+            if (why != error_none) {
+                request_error = why;
+            } else {
+                double speed;
+                if (wanted == job_turn || wanted == job_orient) {
+                    const bool is_negative = inputs->s_word < 0.0;
+                    if (is_negative == inputs->m4) {
+                        speed = inputs->s_word;
+                    } else {
+                        speed = -inputs->s_word;
+                    }
                 } else {
-                    speed = -inputs->s_word;
+                    speed = 0.0;
                 }
-            } else {
-                speed = 0.0;
+                double target;
+                if (wanted == job_orient) {
+                    target = inputs->s_position;
+                } else {
+                    target = 0.0;
+                }
+                if (state->queued == 0u) {
+                    state->request0_kind = wanted;
+                    state->request0_speed = speed;
+                    state->request0_position = target;
+                } else if (state->queued == 1u) {
+                    state->request1_kind = wanted;
+                    state->request1_speed = speed;
+                    state->request1_position = target;
+                } else if (state->queued == 2u) {
+                    state->request2_kind = wanted;
+                    state->request2_speed = speed;
+                    state->request2_position = target;
+                } else {
+                    state->request3_kind = wanted;
+                    state->request3_speed = speed;
+                    state->request3_position = target;
+                }
+                state->queued = state->queued + 1u;
+                if (has_others) {
+                    request_error = error_requests;
+                } else {
+                    request_error = error_none;
+                }
             }
-            double target;
-            if (wanted == job_orient) {
-                target = inputs->s_position;
-            } else {
-                target = 0.0;
-            }
-            if (state->queued == 0u) {
-                state->request0_kind = wanted;
-                state->request0_speed = speed;
-                state->request0_position = target;
-            } else if (state->queued == 1u) {
-                state->request1_kind = wanted;
-                state->request1_speed = speed;
-                state->request1_position = target;
-            } else if (state->queued == 2u) {
-                state->request2_kind = wanted;
-                state->request2_speed = speed;
-                state->request2_position = target;
-            } else {
-                state->request3_kind = wanted;
-                state->request3_speed = speed;
-                state->request3_position = target;
-            }
-            state->queued = state->queued + 1u;
-            if (has_others) {
-                request_error = error_requests;
-            } else {
-                request_error = error_none;
-            }
+        } else {
+            request_error = error_none;
         }
     } else {
         request_error = error_none;
@@ -375,13 +382,19 @@ void axis_s_spindle_step(
                         state->missing = 0u;
                         state->x = inputs->x_command;
                         state->v = inputs->v_interpolator;
-                        const bool is_fast =
-                            state->present_speed > v_velocity_control_on
-                                || -state->present_speed > v_velocity_control_on;
-                        const bool is_there =
-                            inputs->v_interpolator >= v_velocity_control_on
-                                || -inputs->v_interpolator >= v_velocity_control_on;
-                        if (state->present_kind == job_turn && is_fast && is_there && !inputs->reset) {
+                        bool is_fast_there;
+                        if (state->present_kind == job_turn) {
+                            const bool is_fast =
+                                state->present_speed > v_velocity_control_on
+                                    || -state->present_speed > v_velocity_control_on;
+                            is_fast_there =
+                                is_fast
+                                    && (inputs->v_interpolator >= v_velocity_control_on
+                                        || -inputs->v_interpolator >= v_velocity_control_on);
+                        } else {
+                            is_fast_there = false;
+                        }
+                        if (is_fast_there && !inputs->reset) {
                             /* POSITION -> TO_VELOCITY: M3 or M4 with more than Von, and Von is reached */
                             state->control = spindle_state_to_velocity;
                             state->cycles = 0u;
@@ -597,21 +610,25 @@ void axis_s_spindle_step(
         state->x = state->x + state->v * cycle_time;
     }
     const double angle = state->x;
-    const int32_t turns = (int32_t)(angle * per_turn);
-    const double rest = angle - (double)turns * full_turn;
-    double above;
-    if (rest < 0.0) {
-        above = rest + full_turn;
+    double within_turn;
+    if (angle < 0.0 || angle >= full_turn) {
+        const int32_t turns = (int32_t)(angle * per_turn);
+        const double rest = angle - (double)turns * full_turn;
+        double above;
+        if (rest < 0.0) {
+            above = rest + full_turn;
+        } else {
+            above = rest;
+        }
+        if (above >= full_turn) {
+            within_turn = above - full_turn;
+        } else {
+            within_turn = above;
+        }
     } else {
-        above = rest;
+        within_turn = angle;
     }
-    double x_wrapped;
-    if (above >= full_turn) {
-        x_wrapped = above - full_turn;
-    } else {
-        x_wrapped = above;
-    }
-    state->x = x_wrapped;
+    state->x = within_turn;
     outputs->x_spindle = state->x;
     outputs->v_spindle = state->v;
     if (state->asks_velocity) {
@@ -635,16 +652,16 @@ void axis_s_spindle_step(
         outputs->limited = true;
     }
     const uint32_t lasting = state->lasting_error;
-    uint32_t error_id;
+    uint32_t error_now;
     if (lasting != error_none) {
-        error_id = lasting;
+        error_now = lasting;
     } else if (sample_error != error_none) {
-        error_id = sample_error;
+        error_now = sample_error;
     } else {
-        error_id = request_error;
+        error_now = request_error;
     }
-    outputs->error_id = error_id;
-    outputs->fault = error_id != error_none;
+    outputs->error_id = error_now;
+    outputs->fault = error_now != error_none;
     outputs->loop_closed =
         outputs->spindle_state == spindle_state_position && !has_failed && sample_error == error_none;
     if (!inputs->drive_on || inputs->reset || has_failed || state->control == spindle_state_brake) {
@@ -654,13 +671,13 @@ void axis_s_spindle_step(
             state->present_position = 0.0;
             state->jobs = state->jobs + 1u;
         }
-    } else {
+    } else if (state->queued > 0u) {
         const bool is_over = state->present_kind == job_stop || state->present_kind == job_turn || inputs->job_done;
         const bool can_serve =
             state->control == spindle_state_position
                 || (state->control == spindle_state_velocity && !state->returns
                     && (state->request0_kind == job_stop || state->request0_kind == job_turn));
-        if (is_over && can_serve && state->queued > 0u) {
+        if (is_over && can_serve) {
             state->present_kind = state->request0_kind;
             state->present_speed = state->request0_speed;
             state->present_position = state->request0_position;
@@ -713,56 +730,56 @@ uint32_t axis_s_spindle_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint64_t expected[50] = {
-        UINT64_C(0x07fe6bf3a0100004),
-        UINT64_C(0x487eebe0e6840208),
-        UINT64_C(0x4b123bf302a86500),
-        UINT64_C(0xaa1491e18a021574),
-        UINT64_C(0xde88f28e4b5ba176),
-        UINT64_C(0x38e48cdd13f63d24),
-        UINT64_C(0xaeac22835590dec7),
-        UINT64_C(0xc315d67aeac3a5ab),
-        UINT64_C(0xbf799b4de33f0b6c),
-        UINT64_C(0x77a7d8a1317a8b91),
-        UINT64_C(0x7c3eb077050f1e19),
-        UINT64_C(0xcd509228a9f41743),
-        UINT64_C(0xf284b0199305feba),
-        UINT64_C(0xc16bce8bb204ec07),
-        UINT64_C(0x8b1d2ae8f8e2173d),
-        UINT64_C(0xf1bef49e2341ca22),
-        UINT64_C(0x4e6117b4dc661b89),
-        UINT64_C(0x7b49ce5ba08e4283),
-        UINT64_C(0x5a94701d48ef3910),
-        UINT64_C(0x2c2c557abcf7c197),
-        UINT64_C(0x3ceb074832e911e0),
-        UINT64_C(0x260bde86792aeeb2),
-        UINT64_C(0xc060c86f204763c1),
-        UINT64_C(0x625d132a6a967c80),
-        UINT64_C(0x9a111e1682f783ff),
-        UINT64_C(0x8a104a2d27a94b60),
-        UINT64_C(0x76198669945186e9),
-        UINT64_C(0xc73702d55eeb0a00),
-        UINT64_C(0x4a2515172c17db61),
-        UINT64_C(0x76306fd65b0358fb),
-        UINT64_C(0x297be71ccb5a1e6b),
-        UINT64_C(0xd78e3c3da824cd7b),
-        UINT64_C(0xb982f173705e3381),
-        UINT64_C(0x7a3c7463c8ea715e),
-        UINT64_C(0x35d8c932fd3cd3ce),
-        UINT64_C(0x63d09f9ec137a422),
-        UINT64_C(0x8e50b8adb60ba7e4),
-        UINT64_C(0xe6b5d3bd9ffd2814),
-        UINT64_C(0x0cbcdb97ffe5cdd1),
-        UINT64_C(0xa42c092a3db0fd39),
-        UINT64_C(0xb1558a955ed54393),
-        UINT64_C(0x7c787831fe886c50),
-        UINT64_C(0x94373a821ef0d05d),
-        UINT64_C(0x15d4740c280912f2),
-        UINT64_C(0x6862fe51c0821c42),
-        UINT64_C(0x926b9eed59db3f3b),
-        UINT64_C(0xf192d9f2b6791adf),
-        UINT64_C(0x46106c192cc8c93b),
-        UINT64_C(0x31889ec2879e40f9),
-        UINT64_C(0x29422e3205ce1340),
+        UINT64_C(0xffcd7e7402000080),
+        UINT64_C(0x03bcb866d208010b),
+        UINT64_C(0x6c3375926cbab005),
+        UINT64_C(0x5615c117bdeaf7c1),
+        UINT64_C(0x04ae56864443d265),
+        UINT64_C(0xd54931325eab454a),
+        UINT64_C(0x6ff5e2fc0746ad16),
+        UINT64_C(0x9dbff65f3b3b8cb5),
+        UINT64_C(0x179e123bf9234d30),
+        UINT64_C(0x015ba601e7a90336),
+        UINT64_C(0x191cde1624bc7d0e),
+        UINT64_C(0x7c84bdcbbb019df5),
+        UINT64_C(0x1752d3e0ed040d79),
+        UINT64_C(0x25ed0a055e057937),
+        UINT64_C(0x2037620d02f2e9e6),
+        UINT64_C(0xd931fca0f86187a4),
+        UINT64_C(0xd4bfc2bb9817f01f),
+        UINT64_C(0xc37446202cb717c1),
+        UINT64_C(0x4badad883017c55c),
+        UINT64_C(0xb54f144d4a94d516),
+        UINT64_C(0x9b857401a758b055),
+        UINT64_C(0x97f73a820b2f94c2),
+        UINT64_C(0x4edfbb53f7348ad0),
+        UINT64_C(0x85bc6118e62b44a8),
+        UINT64_C(0xe2b1400818ded313),
+        UINT64_C(0x932ac62cbb81094d),
+        UINT64_C(0x7755372288803c26),
+        UINT64_C(0xdae5496ec131faf1),
+        UINT64_C(0x08125bffe88487ed),
+        UINT64_C(0xf505afe7035cd21c),
+        UINT64_C(0xb5993899ade53349),
+        UINT64_C(0x6bf6fcfaf823dbce),
+        UINT64_C(0x7bcfd17101066c6c),
+        UINT64_C(0xf296bff91390ccb2),
+        UINT64_C(0x0dfa8f8dfcc51330),
+        UINT64_C(0x01747af192f2a54e),
+        UINT64_C(0x798ca5240cbbe896),
+        UINT64_C(0x9e876765d8ffc3a3),
+        UINT64_C(0xd27ab94e9d9dc48f),
+        UINT64_C(0x80981cbe90968713),
+        UINT64_C(0x922302fa2bf4089d),
+        UINT64_C(0xb7923c2164420523),
+        UINT64_C(0xd2b2b7539bb0f215),
+        UINT64_C(0x9b886f7847155ec9),
+        UINT64_C(0x6a769a25c0bfb978),
+        UINT64_C(0x257b2c1a8b68dde7),
+        UINT64_C(0xe0a87c8b83e99274),
+        UINT64_C(0x16c9d9affc4ee94b),
+        UINT64_C(0x7056be074f0637a6),
+        UINT64_C(0xdd40febdcce007df),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_s_spindle_state *, const axis_s_spindle_inputs *, axis_s_spindle_outputs *) =
@@ -865,6 +882,7 @@ uint32_t axis_s_spindle_self_test(void)
         digest = fold(digest, state.before_m19);
         digest = fold(digest, state.before_putax);
         digest = fold(digest, state.before_g74);
+        digest = fold(digest, state.before_any);
         if (digest != expected[sample]) {
             return sample + 1u;
         }

@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  b92e28125bf8b73ebb5b80376f6f2970
- * checksum    5ee4807956ef50b4a2c5e8718f43dad3
+ * checksum    02da18f495743f5e1a5714334df6cf01
  */
 #ifndef AXIS_S_SPINDLE_H
 #define AXIS_S_SPINDLE_H
@@ -49,14 +49,8 @@ typedef struct {
     /* what the interpolator has to do: 0 STOP (M5), 1 TURN (M3, M4), 2 ORIENT (M19), 3 RELEASE (S[PUTAX]), 4 HOME
      * (G74) */
     int32_t job;
-    /* counts the jobs: another number is another job, 1 cycle_time, 14 v_interpolator, 17 x_command, 18 x_actual, 23
-     * v_actual, 31 requests, 32 direction, 33 s_word, 34 s_position, 35 waiting, 36 drive_off, 41 to_velocity, 42
-     * brake, 43 to_position, 44 half_turn, 45 mode_display, 46 takeover */
-    uint32_t job_number;
-    /* requests that wait, 1 cycle_time, 14 v_interpolator, 17 x_command, 18 x_actual, 23 v_actual, 31 requests, 32
-     * direction, 33 s_word, 34 s_position, 35 waiting, 36 drive_off, 41 to_velocity, 42 brake, 43 to_position, 44
-     * half_turn, 45 mode_display, 46 takeover */
-    uint32_t waiting;
+    uint32_t job_number; /* counts the jobs: another number is another job */
+    uint32_t waiting; /* requests that wait */
     int32_t operation_mode; /* the operation mode that the drive is to take: SERCOS S-0-0134, CANopen 6060h */
     /* v_spindle as process data of the drive: SERCOS S-0-0036, CANopen 60FFh [increments] */
     int32_t velocity_command;
@@ -107,6 +101,7 @@ typedef struct {
     bool before_m19; /* stop at a position */
     bool before_putax; /* give the axis away */
     bool before_g74; /* homing */
+    bool before_any; /* whether one of them was */
 } axis_s_spindle_state;
 
 /* Once before the first cycle. */
