@@ -1,6 +1,7 @@
 //! What the recorded scenarios of the manual's examples show: the numbers of the manual, in the samples that were kept.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+#![expect(clippy::float_cmp, reason = "the speeds of a program are reached exactly")]
 
 use golden::case;
 use golden::csv;
@@ -94,10 +95,11 @@ fn changes_at(cycles: &[Cycle], off: f64, settled: f64, lead_time: f64) {
     assert!(left.v_actual.abs() <= settled, "{left:?}");
     // The formula of the page, bit by bit.
     let position = (left.x_actual + off * lead_time).rem_euclid(360_000.0);
-    assert!((entered.x - position).abs() < 1e-9, "{} and {position}", entered.x);
+    assert_eq!(entered.x.to_bits(), position.to_bits(), "{} and {position}", entered.x);
     let first = positioning(cycles)[0];
     let before = cycles[cycles.len() - positioning(cycles).len() - 1];
     let cycle_time = if off < 0.0 { 1e-3 } else { 2e-3 };
+    // 0.01 deg: the grid, and what the jerk makes of a cycle.
     let step = (first.x_command - (before.x + before.v * cycle_time)).rem_euclid(360_000.0);
     assert!(step.min(360_000.0 - step) < 10.0, "the interpolator moves on from there: {step}");
 }
