@@ -73,7 +73,7 @@ pub const FEW_REQUESTS: [Letter; 3] = [&[Act::M3], &[Act::M5], &[Act::M19]];
 pub const BACKWARD: [Letter; 2] = [&[Act::M4], &[Act::M19, Act::M4]];
 
 /// Several requests at once, and such that are refused.
-pub const REFUSED: [Letter; 10] = [
+pub const REFUSED: [Letter; 11] = [
     &[Act::M3, Act::M4],
     &[Act::M19, Act::M3, Act::M4],
     &[Act::M5, Act::M3],
@@ -84,6 +84,7 @@ pub const REFUSED: [Letter; 10] = [
     &[Act::M19, Act::Speed(1.1e15)],
     &[Act::M19, Act::Target(f64::INFINITY)],
     &[Act::M5, Act::Speed(f64::NAN)],
+    &[Act::M3, Act::M4, Act::Interpolator(f64::NAN)],
 ];
 
 /// Reset with what it has to win against, and what wins against it.
@@ -108,6 +109,9 @@ pub const OFF: [Letter; 7] = [
     &[Act::Off, Act::M3, Act::M4],
     &[Act::WrongCycle, Act::M5],
 ];
+
+/// A request in the cycle in which the drive goes off: with a full queue, too.
+pub const OFF_AND_ASKED: [Letter; 1] = [&[Act::Off, Act::M5]];
 
 /// Bad samples of each kind.
 pub const SAMPLES: [Letter; 5] = [

@@ -2,8 +2,8 @@
 
 use super::drive::{Answer, Follows, IDEAL, Model, U, V_STEP};
 use super::letters::{
-    ACTUAL, BACKWARD, DISPLAY, FEW_REQUESTS, INTERPOLATOR, Letter, OFF, QUIET, REFUSED, REQUESTS, RESET, RESETS,
-    SAMPLES, is_request,
+    ACTUAL, BACKWARD, DISPLAY, FEW_REQUESTS, INTERPOLATOR, Letter, OFF, OFF_AND_ASKED, QUIET, REFUSED, REQUESTS, RESET,
+    RESETS, SAMPLES, is_request,
 };
 use super::world::World;
 
@@ -74,7 +74,7 @@ pub fn all(is_deep: bool) -> Vec<Scenario> {
         all.push(Scenario {
             waiting: 5,
             is_dense: true,
-            ..scenario("a full queue", in_drive, IDEAL, &[quiet, &FEW_REQUESTS[..2]])
+            ..scenario("a full queue", in_drive, IDEAL, &[quiet, &FEW_REQUESTS[..2], &OFF_AND_ASKED])
         });
         all.push(Scenario { v_off: 0.0, ..scenario("Voff 0", in_drive, IDEAL, few) });
         for follows in [Follows::Late, Follows::Beyond, Follows::Weak, Follows::FromAbove(2), Follows::FromAbove(1)] {

@@ -189,3 +189,20 @@ fn a_reset_in_a_wrong_cycle_ends_an_error_and_error_1_stays() {
     assert_eq!((o.error_id, o.spindle_state, o.v_spindle), (1, SpindleState::Brake, 1000.0 * RPM - 2.0 * V_STEP));
     assert_eq!((bench.cycle().error_id, bench.next()), (1, SpindleState::Brake));
 }
+
+/// BRAKE has done what the reset wanted.
+#[test]
+fn a_reset_in_velocity_does_not_end_a_later_turn() {
+    for bench in Bench::both() {
+        let mut bench = bench.fast(1000.0 * RPM);
+        bench.with_inputs(|i| i.reset = true);
+        bench.until_next(SpindleState::Position);
+        bench.v = bench.outputs.v_spindle;
+        bench.cycle();
+        bench.with_inputs(|i| i.m3 = true);
+        bench.v = 1000.0 * RPM;
+        bench.until(SpindleState::Velocity);
+        let o = bench.cycles(5);
+        assert_eq!((o.spindle_state, o.job), (SpindleState::Velocity, Job::Turn));
+    }
+}
