@@ -72,9 +72,9 @@ pub struct Outputs<R> {
     pub operation_mode: i32,
     /// v_spindle as process data of the drive: SERCOS S-0-0036, CANopen 60FFh [increments]
     pub velocity_command: i32,
-    /// an error of this cycle, or from 41 on one that stays until reset: 0 none
+    /// an error of this cycle, or one that stays until reset: 0 none
     pub error_id: u32,
-    /// state POSITION without a fault: improved position control acts, position lag and position may be monitored
+    /// state POSITION, and the interpolator moves the spindle: improved position control acts, position lag and position may be monitored
     pub loop_closed: bool,
     /// the process-data type cuts velocity_command off in this cycle
     pub limited: bool,

@@ -97,9 +97,9 @@ pub struct Outputs<R> {
     pub additive_torque: i32,
     /// additive velocity command of the drive (P-AXIS-00205 to 00207) [increments]
     pub additive_velocity: i32,
-    /// the spindle's, or else of several parts the last one's; from 41 on one that stays until reset: 0 none
+    /// of several parts the last one's, or one of the changeover, which may stay until reset: 0 none
     pub error_id: u32,
-    /// state POSITION without a fault: improved position control acts, position lag and position may be monitored
+    /// state POSITION, and the interpolator moves the spindle: improved position control acts, position lag and position may be monitored
     pub loop_closed: bool,
     /// the limit of v_add or a process-data type cuts an output off in this cycle
     pub limited: bool,

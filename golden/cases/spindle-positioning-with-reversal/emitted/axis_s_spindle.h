@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  b92e28125bf8b73ebb5b80376f6f2970
- * checksum    02da18f495743f5e1a5714334df6cf01
+ * checksum    26e9100d7f417e9b5b2ea397aa99e42a
  */
 #ifndef AXIS_S_SPINDLE_H
 #define AXIS_S_SPINDLE_H
@@ -54,11 +54,12 @@ typedef struct {
     int32_t operation_mode; /* the operation mode that the drive is to take: SERCOS S-0-0134, CANopen 6060h */
     /* v_spindle as process data of the drive: SERCOS S-0-0036, CANopen 60FFh [increments] */
     int32_t velocity_command;
-    /* an error of this cycle, or from 41 on one that stays until reset: 0 none, 1 cycle_time, 14 v_interpolator, 17
-     * x_command, 18 x_actual, 23 v_actual, 31 requests, 32 direction, 33 s_word, 34 s_position, 35 waiting, 36
-     * drive_off, 41 to_velocity, 42 brake, 43 to_position, 44 half_turn, 45 mode_display, 46 takeover */
+    /* an error of this cycle, or one that stays until reset: 0 none, 1 cycle_time, 14 v_interpolator, 17 x_command,
+     * 18 x_actual, 23 v_actual, 31 requests, 32 direction, 33 s_word, 34 s_position, 35 waiting, 36 drive_off, 41
+     * to_velocity, 42 brake, 43 to_position, 44 half_turn, 45 mode_display, 46 takeover */
     uint32_t error_id;
-    /* state POSITION without a fault: improved position control acts, position lag and position may be monitored */
+    /* state POSITION, and the interpolator moves the spindle: improved position control acts, position lag and
+     * position may be monitored */
     bool loop_closed;
     bool limited; /* the process-data type cuts velocity_command off in this cycle */
     bool fault; /* the block cannot act in this cycle, or the spindle is stopped; the id says why */
