@@ -5,7 +5,6 @@ use reference::process_data;
 use reference::spindle::{self, Coeffs, State};
 
 /// The reference before its first cycle.
-#[must_use]
 pub fn start(p: &Parameters) -> impl FnMut(&Inputs) -> Outputs + use<> {
     let coeffs = coefficients(p);
     let (mut state, mut outputs) = (State::<f64>::default(), spindle::Outputs::default());
