@@ -8,7 +8,7 @@ use generator::blocks::{Designed, blocks};
 use golden::compare::{Difference, compare};
 use golden::engine::{self, ENGINES, Engine};
 use golden::samples::{Samples, Shape};
-use portable::{Literal, RealKind};
+use portable::{Literal, Real, RealKind};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -130,10 +130,10 @@ fn samples(shape: Shape, p: &Parameters, run: usize) -> Samples {
     let mut samples = Samples::with_capacity(shape, RUN);
     for seed in run * RUN / CYCLES..(run + 1) * RUN / CYCLES {
         // A machine's histories, and requests so close together that no machine would follow.
-        let inputs = if run % 2 == 0 { history(seed as u64, CYCLES, p) } else { crowd(seed as u64, p) };
+        let inputs = if run.is_multiple_of(2) { history(seed as u64, CYCLES, p) } else { crowd(seed as u64, p) };
         for inputs in inputs {
             let value = |(name, start): (&String, Literal)| match (signal(name, &inputs).unwrap_or(start), start) {
-                (Literal::F64(wide), Literal::F32(_)) => Literal::F32(wide as f32),
+                (Literal::F64(wide), Literal::F32(_)) => Literal::F32(f32::lit(wide)),
                 (value, _) => value,
             };
             let signals = samples.shape.signals.iter().map(|signal| (&signal.name, signal.start));
@@ -196,13 +196,15 @@ fn counted(inputs: &Samples) -> u64 {
 
 /// All states, and errors that stay.
 fn visits_everything(block: &str, outputs: &Samples) {
-    let position = |name: &str| outputs.shape.signals.iter().position(|signal| signal.name == name).unwrap();
+    let position = |name: &str| {
+        outputs.shape.signals.iter().position(|signal| signal.name == name).expect("the block has the output")
+    };
     let (state, error) = (position("spindle_state"), position("error_id"));
     let (mut values, mut states, mut errors) = (Vec::new(), [0; 5], 0);
     for sample in 0..outputs.len() {
         outputs.read(sample, &mut values);
         if let (Literal::I32(of), Literal::U32(id)) = (values[state], values[error]) {
-            states[usize::try_from(of).unwrap()] += 1;
+            states[usize::try_from(of).expect("a state")] += 1;
             errors += usize::from(id > 40);
         }
     }
