@@ -11,7 +11,7 @@ use crate::signal::{
 use portable::{Real, in_range, portable};
 
 /// How many requests may wait.
-const WAITING: usize = 4;
+pub(super) const WAITING: usize = 4;
 
 /// The direction with which a request turns the spindle, and how fast.
 #[portable]

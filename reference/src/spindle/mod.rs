@@ -25,6 +25,7 @@ pub use state::{Coeffs, Cycle, SpindleState, State};
 use crate::angle::wrapped;
 use crate::process_data;
 use crate::signal::{error_cycle_time, error_none};
+use jobs::WAITING;
 use motion::{advance, follow, slow_down};
 use portable::{Block, Enable, Fn, Real, portable};
 use state::enter;
@@ -43,12 +44,18 @@ pub fn init<R: Real>(state: &mut State<R>) {
     state.is_moving = false;
     state.takes_over = false;
     state.x = R::ZERO;
+    state.x_start = R::ZERO;
     state.v = R::ZERO;
     state.present.kind = Job::Stop;
     state.present.speed = R::ZERO;
     state.present.position = R::ZERO;
     state.jobs = 0u32;
     state.queued = 0u32;
+    for place in 0..WAITING {
+        state.request[place].kind = Job::Stop;
+        state.request[place].speed = R::ZERO;
+        state.request[place].position = R::ZERO;
+    }
     state.before.m3 = true;
     state.before.m4 = true;
     state.before.m5 = true;

@@ -43,7 +43,7 @@ pub struct Coeffs<R> {
     pub v_step: R,
     /// 180 deg / T: from here on the drive cannot tell the direction [0.001 deg/s]
     pub v_half_turn: R,
-    /// the position command leads x_actual by the way of this time: (Nd + 1) T + (1 - w) / Kv, in the CNC T + 1 / Kv [s]
+    /// lead of the position command: (Nd + 1) T + (1 - w) / Kv, in the CNC T + 1 / Kv [s]
     pub lead_time: R,
     /// whether the CNC's feedforward shortens that time
     pub has_feedforward: bool,

@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  b92e28125bf8b73ebb5b80376f6f2970
- * checksum    86e3a7b5407892adaa6217653d68b9ae
+ * checksum    7ae15dd179c6cddb0291ab17582eec2a
  */
 #include "axis_s_spindle.h"
 
@@ -70,9 +70,7 @@ static const double v_step = 24000.0; /* deceleration * T: largest change of the
 static const double v_half_turn = 90000000.0; /* 180 deg / T: from here on the drive cannot tell the direction [0.001 deg/s] */
 
 /* 5 cycles (P-AXIS-00191) and 0.5 / Kv, Kv = 20/s (P-AXIS-00099) */
-/* the position command leads x_actual by the way of this time: (Nd + 1) T + (1 - w) / Kv, in the CNC T + 1 / Kv
- * [s] */
-static const double lead_time = 0.035;
+static const double lead_time = 0.035; /* lead of the position command: (Nd + 1) T + (1 - w) / Kv, in the CNC T + 1 / Kv [s] */
 
 /* 1 deg (key spindle.takeover_window) */
 /* largest step of the position command where the interpolator takes over [0.001 deg] */
@@ -158,12 +156,25 @@ void axis_s_spindle_init(axis_s_spindle_state *state)
     state->is_moving = false;
     state->takes_over = false;
     state->x = 0.0;
+    state->x_start = 0.0;
     state->v = 0.0;
     state->present_kind = job_stop;
     state->present_speed = 0.0;
     state->present_position = 0.0;
     state->jobs = 0u;
     state->queued = 0u;
+    state->request0_kind = job_stop;
+    state->request0_speed = 0.0;
+    state->request0_position = 0.0;
+    state->request1_kind = job_stop;
+    state->request1_speed = 0.0;
+    state->request1_position = 0.0;
+    state->request2_kind = job_stop;
+    state->request2_speed = 0.0;
+    state->request2_position = 0.0;
+    state->request3_kind = job_stop;
+    state->request3_speed = 0.0;
+    state->request3_position = 0.0;
     state->before_m3 = true;
     state->before_m4 = true;
     state->before_m5 = true;

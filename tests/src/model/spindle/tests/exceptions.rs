@@ -59,7 +59,7 @@ fn a_wrong_cycle_is_an_error_that_stays() {
 fn a_wrong_cycle_asks_for_no_mode() {
     let mut bench = Bench::drive();
     bench.inputs.task_cycle_ns = 1;
-    assert_eq!((bench.cycle().operation_mode, bench.out.error_id), (0, 1));
+    assert_eq!((bench.cycle().operation_mode, bench.out.error_id), (8, 1));
     let mut bench = Bench::drive().positioned();
     bench.inputs.v_interpolator = FAST;
     bench.once(|i| (i.m3, i.s_word) = (true, FAST));
