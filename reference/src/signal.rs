@@ -160,7 +160,7 @@ pub fn error_half_turn() -> u32 {
     44u32
 }
 
-/// error_id: spindle: the drive does not display the operation mode that it is in; stays from the fourth cycle on
+/// error_id: spindle: the drive displays another operation mode; stays from the fourth cycle on
 #[portable]
 pub fn error_mode_display() -> u32 {
     45u32

@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  b92e28125bf8b73ebb5b80376f6f2970
- * checksum    7ae15dd179c6cddb0291ab17582eec2a
+ * checksum    419b733fe3539d17893eacae5c72dde1
  */
 #include "axis_s_spindle.h"
 
@@ -112,7 +112,7 @@ static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_x_actual = 18u; /* error_id: x_actual is not within the sample limit */
 static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
 static const uint32_t error_x_command = 17u; /* error_id: x_command is not within the sample limit */
-/* error_id: spindle: the drive does not display the operation mode that it is in; stays from the fourth cycle on */
+/* error_id: spindle: the drive displays another operation mode; stays from the fourth cycle on */
 static const uint32_t error_mode_display = 45u;
 /* error_id: spindle: 180 degrees a cycle or more, the drive cannot tell the direction; stays until reset */
 static const uint32_t error_half_turn = 44u;
