@@ -8,15 +8,25 @@ use crate::pass::Defect;
 use crate::program::{Constant, Expr, Program, map_expressions};
 use portable::{Binary, Intrinsic, Literal, Unary};
 
-pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
-    let constants = &program.constants;
-    map_expressions(&mut program.step, &mut |expr| expr.change(&mut |part| without_sign(part, constants)));
-    Ok(program)
+/// Where a function looks at a sample, or its bound has a name.
+pub(super) fn run(program: Program) -> Result<Program, Defect> {
+    Ok(change(program, &[Intrinsic::Within]))
 }
 
-fn without_sign(part: &mut Expr, constants: &[Constant]) {
+/// Where a sample is compared with digits too.
+pub(super) fn run_digits(program: Program) -> Result<Program, Defect> {
+    Ok(change(program, &[Intrinsic::Within, Intrinsic::InRange]))
+}
+
+fn change(mut program: Program, compared: &[Intrinsic]) -> Program {
+    let constants = &program.constants;
+    map_expressions(&mut program.step, &mut |expr| expr.change(&mut |part| without_sign(part, constants, compared)));
+    program
+}
+
+fn without_sign(part: &mut Expr, constants: &[Constant], compared: &[Intrinsic]) {
     match part {
-        Expr::Intrinsic(Intrinsic::Within, operands) if is_zero(&operands[1], constants) => {
+        Expr::Intrinsic(intrinsic, operands) if compared.contains(intrinsic) && is_zero(&operands[1], constants) => {
             let (x, limit) = (operands[0].clone(), operands[1].clone());
             let above = Expr::binary(Binary::LessEqual, limit.clone(), x.clone());
             *part = Expr::binary(Binary::And, above, Expr::binary(Binary::LessEqual, x, limit));

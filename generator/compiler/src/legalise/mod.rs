@@ -29,7 +29,7 @@ pub const WITH_DIGITS: &[Stage] = &[
     ("settled", settle::run),
     ("started", start::run),
     ("rounded", nearest::run),
-    ("bounded", bound::run),
+    ("bounded", bound::run_digits),
     ("negated", negation::run),
     ("named", operands::run_single),
     ("single", single::run),

@@ -29,11 +29,28 @@ impl Writer<'_> {
             Scalar::Bool => self.bool(depth - 1),
             Scalar::I32 if self.choices.chance(12) => self.unary(Unary::Negate, scalar, depth - 1),
             Scalar::I32 | Scalar::U32 => {
-                let operator = *self.choices.pick(&[Binary::Add, Binary::Subtract, Binary::Multiply]);
+                let operator = *self.choices.pick(&[
+                    Binary::Add,
+                    Binary::Subtract,
+                    Binary::Multiply,
+                    Binary::Divide,
+                    Binary::Remainder,
+                ]);
+                if matches!(operator, Binary::Divide | Binary::Remainder) {
+                    return self.quotient(operator, scalar, depth - 1);
+                }
                 self.binary(operator, scalar, depth - 1)
             }
             Scalar::Usize | Scalar::Enum(_) => self.leaf(scalar),
         }
+    }
+
+    /// An integer divided by a number from 1 on.
+    fn quotient(&mut self, operator: Binary, scalar: Scalar, depth: usize) -> Expr {
+        let divisor = *self.choices.pick(&[1u32, 2, 3, 7, 10, 256, 65_537, i32::MAX.cast_unsigned()]);
+        let dividend = self.expr(scalar, depth);
+        let divisor = if scalar == Scalar::I32 { Value::I32(divisor.cast_signed()) } else { Value::U32(divisor) };
+        operation(operator, dividend, Expr::Literal(divisor))
     }
 
     /// The value of a call; or, where it is not to be there, an argument of its type.
