@@ -78,6 +78,19 @@ void {{ block.prefix }}_inputs_init({{ block.prefix }}_inputs *inputs)
 {%- endfor %}
 }
 
+{% if !block.any_cycle.is_empty() -%}
+/* any cycle that is not a usual one; in a function of its own, so that a usual cycle saves no registers */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static void any_cycle(
+    {{ block.prefix }}_state *restrict state,
+    const {{ block.prefix }}_inputs *restrict inputs,
+    {{ block.prefix }}_outputs *restrict outputs)
+{
+{{ block.any_cycle }}}
+
+{% endif -%}
 void {{ block.prefix }}_step(
     {{ block.prefix }}_state *restrict state,
     const {{ block.prefix }}_inputs *restrict inputs,

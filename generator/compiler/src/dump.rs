@@ -45,6 +45,10 @@ fn statements(program: &Program, list: &[Statement], level: usize, f: &mut Forma
                     statements(program, otherwise, level + 1, f)?;
                 }
             }
+            Statement::Apart(body) => {
+                writeln!(f, "{indent}apart")?;
+                statements(program, body, level + 1, f)?;
+            }
             Statement::Choose { by, arms } => {
                 writeln!(f, "{indent}choose by {}", expr(program, by))?;
                 for arm in arms {

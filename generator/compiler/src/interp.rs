@@ -82,6 +82,7 @@ impl<'p> Machine<'p> {
                     let holds = self.value(condition) == Literal::Bool(true);
                     self.run(if holds { then } else { otherwise }, watch);
                 }
+                Statement::Apart(body) => self.run(body, watch),
                 Statement::Choose { by, arms } => {
                     let value = self.value(by);
                     let is_chosen = |label: &usize| self.program.constants[*label].value == value;

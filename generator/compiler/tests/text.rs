@@ -25,6 +25,7 @@ fn a_name_is_given_once() {
     let program = Program {
         block: "names",
         switch: None,
+        usual_first: false,
         real: RealKind::F64,
         inputs: Vec::new(),
         outputs: Vec::new(),

@@ -70,13 +70,17 @@ pub(crate) fn torque(torque: &Torque) -> f64 {
 /// rounded beyond. In single precision they differ from the boundaries: 2147483647 itself would become 2^31.
 pub(crate) fn range(width: Width, real: RealKind) -> process_data::Coeffs<f64> {
     let [lowest, highest] = width.range();
-    // The largest number of the real type below a boundary; what was rounded up is taken back.
-    let below = |boundary: f64| match (real, f32::lit(boundary)) {
+    let upper_limit = below(f64::from(highest) + 0.5, real);
+    let lower_limit = 0.0 - below(0.5 - f64::from(lowest), real);
+    process_data::Coeffs { lowest, highest, lower_limit, upper_limit }
+}
+
+/// The largest number of the real type below a boundary.
+pub(crate) fn below(boundary: f64, real: RealKind) -> f64 {
+    match (real, f32::lit(boundary)) {
         (RealKind::F64, _) => boundary.next_down(),
         (RealKind::F32, nearest) if f64::from(nearest) < boundary => nearest.into(),
+        // What was rounded up is taken back.
         (RealKind::F32, nearest) => nearest.next_down().into(),
-    };
-    let upper_limit = below(f64::from(highest) + 0.5);
-    let lower_limit = 0.0 - below(0.5 - f64::from(lowest));
-    process_data::Coeffs { lowest, highest, lower_limit, upper_limit }
+    }
 }

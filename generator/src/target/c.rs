@@ -5,7 +5,7 @@ use super::{File, Header, Legal, block_name, rendered};
 use crate::self_test::SelfTest;
 use askama::Template;
 use compiler::print::{Appearance, Printer, c::LANGUAGE, comment};
-use compiler::program::{Expr, Program, Type, Variable};
+use compiler::program::{Expr, Program, Statement, Type, Variable};
 use portable::{Intrinsic, Literal, RealKind};
 
 /// The comment at a file's top, then its body.
@@ -50,6 +50,8 @@ struct CBlock<'a> {
     constants: Vec<Group>,
     enumerations: Vec<Group>,
     init: String,
+    /// what seldom runs, a function of its own; empty where `step` is one function
+    any_cycle: String,
     step: String,
     /// what is certain of its range, and its measured response
     certificate: String,
@@ -105,6 +107,16 @@ fn asks_for(program: &Program, wanted: &[Intrinsic]) -> bool {
     found
 }
 
+/// The statements that stand apart.
+fn apart(list: &[Statement]) -> &[Statement] {
+    let Some(last) = list.last() else { return &[] };
+    match last {
+        Statement::Apart(body) => body,
+        Statement::If { otherwise, .. } => apart(otherwise),
+        Statement::Note(_) | Statement::Assign { .. } | Statement::Choose { .. } => &[],
+    }
+}
+
 fn block_text<'a>(axis: &'a Header, block: &'a Legal<'_>, prefix: String) -> CBlock<'a> {
     let (program, self_test) = (&*block.program, &block.block.self_test);
     let printer = &Printer::new(program, &LANGUAGE);
@@ -130,6 +142,7 @@ fn block_text<'a>(axis: &'a Header, block: &'a Legal<'_>, prefix: String) -> CBl
         constants: outline.groups(Appearance::Declared),
         enumerations: outline.groups(Appearance::Enumerator),
         init: printer.body(&program.init, 1),
+        any_cycle: printer.body(apart(&program.step), 1),
         step: printer.body(&program.step, 1),
         certificate: comment::wrapped(&block.block.certificate, COMMENT_WIDTH, outline.next_line),
         self_test,

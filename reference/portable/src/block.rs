@@ -27,6 +27,9 @@ pub trait Block<R: Real> {
     const NAME: &'static str;
     /// What turns the block off from outside; `None`: nothing does.
     const ENABLE: Option<Enable>;
+    /// Whether `step` begins with the cycles that mostly run, and its last `else` is any other cycle. C then calls that as a function of
+    /// its own: a usual cycle saves no register for it.
+    const USUAL_FIRST: bool = false;
     /// `init(state)`: before the first cycle.
     const INIT: Fn;
     /// `step(state, coeffs, inputs, outputs)`: one cycle.

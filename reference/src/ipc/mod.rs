@@ -258,6 +258,15 @@ pub fn may_act<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     is_in_range(coeffs, inputs) && is_cycle_time(coeffs, inputs) && inputs.position_controlled && !inputs.reset
 }
 
+/// Whether the mode is ON, the fade full, and every sample of an encoder in range that a stage looks at.
+#[portable]
+pub fn is_settled<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, mode: i32, v_motor: R, v_direct: R) -> bool {
+    mode == mode_on()
+        && state.fade >= coeffs.fade_cycles
+        && (!reads_motor(coeffs) || in_range(v_motor, sample_limit()))
+        && (!reads_direct(coeffs) || in_range(v_direct, sample_limit()))
+}
+
 /// One cycle. Only the inputs that a stage looks at are checked.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {

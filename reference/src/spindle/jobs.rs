@@ -2,7 +2,7 @@
 
 use super::request::{Job, Request};
 use super::signals::Inputs;
-use super::state::{SpindleState, State};
+use super::state::{Coeffs, SpindleState, State};
 use crate::angle::position_limit;
 use crate::signal::{
     error_direction, error_drive_off, error_none, error_requests, error_s_position, error_s_word, error_waiting,
@@ -119,20 +119,23 @@ pub fn is_free<R: Real>(request: &Request<R>) -> bool {
 
 /// The first request that waits becomes the job, if the present one is over and the next cycle's state can do it.
 #[portable]
-pub fn serve<R: Real>(state: &mut State<R>, job_done: bool) {
+pub fn serve<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, job_done: bool) {
     if state.queued > 0u32 {
         let is_over = is_free(&state.present) || job_done;
         let can_serve = state.control == SpindleState::Position
             || state.control == SpindleState::Velocity && !state.returns && is_free(&state.request[0]);
         if is_over && can_serve {
-            next(state);
+            next(state, coeffs);
         }
     }
 }
 
 /// The first request that waits becomes the job.
 #[portable]
-pub fn next<R: Real>(state: &mut State<R>) {
+pub fn next<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
+    let is_fast =
+        state.request[0].speed > coeffs.v_velocity_control_on || -state.request[0].speed > coeffs.v_velocity_control_on;
+    state.turns_fast = state.request[0].kind == Job::Turn && is_fast;
     state.present.kind = state.request[0].kind;
     state.present.speed = state.request[0].speed;
     state.present.position = state.request[0].position;
@@ -149,6 +152,7 @@ pub fn next<R: Real>(state: &mut State<R>) {
 #[portable]
 pub fn stop<R: Real>(state: &mut State<R>) {
     if state.present.kind != Job::Stop {
+        state.turns_fast = false;
         state.present.kind = Job::Stop;
         state.present.speed = R::ZERO;
         state.present.position = R::ZERO;

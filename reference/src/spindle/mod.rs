@@ -17,10 +17,12 @@ mod request;
 mod signals;
 mod state;
 mod transition;
+mod usual;
 
 pub use request::{Before, Job, Request};
 pub use signals::{Inputs, Outputs};
 pub use state::{Coeffs, Cycle, SpindleState, State};
+pub use usual::{remain_in_position, remain_in_velocity, stays_in_position, stays_in_velocity};
 
 use crate::angle::wrapped;
 use crate::process_data;
@@ -30,6 +32,7 @@ use motion::{advance, follow, slow_down};
 use portable::{Block, Enable, Fn, Real, portable};
 use state::enter;
 use transition::{brake, position, to_position, to_velocity, velocity};
+use usual::is_usual;
 
 /// Before the first cycle: a request that is TRUE then is none.
 #[portable]
@@ -49,6 +52,7 @@ pub fn init<R: Real>(state: &mut State<R>) {
     state.present.kind = Job::Stop;
     state.present.speed = R::ZERO;
     state.present.position = R::ZERO;
+    state.turns_fast = false;
     state.jobs = 0u32;
     state.queued = 0u32;
     for place in 0..WAITING {
@@ -63,6 +67,7 @@ pub fn init<R: Real>(state: &mut State<R>) {
     state.before.putax = true;
     state.before.g74 = true;
     state.before.any = true;
+    state.usual = false;
 }
 
 /// A reset: nothing waits any more, and an error that stays is gone.
@@ -80,23 +85,30 @@ pub fn reset<R: Real>(state: &mut State<R>, drive_on: bool) {
     }
 }
 
-/// What the drive gets.
+/// The motion, and the velocity as the drive gets it.
 #[portable]
-pub fn command<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &mut Outputs<R>) {
+pub fn put_out_motion<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &mut Outputs<R>) {
     outputs.x_spindle = state.x;
     outputs.v_spindle = state.v;
     if coeffs.in_drive {
-        outputs.operation_mode = if state.asks_velocity { coeffs.velocity_mode } else { coeffs.position_mode };
         let mut datum = process_data::Datum::default();
         let velocity_increments = coeffs.velocity_scale * state.v;
         process_data::round(&mut datum, &coeffs.velocity_range, velocity_increments);
         outputs.velocity_command = datum.value;
         outputs.limited = datum.limited;
     } else {
-        outputs.operation_mode = 0i32;
         outputs.velocity_command = 0i32;
         outputs.limited = false;
     }
+}
+
+/// The job.
+#[portable]
+pub fn put_out_job<R: Real>(state: &State<R>, outputs: &mut Outputs<R>) {
+    outputs.job = state.present.kind;
+    outputs.job_speed = state.present.speed;
+    outputs.job_position = state.present.position;
+    outputs.job_number = state.jobs;
 }
 
 /// The error of a cycle: one that stays before one of a sample, before one of a request.
@@ -111,9 +123,9 @@ pub fn error_of(lasting: u32, of_sample: u32, of_request: u32) -> u32 {
     }
 }
 
-/// One cycle. Only the samples that the state uses are checked.
+/// Any cycle. Only the samples that the state uses are checked.
 #[portable]
-pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let request_error = jobs::look(state, inputs);
     if inputs.reset {
         reset(state, inputs.drive_on);
@@ -130,7 +142,6 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     if !inputs.drive_on {
         follow(state, inputs, &mut cycle);
     } else if state.lasting_error == error_none() {
-        state.cycles += 1u32;
         match state.control {
             SpindleState::Position => position(state, coeffs, inputs, &mut cycle),
             SpindleState::ToVelocity => to_velocity(state, coeffs, inputs, &mut cycle),
@@ -146,7 +157,8 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     }
     let x_wrapped = wrapped(state.x);
     state.x = x_wrapped;
-    command(state, coeffs, outputs);
+    outputs.operation_mode = if state.asks_velocity { coeffs.velocity_mode } else { coeffs.position_mode };
+    put_out_motion(state, coeffs, outputs);
     let error_now = error_of(state.lasting_error, cycle.sample_error, request_error);
     outputs.error_id = error_now;
     outputs.fault = error_now != error_none();
@@ -155,13 +167,27 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     if !inputs.drive_on || inputs.reset || has_failed || state.control == SpindleState::Brake {
         jobs::stop(state);
     } else {
-        jobs::serve(state, inputs.job_done);
+        jobs::serve(state, coeffs, inputs.job_done);
     }
-    outputs.job = state.present.kind;
-    outputs.job_speed = state.present.speed;
-    outputs.job_position = state.present.position;
-    outputs.job_number = state.jobs;
+    put_out_job(state, outputs);
     outputs.waiting = state.queued;
+    state.usual = is_usual(state);
+}
+
+/// One cycle.
+#[portable]
+pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    let in_position = stays_in_position(state, coeffs, inputs);
+    if in_position {
+        remain_in_position(state, coeffs, inputs, outputs);
+    } else {
+        let in_velocity = stays_in_velocity(state, coeffs, inputs);
+        if in_velocity {
+            remain_in_velocity(state, coeffs, inputs, outputs);
+        } else {
+            any_cycle(state, coeffs, inputs, outputs);
+        }
+    }
 }
 
 /// The block.
@@ -176,6 +202,7 @@ impl<R: Real> Block<R> for Spindle {
 
     const NAME: &'static str = "spindle";
     const ENABLE: Option<Enable> = Some(Enable { input: "drive_on", mode: None });
+    const USUAL_FIRST: bool = true;
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
 

@@ -2,7 +2,7 @@
 
 use super::signals::Inputs;
 use super::state::{Coeffs, Cycle, State};
-use crate::angle::position_limit;
+use crate::angle::{position_limit, wrapped};
 use crate::signal::error_x_actual;
 use portable::{Real, in_range, portable};
 
@@ -10,6 +10,14 @@ use portable::{Real, in_range, portable};
 #[portable]
 pub fn advance<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     state.x = state.x + state.v * coeffs.cycle_time;
+}
+
+/// The spindle is led to a position and a velocity.
+#[portable]
+pub fn move_to<R: Real>(state: &mut State<R>, x: R, v: R) {
+    let x_within = wrapped(x);
+    state.x = x_within;
+    state.v = v;
 }
 
 /// The velocity goes towards 0 by at most the step of a cycle, and not beyond `v_end` or, if it is negative, `v_end_negative`.

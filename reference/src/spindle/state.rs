@@ -41,8 +41,8 @@ pub struct Coeffs<R> {
     pub window: R,
     /// deceleration * T: largest change of the velocity in a cycle [0.001 deg/s]
     pub v_step: R,
-    /// 180 deg / T: from here on the drive cannot tell the direction [0.001 deg/s]
-    pub v_half_turn: R,
+    /// largest |v_interpolator| below 180 deg / T, with which the drive cannot tell the direction any more [0.001 deg/s]
+    pub v_largest: R,
     /// lead of the position command: (Nd + 1) T + (1 - w) / Kv, in the CNC T + 1 / Kv [s]
     pub lead_time: R,
     /// whether the CNC's feedforward shortens that time
@@ -73,7 +73,7 @@ pub struct Coeffs<R> {
 pub struct State<R> {
     /// what controls the spindle
     pub control: SpindleState,
-    /// cycles in this state, this one included
+    /// cycles in TO_VELOCITY, BRAKE or TO_POSITION, this one included
     pub cycles: u32,
     /// cycles in which v_actual has been settled
     pub settled: u32,
@@ -97,6 +97,8 @@ pub struct State<R> {
     pub v: R,
     /// the job
     pub present: Request<R>,
+    /// whether the job is a TURN faster than Von
+    pub turns_fast: bool,
     /// how many jobs there were
     pub jobs: u32,
     /// how many requests wait
@@ -105,6 +107,8 @@ pub struct State<R> {
     pub request: [Request<R>; 4],
     /// the request inputs of the last cycle
     pub before: Before,
+    /// whether the state is POSITION or VELOCITY and stays so until something asks for another: the next cycle may be a usual one
+    pub usual: bool,
 }
 
 /// What is found in one cycle.

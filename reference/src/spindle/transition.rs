@@ -2,7 +2,6 @@
 
 use super::jobs::is_free;
 use super::motion::{advance, slow_down};
-use super::request::{Job, Request};
 use super::signals::Inputs;
 use super::state::{Coeffs, Cycle, SpindleState, State, enter};
 use crate::angle::{position_limit, shortest};
@@ -15,7 +14,7 @@ use portable::{Real, from_i32, in_range, note, portable, within};
 /// Whether the drive cannot tell the direction of the motion any more.
 #[portable]
 pub fn is_half_turn<R: Real>(coeffs: &Coeffs<R>, v: R) -> bool {
-    coeffs.in_drive && (v >= coeffs.v_half_turn || -v >= coeffs.v_half_turn)
+    coeffs.in_drive && !within(v, coeffs.v_largest)
 }
 
 /// Whether the drive says that it is in a mode; the CNC always is.
@@ -41,49 +40,62 @@ pub fn coast<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle: &mut Cycl
 #[portable]
 pub fn track<R: Real>(state: &mut State<R>, inputs: &Inputs<R>) {
     state.missing = 0u32;
+    state.takes_over = false;
     state.x = inputs.x_command;
     state.v = inputs.v_interpolator;
 }
 
-/// Whether the job is to turn faster than Von, and the spindle has reached it.
+/// Whether the interpolator does not go on from where the spindle is, where it takes over.
 #[portable]
-pub fn turns_fast<R: Real>(job: &Request<R>, coeffs: &Coeffs<R>, v: R) -> bool {
-    let mut is_fast_there = false;
-    if job.kind == Job::Turn {
-        let is_fast = job.speed > coeffs.v_velocity_control_on || -job.speed > coeffs.v_velocity_control_on;
-        is_fast_there = is_fast && (v >= coeffs.v_velocity_control_on || -v >= coeffs.v_velocity_control_on);
+pub fn is_jump<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, x_command: R) -> bool {
+    let mut is_too_far = false;
+    if state.takes_over {
+        let x_step = shortest(x_command - (state.x + state.v * coeffs.cycle_time));
+        is_too_far = !within(x_step, coeffs.takeover_window);
     }
-    is_fast_there
+    is_too_far
+}
+
+/// Whether the interpolator can move the spindle in this cycle. Else the spindle coasts, or stops.
+#[portable]
+pub fn is_led<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    inputs: &Inputs<R>,
+    cycle: &mut Cycle,
+    mode_fits: bool,
+) -> bool {
+    let mut leads = false;
+    if !in_range(inputs.v_interpolator, sample_limit()) {
+        coast(state, coeffs, cycle, error_v_interpolator());
+    } else if !in_range(inputs.x_command, position_limit()) {
+        coast(state, coeffs, cycle, error_x_command());
+    } else if !mode_fits {
+        coast(state, coeffs, cycle, error_mode_display());
+    } else if is_half_turn(coeffs, inputs.v_interpolator) {
+        state.lasting_error = error_half_turn();
+    } else {
+        let jumps = is_jump(state, coeffs, inputs.x_command);
+        if jumps {
+            state.lasting_error = error_takeover();
+        }
+        leads = !jumps;
+    }
+    leads
 }
 
 /// POSITION: the interpolator moves the spindle under position control.
 #[portable]
 pub fn position<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
-    let is_v_known = in_range(inputs.v_interpolator, sample_limit());
-    if !is_v_known {
-        coast(state, coeffs, cycle, error_v_interpolator());
-    } else if !in_range(inputs.x_command, position_limit()) {
-        coast(state, coeffs, cycle, error_x_command());
-    } else if !is_displayed(coeffs, inputs, coeffs.position_mode) {
-        coast(state, coeffs, cycle, error_mode_display());
-    } else if is_half_turn(coeffs, inputs.v_interpolator) {
-        state.lasting_error = error_half_turn();
-    } else {
-        let mut is_jump = false;
-        if state.takes_over {
-            let x_step = shortest(inputs.x_command - (state.x + state.v * coeffs.cycle_time));
-            is_jump = !within(x_step, coeffs.takeover_window);
-        }
-        if is_jump {
-            state.lasting_error = error_takeover();
-        } else {
-            state.takes_over = false;
-            track(state, inputs);
-            let is_leaving = turns_fast(&state.present, coeffs, inputs.v_interpolator);
-            if is_leaving && !inputs.reset {
-                note("POSITION -> TO_VELOCITY: M3 or M4 with more than Von, and Von is reached");
-                enter(state, SpindleState::ToVelocity);
-            }
+    let is_position_displayed = is_displayed(coeffs, inputs, coeffs.position_mode);
+    let leads = is_led(state, coeffs, inputs, cycle, is_position_displayed);
+    if leads {
+        track(state, inputs);
+        let is_reached = inputs.v_interpolator >= coeffs.v_velocity_control_on
+            || -inputs.v_interpolator >= coeffs.v_velocity_control_on;
+        if state.turns_fast && is_reached && !inputs.reset {
+            note("POSITION -> TO_VELOCITY: M3 or M4 with more than Von, and Von is reached");
+            enter(state, SpindleState::ToVelocity);
         }
     }
 }
@@ -91,23 +103,20 @@ pub fn position<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inpu
 /// TO_VELOCITY: the drive may obey the position or the velocity.
 #[portable]
 pub fn to_velocity<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
+    state.cycles += 1u32;
     state.asks_velocity = true;
-    let is_v_still_known = in_range(inputs.v_interpolator, sample_limit());
-    let is_velocity_displayed = is_displayed(coeffs, inputs, coeffs.velocity_mode);
-    if !is_v_still_known {
-        coast(state, coeffs, cycle, error_v_interpolator());
-    } else if !in_range(inputs.x_command, position_limit()) {
-        coast(state, coeffs, cycle, error_x_command());
-    } else if is_half_turn(coeffs, inputs.v_interpolator) {
-        state.lasting_error = error_half_turn();
-    } else if is_velocity_displayed {
-        note("TO_VELOCITY -> VELOCITY: the drive displays velocity control");
-        track(state, inputs);
-        enter(state, SpindleState::Velocity);
-    } else if state.cycles > coeffs.mode_cycles {
-        state.lasting_error = error_to_velocity();
-    } else {
-        track(state, inputs);
+    let leads = is_led(state, coeffs, inputs, cycle, true);
+    if leads {
+        let is_velocity_displayed = is_displayed(coeffs, inputs, coeffs.velocity_mode);
+        if !is_velocity_displayed && state.cycles > coeffs.mode_cycles {
+            state.lasting_error = error_to_velocity();
+        } else {
+            track(state, inputs);
+            if is_velocity_displayed {
+                note("TO_VELOCITY -> VELOCITY: the drive displays velocity control");
+                enter(state, SpindleState::Velocity);
+            }
+        }
     }
 }
 
@@ -156,6 +165,7 @@ pub fn has_slowed_down<R: Real>(coeffs: &Coeffs<R>, v_before: R, v_actual: R) ->
 /// BRAKE: down to Voff, until the actual velocity has been there for three cycles.
 #[portable]
 pub fn brake<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
+    state.cycles += 1u32;
     let is_known = in_range(inputs.v_actual, sample_limit());
     let mut is_slow = false;
     if is_known {
@@ -192,6 +202,7 @@ pub fn brake<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
 /// TO_POSITION: the drive may obey the velocity or the position.
 #[portable]
 pub fn to_position<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
+    state.cycles += 1u32;
     state.asks_velocity = false;
     let can_start = state.is_moving || in_range(inputs.x_actual, position_limit());
     let is_position_displayed = can_start && is_displayed(coeffs, inputs, coeffs.position_mode);

@@ -48,15 +48,9 @@ pub fn init<R: Real>(state: &mut State<R>) {
     axis::init(&mut state.axis);
 }
 
-/// The changeover.
+/// What the changeover looks at.
 #[portable]
-pub fn change_over<R: Real>(
-    state: &mut State<R>,
-    coeffs: &Coeffs<R>,
-    inputs: &Inputs<R>,
-    spindle_outputs: &mut spindle::Outputs<R>,
-) {
-    let mut spindle_inputs = spindle::Inputs::<R>::default();
+pub fn read<R: Real>(spindle_inputs: &mut spindle::Inputs<R>, inputs: &Inputs<R>) {
     spindle_inputs.x_command = inputs.x_command;
     spindle_inputs.v_interpolator = inputs.v_interpolator;
     spindle_inputs.x_actual = inputs.x_actual;
@@ -76,7 +70,6 @@ pub fn change_over<R: Real>(
     spindle_inputs.feedforward_percentage = inputs.feedforward_percentage;
     spindle_inputs.reset = inputs.reset;
     spindle_inputs.task_cycle_ns = inputs.task_cycle_ns;
-    spindle::step(&mut state.spindle, &coeffs.spindle, &spindle_inputs, spindle_outputs);
 }
 
 /// Whether the drive may follow the position command in this cycle: then the axis acts.
@@ -114,27 +107,6 @@ pub fn act<R: Real>(
     axis::act(&mut state.axis, &coeffs.axis, &axis_inputs, axis_outputs, spindle_outputs.loop_closed);
 }
 
-/// The drive gets the velocity alone.
-#[portable]
-pub fn open<R: Real>(
-    state: &mut State<R>,
-    coeffs: &Coeffs<R>,
-    spindle_outputs: &spindle::Outputs<R>,
-    axis_outputs: &mut axis::Outputs<R>,
-) {
-    let mut axis_inputs = axis::Inputs::<R>::default();
-    axis_inputs.x_command = spindle_outputs.x_spindle;
-    axis::follow(&mut state.axis, &coeffs.axis, &axis_inputs, axis_outputs, error_none());
-    if coeffs.axis.position_control.location == Location::Cnc {
-        axis_outputs.v_command = spindle_outputs.v_spindle;
-        let mut open_datum = process_data::Datum::default();
-        let open_increments = coeffs.axis.position_control.manipulated_scale * spindle_outputs.v_spindle;
-        process_data::round(&mut open_datum, &coeffs.axis.position_control.manipulated_range, open_increments);
-        axis_outputs.manipulated_variable = open_datum.value;
-        axis_outputs.limited = open_datum.limited;
-    }
-}
-
 /// What the spindle and its axis put out.
 #[portable]
 pub fn put_out<R: Real>(
@@ -165,35 +137,100 @@ pub fn put_out<R: Real>(
         if coeffs.spindle.in_drive { spindle_outputs.limited || axis_outputs.limited } else { axis_outputs.limited };
 }
 
-/// One cycle. Only the samples that the spindle uses are checked.
+/// The drive gets the velocity alone.
 #[portable]
-pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    let mut spindle_outputs = spindle::Outputs::<R>::default();
-    change_over(state, coeffs, inputs, &mut spindle_outputs);
+pub fn open<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    spindle_outputs: &spindle::Outputs<R>,
+    outputs: &mut Outputs<R>,
+) {
     let mut axis_outputs = axis::Outputs::<R>::default();
-    let mut error_now = spindle_outputs.error_id;
-    let mut loop_closed = spindle_outputs.loop_closed;
-    // What stops the spindle, or lets it go on without the interpolator, moves by its velocity alone.
-    let is_led = state.spindle.lasting_error == error_none() && state.spindle.missing == 0u32 && inputs.drive_on;
-    if is_led && follows_position(coeffs, spindle_outputs.spindle_state) {
-        let reads_actual = position_control::reads_actual(&coeffs.axis.position_control);
-        if reads_actual && !in_range(inputs.x_actual, position_limit()) {
-            error_now = error_x_actual();
-            loop_closed = false;
-            open(state, coeffs, &spindle_outputs, &mut axis_outputs);
-        } else {
-            act(state, coeffs, inputs, &spindle_outputs, &mut axis_outputs);
-            if axis_outputs.fault {
-                error_now = axis_outputs.error_id;
-            }
-        }
-    } else {
-        open(state, coeffs, &spindle_outputs, &mut axis_outputs);
+    let mut axis_inputs = axis::Inputs::<R>::default();
+    axis_inputs.x_command = spindle_outputs.x_spindle;
+    axis::follow(&mut state.axis, &coeffs.axis, &axis_inputs, &mut axis_outputs, error_none());
+    if coeffs.axis.position_control.location == Location::Cnc {
+        axis_outputs.v_command = spindle_outputs.v_spindle;
+        let mut open_datum = process_data::Datum::default();
+        let open_increments = coeffs.axis.position_control.manipulated_scale * spindle_outputs.v_spindle;
+        process_data::round(&mut open_datum, &coeffs.axis.position_control.manipulated_range, open_increments);
+        axis_outputs.manipulated_variable = open_datum.value;
+        axis_outputs.limited = open_datum.limited;
     }
-    put_out(coeffs, &spindle_outputs, &axis_outputs, outputs);
+    put_out(coeffs, spindle_outputs, &axis_outputs, outputs);
+    outputs.error_id = spindle_outputs.error_id;
+    outputs.fault = spindle_outputs.fault;
+    outputs.loop_closed = spindle_outputs.loop_closed;
+}
+
+/// Under position control: the axis acts.
+#[portable]
+pub fn close<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    inputs: &Inputs<R>,
+    spindle_outputs: &spindle::Outputs<R>,
+    outputs: &mut Outputs<R>,
+) {
+    let mut axis_outputs = axis::Outputs::<R>::default();
+    act(state, coeffs, inputs, spindle_outputs, &mut axis_outputs);
+    put_out(coeffs, spindle_outputs, &axis_outputs, outputs);
+    let error_now = if axis_outputs.fault { axis_outputs.error_id } else { spindle_outputs.error_id };
     outputs.error_id = error_now;
     outputs.fault = error_now != error_none();
-    outputs.loop_closed = loop_closed;
+    outputs.loop_closed = spindle_outputs.loop_closed;
+}
+
+/// Any cycle. Only the samples that the spindle uses are checked.
+#[portable]
+pub fn any_cycle<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    inputs: &Inputs<R>,
+    spindle_inputs: &spindle::Inputs<R>,
+    outputs: &mut Outputs<R>,
+) {
+    let mut spindle_outputs = spindle::Outputs::<R>::default();
+    spindle::any_cycle(&mut state.spindle, &coeffs.spindle, spindle_inputs, &mut spindle_outputs);
+    // What stops the spindle, or lets it go on without the interpolator, moves by its velocity alone.
+    let is_led = state.spindle.lasting_error == error_none() && state.spindle.missing == 0u32 && inputs.drive_on;
+    let follows = is_led && follows_position(coeffs, spindle_outputs.spindle_state);
+    let reads_actual = position_control::reads_actual(&coeffs.axis.position_control);
+    let is_lost = follows && reads_actual && !in_range(inputs.x_actual, position_limit());
+    if is_lost {
+        spindle_outputs.error_id = error_x_actual();
+        spindle_outputs.fault = true;
+        spindle_outputs.loop_closed = false;
+    }
+    if follows && !is_lost {
+        close(state, coeffs, inputs, &spindle_outputs, outputs);
+    } else {
+        open(state, coeffs, &spindle_outputs, outputs);
+    }
+}
+
+/// One cycle.
+#[portable]
+pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    let mut spindle_inputs = spindle::Inputs::<R>::default();
+    read(&mut spindle_inputs, inputs);
+    let reads_actual = position_control::reads_actual(&coeffs.axis.position_control);
+    let improves = coeffs.axis.addition == axis::Addition::Ipc;
+    let in_position = spindle::stays_in_position(&state.spindle, &coeffs.spindle, &spindle_inputs)
+        && (!reads_actual || in_range(inputs.x_actual, position_limit()))
+        && (!improves
+            || ipc::is_settled(&state.axis.ipc, &coeffs.axis.ipc, inputs.mode, inputs.v_motor, inputs.v_direct));
+    if in_position {
+        let mut spindle_outputs = spindle::Outputs::<R>::default();
+        spindle::remain_in_position(&mut state.spindle, &coeffs.spindle, &spindle_inputs, &mut spindle_outputs);
+        close(state, coeffs, inputs, &spindle_outputs, outputs);
+    } else if spindle::stays_in_velocity(&state.spindle, &coeffs.spindle, &spindle_inputs) {
+        let mut spindle_outputs = spindle::Outputs::<R>::default();
+        spindle::remain_in_velocity(&mut state.spindle, &coeffs.spindle, &spindle_inputs, &mut spindle_outputs);
+        open(state, coeffs, &spindle_outputs, outputs);
+    } else {
+        any_cycle(state, coeffs, inputs, &spindle_inputs, outputs);
+    }
 }
 
 /// The block.
@@ -208,6 +245,7 @@ impl<R: Real> Block<R> for SpindleAxis {
 
     const NAME: &'static str = "spindle_axis";
     const ENABLE: Option<Enable> = Some(Enable { input: "drive_on", mode: None });
+    const USUAL_FIRST: bool = true;
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
 

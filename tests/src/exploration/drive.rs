@@ -95,7 +95,7 @@ pub fn coefficients(in_drive: bool, v_off: f64, v_step: f64) -> Coeffs<f64> {
         v_position_control_on_negative: 0.0 - v_off,
         window: U / 4.0,
         v_step,
-        v_half_turn: 180_000.0,
+        v_largest: 180_000.0_f64.next_down(),
         lead_time: 3.0,
         takeover_window: U / 2.0,
         mode_cycles: MODE_CYCLES,

@@ -224,7 +224,8 @@ fn step(edge: &Edge<'_>, x: f64) -> f64 {
 }
 
 fn is_taken_over(edge: &Edge<'_>) -> bool {
-    let is_first = edge.before.takes_over && edge.inside == Node::Position && !is_stopping(edge);
+    let follows = matches!(edge.inside, Node::Position | Node::ToVelocity);
+    let is_first = edge.before.takes_over && follows && !is_stopping(edge);
     !is_first || step(edge, edge.outputs.x_spindle) <= edge.coeffs.takeover_window
 }
 
@@ -260,7 +261,7 @@ fn lasting(edge: &Edge<'_>) -> u32 {
         _ if edge.missing() != 0 && edge.before.missing < 3 => 0,
         _ if edge.missing() != 0 => edge.missing(),
         Node::Position | Node::ToVelocity if is_half_turn => 44,
-        Node::Position if is_jump => 46,
+        Node::Position | Node::ToVelocity if is_jump => 46,
         Node::ToVelocity if !is_answered(edge) && edge.cycles() > coeffs.mode_cycles => 41,
         Node::Brake if !may_leave_brake(edge) && edge.cycles() > coeffs.brake_cycles => 42,
         Node::ToPosition if !is_answered(edge) && edge.cycles() > coeffs.mode_cycles => 43,

@@ -59,7 +59,7 @@ const fn wrong_and_off(from: Node) -> Transition {
 }
 
 /// All transitions.
-pub const TRANSITIONS: [Transition; 43] = [
+pub const TRANSITIONS: [Transition; 44] = [
     t(Node::Off, Node::ToPosition),
     t(Node::ToPosition, Node::Position),
     t(Node::Position, Node::ToVelocity),
@@ -92,6 +92,7 @@ pub const TRANSITIONS: [Transition; 43] = [
     error(Node::Position, 45),
     error(Node::Velocity, 45),
     error(Node::Position, 46),
+    error(Node::ToVelocity, 46),
     t(Node::Stopped, Node::Brake),
     t(Node::Stopped, Node::Off),
     t(Node::Stopped, Node::OffStopped),

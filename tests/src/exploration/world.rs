@@ -125,7 +125,7 @@ impl World {
         let is_coasting = matches!(self.node, Node::Position | Node::ToVelocity | Node::Velocity);
         let zero = if is_absolute { 0.0 } else { block.x };
         let place = |x: f64| grains(wrap(x - zero));
-        let takes_over = block.takes_over && self.node == Node::Position;
+        let takes_over = block.takes_over && matches!(self.node, Node::Position | Node::ToVelocity);
         let flags = [block.asks_velocity, block.returns, block.is_moving, takes_over, drive.is_velocity];
         let flags = flags.into_iter().chain([self.was_reset, self.takes_over, self.x_start.is_some()]);
         let held = block.before;
@@ -240,7 +240,11 @@ impl Edge<'_> {
         after.is_first = false;
         after.is_start = is_start;
         after.was_reset = (inputs.reset || after.was_reset) && is_free(inside) && is_free(then);
-        after.takes_over = then == Node::Position && (inside != then || is_missing);
+        after.takes_over = match then {
+            Node::Position => inside != then || is_missing,
+            Node::ToVelocity => is_missing,
+            _ => false,
+        };
         let leaves = inside == Node::Brake && then == Node::ToPosition;
         after.x_start = leaves.then_some(inputs.x_actual + outputs.v_spindle * coeffs.lead_time);
         after.last = self.transitions.into_iter().flatten().last().or(after.last);

@@ -67,7 +67,7 @@ impl Bench {
             v_position_control_on_negative: -V_OFF,
             window: V_WINDOW,
             v_step: V_STEP,
-            v_half_turn: 180_000.0 / T,
+            v_largest: (180_000.0 / T).next_down(),
             lead_time: LEAD_TIME,
             takeover_window: WINDOW,
             mode_cycles: MODE_CYCLES,

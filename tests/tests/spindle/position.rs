@@ -194,6 +194,21 @@ fn the_step_of_position_behind_missing_samples_is_looked_at() {
 }
 
 #[test]
+fn the_step_of_to_velocity_behind_missing_samples_is_looked_at() {
+    for id in [14, 17] {
+        for (off, error) in [(0.999 * WINDOW, 0), (1.001 * WINDOW, 46), (180_000.0, 46)] {
+            let mut bench = Bench::in_drive().before_to_velocity();
+            bench.display = Some(POSITION_MODE);
+            bench.cycle();
+            lack(&mut bench, id);
+            bench.x_command = Some(bench.outputs.x_spindle + bench.outputs.v_spindle * T + off);
+            let o = bench.cycle();
+            assert_eq!((o.error_id, o.spindle_state), (error, SpindleState::ToVelocity), "{id} {off}");
+        }
+    }
+}
+
+#[test]
 fn loop_closed_does_not_depend_on_a_refused_request() {
     let mut bench = Bench::in_drive().at_rest();
     let o = bench.with_inputs(|i| (i.m3, i.m4) = (true, true));

@@ -1,6 +1,7 @@
 //! Passes that make a program one that a language can say; a target names those that it needs, and `verify` runs after the
 //! last of them.
 
+mod apart;
 mod before;
 mod bound;
 mod choose;
@@ -22,7 +23,8 @@ use crate::program::Program;
 use std::borrow::Cow;
 
 /// What C needs.
-pub const WITH_OUTPUTS: &[Stage] = &[("settled", settle::run), ("early", early::run), ("chosen", choose::run)];
+pub const WITH_OUTPUTS: &[Stage] =
+    &[("settled", settle::run), ("early", early::run), ("chosen", choose::run), ("apart", apart::run)];
 
 /// What Structured Text needs where the digits of an LREAL may stand in an expression.
 pub const WITH_DIGITS: &[Stage] = &[

@@ -40,7 +40,7 @@ fn times(list: &[Statement], output: Var) -> Option<usize> {
         .map(|statement| match statement {
             Statement::Note(_) => Some(0),
             Statement::Assign { target, .. } => Some(usize::from(*target == output)),
-            Statement::If { .. } | Statement::Choose { .. } => {
+            Statement::If { .. } | Statement::Choose { .. } | Statement::Apart(_) => {
                 let mut counts = statement.branches().map(|list| times(list, output));
                 let first = counts.next().unwrap_or(Some(0));
                 first.filter(|count| counts.all(|other| other == Some(*count)))
@@ -152,7 +152,7 @@ fn always(statement: &Statement, output: Var) -> bool {
     match statement {
         Statement::Note(_) => false,
         Statement::Assign { target, .. } => *target == output,
-        Statement::If { .. } | Statement::Choose { .. } => {
+        Statement::If { .. } | Statement::Choose { .. } | Statement::Apart(_) => {
             statement.branches().all(|list| list.iter().any(|statement| always(statement, output)))
         }
     }

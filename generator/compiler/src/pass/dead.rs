@@ -37,7 +37,7 @@ fn keep(mut statement: Statement, read: &mut Table<bool>) -> Option<Statement> {
             read.locals.iter_mut().zip(other.locals).for_each(|(read, other)| *read |= other);
             condition.variables(&mut |var| read[var] = true);
         }
-        Statement::Choose { .. } => panic!("live: no choice has been made yet"),
+        Statement::Choose { .. } | Statement::Apart(_) => panic!("live: nothing has been legalised yet"),
     }
     Some(statement)
 }

@@ -48,7 +48,7 @@ fn in_list(
                 *facts = yes.join(&no);
                 kept.push(Statement::If { condition, then, otherwise });
             }
-            Statement::Choose { .. } => panic!("known: no choice has been made yet"),
+            Statement::Choose { .. } | Statement::Apart(_) => panic!("known: nothing has been legalised yet"),
         }
     }
     kept

@@ -28,6 +28,7 @@ fn type_statements(statements: &[Statement], program: &mut Program) -> Result<()
                 type_statements(then, program)?;
                 type_statements(otherwise, program)?;
             }
+            Statement::Apart(body) => type_statements(body, program)?,
             Statement::Choose { by, arms } => {
                 let found = type_of(by, program)?;
                 for arm in arms {

@@ -39,6 +39,7 @@ fn statements(list: &[Statement], written: &mut Table<bool>, program: &Program) 
                     return Err(defect(format!("{target:?} is assigned twice on one way")));
                 }
             }
+            Statement::Apart(body) => statements(body, written, program)?,
             Statement::If { condition: asked, .. } | Statement::Choose { by: asked, .. } => {
                 readable(asked, written, program)?;
                 let mut branches = statement.branches().map(|list| {

@@ -35,6 +35,7 @@ pub static LANGUAGE: Language = Language {
         ends: ["break;", "}"],
         end: "}",
     },
+    call: "any_cycle(state, inputs, outputs);",
     comment: ["/* ", " * ", " */"],
 };
 
@@ -48,7 +49,7 @@ static RESERVED: LazyLock<HashSet<&'static str>> = LazyLock::new(|| {
         reinterpret_cast requires restrict return short signed sizeof static static_assert static_cast struct switch
         template this thread_local throw true try typedef typeid typename typeof uint32_t uint64_t union unsigned using
         virtual void volatile wchar_t while xor xor_eq state inputs outputs bits_of real_of fold digest scale step noise
-        random sample magnitude nearest
+        random sample magnitude nearest any_cycle
     "
     .split_ascii_whitespace()
     .collect()

@@ -55,6 +55,8 @@ pub struct Language {
     pub(super) choice: [&'static str; 5],
     /// how a choice by a number is written
     pub(super) cases: Cases,
+    /// the statement that calls what stands apart
+    pub(super) call: &'static str,
     /// what begins a comment, begins its next line, and ends it
     pub(super) comment: [&'static str; 3],
 }

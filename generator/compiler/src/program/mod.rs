@@ -20,6 +20,8 @@ pub struct Program {
     pub block: &'static str,
     /// what turns the block off from outside; `None`: nothing does
     pub switch: Option<Switch>,
+    /// whether `step` begins with the cycles that mostly run, and its last `else` is any other cycle
+    pub usual_first: bool,
     /// what [`Type::Real`] is
     pub real: RealKind,
     /// written by the caller
@@ -166,6 +168,8 @@ pub enum Statement {
         /// the last one is for every other number too
         arms: Vec<Arm>,
     },
+    /// what seldom runs, at the end of a way; a legalising pass puts it apart
+    Apart(Vec<Statement>),
 }
 
 /// One list of a choice.

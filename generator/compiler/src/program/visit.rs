@@ -12,7 +12,7 @@ impl Statement {
     /// The expression that the statement itself evaluates.
     pub(crate) fn expr(&self) -> Option<&Expr> {
         match self {
-            Self::Note(_) => None,
+            Self::Note(_) | Self::Apart(_) => None,
             Self::Assign { value: expr, .. } | Self::If { condition: expr, .. } | Self::Choose { by: expr, .. } => {
                 Some(expr)
             }
@@ -58,24 +58,26 @@ impl Statement {
         is_target || self.expr().is_some_and(|expr| expr.mentions(var)) || inside()
     }
 
-    /// The lists of an `if` or of a choice.
+    /// The lists of an `if` or of a choice, or the one that stands apart.
     pub(crate) fn branches(&self) -> impl Iterator<Item = &Vec<Self>> {
-        let (both, arms): (_, &[Arm]) = match self {
-            Self::If { then, otherwise, .. } => (Some([then, otherwise]), &[]),
-            Self::Choose { arms, .. } => (None, arms),
-            Self::Note(_) | Self::Assign { .. } => (None, &[]),
+        let (first, second, arms): (_, _, &[Arm]) = match self {
+            Self::If { then, otherwise, .. } => (Some(then), Some(otherwise), &[]),
+            Self::Choose { arms, .. } => (None, None, arms),
+            Self::Apart(body) => (Some(body), None, &[]),
+            Self::Note(_) | Self::Assign { .. } => (None, None, &[]),
         };
-        both.into_iter().flatten().chain(arms.iter().map(|arm| &arm.body))
+        first.into_iter().chain(second).chain(arms.iter().map(|arm| &arm.body))
     }
 
     /// The same, to be changed.
     pub(crate) fn branches_mut(&mut self) -> impl Iterator<Item = &mut Vec<Self>> {
-        let (both, arms): (_, &mut [Arm]) = match self {
-            Self::If { then, otherwise, .. } => (Some([then, otherwise]), &mut []),
-            Self::Choose { arms, .. } => (None, arms),
-            Self::Note(_) | Self::Assign { .. } => (None, &mut []),
+        let (first, second, arms): (_, _, &mut [Arm]) = match self {
+            Self::If { then, otherwise, .. } => (Some(then), Some(otherwise), &mut []),
+            Self::Choose { arms, .. } => (None, None, arms),
+            Self::Apart(body) => (Some(body), None, &mut []),
+            Self::Note(_) | Self::Assign { .. } => (None, None, &mut []),
         };
-        both.into_iter().flatten().chain(arms.iter_mut().map(|arm| &mut arm.body))
+        first.into_iter().chain(second).chain(arms.iter_mut().map(|arm| &mut arm.body))
     }
 }
 
@@ -138,7 +140,7 @@ pub fn map_expressions(list: &mut [Statement], change: &mut impl FnMut(&mut Expr
 fn change_each(list: &mut [Statement], change: &mut impl FnMut(&mut Expr, Option<&mut Var>)) {
     for statement in list {
         match statement {
-            Statement::Note(_) => {}
+            Statement::Note(_) | Statement::Apart(_) => {}
             Statement::Assign { target, value } => change(value, Some(target)),
             Statement::If { condition: expr, .. } | Statement::Choose { by: expr, .. } => change(expr, None),
         }

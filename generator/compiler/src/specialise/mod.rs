@@ -25,6 +25,7 @@ pub fn block<R: Real, B: Block<R>>(coeffs: &B::Coeffs, notes: &BTreeMap<String, 
     let program = Program {
         block: B::NAME,
         switch: None,
+        usual_first: B::USUAL_FIRST,
         real: R::KIND,
         inputs: Vec::new(),
         outputs: Vec::new(),

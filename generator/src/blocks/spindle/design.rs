@@ -2,6 +2,7 @@
 
 use super::limits::window;
 use crate::axis::{Axis, Changeover, Spindle};
+use crate::design::rounding::sample_limit;
 use crate::design::scale;
 use reference::spindle::Coeffs;
 
@@ -27,7 +28,7 @@ pub(crate) fn coefficients(axis: &Axis) -> Coeffs<f64> {
         v_position_control_on_negative: 0.0 - off, // not `-off`: 0 stays +0
         window: window(of.v_position_control_on, of.window),
         v_step: of.deceleration * cycle_time,
-        v_half_turn: half_turn(axis),
+        v_largest: scale::below(half_turn(axis), axis.real).min(sample_limit(axis.real)),
         lead_time: f64::from(of.delay_cycles + 1) * cycle_time + (1.0 - weight(of)) / kv(of),
         takeover_window: of.takeover_window,
         mode_cycles: cycles(of.mode_timeout_ns, axis),

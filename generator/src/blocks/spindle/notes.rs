@@ -32,7 +32,7 @@ pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
         note("v_position_control_on", format!("Voff = {} rpm (P-AXIS-00768)", digits(off / RPM))),
         note("window", format!("{} rpm (key spindle.window)", digits(window / RPM))),
         note("v_step", format!("deceleration {} rpm/s (key spindle.deceleration)", digits(of.deceleration / RPM))),
-        note("v_half_turn", format!("{} rpm", digits(super::design::half_turn(axis) / RPM))),
+        note("v_largest", format!("below {} rpm", digits(super::design::half_turn(axis) / RPM))),
         note("lead_time", lead),
         note("takeover_window", format!("{} deg (key spindle.takeover_window)", digits(of.takeover_window / 1000.0))),
         note("mode_cycles", format!("{} (key spindle.mode_timeout)", time_text(of.mode_timeout_ns))),

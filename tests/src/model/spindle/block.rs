@@ -30,7 +30,7 @@ pub fn coefficients(p: &Parameters) -> Coeffs<f64> {
         v_position_control_on_negative: -p.v_off,
         window: p.window,
         v_step: p.deceleration * p.cycle,
-        v_half_turn: 180_000.0 / p.cycle,
+        v_largest: (180_000.0 / p.cycle).next_down(),
         lead_time: f64::from(delay + 1) * p.cycle + (1.0 - weight) / p.kv,
         has_feedforward: p.in_cnc && p.feedforward.is_some(),
         default_active: false,

@@ -184,7 +184,7 @@ impl Model {
         let Entry { state, .. } = self.current();
         let follows = matches!(state, POSITION | TO_VELOCITY);
         let steps_too_far = follows && !self.p.in_cnc && inputs.v_interpolator.abs() * self.p.cycle >= 180_000.0;
-        let takes_over = state == POSITION && self.followed_at + 1 < self.now;
+        let takes_over = follows && self.followed_at + 1 < self.now;
         let step = near(wrap(inputs.x_command) - (self.x + self.v * self.p.cycle));
         let jumps = takes_over && step.abs() > self.p.takeover_window;
         if steps_too_far { Some(44) } else { jumps.then_some(46) }

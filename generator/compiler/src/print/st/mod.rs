@@ -29,6 +29,7 @@ pub static PLAIN: Language = Language {
     assign: " :=",
     choice: ["IF ", "ELSIF ", " THEN", "ELSE", "END_IF;"],
     cases: Cases { asks: ["CASE ", " OF"], label: (None, ":"), others: "ELSE", ends: [""; 2], end: "END_CASE;" },
+    call: "", // nothing stands apart
     comment: ["(* ", "   ", " *)"],
 };
 

@@ -1,0 +1,37 @@
+//! Puts what seldom runs apart: the last `else` of a block that begins with the cycles that mostly run. C calls it in last place as a function
+//! of its own, so that a usual cycle saves no register for it.
+
+use crate::pass::Defect;
+use crate::program::{Program, Statement, Var};
+use std::collections::BTreeSet;
+
+pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
+    if program.usual_first
+        && let Some(rest) = last_else(&mut program.step)
+        && stands_alone(rest)
+    {
+        *rest = vec![Statement::Apart(std::mem::take(rest))];
+    }
+    Ok(program)
+}
+
+/// What no condition of the last chain of questions holds for.
+fn last_else(list: &mut [Statement]) -> Option<&mut Vec<Statement>> {
+    let Some(Statement::If { otherwise, .. }) = list.last_mut() else { return None };
+    let goes_on = matches!(otherwise[..], [Statement::If { .. }]);
+    if goes_on { last_else(otherwise) } else { Some(otherwise).filter(|rest| !rest.is_empty()) }
+}
+
+/// Whether the statements read no local but their own.
+fn stands_alone(list: &[Statement]) -> bool {
+    let (mut read, mut written) = (BTreeSet::new(), BTreeSet::new());
+    for statement in list {
+        statement.assignments(&mut |target, _| {
+            written.insert(target);
+        });
+        statement.reads(&mut |var| {
+            read.insert(var);
+        });
+    }
+    read.iter().all(|var| !matches!(var, Var::Local(_)) || written.contains(var))
+}

@@ -1,0 +1,94 @@
+//! The usual cycle: POSITION or VELOCITY with all samples, without a request, with nothing that waits and nothing wrong. It does what
+//! `any_cycle` does there, and asks for less. No transition.
+
+use super::motion::move_to;
+use super::signals::{Inputs, Outputs};
+use super::state::{Coeffs, SpindleState, State};
+use super::transition::is_displayed;
+use super::{put_out_job, put_out_motion};
+use crate::angle::position_limit;
+use crate::signal::{error_none, sample_limit};
+use portable::{Real, in_range, note, portable};
+
+/// Whether the state asks for nothing but POSITION or VELOCITY again: so it stays in cycles of this file.
+#[portable]
+pub fn is_usual<R: Real>(state: &State<R>) -> bool {
+    let stays_closed = state.control == SpindleState::Position && !state.takes_over && !state.turns_fast;
+    let stays_open = state.control == SpindleState::Velocity && !state.returns;
+    (stays_closed || stays_open) && state.lasting_error == error_none() && state.queued == 0u32 && !state.before.any
+}
+
+/// Whether no input asks for anything but what the state does.
+#[portable]
+pub fn asks_nothing<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
+    !(inputs.m3 || inputs.m4 || inputs.m5 || inputs.m19 || inputs.putax || inputs.g74)
+        && inputs.drive_on
+        && !inputs.reset
+        && (inputs.task_cycle_ns == 0u32 || inputs.task_cycle_ns == coeffs.cycle_time_ns)
+}
+
+/// Whether the interpolator moves the spindle under position control, and goes on doing so.
+#[portable]
+pub fn stays_in_position<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
+    let v_largest = if coeffs.in_drive { coeffs.v_largest } else { sample_limit() };
+    state.usual
+        && state.control == SpindleState::Position
+        && asks_nothing(coeffs, inputs)
+        && in_range(inputs.v_interpolator, v_largest)
+        && in_range(inputs.x_command, position_limit())
+        && is_displayed(coeffs, inputs, coeffs.position_mode)
+}
+
+/// Whether the spindle turns under velocity control, and goes on doing so.
+#[portable]
+pub fn stays_in_velocity<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
+    state.usual
+        && state.control == SpindleState::Velocity
+        && asks_nothing(coeffs, inputs)
+        && in_range(inputs.v_interpolator, sample_limit())
+        && in_range(inputs.x_actual, position_limit())
+        && is_displayed(coeffs, inputs, coeffs.velocity_mode)
+}
+
+/// POSITION.
+#[portable]
+pub fn remain_in_position<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    inputs: &Inputs<R>,
+    outputs: &mut Outputs<R>,
+) {
+    note("a usual cycle in POSITION");
+    move_to(state, inputs.x_command, inputs.v_interpolator);
+    outputs.operation_mode = coeffs.position_mode;
+    put_out(state, coeffs, outputs);
+    outputs.spindle_state = SpindleState::Position;
+    outputs.loop_closed = true;
+}
+
+/// VELOCITY.
+#[portable]
+pub fn remain_in_velocity<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    inputs: &Inputs<R>,
+    outputs: &mut Outputs<R>,
+) {
+    note("a usual cycle in VELOCITY");
+    state.missing = 0u32;
+    move_to(state, inputs.x_actual, inputs.v_interpolator);
+    outputs.operation_mode = coeffs.velocity_mode;
+    put_out(state, coeffs, outputs);
+    outputs.spindle_state = SpindleState::Velocity;
+    outputs.loop_closed = false;
+}
+
+/// What both put out.
+#[portable]
+pub fn put_out<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &mut Outputs<R>) {
+    put_out_motion(state, coeffs, outputs);
+    put_out_job(state, outputs);
+    outputs.waiting = 0u32;
+    outputs.error_id = error_none();
+    outputs.fault = false;
+}
