@@ -176,6 +176,7 @@ OFTEN uint32_t coast(hand_spindle *spindle, uint32_t error_id)
 OFTEN void track(hand_spindle *spindle, const axis_inputs *inputs)
 {
     spindle->missing = 0u;
+    spindle->takes_over = false;
     spindle->x = inputs->x_command;
     spindle->v = inputs->v_interpolator;
 }
@@ -184,6 +185,13 @@ OFTEN void track(hand_spindle *spindle, const axis_inputs *inputs)
 OFTEN bool is_half_turn(double v)
 {
     return in_drive && fabs(v) >= 90000000.0;
+}
+
+/* Whether the interpolator does not go on from where the spindle is, where it takes over. */
+OFTEN bool jumps(const hand_spindle *spindle, const axis_inputs *inputs)
+{
+    return spindle->takes_over
+        && !(fabs(shortest(inputs->x_command - (spindle->x + spindle->v * cycle_time))) <= takeover_window);
 }
 
 OFTEN uint32_t in_position(hand_spindle *spindle, const axis_inputs *inputs)
@@ -201,12 +209,10 @@ OFTEN uint32_t in_position(hand_spindle *spindle, const axis_inputs *inputs)
         spindle->lasting_error = 44u;
         return 0u;
     }
-    if (spindle->takes_over
-        && !(fabs(shortest(inputs->x_command - (spindle->x + spindle->v * cycle_time))) <= takeover_window)) {
+    if (jumps(spindle, inputs)) {
         spindle->lasting_error = 46u;
         return 0u;
     }
-    spindle->takes_over = false;
     track(spindle, inputs);
     if (spindle->turns_fast && fabs(inputs->v_interpolator) >= v_velocity_control_on && !inputs->reset) {
         enter(spindle, TO_VELOCITY);
@@ -225,6 +231,8 @@ OFTEN uint32_t to_velocity(hand_spindle *spindle, const axis_inputs *inputs)
     }
     if (is_half_turn(inputs->v_interpolator)) {
         spindle->lasting_error = 44u;
+    } else if (jumps(spindle, inputs)) {
+        spindle->lasting_error = 46u;
     } else if (DISPLAYS(inputs, velocity_mode)) {
         track(spindle, inputs);
         enter(spindle, VELOCITY);

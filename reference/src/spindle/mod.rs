@@ -102,6 +102,16 @@ pub fn put_out_motion<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &m
     }
 }
 
+/// The operation mode that the drive is to take.
+#[portable]
+pub fn put_out_mode<R: Real>(coeffs: &Coeffs<R>, outputs: &mut Outputs<R>, asks_velocity: bool) {
+    if coeffs.in_drive {
+        outputs.operation_mode = if asks_velocity { coeffs.velocity_mode } else { coeffs.position_mode };
+    } else {
+        outputs.operation_mode = 0i32;
+    }
+}
+
 /// The job.
 #[portable]
 pub fn put_out_job<R: Real>(state: &State<R>, outputs: &mut Outputs<R>) {
@@ -157,8 +167,8 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     }
     let x_wrapped = wrapped(state.x);
     state.x = x_wrapped;
-    outputs.operation_mode = if state.asks_velocity { coeffs.velocity_mode } else { coeffs.position_mode };
     put_out_motion(state, coeffs, outputs);
+    put_out_mode(coeffs, outputs, state.asks_velocity);
     let error_now = error_of(state.lasting_error, cycle.sample_error, request_error);
     outputs.error_id = error_now;
     outputs.fault = error_now != error_none();

@@ -5,7 +5,7 @@ use super::motion::move_to;
 use super::signals::{Inputs, Outputs};
 use super::state::{Coeffs, SpindleState, State};
 use super::transition::is_displayed;
-use super::{put_out_job, put_out_motion};
+use super::{put_out_job, put_out_mode, put_out_motion};
 use crate::angle::position_limit;
 use crate::signal::{error_none, sample_limit};
 use portable::{Real, in_range, note, portable};
@@ -60,8 +60,8 @@ pub fn remain_in_position<R: Real>(
 ) {
     note("a usual cycle in POSITION");
     move_to(state, inputs.x_command, inputs.v_interpolator);
-    outputs.operation_mode = coeffs.position_mode;
     put_out(state, coeffs, outputs);
+    put_out_mode(coeffs, outputs, false);
     outputs.spindle_state = SpindleState::Position;
     outputs.loop_closed = true;
 }
@@ -77,8 +77,8 @@ pub fn remain_in_velocity<R: Real>(
     note("a usual cycle in VELOCITY");
     state.missing = 0u32;
     move_to(state, inputs.x_actual, inputs.v_interpolator);
-    outputs.operation_mode = coeffs.velocity_mode;
     put_out(state, coeffs, outputs);
+    put_out_mode(coeffs, outputs, true);
     outputs.spindle_state = SpindleState::Velocity;
     outputs.loop_closed = false;
 }

@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  b92e28125bf8b73ebb5b80376f6f2970
- * checksum    419b733fe3539d17893eacae5c72dde1
+ * checksum    061fc3ca33ee983c84733996d786fe46
  */
 #include "axis_s_spindle.h"
 
@@ -66,8 +66,10 @@ static const double window = 6000.0;
 /* deceleration 2000 rpm/s (key spindle.deceleration) */
 static const double v_step = 24000.0; /* deceleration * T: largest change of the velocity in a cycle [0.001 deg/s] */
 
-/* 15000 rpm */
-static const double v_half_turn = 90000000.0; /* 180 deg / T: from here on the drive cannot tell the direction [0.001 deg/s] */
+/* below 15000 rpm */
+/* largest |v_interpolator| below 180 deg / T, with which the drive cannot tell the direction any more [0.001
+ * deg/s] */
+static const double v_largest = 89999999.99999999;
 
 /* 5 cycles (P-AXIS-00191) and 0.5 / Kv, Kv = 20/s (P-AXIS-00099) */
 static const double lead_time = 0.035; /* lead of the position command: (Nd + 1) T + (1 - w) / Kv, in the CNC T + 1 / Kv [s] */
@@ -96,12 +98,14 @@ static const double velocity_range_upper_limit = 2147483647.4999998; /* largest 
 
 /* the same for every axis */
 static const uint32_t error_none = 0u; /* error_id: no fault */
-static const uint32_t error_direction = 32u; /* error_id: spindle: M3 and M4 in one cycle, the request is lost */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const double sample_limit = 1000000000000000.0;
-static const uint32_t error_s_word = 33u; /* error_id: spindle: s_word is not within the sample limit, the request is lost */
 /* largest magnitude of a position in range: its number of turns is an integer of 32 bits */
 static const double position_limit = 700000000000000.0;
+static const double full_turn = 360000.0; /* a full turn [0.001 deg] */
+static const double per_turn = 2.777777777777778e-6; /* 1 / full_turn */
+/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+static const double sample_limit = 1000000000000000.0;
+static const uint32_t error_direction = 32u; /* error_id: spindle: M3 and M4 in one cycle, the request is lost */
+static const uint32_t error_s_word = 33u; /* error_id: spindle: s_word is not within the sample limit, the request is lost */
 /* error_id: spindle: s_position is not within the position limit, the request is lost */
 static const uint32_t error_s_position = 34u;
 static const uint32_t error_drive_off = 36u; /* error_id: spindle: the drive is off, the request is lost */
@@ -116,8 +120,6 @@ static const uint32_t error_x_command = 17u; /* error_id: x_command is not withi
 static const uint32_t error_mode_display = 45u;
 /* error_id: spindle: 180 degrees a cycle or more, the drive cannot tell the direction; stays until reset */
 static const uint32_t error_half_turn = 44u;
-static const double per_turn = 2.777777777777778e-6; /* 1 / full_turn */
-static const double full_turn = 360000.0; /* a full turn [0.001 deg] */
 static const uint32_t error_takeover = 46u; /* error_id: spindle: x_command does not go on from x_spindle; stays until reset */
 /* error_id: spindle: the drive does not display velocity control within the time; stays until reset */
 static const uint32_t error_to_velocity = 41u;
@@ -161,6 +163,7 @@ void axis_s_spindle_init(axis_s_spindle_state *state)
     state->present_kind = job_stop;
     state->present_speed = 0.0;
     state->present_position = 0.0;
+    state->turns_fast = false;
     state->jobs = 0u;
     state->queued = 0u;
     state->request0_kind = job_stop;
@@ -182,6 +185,7 @@ void axis_s_spindle_init(axis_s_spindle_state *state)
     state->before_putax = true;
     state->before_g74 = true;
     state->before_any = true;
+    state->usual = false;
 }
 
 void axis_s_spindle_inputs_init(axis_s_spindle_inputs *inputs)
@@ -205,207 +209,269 @@ void axis_s_spindle_inputs_init(axis_s_spindle_inputs *inputs)
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_s_spindle_step(
+/* any cycle that is not a usual one; in a function of its own, so that a usual cycle saves no registers */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static void any_cycle(
     axis_s_spindle_state *restrict state,
     const axis_s_spindle_inputs *restrict inputs,
     axis_s_spindle_outputs *restrict outputs)
 {
-    const bool is_any = inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74;
-    uint32_t request_error;
-    if (is_any || state->before_any) {
-        state->before_any = is_any;
-        const bool new_m19 = inputs->m19 && !state->before_m19;
-        const bool new_turn = !new_m19 && ((inputs->m3 && !state->before_m3) || (inputs->m4 && !state->before_m4));
-        const bool new_m5 = inputs->m5 && !state->before_m5;
-        const bool new_putax = inputs->putax && !state->before_putax;
-        const bool new_g74 = inputs->g74 && !state->before_g74;
-        state->before_m3 = inputs->m3;
-        state->before_m4 = inputs->m4;
-        state->before_m5 = inputs->m5;
-        state->before_m19 = inputs->m19;
-        state->before_putax = inputs->putax;
-        state->before_g74 = inputs->g74;
-        if (!inputs->reset && (new_g74 || new_putax || new_m19 || new_m5 || new_turn)) {
-            bool has_others;
-            int32_t wanted;
-            if (new_g74) {
-                has_others = new_putax || new_m19 || new_m5 || new_turn;
-                wanted = job_home;
-            } else if (new_putax) {
-                has_others = new_m19 || new_m5 || new_turn;
-                wanted = job_release;
-            } else if (new_m19) {
-                wanted = job_orient;
-                has_others = new_m5;
-            } else if (new_m5) {
-                wanted = job_stop;
-                has_others = new_turn;
+    const bool in_velocity =
+        state->usual && state->control == spindle_state_velocity
+            && !(inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74)
+            && inputs->drive_on && !inputs->reset
+            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)
+            && magnitude(inputs->v_interpolator) <= sample_limit && magnitude(inputs->x_actual) <= position_limit
+            && inputs->operation_mode_display == velocity_mode;
+    if (in_velocity) {
+        outputs->loop_closed = false;
+        outputs->spindle_state = spindle_state_velocity;
+        outputs->operation_mode = velocity_mode;
+        outputs->fault = false;
+        outputs->error_id = error_none;
+        outputs->waiting = 0u;
+        state->v = inputs->v_interpolator;
+        /* a usual cycle in VELOCITY */
+        state->missing = 0u;
+        double within_turn_next;
+        if (inputs->x_actual < 0.0 || inputs->x_actual >= full_turn) {
+            const int32_t turns_next = (int32_t)(inputs->x_actual * per_turn);
+            const double rest_next = inputs->x_actual - (double)turns_next * full_turn;
+            double above_next;
+            if (rest_next < 0.0) {
+                above_next = rest_next + full_turn;
             } else {
-                wanted = job_turn;
-                has_others = false;
+                above_next = rest_next;
             }
-            const uint32_t waiting_now = state->queued;
-            const bool has_speed = wanted == job_turn || wanted == job_orient;
-            uint32_t why;
-            if (has_speed && inputs->m3 && inputs->m4) {
-                why = error_direction;
-            } else if (has_speed && !(magnitude(inputs->s_word) <= sample_limit)) {
-                why = error_s_word;
-            } else if (wanted == job_orient && !(magnitude(inputs->s_position) <= position_limit)) {
-                why = error_s_position;
-            } else if (!inputs->drive_on) {
-                why = error_drive_off;
-            } else if (waiting_now >= 4u) {
-                why = error_waiting;
+            if (above_next >= full_turn) {
+                within_turn_next = above_next - full_turn;
             } else {
-                why = error_none;
+                within_turn_next = above_next;
             }
-            if (why != error_none) {
-                request_error = why;
-            } else {
-                double speed;
-                if (wanted == job_turn || wanted == job_orient) {
-                    const bool is_negative = inputs->s_word < 0.0;
-                    if (is_negative == inputs->m4) {
-                        speed = inputs->s_word;
+        } else {
+            within_turn_next = inputs->x_actual;
+        }
+        state->x = within_turn_next;
+        outputs->x_spindle = state->x;
+        outputs->v_spindle = state->v;
+        const double velocity_increments_next = velocity_scale * state->v;
+        if (magnitude(velocity_increments_next) <= velocity_range_upper_limit) {
+            outputs->velocity_command = nearest(velocity_increments_next);
+            outputs->limited = false;
+        } else if (velocity_increments_next > 0.0) {
+            outputs->velocity_command = velocity_range_highest;
+            outputs->limited = true;
+        } else if (velocity_increments_next < 0.0) {
+            outputs->limited = velocity_increments_next < velocity_range_lower_limit;
+            outputs->velocity_command = velocity_range_lowest;
+        } else {
+            /* only what is no number comes here, which no sample in range leads to: nothing is put out */
+            outputs->velocity_command = 0;
+            outputs->limited = true;
+        }
+        outputs->job = state->present_kind;
+        outputs->job_speed = state->present_speed;
+        outputs->job_position = state->present_position;
+        outputs->job_number = state->jobs;
+    } else {
+        const bool is_any = inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74;
+        uint32_t request_error;
+        if (is_any || state->before_any) {
+            state->before_any = is_any;
+            const bool new_m19 = inputs->m19 && !state->before_m19;
+            const bool new_turn = !new_m19 && ((inputs->m3 && !state->before_m3) || (inputs->m4 && !state->before_m4));
+            const bool new_m5 = inputs->m5 && !state->before_m5;
+            const bool new_putax = inputs->putax && !state->before_putax;
+            const bool new_g74 = inputs->g74 && !state->before_g74;
+            state->before_m3 = inputs->m3;
+            state->before_m4 = inputs->m4;
+            state->before_m5 = inputs->m5;
+            state->before_m19 = inputs->m19;
+            state->before_putax = inputs->putax;
+            state->before_g74 = inputs->g74;
+            if (!inputs->reset && (new_g74 || new_putax || new_m19 || new_m5 || new_turn)) {
+                bool has_others;
+                int32_t wanted;
+                if (new_g74) {
+                    has_others = new_putax || new_m19 || new_m5 || new_turn;
+                    wanted = job_home;
+                } else if (new_putax) {
+                    has_others = new_m19 || new_m5 || new_turn;
+                    wanted = job_release;
+                } else if (new_m19) {
+                    wanted = job_orient;
+                    has_others = new_m5;
+                } else if (new_m5) {
+                    wanted = job_stop;
+                    has_others = new_turn;
+                } else {
+                    wanted = job_turn;
+                    has_others = false;
+                }
+                const uint32_t waiting_now = state->queued;
+                const bool has_speed = wanted == job_turn || wanted == job_orient;
+                uint32_t why;
+                if (has_speed && inputs->m3 && inputs->m4) {
+                    why = error_direction;
+                } else if (has_speed && !(magnitude(inputs->s_word) <= sample_limit)) {
+                    why = error_s_word;
+                } else if (wanted == job_orient && !(magnitude(inputs->s_position) <= position_limit)) {
+                    why = error_s_position;
+                } else if (!inputs->drive_on) {
+                    why = error_drive_off;
+                } else if (waiting_now >= 4u) {
+                    why = error_waiting;
+                } else {
+                    why = error_none;
+                }
+                if (why != error_none) {
+                    request_error = why;
+                } else {
+                    double speed;
+                    if (wanted == job_turn || wanted == job_orient) {
+                        const bool is_negative = inputs->s_word < 0.0;
+                        if (is_negative == inputs->m4) {
+                            speed = inputs->s_word;
+                        } else {
+                            speed = -inputs->s_word;
+                        }
                     } else {
-                        speed = -inputs->s_word;
+                        speed = 0.0;
                     }
-                } else {
-                    speed = 0.0;
+                    double target;
+                    if (wanted == job_orient) {
+                        target = inputs->s_position;
+                    } else {
+                        target = 0.0;
+                    }
+                    if (state->queued == 0u) {
+                        state->request0_kind = wanted;
+                        state->request0_speed = speed;
+                        state->request0_position = target;
+                    } else if (state->queued == 1u) {
+                        state->request1_kind = wanted;
+                        state->request1_speed = speed;
+                        state->request1_position = target;
+                    } else if (state->queued == 2u) {
+                        state->request2_kind = wanted;
+                        state->request2_speed = speed;
+                        state->request2_position = target;
+                    } else {
+                        state->request3_kind = wanted;
+                        state->request3_speed = speed;
+                        state->request3_position = target;
+                    }
+                    state->queued = state->queued + 1u;
+                    if (has_others) {
+                        request_error = error_requests;
+                    } else {
+                        request_error = error_none;
+                    }
                 }
-                double target;
-                if (wanted == job_orient) {
-                    target = inputs->s_position;
-                } else {
-                    target = 0.0;
-                }
-                if (state->queued == 0u) {
-                    state->request0_kind = wanted;
-                    state->request0_speed = speed;
-                    state->request0_position = target;
-                } else if (state->queued == 1u) {
-                    state->request1_kind = wanted;
-                    state->request1_speed = speed;
-                    state->request1_position = target;
-                } else if (state->queued == 2u) {
-                    state->request2_kind = wanted;
-                    state->request2_speed = speed;
-                    state->request2_position = target;
-                } else {
-                    state->request3_kind = wanted;
-                    state->request3_speed = speed;
-                    state->request3_position = target;
-                }
-                state->queued = state->queued + 1u;
-                if (has_others) {
-                    request_error = error_requests;
-                } else {
-                    request_error = error_none;
-                }
+            } else {
+                request_error = error_none;
             }
         } else {
             request_error = error_none;
         }
-    } else {
-        request_error = error_none;
-    }
-    if (inputs->reset) {
-        state->queued = 0u;
-        if (state->lasting_error != error_none) {
-            state->lasting_error = error_none;
-            state->returns = false;
-            if (inputs->drive_on) {
-                state->control = spindle_state_brake;
-                state->cycles = 0u;
-                state->settled = 0u;
-                state->missing = 0u;
+        if (inputs->reset) {
+            state->queued = 0u;
+            if (state->lasting_error != error_none) {
+                state->lasting_error = error_none;
+                state->returns = false;
+                if (inputs->drive_on) {
+                    state->control = spindle_state_brake;
+                    state->cycles = 0u;
+                    state->settled = 0u;
+                    state->missing = 0u;
+                }
+            } else if (state->control == spindle_state_to_velocity || state->control == spindle_state_velocity) {
+                state->returns = true;
             }
-        } else if (state->control == spindle_state_to_velocity || state->control == spindle_state_velocity) {
-            state->returns = true;
         }
-    }
-    const bool is_wrong = inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns;
-    if (is_wrong && state->lasting_error == error_none) {
-        state->lasting_error = error_cycle_time;
-    }
-    if (!inputs->drive_on) {
-        state->control = spindle_state_to_position;
-        state->cycles = 0u;
-        state->settled = 0u;
-        state->missing = 0u;
-    }
-    outputs->spindle_state = state->control;
-    uint32_t sample_error;
-    if (!inputs->drive_on) {
-        state->v = 0.0;
-        state->asks_velocity = false;
-        state->returns = false;
-        state->is_moving = false;
-        state->queued = 0u;
-        state->takes_over = false;
-        if (magnitude(inputs->x_actual) <= position_limit) {
-            state->x = inputs->x_actual;
-            sample_error = 0u;
-        } else {
-            sample_error = error_x_actual;
+        const bool is_wrong = inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns;
+        if (is_wrong && state->lasting_error == error_none) {
+            state->lasting_error = error_cycle_time;
         }
-    } else if (state->lasting_error == error_none) {
-        state->cycles = state->cycles + 1u;
-        switch (state->control) {
-        case spindle_state_position: {
-            const bool is_v_known = magnitude(inputs->v_interpolator) <= sample_limit;
-            if (!is_v_known) {
-                state->missing = state->missing + 1u;
-                state->takes_over = true;
-                if (state->missing > 3u) {
-                    state->lasting_error = error_v_interpolator;
-                } else {
-                    state->x = state->x + state->v * cycle_time;
-                }
-                sample_error = error_v_interpolator;
-            } else if (!(magnitude(inputs->x_command) <= position_limit)) {
-                state->missing = state->missing + 1u;
-                state->takes_over = true;
-                if (state->missing > 3u) {
-                    state->lasting_error = error_x_command;
-                } else {
-                    state->x = state->x + state->v * cycle_time;
-                }
-                sample_error = error_x_command;
-            } else if (inputs->operation_mode_display == position_mode) {
-                if (inputs->v_interpolator >= v_half_turn || -inputs->v_interpolator >= v_half_turn) {
-                    state->lasting_error = error_half_turn;
-                } else {
-                    bool is_jump;
-                    if (state->takes_over) {
-                        const double distance = inputs->x_command - (state->x + state->v * cycle_time);
-                        const int32_t whole_turns = nearest(distance * per_turn);
-                        const double x_step = distance - (double)whole_turns * full_turn;
-                        is_jump = !(magnitude(x_step) <= takeover_window);
+        if (!inputs->drive_on) {
+            state->control = spindle_state_to_position;
+            state->cycles = 0u;
+            state->settled = 0u;
+            state->missing = 0u;
+        }
+        outputs->spindle_state = state->control;
+        uint32_t sample_error;
+        if (!inputs->drive_on) {
+            state->v = 0.0;
+            state->asks_velocity = false;
+            state->returns = false;
+            state->is_moving = false;
+            state->queued = 0u;
+            state->takes_over = false;
+            if (magnitude(inputs->x_actual) <= position_limit) {
+                state->x = inputs->x_actual;
+                sample_error = 0u;
+            } else {
+                sample_error = error_x_actual;
+            }
+        } else if (state->lasting_error == error_none) {
+            switch (state->control) {
+            case spindle_state_position: {
+                const bool is_position_displayed = inputs->operation_mode_display == position_mode;
+                if (magnitude(inputs->v_interpolator) <= sample_limit) {
+                    bool leads;
+                    if (!(magnitude(inputs->x_command) <= position_limit)) {
+                        state->missing = state->missing + 1u;
+                        state->takes_over = true;
+                        if (state->missing > 3u) {
+                            state->lasting_error = error_x_command;
+                        } else {
+                            state->x = state->x + state->v * cycle_time;
+                        }
+                        sample_error = error_x_command;
+                        leads = false;
+                    } else if (is_position_displayed) {
+                        if (magnitude(inputs->v_interpolator) <= v_largest) {
+                            bool is_too_far;
+                            if (state->takes_over) {
+                                const double distance = inputs->x_command - (state->x + state->v * cycle_time);
+                                const int32_t whole_turns = nearest(distance * per_turn);
+                                const double x_step = distance - (double)whole_turns * full_turn;
+                                is_too_far = !(magnitude(x_step) <= takeover_window);
+                                if (is_too_far) {
+                                    state->lasting_error = error_takeover;
+                                }
+                            } else {
+                                is_too_far = false;
+                            }
+                            leads = !is_too_far;
+                        } else {
+                            state->lasting_error = error_half_turn;
+                            leads = false;
+                        }
+                        sample_error = 0u;
                     } else {
-                        is_jump = false;
+                        state->missing = state->missing + 1u;
+                        state->takes_over = true;
+                        if (state->missing > 3u) {
+                            state->lasting_error = error_mode_display;
+                        } else {
+                            state->x = state->x + state->v * cycle_time;
+                        }
+                        sample_error = error_mode_display;
+                        leads = false;
                     }
-                    if (is_jump) {
-                        state->lasting_error = error_takeover;
-                    } else {
-                        state->takes_over = false;
+                    if (leads) {
                         state->missing = 0u;
+                        state->takes_over = false;
                         state->x = inputs->x_command;
                         state->v = inputs->v_interpolator;
-                        bool is_fast_there;
-                        if (state->present_kind == job_turn) {
-                            const bool is_fast =
-                                state->present_speed > v_velocity_control_on
-                                    || -state->present_speed > v_velocity_control_on;
-                            is_fast_there =
-                                is_fast
-                                    && (inputs->v_interpolator >= v_velocity_control_on
-                                        || -inputs->v_interpolator >= v_velocity_control_on);
-                        } else {
-                            is_fast_there = false;
-                        }
-                        if (is_fast_there && !inputs->reset) {
+                        const bool is_reached =
+                            inputs->v_interpolator >= v_velocity_control_on
+                                || -inputs->v_interpolator >= v_velocity_control_on;
+                        if (state->turns_fast && is_reached && !inputs->reset) {
                             /* POSITION -> TO_VELOCITY: M3 or M4 with more than Von, and Von is reached */
                             state->control = spindle_state_to_velocity;
                             state->cycles = 0u;
@@ -413,303 +479,402 @@ void axis_s_spindle_step(
                             state->missing = 0u;
                         }
                     }
-                }
-                sample_error = 0u;
-            } else {
-                state->missing = state->missing + 1u;
-                state->takes_over = true;
-                if (state->missing > 3u) {
-                    state->lasting_error = error_mode_display;
                 } else {
-                    state->x = state->x + state->v * cycle_time;
-                }
-                sample_error = error_mode_display;
-            }
-            break;
-        }
-        case spindle_state_to_velocity: {
-            state->asks_velocity = true;
-            const bool is_v_still_known = magnitude(inputs->v_interpolator) <= sample_limit;
-            const bool is_velocity_displayed = inputs->operation_mode_display == velocity_mode;
-            if (!is_v_still_known) {
-                state->missing = state->missing + 1u;
-                state->takes_over = true;
-                if (state->missing > 3u) {
-                    state->lasting_error = error_v_interpolator;
-                } else {
-                    state->x = state->x + state->v * cycle_time;
-                }
-                sample_error = error_v_interpolator;
-            } else if (magnitude(inputs->x_command) <= position_limit) {
-                if (inputs->v_interpolator >= v_half_turn || -inputs->v_interpolator >= v_half_turn) {
-                    state->lasting_error = error_half_turn;
-                } else if (is_velocity_displayed) {
-                    /* TO_VELOCITY -> VELOCITY: the drive displays velocity control */
-                    state->missing = 0u;
-                    state->x = inputs->x_command;
-                    state->v = inputs->v_interpolator;
-                    state->control = spindle_state_velocity;
-                    state->cycles = 0u;
-                    state->settled = 0u;
-                    state->missing = 0u;
-                } else if (state->cycles > mode_cycles) {
-                    state->lasting_error = error_to_velocity;
-                } else {
-                    state->missing = 0u;
-                    state->x = inputs->x_command;
-                    state->v = inputs->v_interpolator;
-                }
-                sample_error = 0u;
-            } else {
-                state->missing = state->missing + 1u;
-                state->takes_over = true;
-                if (state->missing > 3u) {
-                    state->lasting_error = error_x_command;
-                } else {
-                    state->x = state->x + state->v * cycle_time;
-                }
-                sample_error = error_x_command;
-            }
-            break;
-        }
-        case spindle_state_velocity: {
-            if (!(magnitude(inputs->v_interpolator) <= sample_limit)) {
-                state->missing = state->missing + 1u;
-                state->takes_over = true;
-                if (state->missing > 3u) {
-                    state->lasting_error = error_v_interpolator;
-                } else {
-                    state->x = state->x + state->v * cycle_time;
-                }
-                sample_error = error_v_interpolator;
-            } else if (inputs->operation_mode_display == velocity_mode) {
-                state->missing = 0u;
-                state->v = inputs->v_interpolator;
-                if (magnitude(inputs->x_actual) <= position_limit) {
-                    state->x = inputs->x_actual;
-                } else {
-                    state->x = state->x + state->v * cycle_time;
-                }
-                if (state->returns
-                        || (state->queued > 0u
-                            && !(state->request0_kind == job_stop || state->request0_kind == job_turn))) {
-                    /* VELOCITY -> BRAKE: M19, G74, S[PUTAX] or a reset */
-                    state->returns = false;
-                    state->control = spindle_state_brake;
-                    state->cycles = 0u;
-                    state->settled = 0u;
-                    state->missing = 0u;
-                }
-                sample_error = 0u;
-            } else {
-                state->missing = state->missing + 1u;
-                state->takes_over = true;
-                if (state->missing > 3u) {
-                    state->lasting_error = error_mode_display;
-                } else {
-                    state->x = state->x + state->v * cycle_time;
-                }
-                sample_error = error_mode_display;
-            }
-            break;
-        }
-        case spindle_state_brake: {
-            const bool is_known = magnitude(inputs->v_actual) <= sample_limit;
-            bool is_slow;
-            if (is_known) {
-                const double v_before = state->v;
-                double v_magnitude;
-                if (v_before < 0.0) {
-                    v_magnitude = -v_before;
-                } else {
-                    v_magnitude = v_before;
-                }
-                is_slow =
-                    magnitude(v_before) <= v_position_control_on && magnitude(inputs->v_actual) <= v_magnitude + window;
-            } else {
-                is_slow = false;
-            }
-            if (is_slow) {
-                state->settled = state->settled + 1u;
-            } else {
-                state->settled = 0u;
-            }
-            const bool is_settled = state->settled >= 3u;
-            const bool can_leave = is_settled && magnitude(inputs->x_actual) <= position_limit;
-            if (!is_known) {
-                sample_error = error_v_actual;
-            } else if (is_settled && !can_leave) {
-                sample_error = error_x_actual;
-            } else {
-                sample_error = 0u;
-            }
-            if (!can_leave && state->cycles > brake_cycles) {
-                state->lasting_error = error_brake;
-            } else {
-                if (state->v > v_position_control_on) {
-                    state->v = state->v - v_step;
-                    if (state->v < v_position_control_on) {
-                        state->v = v_position_control_on;
-                    }
-                } else if (state->v < v_position_control_on_negative) {
-                    state->v = state->v + v_step;
-                    if (state->v > v_position_control_on_negative) {
-                        state->v = v_position_control_on_negative;
-                    }
-                }
-                state->x = state->x + state->v * cycle_time;
-                if (can_leave) {
-                    /* BRAKE -> TO_POSITION: the actual velocity has settled at Voff */
-                    state->x_start = inputs->x_actual + state->v * lead_time;
-                    state->is_moving = true;
-                    state->control = spindle_state_to_position;
-                    state->cycles = 0u;
-                    state->settled = 0u;
-                    state->missing = 0u;
-                }
-            }
-            break;
-        }
-        default: { /* spindle_state_to_position */
-            state->asks_velocity = false;
-            const bool can_start = state->is_moving || magnitude(inputs->x_actual) <= position_limit;
-            const bool is_position_displayed = can_start && inputs->operation_mode_display == position_mode;
-            if (!is_position_displayed && state->cycles > mode_cycles) {
-                state->lasting_error = error_to_position;
-                sample_error = 0u;
-            } else {
-                if (can_start) {
-                    if (!state->is_moving) {
-                        state->x = inputs->x_actual;
-                    } else if (state->cycles == 1u) {
-                        state->x = state->x_start;
+                    state->missing = state->missing + 1u;
+                    state->takes_over = true;
+                    if (state->missing > 3u) {
+                        state->lasting_error = error_v_interpolator;
                     } else {
                         state->x = state->x + state->v * cycle_time;
                     }
+                    sample_error = error_v_interpolator;
+                }
+                break;
+            }
+            case spindle_state_to_velocity: {
+                state->cycles = state->cycles + 1u;
+                state->asks_velocity = true;
+                if (magnitude(inputs->v_interpolator) <= sample_limit) {
+                    bool leads_next;
+                    if (magnitude(inputs->x_command) <= position_limit) {
+                        if (magnitude(inputs->v_interpolator) <= v_largest) {
+                            bool is_too_far_next;
+                            if (state->takes_over) {
+                                const double distance_next = inputs->x_command - (state->x + state->v * cycle_time);
+                                const int32_t whole_turns_next = nearest(distance_next * per_turn);
+                                const double x_step_next = distance_next - (double)whole_turns_next * full_turn;
+                                is_too_far_next = !(magnitude(x_step_next) <= takeover_window);
+                                if (is_too_far_next) {
+                                    state->lasting_error = error_takeover;
+                                }
+                            } else {
+                                is_too_far_next = false;
+                            }
+                            leads_next = !is_too_far_next;
+                        } else {
+                            state->lasting_error = error_half_turn;
+                            leads_next = false;
+                        }
+                        sample_error = 0u;
+                    } else {
+                        state->missing = state->missing + 1u;
+                        state->takes_over = true;
+                        if (state->missing > 3u) {
+                            state->lasting_error = error_x_command;
+                        } else {
+                            state->x = state->x + state->v * cycle_time;
+                        }
+                        sample_error = error_x_command;
+                        leads_next = false;
+                    }
+                    if (leads_next) {
+                        const bool is_velocity_displayed = inputs->operation_mode_display == velocity_mode;
+                        if (!is_velocity_displayed && state->cycles > mode_cycles) {
+                            state->lasting_error = error_to_velocity;
+                        } else {
+                            state->missing = 0u;
+                            state->takes_over = false;
+                            state->x = inputs->x_command;
+                            state->v = inputs->v_interpolator;
+                            if (is_velocity_displayed) {
+                                /* TO_VELOCITY -> VELOCITY: the drive displays velocity control */
+                                state->control = spindle_state_velocity;
+                                state->cycles = 0u;
+                                state->settled = 0u;
+                                state->missing = 0u;
+                            }
+                        }
+                    }
+                } else {
+                    state->missing = state->missing + 1u;
+                    state->takes_over = true;
+                    if (state->missing > 3u) {
+                        state->lasting_error = error_v_interpolator;
+                    } else {
+                        state->x = state->x + state->v * cycle_time;
+                    }
+                    sample_error = error_v_interpolator;
+                }
+                break;
+            }
+            case spindle_state_velocity: {
+                if (!(magnitude(inputs->v_interpolator) <= sample_limit)) {
+                    state->missing = state->missing + 1u;
+                    state->takes_over = true;
+                    if (state->missing > 3u) {
+                        state->lasting_error = error_v_interpolator;
+                    } else {
+                        state->x = state->x + state->v * cycle_time;
+                    }
+                    sample_error = error_v_interpolator;
+                } else if (inputs->operation_mode_display == velocity_mode) {
+                    state->missing = 0u;
+                    state->v = inputs->v_interpolator;
+                    if (magnitude(inputs->x_actual) <= position_limit) {
+                        state->x = inputs->x_actual;
+                    } else {
+                        state->x = state->x + state->v * cycle_time;
+                    }
+                    if (state->returns
+                            || (state->queued > 0u
+                                && !(state->request0_kind == job_stop || state->request0_kind == job_turn))) {
+                        /* VELOCITY -> BRAKE: M19, G74, S[PUTAX] or a reset */
+                        state->returns = false;
+                        state->control = spindle_state_brake;
+                        state->cycles = 0u;
+                        state->settled = 0u;
+                        state->missing = 0u;
+                    }
                     sample_error = 0u;
                 } else {
-                    sample_error = error_x_actual;
-                }
-                if (is_position_displayed) {
-                    /* TO_POSITION -> POSITION: the drive displays position control */
+                    state->missing = state->missing + 1u;
                     state->takes_over = true;
-                    state->control = spindle_state_position;
-                    state->cycles = 0u;
+                    if (state->missing > 3u) {
+                        state->lasting_error = error_mode_display;
+                    } else {
+                        state->x = state->x + state->v * cycle_time;
+                    }
+                    sample_error = error_mode_display;
+                }
+                break;
+            }
+            case spindle_state_brake: {
+                state->cycles = state->cycles + 1u;
+                const bool is_known = magnitude(inputs->v_actual) <= sample_limit;
+                bool is_slow;
+                if (is_known) {
+                    const double v_before = state->v;
+                    double v_magnitude;
+                    if (v_before < 0.0) {
+                        v_magnitude = -v_before;
+                    } else {
+                        v_magnitude = v_before;
+                    }
+                    is_slow =
+                        magnitude(v_before) <= v_position_control_on
+                            && magnitude(inputs->v_actual) <= v_magnitude + window;
+                } else {
+                    is_slow = false;
+                }
+                if (is_slow) {
+                    state->settled = state->settled + 1u;
+                } else {
                     state->settled = 0u;
-                    state->missing = 0u;
+                }
+                const bool is_settled = state->settled >= 3u;
+                const bool can_leave = is_settled && magnitude(inputs->x_actual) <= position_limit;
+                if (!is_known) {
+                    sample_error = error_v_actual;
+                } else if (is_settled && !can_leave) {
+                    sample_error = error_x_actual;
+                } else {
+                    sample_error = 0u;
+                }
+                if (!can_leave && state->cycles > brake_cycles) {
+                    state->lasting_error = error_brake;
+                } else {
+                    if (state->v > v_position_control_on) {
+                        state->v = state->v - v_step;
+                        if (state->v < v_position_control_on) {
+                            state->v = v_position_control_on;
+                        }
+                    } else if (state->v < v_position_control_on_negative) {
+                        state->v = state->v + v_step;
+                        if (state->v > v_position_control_on_negative) {
+                            state->v = v_position_control_on_negative;
+                        }
+                    }
+                    state->x = state->x + state->v * cycle_time;
+                    if (can_leave) {
+                        /* BRAKE -> TO_POSITION: the actual velocity has settled at Voff */
+                        state->x_start = inputs->x_actual + state->v * lead_time;
+                        state->is_moving = true;
+                        state->control = spindle_state_to_position;
+                        state->cycles = 0u;
+                        state->settled = 0u;
+                        state->missing = 0u;
+                    }
+                }
+                break;
+            }
+            default: { /* spindle_state_to_position */
+                state->cycles = state->cycles + 1u;
+                state->asks_velocity = false;
+                const bool can_start = state->is_moving || magnitude(inputs->x_actual) <= position_limit;
+                const bool is_position_displayed_next = can_start && inputs->operation_mode_display == position_mode;
+                if (!is_position_displayed_next && state->cycles > mode_cycles) {
+                    state->lasting_error = error_to_position;
+                    sample_error = 0u;
+                } else {
+                    if (can_start) {
+                        if (!state->is_moving) {
+                            state->x = inputs->x_actual;
+                        } else if (state->cycles == 1u) {
+                            state->x = state->x_start;
+                        } else {
+                            state->x = state->x + state->v * cycle_time;
+                        }
+                        sample_error = 0u;
+                    } else {
+                        sample_error = error_x_actual;
+                    }
+                    if (is_position_displayed_next) {
+                        /* TO_POSITION -> POSITION: the drive displays position control */
+                        state->takes_over = true;
+                        state->control = spindle_state_position;
+                        state->cycles = 0u;
+                        state->settled = 0u;
+                        state->missing = 0u;
+                    }
+                }
+                break;
+            }
+            }
+        } else {
+            sample_error = 0u;
+        }
+        const bool has_failed = state->lasting_error != error_none;
+        if (has_failed && inputs->drive_on) {
+            if (state->v > 0.0) {
+                state->v = state->v - v_step;
+                if (state->v < 0.0) {
+                    state->v = 0.0;
+                }
+            } else if (state->v < 0.0) {
+                state->v = state->v + v_step;
+                if (state->v > 0.0) {
+                    state->v = 0.0;
                 }
             }
-            break;
+            state->x = state->x + state->v * cycle_time;
         }
-        }
-    } else {
-        sample_error = 0u;
-    }
-    const bool has_failed = state->lasting_error != error_none;
-    if (has_failed && inputs->drive_on) {
-        if (state->v > 0.0) {
-            state->v = state->v - v_step;
-            if (state->v < 0.0) {
-                state->v = 0.0;
+        const double angle = state->x;
+        double within_turn_2;
+        if (angle < 0.0 || angle >= full_turn) {
+            const int32_t turns_2 = (int32_t)(angle * per_turn);
+            const double rest_2 = angle - (double)turns_2 * full_turn;
+            double above_2;
+            if (rest_2 < 0.0) {
+                above_2 = rest_2 + full_turn;
+            } else {
+                above_2 = rest_2;
             }
-        } else if (state->v < 0.0) {
-            state->v = state->v + v_step;
-            if (state->v > 0.0) {
-                state->v = 0.0;
+            if (above_2 >= full_turn) {
+                within_turn_2 = above_2 - full_turn;
+            } else {
+                within_turn_2 = above_2;
+            }
+        } else {
+            within_turn_2 = angle;
+        }
+        state->x = within_turn_2;
+        outputs->x_spindle = state->x;
+        outputs->v_spindle = state->v;
+        const double velocity_increments_2 = velocity_scale * state->v;
+        if (magnitude(velocity_increments_2) <= velocity_range_upper_limit) {
+            outputs->velocity_command = nearest(velocity_increments_2);
+            outputs->limited = false;
+        } else if (velocity_increments_2 > 0.0) {
+            outputs->velocity_command = velocity_range_highest;
+            outputs->limited = true;
+        } else if (velocity_increments_2 < 0.0) {
+            outputs->limited = velocity_increments_2 < velocity_range_lower_limit;
+            outputs->velocity_command = velocity_range_lowest;
+        } else {
+            /* only what is no number comes here, which no sample in range leads to: nothing is put out */
+            outputs->velocity_command = 0;
+            outputs->limited = true;
+        }
+        const bool asks_velocity = state->asks_velocity;
+        if (asks_velocity) {
+            outputs->operation_mode = velocity_mode;
+        } else {
+            outputs->operation_mode = position_mode;
+        }
+        const uint32_t lasting = state->lasting_error;
+        uint32_t error_now;
+        if (lasting != error_none) {
+            error_now = lasting;
+        } else if (sample_error != error_none) {
+            error_now = sample_error;
+        } else {
+            error_now = request_error;
+        }
+        outputs->error_id = error_now;
+        outputs->fault = error_now != error_none;
+        outputs->loop_closed =
+            outputs->spindle_state == spindle_state_position && !has_failed && sample_error == error_none;
+        if (!inputs->drive_on || inputs->reset || has_failed || state->control == spindle_state_brake) {
+            if (state->present_kind != job_stop) {
+                state->turns_fast = false;
+                state->present_kind = job_stop;
+                state->present_speed = 0.0;
+                state->present_position = 0.0;
+                state->jobs = state->jobs + 1u;
+            }
+        } else if (state->queued > 0u) {
+            const bool is_over = state->present_kind == job_stop || state->present_kind == job_turn || inputs->job_done;
+            const bool can_serve =
+                state->control == spindle_state_position
+                    || (state->control == spindle_state_velocity && !state->returns
+                        && (state->request0_kind == job_stop || state->request0_kind == job_turn));
+            if (is_over && can_serve) {
+                const bool is_fast =
+                    state->request0_speed > v_velocity_control_on || -state->request0_speed > v_velocity_control_on;
+                state->turns_fast = state->request0_kind == job_turn && is_fast;
+                state->present_kind = state->request0_kind;
+                state->present_speed = state->request0_speed;
+                state->present_position = state->request0_position;
+                state->request0_kind = state->request1_kind;
+                state->request0_speed = state->request1_speed;
+                state->request0_position = state->request1_position;
+                state->request1_kind = state->request2_kind;
+                state->request1_speed = state->request2_speed;
+                state->request1_position = state->request2_position;
+                state->request2_kind = state->request3_kind;
+                state->request2_speed = state->request3_speed;
+                state->request2_position = state->request3_position;
+                state->queued = state->queued - 1u;
+                state->jobs = state->jobs + 1u;
             }
         }
-        state->x = state->x + state->v * cycle_time;
+        outputs->job = state->present_kind;
+        outputs->job_speed = state->present_speed;
+        outputs->job_position = state->present_position;
+        outputs->job_number = state->jobs;
+        outputs->waiting = state->queued;
+        const bool stays_closed = state->control == spindle_state_position && !state->takes_over && !state->turns_fast;
+        const bool stays_open = state->control == spindle_state_velocity && !state->returns;
+        state->usual =
+            (stays_closed || stays_open) && state->lasting_error == error_none && state->queued == 0u
+                && !state->before_any;
     }
-    const double angle = state->x;
-    double within_turn;
-    if (angle < 0.0 || angle >= full_turn) {
-        const int32_t turns = (int32_t)(angle * per_turn);
-        const double rest = angle - (double)turns * full_turn;
-        double above;
-        if (rest < 0.0) {
-            above = rest + full_turn;
-        } else {
-            above = rest;
-        }
-        if (above >= full_turn) {
-            within_turn = above - full_turn;
-        } else {
-            within_turn = above;
-        }
-    } else {
-        within_turn = angle;
-    }
-    state->x = within_turn;
-    outputs->x_spindle = state->x;
-    outputs->v_spindle = state->v;
-    if (state->asks_velocity) {
-        outputs->operation_mode = velocity_mode;
-    } else {
+}
+
+void axis_s_spindle_step(
+    axis_s_spindle_state *restrict state,
+    const axis_s_spindle_inputs *restrict inputs,
+    axis_s_spindle_outputs *restrict outputs)
+{
+    const bool in_position =
+        state->usual && state->control == spindle_state_position
+            && !(inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74)
+            && inputs->drive_on && !inputs->reset
+            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)
+            && magnitude(inputs->v_interpolator) <= v_largest && magnitude(inputs->x_command) <= position_limit
+            && inputs->operation_mode_display == position_mode;
+    if (in_position) {
+        outputs->loop_closed = true;
+        outputs->spindle_state = spindle_state_position;
         outputs->operation_mode = position_mode;
-    }
-    const double velocity_increments = velocity_scale * state->v;
-    if (magnitude(velocity_increments) <= velocity_range_upper_limit) {
-        outputs->velocity_command = nearest(velocity_increments);
-        outputs->limited = false;
-    } else if (velocity_increments > 0.0) {
-        outputs->velocity_command = velocity_range_highest;
-        outputs->limited = true;
-    } else if (velocity_increments < 0.0) {
-        outputs->limited = velocity_increments < velocity_range_lower_limit;
-        outputs->velocity_command = velocity_range_lowest;
-    } else {
-        /* only what is no number comes here, which no sample in range leads to: nothing is put out */
-        outputs->velocity_command = 0;
-        outputs->limited = true;
-    }
-    const uint32_t lasting = state->lasting_error;
-    uint32_t error_now;
-    if (lasting != error_none) {
-        error_now = lasting;
-    } else if (sample_error != error_none) {
-        error_now = sample_error;
-    } else {
-        error_now = request_error;
-    }
-    outputs->error_id = error_now;
-    outputs->fault = error_now != error_none;
-    outputs->loop_closed =
-        outputs->spindle_state == spindle_state_position && !has_failed && sample_error == error_none;
-    if (!inputs->drive_on || inputs->reset || has_failed || state->control == spindle_state_brake) {
-        if (state->present_kind != job_stop) {
-            state->present_kind = job_stop;
-            state->present_speed = 0.0;
-            state->present_position = 0.0;
-            state->jobs = state->jobs + 1u;
+        outputs->fault = false;
+        outputs->error_id = error_none;
+        outputs->waiting = 0u;
+        state->v = inputs->v_interpolator;
+        /* a usual cycle in POSITION */
+        double within_turn;
+        if (inputs->x_command < 0.0 || inputs->x_command >= full_turn) {
+            const int32_t turns = (int32_t)(inputs->x_command * per_turn);
+            const double rest = inputs->x_command - (double)turns * full_turn;
+            double above;
+            if (rest < 0.0) {
+                above = rest + full_turn;
+            } else {
+                above = rest;
+            }
+            if (above >= full_turn) {
+                within_turn = above - full_turn;
+            } else {
+                within_turn = above;
+            }
+        } else {
+            within_turn = inputs->x_command;
         }
-    } else if (state->queued > 0u) {
-        const bool is_over = state->present_kind == job_stop || state->present_kind == job_turn || inputs->job_done;
-        const bool can_serve =
-            state->control == spindle_state_position
-                || (state->control == spindle_state_velocity && !state->returns
-                    && (state->request0_kind == job_stop || state->request0_kind == job_turn));
-        if (is_over && can_serve) {
-            state->present_kind = state->request0_kind;
-            state->present_speed = state->request0_speed;
-            state->present_position = state->request0_position;
-            state->request0_kind = state->request1_kind;
-            state->request0_speed = state->request1_speed;
-            state->request0_position = state->request1_position;
-            state->request1_kind = state->request2_kind;
-            state->request1_speed = state->request2_speed;
-            state->request1_position = state->request2_position;
-            state->request2_kind = state->request3_kind;
-            state->request2_speed = state->request3_speed;
-            state->request2_position = state->request3_position;
-            state->queued = state->queued - 1u;
-            state->jobs = state->jobs + 1u;
+        state->x = within_turn;
+        outputs->x_spindle = state->x;
+        outputs->v_spindle = state->v;
+        const double velocity_increments = velocity_scale * state->v;
+        if (magnitude(velocity_increments) <= velocity_range_upper_limit) {
+            outputs->velocity_command = nearest(velocity_increments);
+            outputs->limited = false;
+        } else if (velocity_increments > 0.0) {
+            outputs->velocity_command = velocity_range_highest;
+            outputs->limited = true;
+        } else if (velocity_increments < 0.0) {
+            outputs->limited = velocity_increments < velocity_range_lower_limit;
+            outputs->velocity_command = velocity_range_lowest;
+        } else {
+            /* only what is no number comes here, which no sample in range leads to: nothing is put out */
+            outputs->velocity_command = 0;
+            outputs->limited = true;
         }
+        outputs->job = state->present_kind;
+        outputs->job_speed = state->present_speed;
+        outputs->job_position = state->present_position;
+        outputs->job_number = state->jobs;
+    } else {
+        any_cycle(state, inputs, outputs);
     }
-    outputs->job = state->present_kind;
-    outputs->job_speed = state->present_speed;
-    outputs->job_position = state->present_position;
-    outputs->job_number = state->jobs;
-    outputs->waiting = state->queued;
 }
 
 static uint64_t bits_of(double value)
@@ -741,56 +906,56 @@ uint32_t axis_s_spindle_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint64_t expected[50] = {
-        UINT64_C(0xffcd7e7402000080),
-        UINT64_C(0x03bcb866d208010b),
-        UINT64_C(0x6c3375926cbab005),
-        UINT64_C(0x5615c117bdeaf7c1),
-        UINT64_C(0x04ae56864443d265),
-        UINT64_C(0xd54931325eab454a),
-        UINT64_C(0x6ff5e2fc0746ad16),
-        UINT64_C(0x9dbff65f3b3b8cb5),
-        UINT64_C(0x179e123bf9234d30),
-        UINT64_C(0x015ba601e7a90336),
-        UINT64_C(0x191cde1624bc7d0e),
-        UINT64_C(0x7c84bdcbbb019df5),
-        UINT64_C(0x1752d3e0ed040d79),
-        UINT64_C(0x25ed0a055e057937),
-        UINT64_C(0x2037620d02f2e9e6),
-        UINT64_C(0xd931fca0f86187a4),
-        UINT64_C(0xd4bfc2bb9817f01f),
-        UINT64_C(0xc37446202cb717c1),
-        UINT64_C(0x4badad883017c55c),
-        UINT64_C(0xb54f144d4a94d516),
-        UINT64_C(0x9b857401a758b055),
-        UINT64_C(0x97f73a820b2f94c2),
-        UINT64_C(0x4edfbb53f7348ad0),
-        UINT64_C(0x85bc6118e62b44a8),
-        UINT64_C(0xe2b1400818ded313),
-        UINT64_C(0x932ac62cbb81094d),
-        UINT64_C(0x7755372288803c26),
-        UINT64_C(0xdae5496ec131faf1),
-        UINT64_C(0x08125bffe88487ed),
-        UINT64_C(0xf505afe7035cd21c),
-        UINT64_C(0xb5993899ade53349),
-        UINT64_C(0x6bf6fcfaf823dbce),
-        UINT64_C(0x7bcfd17101066c6c),
-        UINT64_C(0xf296bff91390ccb2),
-        UINT64_C(0x0dfa8f8dfcc51330),
-        UINT64_C(0x01747af192f2a54e),
-        UINT64_C(0x798ca5240cbbe896),
-        UINT64_C(0x9e876765d8ffc3a3),
-        UINT64_C(0xd27ab94e9d9dc48f),
-        UINT64_C(0x80981cbe90968713),
-        UINT64_C(0x922302fa2bf4089d),
-        UINT64_C(0xb7923c2164420523),
-        UINT64_C(0xd2b2b7539bb0f215),
-        UINT64_C(0x9b886f7847155ec9),
-        UINT64_C(0x6a769a25c0bfb978),
-        UINT64_C(0x257b2c1a8b68dde7),
-        UINT64_C(0xe0a87c8b83e99274),
-        UINT64_C(0x16c9d9affc4ee94b),
-        UINT64_C(0x7056be074f0637a6),
-        UINT64_C(0xdd40febdcce007df),
+        UINT64_C(0x35f9d008000203ff),
+        UINT64_C(0xd596b488002453f2),
+        UINT64_C(0xef560bc5cc854432),
+        UINT64_C(0x0cfdc22da8884831),
+        UINT64_C(0xa39a2a6fb91e9b0e),
+        UINT64_C(0x13320811fac1b5f4),
+        UINT64_C(0xb1b95e16dc1b6454),
+        UINT64_C(0x9fa12e9a3b7e4a60),
+        UINT64_C(0x15dc73949160ab0f),
+        UINT64_C(0xd1ee1d2827e2b5f6),
+        UINT64_C(0x7bffcaf6f58f6472),
+        UINT64_C(0x4475fcf913a64c39),
+        UINT64_C(0xc5a376899a80c89a),
+        UINT64_C(0x18624002edb08eb4),
+        UINT64_C(0x07fb93e4c658e051),
+        UINT64_C(0xc345a15dbc7e0a17),
+        UINT64_C(0xa3453a2ca188a682),
+        UINT64_C(0xb85ff7c3736a6d3b),
+        UINT64_C(0x08513af4ca4ad8cf),
+        UINT64_C(0x055a0bf3f6858202),
+        UINT64_C(0x153f810821cc2528),
+        UINT64_C(0x773ad894658a5788),
+        UINT64_C(0x75c7310277d77d9a),
+        UINT64_C(0xde8bbe80b741deba),
+        UINT64_C(0xd475f6e08cb5e0b4),
+        UINT64_C(0xc5d4207541960060),
+        UINT64_C(0x7dd22eaa62400b11),
+        UINT64_C(0x7b45338263e8b619),
+        UINT64_C(0x4daea0dc3d8b669f),
+        UINT64_C(0x6eb3e9d2c3b66ef9),
+        UINT64_C(0x79e605739a66f49e),
+        UINT64_C(0x1ed0b97f578b4ef9),
+        UINT64_C(0xeae18c4a1028f496),
+        UINT64_C(0x4a0b91df355b4e72),
+        UINT64_C(0x636b565530f4ec2a),
+        UINT64_C(0x26c832bf0d92c7b0),
+        UINT64_C(0x09900d0a99a47005),
+        UINT64_C(0x1b8415cccd970564),
+        UINT64_C(0x3c5020e5c0865b53),
+        UINT64_C(0xff5973b488a5ba35),
+        UINT64_C(0xf5a1580f5115a874),
+        UINT64_C(0x7e45d6e35a2e8c51),
+        UINT64_C(0x3776fa8e2290ca2c),
+        UINT64_C(0xeb5214c4c378a7d4),
+        UINT64_C(0xd442ebcac51a725f),
+        UINT64_C(0x8aa5847de9232b09),
+        UINT64_C(0xedb7b44581eeb5a9),
+        UINT64_C(0xf16a3b911bf75fac),
+        UINT64_C(0x81fe3b4e1365ffe4),
+        UINT64_C(0x1f62cb9fc61bf357),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_s_spindle_state *, const axis_s_spindle_inputs *, axis_s_spindle_outputs *) =
@@ -873,6 +1038,7 @@ uint32_t axis_s_spindle_self_test(void)
         digest = fold(digest, (uint32_t)state.present_kind);
         digest = fold(digest, bits_of(state.present_speed));
         digest = fold(digest, bits_of(state.present_position));
+        digest = fold(digest, state.turns_fast);
         digest = fold(digest, state.jobs);
         digest = fold(digest, state.queued);
         digest = fold(digest, (uint32_t)state.request0_kind);
@@ -894,6 +1060,7 @@ uint32_t axis_s_spindle_self_test(void)
         digest = fold(digest, state.before_putax);
         digest = fold(digest, state.before_g74);
         digest = fold(digest, state.before_any);
+        digest = fold(digest, state.usual);
         if (digest != expected[sample]) {
             return sample + 1u;
         }

@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  b92e28125bf8b73ebb5b80376f6f2970
- * checksum    26e9100d7f417e9b5b2ea397aa99e42a
+ * checksum    d4919fb0fcb2c5456ad94ade31fe5107
  */
 #ifndef AXIS_S_SPINDLE_H
 #define AXIS_S_SPINDLE_H
@@ -68,7 +68,7 @@ typedef struct {
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     int32_t control; /* what controls the spindle */
-    uint32_t cycles; /* cycles in this state, this one included */
+    uint32_t cycles; /* cycles in TO_VELOCITY, BRAKE or TO_POSITION, this one included */
     uint32_t settled; /* cycles in which v_actual has been settled */
     uint32_t missing; /* cycles in which a sample has been missing */
     uint32_t lasting_error; /* an error that stays until reset */
@@ -82,6 +82,7 @@ typedef struct {
     int32_t present_kind; /* what to do */
     double present_speed; /* how fast, below 0 in negative direction [0.001 deg/s] */
     double present_position; /* where to [0.001 deg] */
+    bool turns_fast; /* whether the job is a TURN faster than Von */
     uint32_t jobs; /* how many jobs there were */
     uint32_t queued; /* how many requests wait */
     int32_t request0_kind; /* what to do */
@@ -103,6 +104,9 @@ typedef struct {
     bool before_putax; /* give the axis away */
     bool before_g74; /* homing */
     bool before_any; /* whether one of them was */
+    /* whether the state is POSITION or VELOCITY and stays so until something asks for another: the next cycle may be
+     * a usual one */
+    bool usual;
 } axis_s_spindle_state;
 
 /* Once before the first cycle. */
