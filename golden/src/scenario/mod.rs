@@ -59,7 +59,7 @@ pub fn usual_block(names: &[&'static str]) -> Option<&'static str> {
 /// What is wrong with the program, or with the program for this axis.
 pub fn run(text: &str, designed: &Designed, block: &Block) -> Result<Scenario, Vec<Mistake>> {
     let program = nc::read(text)?;
-    let scenario = if block.program.block == "spindle" {
+    let scenario = if ["spindle", "spindle_axis"].contains(&block.program.block) {
         spindle::run(&program, designed, block)
     } else {
         path::run(&program, designed, block)

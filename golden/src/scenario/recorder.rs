@@ -41,6 +41,11 @@ impl Recorder {
         self.given[at] = literal(value, signals[at].ty, self.inputs.shape.real);
     }
 
+    /// Whether the block has an output.
+    pub(super) fn has(&self, name: &str) -> bool {
+        self.outputs.shape.signals.iter().any(|signal| signal.name == name)
+    }
+
     /// What the block gave in the cycle before; of an output that it does not have 0.
     pub(super) fn get(&self, name: &str) -> f64 {
         let at = self.outputs.shape.signals.iter().position(|signal| signal.name == name);

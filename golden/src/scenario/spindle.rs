@@ -1,4 +1,4 @@
-//! Scenarios of the block `spindle`: the commands of spindle 1, each until it is done. No path axis.
+//! Scenarios of the blocks `spindle` and `spindle_axis`: the commands of spindle 1, each until it is done. No path axis.
 
 use super::drive::{Command as Sent, Drive, Setup};
 use super::grid::{angle, shortest};
@@ -234,6 +234,7 @@ impl<'a> Closed<'a> {
             ("job_done", f64::from(u8::from(self.is_done))),
             ("x_actual", actual.x),
             ("v_actual", actual.v),
+            ("v_motor", actual.v),
             ("operation_mode_display", f64::from(actual.mode)),
             ("feedforward_active", self.feedforward[0]),
             ("feedforward_percentage", self.feedforward[1]),
@@ -246,11 +247,15 @@ impl<'a> Closed<'a> {
         Ok(())
     }
 
-    /// What the drive gets: with position control in the CNC a velocity, from its controller where the loop is closed.
+    /// What the drive gets: with position control in the CNC a velocity, from its controller where the loop is closed. The block
+    /// `spindle_axis` is that controller.
     fn sent(&self) -> Sent {
         let [x, v] = ["x_spindle", "v_spindle"].map(|name| self.recorder.get(name));
         let mode = self.recorder.integer("operation_mode");
         let Changeover::Cnc { feedforward, default_active } = &self.spindle.drive else { return Sent { x, v, mode } };
+        if self.recorder.has("v_command") {
+            return Sent { x, v: self.recorder.get("v_command") + self.recorder.get("v_add"), mode };
+        }
         if self.recorder.get("loop_closed") == 0.0 {
             return Sent { x, v, mode };
         }

@@ -1,0 +1,5 @@
+%whole-spindle-in-the-cnc
+N10 S[G135 G136=80]
+N20 M3 S600
+N30 M19 S.POS=90 S300 M3
+M30
