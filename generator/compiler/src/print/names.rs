@@ -30,11 +30,10 @@ impl Names {
             name.push_str("_value");
         }
         // Mostly a new value of what has a name already.
-        let mut others = (2..).map(|number| format!("_{number}"));
-        let mut end = "_next".to_owned();
+        let words = ["_next", "_last"].map(str::to_owned).into_iter();
+        let mut ends = words.chain((2..).map(|number| format!("_{number}")));
         while !self.taken.insert(name.to_ascii_lowercase()) {
-            name = identifier(path) + &end;
-            end = others.next().unwrap_or_default();
+            name = identifier(path) + &ends.next().unwrap_or_default();
         }
         name
     }

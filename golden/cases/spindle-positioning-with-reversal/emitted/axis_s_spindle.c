@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  b92e28125bf8b73ebb5b80376f6f2970
- * checksum    061fc3ca33ee983c84733996d786fe46
+ * checksum    5a14af354138350193b0a94c82405927
  */
 #include "axis_s_spindle.h"
 
@@ -67,8 +67,7 @@ static const double window = 6000.0;
 static const double v_step = 24000.0; /* deceleration * T: largest change of the velocity in a cycle [0.001 deg/s] */
 
 /* below 15000 rpm */
-/* largest |v_interpolator| below 180 deg / T, with which the drive cannot tell the direction any more [0.001
- * deg/s] */
+/* largest velocity below 180 deg / T, with which a drive cannot tell the direction [0.001 deg/s] */
 static const double v_largest = 89999999.99999999;
 
 /* 5 cycles (P-AXIS-00191) and 0.5 / Kv, Kv = 20/s (P-AXIS-00099) */
@@ -709,36 +708,36 @@ static void any_cycle(
             state->x = state->x + state->v * cycle_time;
         }
         const double angle = state->x;
-        double within_turn_2;
+        double within_turn_last;
         if (angle < 0.0 || angle >= full_turn) {
-            const int32_t turns_2 = (int32_t)(angle * per_turn);
-            const double rest_2 = angle - (double)turns_2 * full_turn;
-            double above_2;
-            if (rest_2 < 0.0) {
-                above_2 = rest_2 + full_turn;
+            const int32_t turns_last = (int32_t)(angle * per_turn);
+            const double rest_last = angle - (double)turns_last * full_turn;
+            double above_last;
+            if (rest_last < 0.0) {
+                above_last = rest_last + full_turn;
             } else {
-                above_2 = rest_2;
+                above_last = rest_last;
             }
-            if (above_2 >= full_turn) {
-                within_turn_2 = above_2 - full_turn;
+            if (above_last >= full_turn) {
+                within_turn_last = above_last - full_turn;
             } else {
-                within_turn_2 = above_2;
+                within_turn_last = above_last;
             }
         } else {
-            within_turn_2 = angle;
+            within_turn_last = angle;
         }
-        state->x = within_turn_2;
+        state->x = within_turn_last;
         outputs->x_spindle = state->x;
         outputs->v_spindle = state->v;
-        const double velocity_increments_2 = velocity_scale * state->v;
-        if (magnitude(velocity_increments_2) <= velocity_range_upper_limit) {
-            outputs->velocity_command = nearest(velocity_increments_2);
+        const double velocity_increments_last = velocity_scale * state->v;
+        if (magnitude(velocity_increments_last) <= velocity_range_upper_limit) {
+            outputs->velocity_command = nearest(velocity_increments_last);
             outputs->limited = false;
-        } else if (velocity_increments_2 > 0.0) {
+        } else if (velocity_increments_last > 0.0) {
             outputs->velocity_command = velocity_range_highest;
             outputs->limited = true;
-        } else if (velocity_increments_2 < 0.0) {
-            outputs->limited = velocity_increments_2 < velocity_range_lower_limit;
+        } else if (velocity_increments_last < 0.0) {
+            outputs->limited = velocity_increments_last < velocity_range_lower_limit;
             outputs->velocity_command = velocity_range_lowest;
         } else {
             /* only what is no number comes here, which no sample in range leads to: nothing is put out */
