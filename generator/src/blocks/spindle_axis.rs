@@ -2,7 +2,9 @@
 
 use super::{Drill, Part, Summary};
 use crate::blocks::designed::Designed;
+use crate::trial::Set;
 use reference::axis::Axis;
+use reference::ipc::mode_off;
 use reference::spindle::Spindle;
 use reference::spindle_axis::{Coeffs, SpindleAxis};
 
@@ -31,8 +33,11 @@ impl Part for SpindleAxis {
         Axis.start_cycles(designed)
     }
 
+    /// Improved position control is turned off for two samples in POSITION, before the changeover begins.
     fn drill(&self, designed: &Designed) -> Vec<Drill> {
-        Spindle.drill(designed)
+        let mut parts = Spindle.drill(designed);
+        parts.push(Drill { input: "mode", value: Set::I32(mode_off()), samples: 3..5 });
+        parts
     }
 
     /// Its parts say it.

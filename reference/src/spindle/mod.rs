@@ -13,6 +13,7 @@
 
 mod jobs;
 mod motion;
+mod put_out;
 mod request;
 mod signals;
 mod state;
@@ -25,11 +26,11 @@ pub use state::{Coeffs, Cycle, SpindleState, State};
 pub use usual::{remain_in_position, remain_in_velocity, stays_in_position, stays_in_velocity};
 
 use crate::angle::wrapped;
-use crate::process_data;
 use crate::signal::{error_cycle_time, error_none};
 use jobs::WAITING;
 use motion::{advance, follow, slow_down};
 use portable::{Block, Enable, Fn, Real, portable};
+use put_out::{put_out_job, put_out_mode, put_out_motion};
 use state::enter;
 use transition::{brake, position, to_position, to_velocity, velocity};
 use usual::is_usual;
@@ -83,42 +84,6 @@ pub fn reset<R: Real>(state: &mut State<R>, drive_on: bool) {
     } else if state.control == SpindleState::ToVelocity || state.control == SpindleState::Velocity {
         state.returns = true;
     }
-}
-
-/// The motion, and the velocity as the drive gets it.
-#[portable]
-pub fn put_out_motion<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &mut Outputs<R>) {
-    outputs.x_spindle = state.x;
-    outputs.v_spindle = state.v;
-    if coeffs.in_drive {
-        let mut datum = process_data::Datum::default();
-        let velocity_increments = coeffs.velocity_scale * state.v;
-        process_data::round(&mut datum, &coeffs.velocity_range, velocity_increments);
-        outputs.velocity_command = datum.value;
-        outputs.limited = datum.limited;
-    } else {
-        outputs.velocity_command = 0i32;
-        outputs.limited = false;
-    }
-}
-
-/// The operation mode that the drive is to take.
-#[portable]
-pub fn put_out_mode<R: Real>(coeffs: &Coeffs<R>, outputs: &mut Outputs<R>, asks_velocity: bool) {
-    if coeffs.in_drive {
-        outputs.operation_mode = if asks_velocity { coeffs.velocity_mode } else { coeffs.position_mode };
-    } else {
-        outputs.operation_mode = 0i32;
-    }
-}
-
-/// The job.
-#[portable]
-pub fn put_out_job<R: Real>(state: &State<R>, outputs: &mut Outputs<R>) {
-    outputs.job = state.present.kind;
-    outputs.job_speed = state.present.speed;
-    outputs.job_position = state.present.position;
-    outputs.job_number = state.jobs;
 }
 
 /// The error of a cycle: one that stays before one of a sample, before one of a request.

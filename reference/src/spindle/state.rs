@@ -41,7 +41,7 @@ pub struct Coeffs<R> {
     pub window: R,
     /// deceleration * T: largest change of the velocity in a cycle [0.001 deg/s]
     pub v_step: R,
-    /// largest velocity below 180 deg / T, with which a drive cannot tell the direction [0.001 deg/s]
+    /// largest velocity below 180 deg / T: a drive can tell its direction [0.001 deg/s]
     pub v_largest: R,
     /// lead of the position command: (Nd + 1) T + (1 - w) / Kv, in the CNC T + 1 / Kv [s]
     pub lead_time: R,

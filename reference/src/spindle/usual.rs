@@ -2,10 +2,10 @@
 //! `any_cycle` does there, and asks for less. No transition.
 
 use super::motion::move_to;
+use super::put_out::{put_out_job, put_out_mode, put_out_motion};
 use super::signals::{Inputs, Outputs};
 use super::state::{Coeffs, SpindleState, State};
 use super::transition::is_displayed;
-use super::{put_out_job, put_out_mode, put_out_motion};
 use crate::angle::position_limit;
 use crate::signal::{error_none, sample_limit};
 use portable::{Real, in_range, note, portable};

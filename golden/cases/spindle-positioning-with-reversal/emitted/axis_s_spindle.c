@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  b92e28125bf8b73ebb5b80376f6f2970
- * checksum    5a14af354138350193b0a94c82405927
+ * checksum    f46cabb7b05e52807289e8653c168577
  */
 #include "axis_s_spindle.h"
 
@@ -67,7 +67,7 @@ static const double window = 6000.0;
 static const double v_step = 24000.0; /* deceleration * T: largest change of the velocity in a cycle [0.001 deg/s] */
 
 /* below 15000 rpm */
-/* largest velocity below 180 deg / T, with which a drive cannot tell the direction [0.001 deg/s] */
+/* largest velocity below 180 deg / T: a drive can tell its direction [0.001 deg/s] */
 static const double v_largest = 89999999.99999999;
 
 /* 5 cycles (P-AXIS-00191) and 0.5 / Kv, Kv = 20/s (P-AXIS-00099) */

@@ -244,6 +244,7 @@ fn the_time_of_to_velocity_runs_without_samples_and_its_error_waits_for_them() {
     assert_eq!(bench.cycles(18).error_id, 0);
     assert_eq!(bench.once(|i| i.x_command = f64::NAN).error_id, 17);
     assert_eq!(bench.once(|i| i.v_interpolator = f64::NAN).error_id, 14);
+    bench.inputs.x_command = bench.out.x_spindle + bench.out.v_spindle * 0.002;
     let mut turns = Bench { model: bench.model.clone(), p: bench.p.clone(), ..bench };
     assert_eq!(turns.once(|i| i.v_interpolator = 9e7).error_id, 44, "before 41");
     let mut answers = Bench { model: bench.model.clone(), p: bench.p.clone(), ..bench };
@@ -324,6 +325,7 @@ fn a_bad_sample_lets_the_spindle_go_on_for_a_cycle() {
         let out = bench.once(change);
         assert_eq!((out.spindle_state, out.error_id, out.job), (TO_VELOCITY, id, 1));
         assert!(same(out.v_spindle, FAST) && same(out.x_spindle, x + FAST * 0.002));
+        bench.inputs.x_command = x + 2.0 * FAST * 0.002;
         assert_eq!((bench.cycle().spindle_state, bench.out.error_id), (TO_VELOCITY, 0));
         assert_eq!(bench.cycle().spindle_state, VELOCITY);
         let mut bench = Bench::drive().positioned();
