@@ -17,9 +17,11 @@ pub(super) fn widened(program: &Program) -> Cow<'_, Program> {
     wide.constants.iter_mut().for_each(|constant| widen(&mut constant.value));
     for list in [&mut wide.init, &mut wide.step] {
         map_expressions(list, &mut |expr| {
-            if let Expr::Literal(literal) = expr {
-                widen(literal);
-            }
+            expr.change(&mut |part| {
+                if let Expr::Literal(literal) = part {
+                    widen(literal);
+                }
+            });
         });
     }
     Cow::Owned(wide)
