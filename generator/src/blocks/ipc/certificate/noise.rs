@@ -1,12 +1,16 @@
-//! How far the roundings of single precision stay below a vibration: the signal-to-noise ratio of a stage. No step is run.
+//! How far the roundings of single precision, of steps and of coefficients, stay below a vibration: the signal-to-noise ratio of a
+//! stage. No step is run.
 
 use super::super::design::StageDesign;
 use super::chain::Chain;
+use super::response::{Point, designed};
 use super::section::Section;
 use crate::design::band::warped;
 use crate::design::response::{Complex, magnitude, product, quotient};
+use crate::design::rounding::in_precision;
 use crate::design::trapezoidal::{Output, Trapezoidal};
 use crate::number::{decimals, digits};
+use portable::RealKind;
 
 /// The vibration, as a part of the velocity of the axis.
 pub(crate) const VIBRATION: f64 = 1.0 / 500.0;
@@ -17,20 +21,21 @@ const UNIT: f64 = f32::EPSILON as f64 / 2.0;
 ///
 /// An operation with the result v errs by at most u |v|, u = 2^-24; its error is taken for white noise of the variance
 /// u^2 v^2 / 3, v^2 the mean square. Each error goes through what is left of its section, whose gain is known in closed form, and
-/// through the sections behind it, whose gain is at most what it is at one of their centres or at f0.
+/// through the sections behind it, whose gain is at most what it is at one of their centres or at f0. What the rounding of the
+/// coefficients changes at f0 is added.
 pub(super) fn of_chain(chain: &Chain, design: &StageDesign) -> Option<f64> {
     let sections = chain.section.iter().map(|section| match section {
         Section::Trapezoidal(section) => Some(*section),
         Section::Biquad(_) => None,
     });
     let sections: Option<Vec<_>> = sections.collect();
-    Some(ratio(&sections?, warped(design.stage.f0(), design.cycle_time)))
+    Some(ratio(&sections?, design))
 }
 
 /// The same of a stage in single precision, by its designed coefficients.
 pub(crate) fn of_design(design: &StageDesign) -> f64 {
     let sections: Vec<_> = design.section.iter().map(|section| section.trapezoidal).collect();
-    ratio(&sections, warped(design.stage.f0(), design.cycle_time))
+    ratio(&sections, design)
 }
 
 /// The ratios of stages, by their indices, in words.
@@ -42,8 +47,9 @@ pub(crate) fn text(stages: &[(usize, f64)], v_max: f64) -> String {
     format!("signal-to-noise ratio in single precision, {of}: {}", ratios.join(", "))
 }
 
-/// [dB] of a chain at t = tan(pi f Ts).
-fn ratio(sections: &[Trapezoidal], t: f64) -> f64 {
+/// [dB] of a stage with these sections.
+fn ratio(sections: &[Trapezoidal], design: &StageDesign) -> f64 {
+    let t = warped(design.stage.f0(), design.cycle_time);
     let (mut offset, mut vibration, mut noise) = (1.0, VIBRATION, 0.0);
     for (i, section) in sections.iter().enumerate() {
         let behind = &sections[i + 1..];
@@ -55,7 +61,16 @@ fn ratio(sections: &[Trapezoidal], t: f64) -> f64 {
             offset = 0.0;
         }
     }
-    10.0 * libm::log10(vibration * vibration / 2.0 / noise)
+    let signal = vibration * vibration / 2.0;
+    let error = deviation(sections, design, t);
+    -10.0 * libm::log10(noise / signal + error * error)
+}
+
+/// How far the rounded coefficients take the response away from the designed one at f0, relative to it.
+fn deviation(sections: &[Trapezoidal], design: &StageDesign, t: f64) -> f64 {
+    let gain = Complex::real(in_precision(design.coeffs.gain, RealKind::F32));
+    let measured = sections.iter().fold(gain, |h, section| product(h, section.response(t)));
+    Point { frequency: design.stage.f0(), designed: designed(design, t), measured }.deviation()
 }
 
 /// Variance of what a section's own roundings add to its output, for an input with this offset and this amplitude at t.
