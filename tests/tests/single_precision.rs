@@ -15,9 +15,13 @@ const F0_TS: [f64; 11] = [6e-5, 2e-4, 7e-4, 2e-3, 5e-3, 1e-2, 0.03, 0.1, 0.25, 0
 /// What every cell has to keep [dB].
 const LEAST: f64 = 92.0;
 
-/// What a ratio may be below the stated one [dB]. The certificate takes roundings for white noise. Where the period of the vibration is a
-/// whole number of cycles, as it is at most f0 Ts here, they repeat with it, and more of them falls into the band.
-const LOCKED: f64 = 6.0;
+/// The same behind an oscillation of damping ratio 0.05, whose own noise resonates [dB].
+const LEAST_RESONANT: f64 = 86.0;
+/// A vibration whose period is no whole number of cycles, as a part of f0. At f0 itself the period is one at most f0 Ts here: then the
+/// roundings repeat with it, and more of them falls into the band than of the white noise that the certificate takes them for.
+const BESIDE: f64 = 1.000_618_034;
+/// What a ratio beside f0 may be below the stated one [dB].
+const TOLERANCE: f64 = 1.0;
 
 /// Every prototype and order at every f0 Ts.
 fn bandpasses() -> Vec<Cell> {
@@ -34,7 +38,7 @@ fn bandpasses() -> Vec<Cell> {
     for f0_ts in F0_TS {
         for (prototype, order) in shapes {
             for q in [1.0, 2.0, 10.0] {
-                cells.push(Cell { f0_ts, prototype, order, q, before: Before::Nothing });
+                cells.push(Cell { f0_ts, prototype, order, q, before: Before::Nothing, vibration: 1.0 });
             }
         }
     }
@@ -51,32 +55,46 @@ fn behind_others() -> Vec<Cell> {
         Before::Oscillation(0.2),
         Before::Oscillation(0.05),
     ];
-    let cell = |f0_ts, before, q| Cell { f0_ts, prototype: Prototype::CritDamping, order: 1, q, before };
+    let cell =
+        |f0_ts, before, q| Cell { f0_ts, prototype: Prototype::CritDamping, order: 1, q, before, vibration: 1.0 };
     let each = |f0_ts| others.into_iter().flat_map(move |before| [1.0, 10.0].map(|q| cell(f0_ts, before, q)));
     F0_TS.into_iter().flat_map(each).collect()
 }
 
-/// Runs the cells; prints the lowest ratio for each f0 Ts.
+/// Runs the cells, with the vibration at f0 and beside it; prints the lowest ratios for each f0 Ts.
 fn run(name: &str, cells: &[Cell]) {
-    let found: Vec<(Cell, Found)> = cells.par_iter().map(|cell| (*cell, cell.run())).collect();
-    let mut lowest: BTreeMap<u64, [f64; 4]> = BTreeMap::new();
+    let beside = cells.iter().map(|cell| Cell { vibration: BESIDE, ..*cell });
+    let all: Vec<Cell> = cells.iter().copied().chain(beside).collect();
+    let found: Vec<(Cell, Found)> = all.par_iter().map(|cell| (*cell, cell.run())).collect();
+    let mut lowest: BTreeMap<u64, [f64; 5]> = BTreeMap::new();
     for (cell, Found { ratio, stated, biquads, .. }) in &found {
-        let row = lowest.entry(cell.f0_ts.to_bits()).or_insert([f64::INFINITY; 4]);
-        let values = [*ratio, *biquads, ratio - stated, stated - ratio];
-        *row = [0, 1, 2, 3].map(|i| row[i].min(values[i]));
+        let row = lowest.entry(cell.f0_ts.to_bits()).or_insert([f64::INFINITY; 5]);
+        let values = if is_beside(cell) {
+            [f64::INFINITY, f64::INFINITY, *ratio, ratio - stated, stated - ratio]
+        } else {
+            [*ratio, *biquads, f64::INFINITY, f64::INFINITY, f64::INFINITY]
+        };
+        *row = [0, 1, 2, 3, 4].map(|i| row[i].min(values[i]));
     }
-    let mut text = format!("{name}: f0 Ts, lowest dB, of biquads, least and largest excess over the certificate\n");
-    for (f0_ts, [ratio, biquads, least, most]) in lowest {
+    let mut text =
+        format!("{name}: f0 Ts, lowest dB, of biquads, beside f0, there above the certificate: least, most\n");
+    for (f0_ts, [ratio, biquads, beside, least, most]) in lowest {
         let f0_ts = f64::from_bits(f0_ts);
-        let _ = writeln!(text, "{f0_ts:>8}  {ratio:6.1}  {biquads:6.1}  {least:5.1} {:5.1}", -most);
+        let _ = writeln!(text, "{f0_ts:>8}  {ratio:6.1}  {biquads:6.1}  {beside:6.1}  {least:5.1} {:5.1}", -most);
     }
     // Not `println`, which a test that passes keeps to itself.
     let _ = std::io::stderr().write_all(text.as_bytes());
     for (cell, Found { ratio, stated, at_rest, .. }) in &found {
-        assert!(*ratio >= LEAST, "{ratio:.1} dB: {cell:?}");
-        assert!(*ratio >= stated - LOCKED, "{ratio:.1} dB, the certificate states {stated}: {cell:?}");
+        let least = if cell.before == Before::Oscillation(0.05) { LEAST_RESONANT } else { LEAST };
+        assert!(*ratio >= least, "{ratio:.1} dB: {cell:?}");
+        let is_stated = !is_beside(cell) || *ratio >= stated - TOLERANCE;
+        assert!(is_stated, "{ratio:.1} dB, the certificate states {stated}: {cell:?}");
         assert!(at_rest.is_some(), "it never comes to rest: {cell:?}");
     }
+}
+
+fn is_beside(cell: &Cell) -> bool {
+    cell.vibration > 1.0
 }
 
 /// A part of the cells always, all with `AXGEN_EXHAUSTIVE`.

@@ -1,6 +1,6 @@
 //! Single precision against 31 digits: a stage of the reference and an independent model of it on the same samples of a moving axis.
 //!
-//! The signal is a move to 500,000 um/s with a vibration of 1,000 um/s at f0, seen by an encoder of 10 nm. What is compared is what the
+//! The signal is a move to 500,000 um/s with a vibration of 1,000 um/s at or next to f0, seen by an encoder of 10 nm. What is compared is what the
 //! stage adds in the second half of the move.
 
 pub mod double_double;
@@ -51,6 +51,8 @@ pub struct Cell {
     pub q: f64,
     /// what stands before it
     pub before: Before,
+    /// frequency of the vibration, as a part of f0
+    pub vibration: f64,
 }
 
 /// What was found.
@@ -141,7 +143,7 @@ impl Cell {
         let (mut state, mut outputs) = (<Ipc as Block<f32>>::state(), <Ipc as Block<f32>>::outputs());
         let mut inputs = <Ipc as Block<f32>>::inputs(&coeffs);
         let (mut model, length) = (self.model(), self.length());
-        let mut axis = Moving::new(self.f0(), self.cycle_time_ns() / 1e9, length);
+        let mut axis = Moving::new(self.vibration * self.f0(), self.cycle_time_ns() / 1e9, length);
         let [mut signal, mut noise, mut noise_of_biquads] = [0.0; 3];
         let mut biquads = [section::State::<f32>::default(); filter::MAX_ORDER];
         let mut moving = None;

@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  93aee06be26c056330bf348cc27a6125
- * checksum    e10b2a5e3613b2d3aeaf59b62be3d441
+ * checksum    aabb77c97dcf111d34a5679f8e56675a
  */
 #ifndef AXIS_C_IPC_H
 #define AXIS_C_IPC_H
@@ -17,7 +17,7 @@
 extern "C" {
 #endif
 
-/* range: |v| <= 180000 gives |v_add| <= 1036998 before the limit and no |state| above 1505472; for |v| <=
+/* range: |v| <= 180000 gives |v_add| <= 1090501 before the limit and no |state| above 1505472; for |v| <=
  * 1000000000: 8363732000, within single precision
  * stage[0] at 53 Hz: designed 2.5 at -61.59105 deg, measured 2.5 at -61.59105 deg; at 44.87068 Hz: designed
  * 1.767767 at 179.0048 deg, measured 1.767767 at 179.0048 deg; at 62.53735 Hz: designed 1.767767 at 108.5885
