@@ -20,9 +20,9 @@ pub struct Coeffs<R> {
     pub a2: R,
     /// 1 - a2: steady s1 and s2 for a constant input of 1
     pub preset: R,
-    /// A = g h k: u = A p - B s1, p the input without its low-pass part
+    /// A = g h k: u = A p - B s1, p = x - low-pass part
     pub a: R,
-    /// B = (g + k) g h: u = A p - B s1, band-pass part bp = s1 + u, s1 = bp + u, y = x - 2 bp
+    /// B = (g + k) g h: bp = s1 + u, s1 = bp + u, y = x - 2 bp
     pub b: R,
     /// C = 2 g / k: the low-pass part grows by C bp
     pub c: R,

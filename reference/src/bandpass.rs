@@ -20,7 +20,7 @@ pub struct Coeffs<R> {
     pub a1: R,
     /// denominator: s2 = b2 x - a2 y
     pub a2: R,
-    /// A = g h c k: u = A p - B s1, p the input without its low-pass part
+    /// A = g h c k: u = A p - B s1, p = x - low-pass part
     pub a: R,
     /// B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u
     pub b: R,

@@ -44,11 +44,11 @@ pub struct Coeffs<R> {
     pub preset_s1: R,
     /// b2 - a2: steady s2 for a constant input of 1
     pub preset_s2: R,
-    /// H = h = 1 / (1 + (g + k) g): high-pass part q = H p - R s1, y = x - q, p the input without its low-pass part
+    /// H = h: q = H p - R s1, y = x - q, p = x - low-pass part
     pub h: R,
     /// R = (g + k) h: q = H p - R s1
     pub r: R,
-    /// G = g, the warped centre: band-pass part bp = s1 + G q, s1 = bp + G q
+    /// G = g, the warped centre: bp = s1 + G q, s1 = bp + G q
     pub g: R,
     /// G2 = 2 g: the low-pass part grows by G2 bp
     pub g2: R,
