@@ -35,7 +35,7 @@ pub fn anti_denormal<R: Real>() -> R {
     R::per_kind(1.0e-30, 1.0e-18)
 }
 
-/// added to every change and in every update of low, so that a section at rest never decays into subnormal numbers
+/// added to every change and to low, so that a section at rest never decays into subnormal numbers
 ///
 /// One addition to a change serves all sections that it drives.
 #[portable]

@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  d9834b11557cb1d69918abf7f9c4bf67
- * checksum    187b2abe9aeffb9ab4020d2dde5cedf8
+ * checksum    fd8507f3c3fca26438f789ec1ca4c5bf
  */
 #include "axis_f_axis.h"
 
@@ -59,8 +59,7 @@ static const float feedforward_weight_per_percent = 0.01f; /* weight / 100 */
  * BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 24 Hz (P-AXIS-00751), quality
  * factor 4 (P-AXIS-00752), -3 dB at 21.1811 and 27.1811 Hz
  * section 1 of 1: centre frequency 24 Hz, quality factor 3.93777, gain 1 there and 1 at 24 Hz */
-/* A = g h c k: u = A p - B s1, p the input without its low-pass part */
-static const float ipc_stage0_filter0_bandpass0_a = 0.036346115f;
+static const float ipc_stage0_filter0_bandpass0_a = 0.036346115f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
 static const float ipc_stage0_filter0_bandpass0_b = 0.058093593f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
 static const float ipc_stage0_filter0_bandpass0_c = 1.1966879f; /* C = 2 g / (c k): the low-pass part grows by C y */
 

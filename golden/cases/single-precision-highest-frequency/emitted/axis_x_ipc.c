@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  85973501273fb31e4d28546a16b52344
- * checksum    83071cb3cb77efb22a4ea50b985fd1c0
+ * checksum    d6f64fb6fdd911f970fe899ca9d30cee
  */
 #include "axis_x_ipc.h"
 
@@ -44,20 +44,17 @@ static const uint32_t cycle_time_ns = 2000000u; /* cycle time that all coefficie
  * BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 225 Hz (P-AXIS-00751), quality
  * factor 10 (P-AXIS-00752), -3 dB at 211.412 and 233.912 Hz
  * section 1 of 3: centre frequency 225 Hz, quality factor 1.085633, gain 1 there and 1 at 225 Hz */
-/* A = g h c k: u = A p - B s1, p the input without its low-pass part */
-static const float stage0_filter0_bandpass0_a = 0.12458938f;
+static const float stage0_filter0_bandpass0_a = 0.12458938f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
 static const float stage0_filter0_bandpass0_b = 0.9785772f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
 static const float stage0_filter0_bandpass0_c = 13.7088375f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
 /* section 2 of 3: centre frequency 213.1545 Hz, quality factor 2.345232, gain 2.160243 there and 1 at 225 Hz */
-/* A = g h c k: u = A p - B s1, p the input without its low-pass part */
-static const float stage0_filter0_bandpass1_a = 0.18782282f;
+static const float stage0_filter0_bandpass1_a = 0.18782282f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
 static const float stage0_filter0_bandpass1_b = 0.9519323f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
 static const float stage0_filter0_bandpass1_c = 9.21067f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
 /* section 3 of 3: centre frequency 233.127 Hz, quality factor 2.345232, gain 2.160243 there and 1 at 225 Hz */
-/* A = g h c k: u = A p - B s1, p the input without its low-pass part */
-static const float stage0_filter0_bandpass2_a = 0.09276168f;
+static const float stage0_filter0_bandpass2_a = 0.09276168f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
 static const float stage0_filter0_bandpass2_b = 0.98928344f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
 static const float stage0_filter0_bandpass2_c = 20.403751f; /* C = 2 g / (c k): the low-pass part grows by C y */
 

@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  62500 ns
  * parameters  73ee4c20de103491d7d9a4c84a9dde2d
- * checksum    479272906820aa7322189b5c72af4236
+ * checksum    e6ca95e49d9e35e9d02fe3ce7e281eb8
  */
 #include "axis_x_ipc.h"
 
@@ -43,30 +43,25 @@ static const uint32_t cycle_time_ns = 62500u; /* cycle time that all coefficient
 /* INDIRECT (P-AXIS-00753) from v_motor, weight 100/100 = 1 (P-AXIS-00754/00755)
  * simulated oscillation of the load, f0 of the first BANDPASS 1 Hz (P-AXIS-00751), damping ratio 0.3
  * (P-AXIS-00850): gain 1 at DC, 1.943651 and -59.03624 deg at f0 */
-/* H = h = 1 / (1 + (g + k) g): high-pass part q = H p - R s1, y = x - q, p the input without its low-pass part */
-static const float stage0_oscillation_h = 0.99988216f;
+static const float stage0_oscillation_h = 0.99988216f; /* H = h: q = H p - R s1, y = x - q, p = x - low-pass part */
 static const float stage0_oscillation_r = 0.6001256f; /* R = (g + k) h: q = H p - R s1 */
-/* G = g, the warped centre: band-pass part bp = s1 + G q, s1 = bp + G q */
-static const float stage0_oscillation_g = 0.00019634955f;
+static const float stage0_oscillation_g = 0.00019634955f; /* G = g, the warped centre: bp = s1 + G q, s1 = bp + G q */
 static const float stage0_oscillation_g2 = 0.0003926991f; /* G2 = 2 g: the low-pass part grows by G2 bp */
 
 /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 1 Hz (P-AXIS-00751), quality factor 8
  * (P-AXIS-00752), -3 dB at 0.9394512 and 1.064451 Hz
  * section 1 of 3: centre frequency 1 Hz, quality factor 6.048345, gain 1 there and 1 at 1 Hz */
-/* A = g h c k: u = A p - B s1, p the input without its low-pass part */
-static const float stage0_filter0_bandpass0_a = 3.2462296e-5f;
+static const float stage0_filter0_bandpass0_a = 3.2462296e-5f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
 static const float stage0_filter0_bandpass0_b = 3.2500848e-5f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
 static const float stage0_filter0_bandpass0_c = 0.0023751797f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
 /* section 2 of 3: centre frequency 0.9393689 Hz, quality factor 7.652839, gain 1.384798 there and 1 at 1 Hz */
-/* A = g h c k: u = A p - B s1, p the input without its low-pass part */
-static const float stage0_filter0_bandpass1_a = 3.3374854e-5f;
+static const float stage0_filter0_bandpass1_a = 3.3374854e-5f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
 static const float stage0_filter0_bandpass1_b = 2.4134908e-5f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
 static const float stage0_filter0_bandpass1_c = 0.0020386016f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
 /* section 3 of 3: centre frequency 1.064544 Hz, quality factor 7.652839, gain 1.384798 there and 1 at 1 Hz */
-/* A = g h c k: u = A p - B s1, p the input without its low-pass part */
-static const float stage0_filter0_bandpass2_a = 3.7822094e-5f;
+static const float stage0_filter0_bandpass2_a = 3.7822094e-5f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
 static const float stage0_filter0_bandpass2_b = 2.735605e-5f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
 static const float stage0_filter0_bandpass2_c = 0.002310255f; /* C = 2 g / (c k): the low-pass part grows by C y */
 

@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  93aee06be26c056330bf348cc27a6125
- * checksum    711e1eb549388790d8954682cdad86e4
+ * checksum    337a75ada3714b78df0caea6e6a0209f
  */
 #include "axis_c_ipc.h"
 
@@ -44,28 +44,24 @@ static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficie
  * BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751), quality
  * factor 3 (P-AXIS-00752), -3 dB at 44.87068 and 62.53735 Hz
  * section 1 of 3: centre frequency 53 Hz, quality factor 2.941835, gain 1 there and 1 at 53 Hz */
-/* A = g h c k: u = A p - B s1, p the input without its low-pass part */
-static const float stage0_filter0_bandpass0_a = 0.052634247f;
+static const float stage0_filter0_bandpass0_a = 0.052634247f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
 static const float stage0_filter0_bandpass0_b = 0.07865693f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
 static const float stage0_filter0_bandpass0_c = 0.98881173f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
 /* section 2 of 3: centre frequency 45.8539 Hz, quality factor 5.947513, gain 2.021702 there and 1 at 53 Hz */
-/* A = g h c k: u = A p - B s1, p the input without its low-pass part */
-static const float stage0_filter0_bandpass1_a = 0.04716619f;
+static const float stage0_filter0_bandpass1_a = 0.04716619f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
 static const float stage0_filter0_bandpass1_b = 0.043457635f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
 static const float stage0_filter0_bandpass1_c = 0.85347956f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
 /* section 3 of 3: centre frequency 61.21189 Hz, quality factor 5.947513, gain 2.021702 there and 1 at 53 Hz */
-/* A = g h c k: u = A p - B s1, p the input without its low-pass part */
-static const float stage0_filter0_bandpass2_a = 0.061818752f;
+static const float stage0_filter0_bandpass2_a = 0.061818752f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
 static const float stage0_filter0_bandpass2_b = 0.06598745f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
 static const float stage0_filter0_bandpass2_c = 1.1456028f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
 /* ALLPASS (P-AXIS-00849): -180 deg at 48 Hz (P-AXIS-00751), quality factor 3 (P-AXIS-00752), -90 deg at 40.64203
  * and -270 deg at 56.64203 Hz */
-static const float stage0_filter1_allpass_a = 0.047898203f; /* A = g h k: u = A p - B s1, p the input without its low-pass part */
-/* B = (g + k) g h: u = A p - B s1, band-pass part bp = s1 + u, s1 = bp + u, y = x - 2 bp */
-static const float stage0_filter1_allpass_b = 0.06938498f;
+static const float stage0_filter1_allpass_a = 0.047898203f; /* A = g h k: u = A p - B s1, p = x - low-pass part */
+static const float stage0_filter1_allpass_b = 0.06938498f; /* B = (g + k) g h: bp = s1 + u, s1 = bp + u, y = x - 2 bp */
 static const float stage0_filter1_allpass_c = 0.89718497f; /* C = 2 g / k: the low-pass part grows by C bp */
 
 /* -weight, against the vibration; at 53 Hz the stage adds 2.5 times its source at -61.59105 deg */
@@ -74,23 +70,20 @@ static const float stage0_gain = -2.5f; /* -weight: negative, because the stage 
 /* INDIRECT (P-AXIS-00753) from v_motor, weight 120/100 = 1.2 (P-AXIS-00754/00755)
  * simulated oscillation of the load, f0 of the first BANDPASS 17.5 Hz (P-AXIS-00751), damping ratio 0.7
  * (P-AXIS-00850): gain 1 at DC, 1.228904 and -35.53768 deg at f0 */
-/* H = h = 1 / (1 + (g + k) g): high-pass part q = H p - R s1, y = x - q, p the input without its low-pass part */
-static const float stage1_oscillation_h = 0.92586136f;
+static const float stage1_oscillation_h = 0.92586136f; /* H = h: q = H p - R s1, y = x - q, p = x - low-pass part */
 static const float stage1_oscillation_r = 1.3471591f; /* R = (g + k) h: q = H p - R s1 */
-static const float stage1_oscillation_g = 0.05503333f; /* G = g, the warped centre: band-pass part bp = s1 + G q, s1 = bp + G q */
+static const float stage1_oscillation_g = 0.05503333f; /* G = g, the warped centre: bp = s1 + G q, s1 = bp + G q */
 static const float stage1_oscillation_g2 = 0.11006666f; /* G2 = 2 g: the low-pass part grows by G2 bp */
 
 /* BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 17.5 Hz (P-AXIS-00751), quality
  * factor 3 (P-AXIS-00752), -3 dB at 14.82376 and 20.65709 Hz
  * section 1 of 2: centre frequency 17.5 Hz, quality factor 1.926679, gain 1 there and 1 at 17.5 Hz */
-/* A = g h c k: u = A p - B s1, p the input without its low-pass part */
-static const float stage1_filter0_bandpass0_a = 0.027689066f;
+static const float stage1_filter0_bandpass0_a = 0.027689066f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
 static const float stage1_filter0_bandpass0_b = 0.03062498f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
 static const float stage1_filter0_bandpass0_c = 0.2120631f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
 /* section 2 of 2: centre frequency 17.5 Hz, quality factor 1.926679, gain 1 there and 1 at 17.5 Hz */
-/* A = g h c k: u = A p - B s1, p the input without its low-pass part */
-static const float stage1_filter0_bandpass1_a = 0.027689066f;
+static const float stage1_filter0_bandpass1_a = 0.027689066f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
 static const float stage1_filter0_bandpass1_b = 0.03062498f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
 static const float stage1_filter0_bandpass1_c = 0.2120631f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
@@ -100,23 +93,20 @@ static const float stage1_gain = -1.2f; /* -weight: negative, because the stage 
 /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755)
  * simulated oscillation of the load, f0 of the first BANDPASS 64 Hz (P-AXIS-00751), damping ratio 0.8
  * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-/* H = h = 1 / (1 + (g + k) g): high-pass part q = H p - R s1, y = x - q, p the input without its low-pass part */
-static const float stage2_oscillation_h = 0.73118323f;
+static const float stage2_oscillation_h = 0.73118323f; /* H = h: q = H p - R s1, y = x - q, p = x - low-pass part */
 static const float stage2_oscillation_r = 1.3189199f; /* R = (g + k) h: q = H p - R s1 */
-static const float stage2_oscillation_g = 0.20381583f; /* G = g, the warped centre: band-pass part bp = s1 + G q, s1 = bp + G q */
+static const float stage2_oscillation_g = 0.20381583f; /* G = g, the warped centre: bp = s1 + G q, s1 = bp + G q */
 static const float stage2_oscillation_g2 = 0.40763167f; /* G2 = 2 g: the low-pass part grows by G2 bp */
 
 /* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 64 Hz (P-AXIS-00751), quality factor 5
  * (P-AXIS-00752), -3 dB at 57.90185 and 70.70185 Hz
  * section 1 of 2: centre frequency 60.02592 Hz, quality factor 4.424675, gain 1.157198 there and 1 at 64 Hz */
-/* A = g h c k: u = A p - B s1, p the input without its low-pass part */
-static const float stage2_filter0_bandpass0_a = 0.04623405f;
+static const float stage2_filter0_bandpass0_a = 0.04623405f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
 static const float stage2_filter0_bandpass0_b = 0.07369116f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
 static const float stage2_filter0_bandpass0_c = 1.4594313f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
 /* section 2 of 2: centre frequency 68.22194 Hz, quality factor 4.424675, gain 1.157198 there and 1 at 64 Hz */
-/* A = g h c k: u = A p - B s1, p the input without its low-pass part */
-static const float stage2_filter0_bandpass1_a = 0.051913977f;
+static const float stage2_filter0_bandpass1_a = 0.051913977f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
 static const float stage2_filter0_bandpass1_b = 0.08806878f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
 static const float stage2_filter0_bandpass1_c = 1.664561f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
