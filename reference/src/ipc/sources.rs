@@ -1,5 +1,6 @@
 //! The velocities that the stages look at: which ones, and what they have changed by since the cycle before, formed once for all
 //! stages. No section.
+#![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
 
 use super::signals::Inputs;
 use crate::section::is_driven_by_change;

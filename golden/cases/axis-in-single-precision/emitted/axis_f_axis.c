@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  d9834b11557cb1d69918abf7f9c4bf67
- * checksum    fd8507f3c3fca26438f789ec1ca4c5bf
+ * checksum    a3ec527d8efe2e87b2d3106f5648b20a
  */
 #include "axis_f_axis.h"
 
@@ -105,8 +105,7 @@ static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-/* added to every change and in every update of low, so that a section at rest never decays into subnormal
- * numbers */
+/* added to every change and to low, so that a section at rest never decays into subnormal numbers */
 static const float least_change = 1.0e-18f;
 
 void axis_f_axis_init(axis_f_axis_state *state)

@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  85973501273fb31e4d28546a16b52344
- * checksum    d6f64fb6fdd911f970fe899ca9d30cee
+ * checksum    0b4891a41cf4ceef57671193d5191208
  */
 #include "axis_x_ipc.h"
 
@@ -80,8 +80,7 @@ static const float sample_limit = 1000000000.0f;
 static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_direct = 13u; /* error_id: v_direct is not within the sample limit */
-/* added to every change and in every update of low, so that a section at rest never decays into subnormal
- * numbers */
+/* added to every change and to low, so that a section at rest never decays into subnormal numbers */
 static const float least_change = 1.0e-18f;
 
 void axis_x_ipc_init(axis_x_ipc_state *state)

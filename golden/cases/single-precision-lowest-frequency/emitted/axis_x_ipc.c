@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  62500 ns
  * parameters  73ee4c20de103491d7d9a4c84a9dde2d
- * checksum    e6ca95e49d9e35e9d02fe3ce7e281eb8
+ * checksum    112e3c8732928fd4375072da35cdb704
  */
 #include "axis_x_ipc.h"
 
@@ -87,8 +87,7 @@ static const float sample_limit = 1000000000.0f;
 static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-/* added to every change and in every update of low, so that a section at rest never decays into subnormal
- * numbers */
+/* added to every change and to low, so that a section at rest never decays into subnormal numbers */
 static const float least_change = 1.0e-18f;
 
 void axis_x_ipc_init(axis_x_ipc_state *state)

@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  93aee06be26c056330bf348cc27a6125
- * checksum    337a75ada3714b78df0caea6e6a0209f
+ * checksum    4ac47be68c297ecdc1227d66c1b55ee7
  */
 #include "axis_c_ipc.h"
 
@@ -136,8 +136,7 @@ static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_command = 11u; /* error_id: v_command is not within the sample limit */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-/* added to every change and in every update of low, so that a section at rest never decays into subnormal
- * numbers */
+/* added to every change and to low, so that a section at rest never decays into subnormal numbers */
 static const float least_change = 1.0e-18f;
 
 void axis_c_ipc_init(axis_c_ipc_state *state)

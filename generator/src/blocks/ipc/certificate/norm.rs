@@ -111,8 +111,8 @@ fn rest(sections: &[Sums], mut x: f64, gain: f64) -> (f64, f64) {
     let mut state = 0.0_f64;
     for Sums { section, free, driven, s, sum } in sections {
         let own = section.coming(free, *s);
-        for i in 0..2 {
-            state = state.max(sum[i] + own.s[i] + driven.s[i] * x);
+        for ((sum, own), driven) in sum.iter().zip(own.s).zip(driven.s) {
+            state = state.max(sum + own + driven * x);
         }
         x = own.y + driven.y * x;
     }
