@@ -347,6 +347,24 @@ fn single_precision_takes_low_frequencies() {
 }
 
 #[test]
+fn a_frequency_whose_period_is_too_many_cycles() {
+    assert_said(
+        &said_of_set(
+            "cycle_time = \"62.5us\"\n\
+             [axis.X]\n\
+             real = \"f32\"\n\
+             lr_param.improved_position_control.v_add_max_fact = 1\n\
+             lr_param.improved_position_control.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 0.00095, q_factor = 2 }] }]",
+        ),
+        &[
+            "set.toml:5:95: error[AX306]: `ipc.stage[0].filter[0].fg_f0` (P-AXIS-00751) is 0.00095 Hz: the fade lasts at least one period of it",
+            "    allowed: fg_f0 >= 0.000954 Hz at a cycle time of 62.5us: 16777216 cycles",
+            "    write instead: a longer cycle time",
+        ],
+    );
+}
+
+#[test]
 fn fade_of_too_many_cycles() {
     assert_said(
         &said_of_set(

@@ -204,18 +204,32 @@ fn fade_cycles(e: &mut Effective<'_>, ipc: &Ipc, cycle_time: Option<u32>) -> Opt
     if cycles <= Ipc::MAX_FADE_CYCLES {
         return Some(());
     }
-    let key = key(Name::Fade);
     let longest = Ipc::MAX_FADE_CYCLES * f64::from(ns) / 1e9;
     let time = time_text(u64::from(ns));
-    let is_period = ipc.fade_time() > ipc.fade;
-    let how = if is_period { "lasts at least one period of the lowest fg_f0 (P-AXIS-00751):" } else { "is" };
-    let found = format!("`fade` {how} {} s, {} cycles", real_text(ipc.fade_time()), cycles.ceil());
+    if ipc.fade_time() > ipc.fade {
+        let key = lowest(ipc)?;
+        let f0 = e.real(key)?;
+        let found = format!("{} is {} Hz: the fade lasts at least one period of it", e.title(key), real_text(f0));
+        let least = (1e6 / longest).ceil() / 1e6;
+        let allowed = format!("fg_f0 >= {least} Hz at a cycle time of {time}: {} cycles", Ipc::MAX_FADE_CYCLES);
+        e.refuse(codes::FADE, key, found, [Some(allowed), Some("a longer cycle time".to_owned())]);
+        return None;
+    }
+    let key = key(Name::Fade);
+    let found = format!("`fade` is {} s, {} cycles", real_text(ipc.fade), cycles.ceil());
     let allowed = format!("{} cycles: {} s at a cycle time of {time}", Ipc::MAX_FADE_CYCLES, real_text(longest));
-    let instead = if is_period {
-        format!("fg_f0 >= {} Hz, or a longer cycle time", real_text((1e6 / longest).ceil() / 1e6))
-    } else {
-        format!("fade = \"{}s\" at the most, or a longer cycle time", real_text(longest))
-    };
+    let instead = format!("fade = \"{}s\" at the most, or a longer cycle time", real_text(longest));
     e.refuse(codes::FADE, key, found, [Some(allowed), Some(instead)]);
     None
+}
+
+/// Where the lowest frequency of all filters stands.
+fn lowest(ipc: &Ipc) -> Option<(Name, [u32; 2])> {
+    let of_stage = |(i, stage): (u32, &Option<Stage>)| {
+        let filters = stage.as_ref().map(|stage| stage.filter).into_iter().flatten();
+        let place = |(k, filter): (u32, Filter)| Some((filter.f0()?, (Name::FilterF0, [i, k])));
+        (0..).zip(filters).filter_map(place).collect::<Vec<_>>()
+    };
+    let places = (0..).zip(&ipc.stage).flat_map(of_stage);
+    places.min_by(|(a, _), (b, _)| a.total_cmp(b)).map(|(_, place)| place)
 }
