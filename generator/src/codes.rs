@@ -198,10 +198,6 @@ codes! {
     FADE = "AX306", "fading takes too many cycles",
         "The fade counts its cycles, up to 2^24, which single precision still counts exactly. It takes at least one period of \
          the lowest frequency.";
-    TOO_LOW = "AX307", "a filter too low for the precision",
-        "A biquad that is low against the sampling frequency adds its own rounding rather than the vibration: in single \
-         precision below 0.01 of the sampling frequency, in double precision below a millionth. Use double precision, or \
-         a longer cycle time.";
     ROUNDING = "AX308", "a filter that rounding spoils",
         "Rounded to the real type, the coefficients of this section are unstable, or its centre frequency is elsewhere.";
     TOO_FAST = "AX309", "a velocity that the block takes for a bad sample",

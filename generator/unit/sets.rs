@@ -48,13 +48,16 @@ pub(crate) fn sets(count: usize) -> impl Iterator<Item = Set> {
     })
 }
 
-/// `count` axes of up to three stages: all modes, all kinds of filter, one cycle time for an axis.
+/// `count` axes of up to three stages: all modes, all kinds of filter, one cycle time for an axis. f0 Ts from 0.01 on, in single
+/// precision from 6e-5 on.
 pub(crate) fn axes(count: usize, real: RealKind) -> impl Iterator<Item = Axis> {
     let mut random = Random(0xD1B5_4A32_D192_ED03);
+    let lowest = if real == RealKind::F32 { 6e-5 } else { 0.01 };
     (0..count).map(move |i| {
         let cycle_time_ns = CYCLES[random.below(CYCLES.len())];
-        let stage =
-            core::array::from_fn(|k| (k == i % 3 || random.below(2) == 1).then(|| stage(&mut random, cycle_time_ns)));
+        let stage = core::array::from_fn(|k| {
+            (k == i % 3 || random.below(2) == 1).then(|| stage(&mut random, cycle_time_ns, lowest))
+        });
         let enable = [Enable::Off, Enable::On, Enable::DryRun][random.below(3)];
         let v_add_max_fact = u32::try_from(random.below(2001)).expect("below 2001");
         let v_max = libm::round(1.0 + 2e6 * random.unit());
@@ -70,7 +73,7 @@ pub(crate) fn axes(count: usize, real: RealKind) -> impl Iterator<Item = Axis> {
     })
 }
 
-fn stage(random: &mut Random, cycle_time_ns: u32) -> Stage {
+fn stage(random: &mut Random, cycle_time_ns: u32, lowest: f64) -> Stage {
     let osc_damping = 0.01 + 0.98 * random.unit();
     let mode = match random.below(4) {
         0 => Mode::Direct { source: DirectSource::Motor },
@@ -78,11 +81,11 @@ fn stage(random: &mut Random, cycle_time_ns: u32) -> Stage {
         2 => Mode::Indirect { osc_damping },
         _ => Mode::SetPoint { osc_damping },
     };
-    let mut filter = [bandpass(random, cycle_time_ns), Filter::NoFilter];
+    let mut filter = [bandpass(random, cycle_time_ns, lowest), Filter::NoFilter];
     match random.below(3) {
         0 => {}
-        1 => filter[1] = bandpass(random, cycle_time_ns),
-        _ => filter[1] = Filter::Allpass { f0: f0(random, cycle_time_ns), q_factor: 1.0 + 9.0 * random.unit() },
+        1 => filter[1] = bandpass(random, cycle_time_ns, lowest),
+        _ => filter[1] = Filter::Allpass { f0: f0(random, cycle_time_ns, lowest), q_factor: 1.0 + 9.0 * random.unit() },
     }
     if random.below(2) == 1 {
         filter.swap(0, 1);
@@ -91,18 +94,18 @@ fn stage(random: &mut Random, cycle_time_ns: u32) -> Stage {
     Stage { mode, weight_fact_num, weight_fact_denom: 100, filter }
 }
 
-fn bandpass(random: &mut Random, cycle_time_ns: u32) -> Filter {
+fn bandpass(random: &mut Random, cycle_time_ns: u32, lowest: f64) -> Filter {
     Filter::Bandpass {
         prototype: [Prototype::CritDamping, Prototype::Butterworth, Prototype::Bessel][random.below(3)],
         order: 1 + random.below(3),
-        f0: f0(random, cycle_time_ns),
+        f0: f0(random, cycle_time_ns, lowest),
         q_factor: 1.0 + 9.0 * random.unit(),
     }
 }
 
-/// f0 Ts from 0.01, where single precision begins, to 0.45.
-fn f0(random: &mut Random, cycle_time_ns: u32) -> f64 {
-    0.01 * libm::pow(45.0, random.unit()) / (f64::from(cycle_time_ns) / 1e9)
+/// f0 Ts from the lowest one to 0.45.
+fn f0(random: &mut Random, cycle_time_ns: u32, lowest: f64) -> f64 {
+    lowest * libm::pow(0.45 / lowest, random.unit()) / (f64::from(cycle_time_ns) / 1e9)
 }
 
 /// xorshift64

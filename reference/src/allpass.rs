@@ -1,12 +1,16 @@
-//! An all-pass section: a biquad with b0 = a2, b1 = a1 and b2 = 1, and no operation spent on the 1.
+//! An all-pass section: in double precision a biquad with b0 = a2, b1 = a1 and b2 = 1, and no operation spent on the 1; in single
+//! precision the input less twice its band-pass part, which is trapezoidal.
 //!
 //! H(z) = (a2 + a1 z^-1 + z^-2) / (1 + a1 z^-1 + a2 z^-2). Gain 1 everywhere; phase 0 at DC, -180 degrees at the centre
 //! frequency, -360 degrees at the Nyquist frequency.
 
-use crate::section::{State, anti_denormal};
+use crate::section::{State, anti_denormal, is_driven_by_change};
+use crate::trapezoidal;
 use portable::{Real, portable};
 
 /// Coefficients, with a0 = 1 and the signs of `y = a2 x + s1; s1 = a1 x - a1 y + s2; s2 = x - a2 y`.
+///
+/// Double precision uses a1, a2 and preset; single precision uses a, b and c.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
@@ -16,11 +20,28 @@ pub struct Coeffs<R> {
     pub a2: R,
     /// 1 - a2: steady s1 and s2 for a constant input of 1
     pub preset: R,
+    /// A = g h k: u = A p - B s1, p = x - low-pass part
+    pub a: R,
+    /// B = (g + k) g h: bp = s1 + u, s1 = bp + u, y = x - 2 bp
+    pub b: R,
+    /// C = 2 g / k: the low-pass part grows by C bp
+    pub c: R,
 }
 
-/// One cycle: takes the input, gives the output.
+/// One cycle: takes the input and its change since the cycle before, gives the output. In double precision the change is not used.
 #[portable]
-pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
+pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, change: R) -> R {
+    if is_driven_by_change::<R>() {
+        let bp = trapezoidal::by_change(state, coeffs.a, coeffs.b, coeffs.c, change);
+        x - (bp + bp)
+    } else {
+        biquad(state, coeffs, x)
+    }
+}
+
+/// One cycle of the biquad.
+#[portable]
+pub fn biquad<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
     let y = coeffs.a2 * x + state.s1;
     state.s1 = coeffs.a1 * (x - y) + state.s2;
     state.s2 = x + anti_denormal() - coeffs.a2 * y;
@@ -30,8 +51,12 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
 /// Puts the state where a constant input `x` would have brought it; gives the output that belongs to it: `x`.
 #[portable]
 pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
-    let s = coeffs.preset * x;
-    state.s1 = s;
-    state.s2 = s;
+    if is_driven_by_change::<R>() {
+        trapezoidal::preset_by_change(state);
+    } else {
+        let s = coeffs.preset * x;
+        state.s1 = s;
+        state.s2 = s;
+    }
     x
 }

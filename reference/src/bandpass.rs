@@ -1,13 +1,16 @@
-//! A band-pass section: a biquad with b1 = 0 and b2 = -b0, and no operation spent on either.
+//! A band-pass section: in double precision a biquad with b1 = 0 and b2 = -b0, and no operation spent on either; in single
+//! precision trapezoidal.
 //!
 //! H(z) = b0 (1 - z^-2) / (1 + a1 z^-1 + a2 z^-2). Zeros at DC and at the Nyquist frequency.
 
-use crate::section::{State, anti_denormal};
+use crate::section::{State, anti_denormal, is_driven_by_change};
+use crate::trapezoidal;
 use portable::{Real, portable};
 
 /// Coefficients, with a0 = 1, b0 = -b2 and the signs of `y = -b2 x + s1; s1 = s2 - a1 y; s2 = b2 x - a2 y`.
 ///
 /// b2 stands here rather than b0 because its product is used as it is in `s2`, where a sign would cost an instruction.
+/// Double precision uses b2, a1 and a2; single precision uses a, b and c.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
@@ -17,11 +20,37 @@ pub struct Coeffs<R> {
     pub a1: R,
     /// denominator: s2 = b2 x - a2 y
     pub a2: R,
+    /// A = g h c k: u = A p - B s1, p = x - low-pass part
+    pub a: R,
+    /// B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u
+    pub b: R,
+    /// C = 2 g / (c k): the low-pass part grows by C y
+    pub c: R,
 }
 
-/// One cycle: takes the input, gives the output.
+/// One cycle: takes the input and its change since the cycle before, gives the output. In double precision the change is not used.
 #[portable]
-pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
+pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, change: R) -> R {
+    if is_driven_by_change::<R>() {
+        trapezoidal::by_change(state, coeffs.a, coeffs.b, coeffs.c, change)
+    } else {
+        biquad(state, coeffs, x)
+    }
+}
+
+/// One cycle behind another band-pass section, which has taken the offset out of the input.
+#[portable]
+pub fn step_behind<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
+    if is_driven_by_change::<R>() {
+        trapezoidal::by_input(state, coeffs.a, coeffs.b, coeffs.c, x)
+    } else {
+        biquad(state, coeffs, x)
+    }
+}
+
+/// One cycle of the biquad.
+#[portable]
+pub fn biquad<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
     let t = coeffs.b2 * x;
     let y = state.s1 - t;
     state.s1 = state.s2 - coeffs.a1 * y;
@@ -32,8 +61,29 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
 /// Puts the state where a constant input `x` would have brought it; gives the output that belongs to it: 0.
 #[portable]
 pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
+    if is_driven_by_change::<R>() {
+        trapezoidal::preset_by_change(state);
+    } else {
+        preset_biquad(state, coeffs, x);
+    }
+    R::ZERO
+}
+
+/// The same behind another band-pass section.
+#[portable]
+pub fn preset_behind<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
+    if is_driven_by_change::<R>() {
+        trapezoidal::preset_by_input(state, x);
+    } else {
+        preset_biquad(state, coeffs, x);
+    }
+    R::ZERO
+}
+
+/// The state of the biquad.
+#[portable]
+pub fn preset_biquad<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) {
     let s = coeffs.b2 * x;
     state.s1 = s;
     state.s2 = s;
-    R::ZERO
 }

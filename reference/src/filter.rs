@@ -1,6 +1,6 @@
 //! One filter of a stage: nothing, a band-pass of order 1 to 3, or an all-pass.
 
-use crate::{allpass, bandpass, section};
+use crate::{allpass, bandpass, change, section};
 use portable::{Real, portable};
 
 /// The highest order of a band-pass: so many sections.
@@ -39,23 +39,36 @@ pub struct Coeffs<R> {
 pub struct State<R> {
     /// the sections
     pub section: [section::State<R>; MAX_ORDER],
+    /// the input, where nothing else forms its change
+    pub input: change::State<R>,
 }
 
-/// One cycle: takes the input, gives the output.
+/// Whether the filter takes the change of its input: in single precision its first section does, unless it is a band-pass section
+/// behind a band-pass.
 #[portable]
-pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
+pub fn takes_change<R: Real>(coeffs: &Coeffs<R>, is_behind: bool) -> bool {
+    section::is_driven_by_change::<R>() && (coeffs.kind == Type::Allpass || coeffs.kind == Type::Bandpass && !is_behind)
+}
+
+/// One cycle: takes the input and its change, gives the output. `is_behind`: a band-pass stands before the filter.
+#[portable]
+pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, change: R, is_behind: bool) -> R {
     let mut y = x;
     match coeffs.kind {
         Type::NoFilter => {}
         Type::Bandpass => {
             for i in 0..MAX_ORDER {
                 if i < coeffs.order {
-                    y = bandpass::step(&mut state.section[i], &coeffs.bandpass[i], y);
+                    if i == 0usize && !is_behind {
+                        y = bandpass::step(&mut state.section[i], &coeffs.bandpass[i], y, change);
+                    } else {
+                        y = bandpass::step_behind(&mut state.section[i], &coeffs.bandpass[i], y);
+                    }
                 }
             }
         }
         Type::Allpass => {
-            y = allpass::step(&mut state.section[0], &coeffs.allpass, y);
+            y = allpass::step(&mut state.section[0], &coeffs.allpass, y, change);
         }
     }
     y
@@ -63,14 +76,18 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
 
 /// Puts the state where a constant input `x` would have brought it; gives the output that belongs to it.
 #[portable]
-pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
+pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, is_behind: bool) -> R {
     let mut y = x;
     match coeffs.kind {
         Type::NoFilter => {}
         Type::Bandpass => {
             for i in 0..MAX_ORDER {
                 if i < coeffs.order {
-                    y = bandpass::preset(&mut state.section[i], &coeffs.bandpass[i], y);
+                    if i == 0usize && !is_behind {
+                        y = bandpass::preset(&mut state.section[i], &coeffs.bandpass[i], y);
+                    } else {
+                        y = bandpass::preset_behind(&mut state.section[i], &coeffs.bandpass[i], y);
+                    }
                 }
             }
         }

@@ -1,8 +1,8 @@
-//! What all second-order sections share: their state and the constant that keeps it out of the subnormal range.
+//! What all second-order sections share: their state, which form they have, the constants that keep them out of the subnormal range.
 
 use portable::{Real, portable};
 
-/// State of a second-order section in transposed direct form II.
+/// State of a second-order section: s1 and s2 of a biquad; in single precision s1 and p, or s1 and low.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
@@ -10,6 +10,20 @@ pub struct State<R> {
     pub s1: R,
     /// what `s1` takes over
     pub s2: R,
+    /// the input without its low-pass part
+    pub p: R,
+    /// the low-pass part of the input
+    pub low: R,
+}
+
+/// Whether sections are trapezoidal and driven by the change of their input: in single precision. In double precision they are
+/// biquads.
+///
+/// The speed of the axis is up to 500 times the vibration. The states of a biquad carry it, so that their roundings are a part of
+/// the speed. A change carries nothing of it.
+#[portable]
+pub fn is_driven_by_change<R: Real>() -> bool {
+    R::per_kind(0.0, 1.0) > R::ZERO
 }
 
 /// added in every update of s2, so that a section at rest never decays into subnormal numbers
@@ -19,4 +33,12 @@ pub struct State<R> {
 #[portable]
 pub fn anti_denormal<R: Real>() -> R {
     R::per_kind(1.0e-30, 1.0e-18)
+}
+
+/// added to every change and to low, so that a section at rest never decays into subnormal numbers
+///
+/// One addition to a change serves all sections that it drives.
+#[portable]
+pub fn least_change<R: Real>() -> R {
+    R::lit(1.0e-18)
 }

@@ -1,6 +1,6 @@
 //! One stage: the source that its mode names, the simulated oscillation, two filters, the gain.
 
-use crate::{biquad, filter, section};
+use crate::{change, filter, oscillation, section};
 use portable::{Real, portable};
 
 /// Filters in a stage.
@@ -41,7 +41,7 @@ pub struct Coeffs<R> {
     /// which measured velocity a DIRECT stage takes
     pub direct_source: DirectSource,
     /// the simulated oscillation of INDIRECT and SET_POINT
-    pub oscillation: biquad::Coeffs<R>,
+    pub oscillation: oscillation::Coeffs<R>,
     /// the filters, in the order of their execution
     pub filter: [filter::Coeffs<R>; FILTERS],
     /// -weight: negative, because the stage moves the motor against the vibration
@@ -88,15 +88,46 @@ pub fn source<R: Real>(coeffs: &Coeffs<R>, v_command: R, v_motor: R, v_direct: R
     }
 }
 
-/// One cycle: takes the velocity that the stage looks at, gives `gain * filter[1](filter[0](oscillation(x)))`.
+/// Whether a band-pass stands before filter `k`, so that its input has no offset.
 #[portable]
-pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
+pub fn is_behind_bandpass<R: Real>(coeffs: &Coeffs<R>, k: usize) -> bool {
+    let mut found = false;
+    for before in 0..FILTERS {
+        found = found || before < k && coeffs.filter[before].kind == filter::Type::Bandpass;
+    }
+    found
+}
+
+/// Whether the input of filter `k` is the velocity itself, whose change the block forms for all stages.
+#[portable]
+pub fn reads_source<R: Real>(coeffs: &Coeffs<R>, k: usize) -> bool {
+    let mut reads = coeffs.mode == Mode::Direct;
+    for before in 0..FILTERS {
+        reads = reads && (before >= k || coeffs.filter[before].kind == filter::Type::NoFilter);
+    }
+    reads
+}
+
+/// Whether the stage forms the change of the input of filter `k` itself.
+#[portable]
+pub fn forms_change<R: Real>(coeffs: &Coeffs<R>, k: usize) -> bool {
+    filter::takes_change(&coeffs.filter[k], is_behind_bandpass(coeffs, k)) && !reads_source(coeffs, k)
+}
+
+/// One cycle: takes the velocity that the stage looks at and its change since the cycle before, gives
+/// `gain * filter[1](filter[0](oscillation(x)))`. In double precision the change is not used.
+#[portable]
+pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, change: R) -> R {
     let mut y = x;
     if coeffs.mode != Mode::Direct {
-        y = biquad::step(&mut state.oscillation, &coeffs.oscillation, y);
+        y = oscillation::step(&mut state.oscillation, &coeffs.oscillation, y, change);
     }
     for k in 0..FILTERS {
-        y = filter::step(&mut state.filter[k], &coeffs.filter[k], y);
+        let mut change_of_y = change;
+        if forms_change(coeffs, k) {
+            change_of_y = change::step(&mut state.filter[k].input, y);
+        }
+        y = filter::step(&mut state.filter[k], &coeffs.filter[k], y, change_of_y, is_behind_bandpass(coeffs, k));
     }
     coeffs.gain * y
 }
@@ -106,9 +137,12 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
 pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) {
     let mut y = x;
     if coeffs.mode != Mode::Direct {
-        y = biquad::preset(&mut state.oscillation, &coeffs.oscillation, y);
+        y = oscillation::preset(&mut state.oscillation, &coeffs.oscillation, y);
     }
     for k in 0..FILTERS {
-        y = filter::preset(&mut state.filter[k], &coeffs.filter[k], y);
+        if forms_change(coeffs, k) {
+            change::preset(&mut state.filter[k].input, y);
+        }
+        y = filter::preset(&mut state.filter[k], &coeffs.filter[k], y, is_behind_bandpass(coeffs, k));
     }
 }

@@ -1,7 +1,7 @@
 //! The golden cases, and each of them in the other real type as well, where its filters bear it.
 
-use generator::axis::{Axis, Filter};
-use generator::blocks::{Designed, lowest_f0_ts, refusals};
+use generator::axis::Axis;
+use generator::blocks::{Designed, refusals};
 use golden::case::{self, Case};
 use portable::RealKind;
 use std::path::{Path, PathBuf};
@@ -45,9 +45,7 @@ fn twin(case: &Case) -> Option<Case> {
         RealKind::F32 => RealKind::F64,
     };
     let axis = Designed::from(Axis { real, ..case.axis.axis.clone() });
-    let filters = axis.axis.ipc.stage.iter().flatten().flat_map(|stage| &stage.filter);
-    let is_too_low = |f0: f64| f0 * f64::from(axis.axis.cycle_time_ns) / 1e9 < lowest_f0_ts(real);
-    if filters.filter_map(Filter::f0).any(is_too_low) || !refusals(&axis).is_empty() {
+    if !refusals(&axis).is_empty() {
         return None;
     }
     let block = case::named_block(&axis, case.block.program.block).unwrap_or_else(|error| panic!("{error}"));

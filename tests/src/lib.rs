@@ -1,6 +1,7 @@
 //! What the test files share.
 #![forbid(unsafe_code)]
 
+pub mod accuracy;
 pub mod cases;
 pub mod environment;
 pub mod exploration;

@@ -20,7 +20,7 @@ mod values;
 
 pub use crate::trial::Drill;
 pub use designed::Designed;
-pub use ipc::{check::lowest_f0_ts, feasibility::refusals};
+pub use ipc::feasibility::refusals;
 pub use kind::{Block, Kind, Part, Summary};
 pub(crate) use values::{Value, differences};
 

@@ -5,6 +5,7 @@
 //! band         f0, Q, Ts -> warped centre and bandwidth
 //! bandpass     prototype, order, band -> sections, in the order of their execution
 //! section      warped centre, damping -> coefficients of a band-pass, an all-pass, the simulated oscillation
+//! trapezoidal  a section of single precision: step, response
 //! delay        time, cycle -> whole cycles and a fraction
 //! scale        what the drive gets for a velocity, an acceleration
 //! response     what coefficients do
@@ -21,3 +22,4 @@ pub(crate) mod response;
 pub(crate) mod rounding;
 pub(crate) mod scale;
 pub(crate) mod section;
+pub(crate) mod trapezoidal;

@@ -1,11 +1,11 @@
-//! The frequency response of coefficients: of what the machine will execute, not of what was designed.
+//! The frequency response of coefficients, of those of the biquads.
 //!
 //! Everything is evaluated at a point t = tan(pi f Ts) of the warped frequency axis, where z^-1 = (1 - j t) / (1 + j t). A
 //! second-order polynomial in z^-1 becomes one in j t whose coefficients are sums of the given ones that are exact
 //! where it matters, so that a low frequency costs no digits here: what is seen is the rounding of the coefficients.
 
 use super::section::at_dc_and_nyquist;
-use reference::{allpass, bandpass, biquad, filter, filter::Type, stage, stage::Mode};
+use reference::{allpass, bandpass, filter, filter::Type, oscillation, stage, stage::Mode};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Complex {
@@ -28,7 +28,7 @@ pub(crate) fn of_stage(coeffs: &stage::Coeffs<f64>, t: f64) -> Complex {
     }
     let mut h = Complex::real(coeffs.gain);
     if coeffs.mode != Mode::Direct {
-        h = product(h, of_biquad(&coeffs.oscillation, t));
+        h = product(h, of_oscillation(&coeffs.oscillation, t));
     }
     coeffs.filter.iter().fold(h, |h, filter| product(h, of_filter(filter, t)))
 }
@@ -55,7 +55,7 @@ pub(crate) fn of_allpass(coeffs: &allpass::Coeffs<f64>, t: f64) -> Complex {
     quotient(Complex { re: denominator.re, im: -denominator.im }, denominator)
 }
 
-pub(crate) fn of_biquad(coeffs: &biquad::Coeffs<f64>, t: f64) -> Complex {
+pub(crate) fn of_oscillation(coeffs: &oscillation::Coeffs<f64>, t: f64) -> Complex {
     let numerator = polynomial(coeffs.b0, coeffs.b1, coeffs.b2, t);
     quotient(numerator, polynomial(1.0, coeffs.a1, coeffs.a2, t))
 }

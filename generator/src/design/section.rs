@@ -1,8 +1,9 @@
 //! Second-order sections: from centre and damping to coefficients. No filter, no pole.
 //!
-//! All of them have the denominator of [`denominator`]; a0 = 1. `preset` is where a constant 1 brings the state.
+//! As biquads, which double precision has, all of them have the denominator of [`denominator`]; a0 = 1. `preset` is where a constant
+//! 1 brings the state. Single precision has the coefficients of [`trapezoidal`].
 
-use reference::{allpass, bandpass, biquad};
+use reference::{allpass, bandpass, oscillation};
 
 /// A section before the transform s = (1 - z^-1) / (1 + z^-1).
 #[derive(Clone, Copy, Debug)]
@@ -20,7 +21,8 @@ pub(crate) struct Shape {
 /// b0 = c k g / d, b1 = 0, b2 = -b0, which alone is kept.
 pub(crate) fn bandpass(of: &Shape) -> bandpass::Coeffs<f64> {
     let ([a1, a2], d) = denominator(of);
-    bandpass::Coeffs { b2: -(of.c * of.k * of.g / d), a1, a2 }
+    let [a, b, c] = trapezoidal(of);
+    bandpass::Coeffs { b2: -(of.c * of.k * of.g / d), a1, a2, a, b, c }
 }
 
 /// An all-pass, with the signs of `y = a2 x + s1; s1 = a1 x - a1 y; s2 = x - a2 y`. At the centre Omega0 and the bandwidth B its
@@ -31,7 +33,8 @@ pub(crate) fn bandpass(of: &Shape) -> bandpass::Coeffs<f64> {
 /// -180 degrees at the centre (P-AXIS-00751) and -270 degrees at the upper edge to -360 degrees at the Nyquist frequency.
 pub(crate) fn allpass(of: &Shape) -> allpass::Coeffs<f64> {
     let ([a1, a2], _) = denominator(of);
-    allpass::Coeffs { a1, a2, preset: 1.0 - a2 }
+    let [a, b, c] = trapezoidal(of);
+    allpass::Coeffs { a1, a2, preset: 1.0 - a2, a, b, c }
 }
 
 /// The simulated oscillation of the INDIRECT and SET_POINT modes, with the signs of
@@ -44,11 +47,26 @@ pub(crate) fn allpass(of: &Shape) -> allpass::Coeffs<f64> {
 ///
 /// H(f0) = 1 + 1 / (2 j D), gain 1 at DC. Lower damping, larger simulated vibration. The vendor documents state this
 /// behaviour and no equation: that the coupling is visco-elastic is an inference from it.
-pub(crate) fn oscillation(of: &Shape) -> biquad::Coeffs<f64> {
+pub(crate) fn oscillation(of: &Shape) -> oscillation::Coeffs<f64> {
     let Shape { g, k, .. } = *of;
     let ([a1, a2], d) = denominator(of);
     let (b0, b1, b2) = ((g + k) * g / d, 2.0 * g * g / d, (g - k) * g / d);
-    biquad::Coeffs { b0, b1, b2, a1, a2, preset_s1: 1.0 - b0, preset_s2: b2 - a2 }
+    let (h, r) = (1.0 / d, (g + k) / d);
+    oscillation::Coeffs { b0, b1, b2, a1, a2, preset_s1: 1.0 - b0, preset_s2: b2 - a2, h, r, g, g2: 2.0 * g }
+}
+
+/// A, B and C of the band-pass part c k g s / (s^2 + k g s + g^2), s = (1 - z^-1) / (1 + z^-1), with the signs of
+/// `u = A p - B s1; y = s1 + u; s1 = y + u; p = p - C y`.
+///
+/// h = 1 / d, d = 1 + k g + g^2: A = g h c k, B = (g + k) g h, C = 2 g / (c k). From the state-variable filter with the integrators
+/// s1 and s2, hp = (x - s2 - (g + k) s1) h, bp = s1 + g hp, lp = s2 + g bp, where p = x - s2 and s1 stands for c k s1.
+///
+/// No coefficient is a difference, and each takes part in the response by its own relative rounding: single precision keeps a low
+/// centre as well as a high one.
+pub(crate) fn trapezoidal(of: &Shape) -> [f64; 3] {
+    let Shape { g, k, c } = *of;
+    let d = 1.0 + k * g + g * g;
+    [c * k * g / d, (g + k) * g / d, 2.0 * g / (c * k)]
 }
 
 /// Denominator 1 + a1 z^-1 + a2 z^-2, with the signs of `y = x - a1 y' - a2 y''`; and d, which a numerator must be divided by.

@@ -333,43 +333,34 @@ fn f0_of_an_allpass_above_what_the_cycle_time_allows() {
     );
 }
 
+/// At 1 ms what 1 Hz is at 62.5 us.
 #[test]
-fn too_low_for_double_precision() {
-    assert_said(
-        &said(&direct("ipc.stage[0].filter.fg_f0 0.0001")),
-        &[
-            "x.lis:1:58: error[AX307]: `ipc.stage[0].filter.fg_f0` (P-AXIS-00751) is 0.0001 Hz, 1e-7 of the sampling frequency: double precision loses so narrow and low a filter; it needs another structure, which this version does not have",
-            "    allowed: fg_f0 >= 0.001 Hz in double precision at a cycle time of 1ms",
-            "    write instead: a longer cycle time, or a higher frequency",
-        ],
-    );
-}
-
-#[test]
-fn too_low_for_single_precision() {
-    assert_said(
-        &said_of_axis(
-            "real = \"f32\"\n\
-             ipc.v_add_max_fact = 1\n\
-             ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 9.99, q_factor = 2 }] }]",
-        ),
-        &[
-            "set.toml:5:95: error[AX307]: `ipc.stage[0].filter[0].fg_f0` (P-AXIS-00751) is 9.99 Hz, 0.00999 of the sampling frequency: single precision loses so narrow and low a filter; it needs another structure, which this version does not have",
-            "    allowed: fg_f0 >= 10 Hz in single precision at a cycle time of 1ms",
-            "    write instead: real = \"f64\" for this axis",
-        ],
-    );
-}
-
-#[test]
-fn the_lowest_for_single_precision() {
+fn single_precision_takes_low_frequencies() {
     assert_said(
         &said_of_axis(
             "real = \"REAL\"\n\
              ipc.v_add_max_fact = 1\n\
-             ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 10, q_factor = 2 }] }]",
+             ipc.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 0.0625, q_factor = 2 }] }]",
         ),
         &[],
+    );
+}
+
+#[test]
+fn a_frequency_whose_period_is_too_many_cycles() {
+    assert_said(
+        &said_of_set(
+            "cycle_time = \"62.5us\"\n\
+             [axis.X]\n\
+             real = \"f32\"\n\
+             lr_param.improved_position_control.v_add_max_fact = 1\n\
+             lr_param.improved_position_control.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 0.00095, q_factor = 2 }] }]",
+        ),
+        &[
+            "set.toml:5:95: error[AX306]: `ipc.stage[0].filter[0].fg_f0` (P-AXIS-00751) is 0.00095 Hz: the fade lasts at least one period of it",
+            "    allowed: fg_f0 >= 0.000954 Hz at a cycle time of 62.5us: 16777216 cycles",
+            "    write instead: a longer cycle time",
+        ],
     );
 }
 

@@ -29,14 +29,19 @@ fn of_single_precision() {
     let axis = rack_and_pinion(RealKind::F32);
     let lines = lines(&certified(&axis));
     assert!(lines[0].ends_with("within single precision"), "{}", lines[0]);
+    assert_eq!(
+        lines[4],
+        "signal-to-noise ratio in single precision, of a vibration of 1060 at f0 while the axis moves at 530000: stage[0] 128 dB, \
+         stage[1] 93 dB"
+    );
 }
 
-/// A damping ratio of 1e-5 in single precision: the oscillation is stable, and its roundings may add up without end.
+/// A damping ratio of 1e-7 in single precision: the oscillation is stable, and its roundings may add up without end.
 #[test]
 fn where_nothing_is_certain_that_is_said() {
     let mut axis = rack_and_pinion(RealKind::F32);
     if let Some(stage) = &mut axis.ipc.stage[1] {
-        stage.mode = Mode::Indirect { osc_damping: 1e-5 };
+        stage.mode = Mode::Indirect { osc_damping: 1e-7 };
     }
     let lines = lines(&certified(&axis));
     assert_eq!(lines[0], "range: no bound is certain, a section is so weakly damped that its roundings may add up");

@@ -3,10 +3,10 @@
 use super::rounding::{demanded, of_section};
 use crate::axis::{Filter, Prototype};
 use crate::design::band::{band, edges, warped};
-use crate::design::response::{Complex, magnitude, of_allpass, of_biquad};
+use crate::design::response::{Complex, magnitude, of_allpass, of_oscillation};
 use crate::unit::sets::filter as coefficients_of;
 use crate::unit::sets::sets;
-use reference::biquad;
+use reference::oscillation;
 
 /// -90 degrees at the lower edge, -180 at the centre, -270 at the upper edge; the phase is seen as H itself, which
 /// must be -j, -1 and j. The tolerance is twice that of a section, for its numerator turns as its denominator does.
@@ -36,11 +36,11 @@ fn gain_is_1_at_every_frequency() {
         let filter = Filter::Allpass { f0: set.f0, q_factor: set.q_factor };
         let coeffs = coefficients_of(&filter, set.cycle_time()).allpass;
         let (a1, a2) = (coeffs.a1, coeffs.a2);
-        let general = biquad::Coeffs { b0: a2, b1: a1, b2: 1.0, a1, a2, ..biquad::Coeffs::default() };
+        let general = oscillation::Coeffs { b0: a2, b1: a1, b2: 1.0, a1, a2, ..oscillation::Coeffs::default() };
         for i in -8..=8 {
             let t = warped(set.f0, set.cycle_time()) * libm::pow(10.0, f64::from(i) / 2.0);
             let rounding = of_section(a1, a2, t) + 8.0 * f64::EPSILON;
-            assert!((magnitude(of_biquad(&general, t)) - 1.0).abs() <= rounding, "{set:?}");
+            assert!((magnitude(of_oscillation(&general, t)) - 1.0).abs() <= rounding, "{set:?}");
             assert!((magnitude(of_allpass(&coeffs, t)) - 1.0).abs() <= 8.0 * f64::EPSILON, "{set:?}");
         }
     }

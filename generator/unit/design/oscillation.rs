@@ -2,10 +2,10 @@
 
 use super::rounding::{demanded, of_numerator, of_section};
 use crate::design::band::warped;
-use crate::design::response::{Complex, magnitude, of_biquad};
+use crate::design::response::{Complex, magnitude, of_oscillation};
 use crate::design::section::{Shape, oscillation};
 use crate::unit::sets::{Random, sets};
-use reference::biquad;
+use reference::oscillation;
 
 /// H = (2 D j w + 1) / (1 - w^2 + 2 D j w), w = t / Omega0: 1 + 1 / (2 j D) at the centre.
 #[test]
@@ -17,10 +17,10 @@ fn response_is_that_of_a_load_behind_a_visco_elastic_coupling() {
         let omega0 = warped(set.f0, set.cycle_time());
         let coeffs = oscillation(&Shape { g: omega0, k: 2.0 * damping, c: 1.0 });
         for w in [0.0, 0.1, 0.5, 1.0, 2.0, 10.0] {
-            let h = of_biquad(&coeffs, w * omega0);
+            let h = of_oscillation(&coeffs, w * omega0);
             let expected = visco_elastic(damping, w);
             let deviation = magnitude(Complex { re: h.re - expected.re, im: h.im - expected.im }) / magnitude(expected);
-            let (t, biquad::Coeffs { b0, b1, b2, a1, a2, .. }) = (w * omega0, coeffs);
+            let (t, oscillation::Coeffs { b0, b1, b2, a1, a2, .. }) = (w * omega0, coeffs);
             let rounding = of_section(a1, a2, t) + of_numerator(b0, b1, b2, t) + 60.0 * f64::EPSILON;
             assert!(deviation <= rounding, "{deviation:e} > {rounding:e}: D {damping}, w {w}: {set:?}");
             worst = worst.max(deviation / rounding);

@@ -34,7 +34,7 @@ fn transform_of_impulse_response(coeffs: &Coeffs<f64>, product: f64) -> Complex 
     let mut state = State::default();
     let mut sum = Complex { re: 0.0, im: 0.0 };
     for n in 0..60_000_u32 {
-        let h = step(&mut state, coeffs, if n == 0 { 1.0 } else { 0.0 });
+        let h = step(&mut state, coeffs, if n == 0 { 1.0 } else { 0.0 }, 0.0);
         let turns = f64::from(n) * product;
         let angle = core::f64::consts::TAU * (turns - libm::floor(turns));
         sum.re += h * libm::cos(angle);

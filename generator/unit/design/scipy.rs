@@ -4,10 +4,10 @@
 use super::rounding::of_section;
 use crate::axis::{Filter, Prototype};
 use crate::design::band::warped;
-use crate::design::response::{Complex, magnitude, of_biquad, of_filter};
+use crate::design::response::{Complex, magnitude, of_filter, of_oscillation};
 use crate::design::section::{Shape, oscillation};
 use crate::unit::sets::filter as coefficients_of;
-use reference::biquad;
+use reference::oscillation;
 
 const DATA: &str = include_str!("../data/scipy_designs.csv");
 
@@ -64,8 +64,12 @@ fn ours(kind: &str, order: usize, f0: f64, q_or_d: f64, cycle_time: f64) -> Ours
     let filter = match kind {
         "OSCILLATION" => {
             let coeffs = oscillation(&Shape { g: warped(f0, cycle_time), k: 2.0 * q_or_d, c: 1.0 });
-            let biquad::Coeffs { b0, a1, a2, .. } = coeffs;
-            return Ours { denominators: vec![[a1, a2]], gain: b0, response: Box::new(move |t| of_biquad(&coeffs, t)) };
+            let oscillation::Coeffs { b0, a1, a2, .. } = coeffs;
+            return Ours {
+                denominators: vec![[a1, a2]],
+                gain: b0,
+                response: Box::new(move |t| of_oscillation(&coeffs, t)),
+            };
         }
         "ALLPASS" => Filter::Allpass { f0, q_factor: q_or_d },
         "CRIT_DAMPING" => Filter::Bandpass { prototype: Prototype::CritDamping, order, f0, q_factor: q_or_d },

@@ -12,18 +12,18 @@
 //! again the sections start from the steady state of the present input, so that nothing jumps.
 
 mod signals;
+mod sources;
 
 pub use signals::{Inputs, Outputs};
 pub use signals::{mode_dryrun, mode_off, mode_on};
+pub use sources::STAGES;
 
+use self::sources::{reads_command, reads_direct, reads_motor};
 use crate::signal::{error_cycle_time, error_gantry_slave, error_mode, error_none};
 use crate::signal::{error_v_command, error_v_direct, error_v_motor, sample_limit};
 use crate::stage;
 use crate::sum::empty_sum;
 use portable::{Block, Enable, Fn, Real, from_u32, in_range, note, portable, within};
-
-/// Stages of a block.
-pub const STAGES: usize = 3;
 
 /// Coefficients.
 #[portable]
@@ -57,43 +57,16 @@ pub struct State<R> {
     pub preset: bool,
     /// position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is
     pub fade: u32,
+    /// the velocities of the cycle before
+    pub source: sources::State<R>,
     /// the sections of each stage
     pub stage: [stage::State<R>; STAGES],
-}
-
-/// Whether a stage looks at the command velocity.
-#[portable]
-pub fn reads_command<R: Real>(coeffs: &Coeffs<R>) -> bool {
-    let mut found = false;
-    for i in 0..STAGES {
-        found = found || stage::reads_command(&coeffs.stage[i]);
-    }
-    found
-}
-
-/// Whether a stage looks at the motor's velocity.
-#[portable]
-pub fn reads_motor<R: Real>(coeffs: &Coeffs<R>) -> bool {
-    let mut found = false;
-    for i in 0..STAGES {
-        found = found || stage::reads_motor(&coeffs.stage[i]);
-    }
-    found
-}
-
-/// Whether a stage looks at the velocity of the direct measuring system.
-#[portable]
-pub fn reads_direct<R: Real>(coeffs: &Coeffs<R>) -> bool {
-    let mut found = false;
-    for i in 0..STAGES {
-        found = found || stage::reads_direct(&coeffs.stage[i]);
-    }
-    found
 }
 
 /// Presets all sections to the steady state of the present input.
 #[portable]
 pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) {
+    sources::preset(&mut state.source, &coeffs.stage, inputs);
     for i in 0..STAGES {
         if coeffs.stage[i].mode != stage::Mode::NotActive {
             let x = stage::source(&coeffs.stage[i], inputs.v_command, inputs.v_motor, inputs.v_direct);
@@ -105,11 +78,14 @@ pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs
 /// Runs all stages; gives the sum of what they want to add.
 #[portable]
 pub fn sum_of_stages<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
+    let mut changes = sources::Changes::<R>::default();
+    sources::step(&mut state.source, &coeffs.stage, inputs, &mut changes);
     let mut v_sum = empty_sum();
     for i in 0..STAGES {
         if coeffs.stage[i].mode != stage::Mode::NotActive {
             let x = stage::source(&coeffs.stage[i], inputs.v_command, inputs.v_motor, inputs.v_direct);
-            let v_stage = stage::step(&mut state.stage[i], &coeffs.stage[i], x);
+            let change = stage::source(&coeffs.stage[i], changes.v_command, changes.v_motor, changes.v_direct);
+            let v_stage = stage::step(&mut state.stage[i], &coeffs.stage[i], x, change);
             v_sum = v_sum + v_stage;
         }
     }
@@ -221,9 +197,9 @@ pub fn is_mode(mode: i32) -> bool {
 pub fn is_in_range<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     is_mode(inputs.mode)
         && (!coeffs.slave || inputs.mode == mode_off())
-        && (!reads_command(coeffs) || in_range(inputs.v_command, sample_limit()))
-        && (!reads_motor(coeffs) || in_range(inputs.v_motor, sample_limit()))
-        && (!reads_direct(coeffs) || in_range(inputs.v_direct, sample_limit()))
+        && (!reads_command(&coeffs.stage) || in_range(inputs.v_command, sample_limit()))
+        && (!reads_motor(&coeffs.stage) || in_range(inputs.v_motor, sample_limit()))
+        && (!reads_direct(&coeffs.stage) || in_range(inputs.v_direct, sample_limit()))
 }
 
 /// Whether the caller's cycle is the one that the coefficients were designed for, or not told.
@@ -241,11 +217,11 @@ pub fn error_of<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> u32 {
         error_mode()
     } else if coeffs.slave && inputs.mode != mode_off() {
         error_gantry_slave()
-    } else if reads_command(coeffs) && !in_range(inputs.v_command, sample_limit()) {
+    } else if reads_command(&coeffs.stage) && !in_range(inputs.v_command, sample_limit()) {
         error_v_command()
-    } else if reads_motor(coeffs) && !in_range(inputs.v_motor, sample_limit()) {
+    } else if reads_motor(&coeffs.stage) && !in_range(inputs.v_motor, sample_limit()) {
         error_v_motor()
-    } else if reads_direct(coeffs) && !in_range(inputs.v_direct, sample_limit()) {
+    } else if reads_direct(&coeffs.stage) && !in_range(inputs.v_direct, sample_limit()) {
         error_v_direct()
     } else {
         error_none()

@@ -4,7 +4,7 @@ use portable::Block;
 use portable::Real;
 use reference::ipc::{Coeffs, Inputs, Ipc, Outputs, State, mode_on, step};
 use reference::stage::{self, Mode};
-use reference::{bandpass, biquad, filter};
+use reference::{bandpass, filter, oscillation};
 
 /// Cycles that the fade takes: 107 * (1 / 107) is not 1, in neither real type, and a full fade is 1 all the same.
 pub const FADE_CYCLES: u32 = 107;
@@ -63,6 +63,9 @@ pub fn direct<R: Real>() -> stage::Coeffs<R> {
         b2: R::lit(-0.016_379_233_277_825_974),
         a1: R::lit(-1.859_167_333_218_350_5),
         a2: R::lit(0.967_241_533_444_348),
+        a: R::lit(0.016_379_233_277_825_974),
+        b: R::lit(0.043_397_783_334_325_38),
+        c: R::lit(3.299_122_687_638_476),
     };
     stage::Coeffs { mode: Mode::Direct, gain: R::lit(-3.0), filter: band_pass(section), ..stage::Coeffs::default() }
 }
@@ -73,8 +76,11 @@ pub fn simulated<R: Real>(mode: Mode) -> stage::Coeffs<R> {
         b2: R::lit(-0.016_986_936_943_368_59),
         a1: R::lit(-1.961_332_251_243_502_3),
         a2: R::lit(0.966_026_126_113_262_8),
+        a: R::lit(0.016_986_936_943_368_59),
+        b: R::lit(0.018_160_405_660_808_703),
+        c: R::lit(0.138_161_308_463_350_34),
     };
-    let oscillation = biquad::Coeffs {
+    let oscillation = oscillation::Coeffs {
         b0: R::lit(0.053_486_731_356_617_98),
         b1: R::lit(0.002_262_495_254_415_846),
         b2: R::lit(-0.051_224_236_102_202_135),
@@ -82,6 +88,10 @@ pub fn simulated<R: Real>(mode: Mode) -> stage::Coeffs<R> {
         a2: R::lit(0.895_289_032_541_179_9),
         preset_s1: R::lit(0.946_513_268_643_382),
         preset_s2: R::lit(-0.946_513_268_643_382),
+        h: R::lit(0.946_513_268_643_382),
+        r: R::lit(1.547_143_407_160_292_5),
+        g: R::lit(0.034_571_282_215_389_665),
+        g2: R::lit(0.069_142_564_430_779_33),
     };
     stage::Coeffs { mode, oscillation, gain: R::lit(-1.9), filter: band_pass(section), ..stage::Coeffs::default() }
 }

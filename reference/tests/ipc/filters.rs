@@ -19,9 +19,9 @@ fn a_constant_velocity_gives_exactly_0_behind_a_band_pass<R: Real>() {
     }
 }
 
-/// Behind a simulated oscillation what remains is rounding.
+/// Behind a simulated oscillation what remains in double precision is rounding; in single precision the oscillation sees no change.
 fn a_constant_velocity_gives_next_to_nothing_behind_an_oscillation<R: Real>() {
-    let least = R::per_kind(1e-12, 1e-4);
+    let least = R::per_kind(1e-12, 0.0);
     for (v, mode) in VELOCITIES.into_iter().flat_map(|v| [(R::lit(v), Mode::Indirect), (R::lit(v), Mode::SetPoint)]) {
         let mut block = Bench::<R>::new(&[simulated(mode)]);
         for cycle in 0..5_000 {

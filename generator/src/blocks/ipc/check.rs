@@ -11,13 +11,6 @@ use reference::signal::sample_limit;
 /// The highest f0 * Ts: above, the tangent that the design is made of runs into its pole.
 const MAX_F0_TS: f64 = 0.45;
 
-/// The lowest f0 Ts of a filter. Measured against extended precision with a third-order Butterworth band-pass, Q 10, a
-/// vibration of 1 on a velocity of 500: double keeps 98 dB at 1e-6 (125 dB at 6e-6, 73 dB at 3e-7), single 80 dB at 0.01
-/// (39 dB at 7e-4). Below, what a biquad adds is more and more its own rounding.
-pub fn lowest_f0_ts(real: RealKind) -> f64 {
-    if real == RealKind::F64 { 1e-6 } else { 0.01 }
-}
-
 /// Improved position control of one axis; none: an error, which has been said.
 pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option<RealKind>) -> Option<Ipc> {
     let enable = e.word(key(Name::Enable));
@@ -26,7 +19,7 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option
     let v_max = v_max(e, real);
     let fade = e.duration(key(Name::Fade));
     // Every stage is checked, so that all errors of all stages are told.
-    let stages = [0, 1, 2].map(|i| stage(e, i, cycle_time, real));
+    let stages = [0, 1, 2].map(|i| stage(e, i, cycle_time));
     let is_active = stages.iter().any(|stage| !matches!(stage, Some(None)));
     let delay_cycles = if is_active { delay_cycles(e) } else { None };
     let [first, second, third] = stages;
@@ -87,7 +80,7 @@ fn v_max(e: &mut Effective<'_>, real: Option<RealKind>) -> Option<f64> {
 }
 
 /// A stage; outer none: an error, which has been said; inner none: it is not active.
-fn stage(e: &mut Effective<'_>, i: u32, cycle_time: Option<u32>, real: Option<RealKind>) -> Option<Option<Stage>> {
+fn stage(e: &mut Effective<'_>, i: u32, cycle_time: Option<u32>) -> Option<Option<Stage>> {
     let word: StageMode = e.word((Name::Mode, [i, 0]))?;
     let mode = match word {
         StageMode::NotActive => return Some(None),
@@ -97,7 +90,7 @@ fn stage(e: &mut Effective<'_>, i: u32, cycle_time: Option<u32>, real: Option<Re
     };
     let weight_fact_num = e.integer((Name::WeightFactNum, [i, 0]));
     let weight_fact_denom = e.integer((Name::WeightFactDenom, [i, 0]));
-    let [first, second] = [0, 1].map(|k| filter(e, [i, k], cycle_time, real));
+    let [first, second] = [0, 1].map(|k| filter(e, [i, k], cycle_time));
     let filter = [first?, second?];
     if filter.iter().all(|filter| filter.kind() != FilterType::Bandpass) {
         let key = (Name::FilterType, [i, 0]);
@@ -148,19 +141,19 @@ pub(crate) fn damping_given(e: &Effective<'_>, i: u32) -> Name {
     if !is_new && e.given((Name::FilterDamping, [i, 0])).is_some() { Name::FilterDamping } else { Name::OscDamping }
 }
 
-fn filter(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u32>, real: Option<RealKind>) -> Option<Filter> {
+fn filter(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u32>) -> Option<Filter> {
     match e.word((Name::FilterType, index))? {
         FilterType::NoFilter => Some(Filter::NoFilter),
         FilterType::Bandpass => {
             let prototype = prototype(e, index);
             let order = e.integer((Name::FilterOrder, index));
-            let f0 = f0(e, index, cycle_time, real);
+            let f0 = f0(e, index, cycle_time);
             let q_factor = e.real((Name::FilterQ, index));
             let order = usize::try_from(order?).ok()?;
             Some(Filter::Bandpass { prototype: prototype?, order, f0: f0?, q_factor: q_factor? })
         }
         FilterType::Allpass => {
-            let f0 = f0(e, index, cycle_time, real);
+            let f0 = f0(e, index, cycle_time);
             let q_factor = e.real((Name::FilterQ, index));
             Some(Filter::Allpass { f0: f0?, q_factor: q_factor? })
         }
@@ -185,8 +178,8 @@ fn prototype(e: &mut Effective<'_>, index: [u32; 2]) -> Option<Prototype> {
     e.word(key)
 }
 
-/// The frequency, which the cycle time bounds from above and single precision from below.
-fn f0(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u32>, real: Option<RealKind>) -> Option<f64> {
+/// The frequency, which the cycle time bounds from above.
+fn f0(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u32>) -> Option<f64> {
     let key = (Name::FilterF0, index);
     let f0 = e.real(key)?;
     let Some(ns) = cycle_time else { return Some(f0) };
@@ -201,24 +194,6 @@ fn f0(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u32>, real: Opt
         e.refuse(codes::NYQUIST, key, found, [Some(allowed), None]);
         return None;
     }
-    let Some(real) = real else { return Some(f0) };
-    if f0_ts < lowest_f0_ts(real) {
-        let (precision, instead) = match real {
-            RealKind::F32 => ("single precision", "real = \"f64\" for this axis"),
-            RealKind::F64 => ("double precision", "a longer cycle time, or a higher frequency"),
-        };
-        let least = (lowest_f0_ts(real) * 1e9 / f64::from(ns) * 1e6).ceil() / 1e6;
-        let found = format!(
-            "{} is {} Hz, {} of the sampling frequency: {precision} loses so narrow and low a filter; it needs another \
-             structure, which this version does not have",
-            e.title(key),
-            real_text(f0),
-            real_text(rounded(f0_ts))
-        );
-        let allowed = format!("fg_f0 >= {least} Hz in {precision} at a cycle time of {time}");
-        e.refuse(codes::TOO_LOW, key, found, [Some(allowed), Some(instead.to_owned())]);
-        return None;
-    }
     Some(f0)
 }
 
@@ -229,13 +204,32 @@ fn fade_cycles(e: &mut Effective<'_>, ipc: &Ipc, cycle_time: Option<u32>) -> Opt
     if cycles <= Ipc::MAX_FADE_CYCLES {
         return Some(());
     }
-    let key = key(Name::Fade);
     let longest = Ipc::MAX_FADE_CYCLES * f64::from(ns) / 1e9;
     let time = time_text(u64::from(ns));
-    let how = if e.given(key).is_some() { "is" } else { "has the default, or one period of the lowest fg_f0:" };
-    let found = format!("`fade` {how} {} s, {} cycles", real_text(ipc.fade_time()), cycles.ceil());
+    if ipc.fade_time() > ipc.fade {
+        let key = lowest(ipc)?;
+        let f0 = e.real(key)?;
+        let found = format!("{} is {} Hz: the fade lasts at least one period of it", e.title(key), real_text(f0));
+        let least = (1e6 / longest).ceil() / 1e6;
+        let allowed = format!("fg_f0 >= {least} Hz at a cycle time of {time}: {} cycles", Ipc::MAX_FADE_CYCLES);
+        e.refuse(codes::FADE, key, found, [Some(allowed), Some("a longer cycle time".to_owned())]);
+        return None;
+    }
+    let key = key(Name::Fade);
+    let found = format!("`fade` is {} s, {} cycles", real_text(ipc.fade), cycles.ceil());
     let allowed = format!("{} cycles: {} s at a cycle time of {time}", Ipc::MAX_FADE_CYCLES, real_text(longest));
     let instead = format!("fade = \"{}s\" at the most, or a longer cycle time", real_text(longest));
     e.refuse(codes::FADE, key, found, [Some(allowed), Some(instead)]);
     None
+}
+
+/// Where the lowest frequency of all filters stands.
+fn lowest(ipc: &Ipc) -> Option<(Name, [u32; 2])> {
+    let of_stage = |(i, stage): (u32, &Option<Stage>)| {
+        let filters = stage.as_ref().map(|stage| stage.filter).into_iter().flatten();
+        let place = |(k, filter): (u32, Filter)| Some((filter.f0()?, (Name::FilterF0, [i, k])));
+        (0..).zip(filters).filter_map(place).collect::<Vec<_>>()
+    };
+    let places = (0..).zip(&ipc.stage).flat_map(of_stage);
+    places.min_by(|(a, _), (b, _)| a.total_cmp(b)).map(|(_, place)| place)
 }

@@ -2,10 +2,13 @@
 
 use crate::axis::{Axis, DirectSource, Filter, Ipc, Mode, Stage};
 use crate::design::band::{Band, band, edges, frequency, warped};
-use crate::design::{bandpass, section, section::Shape};
+use crate::design::rounding::in_precision;
+use crate::design::trapezoidal::{Output, Trapezoidal};
+use crate::design::{bandpass::sections, section, section::Shape};
+use crate::parameters::words::FilterType;
 use portable::RealKind;
 use reference::ipc::{Coeffs, STAGES};
-use reference::{filter, stage, stage::FILTERS};
+use reference::{allpass, bandpass, filter, stage, stage::FILTERS};
 use std::fmt;
 
 /// An active stage.
@@ -37,8 +40,10 @@ pub(crate) struct FilterDesign {
 pub(crate) struct Section {
     pub element: Element,
     pub shape: Shape,
-    /// denominator 1 + a1 z^-1 + a2 z^-2
+    /// denominator 1 + a1 z^-1 + a2 z^-2 of the biquad, which double precision has
     pub denominator: [f64; 2],
+    /// as single precision has it, its coefficients rounded
+    pub trapezoidal: Trapezoidal,
 }
 
 /// Where a section is.
@@ -72,7 +77,7 @@ impl Element {
 }
 
 /// Designs improved position control of an axis; an inactive stage is `None`. The coefficients are in double precision; single
-/// precision rounds each of them once.
+/// precision rounds each of them once. A section has the coefficients of both real types, of which a block uses its own.
 ///
 /// - limit = v_add_max_fact / 1000 * v_max (P-AXIS-00757, P-AXIS-00212), in the unit of v_max: um/s or 0.001 deg/s.
 /// - rest = v_max * 2^-60 in double, v_max * 2^-40 in single precision: far below one increment, far above what a
@@ -141,7 +146,9 @@ pub(crate) fn stage(index: usize, of: &Stage, cycle_time: f64) -> StageDesign {
         let shape = Shape { g: warped(of.f0(), cycle_time), k: 2.0 * damping, c: 1.0 };
         let coeffs = section::oscillation(&shape);
         let element = Element { stage: index, filter: None, section: None };
-        design.section.push(Section { element, shape, denominator: [coeffs.a1, coeffs.a2] });
+        let [h, r, g, c] = [coeffs.h, coeffs.r, coeffs.g, coeffs.g2].map(single);
+        let trapezoidal = Trapezoidal { a: g * h, b: g * r, c, output: Output::Oscillation, is_by_change: true };
+        design.section.push(Section { element, shape, denominator: [coeffs.a1, coeffs.a2], trapezoidal });
         design.coeffs.oscillation = coeffs;
     }
     for k in 0..FILTERS {
@@ -159,21 +166,34 @@ impl StageDesign {
         let edges = edges(&band).map(|t| frequency(t, self.cycle_time));
         self.filter[index] = Some(FilterDesign { index, filter, band, edges });
         let coeffs = &mut self.coeffs.filter[index];
-        let mut push = |section, shape, a1, a2| {
+        let is_bandpass = |filter: &Filter| filter.kind() == FilterType::Bandpass;
+        let is_behind = self.stage.filter[..index].iter().any(is_bandpass);
+        let mut push = |section: Option<usize>, shape, denominator, abc: [f64; 3]| {
             let element = Element { stage: self.index, filter: Some(index), section };
-            self.section.push(Section { element, shape, denominator: [a1, a2] });
+            let [a, b, c] = abc.map(single);
+            let output = if section.is_some() { Output::Bandpass } else { Output::Allpass };
+            let is_by_change = section.is_none_or(|section| section == 0 && !is_behind);
+            let trapezoidal = Trapezoidal { a, b, c, output, is_by_change };
+            self.section.push(Section { element, shape, denominator, trapezoidal });
         };
         if let Filter::Bandpass { prototype, order, .. } = filter {
             (coeffs.kind, coeffs.order) = (filter::Type::Bandpass, order);
-            for (i, shape) in bandpass::sections(prototype, order, &band).into_iter().enumerate() {
+            for (i, shape) in sections(prototype, order, &band).into_iter().enumerate() {
                 let of_section = section::bandpass(&shape);
-                push(Some(i), shape, of_section.a1, of_section.a2);
+                let bandpass::Coeffs { a1, a2, a, b, c, .. } = of_section;
+                push(Some(i), shape, [a1, a2], [a, b, c]);
                 coeffs.bandpass[i] = of_section;
             }
         } else {
             let shape = Shape { g: band.omega0, k: band.bandwidth / band.omega0, c: 1.0 };
             (coeffs.kind, coeffs.allpass) = (filter::Type::Allpass, section::allpass(&shape));
-            push(None, shape, coeffs.allpass.a1, coeffs.allpass.a2);
+            let allpass::Coeffs { a1, a2, a, b, c, .. } = coeffs.allpass;
+            push(None, shape, [a1, a2], [a, b, c]);
         }
     }
+}
+
+/// A coefficient as single precision has it.
+fn single(coefficient: f64) -> f64 {
+    in_precision(coefficient, RealKind::F32)
 }

@@ -1,9 +1,9 @@
 //! What must not run on a machine although each parameter is in its range: sections that rounding has spoilt.
 
 use super::check::damping_given;
-use super::design::{Element, Section};
-use crate::design::rounding::{in_precision, precision};
-use crate::design::{band::frequency, section::at_dc_and_nyquist};
+use super::design::{Element, Section, StageDesign};
+use crate::design::rounding::precision;
+use crate::design::{band::frequency, section::at_dc_and_nyquist, trapezoidal::Trapezoidal};
 use crate::{axis::Axis, blocks::designed::Designed, codes, parameters::Name, rules::effective::Effective};
 use portable::RealKind;
 
@@ -32,22 +32,25 @@ pub(crate) fn validate(designed: &Designed, e: &mut Effective<'_>) {
     }
 }
 
-/// The sections whose coefficients, rounded to the axis's real type, are unstable, |a2| >= 1 or |a1| >= 1 + a2, or whose centre is
-/// off by more than [`MAX_CENTRE_ERROR`].
+/// The sections whose coefficients, rounded to the axis's real type, are unstable, or whose centre is off by more than
+/// [`MAX_CENTRE_ERROR`].
 pub fn refusals(designed: &Designed) -> Vec<Refusal> {
-    let stages = designed.stage.iter().flatten();
-    stages.flat_map(|stage| &stage.section).filter_map(|section| refusal(section, &designed.axis)).collect()
+    let Axis { real, .. } = designed.axis;
+    let of_stage = |stage: &StageDesign| refusals_of(stage, real);
+    designed.stage.iter().flatten().flat_map(of_stage).collect()
 }
 
-fn refusal(section: &Section, axis: &Axis) -> Option<Refusal> {
-    let real = axis.real;
+/// Those of a stage.
+pub(crate) fn refusals_of(stage: &StageDesign, real: RealKind) -> Vec<Refusal> {
+    stage.section.iter().filter_map(|section| refusal(section, real, stage.cycle_time)).collect()
+}
+
+fn refusal(section: &Section, real: RealKind, cycle_time: f64) -> Option<Refusal> {
     let precision = precision(real);
-    let [a1, a2] = section.denominator.map(|coefficient| in_precision(coefficient, real));
-    let [dc, nyquist] = at_dc_and_nyquist(1.0, a1, a2);
-    let [intended, realised] = [section.shape.g, libm::sqrt(dc / nyquist)].map(|t| frequency(t, axis.cycle_time()));
-    let (found, allowed) = if !(a2 < 1.0 && dc > 0.0 && nyquist > 0.0) {
-        let found = format!("unstable with its coefficients in {precision} precision: a1 = {a1:e}, a2 = {a2:e}");
-        (found, "|a2| < 1 and |a1| < 1 + a2".to_owned())
+    let Realised { is_stable, centre, coefficients, condition } = realised(section, real);
+    let [intended, realised] = [section.shape.g, centre].map(|t| frequency(t, cycle_time));
+    let (found, allowed) = if !is_stable {
+        (format!("unstable with its coefficients in {precision} precision: {coefficients}"), condition.to_owned())
     } else if (realised - intended).abs() > MAX_CENTRE_ERROR * intended {
         let found = format!(
             "centre frequency {intended:.4e} Hz is {realised:.4e} Hz with its coefficients in {precision} precision"
@@ -61,6 +64,40 @@ fn refusal(section: &Section, axis: &Axis) -> Option<Refusal> {
     let double = if real == RealKind::F32 { "double precision, " } else { "" };
     let instead = format!("{damping}{double}a higher fg_f0 (P-AXIS-00751) or a longer cycle time");
     Some(Refusal { element: section.element, found, allowed, instead })
+}
+
+/// A section as its rounded coefficients realise it.
+struct Realised {
+    is_stable: bool,
+    /// on the warped axis
+    centre: f64,
+    /// the coefficients that decide
+    coefficients: String,
+    /// what makes them stable
+    condition: &'static str,
+}
+
+/// The biquad in double precision: stable where |a2| < 1 and |a1| < 1 + a2, its centre g^2 = (1 + a1 + a2) / (1 - a1 + a2). The
+/// trapezoidal section in single precision, whose trace is 2 - 2 B - A C and whose determinant is 1 + A C - 2 B: stable where
+/// 0 < A C < 2 B and B < 1, its centre g^2 = A C / (2 (1 - B)). The simulated oscillation has A = G H, B = G R, C = G2.
+fn realised(section: &Section, real: RealKind) -> Realised {
+    if real == RealKind::F64 {
+        let [a1, a2] = section.denominator;
+        let [dc, nyquist] = at_dc_and_nyquist(1.0, a1, a2);
+        return Realised {
+            is_stable: a2 < 1.0 && dc > 0.0 && nyquist > 0.0,
+            centre: libm::sqrt(dc / nyquist),
+            coefficients: format!("a1 = {a1:e}, a2 = {a2:e}"),
+            condition: "|a2| < 1 and |a1| < 1 + a2",
+        };
+    }
+    let Trapezoidal { a, b, c, .. } = section.trapezoidal;
+    Realised {
+        is_stable: section.trapezoidal.is_stable(),
+        centre: section.trapezoidal.centre(),
+        coefficients: format!("A = {a:e}, B = {b:e}, C = {c:e}"),
+        condition: "0 < A C < 2 B and B < 1",
+    }
 }
 
 fn as_index(position: usize) -> u32 {

@@ -1,7 +1,7 @@
 //! What the stages, the limit and the start of improved position control mean for the machine: a table, and a verdict in words. Nothing is
 //! decided here; warnings are in `advice` and `phase`.
 
-use super::certificate::designed;
+use super::certificate::{designed, noise};
 use super::design::StageDesign;
 use super::{filter, phase};
 use crate::axis::{Axis, Enable, Mode};
@@ -10,6 +10,7 @@ use crate::design::band::warped;
 use crate::design::response::{Complex, angle, magnitude};
 use crate::number::{decimals, significant};
 use crate::parameters::words::{DirectSource, StageMode, Words};
+use portable::RealKind;
 
 /// Below this limit, in 0.1 % of the largest velocity, a stage that excites the vibration does little; above the other, much.
 const SMALL_LIMIT: u32 = 50;
@@ -26,8 +27,17 @@ pub(super) fn lines(designed: &Designed) -> Vec<String> {
     let mut lines = table(designed);
     lines.extend([limit(&designed.axis), start(&designed.axis, designed.ipc.fade_cycles)]);
     lines.extend(stages.iter().map(|stage| stage_verdict(stage, designed.axis.ipc.delay_cycles)));
+    if designed.axis.real == RealKind::F32 {
+        lines.push(precision(&stages, &designed.axis));
+    }
     lines.extend(neighbours(stages));
     lines
+}
+
+/// How far the roundings of single precision stay below a vibration.
+fn precision(stages: &[&StageDesign], axis: &Axis) -> String {
+    let ratios = stages.iter().map(|stage| (stage.index, noise::of_design(stage)));
+    noise::text(&ratios.collect::<Vec<_>>(), axis.ipc.v_max)
 }
 
 /// A row for each stage, in columns.

@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  d9834b11557cb1d69918abf7f9c4bf67
- * checksum    bf49b3d4fe70472dfebb707132b3a3b6
+ * checksum    a3ec527d8efe2e87b2d3106f5648b20a
  */
 #include "axis_f_axis.h"
 
@@ -59,9 +59,9 @@ static const float feedforward_weight_per_percent = 0.01f; /* weight / 100 */
  * BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 24 Hz (P-AXIS-00751), quality
  * factor 4 (P-AXIS-00752), -3 dB at 21.1811 and 27.1811 Hz
  * section 1 of 1: centre frequency 24 Hz, quality factor 3.93777, gain 1 there and 1 at 24 Hz */
-static const float ipc_stage0_filter0_bandpass0_b2 = -0.036346115f; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const float ipc_stage0_filter0_bandpass0_a1 = -1.8403178f; /* denominator: s1 = s2 - a1 y */
-static const float ipc_stage0_filter0_bandpass0_a2 = 0.9273078f; /* denominator: s2 = b2 x - a2 y */
+static const float ipc_stage0_filter0_bandpass0_a = 0.036346115f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
+static const float ipc_stage0_filter0_bandpass0_b = 0.058093593f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+static const float ipc_stage0_filter0_bandpass0_c = 1.1966879f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
 /* -weight, against the vibration; at 24 Hz the stage adds 0.6 times its source at 180 deg */
 static const float ipc_stage0_gain = -0.6f; /* -weight: negative, because the stage moves the motor against the vibration */
@@ -105,8 +105,8 @@ static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-/* added in every update of s2, so that a section at rest never decays into subnormal numbers */
-static const float anti_denormal = 1.0e-18f;
+/* added to every change and to low, so that a section at rest never decays into subnormal numbers */
+static const float least_change = 1.0e-18f;
 
 void axis_f_axis_init(axis_f_axis_state *state)
 {
@@ -226,12 +226,12 @@ void axis_f_axis_step(
                 ipc_runs = true;
             } else {
                 if (inputs->mode != mode_off) {
+                    state->ipc_source_v_motor_before = inputs->v_motor;
                     /* DIRECT (P-AXIS-00753) from v_motor, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
                     /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 24 Hz (P-AXIS-00751),
                      * quality factor 4 (P-AXIS-00752), -3 dB at 21.1811 and 27.1811 Hz */
-                    const float ipc_stage0_filter0_section0_s = ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                    state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_s;
-                    state->ipc_stage0_filter0_section0_s2 = ipc_stage0_filter0_section0_s;
+                    state->ipc_stage0_filter0_section0_s1 = 0.0f;
+                    state->ipc_stage0_filter0_section0_p = 0.0f;
                     state->ipc_preset = true;
                 }
                 ipc_runs = false;
@@ -252,17 +252,21 @@ void axis_f_axis_step(
         if (ipc_runs) {
             outputs->fault = fault_so_far;
             outputs->error_id = error_id_so_far;
+            const float ipc_source_v_motor_change = inputs->v_motor - state->ipc_source_v_motor_before;
+            state->ipc_source_v_motor_before = inputs->v_motor;
+            const float ipc_source_v_motor = ipc_source_v_motor_change + least_change;
             /* DIRECT (P-AXIS-00753) from v_motor, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
             /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 24 Hz (P-AXIS-00751),
              * quality factor 4 (P-AXIS-00752), -3 dB at 21.1811 and 27.1811 Hz */
-            const float ipc_stage0_filter0_section0_t = ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
+            const float ipc_stage0_filter0_section0_left = state->ipc_stage0_filter0_section0_p + ipc_source_v_motor;
+            const float ipc_stage0_filter0_section0_u =
+                ipc_stage0_filter0_bandpass0_a * ipc_stage0_filter0_section0_left
+                    - ipc_stage0_filter0_bandpass0_b * state->ipc_stage0_filter0_section0_s1;
             const float ipc_stage0_filter0_section0_y =
-                state->ipc_stage0_filter0_section0_s1 - ipc_stage0_filter0_section0_t;
-            state->ipc_stage0_filter0_section0_s1 =
-                state->ipc_stage0_filter0_section0_s2 - ipc_stage0_filter0_bandpass0_a1 * ipc_stage0_filter0_section0_y;
-            state->ipc_stage0_filter0_section0_s2 =
-                ipc_stage0_filter0_section0_t + anti_denormal
-                    - ipc_stage0_filter0_bandpass0_a2 * ipc_stage0_filter0_section0_y;
+                state->ipc_stage0_filter0_section0_s1 + ipc_stage0_filter0_section0_u;
+            state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_y + ipc_stage0_filter0_section0_u;
+            state->ipc_stage0_filter0_section0_p =
+                ipc_stage0_filter0_section0_left - ipc_stage0_filter0_bandpass0_c * ipc_stage0_filter0_section0_y;
             const float ipc_v_stage0 = ipc_stage0_gain * ipc_stage0_filter0_section0_y;
             float ipc_v_limited;
             if (magnitude(ipc_v_stage0) <= ipc_limit) {
@@ -362,50 +366,50 @@ uint32_t axis_f_axis_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint32_t expected[44] = {
-        UINT32_C(0xa774a907),
-        UINT32_C(0xbafbbed2),
-        UINT32_C(0x70aa912f),
-        UINT32_C(0xb6b2a6ed),
-        UINT32_C(0x8321d687),
-        UINT32_C(0xc0a766a8),
-        UINT32_C(0x0714b2d7),
-        UINT32_C(0xd6ff2169),
-        UINT32_C(0x1c962d4e),
-        UINT32_C(0x41d279c9),
-        UINT32_C(0xedcbe2a7),
-        UINT32_C(0x0cc1d398),
-        UINT32_C(0x59688a0c),
-        UINT32_C(0xd6e7f7c9),
-        UINT32_C(0xcbe17338),
-        UINT32_C(0x3d680e3d),
-        UINT32_C(0xd5298c2f),
-        UINT32_C(0x815777e6),
-        UINT32_C(0xacc1ba01),
-        UINT32_C(0x8733b065),
-        UINT32_C(0x676ff3ca),
-        UINT32_C(0x8f5df228),
-        UINT32_C(0x0de62934),
-        UINT32_C(0x36929781),
-        UINT32_C(0x520b8adb),
-        UINT32_C(0xc259919e),
-        UINT32_C(0x77befe60),
-        UINT32_C(0xdaf10714),
-        UINT32_C(0x8f1695cc),
-        UINT32_C(0x1b2ed96c),
-        UINT32_C(0xa1fe1f5a),
-        UINT32_C(0x8207da8f),
-        UINT32_C(0x86757e50),
-        UINT32_C(0x2de8d325),
-        UINT32_C(0x936b3618),
-        UINT32_C(0xa280f165),
-        UINT32_C(0x570eba14),
-        UINT32_C(0x7d3e92ac),
-        UINT32_C(0x638836a7),
-        UINT32_C(0x17fda993),
-        UINT32_C(0xebc4baad),
-        UINT32_C(0xed4cafc0),
-        UINT32_C(0x8c73ff79),
-        UINT32_C(0xa75d9ca3),
+        UINT32_C(0x273a3a46),
+        UINT32_C(0x97a81625),
+        UINT32_C(0x3fdbd295),
+        UINT32_C(0xf27d4c96),
+        UINT32_C(0x69922457),
+        UINT32_C(0x2e5bc479),
+        UINT32_C(0x24821700),
+        UINT32_C(0xcc57c2a5),
+        UINT32_C(0xcea3e735),
+        UINT32_C(0xaabd7363),
+        UINT32_C(0x87a4f25e),
+        UINT32_C(0x163cc110),
+        UINT32_C(0xb7ad2133),
+        UINT32_C(0xd9442556),
+        UINT32_C(0x7d79d058),
+        UINT32_C(0x0f8a5527),
+        UINT32_C(0x107fa01b),
+        UINT32_C(0x0d80288b),
+        UINT32_C(0x6284f834),
+        UINT32_C(0xdca3c775),
+        UINT32_C(0x6978793b),
+        UINT32_C(0x6d41f5dd),
+        UINT32_C(0xf876cc29),
+        UINT32_C(0x7776ccbf),
+        UINT32_C(0x737c9dc8),
+        UINT32_C(0xa096c7e9),
+        UINT32_C(0x2a44cef3),
+        UINT32_C(0xaca00711),
+        UINT32_C(0x03f18084),
+        UINT32_C(0xc68bfafb),
+        UINT32_C(0x940a13a9),
+        UINT32_C(0x4db9eb21),
+        UINT32_C(0x64c64f56),
+        UINT32_C(0x052791f5),
+        UINT32_C(0x2f94181e),
+        UINT32_C(0x67b8f5d5),
+        UINT32_C(0x80d184f6),
+        UINT32_C(0xd5101f82),
+        UINT32_C(0x182da5ab),
+        UINT32_C(0x318a644c),
+        UINT32_C(0xbbdbd88a),
+        UINT32_C(0x73195948),
+        UINT32_C(0xa33944b2),
+        UINT32_C(0x8ac18644),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_f_axis_state *, const axis_f_axis_inputs *, axis_f_axis_outputs *) =
@@ -460,8 +464,9 @@ uint32_t axis_f_axis_self_test(void)
         digest = fold(digest, outputs.fault);
         digest = fold(digest, state.ipc_preset);
         digest = fold(digest, state.ipc_fade);
+        digest = fold(digest, bits_of(state.ipc_source_v_motor_before));
         digest = fold(digest, bits_of(state.ipc_stage0_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.ipc_stage0_filter0_section0_s2));
+        digest = fold(digest, bits_of(state.ipc_stage0_filter0_section0_p));
         if (digest != expected[sample]) {
             return sample + 1u;
         }

@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  d9834b11557cb1d69918abf7f9c4bf67
- * checksum    6f17089e463ef59100705bfa217739ff
+ * checksum    4819a49fc6e5b479e592a6b1c767e22f
  */
 #ifndef AXIS_F_AXIS_H
 #define AXIS_F_AXIS_H
@@ -52,8 +52,9 @@ typedef struct {
 typedef struct {
     bool ipc_preset; /* whether the sections have been preset to the steady state of an input */
     uint32_t ipc_fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
+    float ipc_source_v_motor_before; /* the value of the cycle before */
     float ipc_stage0_filter0_section0_s1; /* what the next output takes over */
-    float ipc_stage0_filter0_section0_s2; /* what `s1` takes over */
+    float ipc_stage0_filter0_section0_p; /* the input without its low-pass part */
 } axis_f_axis_state;
 
 /* Once before the first cycle. */

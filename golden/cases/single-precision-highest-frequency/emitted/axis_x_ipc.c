@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  85973501273fb31e4d28546a16b52344
- * checksum    9fe6c4442e5e0d60686fa9abe4b57df6
+ * checksum    0b4891a41cf4ceef57671193d5191208
  */
 #include "axis_x_ipc.h"
 
@@ -44,19 +44,19 @@ static const uint32_t cycle_time_ns = 2000000u; /* cycle time that all coefficie
  * BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 225 Hz (P-AXIS-00751), quality
  * factor 10 (P-AXIS-00752), -3 dB at 211.412 and 233.912 Hz
  * section 1 of 3: centre frequency 225 Hz, quality factor 1.085633, gain 1 there and 1 at 225 Hz */
-static const float stage0_filter0_bandpass0_b2 = -0.12458938f; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const float stage0_filter0_bandpass0_a1 = 1.6651299f; /* denominator: s1 = s2 - a1 y */
-static const float stage0_filter0_bandpass0_a2 = 0.75082123f; /* denominator: s2 = b2 x - a2 y */
+static const float stage0_filter0_bandpass0_a = 0.12458938f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
+static const float stage0_filter0_bandpass0_b = 0.9785772f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+static const float stage0_filter0_bandpass0_c = 13.7088375f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
 /* section 2 of 3: centre frequency 213.1545 Hz, quality factor 2.345232, gain 2.160243 there and 1 at 225 Hz */
-static const float stage0_filter0_bandpass1_b2 = -0.18782282f; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const float stage0_filter0_bandpass1_a1 = 1.6338388f; /* denominator: s1 = s2 - a1 y */
-static const float stage0_filter0_bandpass1_a2 = 0.8261095f; /* denominator: s2 = b2 x - a2 y */
+static const float stage0_filter0_bandpass1_a = 0.18782282f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
+static const float stage0_filter0_bandpass1_b = 0.9519323f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+static const float stage0_filter0_bandpass1_c = 9.21067f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
 /* section 3 of 3: centre frequency 233.127 Hz, quality factor 2.345232, gain 2.160243 there and 1 at 225 Hz */
-static const float stage0_filter0_bandpass2_b2 = -0.09276168f; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const float stage0_filter0_bandpass2_a1 = 1.871253f; /* denominator: s1 = s2 - a1 y */
-static const float stage0_filter0_bandpass2_a2 = 0.91411924f; /* denominator: s2 = b2 x - a2 y */
+static const float stage0_filter0_bandpass2_a = 0.09276168f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
+static const float stage0_filter0_bandpass2_b = 0.98928344f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+static const float stage0_filter0_bandpass2_c = 20.403751f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
 /* largest |v_add| = 500000: 1000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
 static const float limit = 500000.0f; /* largest |v_add| */
@@ -80,8 +80,8 @@ static const float sample_limit = 1000000000.0f;
 static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_direct = 13u; /* error_id: v_direct is not within the sample limit */
-/* added in every update of s2, so that a section at rest never decays into subnormal numbers */
-static const float anti_denormal = 1.0e-18f;
+/* added to every change and to low, so that a section at rest never decays into subnormal numbers */
+static const float least_change = 1.0e-18f;
 
 void axis_x_ipc_init(axis_x_ipc_state *state)
 {
@@ -128,18 +128,16 @@ void axis_x_ipc_step(
             runs = true;
         } else {
             if (inputs->mode != mode_off) {
+                state->source_v_direct_before = inputs->v_direct;
                 /* DIRECT (P-AXIS-00753) from v_direct, weight 100/100 = 1 (P-AXIS-00754/00755) */
                 /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 225 Hz (P-AXIS-00751),
                  * quality factor 10 (P-AXIS-00752), -3 dB at 211.412 and 233.912 Hz */
-                const float stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_direct;
-                state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
-                state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
-                const float stage0_filter0_section1_s = -0.0f;
-                state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
-                state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
-                const float stage0_filter0_section2_s = -0.0f;
-                state->stage0_filter0_section2_s1 = stage0_filter0_section2_s;
-                state->stage0_filter0_section2_s2 = stage0_filter0_section2_s;
+                state->stage0_filter0_section0_s1 = 0.0f;
+                state->stage0_filter0_section0_p = 0.0f;
+                state->stage0_filter0_section1_s1 = 0.0f;
+                state->stage0_filter0_section1_low = 0.0f;
+                state->stage0_filter0_section2_s1 = 0.0f;
+                state->stage0_filter0_section2_low = 0.0f;
                 state->preset = true;
             }
             runs = false;
@@ -162,27 +160,36 @@ void axis_x_ipc_step(
     if (runs) {
         outputs->fault = false;
         outputs->error_id = error_none;
+        const float source_v_direct_change = inputs->v_direct - state->source_v_direct_before;
+        state->source_v_direct_before = inputs->v_direct;
+        const float source_v_direct = source_v_direct_change + least_change;
         /* DIRECT (P-AXIS-00753) from v_direct, weight 100/100 = 1 (P-AXIS-00754/00755) */
         /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 225 Hz (P-AXIS-00751),
          * quality factor 10 (P-AXIS-00752), -3 dB at 211.412 and 233.912 Hz */
-        const float stage0_filter0_section0_t = stage0_filter0_bandpass0_b2 * inputs->v_direct;
-        const float stage0_filter0_section0_y = state->stage0_filter0_section0_s1 - stage0_filter0_section0_t;
-        state->stage0_filter0_section0_s1 =
-            state->stage0_filter0_section0_s2 - stage0_filter0_bandpass0_a1 * stage0_filter0_section0_y;
-        state->stage0_filter0_section0_s2 =
-            stage0_filter0_section0_t + anti_denormal - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
-        const float stage0_filter0_section1_t = stage0_filter0_bandpass1_b2 * stage0_filter0_section0_y;
-        const float stage0_filter0_section1_y = state->stage0_filter0_section1_s1 - stage0_filter0_section1_t;
-        state->stage0_filter0_section1_s1 =
-            state->stage0_filter0_section1_s2 - stage0_filter0_bandpass1_a1 * stage0_filter0_section1_y;
-        state->stage0_filter0_section1_s2 =
-            stage0_filter0_section1_t + anti_denormal - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
-        const float stage0_filter0_section2_t = stage0_filter0_bandpass2_b2 * stage0_filter0_section1_y;
-        const float stage0_filter0_section2_y = state->stage0_filter0_section2_s1 - stage0_filter0_section2_t;
-        state->stage0_filter0_section2_s1 =
-            state->stage0_filter0_section2_s2 - stage0_filter0_bandpass2_a1 * stage0_filter0_section2_y;
-        state->stage0_filter0_section2_s2 =
-            stage0_filter0_section2_t + anti_denormal - stage0_filter0_bandpass2_a2 * stage0_filter0_section2_y;
+        const float stage0_filter0_section0_left = state->stage0_filter0_section0_p + source_v_direct;
+        const float stage0_filter0_section0_u =
+            stage0_filter0_bandpass0_a * stage0_filter0_section0_left
+                - stage0_filter0_bandpass0_b * state->stage0_filter0_section0_s1;
+        const float stage0_filter0_section0_y = state->stage0_filter0_section0_s1 + stage0_filter0_section0_u;
+        state->stage0_filter0_section0_s1 = stage0_filter0_section0_y + stage0_filter0_section0_u;
+        state->stage0_filter0_section0_p =
+            stage0_filter0_section0_left - stage0_filter0_bandpass0_c * stage0_filter0_section0_y;
+        const float stage0_filter0_section1_u =
+            stage0_filter0_bandpass1_a * (stage0_filter0_section0_y - state->stage0_filter0_section1_low)
+                - stage0_filter0_bandpass1_b * state->stage0_filter0_section1_s1;
+        const float stage0_filter0_section1_y = state->stage0_filter0_section1_s1 + stage0_filter0_section1_u;
+        state->stage0_filter0_section1_s1 = stage0_filter0_section1_y + stage0_filter0_section1_u;
+        state->stage0_filter0_section1_low =
+            state->stage0_filter0_section1_low
+                + (stage0_filter0_bandpass1_c * stage0_filter0_section1_y + least_change);
+        const float stage0_filter0_section2_u =
+            stage0_filter0_bandpass2_a * (stage0_filter0_section1_y - state->stage0_filter0_section2_low)
+                - stage0_filter0_bandpass2_b * state->stage0_filter0_section2_s1;
+        const float stage0_filter0_section2_y = state->stage0_filter0_section2_s1 + stage0_filter0_section2_u;
+        state->stage0_filter0_section2_s1 = stage0_filter0_section2_y + stage0_filter0_section2_u;
+        state->stage0_filter0_section2_low =
+            state->stage0_filter0_section2_low
+                + (stage0_filter0_bandpass2_c * stage0_filter0_section2_y + least_change);
         const float v_stage0 = -stage0_filter0_section2_y;
         float v_limited;
         if (magnitude(v_stage0) <= limit) {
@@ -256,41 +263,41 @@ uint32_t axis_x_ipc_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint32_t expected[35] = {
-        UINT32_C(0x07dd177b),
-        UINT32_C(0x1597f349),
-        UINT32_C(0x9a6f564a),
-        UINT32_C(0x6c14274e),
-        UINT32_C(0x9a85ca4b),
-        UINT32_C(0x57d88588),
-        UINT32_C(0xbdad3c54),
-        UINT32_C(0xb1706597),
-        UINT32_C(0xaa4925e3),
-        UINT32_C(0x67ffab9f),
-        UINT32_C(0x87b4b232),
-        UINT32_C(0x0c974c5d),
-        UINT32_C(0x1dad5885),
-        UINT32_C(0xd73fda34),
-        UINT32_C(0x813f11cf),
-        UINT32_C(0x8cbbd7c5),
-        UINT32_C(0xf49f3c69),
-        UINT32_C(0x0b5f0d3d),
-        UINT32_C(0xa49a0fd6),
-        UINT32_C(0xdb1c7873),
-        UINT32_C(0x9102db9d),
-        UINT32_C(0x6358d7f4),
-        UINT32_C(0x0f011d3e),
-        UINT32_C(0x18839dc3),
-        UINT32_C(0x13f5879d),
-        UINT32_C(0x78540b44),
-        UINT32_C(0x590b1e07),
-        UINT32_C(0xcae0c3d2),
-        UINT32_C(0x68138f3c),
-        UINT32_C(0xe0695faf),
-        UINT32_C(0x2e952016),
-        UINT32_C(0x4fdee01d),
-        UINT32_C(0x2d1d2105),
-        UINT32_C(0x6d6728ac),
-        UINT32_C(0x0c0c7a80),
+        UINT32_C(0xb181bcd3),
+        UINT32_C(0xd1f690bf),
+        UINT32_C(0x4e66f114),
+        UINT32_C(0x957a2396),
+        UINT32_C(0xbb444861),
+        UINT32_C(0xb8e32555),
+        UINT32_C(0xa1484785),
+        UINT32_C(0x95756436),
+        UINT32_C(0xa0e8108e),
+        UINT32_C(0x02e2805e),
+        UINT32_C(0x3a9ca1ad),
+        UINT32_C(0xe7567766),
+        UINT32_C(0x4a2ac46c),
+        UINT32_C(0xe002bd41),
+        UINT32_C(0x46417c20),
+        UINT32_C(0xe9ab3202),
+        UINT32_C(0xc6cc153d),
+        UINT32_C(0xa12129ad),
+        UINT32_C(0x022c226a),
+        UINT32_C(0x80b0719f),
+        UINT32_C(0x71243aad),
+        UINT32_C(0x40513242),
+        UINT32_C(0x19b7af79),
+        UINT32_C(0x7ede6774),
+        UINT32_C(0xf5c57265),
+        UINT32_C(0xe6066c3d),
+        UINT32_C(0xf50f8b35),
+        UINT32_C(0x0c0c188f),
+        UINT32_C(0x66cd469c),
+        UINT32_C(0x1cbda74d),
+        UINT32_C(0x337f0fe0),
+        UINT32_C(0x72cf51c1),
+        UINT32_C(0x05ccad94),
+        UINT32_C(0x8b4cbb0b),
+        UINT32_C(0x605cd390),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
@@ -331,12 +338,13 @@ uint32_t axis_x_ipc_self_test(void)
         digest = fold(digest, outputs.error_id);
         digest = fold(digest, state.preset);
         digest = fold(digest, state.fade);
+        digest = fold(digest, bits_of(state.source_v_direct_before));
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s2));
+        digest = fold(digest, bits_of(state.stage0_filter0_section0_p));
         digest = fold(digest, bits_of(state.stage0_filter0_section1_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section1_s2));
+        digest = fold(digest, bits_of(state.stage0_filter0_section1_low));
         digest = fold(digest, bits_of(state.stage0_filter0_section2_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section2_s2));
+        digest = fold(digest, bits_of(state.stage0_filter0_section2_low));
         if (digest != expected[sample]) {
             return sample + 1u;
         }

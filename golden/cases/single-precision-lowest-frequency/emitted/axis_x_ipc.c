@@ -4,8 +4,8 @@
  * block       ipc
  * real type   float
  * cycle time  62500 ns
- * parameters  a526672934bc99cde894e4692aa2fb94
- * checksum    ad2befbd0674eceae506a335c610fe0b
+ * parameters  73ee4c20de103491d7d9a4c84a9dde2d
+ * checksum    112e3c8732928fd4375072da35cdb704
  */
 #include "axis_x_ipc.h"
 
@@ -41,32 +41,29 @@ static float magnitude(float value)
 static const uint32_t cycle_time_ns = 62500u; /* cycle time that all coefficients were designed for [ns] */
 
 /* INDIRECT (P-AXIS-00753) from v_motor, weight 100/100 = 1 (P-AXIS-00754/00755)
- * simulated oscillation of the load, f0 of the first BANDPASS 160 Hz (P-AXIS-00751), damping ratio 0.3
+ * simulated oscillation of the load, f0 of the first BANDPASS 1 Hz (P-AXIS-00751), damping ratio 0.3
  * (P-AXIS-00850): gain 1 at DC, 1.943651 and -59.03624 deg at f0 */
-static const float stage0_oscillation_b0 = 0.019457271f; /* numerator: y = b0 x + s1 */
-static const float stage0_oscillation_b1 = 0.001936788f; /* numerator: s1 = b1 x - a1 y + s2 */
-static const float stage0_oscillation_b2 = -0.017520484f; /* numerator: s2 = b2 x - a2 y */
-static const float stage0_oscillation_a1 = -1.9591486f; /* denominator: s1 = b1 x - a1 y + s2 */
-static const float stage0_oscillation_a2 = 0.96302223f; /* denominator: s2 = b2 x - a2 y */
-static const float stage0_oscillation_preset_s1 = 0.9805427f; /* 1 - b0: steady s1 for a constant input of 1 */
-static const float stage0_oscillation_preset_s2 = -0.9805427f; /* b2 - a2: steady s2 for a constant input of 1 */
+static const float stage0_oscillation_h = 0.99988216f; /* H = h: q = H p - R s1, y = x - q, p = x - low-pass part */
+static const float stage0_oscillation_r = 0.6001256f; /* R = (g + k) h: q = H p - R s1 */
+static const float stage0_oscillation_g = 0.00019634955f; /* G = g, the warped centre: bp = s1 + G q, s1 = bp + G q */
+static const float stage0_oscillation_g2 = 0.0003926991f; /* G2 = 2 g: the low-pass part grows by G2 bp */
 
-/* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 160 Hz (P-AXIS-00751), quality factor 8
- * (P-AXIS-00752), -3 dB at 150.3118 and 170.3118 Hz
- * section 1 of 3: centre frequency 160 Hz, quality factor 6.044335, gain 1 there and 1 at 160 Hz */
-static const float stage0_filter0_bandpass0_b2 = -0.0051673227f; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const float stage0_filter0_bandpass0_a1 = -1.9857392f; /* denominator: s1 = s2 - a1 y */
-static const float stage0_filter0_bandpass0_a2 = 0.9896653f; /* denominator: s2 = b2 x - a2 y */
+/* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 1 Hz (P-AXIS-00751), quality factor 8
+ * (P-AXIS-00752), -3 dB at 0.9394512 and 1.064451 Hz
+ * section 1 of 3: centre frequency 1 Hz, quality factor 6.048345, gain 1 there and 1 at 1 Hz */
+static const float stage0_filter0_bandpass0_a = 3.2462296e-5f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
+static const float stage0_filter0_bandpass0_b = 3.2500848e-5f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+static const float stage0_filter0_bandpass0_c = 0.0023751797f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
-/* section 2 of 3: centre frequency 150.2986 Hz, quality factor 7.647785, gain 1.384801 there and 1 at 160 Hz */
-static const float stage0_filter0_bandpass1_b2 = -0.0053200135f; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const float stage0_filter0_bandpass1_a1 = -1.9888474f; /* denominator: s1 = s2 - a1 y */
-static const float stage0_filter0_bandpass1_a2 = 0.99231654f; /* denominator: s2 = b2 x - a2 y */
+/* section 2 of 3: centre frequency 0.9393689 Hz, quality factor 7.652839, gain 1.384798 there and 1 at 1 Hz */
+static const float stage0_filter0_bandpass1_a = 3.3374854e-5f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
+static const float stage0_filter0_bandpass1_b = 2.4134908e-5f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+static const float stage0_filter0_bandpass1_c = 0.0020386016f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
-/* section 3 of 3: centre frequency 170.3267 Hz, quality factor 7.647785, gain 1.384801 there and 1 at 160 Hz */
-static const float stage0_filter0_bandpass2_b2 = -0.00602486f; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const float stage0_filter0_bandpass2_a1 = -1.9868459f; /* denominator: s1 = s2 - a1 y */
-static const float stage0_filter0_bandpass2_a2 = 0.9912986f; /* denominator: s2 = b2 x - a2 y */
+/* section 3 of 3: centre frequency 1.064544 Hz, quality factor 7.652839, gain 1.384798 there and 1 at 1 Hz */
+static const float stage0_filter0_bandpass2_a = 3.7822094e-5f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
+static const float stage0_filter0_bandpass2_b = 2.735605e-5f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+static const float stage0_filter0_bandpass2_c = 0.002310255f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
 /* largest |v_add| = 500000: 1000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
 static const float limit = 500000.0f; /* largest |v_add| */
@@ -75,9 +72,9 @@ static const float lower_limit = -500000.0f; /* -limit */
 /* P-AXIS-00212 * 2^-40: a sum below it is exactly 0 */
 static const float rest = 4.5474735e-7f; /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
 
-/* OFF to ON takes 0.01 s (key fade), in cycles */
-static const uint32_t fade_cycles = 160u; /* cycles that the fade takes from 0 to 1 */
-static const float fade_step = 0.00625f; /* 1 / fade_cycles */
+/* OFF to ON takes 1 s (one period of the lowest f0), in cycles */
+static const uint32_t fade_cycles = 16000u; /* cycles that the fade takes from 0 to 1 */
+static const float fade_step = 6.25e-5f; /* 1 / fade_cycles */
 
 /* the same for every axis */
 static const uint32_t error_none = 0u; /* error_id: no fault */
@@ -90,8 +87,8 @@ static const float sample_limit = 1000000000.0f;
 static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-/* added in every update of s2, so that a section at rest never decays into subnormal numbers */
-static const float anti_denormal = 1.0e-18f;
+/* added to every change and to low, so that a section at rest never decays into subnormal numbers */
+static const float least_change = 1.0e-18f;
 
 void axis_x_ipc_init(axis_x_ipc_state *state)
 {
@@ -138,22 +135,21 @@ void axis_x_ipc_step(
             runs = true;
         } else {
             if (inputs->mode != mode_off) {
+                state->source_v_motor_before = inputs->v_motor;
                 /* INDIRECT (P-AXIS-00753) from v_motor, weight 100/100 = 1 (P-AXIS-00754/00755) */
-                /* simulated oscillation of the load, f0 of the first BANDPASS 160 Hz (P-AXIS-00751), damping ratio 0.3
+                /* simulated oscillation of the load, f0 of the first BANDPASS 1 Hz (P-AXIS-00751), damping ratio 0.3
                  * (P-AXIS-00850): gain 1 at DC, 1.943651 and -59.03624 deg at f0 */
-                state->stage0_oscillation_s1 = stage0_oscillation_preset_s1 * inputs->v_motor;
-                state->stage0_oscillation_s2 = stage0_oscillation_preset_s2 * inputs->v_motor;
-                /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 160 Hz (P-AXIS-00751),
-                 * quality factor 8 (P-AXIS-00752), -3 dB at 150.3118 and 170.3118 Hz */
-                const float stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
-                state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
-                const float stage0_filter0_section1_s = -0.0f;
-                state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
-                state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
-                const float stage0_filter0_section2_s = -0.0f;
-                state->stage0_filter0_section2_s1 = stage0_filter0_section2_s;
-                state->stage0_filter0_section2_s2 = stage0_filter0_section2_s;
+                state->stage0_oscillation_s1 = 0.0f;
+                state->stage0_oscillation_p = 0.0f;
+                state->stage0_filter0_input_before = inputs->v_motor;
+                /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 1 Hz (P-AXIS-00751), quality
+                 * factor 8 (P-AXIS-00752), -3 dB at 0.9394512 and 1.064451 Hz */
+                state->stage0_filter0_section0_s1 = 0.0f;
+                state->stage0_filter0_section0_p = 0.0f;
+                state->stage0_filter0_section1_s1 = 0.0f;
+                state->stage0_filter0_section1_low = 0.0f;
+                state->stage0_filter0_section2_s1 = 0.0f;
+                state->stage0_filter0_section2_low = 0.0f;
                 state->preset = true;
             }
             runs = false;
@@ -176,35 +172,49 @@ void axis_x_ipc_step(
     if (runs) {
         outputs->fault = false;
         outputs->error_id = error_none;
+        const float source_v_motor_change = inputs->v_motor - state->source_v_motor_before;
+        state->source_v_motor_before = inputs->v_motor;
+        const float source_v_motor = source_v_motor_change + least_change;
         /* INDIRECT (P-AXIS-00753) from v_motor, weight 100/100 = 1 (P-AXIS-00754/00755) */
-        /* simulated oscillation of the load, f0 of the first BANDPASS 160 Hz (P-AXIS-00751), damping ratio 0.3
+        /* simulated oscillation of the load, f0 of the first BANDPASS 1 Hz (P-AXIS-00751), damping ratio 0.3
          * (P-AXIS-00850): gain 1 at DC, 1.943651 and -59.03624 deg at f0 */
-        const float stage0_oscillation_y = stage0_oscillation_b0 * inputs->v_motor + state->stage0_oscillation_s1;
-        state->stage0_oscillation_s1 =
-            stage0_oscillation_b1 * inputs->v_motor - stage0_oscillation_a1 * stage0_oscillation_y
-                + state->stage0_oscillation_s2;
-        state->stage0_oscillation_s2 =
-            stage0_oscillation_b2 * inputs->v_motor + anti_denormal - stage0_oscillation_a2 * stage0_oscillation_y;
-        /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 160 Hz (P-AXIS-00751),
-         * quality factor 8 (P-AXIS-00752), -3 dB at 150.3118 and 170.3118 Hz */
-        const float stage0_filter0_section0_t = stage0_filter0_bandpass0_b2 * stage0_oscillation_y;
-        const float stage0_filter0_section0_y = state->stage0_filter0_section0_s1 - stage0_filter0_section0_t;
-        state->stage0_filter0_section0_s1 =
-            state->stage0_filter0_section0_s2 - stage0_filter0_bandpass0_a1 * stage0_filter0_section0_y;
-        state->stage0_filter0_section0_s2 =
-            stage0_filter0_section0_t + anti_denormal - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
-        const float stage0_filter0_section1_t = stage0_filter0_bandpass1_b2 * stage0_filter0_section0_y;
-        const float stage0_filter0_section1_y = state->stage0_filter0_section1_s1 - stage0_filter0_section1_t;
-        state->stage0_filter0_section1_s1 =
-            state->stage0_filter0_section1_s2 - stage0_filter0_bandpass1_a1 * stage0_filter0_section1_y;
-        state->stage0_filter0_section1_s2 =
-            stage0_filter0_section1_t + anti_denormal - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
-        const float stage0_filter0_section2_t = stage0_filter0_bandpass2_b2 * stage0_filter0_section1_y;
-        const float stage0_filter0_section2_y = state->stage0_filter0_section2_s1 - stage0_filter0_section2_t;
-        state->stage0_filter0_section2_s1 =
-            state->stage0_filter0_section2_s2 - stage0_filter0_bandpass2_a1 * stage0_filter0_section2_y;
-        state->stage0_filter0_section2_s2 =
-            stage0_filter0_section2_t + anti_denormal - stage0_filter0_bandpass2_a2 * stage0_filter0_section2_y;
+        const float stage0_oscillation_left = state->stage0_oscillation_p + source_v_motor;
+        const float stage0_oscillation_q =
+            stage0_oscillation_h * stage0_oscillation_left - stage0_oscillation_r * state->stage0_oscillation_s1;
+        const float stage0_oscillation_u = stage0_oscillation_g * stage0_oscillation_q;
+        const float stage0_oscillation_bp = state->stage0_oscillation_s1 + stage0_oscillation_u;
+        state->stage0_oscillation_s1 = stage0_oscillation_bp + stage0_oscillation_u;
+        state->stage0_oscillation_p = stage0_oscillation_left - stage0_oscillation_g2 * stage0_oscillation_bp;
+        const float stage0_y = inputs->v_motor - stage0_oscillation_q;
+        const float stage0_filter0_input_change = stage0_y - state->stage0_filter0_input_before;
+        state->stage0_filter0_input_before = stage0_y;
+        const float stage0_change_of_y0 = stage0_filter0_input_change + least_change;
+        /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 1 Hz (P-AXIS-00751), quality
+         * factor 8 (P-AXIS-00752), -3 dB at 0.9394512 and 1.064451 Hz */
+        const float stage0_filter0_section0_left = state->stage0_filter0_section0_p + stage0_change_of_y0;
+        const float stage0_filter0_section0_u =
+            stage0_filter0_bandpass0_a * stage0_filter0_section0_left
+                - stage0_filter0_bandpass0_b * state->stage0_filter0_section0_s1;
+        const float stage0_filter0_section0_y = state->stage0_filter0_section0_s1 + stage0_filter0_section0_u;
+        state->stage0_filter0_section0_s1 = stage0_filter0_section0_y + stage0_filter0_section0_u;
+        state->stage0_filter0_section0_p =
+            stage0_filter0_section0_left - stage0_filter0_bandpass0_c * stage0_filter0_section0_y;
+        const float stage0_filter0_section1_u =
+            stage0_filter0_bandpass1_a * (stage0_filter0_section0_y - state->stage0_filter0_section1_low)
+                - stage0_filter0_bandpass1_b * state->stage0_filter0_section1_s1;
+        const float stage0_filter0_section1_y = state->stage0_filter0_section1_s1 + stage0_filter0_section1_u;
+        state->stage0_filter0_section1_s1 = stage0_filter0_section1_y + stage0_filter0_section1_u;
+        state->stage0_filter0_section1_low =
+            state->stage0_filter0_section1_low
+                + (stage0_filter0_bandpass1_c * stage0_filter0_section1_y + least_change);
+        const float stage0_filter0_section2_u =
+            stage0_filter0_bandpass2_a * (stage0_filter0_section1_y - state->stage0_filter0_section2_low)
+                - stage0_filter0_bandpass2_b * state->stage0_filter0_section2_s1;
+        const float stage0_filter0_section2_y = state->stage0_filter0_section2_s1 + stage0_filter0_section2_u;
+        state->stage0_filter0_section2_s1 = stage0_filter0_section2_y + stage0_filter0_section2_u;
+        state->stage0_filter0_section2_low =
+            state->stage0_filter0_section2_low
+                + (stage0_filter0_bandpass2_c * stage0_filter0_section2_y + least_change);
         const float v_stage0 = -stage0_filter0_section2_y;
         float v_limited;
         if (magnitude(v_stage0) <= limit) {
@@ -278,41 +288,41 @@ uint32_t axis_x_ipc_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint32_t expected[35] = {
-        UINT32_C(0x996c7768),
-        UINT32_C(0x3fd7182b),
-        UINT32_C(0xd9d01327),
-        UINT32_C(0x77496c51),
-        UINT32_C(0x8d0b525a),
-        UINT32_C(0xd2be219e),
-        UINT32_C(0xcd71ca21),
-        UINT32_C(0x6e8603f8),
-        UINT32_C(0xd931ea5e),
-        UINT32_C(0xf7fb78cb),
-        UINT32_C(0x6f0bb641),
-        UINT32_C(0x4c4a60cf),
-        UINT32_C(0xeb1ebaa0),
-        UINT32_C(0x986ae464),
-        UINT32_C(0x7ac62edb),
-        UINT32_C(0xc34bdd25),
-        UINT32_C(0xe8fb6cca),
-        UINT32_C(0xfd61059e),
-        UINT32_C(0xbb7ce69b),
-        UINT32_C(0x33227bb9),
-        UINT32_C(0x82b0111d),
-        UINT32_C(0xd923b419),
-        UINT32_C(0x8bf19351),
-        UINT32_C(0x52111241),
-        UINT32_C(0x6fa2fd88),
-        UINT32_C(0x964a41c7),
-        UINT32_C(0xc11f349a),
-        UINT32_C(0xa1004df3),
-        UINT32_C(0xe1da1c2d),
-        UINT32_C(0x4ce1b539),
-        UINT32_C(0x0e5d362e),
-        UINT32_C(0xcd378548),
-        UINT32_C(0xa9967e8b),
-        UINT32_C(0x2242cd54),
-        UINT32_C(0xacd797ae),
+        UINT32_C(0xa470c80e),
+        UINT32_C(0x65c5362a),
+        UINT32_C(0x68e7a188),
+        UINT32_C(0x6ec30f1c),
+        UINT32_C(0x81055f9b),
+        UINT32_C(0xdd1da028),
+        UINT32_C(0x5819253f),
+        UINT32_C(0x671cf724),
+        UINT32_C(0x5fe31179),
+        UINT32_C(0x009aa47c),
+        UINT32_C(0x09096637),
+        UINT32_C(0xd1690aa9),
+        UINT32_C(0x9a2291f6),
+        UINT32_C(0x5f6b85ba),
+        UINT32_C(0x26b1da67),
+        UINT32_C(0xd47ba989),
+        UINT32_C(0xfe85816d),
+        UINT32_C(0xf550321b),
+        UINT32_C(0x9ba33021),
+        UINT32_C(0x3b071505),
+        UINT32_C(0x414c15be),
+        UINT32_C(0x446cb47c),
+        UINT32_C(0xa60ea3c2),
+        UINT32_C(0x046ce255),
+        UINT32_C(0xaed7d8c6),
+        UINT32_C(0x56b0d5ee),
+        UINT32_C(0x4a54dcbc),
+        UINT32_C(0x47b64226),
+        UINT32_C(0xb395e7d3),
+        UINT32_C(0xc7b7a327),
+        UINT32_C(0x7db04405),
+        UINT32_C(0xe337974e),
+        UINT32_C(0x0a30b69a),
+        UINT32_C(0x103394cc),
+        UINT32_C(0x4c7cc3f9),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
@@ -353,14 +363,16 @@ uint32_t axis_x_ipc_self_test(void)
         digest = fold(digest, outputs.error_id);
         digest = fold(digest, state.preset);
         digest = fold(digest, state.fade);
+        digest = fold(digest, bits_of(state.source_v_motor_before));
         digest = fold(digest, bits_of(state.stage0_oscillation_s1));
-        digest = fold(digest, bits_of(state.stage0_oscillation_s2));
+        digest = fold(digest, bits_of(state.stage0_oscillation_p));
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s2));
+        digest = fold(digest, bits_of(state.stage0_filter0_section0_p));
         digest = fold(digest, bits_of(state.stage0_filter0_section1_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section1_s2));
+        digest = fold(digest, bits_of(state.stage0_filter0_section1_low));
         digest = fold(digest, bits_of(state.stage0_filter0_section2_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section2_s2));
+        digest = fold(digest, bits_of(state.stage0_filter0_section2_low));
+        digest = fold(digest, bits_of(state.stage0_filter0_input_before));
         if (digest != expected[sample]) {
             return sample + 1u;
         }

@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  93aee06be26c056330bf348cc27a6125
- * checksum    64d6b62b025ba5ad123ade0fe25435b8
+ * checksum    4ac47be68c297ecdc1227d66c1b55ee7
  */
 #include "axis_c_ipc.h"
 
@@ -44,24 +44,25 @@ static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficie
  * BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751), quality
  * factor 3 (P-AXIS-00752), -3 dB at 44.87068 and 62.53735 Hz
  * section 1 of 3: centre frequency 53 Hz, quality factor 2.941835, gain 1 there and 1 at 53 Hz */
-static const float stage0_filter0_bandpass0_b2 = -0.052634247f; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const float stage0_filter0_bandpass0_a1 = -1.7906408f; /* denominator: s1 = s2 - a1 y */
-static const float stage0_filter0_bandpass0_a2 = 0.8947315f; /* denominator: s2 = b2 x - a2 y */
+static const float stage0_filter0_bandpass0_a = 0.052634247f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
+static const float stage0_filter0_bandpass0_b = 0.07865693f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+static const float stage0_filter0_bandpass0_c = 0.98881173f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
 /* section 2 of 3: centre frequency 45.8539 Hz, quality factor 5.947513, gain 2.021702 there and 1 at 53 Hz */
-static const float stage0_filter0_bandpass1_b2 = -0.04716619f; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const float stage0_filter0_bandpass1_a1 = -1.8728293f; /* denominator: s1 = s2 - a1 y */
-static const float stage0_filter0_bandpass1_a2 = 0.9533401f; /* denominator: s2 = b2 x - a2 y */
+static const float stage0_filter0_bandpass1_a = 0.04716619f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
+static const float stage0_filter0_bandpass1_b = 0.043457635f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+static const float stage0_filter0_bandpass1_c = 0.85347956f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
 /* section 3 of 3: centre frequency 61.21189 Hz, quality factor 5.947513, gain 2.021702 there and 1 at 53 Hz */
-static const float stage0_filter0_bandpass2_b2 = -0.061818752f; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const float stage0_filter0_bandpass2_a1 = -1.7972053f; /* denominator: s1 = s2 - a1 y */
-static const float stage0_filter0_bandpass2_a2 = 0.93884486f; /* denominator: s2 = b2 x - a2 y */
+static const float stage0_filter0_bandpass2_a = 0.061818752f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
+static const float stage0_filter0_bandpass2_b = 0.06598745f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+static const float stage0_filter0_bandpass2_c = 1.1456028f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
 /* ALLPASS (P-AXIS-00849): -180 deg at 48 Hz (P-AXIS-00751), quality factor 3 (P-AXIS-00752), -90 deg at 40.64203
  * and -270 deg at 56.64203 Hz */
-static const float stage0_filter1_allpass_a1 = -1.8182565f; /* numerator and denominator: s1 = a1 x - a1 y + s2 */
-static const float stage0_filter1_allpass_a2 = 0.9042036f; /* numerator and denominator: y = a2 x + s1, s2 = x - a2 y */
+static const float stage0_filter1_allpass_a = 0.047898203f; /* A = g h k: u = A p - B s1, p = x - low-pass part */
+static const float stage0_filter1_allpass_b = 0.06938498f; /* B = (g + k) g h: bp = s1 + u, s1 = bp + u, y = x - 2 bp */
+static const float stage0_filter1_allpass_c = 0.89718497f; /* C = 2 g / k: the low-pass part grows by C bp */
 
 /* -weight, against the vibration; at 53 Hz the stage adds 2.5 times its source at -61.59105 deg */
 static const float stage0_gain = -2.5f; /* -weight: negative, because the stage moves the motor against the vibration */
@@ -69,25 +70,22 @@ static const float stage0_gain = -2.5f; /* -weight: negative, because the stage 
 /* INDIRECT (P-AXIS-00753) from v_motor, weight 120/100 = 1.2 (P-AXIS-00754/00755)
  * simulated oscillation of the load, f0 of the first BANDPASS 17.5 Hz (P-AXIS-00751), damping ratio 0.7
  * (P-AXIS-00850): gain 1 at DC, 1.228904 and -35.53768 deg at f0 */
-static const float stage1_oscillation_b0 = 0.07413865f; /* numerator: y = b0 x + s1 */
-static const float stage1_oscillation_b1 = 0.0056082522f; /* numerator: s1 = b1 x - a1 y + s2 */
-static const float stage1_oscillation_b2 = -0.0685304f; /* numerator: s2 = b2 x - a2 y */
-static const float stage1_oscillation_a1 = -1.8461144f; /* denominator: s1 = b1 x - a1 y + s2 */
-static const float stage1_oscillation_a2 = 0.8573309f; /* denominator: s2 = b2 x - a2 y */
-static const float stage1_oscillation_preset_s1 = 0.92586136f; /* 1 - b0: steady s1 for a constant input of 1 */
-static const float stage1_oscillation_preset_s2 = -0.92586136f; /* b2 - a2: steady s2 for a constant input of 1 */
+static const float stage1_oscillation_h = 0.92586136f; /* H = h: q = H p - R s1, y = x - q, p = x - low-pass part */
+static const float stage1_oscillation_r = 1.3471591f; /* R = (g + k) h: q = H p - R s1 */
+static const float stage1_oscillation_g = 0.05503333f; /* G = g, the warped centre: bp = s1 + G q, s1 = bp + G q */
+static const float stage1_oscillation_g2 = 0.11006666f; /* G2 = 2 g: the low-pass part grows by G2 bp */
 
 /* BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 17.5 Hz (P-AXIS-00751), quality
  * factor 3 (P-AXIS-00752), -3 dB at 14.82376 and 20.65709 Hz
  * section 1 of 2: centre frequency 17.5 Hz, quality factor 1.926679, gain 1 there and 1 at 17.5 Hz */
-static const float stage1_filter0_bandpass0_b2 = -0.027689066f; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const float stage1_filter0_bandpass0_a1 = -1.9328783f; /* denominator: s1 = s2 - a1 y */
-static const float stage1_filter0_bandpass0_a2 = 0.94462186f; /* denominator: s2 = b2 x - a2 y */
+static const float stage1_filter0_bandpass0_a = 0.027689066f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
+static const float stage1_filter0_bandpass0_b = 0.03062498f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+static const float stage1_filter0_bandpass0_c = 0.2120631f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
 /* section 2 of 2: centre frequency 17.5 Hz, quality factor 1.926679, gain 1 there and 1 at 17.5 Hz */
-static const float stage1_filter0_bandpass1_b2 = -0.027689066f; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const float stage1_filter0_bandpass1_a1 = -1.9328783f; /* denominator: s1 = s2 - a1 y */
-static const float stage1_filter0_bandpass1_a2 = 0.94462186f; /* denominator: s2 = b2 x - a2 y */
+static const float stage1_filter0_bandpass1_a = 0.027689066f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
+static const float stage1_filter0_bandpass1_b = 0.03062498f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+static const float stage1_filter0_bandpass1_c = 0.2120631f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
 /* -weight, against the vibration; at 17.5 Hz the stage adds 1.474684 times its source at 144.4623 deg */
 static const float stage1_gain = -1.2f; /* -weight: negative, because the stage moves the motor against the vibration */
@@ -95,25 +93,22 @@ static const float stage1_gain = -1.2f; /* -weight: negative, because the stage 
 /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755)
  * simulated oscillation of the load, f0 of the first BANDPASS 64 Hz (P-AXIS-00751), damping ratio 0.8
  * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-static const float stage2_oscillation_b0 = 0.26881677f; /* numerator: y = b0 x + s1 */
-static const float stage2_oscillation_b1 = 0.060748015f; /* numerator: s1 = b1 x - a1 y + s2 */
-static const float stage2_oscillation_b2 = -0.20806876f; /* numerator: s2 = b2 x - a2 y */
-static const float stage2_oscillation_a1 = -1.4016185f; /* denominator: s1 = b1 x - a1 y + s2 */
-static const float stage2_oscillation_a2 = 0.5231145f; /* denominator: s2 = b2 x - a2 y */
-static const float stage2_oscillation_preset_s1 = 0.73118323f; /* 1 - b0: steady s1 for a constant input of 1 */
-static const float stage2_oscillation_preset_s2 = -0.73118323f; /* b2 - a2: steady s2 for a constant input of 1 */
+static const float stage2_oscillation_h = 0.73118323f; /* H = h: q = H p - R s1, y = x - q, p = x - low-pass part */
+static const float stage2_oscillation_r = 1.3189199f; /* R = (g + k) h: q = H p - R s1 */
+static const float stage2_oscillation_g = 0.20381583f; /* G = g, the warped centre: bp = s1 + G q, s1 = bp + G q */
+static const float stage2_oscillation_g2 = 0.40763167f; /* G2 = 2 g: the low-pass part grows by G2 bp */
 
 /* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 64 Hz (P-AXIS-00751), quality factor 5
  * (P-AXIS-00752), -3 dB at 57.90185 and 70.70185 Hz
  * section 1 of 2: centre frequency 60.02592 Hz, quality factor 4.424675, gain 1.157198 there and 1 at 64 Hz */
-static const float stage2_filter0_bandpass0_b2 = -0.04623405f; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const float stage2_filter0_bandpass0_a1 = -1.7851423f; /* denominator: s1 = s2 - a1 y */
-static const float stage2_filter0_bandpass0_a2 = 0.9200931f; /* denominator: s2 = b2 x - a2 y */
+static const float stage2_filter0_bandpass0_a = 0.04623405f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
+static const float stage2_filter0_bandpass0_b = 0.07369116f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+static const float stage2_filter0_bandpass0_c = 1.4594313f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
 /* section 2 of 2: centre frequency 68.22194 Hz, quality factor 4.424675, gain 1.157198 there and 1 at 64 Hz */
-static const float stage2_filter0_bandpass1_b2 = -0.051913977f; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const float stage2_filter0_bandpass1_a1 = -1.7374485f; /* denominator: s1 = s2 - a1 y */
-static const float stage2_filter0_bandpass1_a2 = 0.9102764f; /* denominator: s2 = b2 x - a2 y */
+static const float stage2_filter0_bandpass1_a = 0.051913977f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
+static const float stage2_filter0_bandpass1_b = 0.08806878f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+static const float stage2_filter0_bandpass1_c = 1.664561f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
 /* -weight, against the vibration; at 64 Hz the stage adds 0.8490583 times its source at 147.9946 deg */
 static const float stage2_gain = -0.72f; /* -weight: negative, because the stage moves the motor against the vibration */
@@ -141,8 +136,8 @@ static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_command = 11u; /* error_id: v_command is not within the sample limit */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-/* added in every update of s2, so that a section at rest never decays into subnormal numbers */
-static const float anti_denormal = 1.0e-18f;
+/* added to every change and to low, so that a section at rest never decays into subnormal numbers */
+static const float least_change = 1.0e-18f;
 
 void axis_c_ipc_init(axis_c_ipc_state *state)
 {
@@ -190,49 +185,46 @@ void axis_c_ipc_step(
             runs = true;
         } else {
             if (inputs->mode != mode_off) {
+                state->source_v_command_before = inputs->v_command;
+                state->source_v_motor_before = inputs->v_motor;
                 /* DIRECT (P-AXIS-00753) from v_motor, weight 250/100 = 2.5 (P-AXIS-00754/00755) */
                 /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
                  * quality factor 3 (P-AXIS-00752), -3 dB at 44.87068 and 62.53735 Hz */
-                const float stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
-                state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
-                const float stage0_filter0_section1_s = -0.0f;
-                state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
-                state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
-                const float stage0_filter0_section2_s = -0.0f;
-                state->stage0_filter0_section2_s1 = stage0_filter0_section2_s;
-                state->stage0_filter0_section2_s2 = stage0_filter0_section2_s;
+                state->stage0_filter0_section0_s1 = 0.0f;
+                state->stage0_filter0_section0_p = 0.0f;
+                state->stage0_filter0_section1_s1 = 0.0f;
+                state->stage0_filter0_section1_low = 0.0f;
+                state->stage0_filter0_section2_s1 = 0.0f;
+                state->stage0_filter0_section2_low = 0.0f;
+                state->stage0_filter1_input_before = 0.0f;
                 /* ALLPASS (P-AXIS-00849): -180 deg at 48 Hz (P-AXIS-00751), quality factor 3 (P-AXIS-00752), -90 deg
                  * at 40.64203 and -270 deg at 56.64203 Hz */
-                const float stage0_filter1_section0_s = 0.0f;
-                state->stage0_filter1_section0_s1 = stage0_filter1_section0_s;
-                state->stage0_filter1_section0_s2 = stage0_filter1_section0_s;
+                state->stage0_filter1_section0_s1 = 0.0f;
+                state->stage0_filter1_section0_p = 0.0f;
                 /* INDIRECT (P-AXIS-00753) from v_motor, weight 120/100 = 1.2 (P-AXIS-00754/00755) */
                 /* simulated oscillation of the load, f0 of the first BANDPASS 17.5 Hz (P-AXIS-00751), damping ratio
                  * 0.7 (P-AXIS-00850): gain 1 at DC, 1.228904 and -35.53768 deg at f0 */
-                state->stage1_oscillation_s1 = stage1_oscillation_preset_s1 * inputs->v_motor;
-                state->stage1_oscillation_s2 = stage1_oscillation_preset_s2 * inputs->v_motor;
+                state->stage1_oscillation_s1 = 0.0f;
+                state->stage1_oscillation_p = 0.0f;
+                state->stage1_filter0_input_before = inputs->v_motor;
                 /* BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 17.5 Hz (P-AXIS-00751),
                  * quality factor 3 (P-AXIS-00752), -3 dB at 14.82376 and 20.65709 Hz */
-                const float stage1_filter0_section0_s = stage1_filter0_bandpass0_b2 * inputs->v_motor;
-                state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
-                state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
-                const float stage1_filter0_section1_s = -0.0f;
-                state->stage1_filter0_section1_s1 = stage1_filter0_section1_s;
-                state->stage1_filter0_section1_s2 = stage1_filter0_section1_s;
+                state->stage1_filter0_section0_s1 = 0.0f;
+                state->stage1_filter0_section0_p = 0.0f;
+                state->stage1_filter0_section1_s1 = 0.0f;
+                state->stage1_filter0_section1_low = 0.0f;
                 /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755) */
                 /* simulated oscillation of the load, f0 of the first BANDPASS 64 Hz (P-AXIS-00751), damping ratio 0.8
                  * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-                state->stage2_oscillation_s1 = stage2_oscillation_preset_s1 * inputs->v_command;
-                state->stage2_oscillation_s2 = stage2_oscillation_preset_s2 * inputs->v_command;
+                state->stage2_oscillation_s1 = 0.0f;
+                state->stage2_oscillation_p = 0.0f;
+                state->stage2_filter0_input_before = inputs->v_command;
                 /* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 64 Hz (P-AXIS-00751), quality
                  * factor 5 (P-AXIS-00752), -3 dB at 57.90185 and 70.70185 Hz */
-                const float stage2_filter0_section0_s = stage2_filter0_bandpass0_b2 * inputs->v_command;
-                state->stage2_filter0_section0_s1 = stage2_filter0_section0_s;
-                state->stage2_filter0_section0_s2 = stage2_filter0_section0_s;
-                const float stage2_filter0_section1_s = -0.0f;
-                state->stage2_filter0_section1_s1 = stage2_filter0_section1_s;
-                state->stage2_filter0_section1_s2 = stage2_filter0_section1_s;
+                state->stage2_filter0_section0_s1 = 0.0f;
+                state->stage2_filter0_section0_p = 0.0f;
+                state->stage2_filter0_section1_s1 = 0.0f;
+                state->stage2_filter0_section1_low = 0.0f;
                 state->preset = true;
             }
             runs = false;
@@ -257,85 +249,121 @@ void axis_c_ipc_step(
     if (runs) {
         outputs->fault = false;
         outputs->error_id = error_none;
+        const float source_v_command_change = inputs->v_command - state->source_v_command_before;
+        state->source_v_command_before = inputs->v_command;
+        const float source_v_command = source_v_command_change + least_change;
+        const float source_v_motor_change = inputs->v_motor - state->source_v_motor_before;
+        state->source_v_motor_before = inputs->v_motor;
+        const float source_v_motor = source_v_motor_change + least_change;
         /* DIRECT (P-AXIS-00753) from v_motor, weight 250/100 = 2.5 (P-AXIS-00754/00755) */
         /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
          * quality factor 3 (P-AXIS-00752), -3 dB at 44.87068 and 62.53735 Hz */
-        const float stage0_filter0_section0_t = stage0_filter0_bandpass0_b2 * inputs->v_motor;
-        const float stage0_filter0_section0_y = state->stage0_filter0_section0_s1 - stage0_filter0_section0_t;
-        state->stage0_filter0_section0_s1 =
-            state->stage0_filter0_section0_s2 - stage0_filter0_bandpass0_a1 * stage0_filter0_section0_y;
-        state->stage0_filter0_section0_s2 =
-            stage0_filter0_section0_t + anti_denormal - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
-        const float stage0_filter0_section1_t = stage0_filter0_bandpass1_b2 * stage0_filter0_section0_y;
-        const float stage0_filter0_section1_y = state->stage0_filter0_section1_s1 - stage0_filter0_section1_t;
-        state->stage0_filter0_section1_s1 =
-            state->stage0_filter0_section1_s2 - stage0_filter0_bandpass1_a1 * stage0_filter0_section1_y;
-        state->stage0_filter0_section1_s2 =
-            stage0_filter0_section1_t + anti_denormal - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
-        const float stage0_filter0_section2_t = stage0_filter0_bandpass2_b2 * stage0_filter0_section1_y;
-        const float stage0_filter0_section2_y = state->stage0_filter0_section2_s1 - stage0_filter0_section2_t;
-        state->stage0_filter0_section2_s1 =
-            state->stage0_filter0_section2_s2 - stage0_filter0_bandpass2_a1 * stage0_filter0_section2_y;
-        state->stage0_filter0_section2_s2 =
-            stage0_filter0_section2_t + anti_denormal - stage0_filter0_bandpass2_a2 * stage0_filter0_section2_y;
+        const float stage0_filter0_section0_left = state->stage0_filter0_section0_p + source_v_motor;
+        const float stage0_filter0_section0_u =
+            stage0_filter0_bandpass0_a * stage0_filter0_section0_left
+                - stage0_filter0_bandpass0_b * state->stage0_filter0_section0_s1;
+        const float stage0_filter0_section0_y = state->stage0_filter0_section0_s1 + stage0_filter0_section0_u;
+        state->stage0_filter0_section0_s1 = stage0_filter0_section0_y + stage0_filter0_section0_u;
+        state->stage0_filter0_section0_p =
+            stage0_filter0_section0_left - stage0_filter0_bandpass0_c * stage0_filter0_section0_y;
+        const float stage0_filter0_section1_u =
+            stage0_filter0_bandpass1_a * (stage0_filter0_section0_y - state->stage0_filter0_section1_low)
+                - stage0_filter0_bandpass1_b * state->stage0_filter0_section1_s1;
+        const float stage0_filter0_section1_y = state->stage0_filter0_section1_s1 + stage0_filter0_section1_u;
+        state->stage0_filter0_section1_s1 = stage0_filter0_section1_y + stage0_filter0_section1_u;
+        state->stage0_filter0_section1_low =
+            state->stage0_filter0_section1_low
+                + (stage0_filter0_bandpass1_c * stage0_filter0_section1_y + least_change);
+        const float stage0_filter0_section2_u =
+            stage0_filter0_bandpass2_a * (stage0_filter0_section1_y - state->stage0_filter0_section2_low)
+                - stage0_filter0_bandpass2_b * state->stage0_filter0_section2_s1;
+        const float stage0_filter0_section2_y = state->stage0_filter0_section2_s1 + stage0_filter0_section2_u;
+        state->stage0_filter0_section2_s1 = stage0_filter0_section2_y + stage0_filter0_section2_u;
+        state->stage0_filter0_section2_low =
+            state->stage0_filter0_section2_low
+                + (stage0_filter0_bandpass2_c * stage0_filter0_section2_y + least_change);
+        const float stage0_filter1_input_change = stage0_filter0_section2_y - state->stage0_filter1_input_before;
+        state->stage0_filter1_input_before = stage0_filter0_section2_y;
+        const float stage0_change_of_y1 = stage0_filter1_input_change + least_change;
         /* ALLPASS (P-AXIS-00849): -180 deg at 48 Hz (P-AXIS-00751), quality factor 3 (P-AXIS-00752), -90 deg
          * at 40.64203 and -270 deg at 56.64203 Hz */
-        const float stage0_filter1_section0_y =
-            stage0_filter1_allpass_a2 * stage0_filter0_section2_y + state->stage0_filter1_section0_s1;
-        state->stage0_filter1_section0_s1 =
-            stage0_filter1_allpass_a1 * (stage0_filter0_section2_y - stage0_filter1_section0_y)
-                + state->stage0_filter1_section0_s2;
-        state->stage0_filter1_section0_s2 =
-            stage0_filter0_section2_y + anti_denormal - stage0_filter1_allpass_a2 * stage0_filter1_section0_y;
-        const float v_stage0 = stage0_gain * stage0_filter1_section0_y;
+        const float stage0_filter1_section0_left = state->stage0_filter1_section0_p + stage0_change_of_y1;
+        const float stage0_filter1_section0_u =
+            stage0_filter1_allpass_a * stage0_filter1_section0_left
+                - stage0_filter1_allpass_b * state->stage0_filter1_section0_s1;
+        const float stage0_filter1_section0_y = state->stage0_filter1_section0_s1 + stage0_filter1_section0_u;
+        state->stage0_filter1_section0_s1 = stage0_filter1_section0_y + stage0_filter1_section0_u;
+        state->stage0_filter1_section0_p =
+            stage0_filter1_section0_left - stage0_filter1_allpass_c * stage0_filter1_section0_y;
+        const float stage0_filter1_y =
+            stage0_filter0_section2_y - (stage0_filter1_section0_y + stage0_filter1_section0_y);
+        const float v_stage0 = stage0_gain * stage0_filter1_y;
         /* INDIRECT (P-AXIS-00753) from v_motor, weight 120/100 = 1.2 (P-AXIS-00754/00755) */
         /* simulated oscillation of the load, f0 of the first BANDPASS 17.5 Hz (P-AXIS-00751), damping ratio
          * 0.7 (P-AXIS-00850): gain 1 at DC, 1.228904 and -35.53768 deg at f0 */
-        const float stage1_oscillation_y = stage1_oscillation_b0 * inputs->v_motor + state->stage1_oscillation_s1;
-        state->stage1_oscillation_s1 =
-            stage1_oscillation_b1 * inputs->v_motor - stage1_oscillation_a1 * stage1_oscillation_y
-                + state->stage1_oscillation_s2;
-        state->stage1_oscillation_s2 =
-            stage1_oscillation_b2 * inputs->v_motor + anti_denormal - stage1_oscillation_a2 * stage1_oscillation_y;
+        const float stage1_oscillation_left = state->stage1_oscillation_p + source_v_motor;
+        const float stage1_oscillation_q =
+            stage1_oscillation_h * stage1_oscillation_left - stage1_oscillation_r * state->stage1_oscillation_s1;
+        const float stage1_oscillation_u = stage1_oscillation_g * stage1_oscillation_q;
+        const float stage1_oscillation_bp = state->stage1_oscillation_s1 + stage1_oscillation_u;
+        state->stage1_oscillation_s1 = stage1_oscillation_bp + stage1_oscillation_u;
+        state->stage1_oscillation_p = stage1_oscillation_left - stage1_oscillation_g2 * stage1_oscillation_bp;
+        const float stage1_y = inputs->v_motor - stage1_oscillation_q;
+        const float stage1_filter0_input_change = stage1_y - state->stage1_filter0_input_before;
+        state->stage1_filter0_input_before = stage1_y;
+        const float stage1_change_of_y0 = stage1_filter0_input_change + least_change;
         /* BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 17.5 Hz (P-AXIS-00751),
          * quality factor 3 (P-AXIS-00752), -3 dB at 14.82376 and 20.65709 Hz */
-        const float stage1_filter0_section0_t = stage1_filter0_bandpass0_b2 * stage1_oscillation_y;
-        const float stage1_filter0_section0_y = state->stage1_filter0_section0_s1 - stage1_filter0_section0_t;
-        state->stage1_filter0_section0_s1 =
-            state->stage1_filter0_section0_s2 - stage1_filter0_bandpass0_a1 * stage1_filter0_section0_y;
-        state->stage1_filter0_section0_s2 =
-            stage1_filter0_section0_t + anti_denormal - stage1_filter0_bandpass0_a2 * stage1_filter0_section0_y;
-        const float stage1_filter0_section1_t = stage1_filter0_bandpass1_b2 * stage1_filter0_section0_y;
-        const float stage1_filter0_section1_y = state->stage1_filter0_section1_s1 - stage1_filter0_section1_t;
-        state->stage1_filter0_section1_s1 =
-            state->stage1_filter0_section1_s2 - stage1_filter0_bandpass1_a1 * stage1_filter0_section1_y;
-        state->stage1_filter0_section1_s2 =
-            stage1_filter0_section1_t + anti_denormal - stage1_filter0_bandpass1_a2 * stage1_filter0_section1_y;
+        const float stage1_filter0_section0_left = state->stage1_filter0_section0_p + stage1_change_of_y0;
+        const float stage1_filter0_section0_u =
+            stage1_filter0_bandpass0_a * stage1_filter0_section0_left
+                - stage1_filter0_bandpass0_b * state->stage1_filter0_section0_s1;
+        const float stage1_filter0_section0_y = state->stage1_filter0_section0_s1 + stage1_filter0_section0_u;
+        state->stage1_filter0_section0_s1 = stage1_filter0_section0_y + stage1_filter0_section0_u;
+        state->stage1_filter0_section0_p =
+            stage1_filter0_section0_left - stage1_filter0_bandpass0_c * stage1_filter0_section0_y;
+        const float stage1_filter0_section1_u =
+            stage1_filter0_bandpass1_a * (stage1_filter0_section0_y - state->stage1_filter0_section1_low)
+                - stage1_filter0_bandpass1_b * state->stage1_filter0_section1_s1;
+        const float stage1_filter0_section1_y = state->stage1_filter0_section1_s1 + stage1_filter0_section1_u;
+        state->stage1_filter0_section1_s1 = stage1_filter0_section1_y + stage1_filter0_section1_u;
+        state->stage1_filter0_section1_low =
+            state->stage1_filter0_section1_low
+                + (stage1_filter0_bandpass1_c * stage1_filter0_section1_y + least_change);
         const float v_stage1 = stage1_gain * stage1_filter0_section1_y;
         const float v_sum1 = v_stage0 + v_stage1;
         /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755) */
         /* simulated oscillation of the load, f0 of the first BANDPASS 64 Hz (P-AXIS-00751), damping ratio 0.8
          * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-        const float stage2_oscillation_y = stage2_oscillation_b0 * inputs->v_command + state->stage2_oscillation_s1;
-        state->stage2_oscillation_s1 =
-            stage2_oscillation_b1 * inputs->v_command - stage2_oscillation_a1 * stage2_oscillation_y
-                + state->stage2_oscillation_s2;
-        state->stage2_oscillation_s2 =
-            stage2_oscillation_b2 * inputs->v_command + anti_denormal - stage2_oscillation_a2 * stage2_oscillation_y;
+        const float stage2_oscillation_left = state->stage2_oscillation_p + source_v_command;
+        const float stage2_oscillation_q =
+            stage2_oscillation_h * stage2_oscillation_left - stage2_oscillation_r * state->stage2_oscillation_s1;
+        const float stage2_oscillation_u = stage2_oscillation_g * stage2_oscillation_q;
+        const float stage2_oscillation_bp = state->stage2_oscillation_s1 + stage2_oscillation_u;
+        state->stage2_oscillation_s1 = stage2_oscillation_bp + stage2_oscillation_u;
+        state->stage2_oscillation_p = stage2_oscillation_left - stage2_oscillation_g2 * stage2_oscillation_bp;
+        const float stage2_y = inputs->v_command - stage2_oscillation_q;
+        const float stage2_filter0_input_change = stage2_y - state->stage2_filter0_input_before;
+        state->stage2_filter0_input_before = stage2_y;
+        const float stage2_change_of_y0 = stage2_filter0_input_change + least_change;
         /* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 64 Hz (P-AXIS-00751), quality
          * factor 5 (P-AXIS-00752), -3 dB at 57.90185 and 70.70185 Hz */
-        const float stage2_filter0_section0_t = stage2_filter0_bandpass0_b2 * stage2_oscillation_y;
-        const float stage2_filter0_section0_y = state->stage2_filter0_section0_s1 - stage2_filter0_section0_t;
-        state->stage2_filter0_section0_s1 =
-            state->stage2_filter0_section0_s2 - stage2_filter0_bandpass0_a1 * stage2_filter0_section0_y;
-        state->stage2_filter0_section0_s2 =
-            stage2_filter0_section0_t + anti_denormal - stage2_filter0_bandpass0_a2 * stage2_filter0_section0_y;
-        const float stage2_filter0_section1_t = stage2_filter0_bandpass1_b2 * stage2_filter0_section0_y;
-        const float stage2_filter0_section1_y = state->stage2_filter0_section1_s1 - stage2_filter0_section1_t;
-        state->stage2_filter0_section1_s1 =
-            state->stage2_filter0_section1_s2 - stage2_filter0_bandpass1_a1 * stage2_filter0_section1_y;
-        state->stage2_filter0_section1_s2 =
-            stage2_filter0_section1_t + anti_denormal - stage2_filter0_bandpass1_a2 * stage2_filter0_section1_y;
+        const float stage2_filter0_section0_left = state->stage2_filter0_section0_p + stage2_change_of_y0;
+        const float stage2_filter0_section0_u =
+            stage2_filter0_bandpass0_a * stage2_filter0_section0_left
+                - stage2_filter0_bandpass0_b * state->stage2_filter0_section0_s1;
+        const float stage2_filter0_section0_y = state->stage2_filter0_section0_s1 + stage2_filter0_section0_u;
+        state->stage2_filter0_section0_s1 = stage2_filter0_section0_y + stage2_filter0_section0_u;
+        state->stage2_filter0_section0_p =
+            stage2_filter0_section0_left - stage2_filter0_bandpass0_c * stage2_filter0_section0_y;
+        const float stage2_filter0_section1_u =
+            stage2_filter0_bandpass1_a * (stage2_filter0_section0_y - state->stage2_filter0_section1_low)
+                - stage2_filter0_bandpass1_b * state->stage2_filter0_section1_s1;
+        const float stage2_filter0_section1_y = state->stage2_filter0_section1_s1 + stage2_filter0_section1_u;
+        state->stage2_filter0_section1_s1 = stage2_filter0_section1_y + stage2_filter0_section1_u;
+        state->stage2_filter0_section1_low =
+            state->stage2_filter0_section1_low
+                + (stage2_filter0_bandpass1_c * stage2_filter0_section1_y + least_change);
         const float v_stage2 = stage2_gain * stage2_filter0_section1_y;
         const float v_sum2 = v_sum1 + v_stage2;
         float v_limited;
@@ -410,44 +438,44 @@ uint32_t axis_c_ipc_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint32_t expected[38] = {
-        UINT32_C(0xa2df0b24),
-        UINT32_C(0x908a3bd5),
-        UINT32_C(0x6f6efec2),
-        UINT32_C(0xb0d2590a),
-        UINT32_C(0x36744a73),
-        UINT32_C(0x0beda6f5),
-        UINT32_C(0xecb244be),
-        UINT32_C(0x95b0a04e),
-        UINT32_C(0x2757612d),
-        UINT32_C(0x76106c4b),
-        UINT32_C(0x122542b1),
-        UINT32_C(0x5f7e173b),
-        UINT32_C(0xdf242726),
-        UINT32_C(0x8b986c92),
-        UINT32_C(0x4fd5e52a),
-        UINT32_C(0x19e38ae1),
-        UINT32_C(0xc860683e),
-        UINT32_C(0xb5c0d274),
-        UINT32_C(0x4badc467),
-        UINT32_C(0xff844e11),
-        UINT32_C(0x68d7fa13),
-        UINT32_C(0x5b3cc2f2),
-        UINT32_C(0xb7b85e23),
-        UINT32_C(0x9ea13393),
-        UINT32_C(0x1203726b),
-        UINT32_C(0xa12b4028),
-        UINT32_C(0x80610432),
-        UINT32_C(0x47c58418),
-        UINT32_C(0x7f510781),
-        UINT32_C(0xcc78d0ad),
-        UINT32_C(0x90893578),
-        UINT32_C(0xd5e01cdd),
-        UINT32_C(0xe3483b6b),
-        UINT32_C(0x98ac4997),
-        UINT32_C(0x24262989),
-        UINT32_C(0xd004dd12),
-        UINT32_C(0x3f9b320a),
-        UINT32_C(0x3a3007ee),
+        UINT32_C(0x1e5801ce),
+        UINT32_C(0x3bb01918),
+        UINT32_C(0x29e5a274),
+        UINT32_C(0x4cbafe45),
+        UINT32_C(0x4736bb0f),
+        UINT32_C(0xa8302092),
+        UINT32_C(0x96795a0e),
+        UINT32_C(0x114cab53),
+        UINT32_C(0xa4cf4025),
+        UINT32_C(0x4512814e),
+        UINT32_C(0xbebf9f80),
+        UINT32_C(0xbe1089d7),
+        UINT32_C(0x7a7098ec),
+        UINT32_C(0x2664d9bd),
+        UINT32_C(0x83eaab42),
+        UINT32_C(0x95382c80),
+        UINT32_C(0x65dab878),
+        UINT32_C(0x9e49d906),
+        UINT32_C(0x8879f69d),
+        UINT32_C(0xcfd7e32f),
+        UINT32_C(0x25eafe50),
+        UINT32_C(0xdfa63d7a),
+        UINT32_C(0x2c6f699c),
+        UINT32_C(0x863dba60),
+        UINT32_C(0xa0f4146a),
+        UINT32_C(0x3f720dd4),
+        UINT32_C(0xc2e3a197),
+        UINT32_C(0xf2482092),
+        UINT32_C(0x08fa48a3),
+        UINT32_C(0x9f14148d),
+        UINT32_C(0x47243b33),
+        UINT32_C(0x0200bfd0),
+        UINT32_C(0x1d7c3937),
+        UINT32_C(0xe845314c),
+        UINT32_C(0xf1bd2d3d),
+        UINT32_C(0x5e79e3fa),
+        UINT32_C(0x91c1d5ca),
+        UINT32_C(0x81137928),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_c_ipc_state *, const axis_c_ipc_inputs *, axis_c_ipc_outputs *) =
@@ -491,26 +519,31 @@ uint32_t axis_c_ipc_self_test(void)
         digest = fold(digest, outputs.error_id);
         digest = fold(digest, state.preset);
         digest = fold(digest, state.fade);
+        digest = fold(digest, bits_of(state.source_v_command_before));
+        digest = fold(digest, bits_of(state.source_v_motor_before));
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s2));
+        digest = fold(digest, bits_of(state.stage0_filter0_section0_p));
         digest = fold(digest, bits_of(state.stage0_filter0_section1_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section1_s2));
+        digest = fold(digest, bits_of(state.stage0_filter0_section1_low));
         digest = fold(digest, bits_of(state.stage0_filter0_section2_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section2_s2));
+        digest = fold(digest, bits_of(state.stage0_filter0_section2_low));
         digest = fold(digest, bits_of(state.stage0_filter1_section0_s1));
-        digest = fold(digest, bits_of(state.stage0_filter1_section0_s2));
+        digest = fold(digest, bits_of(state.stage0_filter1_section0_p));
+        digest = fold(digest, bits_of(state.stage0_filter1_input_before));
         digest = fold(digest, bits_of(state.stage1_oscillation_s1));
-        digest = fold(digest, bits_of(state.stage1_oscillation_s2));
+        digest = fold(digest, bits_of(state.stage1_oscillation_p));
         digest = fold(digest, bits_of(state.stage1_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage1_filter0_section0_s2));
+        digest = fold(digest, bits_of(state.stage1_filter0_section0_p));
         digest = fold(digest, bits_of(state.stage1_filter0_section1_s1));
-        digest = fold(digest, bits_of(state.stage1_filter0_section1_s2));
+        digest = fold(digest, bits_of(state.stage1_filter0_section1_low));
+        digest = fold(digest, bits_of(state.stage1_filter0_input_before));
         digest = fold(digest, bits_of(state.stage2_oscillation_s1));
-        digest = fold(digest, bits_of(state.stage2_oscillation_s2));
+        digest = fold(digest, bits_of(state.stage2_oscillation_p));
         digest = fold(digest, bits_of(state.stage2_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage2_filter0_section0_s2));
+        digest = fold(digest, bits_of(state.stage2_filter0_section0_p));
         digest = fold(digest, bits_of(state.stage2_filter0_section1_s1));
-        digest = fold(digest, bits_of(state.stage2_filter0_section1_s2));
+        digest = fold(digest, bits_of(state.stage2_filter0_section1_low));
+        digest = fold(digest, bits_of(state.stage2_filter0_input_before));
         if (digest != expected[sample]) {
             return sample + 1u;
         }

@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  93aee06be26c056330bf348cc27a6125
- * checksum    c12a8f1a2f041df6b6e704e6e608173f
+ * checksum    aabb77c97dcf111d34a5679f8e56675a
  */
 #ifndef AXIS_C_IPC_H
 #define AXIS_C_IPC_H
@@ -17,18 +17,20 @@
 extern "C" {
 #endif
 
-/* range: |v| <= 180000 gives |v_add| <= 1093843 before the limit and no |state| above 496919; for |v| <=
- * 1000000000: 6076905000, within single precision
- * stage[0] at 53 Hz: designed 2.5 at -61.59105 deg, measured 2.500001 at -61.59107 deg; at 44.87068 Hz: designed
- * 1.767767 at 179.0048 deg, measured 1.767765 at 179.0049 deg; at 62.53735 Hz: designed 1.767767 at 108.5885
- * deg, measured 1.767769 at 108.5886 deg
- * stage[1] at 17.5 Hz: designed 1.474684 at 144.4623 deg, measured 1.474683 at 144.4615 deg; at 14.82376 Hz:
- * designed 1.079758 at -141.1968 deg, measured 1.079767 at -141.1975 deg; at 20.65709 Hz: designed 0.9646037 at
- * 69.88095 deg, measured 0.964597 at 69.88049 deg
+/* range: |v| <= 180000 gives |v_add| <= 1090501 before the limit and no |state| above 1505472; for |v| <=
+ * 1000000000: 8363732000, within single precision
+ * stage[0] at 53 Hz: designed 2.5 at -61.59105 deg, measured 2.5 at -61.59105 deg; at 44.87068 Hz: designed
+ * 1.767767 at 179.0048 deg, measured 1.767767 at 179.0048 deg; at 62.53735 Hz: designed 1.767767 at 108.5885
+ * deg, measured 1.767767 at 108.5885 deg
+ * stage[1] at 17.5 Hz: designed 1.474684 at 144.4623 deg, measured 1.474684 at 144.4623 deg; at 14.82376 Hz:
+ * designed 1.079758 at -141.1968 deg, measured 1.079758 at -141.1968 deg; at 20.65709 Hz: designed 0.9646037 at
+ * 69.88095 deg, measured 0.9646039 at 69.88095 deg
  * stage[2] at 64 Hz: designed 0.8490583 at 147.9946 deg, measured 0.8490583 at 147.9946 deg; at 57.90185 Hz:
- * designed 0.614237 at -133.0515 deg, measured 0.6142374 at -133.0515 deg; at 70.70185 Hz: designed 0.5797523 at
- * 68.92228 deg, measured 0.5797522 at 68.92225 deg
- * largest deviation of measured from designed: 1.5e-5 */
+ * designed 0.614237 at -133.0515 deg, measured 0.6142371 at -133.0515 deg; at 70.70185 Hz: designed 0.5797523 at
+ * 68.92228 deg, measured 0.5797523 at 68.92228 deg
+ * largest deviation of measured from designed: 1.5e-7
+ * signal-to-noise ratio in single precision, of a vibration of 360 at f0 while the axis moves at 180000:
+ * stage[0] 124 dB, stage[1] 94 dB, stage[2] 93 dB */
 
 /* Written by the caller. axis_c_ipc_inputs_init fills in what is said to be the start. */
 typedef struct {
@@ -57,26 +59,31 @@ typedef struct {
 typedef struct {
     bool preset; /* whether the sections have been preset to the steady state of an input */
     uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
+    float source_v_command_before; /* the value of the cycle before */
+    float source_v_motor_before; /* the value of the cycle before */
     float stage0_filter0_section0_s1; /* what the next output takes over */
-    float stage0_filter0_section0_s2; /* what `s1` takes over */
+    float stage0_filter0_section0_p; /* the input without its low-pass part */
     float stage0_filter0_section1_s1; /* what the next output takes over */
-    float stage0_filter0_section1_s2; /* what `s1` takes over */
+    float stage0_filter0_section1_low; /* the low-pass part of the input */
     float stage0_filter0_section2_s1; /* what the next output takes over */
-    float stage0_filter0_section2_s2; /* what `s1` takes over */
+    float stage0_filter0_section2_low; /* the low-pass part of the input */
     float stage0_filter1_section0_s1; /* what the next output takes over */
-    float stage0_filter1_section0_s2; /* what `s1` takes over */
+    float stage0_filter1_section0_p; /* the input without its low-pass part */
+    float stage0_filter1_input_before; /* the value of the cycle before */
     float stage1_oscillation_s1; /* what the next output takes over */
-    float stage1_oscillation_s2; /* what `s1` takes over */
+    float stage1_oscillation_p; /* the input without its low-pass part */
     float stage1_filter0_section0_s1; /* what the next output takes over */
-    float stage1_filter0_section0_s2; /* what `s1` takes over */
+    float stage1_filter0_section0_p; /* the input without its low-pass part */
     float stage1_filter0_section1_s1; /* what the next output takes over */
-    float stage1_filter0_section1_s2; /* what `s1` takes over */
+    float stage1_filter0_section1_low; /* the low-pass part of the input */
+    float stage1_filter0_input_before; /* the value of the cycle before */
     float stage2_oscillation_s1; /* what the next output takes over */
-    float stage2_oscillation_s2; /* what `s1` takes over */
+    float stage2_oscillation_p; /* the input without its low-pass part */
     float stage2_filter0_section0_s1; /* what the next output takes over */
-    float stage2_filter0_section0_s2; /* what `s1` takes over */
+    float stage2_filter0_section0_p; /* the input without its low-pass part */
     float stage2_filter0_section1_s1; /* what the next output takes over */
-    float stage2_filter0_section1_s2; /* what `s1` takes over */
+    float stage2_filter0_section1_low; /* the low-pass part of the input */
+    float stage2_filter0_input_before; /* the value of the cycle before */
 } axis_c_ipc_state;
 
 /* Once before the first cycle. */

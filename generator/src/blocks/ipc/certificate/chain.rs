@@ -2,7 +2,11 @@
 
 use super::super::design::{self, StageDesign};
 use super::probe::{Probe, Source};
+use super::section::{Biquad, Section};
+use super::widened::widened;
+use crate::design::trapezoidal::{Output, Trapezoidal};
 use compiler::program::{Program, Type};
+use portable::RealKind;
 
 /// A stage as it acts: `gain * section[n-1](... section[0](x))`.
 pub(crate) struct Chain {
@@ -14,59 +18,66 @@ pub(crate) struct Chain {
     pub gain: f64,
 }
 
-/// A section as it acts: `y = s1 + b0 x; s1 = s2 - a1 s1 + from_x[0] x; s2 = from_x[1] x - a2 s1`, on the right the old
-/// values. In the form of the coefficients `from_x` is `[b1 - a1 b0, b2 - a2 b0]`.
-#[derive(Clone, Copy)]
-pub(crate) struct Section {
-    pub b0: f64,
-    pub a1: f64,
-    pub a2: f64,
-    /// from the input to s1 and s2
-    pub from_x: [f64; 2],
-}
-
-/// The chains of stages; `limit` is that of the block: outputs are measured where it does not act.
+/// The chains of stages; `limit` is that of the block: outputs are measured where it does not act. A program of single precision
+/// is measured in double precision: what its rounded coefficients do.
 pub(crate) fn measure(program: &Program, stages: &[&StageDesign], limit: f64) -> Vec<Chain> {
-    let mut probe = Probe::new(program, limit);
+    let wide = widened(program);
+    let mut probe = Probe::new(&wide, program.real, limit);
     let inputs = (0..program.inputs.len()).filter(|input| program.inputs[*input].ty == Type::Real);
     let inputs: Vec<_> = inputs.map(|input| (input, probe.column(&Source::Input(input)))).collect();
     let chain = |stage: &&StageDesign| {
         let places: Vec<_> = stage.section.iter().map(|section| place(program, section)).collect();
-        let reads = |(_, column): &&(usize, Vec<f64>)| places.iter().flatten().any(|s| column[*s] != 0.0);
+        let reads = |(_, column): &&(usize, Vec<f64>)| places.iter().any(|place| column[place.s[0]] != 0.0);
         let (input, column) = inputs.iter().find(reads).expect("certificate: a stage reads an input");
-        chain(&mut probe, &places, *input, column)
+        if program.real == RealKind::F64 {
+            biquads(&mut probe, &places, *input, column)
+        } else {
+            trapezoidal(&mut probe, &places, stage, *input)
+        }
     };
     stages.iter().map(chain).collect()
 }
 
-/// Where the two values that a section remembers are in the state.
-pub(crate) fn place(program: &Program, section: &design::Section) -> [usize; 2] {
-    let stem = section.element.in_state();
-    ["s1", "s2"].map(|name| {
-        let path = format!("{stem}.{name}");
-        let found = program.state.iter().position(|variable| variable.path == path);
-        found.expect("certificate: every designed section has its state")
-    })
+/// Where a section is in the state.
+pub(crate) struct Place {
+    /// the two values that it remembers
+    pub s: [usize; 2],
+    /// whether the second one takes the change of its input
+    pub is_by_change: bool,
 }
 
-fn chain(probe: &mut Probe<'_>, places: &[[usize; 2]], input: usize, from_input: &[f64]) -> Chain {
-    let columns: Vec<_> = places.iter().map(|[s1, _]| probe.column(&Source::State(*s1))).collect();
+/// Where a section is in the state: s1 and s2 of a biquad, s1 and p or low of a trapezoidal section.
+pub(crate) fn place(program: &Program, section: &design::Section) -> Place {
+    let stem = section.element.in_state();
+    let at = |name| {
+        let path = format!("{stem}.{name}");
+        program.state.iter().position(|variable| variable.path == path)
+    };
+    let (s1, p) = (at("s1"), at("p"));
+    let second = p.or_else(|| at("s2")).or_else(|| at("low"));
+    let s = [s1, second].map(|found| found.expect("certificate: every designed section has its state"));
+    Place { s, is_by_change: p.is_some() }
+}
+
+fn biquads(probe: &mut Probe<'_>, places: &[Place], input: usize, from_input: &[f64]) -> Chain {
+    let columns: Vec<_> = places.iter().map(|place| probe.column(&Source::State(place.s[0]))).collect();
     let last = places.len() - 1;
-    let gain = probe.output(&Source::State(places[last][0]));
+    let gain = probe.output(&Source::State(places[last].s[0]));
     let section = |i: usize| {
-        let [s1, s2] = places[i];
+        let [s1, s2] = places[i].s;
         // What reaches a section directly: the input of the stage, or the s1 before it.
         let reaching = if i == 0 { from_input } else { &columns[i - 1] };
         let b0 = if i < last {
-            through(reaching, &columns[i], places[i + 1])
+            through(reaching, &columns[i], places[i + 1].s)
         } else if gain == 0.0 {
             0.0
         } else if i > 0 {
-            probe.output(&Source::State(places[i - 1][0])) / gain
+            probe.output(&Source::State(places[i - 1].s[0])) / gain
         } else {
-            probe.output(&Source::Alone(input, places[0])) / gain
+            probe.output(&Source::Alone(input, places[0].s)) / gain
         };
-        Section { b0, a1: -columns[i][s1], a2: -columns[i][s2], from_x: [reaching[s1], reaching[s2]] }
+        let from_x = [reaching[s1], reaching[s2]];
+        Section::Biquad(Biquad { b0, a1: -columns[i][s1], a2: -columns[i][s2], from_x })
     };
     Chain { input, section: (0..=last).map(section).collect(), gain }
 }
@@ -75,4 +86,23 @@ fn chain(probe: &mut Probe<'_>, places: &[[usize; 2]], input: usize, from_input:
 fn through(reaching: &[f64], direct: &[f64], next: [usize; 2]) -> f64 {
     let by = if direct[next[0]].abs() > direct[next[1]].abs() { next[0] } else { next[1] };
     reaching[by] / direct[by]
+}
+
+/// A step from s1 = 1 leaves s1 = 1 - 2 B and p = -C (1 - B), one from p = 1 leaves s1 = 2 A; with low in the place of p, the
+/// opposite of both.
+fn trapezoidal(probe: &mut Probe<'_>, places: &[Place], stage: &StageDesign, input: usize) -> Chain {
+    let mut section = |(place, section): (&Place, &design::Section)| {
+        let [s1, second] = place.s;
+        let [from_s1, from_second] = place.s.map(|s| probe.column(&Source::State(s)));
+        let sign = if place.is_by_change { 1.0 } else { -1.0 };
+        let (a, b) = (sign * from_second[s1] / 2.0, (1.0 - from_s1[s1]) / 2.0);
+        let c = -sign * from_s1[second] / (1.0 - b);
+        Trapezoidal { a, b, c, output: section.trapezoidal.output, is_by_change: place.is_by_change }
+    };
+    let section: Vec<_> = places.iter().zip(&stage.section).map(&mut section).collect();
+    let (last, place) = (section.last(), places.last());
+    let (last, place) = last.zip(place).expect("certificate: a stage has a section");
+    let output = probe.output(&Source::State(place.s[0]));
+    let gain = output / (1.0 - last.b) / if last.output == Output::Allpass { -2.0 } else { 1.0 };
+    Chain { input, section: section.into_iter().map(Section::Trapezoidal).collect(), gain }
 }

@@ -1,12 +1,21 @@
 //! What a second-order section can still do when it is left to itself, in closed form. No step is run.
 
-use super::chain::Section;
-use crate::design::section::at_dc_and_nyquist;
+/// A denominator 1 + a1 z^-1 + a2 z^-2, without a cancellation.
+pub(super) struct Denominator {
+    pub a1: f64,
+    pub a2: f64,
+    /// 1 - a2
+    pub left: f64,
+    /// 1 + a1 + a2
+    pub dc: f64,
+    /// 1 - a1 + a2
+    pub nyquist: f64,
+}
 
 /// Bounds of one section.
 pub(super) struct Free {
     /// a1 / 2: minus the mean of the poles
-    half: f64,
+    pub half: f64,
     /// bound of sum |even(n)|, even(n) = (p1^n + p2^n) / 2: a time constant, in samples
     pub even: f64,
     /// bound of sum |odd(n)|, odd(n) = (p1^n - p2^n) / (p1 - p2)
@@ -23,17 +32,16 @@ pub(super) struct Free {
 ///
 /// (p1 - p2)^2 / 4 = a1^2/4 - a2 = ((1 - a2)^2 - (1 + a1 + a2)(1 - a1 + a2)) / 4 is computed in the second form, which
 /// does not cancel where both poles are near 1.
-pub(super) fn bounds(section: &Section) -> Free {
-    let (a1, a2) = (section.a1, section.a2);
+pub(super) fn bounds(of: &Denominator) -> Free {
+    let Denominator { a1, a2, left: width, dc, nyquist } = *of;
     let half = a1 / 2.0;
-    let [dc, nyquist] = at_dc_and_nyquist(1.0, a1, a2);
-    let square = ((1.0 - a2) * (1.0 - a2) - dc * nyquist) / 4.0;
+    let square = (width * width - dc * nyquist) / 4.0;
     if !(a2.abs() < 1.0 && dc > 0.0 && nyquist > 0.0) {
         return Free { half, even: f64::INFINITY, odd: f64::INFINITY, imaginary: None };
     }
     if square < 0.0 {
         let r = libm::sqrt(a2);
-        let left = (1.0 - a2) / (1.0 + r); // 1 - r
+        let left = width / (1.0 + r); // 1 - r
         let imaginary = libm::sqrt(-square);
         let odd = (1.0 / (imaginary * left)).min(1.0 / (left * left));
         return Free { half, even: 1.0 / left, odd, imaginary: Some(imaginary) };

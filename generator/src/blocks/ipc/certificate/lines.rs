@@ -1,6 +1,6 @@
 //! A certificate in words: short lines of ASCII for the head of a file and for the terminal. Nothing is computed.
 
-use super::{Certificate, Point};
+use super::{Certificate, Point, noise};
 use crate::design::response::{Complex, angle, magnitude};
 use crate::design::rounding::{precision, sample_limit};
 use crate::number::digits;
@@ -13,6 +13,9 @@ pub(crate) fn lines(certificate: &Certificate) -> Vec<String> {
         || "response: not measured, a limit of 0 mutes the block (P-AXIS-00757)".to_owned(),
         |deviation| format!("largest deviation of measured from designed: {deviation:.1e}"),
     ));
+    if !certificate.noise.is_empty() {
+        lines.push(noise::text(&certificate.noise, certificate.v_max));
+    }
     lines
 }
 

@@ -2,10 +2,13 @@
 //!
 //! ```text
 //! probe     verified program -> what single steps do
-//! chain     single steps -> sections and gain of each stage, as they act
+//! widened   a program of single precision, to be measured in double precision
+//! chain     single steps -> sections and gain of each stage
+//! section   a section as it acts
 //! free      a section left to itself: closed-form bounds
 //! norm      chain -> largest |state| and largest |v_sum| for inputs within +-1
 //! response  chain -> gain and phase; parameters -> the same by the formulas
+//! noise     chain -> signal-to-noise ratio of single precision
 //! lines     all of it in words
 //! ```
 //! Nothing here decides anything; no coefficient is taken from the design, only what it is compared with.
@@ -13,9 +16,12 @@
 pub(crate) mod chain;
 mod free;
 mod lines;
+pub(crate) mod noise;
 pub(crate) mod norm;
 pub(crate) mod probe;
 mod response;
+pub(crate) mod section;
+mod widened;
 
 use super::design::StageDesign;
 use crate::design::rounding::{largest, sample_limit};
@@ -38,6 +44,8 @@ pub(crate) struct Certificate {
     /// the response of a stage, by its index, at centre and edges of a band-pass; none where a limit of 0 mutes the block, since
     /// nothing can be measured there
     pub response: Vec<(usize, [Point; 3])>,
+    /// signal-to-noise ratio [dB] of a stage, by its index, in single precision
+    pub noise: Vec<(usize, f64)>,
 }
 
 /// Measures the block `ipc` of an axis by single steps of its program and computes its bounds.
@@ -53,7 +61,16 @@ pub(crate) fn certify(designed: &Designed, program: &Program) -> Certificate {
     let chains = chain::measure(program, &stages, ipc.limit());
     let measured = stages.iter().zip(&chains).filter(|_| ipc.limit() > 0.0);
     let response = measured.flat_map(|(stage, chain)| response::bands(stage, chain)).collect();
-    Certificate { real: *real, v_max: ipc.v_max, limit: ipc.limit(), bound: norm::bounds(&chains, *real), response }
+    let noise = stages.iter().zip(&chains);
+    let noise = noise.filter_map(|(stage, chain)| Some((stage.index, noise::of_chain(chain, stage)?))).collect();
+    Certificate {
+        real: *real,
+        v_max: ipc.v_max,
+        limit: ipc.limit(),
+        bound: norm::bounds(&chains, *real),
+        response,
+        noise,
+    }
 }
 
 impl Certificate {
@@ -64,7 +81,8 @@ impl Certificate {
 
     /// Whether no value inside the block overflows for any sample in range.
     fn is_within_precision(&self) -> bool {
-        // An intermediate value is a sum of up to three products of a state and a coefficient of up to 2.
+        // An intermediate value is a sum of up to three products of a state and a coefficient of up to 2; in a trapezoidal section,
+        // whose C may be larger, each product is a sum of up to four states.
         self.bound.state.max(self.bound.v_sum).max(1.0) * sample_limit(self.real) * 8.0 <= largest(self.real)
     }
 }

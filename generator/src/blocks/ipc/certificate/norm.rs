@@ -2,8 +2,9 @@
 //!
 //! The first samples of each sum are added up, the rest is bounded by closed forms: a bound, never an estimate.
 
-use super::chain::{Chain, Section};
+use super::chain::Chain;
 use super::free::{self, Free};
+use super::section::{Coming, Section};
 use portable::RealKind;
 use std::collections::BTreeMap;
 
@@ -65,17 +66,17 @@ pub(crate) struct Run {
 struct Sums {
     section: Section,
     free: Free,
-    /// bound of the L1 norm from its own input to its output
-    norm: f64,
+    /// bounds for inputs whose magnitudes sum up to 1
+    driven: Coming,
     s: [f64; 2],
     sum: [f64; 2],
 }
 
 pub(crate) fn run(chain: &Chain, budget: usize, real: RealKind) -> Run {
     let sums = |section: &Section| {
-        let free = free::bounds(section);
-        let norm = section.b0.abs() + free.sum(section.from_x[0], section.from_x[1]);
-        Sums { section: *section, free, norm, s: [0.0; 2], sum: [0.0; 2] }
+        let free = free::bounds(&section.denominator());
+        let driven = section.driven(&free);
+        Sums { section: *section, free, driven, s: [0.0; 2], sum: [0.0; 2] }
     };
     let mut sections: Vec<Sums> = chain.section.iter().map(sums).collect();
     let slowest = sections.iter().map(|sums| sums.free.even).fold(0.0, f64::max);
@@ -108,13 +109,12 @@ pub(crate) fn run(chain: &Chain, budget: usize, real: RealKind) -> Run {
 /// sum of all |state|.
 fn rest(sections: &[Sums], mut x: f64, gain: f64) -> (f64, f64) {
     let mut state = 0.0_f64;
-    for Sums { section, free, norm, s, sum } in sections {
-        let own = free.sum(s[0], s[1]);
-        // s1 is what y was without b0 x.
-        let s1 = own + (norm - section.b0.abs()) * x;
-        let s2 = s[1].abs() + section.a2.abs() * s1 + section.from_x[1].abs() * x;
-        state = state.max(sum[0] + s1).max(sum[1] + s2);
-        x = own + norm * x;
+    for Sums { section, free, driven, s, sum } in sections {
+        let own = section.coming(free, *s);
+        for ((sum, own), driven) in sum.iter().zip(own.s).zip(driven.s) {
+            state = state.max(sum + own + driven * x);
+        }
+        x = own.y + driven.y * x;
     }
     (gain.abs() * x, state)
 }
@@ -122,15 +122,12 @@ fn rest(sections: &[Sums], mut x: f64, gain: f64) -> (f64, f64) {
 impl Sums {
     /// Runs the section on a signal, in place.
     fn run(&mut self, signal: &mut [f64; BLOCK]) {
-        let Section { b0, a1, a2, from_x } = self.section;
-        let ([mut s1, mut s2], [mut sum1, mut sum2]) = (self.s, self.sum);
+        let Self { section, s, sum, .. } = self;
         for x in signal {
-            let y = s1 + b0 * *x;
-            (sum1, sum2) = (sum1 + s1.abs(), sum2 + s2.abs());
-            (s1, s2) = (s2 + from_x[0] * *x - a1 * s1, from_x[1] * *x - a2 * s1);
-            *x = y;
+            let held = section.held(*s, *x);
+            (sum[0], sum[1]) = (sum[0] + held[0], sum[1] + held[1]);
+            *x = section.step(s, *x);
         }
-        (self.s, self.sum) = ([s1, s2], [sum1, sum2]);
     }
 }
 
@@ -143,7 +140,7 @@ impl Sums {
 fn rounding(sections: &[Sums], real: RealKind) -> f64 {
     let unit = if real == RealKind::F64 { f64::EPSILON } else { f32::EPSILON.into() } / 2.0;
     let factor = |sums: &Sums| {
-        let part = 32.0 * unit * sums.free.sum_of_any();
+        let part = 32.0 * unit * sums.section.sum_of_any(&sums.free);
         if part < 0.5 { 1.0 / (1.0 - part) } else { f64::INFINITY }
     };
     sections.iter().map(factor).product()

@@ -20,6 +20,8 @@ pub(crate) enum Source {
 pub(crate) struct Probe<'p> {
     machine: Machine<'p>,
     real: RealKind,
+    /// the real type of the block, which bounds its samples
+    samples: RealKind,
     limit: f64,
     /// before the first cycle
     fresh: Vec<Literal>,
@@ -34,9 +36,11 @@ pub(crate) struct Probe<'p> {
 }
 
 impl<'p> Probe<'p> {
+    /// For a block with samples of this real type; the program may compute with another one.
+    ///
     /// # Panics
     /// If the program is not the block `ipc`.
-    pub(crate) fn new(program: &'p Program, limit: f64) -> Self {
+    pub(crate) fn new(program: &'p Program, samples: RealKind, limit: f64) -> Self {
         let at = |variables: &[Variable], path| {
             let found = variables.iter().position(|variable| variable.path == path);
             found.unwrap_or_else(|| panic!("certificate: the block has no {path}"))
@@ -51,12 +55,12 @@ impl<'p> Probe<'p> {
         machine.step(&inputs, &mut outputs);
         let still = machine.state().iter().map(|value| number(*value)).collect();
         let [v_add, limited] = ["v_add_calculated", "limited"].map(|path| at(&program.outputs, path));
-        Self { machine, real: program.real, limit, fresh, rest, still, inputs, outputs, v_add, limited }
+        Self { machine, real: program.real, samples, limit, fresh, rest, still, inputs, outputs, v_add, limited }
     }
 
     /// The largest amplitude: within the sample limit, 1e15 or 1e9, and far above what a section at rest holds.
     fn large(&self) -> f64 {
-        libm::ldexp(1.0, if self.real == RealKind::F64 { 49 } else { 29 })
+        libm::ldexp(1.0, if self.samples == RealKind::F64 { 49 } else { 29 })
     }
 
     /// The state after one step, for a source of 1.

@@ -2,7 +2,8 @@
 //! a coefficient is in the designed values.
 
 use super::super::design::{FilterDesign, StageDesign};
-use super::chain::{Chain, Section};
+use super::chain::Chain;
+use super::section::{Biquad, Section};
 use crate::axis::{Filter, Prototype};
 use crate::design::band::{edges, frequency, warped};
 use crate::design::bandpass::{Pole, poles};
@@ -80,16 +81,23 @@ fn low_pass(prototype: Prototype, order: usize, w: f64) -> Complex {
     })
 }
 
-/// The response of the compiled sections at t = tan(pi f Ts), where z - 1 = 2 j t / (1 - j t) is known without a
-/// cancellation: a low frequency costs no digits here.
+/// The response of the compiled sections at t = tan(pi f Ts).
 fn measured(chain: &Chain, t: f64) -> Complex {
-    let step = quotient(Complex { re: 0.0, im: 2.0 * t }, Complex { re: 1.0, im: -t });
-    chain.section.iter().fold(Complex::real(chain.gain), |h, section| product(h, of_section(section, step)))
+    chain.section.iter().fold(Complex::real(chain.gain), |h, section| product(h, of_section(section, t)))
 }
 
-/// b0 + (z from_x[0] + from_x[1]) / (z^2 + a1 z + a2), z = 1 + `step`.
-fn of_section(section: &Section, step: Complex) -> Complex {
-    let Section { b0, a1, a2, from_x } = *section;
+fn of_section(section: &Section, t: f64) -> Complex {
+    match section {
+        Section::Biquad(section) => of_biquad(section, t),
+        Section::Trapezoidal(section) => section.response(t),
+    }
+}
+
+/// b0 + (z from_x[0] + from_x[1]) / (z^2 + a1 z + a2), z = 1 + step, where step = 2 j t / (1 - j t) is known without a
+/// cancellation: a low frequency costs no digits here.
+fn of_biquad(section: &Biquad, t: f64) -> Complex {
+    let step = quotient(Complex { re: 0.0, im: 2.0 * t }, Complex { re: 1.0, im: -t });
+    let Biquad { b0, a1, a2, from_x } = *section;
     let numerator = Complex { re: step.re * from_x[0] + (from_x[0] + from_x[1]), im: step.im * from_x[0] };
     let square = product(step, step);
     let re = square.re + step.re * (2.0 + a1) + ((1.0 + a1) + a2);

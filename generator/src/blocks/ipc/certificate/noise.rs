@@ -1,0 +1,154 @@
+//! How far the roundings of single precision, of steps and of coefficients, stay below a vibration: the signal-to-noise ratio of a
+//! stage. No step is run.
+
+use super::super::design::StageDesign;
+use super::chain::Chain;
+use super::response::{Point, designed};
+use super::section::Section;
+use crate::design::band::warped;
+use crate::design::response::{Complex, magnitude, product, quotient};
+use crate::design::rounding::in_precision;
+use crate::design::trapezoidal::{Output, Trapezoidal};
+use crate::number::{decimals, digits};
+use portable::RealKind;
+
+/// The vibration, as a part of the velocity of the axis.
+pub(crate) const VIBRATION: f64 = 1.0 / 500.0;
+/// Unit roundoff of single precision.
+const UNIT: f64 = f32::EPSILON as f64 / 2.0;
+
+/// Signal-to-noise ratio [dB] of what a stage adds while the axis moves and vibrates at the stage's f0; none in double precision.
+///
+/// An operation with the result v errs by at most u |v|, u = 2^-24; its error is taken for white noise of the variance
+/// u^2 v^2 / 3, v^2 the mean square. Each error goes through what is left of its section, whose gain is known in closed form, and
+/// through the sections behind it, whose gain is at most what it is at one of their centres or at f0. What the rounding of the
+/// coefficients changes at f0 is added.
+pub(super) fn of_chain(chain: &Chain, design: &StageDesign) -> Option<f64> {
+    let sections = chain.section.iter().map(|section| match section {
+        Section::Trapezoidal(section) => Some(*section),
+        Section::Biquad(_) => None,
+    });
+    let sections: Option<Vec<_>> = sections.collect();
+    Some(ratio(&sections?, design))
+}
+
+/// The same of a stage in single precision, by its designed coefficients.
+pub(crate) fn of_design(design: &StageDesign) -> f64 {
+    let sections: Vec<_> = design.section.iter().map(|section| section.trapezoidal).collect();
+    ratio(&sections, design)
+}
+
+/// The ratios of stages, by their indices, in words.
+pub(crate) fn text(stages: &[(usize, f64)], v_max: f64) -> String {
+    let stage = |(stage, ratio): &(usize, f64)| format!("stage[{stage}] {} dB", decimals(ratio.floor(), 0));
+    let ratios: Vec<_> = stages.iter().map(stage).collect();
+    let (v_max, vibration) = (digits(v_max), digits(v_max * VIBRATION));
+    let of = format!("of a vibration of {vibration} at f0 while the axis moves at {v_max}");
+    format!("signal-to-noise ratio in single precision, {of}: {}", ratios.join(", "))
+}
+
+/// [dB] of a stage with these sections.
+fn ratio(sections: &[Trapezoidal], design: &StageDesign) -> f64 {
+    let t = warped(design.stage.f0(), design.cycle_time);
+    let (mut offset, mut vibration, mut noise) = (1.0, VIBRATION, 0.0);
+    for (i, section) in sections.iter().enumerate() {
+        let behind = &sections[i + 1..];
+        let gain = |t| behind.iter().map(|section| magnitude(section.response(t))).product::<f64>();
+        let largest = behind.iter().map(Trapezoidal::centre).map(gain).fold(gain(t), f64::max);
+        noise += of_section(section, t, offset, vibration) * largest * largest;
+        vibration *= magnitude(section.response(t));
+        if section.output == Output::Bandpass {
+            offset = 0.0;
+        }
+    }
+    let signal = vibration * vibration / 2.0;
+    let error = deviation(sections, design, t);
+    -10.0 * libm::log10(noise / signal + error * error)
+}
+
+/// How far the rounded coefficients take the response away from the designed one at f0, relative to it.
+fn deviation(sections: &[Trapezoidal], design: &StageDesign, t: f64) -> f64 {
+    let gain = Complex::real(in_precision(design.coeffs.gain, RealKind::F32));
+    let measured = sections.iter().fold(gain, |h, section| product(h, section.response(t)));
+    Point { frequency: design.stage.f0(), designed: designed(design, t), measured }.deviation()
+}
+
+/// Variance of what a section's own roundings add to its output, for an input with this offset and this amplitude at t.
+fn of_section(section: &Trapezoidal, t: f64, offset: f64, vibration: f64) -> f64 {
+    let Trapezoidal { a, b, c, output, is_by_change } = *section;
+    let input = Complex::real(vibration);
+    // z = (1 + j t) / (1 - j t): u = (z - 1) / (z + 1) bp = j t bp, s1 = bp - u before the step and bp + u after it.
+    let bp = product(input, section.band_pass_part(t));
+    let u = product(bp, Complex { re: 0.0, im: t });
+    let s1 = Complex { re: bp.re - u.re, im: bp.im - u.im };
+    let p = Complex { re: (u.re + b * s1.re) / a, im: (u.im + b * s1.im) / a };
+    let change = product(input, quotient(Complex { re: 0.0, im: 2.0 * t }, Complex { re: 1.0, im: t }));
+    let square = |v: Complex| (v.re * v.re + v.im * v.im) / 2.0;
+    let next = Complex { re: p.re - c * bp.re, im: p.im - c * bp.im };
+    let low = Complex { re: vibration - next.re, im: -next.im };
+    let gain = Gain::of(section);
+    let noise = match (output, is_by_change) {
+        (Output::Oscillation, _) => {
+            let (h, g) = (2.0 * a / c, c / 2.0);
+            let q = Complex { re: u.re / g, im: u.im / g };
+            let into_p = square(change) + square(p);
+            // h p, r s1 and their difference err in q, which is a part of the output; g q in u only.
+            let into_q = h * h * square(p) + b * b / g / g * square(s1) + square(q);
+            into_p * gain.oscillation([2.0 * a, 1.0 - a * c], -h)
+                + into_q * gain.oscillation([2.0 * g, -c * g], -1.0)
+                + square(u) * gain.oscillation([2.0, -c], 0.0)
+                + square(bp) * gain.oscillation([1.0, -c], 0.0)
+                + square(Complex { re: bp.re + u.re, im: bp.im + u.im }) * gain.oscillation([1.0, 0.0], 0.0)
+                + (c * c * square(bp) + square(next)) * gain.oscillation([0.0, 1.0], 0.0)
+        }
+        _ => {
+            let (into_p, kept, last) = if is_by_change {
+                (square(change) + square(p), 1.0 - a * c, c * c * square(bp) + square(next))
+            } else {
+                (square(p), -a * c, 2.0 * c * c * square(bp) + square(low))
+            };
+            let into_u = a * a * square(p) + b * b * square(s1) + square(u);
+            let own = into_p * gain.bandpass([2.0 * a, kept], a)
+                + into_u * gain.bandpass([2.0, -c], 1.0)
+                + square(bp) * gain.bandpass([1.0, -c], 1.0)
+                + square(Complex { re: bp.re + u.re, im: bp.im + u.im }) * gain.bandpass([1.0, 0.0], 0.0)
+                + last * gain.bandpass([0.0, 1.0], 0.0);
+            if output == Output::Allpass { 4.0 * own } else { own }
+        }
+    };
+    // What has the offset of its input is rounded with it.
+    let sum = if output == Output::Bandpass { 0.0 } else { offset * offset + vibration * vibration / 2.0 };
+    UNIT * UNIT / 3.0 * (noise + sum)
+}
+
+/// Sums of the squares of impulse responses, in closed form.
+///
+/// The trapezoidal rule keeps the Gramian of the continuous section s1' = -k g s1 - g s2, s2' = g s1, s2 = -p: that of its
+/// band-pass part is 1 / (4 k g) times the unit matrix, that of its high-pass part, with the output k s1 + s2, is
+/// 1 / (4 k g) [k^2 + 1, k; k, 1].
+struct Gain {
+    /// 1 / (4 k g)
+    weight: f64,
+    /// k of the oscillation
+    k: f64,
+    /// c k: what a p of 1 weighs
+    scale: f64,
+}
+
+impl Gain {
+    fn of(section: &Trapezoidal) -> Self {
+        let width = section.width();
+        Self { weight: 1.0 / (4.0 * width), k: width / section.centre(), scale: section.scale() }
+    }
+
+    /// From an error that enters s1 and p with these parts, and the band-pass part with `direct`.
+    fn bandpass(&self, [s1, p]: [f64; 2], direct: f64) -> f64 {
+        direct * direct + self.weight * (s1 * s1 + self.scale * self.scale * p * p)
+    }
+
+    /// The same into the output of the oscillation.
+    fn oscillation(&self, [s1, p]: [f64; 2], direct: f64) -> f64 {
+        let k = self.k;
+        direct * direct + self.weight * ((k * k + 1.0) * s1 * s1 - 2.0 * k * s1 * p + p * p)
+    }
+}

@@ -1,0 +1,80 @@
+//! A trapezoidal section, which single precision has: its coefficients as rounded, one step, its response. No design.
+
+use super::response::{Complex, quotient};
+
+/// `u = a p - b s1; bp = s1 + u; s1 = bp + u; low = low + c bp`, p = x - low.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Trapezoidal {
+    pub a: f64,
+    pub b: f64,
+    pub c: f64,
+    pub output: Output,
+    /// whether its state is p, which takes the change of its input, rather than low
+    pub is_by_change: bool,
+}
+
+/// What a trapezoidal section puts out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Output {
+    /// y = bp
+    Bandpass,
+    /// y = x - 2 bp
+    Allpass,
+    /// y = x - u 2 / c
+    Oscillation,
+}
+
+impl Trapezoidal {
+    /// The matrix of its two states has the trace 2 - 2 B - A C and the determinant 1 + A C - 2 B.
+    pub(crate) fn is_stable(&self) -> bool {
+        let ac = self.a * self.c;
+        ac > 0.0 && ac < 2.0 * self.b && self.b < 1.0
+    }
+
+    /// Warped centre: g^2 = A C / (2 (1 - B)).
+    pub(crate) fn centre(&self) -> f64 {
+        libm::sqrt(self.a * self.c / (2.0 * (1.0 - self.b)))
+    }
+
+    /// k g, k the reciprocal quality factor.
+    pub(crate) fn width(&self) -> f64 {
+        (self.b - self.a * self.c / 2.0) / (1.0 - self.b)
+    }
+
+    /// c k: a p or low of 1 weighs as much as an s1 of this.
+    pub(crate) fn scale(&self) -> f64 {
+        2.0 * self.centre() / self.c
+    }
+
+    /// One step, from s1 and low to s1 and low; gives the output.
+    pub(crate) fn step(&self, s: &mut [f64; 2], x: f64) -> f64 {
+        let u = self.a * (x - s[1]) - self.b * s[0];
+        let bp = s[0] + u;
+        *s = [bp + u, s[1] + self.c * bp];
+        match self.output {
+            Output::Bandpass => bp,
+            Output::Allpass => x - 2.0 * bp,
+            Output::Oscillation => x - 2.0 * u / self.c,
+        }
+    }
+
+    /// The response at t = tan(pi f Ts); u is j t times the band-pass part.
+    pub(crate) fn response(&self, t: f64) -> Complex {
+        let bp = self.band_pass_part(t);
+        match self.output {
+            Output::Bandpass => bp,
+            Output::Allpass => Complex { re: 1.0 - 2.0 * bp.re, im: -2.0 * bp.im },
+            Output::Oscillation => {
+                let by = 2.0 * t / self.c;
+                Complex { re: 1.0 + by * bp.im, im: -by * bp.re }
+            }
+        }
+    }
+
+    /// A j t / (A C / 2 - (1 - B) t^2 + j t (B - A C / 2)).
+    pub(crate) fn band_pass_part(&self, t: f64) -> Complex {
+        let half = self.a * self.c / 2.0;
+        let denominator = Complex { re: half - (1.0 - self.b) * t * t, im: t * (self.b - half) };
+        quotient(Complex { re: 0.0, im: self.a * t }, denominator)
+    }
+}

@@ -1,0 +1,102 @@
+//! The velocities that the stages look at: which ones, and what they have changed by since the cycle before, formed once for all
+//! stages. No section.
+#![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
+
+use super::signals::Inputs;
+use crate::section::is_driven_by_change;
+use crate::{change, stage};
+use portable::{Real, portable};
+
+/// Stages of a block.
+pub const STAGES: usize = 3;
+
+/// State: the velocities of the cycle before.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct State<R> {
+    /// the command velocity
+    pub v_command: change::State<R>,
+    /// the motor's velocity
+    pub v_motor: change::State<R>,
+    /// the velocity of the direct measuring system
+    pub v_direct: change::State<R>,
+}
+
+/// The changes.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Changes<R> {
+    /// of the command velocity
+    pub v_command: R,
+    /// of the motor's velocity
+    pub v_motor: R,
+    /// of the velocity of the direct measuring system
+    pub v_direct: R,
+}
+
+/// Whether a stage looks at the command velocity.
+#[portable]
+pub fn reads_command<R: Real>(stages: &[stage::Coeffs<R>; STAGES]) -> bool {
+    let mut found = false;
+    for i in 0..STAGES {
+        found = found || stage::reads_command(&stages[i]);
+    }
+    found
+}
+
+/// Whether a stage looks at the motor's velocity.
+#[portable]
+pub fn reads_motor<R: Real>(stages: &[stage::Coeffs<R>; STAGES]) -> bool {
+    let mut found = false;
+    for i in 0..STAGES {
+        found = found || stage::reads_motor(&stages[i]);
+    }
+    found
+}
+
+/// Whether a stage looks at the velocity of the direct measuring system.
+#[portable]
+pub fn reads_direct<R: Real>(stages: &[stage::Coeffs<R>; STAGES]) -> bool {
+    let mut found = false;
+    for i in 0..STAGES {
+        found = found || stage::reads_direct(&stages[i]);
+    }
+    found
+}
+
+/// Forms the changes of the velocities that a stage looks at, in single precision.
+#[portable]
+pub fn step<R: Real>(
+    state: &mut State<R>,
+    stages: &[stage::Coeffs<R>; STAGES],
+    inputs: &Inputs<R>,
+    changes: &mut Changes<R>,
+) {
+    if is_driven_by_change::<R>() {
+        if reads_command(stages) {
+            changes.v_command = change::step(&mut state.v_command, inputs.v_command);
+        }
+        if reads_motor(stages) {
+            changes.v_motor = change::step(&mut state.v_motor, inputs.v_motor);
+        }
+        if reads_direct(stages) {
+            changes.v_direct = change::step(&mut state.v_direct, inputs.v_direct);
+        }
+    }
+}
+
+/// The next changes are counted from the present input.
+#[portable]
+pub fn preset<R: Real>(state: &mut State<R>, stages: &[stage::Coeffs<R>; STAGES], inputs: &Inputs<R>) {
+    if is_driven_by_change::<R>() {
+        if reads_command(stages) {
+            change::preset(&mut state.v_command, inputs.v_command);
+        }
+        if reads_motor(stages) {
+            change::preset(&mut state.v_motor, inputs.v_motor);
+        }
+        if reads_direct(stages) {
+            change::preset(&mut state.v_direct, inputs.v_direct);
+        }
+    }
+}

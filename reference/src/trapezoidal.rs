@@ -1,0 +1,48 @@
+//! The second-order sections of single precision: a state-variable filter by the trapezoidal rule, with precomputed coefficients.
+//!
+//! With the warped centre g, the reciprocal quality factor k, the gain c at the centre and h = 1 / (1 + (g + k) g):
+//!
+//! ```text
+//! u = A p - B s1 ; bp = s1 + u ; s1 = bp + u ; low = low + C bp     A = g h c k, B = (g + k) g h, C = 2 g / (c k)
+//! ```
+//!
+//! p is the input without its low-pass part, p = x - low. Where the input carries an offset, p itself is the state: it takes the
+//! change of the input, and the offset enters no state. Behind a band-pass section low is the state, which saves the change.
+
+use crate::section::{State, least_change};
+use portable::{Real, portable};
+
+/// One cycle by the change of the input since the cycle before: gives the band-pass part of the input.
+#[portable]
+pub fn by_change<R: Real>(state: &mut State<R>, a: R, b: R, c: R, change: R) -> R {
+    let left = state.p + change;
+    let u = a * left - b * state.s1;
+    let y = state.s1 + u;
+    state.s1 = y + u;
+    state.p = left - c * y;
+    y
+}
+
+/// One cycle by the input itself: gives its band-pass part.
+#[portable]
+pub fn by_input<R: Real>(state: &mut State<R>, a: R, b: R, c: R, x: R) -> R {
+    let u = a * (x - state.low) - b * state.s1;
+    let y = state.s1 + u;
+    state.s1 = y + u;
+    state.low = state.low + (c * y + least_change());
+    y
+}
+
+/// Puts the state where any constant input would have brought it.
+#[portable]
+pub fn preset_by_change<R: Real>(state: &mut State<R>) {
+    state.s1 = R::ZERO;
+    state.p = R::ZERO;
+}
+
+/// Puts the state where a constant input `x` would have brought it.
+#[portable]
+pub fn preset_by_input<R: Real>(state: &mut State<R>, x: R) {
+    state.s1 = R::ZERO;
+    state.low = x;
+}
