@@ -239,8 +239,8 @@ pub fn may_act<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
 pub fn is_settled<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, mode: i32, v_motor: R, v_direct: R) -> bool {
     mode == mode_on()
         && state.fade >= coeffs.fade_cycles
-        && (!reads_motor(coeffs) || in_range(v_motor, sample_limit()))
-        && (!reads_direct(coeffs) || in_range(v_direct, sample_limit()))
+        && (!reads_motor(&coeffs.stage) || in_range(v_motor, sample_limit()))
+        && (!reads_direct(&coeffs.stage) || in_range(v_direct, sample_limit()))
 }
 
 /// One cycle. Only the inputs that a stage looks at are checked.
