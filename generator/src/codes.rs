@@ -19,6 +19,7 @@ pub struct Code {
 static ERROR_IDS: &[&Fn] = &[
     &signal::error_cycle_time::Ir::<f64>::IR,
     &signal::error_mode::Ir::<f64>::IR,
+    &signal::error_state::Ir::<f64>::IR,
     &signal::error_v_command::Ir::<f64>::IR,
     &signal::error_v_motor::Ir::<f64>::IR,
     &signal::error_v_direct::Ir::<f64>::IR,

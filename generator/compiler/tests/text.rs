@@ -37,6 +37,6 @@ fn a_name_is_given_once() {
     };
     assert_eq!(
         Printer::new(&program, &LANGUAGE).names().constants,
-        ["a0_b", "float_value", "A0_B_next", "float_next", "a0_b_2"]
+        ["a0_b", "float_value", "A0_B_next", "float_next", "a0_b_last"]
     );
 }

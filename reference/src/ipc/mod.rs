@@ -19,7 +19,7 @@ pub use signals::{mode_dryrun, mode_off, mode_on};
 pub use sources::STAGES;
 
 use self::sources::{reads_command, reads_direct, reads_motor};
-use crate::signal::{error_cycle_time, error_gantry_slave, error_mode, error_none};
+use crate::signal::{error_cycle_time, error_gantry_slave, error_mode, error_none, error_state, sum_limit};
 use crate::signal::{error_v_command, error_v_direct, error_v_motor, sample_limit};
 use crate::stage;
 use crate::sum::empty_sum;
@@ -57,6 +57,8 @@ pub struct State<R> {
     pub preset: bool,
     /// position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is
     pub fade: u32,
+    /// whether a state was overwritten, as the cycle before has shown
+    pub disturbed: bool,
     /// the velocities of the cycle before
     pub source: sources::State<R>,
     /// the sections of each stage
@@ -92,24 +94,6 @@ pub fn sum_of_stages<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: 
     v_sum
 }
 
-/// The sum within +-limit; exactly 0 where its magnitude is not above `rest`.
-#[portable]
-pub fn limit<R: Real>(outputs: &mut Outputs<R>, coeffs: &Coeffs<R>, v_sum: R) -> R {
-    if within(v_sum, coeffs.limit) {
-        if within(v_sum, coeffs.rest) { R::ZERO } else { v_sum }
-    } else {
-        outputs.limited = true;
-        if v_sum > R::ZERO {
-            coeffs.limit
-        } else if v_sum < R::ZERO {
-            coeffs.lower_limit
-        } else {
-            note("only a sum that is no number comes here, which no sample in range leads to: nothing is added");
-            R::ZERO
-        }
-    }
-}
-
 /// Moves the fade by one cycle: up while the mode is ON, down otherwise. OFF ends where the fade has arrived at 0.
 #[portable]
 pub fn move_fade<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, mode: i32) {
@@ -134,6 +118,26 @@ pub fn stop<R: Real>(state: &mut State<R>) {
     state.fade = 0u32;
 }
 
+/// The sum within +-limit; exactly 0 where its magnitude is not above `rest`. A sum that no sample in range leads to is a fault: a state
+/// has been disturbed.
+#[portable]
+pub fn limit<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, coeffs: &Coeffs<R>, v_sum: R) -> R {
+    if within(v_sum, coeffs.limit) {
+        if within(v_sum, coeffs.rest) { R::ZERO } else { v_sum }
+    } else if within(v_sum, sum_limit()) {
+        outputs.limited = true;
+        if v_sum > R::ZERO { coeffs.limit } else { coeffs.lower_limit }
+    } else {
+        note(
+            "a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then everything starts anew",
+        );
+        outputs.limited = true;
+        state.disturbed = true;
+        stop(state);
+        R::ZERO
+    }
+}
+
 /// Nothing is added.
 #[portable]
 pub fn clear<R: Real>(outputs: &mut Outputs<R>, error_id: u32) {
@@ -147,6 +151,7 @@ pub fn clear<R: Real>(outputs: &mut Outputs<R>, error_id: u32) {
 /// Before the first cycle. The sections need nothing: the first active cycle presets them to their steady state.
 #[portable]
 pub fn init<R: Real>(state: &mut State<R>) {
+    state.disturbed = false;
     stop(state);
 }
 
@@ -157,7 +162,7 @@ pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>
     outputs.fault = false;
     outputs.error_id = error_none();
     let v_sum = sum_of_stages(state, coeffs, inputs);
-    let v_limited = limit(outputs, coeffs, v_sum);
+    let v_limited = limit(state, outputs, coeffs, v_sum);
     if state.fade >= coeffs.fade_cycles {
         // The fade has just been moved: where it is full, the mode is ON.
         outputs.v_add = v_limited;
@@ -250,7 +255,11 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     let mut reason = error_none();
     // Mostly the mode is ON and the fade full: then nothing but the sections changes.
     if !(may_act(coeffs, inputs) && inputs.mode == mode_on() && state.fade >= coeffs.fade_cycles) {
-        if may_act(coeffs, inputs) {
+        if state.disturbed {
+            runs = false;
+            reason = error_state();
+            state.disturbed = false;
+        } else if may_act(coeffs, inputs) {
             runs = prepare(state, coeffs, inputs);
         } else {
             runs = false;

@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  8fe3d1f2dab55b1cc386ce2a9c62c311
- * checksum    ecbf3641417eef5630f5317d2042fb37
+ * checksum    0b54e6d7606f5118c504bc9d0b41607c
  */
 #include "axis_y_ipc.h"
 
@@ -112,6 +112,9 @@ static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
+/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
+ * anew */
+static const uint32_t error_state = 3u;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
@@ -119,9 +122,11 @@ static const uint32_t error_v_command = 11u; /* error_id: v_command is not withi
 static const uint32_t error_v_direct = 13u; /* error_id: v_direct is not within the sample limit */
 /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 static const double anti_denormal = 1.0e-30;
+static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
 
 void axis_y_ipc_init(axis_y_ipc_state *state)
 {
+    state->disturbed = false;
     state->preset = false;
     state->fade = 0u;
 }
@@ -148,6 +153,10 @@ void axis_y_ipc_step(
             && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
         runs = true;
         reason = error_none;
+    } else if (state->disturbed) {
+        state->disturbed = false;
+        runs = false;
+        reason = error_state;
     } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
             && magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_direct) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
@@ -289,16 +298,21 @@ void axis_y_ipc_step(
             } else {
                 v_limited = v_sum1;
             }
-        } else {
+        } else if (magnitude(v_sum1) <= sum_limit) {
             outputs->limited = true;
             if (v_sum1 > 0.0) {
                 v_limited = limit;
-            } else if (v_sum1 < 0.0) {
-                v_limited = lower_limit;
             } else {
-                /* only a sum that is no number comes here, which no sample in range leads to: nothing is added */
-                v_limited = 0.0;
+                v_limited = lower_limit;
             }
+        } else {
+            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
+             * everything starts anew */
+            outputs->limited = true;
+            state->disturbed = true;
+            state->preset = false;
+            state->fade = 0u;
+            v_limited = 0.0;
         }
         if (state->fade >= fade_cycles) {
             outputs->v_add = v_limited;
@@ -353,44 +367,44 @@ uint32_t axis_y_ipc_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint64_t expected[38] = {
-        UINT64_C(0x403d1d2c74f26640),
-        UINT64_C(0x25099daced673728),
-        UINT64_C(0x9d2c2259c1af8cf3),
-        UINT64_C(0x90534448fa24c20c),
-        UINT64_C(0xad4204612c6244b6),
-        UINT64_C(0xfb54970444cd2837),
-        UINT64_C(0xa862c0a8d6c51aca),
-        UINT64_C(0xbbcd2ca5f3fa5192),
-        UINT64_C(0xfb6b761e7685bc62),
-        UINT64_C(0x1f54682c38cecf9a),
-        UINT64_C(0x7fbf92cab5b62541),
-        UINT64_C(0x9b15070134000933),
-        UINT64_C(0x9fa2710d5b87d24a),
-        UINT64_C(0xd852e6d8bbb0067b),
-        UINT64_C(0x674098eb5c8535b2),
-        UINT64_C(0xde66fe45b190671d),
-        UINT64_C(0xb20e05868ddc8b24),
-        UINT64_C(0xc9468207a93d8b62),
-        UINT64_C(0xe5b58ca6985dcdb4),
-        UINT64_C(0xc4a8dcba7e62a35a),
-        UINT64_C(0xf0c95c9da8dcd257),
-        UINT64_C(0xe9187ce813b7c69a),
-        UINT64_C(0x9e457a77b3e6de4e),
-        UINT64_C(0xd4facc0538d33eda),
-        UINT64_C(0xb8882aa86a6a1d89),
-        UINT64_C(0xf20c2bd5fe3a90b4),
-        UINT64_C(0x4a5b89fedeeb3ffe),
-        UINT64_C(0xcfb0b99aee234415),
-        UINT64_C(0x429f87650e2c5028),
-        UINT64_C(0x3ecece9c9a5d16cd),
-        UINT64_C(0xc37d410407562ef8),
-        UINT64_C(0x85114f7d7af14101),
-        UINT64_C(0x1d985ebc7cc8f946),
-        UINT64_C(0x975cd546f9258245),
-        UINT64_C(0x8f24825ed324fd96),
-        UINT64_C(0x7c80aa9f033336f0),
-        UINT64_C(0x9de37a16ac692522),
-        UINT64_C(0x76b8eb128c4b920a),
+        UINT64_C(0x403d1d2c74f35e40),
+        UINT64_C(0x174d2d437f9d7b9d),
+        UINT64_C(0x2da117e2b9d60eff),
+        UINT64_C(0x876ff06c9210de11),
+        UINT64_C(0x9b422c24c567d746),
+        UINT64_C(0x2c1cd0824dce9336),
+        UINT64_C(0xce7b1d0beb18e273),
+        UINT64_C(0x0adf44d260864407),
+        UINT64_C(0x9643e06f04dd8099),
+        UINT64_C(0x098ea04bbd5cf1e7),
+        UINT64_C(0x2afe78e6db6a704b),
+        UINT64_C(0x639b2e9040d8835c),
+        UINT64_C(0x4070b8b38fa5233a),
+        UINT64_C(0xd8b28694750ea54c),
+        UINT64_C(0xa9691bea01f70fa2),
+        UINT64_C(0x678ea568f1fb8dc7),
+        UINT64_C(0xca26b6ac94bb1215),
+        UINT64_C(0x479f9452bcebef84),
+        UINT64_C(0xf062d77378b3629e),
+        UINT64_C(0xfce6760183c521ea),
+        UINT64_C(0xe4ea5bad71f055f9),
+        UINT64_C(0x899d288f8da1ae7b),
+        UINT64_C(0x31337228b0c7cffc),
+        UINT64_C(0xa25a760942b112e8),
+        UINT64_C(0xa1cf4636921c0d2c),
+        UINT64_C(0x78d7a3e7afae8aab),
+        UINT64_C(0xc0528dcc7672ed8b),
+        UINT64_C(0xa9f10c6d2b305612),
+        UINT64_C(0x51a8da6fb2b625cd),
+        UINT64_C(0x42e102fce233258b),
+        UINT64_C(0xce9d5da920edf59a),
+        UINT64_C(0xd552c29e6a23b7ff),
+        UINT64_C(0xd8487abc31b5e74c),
+        UINT64_C(0xa44be8673751dcf2),
+        UINT64_C(0x11572767d7c8a614),
+        UINT64_C(0x26914a3ca967852e),
+        UINT64_C(0xa9b788bb44c53f07),
+        UINT64_C(0x50c04a67ef6df679),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_y_ipc_state *, const axis_y_ipc_inputs *, axis_y_ipc_outputs *) =
@@ -439,6 +453,7 @@ uint32_t axis_y_ipc_self_test(void)
         digest = fold(digest, outputs.error_id);
         digest = fold(digest, state.preset);
         digest = fold(digest, state.fade);
+        digest = fold(digest, state.disturbed);
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s2));
         digest = fold(digest, bits_of(state.stage0_filter0_section1_s1));

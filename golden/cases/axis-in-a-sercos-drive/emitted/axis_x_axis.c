@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  84c1aaebe7d5efbf7942c2b9e5459fdc
- * checksum    95df68ac917c09ebf9961b3533dd5fb7
+ * checksum    f1e1cd86c9f3a0709dab26e92dfeb7a5
  */
 #include "axis_x_axis.h"
 
@@ -132,14 +132,19 @@ static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
+/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
+ * anew */
+static const uint32_t error_state = 3u;
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_command = 11u; /* error_id: v_command is not within the sample limit */
 /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 static const double anti_denormal = 1.0e-30;
+static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
 
 void axis_x_axis_init(axis_x_axis_state *state)
 {
     state->feedforward_preset = false;
+    state->ipc_disturbed = false;
     state->ipc_preset = false;
     state->ipc_fade = 0u;
     state->position_control_x_held = 0.0;
@@ -284,6 +289,10 @@ void axis_x_axis_step(
                 && state->ipc_fade >= ipc_fade_cycles) {
             ipc_runs = true;
             ipc_reason = error_none;
+        } else if (state->ipc_disturbed) {
+            state->ipc_disturbed = false;
+            ipc_runs = false;
+            ipc_reason = error_state;
         } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
                 && magnitude(inputs->v_interpolator) <= sample_limit) {
             if (state->ipc_preset) {
@@ -362,12 +371,18 @@ void axis_x_axis_step(
                     ipc_v_limited = ipc_v_stage0;
                 }
             } else {
-                if (ipc_v_stage0 > 0.0) {
-                    ipc_v_limited = ipc_limit;
-                } else if (ipc_v_stage0 < 0.0) {
-                    ipc_v_limited = ipc_lower_limit;
+                if (magnitude(ipc_v_stage0) <= sum_limit) {
+                    if (ipc_v_stage0 > 0.0) {
+                        ipc_v_limited = ipc_limit;
+                    } else {
+                        ipc_v_limited = ipc_lower_limit;
+                    }
                 } else {
-                    /* only a sum that is no number comes here, which no sample in range leads to: nothing is added */
+                    /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
+                     * everything starts anew */
+                    state->ipc_disturbed = true;
+                    state->ipc_preset = false;
+                    state->ipc_fade = 0u;
                     ipc_v_limited = 0.0;
                 }
                 limited_until_now = true;
@@ -451,47 +466,47 @@ uint32_t axis_x_axis_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint64_t expected[41] = {
-        UINT64_C(0xe1d0b83cd853dedf),
-        UINT64_C(0xd4cfc867186b253c),
-        UINT64_C(0xe86c018433f746f5),
-        UINT64_C(0xba8755a783468186),
-        UINT64_C(0xb67e156bb91b8274),
-        UINT64_C(0x7324fccf3216503f),
-        UINT64_C(0xac66f5afeab22746),
-        UINT64_C(0xf22e688147c7ad94),
-        UINT64_C(0x050d82428fcfc22e),
-        UINT64_C(0x0974c4546435e539),
-        UINT64_C(0x6c0af18d671d6a86),
-        UINT64_C(0x0bd256af9b8f9841),
-        UINT64_C(0x197ff0a676ec9eb0),
-        UINT64_C(0x0b599464cba83621),
-        UINT64_C(0x9c099cf7d4f6d442),
-        UINT64_C(0xb70be07616b8642c),
-        UINT64_C(0x47f74d4ea6f112b9),
-        UINT64_C(0xf56bc50331a18187),
-        UINT64_C(0x58dd0e96fcc8bb71),
-        UINT64_C(0x5d19975539e40d95),
-        UINT64_C(0xf06f181b49950b37),
-        UINT64_C(0x5ec6575fa7ddabac),
-        UINT64_C(0x59a9ad9abc5d4904),
-        UINT64_C(0x7ac9e0b970c12d50),
-        UINT64_C(0x61bafa6259386bac),
-        UINT64_C(0xac1e779fb563b2e1),
-        UINT64_C(0xf5862e44ae44616c),
-        UINT64_C(0xe2ecfcd1b83738dd),
-        UINT64_C(0x22532bf69ed5ce1b),
-        UINT64_C(0xf8b0af57bcfab6e2),
-        UINT64_C(0x1e596157cca11d26),
-        UINT64_C(0xdb518d390c9de111),
-        UINT64_C(0x2ac2b67a5eaaceba),
-        UINT64_C(0x4ab6acf6b54d58ad),
-        UINT64_C(0xa35d624a4d9c8a30),
-        UINT64_C(0x6e97ffe6ba211e55),
-        UINT64_C(0x7df8b2b2d7fe3bd3),
-        UINT64_C(0xdcc702443f07d943),
-        UINT64_C(0xdaddecb759015ec5),
-        UINT64_C(0xa0dcc018a12bfd8d),
-        UINT64_C(0x418451ff58726a78),
+        UINT64_C(0xbee5b31c57159942),
+        UINT64_C(0x9124cd5f377daabb),
+        UINT64_C(0x901d7dd31de49351),
+        UINT64_C(0x1b271aeb8244a0a1),
+        UINT64_C(0x5900f44433e952f6),
+        UINT64_C(0x707fd0a5a1be5aae),
+        UINT64_C(0x9c633ff8d4858bf7),
+        UINT64_C(0xef77be4f09031a00),
+        UINT64_C(0x58009e7d0ee08aad),
+        UINT64_C(0xd3cdb63b45d9494a),
+        UINT64_C(0x1ef7229e5851e8f8),
+        UINT64_C(0x7cfecaa34b6931aa),
+        UINT64_C(0x486adf6cf297eb3a),
+        UINT64_C(0xef02c30154a65146),
+        UINT64_C(0x3630c02ee7f01c93),
+        UINT64_C(0x2b8e3ea42d63111d),
+        UINT64_C(0x0d027b650df5854e),
+        UINT64_C(0x2e3638730d9da598),
+        UINT64_C(0x07a2bf42ea377a57),
+        UINT64_C(0xf700c16730e37251),
+        UINT64_C(0xcbbb34c88c4d728e),
+        UINT64_C(0xb9fe2eb43ccdbbb6),
+        UINT64_C(0x40eb5c38bdf7a173),
+        UINT64_C(0x2b0480a641f46ef7),
+        UINT64_C(0x0e398fb94f5c9d5f),
+        UINT64_C(0x9a50d4dc9d0594f7),
+        UINT64_C(0xa05f49593d3bae65),
+        UINT64_C(0x6214b8f4c0e60141),
+        UINT64_C(0x019329c0a835d54c),
+        UINT64_C(0x51b8996f55e7e2c1),
+        UINT64_C(0x179672cb2cf74acc),
+        UINT64_C(0x9af1f379b534dcd8),
+        UINT64_C(0xf705cddc3c526f4b),
+        UINT64_C(0xa500700b790b005a),
+        UINT64_C(0x64e2ac4ffe9c8466),
+        UINT64_C(0x28ad830d7b36f3a1),
+        UINT64_C(0xb3170c839da71ebd),
+        UINT64_C(0xf644da661faba13c),
+        UINT64_C(0xdd865fde3c82d243),
+        UINT64_C(0x3ede03a4221085f2),
+        UINT64_C(0x798985305ef30836),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_axis_state *, const axis_x_axis_inputs *, axis_x_axis_outputs *) =
@@ -555,6 +570,7 @@ uint32_t axis_x_axis_self_test(void)
         digest = fold(digest, bits_of(state.feedforward_acceleration_delay_x5));
         digest = fold(digest, state.ipc_preset);
         digest = fold(digest, state.ipc_fade);
+        digest = fold(digest, state.ipc_disturbed);
         digest = fold(digest, bits_of(state.ipc_stage0_oscillation_s1));
         digest = fold(digest, bits_of(state.ipc_stage0_oscillation_s2));
         digest = fold(digest, bits_of(state.ipc_stage0_filter0_section0_s1));

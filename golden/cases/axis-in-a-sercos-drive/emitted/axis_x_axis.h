@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  84c1aaebe7d5efbf7942c2b9e5459fdc
- * checksum    f342a649cce4e917d8e45fae788ce6d3
+ * checksum    ac61d17106c450dfcc25a1f90c4cee5c
  */
 #ifndef AXIS_X_AXIS_H
 #define AXIS_X_AXIS_H
@@ -40,7 +40,8 @@ typedef struct {
     int32_t additive_torque; /* additive torque command of the drive (P-AXIS-00325/00326) [increments] */
     int32_t additive_velocity; /* additive velocity command of the drive (P-AXIS-00205 to 00207) [increments] */
     /* of several parts the last one's; cycle_time, x_command and x_actual stop the axis, the others the part that
-     * reads them: 0 none, 1 cycle_time, 2 mode, 11 v_command, 14 v_interpolator, 15 a_interpolator, 17 x_command */
+     * reads them: 0 none, 1 cycle_time, 2 mode, 3 state, 11 v_command, 14 v_interpolator, 15 a_interpolator, 17
+     * x_command */
     uint32_t error_id;
     bool limited; /* the limit of v_add or a process-data type cuts an output off in this cycle */
     bool fault; /* a part of the block cannot act in this cycle, the id says why */
@@ -58,6 +59,7 @@ typedef struct {
     double feedforward_acceleration_delay_x5; /* the samples before the present one, the latest first */
     bool ipc_preset; /* whether the sections have been preset to the steady state of an input */
     uint32_t ipc_fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
+    bool ipc_disturbed; /* whether a state was overwritten, as the cycle before has shown */
     double ipc_stage0_oscillation_s1; /* what the next output takes over */
     double ipc_stage0_oscillation_s2; /* what `s1` takes over */
     double ipc_stage0_filter0_section0_s1; /* what the next output takes over */

@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  d9834b11557cb1d69918abf7f9c4bf67
- * checksum    a3ec527d8efe2e87b2d3106f5648b20a
+ * checksum    c4abe2ee9236175b43b5675ac2f7dba9
  */
 #include "axis_f_axis.h"
 
@@ -103,13 +103,19 @@ static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
+/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
+ * anew */
+static const uint32_t error_state = 3u;
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
 /* added to every change and to low, so that a section at rest never decays into subnormal numbers */
 static const float least_change = 1.0e-18f;
+/* largest magnitude of a sum of stages: beyond it a state has been overwritten */
+static const float sum_limit = 1000000000000000.0f;
 
 void axis_f_axis_init(axis_f_axis_state *state)
 {
+    state->ipc_disturbed = false;
     state->ipc_preset = false;
     state->ipc_fade = 0u;
 }
@@ -210,6 +216,10 @@ void axis_f_axis_step(
                 && state->ipc_fade >= ipc_fade_cycles) {
             ipc_runs = true;
             ipc_reason = error_none;
+        } else if (state->ipc_disturbed) {
+            state->ipc_disturbed = false;
+            ipc_runs = false;
+            ipc_reason = error_state;
         } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
                 && magnitude(inputs->v_motor) <= sample_limit) {
             if (state->ipc_preset) {
@@ -277,12 +287,18 @@ void axis_f_axis_step(
                     ipc_v_limited = ipc_v_stage0;
                 }
             } else {
-                if (ipc_v_stage0 > 0.0f) {
-                    ipc_v_limited = ipc_limit;
-                } else if (ipc_v_stage0 < 0.0f) {
-                    ipc_v_limited = ipc_lower_limit;
+                if (magnitude(ipc_v_stage0) <= sum_limit) {
+                    if (ipc_v_stage0 > 0.0f) {
+                        ipc_v_limited = ipc_limit;
+                    } else {
+                        ipc_v_limited = ipc_lower_limit;
+                    }
                 } else {
-                    /* only a sum that is no number comes here, which no sample in range leads to: nothing is added */
+                    /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
+                     * everything starts anew */
+                    state->ipc_disturbed = true;
+                    state->ipc_preset = false;
+                    state->ipc_fade = 0u;
                     ipc_v_limited = 0.0f;
                 }
                 limited_so_far = true;
@@ -366,50 +382,50 @@ uint32_t axis_f_axis_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint32_t expected[44] = {
-        UINT32_C(0x273a3a46),
-        UINT32_C(0x97a81625),
-        UINT32_C(0x3fdbd295),
-        UINT32_C(0xf27d4c96),
-        UINT32_C(0x69922457),
-        UINT32_C(0x2e5bc479),
-        UINT32_C(0x24821700),
-        UINT32_C(0xcc57c2a5),
-        UINT32_C(0xcea3e735),
-        UINT32_C(0xaabd7363),
-        UINT32_C(0x87a4f25e),
-        UINT32_C(0x163cc110),
-        UINT32_C(0xb7ad2133),
-        UINT32_C(0xd9442556),
-        UINT32_C(0x7d79d058),
-        UINT32_C(0x0f8a5527),
-        UINT32_C(0x107fa01b),
-        UINT32_C(0x0d80288b),
-        UINT32_C(0x6284f834),
-        UINT32_C(0xdca3c775),
-        UINT32_C(0x6978793b),
-        UINT32_C(0x6d41f5dd),
-        UINT32_C(0xf876cc29),
-        UINT32_C(0x7776ccbf),
-        UINT32_C(0x737c9dc8),
-        UINT32_C(0xa096c7e9),
-        UINT32_C(0x2a44cef3),
-        UINT32_C(0xaca00711),
-        UINT32_C(0x03f18084),
-        UINT32_C(0xc68bfafb),
-        UINT32_C(0x940a13a9),
-        UINT32_C(0x4db9eb21),
-        UINT32_C(0x64c64f56),
-        UINT32_C(0x052791f5),
-        UINT32_C(0x2f94181e),
-        UINT32_C(0x67b8f5d5),
-        UINT32_C(0x80d184f6),
-        UINT32_C(0xd5101f82),
-        UINT32_C(0x182da5ab),
-        UINT32_C(0x318a644c),
-        UINT32_C(0xbbdbd88a),
-        UINT32_C(0x73195948),
-        UINT32_C(0xa33944b2),
-        UINT32_C(0x8ac18644),
+        UINT32_C(0x4806c7ad),
+        UINT32_C(0x88e59d63),
+        UINT32_C(0x4a89e365),
+        UINT32_C(0x2ad3fa49),
+        UINT32_C(0x77962ec4),
+        UINT32_C(0x76acab5b),
+        UINT32_C(0xb325d33c),
+        UINT32_C(0x4620be49),
+        UINT32_C(0x3253cf00),
+        UINT32_C(0x0e8ce89d),
+        UINT32_C(0xb363a7b9),
+        UINT32_C(0xd777ed8e),
+        UINT32_C(0xae5db60e),
+        UINT32_C(0x44b38f58),
+        UINT32_C(0xfaa1806c),
+        UINT32_C(0xbfa04781),
+        UINT32_C(0xd0589ef5),
+        UINT32_C(0xa63f4e78),
+        UINT32_C(0xe38cca38),
+        UINT32_C(0xebe48bac),
+        UINT32_C(0x10b9d0ec),
+        UINT32_C(0x0d35280d),
+        UINT32_C(0x46367c64),
+        UINT32_C(0xe18e2072),
+        UINT32_C(0x9cbc64da),
+        UINT32_C(0xc420b381),
+        UINT32_C(0xb5d3dde3),
+        UINT32_C(0x95303333),
+        UINT32_C(0x585c73db),
+        UINT32_C(0xfb256521),
+        UINT32_C(0xc8b15e23),
+        UINT32_C(0x191364a0),
+        UINT32_C(0x06aa3daa),
+        UINT32_C(0x30a7ae6e),
+        UINT32_C(0xfac38729),
+        UINT32_C(0x3337e3b0),
+        UINT32_C(0xbf26b71f),
+        UINT32_C(0xef4be170),
+        UINT32_C(0x7b0d4819),
+        UINT32_C(0x0c78f16b),
+        UINT32_C(0xd171c12e),
+        UINT32_C(0xe74e01ca),
+        UINT32_C(0xa2c58d93),
+        UINT32_C(0xf88ea612),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_f_axis_state *, const axis_f_axis_inputs *, axis_f_axis_outputs *) =
@@ -464,6 +480,7 @@ uint32_t axis_f_axis_self_test(void)
         digest = fold(digest, outputs.fault);
         digest = fold(digest, state.ipc_preset);
         digest = fold(digest, state.ipc_fade);
+        digest = fold(digest, state.ipc_disturbed);
         digest = fold(digest, bits_of(state.ipc_source_v_motor_before));
         digest = fold(digest, bits_of(state.ipc_stage0_filter0_section0_s1));
         digest = fold(digest, bits_of(state.ipc_stage0_filter0_section0_p));

@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  d9834b11557cb1d69918abf7f9c4bf67
- * checksum    4819a49fc6e5b479e592a6b1c767e22f
+ * checksum    b9d20bcf53dec8abfb04ec984085dad7
  */
 #ifndef AXIS_F_AXIS_H
 #define AXIS_F_AXIS_H
@@ -42,7 +42,7 @@ typedef struct {
     /* position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments] */
     int32_t manipulated_variable;
     /* of several parts the last one's; cycle_time, x_command and x_actual stop the axis, the others the part that
-     * reads them: 0 none, 1 cycle_time, 2 mode, 12 v_motor, 14 v_interpolator, 17 x_command, 18 x_actual */
+     * reads them: 0 none, 1 cycle_time, 2 mode, 3 state, 12 v_motor, 14 v_interpolator, 17 x_command, 18 x_actual */
     uint32_t error_id;
     bool limited; /* the limit of v_add or a process-data type cuts an output off in this cycle */
     bool fault; /* a part of the block cannot act in this cycle, the id says why */
@@ -52,6 +52,7 @@ typedef struct {
 typedef struct {
     bool ipc_preset; /* whether the sections have been preset to the steady state of an input */
     uint32_t ipc_fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
+    bool ipc_disturbed; /* whether a state was overwritten, as the cycle before has shown */
     float ipc_source_v_motor_before; /* the value of the cycle before */
     float ipc_stage0_filter0_section0_s1; /* what the next output takes over */
     float ipc_stage0_filter0_section0_p; /* the input without its low-pass part */

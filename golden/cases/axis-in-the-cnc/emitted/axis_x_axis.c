@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e5deef9d65ceb21ba9e8f5a959e207a2
- * checksum    5bab7f7ad72a9bd64207bf0dd3293089
+ * checksum    de651be1bd121164978e6c729bd413ee
  */
 #include "axis_x_axis.h"
 
@@ -131,13 +131,18 @@ static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
+/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
+ * anew */
+static const uint32_t error_state = 3u;
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
 /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 static const double anti_denormal = 1.0e-30;
+static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
 
 void axis_x_axis_init(axis_x_axis_state *state)
 {
+    state->ipc_disturbed = false;
     state->ipc_preset = false;
     state->ipc_fade = 0u;
 }
@@ -244,6 +249,10 @@ void axis_x_axis_step(
                 && state->ipc_fade >= ipc_fade_cycles) {
             ipc_runs = true;
             ipc_reason = error_none;
+        } else if (state->ipc_disturbed) {
+            state->ipc_disturbed = false;
+            ipc_runs = false;
+            ipc_reason = error_state;
         } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
                 && magnitude(inputs->v_motor) <= sample_limit) {
             if (state->ipc_preset) {
@@ -340,12 +349,18 @@ void axis_x_axis_step(
                     ipc_v_limited = ipc_v_sum1;
                 }
             } else {
-                if (ipc_v_sum1 > 0.0) {
-                    ipc_v_limited = ipc_limit;
-                } else if (ipc_v_sum1 < 0.0) {
-                    ipc_v_limited = ipc_lower_limit;
+                if (magnitude(ipc_v_sum1) <= sum_limit) {
+                    if (ipc_v_sum1 > 0.0) {
+                        ipc_v_limited = ipc_limit;
+                    } else {
+                        ipc_v_limited = ipc_lower_limit;
+                    }
                 } else {
-                    /* only a sum that is no number comes here, which no sample in range leads to: nothing is added */
+                    /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
+                     * everything starts anew */
+                    state->ipc_disturbed = true;
+                    state->ipc_preset = false;
+                    state->ipc_fade = 0u;
                     ipc_v_limited = 0.0;
                 }
                 limited_so_far = true;
@@ -429,53 +444,53 @@ uint32_t axis_x_axis_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint64_t expected[47] = {
-        UINT64_C(0x77482edc2b85e86d),
-        UINT64_C(0xb52d48cf94697eb4),
-        UINT64_C(0xf9bb970701a8f6de),
-        UINT64_C(0x936bf76f03ffd015),
-        UINT64_C(0xe30c10e1bf42e693),
-        UINT64_C(0x311ea799bb529996),
-        UINT64_C(0x660ab7ccab3d40a0),
-        UINT64_C(0x868f237c62f61144),
-        UINT64_C(0x418c945b7c618eaa),
-        UINT64_C(0xfe4caa212ca8509b),
-        UINT64_C(0xc2216c590c79fcae),
-        UINT64_C(0xf183b1592e25dbf8),
-        UINT64_C(0x3579cbeea05ea798),
-        UINT64_C(0xb77789d45a0af25f),
-        UINT64_C(0xcb5bd6e9bcb649cf),
-        UINT64_C(0xc4c05ed8462cd348),
-        UINT64_C(0x71b77fe1ad9715c0),
-        UINT64_C(0x6db3eebf20846c9e),
-        UINT64_C(0x2d12294e7b704028),
-        UINT64_C(0x743aa05207786603),
-        UINT64_C(0x3a5d5c1d553bad68),
-        UINT64_C(0x9d7889007dd085e1),
-        UINT64_C(0xfd9817ca175dad7c),
-        UINT64_C(0x456b5234c5e64379),
-        UINT64_C(0xa33d047758154062),
-        UINT64_C(0xde533e068d9d26fb),
-        UINT64_C(0xdeb2a863f7881c40),
-        UINT64_C(0xc733385f9b601350),
-        UINT64_C(0x8fe21b17a09ca4c1),
-        UINT64_C(0x8a82f3e8d12c536f),
-        UINT64_C(0x39e5e1816e12f4ea),
-        UINT64_C(0xcfcaa6bcae4c2aee),
-        UINT64_C(0x316c0a5b9300b600),
-        UINT64_C(0x4ebedbccb70f4005),
-        UINT64_C(0x1ec716aef072bc93),
-        UINT64_C(0xe3a75e90fa87c017),
-        UINT64_C(0xc2723cc397b57799),
-        UINT64_C(0x449ba86006f6164e),
-        UINT64_C(0xbf40e2d2af8008f0),
-        UINT64_C(0x938f1bb4c98cf9ee),
-        UINT64_C(0x6844e2b42190078e),
-        UINT64_C(0xa5907758d9eb0722),
-        UINT64_C(0x3e70a9ea5e45fd4b),
-        UINT64_C(0xc34cd7764cf3bc1a),
-        UINT64_C(0xefa3286b9e0d6c5a),
-        UINT64_C(0xc290cbadb99d55f6),
-        UINT64_C(0x3fb50cc7930d2a5d),
+        UINT64_C(0xad6f6e999b37ab8a),
+        UINT64_C(0x61c0a33f1d61b95a),
+        UINT64_C(0x72dca0ccbdb02366),
+        UINT64_C(0x26e9fe6a186c8cff),
+        UINT64_C(0xc19839738d122c47),
+        UINT64_C(0x06425c945db78d2d),
+        UINT64_C(0xde0d1b614d916235),
+        UINT64_C(0x8d0128f1665cfbcf),
+        UINT64_C(0x5fce4535521665b5),
+        UINT64_C(0xdd6062e0a7fa92f8),
+        UINT64_C(0x14d4b49c3ab8c9f1),
+        UINT64_C(0x589b993507a1e8c7),
+        UINT64_C(0xe4be8178514a6009),
+        UINT64_C(0xda312c24fd2c4a91),
+        UINT64_C(0xccb7efec025b513a),
+        UINT64_C(0xa77ce62a12a86855),
+        UINT64_C(0xdaf324c5a29728cf),
+        UINT64_C(0xd556b2f916bfc946),
+        UINT64_C(0x477b68c686c27f0b),
+        UINT64_C(0xb6556f9622980dde),
+        UINT64_C(0x1f5c43613f7eae8c),
+        UINT64_C(0x5770921b3ca5afc8),
+        UINT64_C(0xc8c12ea90adf9ae1),
+        UINT64_C(0x67a3cd592f344b5a),
+        UINT64_C(0x872a6414708508d6),
+        UINT64_C(0xb0828dd4e3ce7844),
+        UINT64_C(0xc760a26a5de58876),
+        UINT64_C(0x52302ed32579b872),
+        UINT64_C(0xef5b76b3f2979ded),
+        UINT64_C(0xb16b44c5fdaba7b3),
+        UINT64_C(0xfe5d20878a812bfc),
+        UINT64_C(0xb7d2f196dfd9dd5b),
+        UINT64_C(0x2d142d1f4eb15e9c),
+        UINT64_C(0xd630886305f75dd4),
+        UINT64_C(0x55c7d17f40909044),
+        UINT64_C(0x9463829e23b19b67),
+        UINT64_C(0xf047e85fb8bf5221),
+        UINT64_C(0x0ba2a4896147f561),
+        UINT64_C(0x882217f3f63f93ea),
+        UINT64_C(0x3b9359f8e0d9b9b6),
+        UINT64_C(0xb925191e1634d326),
+        UINT64_C(0x3b9887d86d607d73),
+        UINT64_C(0x4060ddfc2fb9df1c),
+        UINT64_C(0xa16bf7a0cf94b853),
+        UINT64_C(0xe06fb52807c9e2af),
+        UINT64_C(0x56e02fd610e579bd),
+        UINT64_C(0xec3240a4d20ca379),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_axis_state *, const axis_x_axis_inputs *, axis_x_axis_outputs *) =
@@ -537,6 +552,7 @@ uint32_t axis_x_axis_self_test(void)
         digest = fold(digest, outputs.fault);
         digest = fold(digest, state.ipc_preset);
         digest = fold(digest, state.ipc_fade);
+        digest = fold(digest, state.ipc_disturbed);
         digest = fold(digest, bits_of(state.ipc_stage0_filter0_section0_s1));
         digest = fold(digest, bits_of(state.ipc_stage0_filter0_section0_s2));
         digest = fold(digest, bits_of(state.ipc_stage1_oscillation_s1));

@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e5deef9d65ceb21ba9e8f5a959e207a2
- * checksum    2667f7b98899d26eedc6f6ef5a07872d
+ * checksum    c31852ffc95c03450cca8bf124c26eda
  */
 #ifndef AXIS_X_AXIS_H
 #define AXIS_X_AXIS_H
@@ -43,8 +43,8 @@ typedef struct {
     /* position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments] */
     int32_t manipulated_variable;
     /* of several parts the last one's; cycle_time, x_command and x_actual stop the axis, the others the part that
-     * reads them: 0 none, 1 cycle_time, 2 mode, 12 v_motor, 14 v_interpolator, 15 a_interpolator, 17 x_command, 18
-     * x_actual */
+     * reads them: 0 none, 1 cycle_time, 2 mode, 3 state, 12 v_motor, 14 v_interpolator, 15 a_interpolator, 17
+     * x_command, 18 x_actual */
     uint32_t error_id;
     bool limited; /* the limit of v_add or a process-data type cuts an output off in this cycle */
     bool fault; /* a part of the block cannot act in this cycle, the id says why */
@@ -54,6 +54,7 @@ typedef struct {
 typedef struct {
     bool ipc_preset; /* whether the sections have been preset to the steady state of an input */
     uint32_t ipc_fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
+    bool ipc_disturbed; /* whether a state was overwritten, as the cycle before has shown */
     double ipc_stage0_filter0_section0_s1; /* what the next output takes over */
     double ipc_stage0_filter0_section0_s2; /* what `s1` takes over */
     double ipc_stage1_oscillation_s1; /* what the next output takes over */

@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bd44f2a00da1e1a22158ebdf82114826
- * checksum    3478f5d8a839678054f07eab9a7a2b0b
+ * checksum    59b1ae0211dc41a47f15f3aa682ad3df
  */
 #include "axis_x_ipc.h"
 
@@ -106,6 +106,9 @@ static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
+/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
+ * anew */
+static const uint32_t error_state = 3u;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
@@ -114,9 +117,11 @@ static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within th
 static const uint32_t error_v_direct = 13u; /* error_id: v_direct is not within the sample limit */
 /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 static const double anti_denormal = 1.0e-30;
+static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
 
 void axis_x_ipc_init(axis_x_ipc_state *state)
 {
+    state->disturbed = false;
     state->preset = false;
     state->fade = 0u;
 }
@@ -145,6 +150,10 @@ void axis_x_ipc_step(
             && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
         runs = true;
         reason = error_none;
+    } else if (state->disturbed) {
+        state->disturbed = false;
+        runs = false;
+        reason = error_state;
     } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
             && magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit
             && magnitude(inputs->v_direct) <= sample_limit
@@ -272,16 +281,21 @@ void axis_x_ipc_step(
             } else {
                 v_limited = v_sum2;
             }
-        } else {
+        } else if (magnitude(v_sum2) <= sum_limit) {
             outputs->limited = true;
             if (v_sum2 > 0.0) {
                 v_limited = limit;
-            } else if (v_sum2 < 0.0) {
-                v_limited = lower_limit;
             } else {
-                /* only a sum that is no number comes here, which no sample in range leads to: nothing is added */
-                v_limited = 0.0;
+                v_limited = lower_limit;
             }
+        } else {
+            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
+             * everything starts anew */
+            outputs->limited = true;
+            state->disturbed = true;
+            state->preset = false;
+            state->fade = 0u;
+            v_limited = 0.0;
         }
         if (state->fade >= fade_cycles) {
             outputs->v_add = v_limited;
@@ -336,47 +350,47 @@ uint32_t axis_x_ipc_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint64_t expected[41] = {
-        UINT64_C(0xa7835009349ea788),
-        UINT64_C(0x5829c2e625c397f5),
-        UINT64_C(0x07327025b7413752),
-        UINT64_C(0xa4b44384bedb9592),
-        UINT64_C(0x9b68c33f09361793),
-        UINT64_C(0x3776925be2ba5053),
-        UINT64_C(0xdb2892d4065857a1),
-        UINT64_C(0x734bdfde0da6f3ce),
-        UINT64_C(0x7e51d44feb288d64),
-        UINT64_C(0x8591c3c11b2b0301),
-        UINT64_C(0x08ff25c2aa7ab4c2),
-        UINT64_C(0x3f2f2435babe2bc7),
-        UINT64_C(0x97ff228f3bbe6797),
-        UINT64_C(0xbe84d4dfaab220d8),
-        UINT64_C(0x3a028d9d45860de3),
-        UINT64_C(0x16101e66443663dd),
-        UINT64_C(0x3d7b4ef2eb9d484e),
-        UINT64_C(0x29520ab94c0df384),
-        UINT64_C(0xfd5f41d4918af2ea),
-        UINT64_C(0xda483210a9d8aafa),
-        UINT64_C(0xbb3d2bb9b53da4ae),
-        UINT64_C(0xcbac62555199f0af),
-        UINT64_C(0x7eee1465ab6f9ce1),
-        UINT64_C(0xa8a372a280baea07),
-        UINT64_C(0x4b43d1f6fa7ea42c),
-        UINT64_C(0xe2f756ba5f6c186c),
-        UINT64_C(0xf0ee2f1b568683da),
-        UINT64_C(0x66ca794dd878361b),
-        UINT64_C(0x3709e068adea7fca),
-        UINT64_C(0x4fa2d11e7a0dd0c7),
-        UINT64_C(0xbe4ea5c9013a3635),
-        UINT64_C(0x2e019a207b18aafc),
-        UINT64_C(0x09122d32273027bf),
-        UINT64_C(0x76d03deeb6b6b592),
-        UINT64_C(0x64cf79990f6c7e10),
-        UINT64_C(0xcbd0ad4c56e389f3),
-        UINT64_C(0x49bd95f585cb0823),
-        UINT64_C(0x043eb3e56ae13815),
-        UINT64_C(0x08c1fbc6c85e2685),
-        UINT64_C(0x2535315535eac78f),
-        UINT64_C(0x679ab61c1fc0f96b),
+        UINT64_C(0xb7035009349ea788),
+        UINT64_C(0xcbd5aaa7598b311f),
+        UINT64_C(0x5754047739b588e5),
+        UINT64_C(0xed46511fa5649481),
+        UINT64_C(0xe9669a1e1c969a85),
+        UINT64_C(0x5787a60349ec8184),
+        UINT64_C(0x321b9bb53b85f3f9),
+        UINT64_C(0x1db92bab00348161),
+        UINT64_C(0x3e10f276f5d10cb7),
+        UINT64_C(0x4a5ce85112140236),
+        UINT64_C(0x758a44133f83eccf),
+        UINT64_C(0x698fde7de48ccfc2),
+        UINT64_C(0xd4a12c8548a149e5),
+        UINT64_C(0x74a979f564838bfa),
+        UINT64_C(0x95ab150f890c0fa8),
+        UINT64_C(0x092735bc57d0c825),
+        UINT64_C(0xd4c7b022c106845d),
+        UINT64_C(0x886fa34ab8a3d7a5),
+        UINT64_C(0xb5e5427a2eba634a),
+        UINT64_C(0xa42716eefbc365ea),
+        UINT64_C(0xa76b8c3499ee56ee),
+        UINT64_C(0x6cfb802f968f19b1),
+        UINT64_C(0x75b0802b1a0a2b6d),
+        UINT64_C(0x163936010ada203f),
+        UINT64_C(0xf3ec2de57bf738ef),
+        UINT64_C(0x2dc0b9146a4fddae),
+        UINT64_C(0x8c01c86582997915),
+        UINT64_C(0x8da6b75030971464),
+        UINT64_C(0x01d569c0c4053ed5),
+        UINT64_C(0x81aeba348fefff2e),
+        UINT64_C(0xd1b5883e6240d1f6),
+        UINT64_C(0x012cb661ab750b3b),
+        UINT64_C(0x5f7bd2b8060c9e23),
+        UINT64_C(0x2d1688ae1787a9c3),
+        UINT64_C(0x589e426b2b1b980a),
+        UINT64_C(0xdf37e775619a8237),
+        UINT64_C(0x2ac5238d24c69732),
+        UINT64_C(0x2f2d14e12f2b3a78),
+        UINT64_C(0xc5dd4c89a662786a),
+        UINT64_C(0x8801b079d0684a09),
+        UINT64_C(0xd941b9eb54158b0f),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
@@ -427,6 +441,7 @@ uint32_t axis_x_ipc_self_test(void)
         digest = fold(digest, outputs.error_id);
         digest = fold(digest, state.preset);
         digest = fold(digest, state.fade);
+        digest = fold(digest, state.disturbed);
         digest = fold(digest, bits_of(state.stage0_oscillation_s1));
         digest = fold(digest, bits_of(state.stage0_oscillation_s2));
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));

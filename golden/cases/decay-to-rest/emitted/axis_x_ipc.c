@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  2b6b454d807178c76ac4587468cd00d6
- * checksum    f5125dbf6d53a6fb4c7a45a23dac2047
+ * checksum    aaf0894c3342adc42aab4470bb63a5ca
  */
 #include "axis_x_ipc.h"
 
@@ -101,15 +101,20 @@ static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
+/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
+ * anew */
+static const uint32_t error_state = 3u;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
 /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 static const double anti_denormal = 1.0e-30;
+static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
 
 void axis_x_ipc_init(axis_x_ipc_state *state)
 {
+    state->disturbed = false;
     state->preset = false;
     state->fade = 0u;
 }
@@ -135,6 +140,10 @@ void axis_x_ipc_step(
             && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
         runs = true;
         reason = error_none;
+    } else if (state->disturbed) {
+        state->disturbed = false;
+        runs = false;
+        reason = error_state;
     } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
             && magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
@@ -251,16 +260,21 @@ void axis_x_ipc_step(
             } else {
                 v_limited = v_sum1;
             }
-        } else {
+        } else if (magnitude(v_sum1) <= sum_limit) {
             outputs->limited = true;
             if (v_sum1 > 0.0) {
                 v_limited = limit;
-            } else if (v_sum1 < 0.0) {
-                v_limited = lower_limit;
             } else {
-                /* only a sum that is no number comes here, which no sample in range leads to: nothing is added */
-                v_limited = 0.0;
+                v_limited = lower_limit;
             }
+        } else {
+            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
+             * everything starts anew */
+            outputs->limited = true;
+            state->disturbed = true;
+            state->preset = false;
+            state->fade = 0u;
+            v_limited = 0.0;
         }
         if (state->fade >= fade_cycles) {
             outputs->v_add = v_limited;
@@ -315,41 +329,41 @@ uint32_t axis_x_ipc_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint64_t expected[35] = {
-        UINT64_C(0x84e9cb2073b4423f),
-        UINT64_C(0xa87841a8bba5635b),
-        UINT64_C(0x2bf8441224412c35),
-        UINT64_C(0xe67236c299d327ca),
-        UINT64_C(0xe21f22342d6a0993),
-        UINT64_C(0x5f2daff328a19867),
-        UINT64_C(0x2c504d79facb58fc),
-        UINT64_C(0x739e8c57969e2956),
-        UINT64_C(0x6d99d6b1478f5c6a),
-        UINT64_C(0x28dc723cc02cb362),
-        UINT64_C(0x2033f19be79d5cb0),
-        UINT64_C(0x012e5898d6845476),
-        UINT64_C(0x4faacc0fc5195297),
-        UINT64_C(0xff53f545a6928868),
-        UINT64_C(0xb521b7aed26e89eb),
-        UINT64_C(0x24409ad581307428),
-        UINT64_C(0x571f6fc03907dc79),
-        UINT64_C(0x8cbd537649d13cbb),
-        UINT64_C(0x1a8a1992140cdc07),
-        UINT64_C(0x533dbb3a0633f23d),
-        UINT64_C(0x6c1bc909fbb79b0e),
-        UINT64_C(0xd8b8b90b5460aa99),
-        UINT64_C(0x45dd1febc4c9953d),
-        UINT64_C(0x184c120c3abf9ffd),
-        UINT64_C(0x9ec1fa7e9450a9af),
-        UINT64_C(0xc80ca2af5f68dfe6),
-        UINT64_C(0xb226e15139b8a1ac),
-        UINT64_C(0x3888bbebb64b6d00),
-        UINT64_C(0x4e357c7798c7fbe7),
-        UINT64_C(0xf8c6e04e1466fc19),
-        UINT64_C(0xbd8c468ecce3cecd),
-        UINT64_C(0x59a95a7ce6ca4b9a),
-        UINT64_C(0x989008a88a5e1516),
-        UINT64_C(0xec0b9a958b0c35e9),
-        UINT64_C(0x57b19943dc5479c2),
+        UINT64_C(0x9469cb2073b4423f),
+        UINT64_C(0x06389c2972066dc3),
+        UINT64_C(0xac28e91d04e4ff9d),
+        UINT64_C(0xe2f99a63667f8ffc),
+        UINT64_C(0xc8489fdb9cace7dd),
+        UINT64_C(0x9a74b85398b70110),
+        UINT64_C(0x70add24dbfe8db79),
+        UINT64_C(0xf698bb2c675dec33),
+        UINT64_C(0xaa31122ad95284b2),
+        UINT64_C(0x5655469217045ef6),
+        UINT64_C(0xff74e72c389181c2),
+        UINT64_C(0x9c2d18f67eda1a0e),
+        UINT64_C(0x35c92aa9129fc9db),
+        UINT64_C(0x533ad384c68eb72a),
+        UINT64_C(0x34e42f6ab77a129b),
+        UINT64_C(0xcdbfa63df16ca072),
+        UINT64_C(0x7cae8a59676cd565),
+        UINT64_C(0xf27505307223167b),
+        UINT64_C(0x05357018d38ca40a),
+        UINT64_C(0xe43b25453b26fd75),
+        UINT64_C(0x25b89e09edc4a3b6),
+        UINT64_C(0x6c302255f79c03b4),
+        UINT64_C(0x72d144053c6e17b0),
+        UINT64_C(0xd8aa14a63ce76bc0),
+        UINT64_C(0x5ef92bb2d6776329),
+        UINT64_C(0x96596378bd06bab6),
+        UINT64_C(0x973c22846e98a562),
+        UINT64_C(0x2e0e3e6496ece393),
+        UINT64_C(0xf28e669883614b86),
+        UINT64_C(0x56116c7cb3501ed9),
+        UINT64_C(0x1d02f92aaee51f8a),
+        UINT64_C(0x95337281358fd1f0),
+        UINT64_C(0x9cad6ea6995f59c2),
+        UINT64_C(0xac7fac31f49385a2),
+        UINT64_C(0xf42e86d36bc29f33),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
@@ -394,6 +408,7 @@ uint32_t axis_x_ipc_self_test(void)
         digest = fold(digest, outputs.error_id);
         digest = fold(digest, state.preset);
         digest = fold(digest, state.fade);
+        digest = fold(digest, state.disturbed);
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s2));
         digest = fold(digest, bits_of(state.stage0_filter0_section1_s1));

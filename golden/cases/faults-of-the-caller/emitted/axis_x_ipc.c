@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  8f2a4ef34fb3ccdce79b4bb3427fd798
- * checksum    214696f2db765db9a5febe3bfa4fc669
+ * checksum    81519fd8ef9cbe6570379e59887ce411
  */
 #include "axis_x_ipc.h"
 
@@ -90,15 +90,20 @@ static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
+/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
+ * anew */
+static const uint32_t error_state = 3u;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_command = 11u; /* error_id: v_command is not within the sample limit */
 /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 static const double anti_denormal = 1.0e-30;
+static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
 
 void axis_x_ipc_init(axis_x_ipc_state *state)
 {
+    state->disturbed = false;
     state->preset = false;
     state->fade = 0u;
 }
@@ -124,6 +129,10 @@ void axis_x_ipc_step(
             && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
         runs = true;
         reason = error_none;
+    } else if (state->disturbed) {
+        state->disturbed = false;
+        runs = false;
+        reason = error_state;
     } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
             && magnitude(inputs->v_command) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
@@ -218,16 +227,21 @@ void axis_x_ipc_step(
             } else {
                 v_limited = v_stage0;
             }
-        } else {
+        } else if (magnitude(v_stage0) <= sum_limit) {
             outputs->limited = true;
             if (v_stage0 > 0.0) {
                 v_limited = limit;
-            } else if (v_stage0 < 0.0) {
-                v_limited = lower_limit;
             } else {
-                /* only a sum that is no number comes here, which no sample in range leads to: nothing is added */
-                v_limited = 0.0;
+                v_limited = lower_limit;
             }
+        } else {
+            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
+             * everything starts anew */
+            outputs->limited = true;
+            state->disturbed = true;
+            state->preset = false;
+            state->fade = 0u;
+            v_limited = 0.0;
         }
         if (state->fade >= fade_cycles) {
             outputs->v_add = v_limited;
@@ -282,41 +296,41 @@ uint32_t axis_x_ipc_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint64_t expected[35] = {
-        UINT64_C(0x0856d84e860ce757),
-        UINT64_C(0xbfc52c7eef471f9a),
-        UINT64_C(0x34ed64ee98feb558),
-        UINT64_C(0x9449dd318b847b62),
-        UINT64_C(0x7c64c37e7710c2f0),
-        UINT64_C(0x2d6e525c967b73b4),
-        UINT64_C(0x5389237c16dfcfcb),
-        UINT64_C(0x5f851a8942417e2b),
-        UINT64_C(0x73e4a9a7a3f51a94),
-        UINT64_C(0xce3c1e53c4db4087),
-        UINT64_C(0x062b3ccb91fa0b59),
-        UINT64_C(0x19030536632a9bca),
-        UINT64_C(0x5627021f8245e2ee),
-        UINT64_C(0x115e370a119fdaf1),
-        UINT64_C(0xa4b4d9569aa8e1f1),
-        UINT64_C(0xeaaa97a040a7465f),
-        UINT64_C(0x33161b4894c0c2a5),
-        UINT64_C(0x1ff8f8a52dc0ef33),
-        UINT64_C(0x377a8a552b26ea3a),
-        UINT64_C(0x0451b10725600de3),
-        UINT64_C(0x89b2238a56ddef80),
-        UINT64_C(0x960971d9d5cd1fa2),
-        UINT64_C(0x237d58ef259274ab),
-        UINT64_C(0x04cc5aa4225e9afd),
-        UINT64_C(0xbd3ac76728221357),
-        UINT64_C(0x5baf935c0c70a493),
-        UINT64_C(0x22be5a67620939b6),
-        UINT64_C(0x23a52bbe859132eb),
-        UINT64_C(0x5db08dab39fe40b5),
-        UINT64_C(0x201d0d19b143eeeb),
-        UINT64_C(0xaa40b34cdc2d32d3),
-        UINT64_C(0x3f183403e3e6c172),
-        UINT64_C(0xe6ef265c58eadc0f),
-        UINT64_C(0x65fd5d7708ae6032),
-        UINT64_C(0xf2e6bc02fdf95810),
+        UINT64_C(0x085ab84e860ce757),
+        UINT64_C(0xd6253e536f53efb2),
+        UINT64_C(0x49e0bcc84fa4b57f),
+        UINT64_C(0x228a8e4d0be08af3),
+        UINT64_C(0x7fcbc32d63e917e7),
+        UINT64_C(0xdc81487498cce758),
+        UINT64_C(0x1dd0ef00ee4b8f8b),
+        UINT64_C(0x13b3a7cd2172e00b),
+        UINT64_C(0x7a311cb29964f204),
+        UINT64_C(0x6b3292b13d77b5de),
+        UINT64_C(0x4ecdc803a8ed8c95),
+        UINT64_C(0xd170fd1d927d42d5),
+        UINT64_C(0xabf6accd3c45794c),
+        UINT64_C(0x9da8cc62c12f8dde),
+        UINT64_C(0x83d252c5b2b64f97),
+        UINT64_C(0x264f076930bfb852),
+        UINT64_C(0xdb8be80128c9bdb6),
+        UINT64_C(0x889528e943676af9),
+        UINT64_C(0xf2d573bc61de1c1b),
+        UINT64_C(0xfd971e52fdf1dc14),
+        UINT64_C(0x29a810affc5a1e44),
+        UINT64_C(0x0cb03771ad9efef8),
+        UINT64_C(0x3e98d9f2b5d03323),
+        UINT64_C(0xafc20e2bd4c1c8bf),
+        UINT64_C(0x71050739fee56164),
+        UINT64_C(0xabaa09710be63c73),
+        UINT64_C(0xc4ecff108167a960),
+        UINT64_C(0x84a4e0c8ce54ace4),
+        UINT64_C(0x83f650e65356b6a7),
+        UINT64_C(0x3806ecc4b59bb167),
+        UINT64_C(0x6fb3a7e8984df8d5),
+        UINT64_C(0x9bd8c68a2bbd9438),
+        UINT64_C(0x80c2b4f55f78d04b),
+        UINT64_C(0xae44ef2da9bf7904),
+        UINT64_C(0x5915937543fc716e),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
@@ -361,6 +375,7 @@ uint32_t axis_x_ipc_self_test(void)
         digest = fold(digest, outputs.error_id);
         digest = fold(digest, state.preset);
         digest = fold(digest, state.fade);
+        digest = fold(digest, state.disturbed);
         digest = fold(digest, bits_of(state.stage0_oscillation_s1));
         digest = fold(digest, bits_of(state.stage0_oscillation_s2));
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));

@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  31e1c061703d034773a37e854ddee59a
- * checksum    52bf4ade5338d2d2ea62f144170169e8
+ * checksum    bf7d8f99b07516c3d574f3cdd7f9cd53
  */
 #include "axis_x_ipc.h"
 
@@ -113,6 +113,9 @@ static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
+/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
+ * anew */
+static const uint32_t error_state = 3u;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
@@ -120,9 +123,11 @@ static const uint32_t error_v_command = 11u; /* error_id: v_command is not withi
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
 /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 static const double anti_denormal = 1.0e-30;
+static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
 
 void axis_x_ipc_init(axis_x_ipc_state *state)
 {
+    state->disturbed = false;
     state->preset = false;
     state->fade = 0u;
 }
@@ -149,6 +154,10 @@ void axis_x_ipc_step(
             && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
         runs = true;
         reason = error_none;
+    } else if (state->disturbed) {
+        state->disturbed = false;
+        runs = false;
+        reason = error_state;
     } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
             && magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
@@ -294,16 +303,21 @@ void axis_x_ipc_step(
             } else {
                 v_limited = v_sum1;
             }
-        } else {
+        } else if (magnitude(v_sum1) <= sum_limit) {
             outputs->limited = true;
             if (v_sum1 > 0.0) {
                 v_limited = limit;
-            } else if (v_sum1 < 0.0) {
-                v_limited = lower_limit;
             } else {
-                /* only a sum that is no number comes here, which no sample in range leads to: nothing is added */
-                v_limited = 0.0;
+                v_limited = lower_limit;
             }
+        } else {
+            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
+             * everything starts anew */
+            outputs->limited = true;
+            state->disturbed = true;
+            state->preset = false;
+            state->fade = 0u;
+            v_limited = 0.0;
         }
         if (state->fade >= fade_cycles) {
             outputs->v_add = v_limited;
@@ -358,44 +372,44 @@ uint32_t axis_x_ipc_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint64_t expected[38] = {
-        UINT64_C(0xfee445e712fdf5d5),
-        UINT64_C(0xae143d09ec160565),
-        UINT64_C(0xf87be9e1498576fd),
-        UINT64_C(0x9bc4a25de338e4c6),
-        UINT64_C(0x9e56911278693ffc),
-        UINT64_C(0x1dd65044019d3083),
-        UINT64_C(0x2e74001e09ddbf37),
-        UINT64_C(0xc162f7116b557238),
-        UINT64_C(0xe8e266c10929ab06),
-        UINT64_C(0x3298c0e87b446e05),
-        UINT64_C(0xb0aadd5772a5dd4b),
-        UINT64_C(0x5712b53e374d0aa8),
-        UINT64_C(0xdc3552eeaef42d0d),
-        UINT64_C(0xeb5ebb2fef45e43c),
-        UINT64_C(0xdcce2d1463767137),
-        UINT64_C(0x7cc8cb50846e2a02),
-        UINT64_C(0xa4090a1e3463effd),
-        UINT64_C(0xa1fc0217384a3ab4),
-        UINT64_C(0xde3e177a5120c0b3),
-        UINT64_C(0xa041645d52864ae3),
-        UINT64_C(0xdaf82d40922f47e1),
-        UINT64_C(0xa80f01d5a9d7d134),
-        UINT64_C(0x76fac95335091dc6),
-        UINT64_C(0x5b1867173284bd59),
-        UINT64_C(0x75b02f0290cba6f2),
-        UINT64_C(0x30d23369bc889e9b),
-        UINT64_C(0x4c66b5887d40b93c),
-        UINT64_C(0xfa3096b0554e1f6a),
-        UINT64_C(0xe8f00110dcca8333),
-        UINT64_C(0xbc57551736d80d6d),
-        UINT64_C(0x7b90604fd78a0b11),
-        UINT64_C(0xb48e9e3cbc8566e1),
-        UINT64_C(0x4ebbb27d97027352),
-        UINT64_C(0x52c1f8a2671c3260),
-        UINT64_C(0x45b093273fcf0209),
-        UINT64_C(0xd7c56573ebdd566d),
-        UINT64_C(0xf4d0cd21d4ab46ea),
-        UINT64_C(0x0794a65d4f51168c),
+        UINT64_C(0xfee445e716ddf5d5),
+        UINT64_C(0xc4e32a4277f4d76b),
+        UINT64_C(0x39135c69e78d8b46),
+        UINT64_C(0x2538597d33ef804e),
+        UINT64_C(0xb6470b5c32ae0dd3),
+        UINT64_C(0xf22ba492d91c1747),
+        UINT64_C(0xf60d8936d91f83fa),
+        UINT64_C(0x92417ac65afc2a59),
+        UINT64_C(0x94ef8243148292c5),
+        UINT64_C(0x56344ebf10235231),
+        UINT64_C(0xcaf1ecf802c07cc7),
+        UINT64_C(0xddaba647c7225d4c),
+        UINT64_C(0xbb6185c58ffe74f9),
+        UINT64_C(0x97cb102ea5b478ab),
+        UINT64_C(0x81f49ebbf32aa56b),
+        UINT64_C(0x2d6a76b116fdd01d),
+        UINT64_C(0xe4d38ed4800ec689),
+        UINT64_C(0xc34c03a2d40ad5c8),
+        UINT64_C(0xd85dad27ac7eae3a),
+        UINT64_C(0x47a9d36094abf38a),
+        UINT64_C(0xd3c9541b3ba7cc22),
+        UINT64_C(0x8c3caa138ea1f087),
+        UINT64_C(0x460fb29ca2a90ea9),
+        UINT64_C(0x0e54bdc2b07a8596),
+        UINT64_C(0xbd8a2020401d1f02),
+        UINT64_C(0x164990af92689d2a),
+        UINT64_C(0xe761a663fe333147),
+        UINT64_C(0x04f1a9cb02cba355),
+        UINT64_C(0x18161a4eef41e9ef),
+        UINT64_C(0xf8fc94b013992b4e),
+        UINT64_C(0x5f196483cac1755c),
+        UINT64_C(0xb8dbe5886b9f7806),
+        UINT64_C(0x1e70d45819662b01),
+        UINT64_C(0xb947fdfb5936d437),
+        UINT64_C(0xf9e94f7721f2f3fe),
+        UINT64_C(0xc6770b98b5b34aa9),
+        UINT64_C(0xeb228f642fb01b4a),
+        UINT64_C(0x1b262dcff8502d4b),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
@@ -443,6 +457,7 @@ uint32_t axis_x_ipc_self_test(void)
         digest = fold(digest, outputs.error_id);
         digest = fold(digest, state.preset);
         digest = fold(digest, state.fade);
+        digest = fold(digest, state.disturbed);
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s2));
         digest = fold(digest, bits_of(state.stage0_filter0_section1_s1));

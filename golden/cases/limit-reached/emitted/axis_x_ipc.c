@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  05853f723de7eac931d9702e2fd307a0
- * checksum    d7243bfe5dfd6e16d97b040dba576a70
+ * checksum    5062127fc5c0c7334930d7bc3cfdb599
  */
 #include "axis_x_ipc.h"
 
@@ -75,15 +75,20 @@ static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
+/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
+ * anew */
+static const uint32_t error_state = 3u;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
 /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 static const double anti_denormal = 1.0e-30;
+static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
 
 void axis_x_ipc_init(axis_x_ipc_state *state)
 {
+    state->disturbed = false;
     state->preset = false;
     state->fade = 0u;
 }
@@ -109,6 +114,10 @@ void axis_x_ipc_step(
             && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
         runs = true;
         reason = error_none;
+    } else if (state->disturbed) {
+        state->disturbed = false;
+        runs = false;
+        reason = error_state;
     } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
             && magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
@@ -182,16 +191,21 @@ void axis_x_ipc_step(
             } else {
                 v_limited = v_stage0;
             }
-        } else {
+        } else if (magnitude(v_stage0) <= sum_limit) {
             outputs->limited = true;
             if (v_stage0 > 0.0) {
                 v_limited = limit;
-            } else if (v_stage0 < 0.0) {
-                v_limited = lower_limit;
             } else {
-                /* only a sum that is no number comes here, which no sample in range leads to: nothing is added */
-                v_limited = 0.0;
+                v_limited = lower_limit;
             }
+        } else {
+            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
+             * everything starts anew */
+            outputs->limited = true;
+            state->disturbed = true;
+            state->preset = false;
+            state->fade = 0u;
+            v_limited = 0.0;
         }
         if (state->fade >= fade_cycles) {
             outputs->v_add = v_limited;
@@ -246,41 +260,41 @@ uint32_t axis_x_ipc_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint64_t expected[35] = {
-        UINT64_C(0xb8bb5f0734869510),
-        UINT64_C(0x4117bcc1b620d45a),
-        UINT64_C(0xa73a78df34f2e329),
-        UINT64_C(0xa654783a4b78333c),
-        UINT64_C(0x3ea488eabf7682e5),
-        UINT64_C(0x3b96b8e2d01e9ca7),
-        UINT64_C(0xf142cb773550955a),
-        UINT64_C(0x5453f5d9fb6a9ad6),
-        UINT64_C(0x83993689f87b8093),
-        UINT64_C(0x93a6dfd828e6a700),
-        UINT64_C(0x37ff9aa9485566b4),
-        UINT64_C(0xc1f1980ce838acdc),
-        UINT64_C(0xb4a0ef14e784bc77),
-        UINT64_C(0xf4635e62da6e2055),
-        UINT64_C(0x326b8195f305fa27),
-        UINT64_C(0xdc299dec1aa38bc7),
-        UINT64_C(0xf1dd02c129b55453),
-        UINT64_C(0x074b9496b0292681),
-        UINT64_C(0x70fe6cfc49e84adc),
-        UINT64_C(0x1f4ffc937c8aaac1),
-        UINT64_C(0xb66b1fc2daee2f94),
-        UINT64_C(0x9b4730d251690479),
-        UINT64_C(0x952e19f89757ff90),
-        UINT64_C(0xa04849edf07182e6),
-        UINT64_C(0x76c3eb5d414a27b8),
-        UINT64_C(0x57115196fa5d8f48),
-        UINT64_C(0x0f962e2d32eef4aa),
-        UINT64_C(0x63e36cfec9224abd),
-        UINT64_C(0x5b9d4d4a05fe6317),
-        UINT64_C(0x2bdc5dddf08d6e31),
-        UINT64_C(0x7c9c9645b8272319),
-        UINT64_C(0x497495e1eb326f2c),
-        UINT64_C(0x1a67f16084ea31f9),
-        UINT64_C(0x2b64d53c848169d8),
-        UINT64_C(0x33d7e0462e0f2dbb),
+        UINT64_C(0xb8bb5f0772869510),
+        UINT64_C(0xc4471657a9ae7e41),
+        UINT64_C(0x965e5e668cb236a3),
+        UINT64_C(0xcda27fb1d1135c6c),
+        UINT64_C(0x83647169991f446a),
+        UINT64_C(0x4583b44eff1a59f4),
+        UINT64_C(0x727591fbb20f7fdf),
+        UINT64_C(0x788947f6db7b5d48),
+        UINT64_C(0xabd97c6611ec7539),
+        UINT64_C(0x9743298296be451f),
+        UINT64_C(0x2afcdaa795f4f7d1),
+        UINT64_C(0x672066eaf76e8c0a),
+        UINT64_C(0xaec559a37643c3d0),
+        UINT64_C(0x3beea987defd8924),
+        UINT64_C(0x372cf51c6417272f),
+        UINT64_C(0x5e3b7a25bfa1d729),
+        UINT64_C(0x37ac8e5a612e48c8),
+        UINT64_C(0xee1cdaf69c0bd8e8),
+        UINT64_C(0x668b42589645c2f3),
+        UINT64_C(0x0e2d1e0f6e366914),
+        UINT64_C(0x1b72722675193310),
+        UINT64_C(0xc9c8b84bf309aad8),
+        UINT64_C(0x2905fe11a76c9f10),
+        UINT64_C(0x7eb697f5960d18eb),
+        UINT64_C(0xa374bab29ec4ea67),
+        UINT64_C(0x849447780205d288),
+        UINT64_C(0xbd1c765d19e29a09),
+        UINT64_C(0x3ce34f4f9ee39c34),
+        UINT64_C(0xe7dcea068e7e04cb),
+        UINT64_C(0x07789fb9c614317b),
+        UINT64_C(0x399c30c85527c722),
+        UINT64_C(0x43b40f5b62467e75),
+        UINT64_C(0x7ecc2aa36fa6a3c2),
+        UINT64_C(0x56a4d72354495efb),
+        UINT64_C(0xfd0ceee3f01182f6),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
@@ -325,6 +339,7 @@ uint32_t axis_x_ipc_self_test(void)
         digest = fold(digest, outputs.error_id);
         digest = fold(digest, state.preset);
         digest = fold(digest, state.fade);
+        digest = fold(digest, state.disturbed);
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s2));
         digest = fold(digest, bits_of(state.stage0_filter0_section1_s1));

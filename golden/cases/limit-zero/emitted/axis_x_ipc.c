@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  8b2c2e4a9ecf18e1cac56b7273a1d9be
- * checksum    3dcd823501ba87d01e404a187ef9d2ed
+ * checksum    c6c9eae054c9e53bcbdff3eb7e067ae9
  */
 #include "axis_x_ipc.h"
 
@@ -72,15 +72,20 @@ static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
+/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
+ * anew */
+static const uint32_t error_state = 3u;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
 /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 static const double anti_denormal = 1.0e-30;
+static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
 
 void axis_x_ipc_init(axis_x_ipc_state *state)
 {
+    state->disturbed = false;
     state->preset = false;
     state->fade = 0u;
 }
@@ -106,6 +111,10 @@ void axis_x_ipc_step(
             && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
         runs = true;
         reason = error_none;
+    } else if (state->disturbed) {
+        state->disturbed = false;
+        runs = false;
+        reason = error_state;
     } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
             && magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
@@ -179,16 +188,21 @@ void axis_x_ipc_step(
             } else {
                 v_limited = v_stage0;
             }
-        } else {
+        } else if (magnitude(v_stage0) <= sum_limit) {
             outputs->limited = true;
             if (v_stage0 > 0.0) {
                 v_limited = limit;
-            } else if (v_stage0 < 0.0) {
-                v_limited = lower_limit;
             } else {
-                /* only a sum that is no number comes here, which no sample in range leads to: nothing is added */
-                v_limited = 0.0;
+                v_limited = lower_limit;
             }
+        } else {
+            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
+             * everything starts anew */
+            outputs->limited = true;
+            state->disturbed = true;
+            state->preset = false;
+            state->fade = 0u;
+            v_limited = 0.0;
         }
         if (state->fade >= fade_cycles) {
             outputs->v_add = v_limited;
@@ -243,41 +257,41 @@ uint32_t axis_x_ipc_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint64_t expected[35] = {
-        UINT64_C(0xb24419d201434970),
-        UINT64_C(0x6a9d3be9e843eb14),
-        UINT64_C(0x2628c1eadd53ad34),
-        UINT64_C(0x5edb6cb7101e9030),
-        UINT64_C(0x1f140ab9c55b4862),
-        UINT64_C(0x2081bb1723188012),
-        UINT64_C(0x5e7e1acad9252733),
-        UINT64_C(0x0a46b2413d754dc5),
-        UINT64_C(0x245c916e1d21143f),
-        UINT64_C(0x188ad08a5d75b181),
-        UINT64_C(0x22c54cf252dff0c8),
-        UINT64_C(0x725b53c39242f59b),
-        UINT64_C(0xbe32030eb76a001f),
-        UINT64_C(0x737bbe53ef55e530),
-        UINT64_C(0xbafdd5bf4cb197b6),
-        UINT64_C(0xb6dcee7d1428f0d5),
-        UINT64_C(0xc6e1b02d928d90ad),
-        UINT64_C(0xefa13d51147f1946),
-        UINT64_C(0x2b091239cd729d6d),
-        UINT64_C(0xbeb7bf9932ca8b2c),
-        UINT64_C(0x45cbb83c428b0a1a),
-        UINT64_C(0x9f9fa20940c21fed),
-        UINT64_C(0x345f55c6330a18af),
-        UINT64_C(0xdcbdddad0cd7ed7d),
-        UINT64_C(0x44567f5ca5d6c3e7),
-        UINT64_C(0x9c7bfc81ab280c39),
-        UINT64_C(0x7b744b6df622371f),
-        UINT64_C(0x1ae1040b82db35bc),
-        UINT64_C(0xcd3311bb844db14d),
-        UINT64_C(0x33db7d8f2f9ae05a),
-        UINT64_C(0x849f431ed96aa0d5),
-        UINT64_C(0xe3ac8e0b93e06fcd),
-        UINT64_C(0x4d96ce8414615de1),
-        UINT64_C(0x92ae0b487e9df0e6),
-        UINT64_C(0x7eebea63b57539f3),
+        UINT64_C(0xb24419d23f434970),
+        UINT64_C(0xbd685ccf23377de7),
+        UINT64_C(0x17c9f91a1893071d),
+        UINT64_C(0x964516e7fc291aeb),
+        UINT64_C(0xc0490d722b75cec9),
+        UINT64_C(0x8b76e0e92cbd2f5b),
+        UINT64_C(0x0e2566fc261f69c8),
+        UINT64_C(0xf179e8a3e21a31ee),
+        UINT64_C(0x30ef2b9f8443fc97),
+        UINT64_C(0x6c07b3fbea3b60c0),
+        UINT64_C(0x68f9a1ca19d4effb),
+        UINT64_C(0xc4d9aa3a0a26d082),
+        UINT64_C(0x1cc68f08c7a2cbac),
+        UINT64_C(0x25692d4347c45ceb),
+        UINT64_C(0xd51ac9b4ac763293),
+        UINT64_C(0x18d13b2dd6797b33),
+        UINT64_C(0x8d9374698a8b13e7),
+        UINT64_C(0x119722bff16e87bc),
+        UINT64_C(0x48aad2c780ff4a5d),
+        UINT64_C(0xdcad073cece3c683),
+        UINT64_C(0xed374bd0a59fe13c),
+        UINT64_C(0x61504fea8fcad89c),
+        UINT64_C(0x03a4a9f43c266549),
+        UINT64_C(0x155e17a1d4304ee5),
+        UINT64_C(0xd6be20e85533d8df),
+        UINT64_C(0xa645d250ecb8de85),
+        UINT64_C(0xb90a899530982d01),
+        UINT64_C(0xa6b4117f8d59a770),
+        UINT64_C(0xf9910151e7c25e29),
+        UINT64_C(0x2c8e131be2a4e364),
+        UINT64_C(0x9a4e5592443d21bb),
+        UINT64_C(0x328f42c39ee78c78),
+        UINT64_C(0xe9ce0b69c0a5e670),
+        UINT64_C(0xb0a43f9852ae1ebe),
+        UINT64_C(0xf6acf65812604cc7),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
@@ -322,6 +336,7 @@ uint32_t axis_x_ipc_self_test(void)
         digest = fold(digest, outputs.error_id);
         digest = fold(digest, state.preset);
         digest = fold(digest, state.fade);
+        digest = fold(digest, state.disturbed);
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s2));
         digest = fold(digest, bits_of(state.stage0_filter0_section1_s1));

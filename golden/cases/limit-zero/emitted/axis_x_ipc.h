@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  8b2c2e4a9ecf18e1cac56b7273a1d9be
- * checksum    06d9796fa9531142e3f84ed7aa1863f8
+ * checksum    f3f64578ccd501d2d305601e0610e16c
  */
 #ifndef AXIS_X_IPC_H
 #define AXIS_X_IPC_H
@@ -36,13 +36,14 @@ typedef struct {
     double v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the fade; 0 in OFF [um/s] */
     bool limited; /* the limit (P-AXIS-00757 of P-AXIS-00212) acts in this cycle */
     bool fault; /* the block cannot act in this cycle, the id says why */
-    uint32_t error_id; /* 0 none, 1 cycle_time, 2 mode, 12 v_motor */
+    uint32_t error_id; /* 0 none, 1 cycle_time, 2 mode, 3 state, 12 v_motor */
 } axis_x_ipc_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool preset; /* whether the sections have been preset to the steady state of an input */
     uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
+    bool disturbed; /* whether a state was overwritten, as the cycle before has shown */
     double stage0_filter0_section0_s1; /* what the next output takes over */
     double stage0_filter0_section0_s2; /* what `s1` takes over */
     double stage0_filter0_section1_s1; /* what the next output takes over */

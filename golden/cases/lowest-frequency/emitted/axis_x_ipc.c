@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  62500 ns
  * parameters  fec7392bc337a2691bb57e485c53865b
- * checksum    3334500c9970abbfee37f62905e62157
+ * checksum    c95f7c931fdbaf356a5237fbccb0a812
  */
 #include "axis_x_ipc.h"
 
@@ -98,15 +98,20 @@ static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
+/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
+ * anew */
+static const uint32_t error_state = 3u;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
 /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 static const double anti_denormal = 1.0e-30;
+static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
 
 void axis_x_ipc_init(axis_x_ipc_state *state)
 {
+    state->disturbed = false;
     state->preset = false;
     state->fade = 0u;
 }
@@ -132,6 +137,10 @@ void axis_x_ipc_step(
             && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
         runs = true;
         reason = error_none;
+    } else if (state->disturbed) {
+        state->disturbed = false;
+        runs = false;
+        reason = error_state;
     } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
             && magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
@@ -234,16 +243,21 @@ void axis_x_ipc_step(
             } else {
                 v_limited = v_sum1;
             }
-        } else {
+        } else if (magnitude(v_sum1) <= sum_limit) {
             outputs->limited = true;
             if (v_sum1 > 0.0) {
                 v_limited = limit;
-            } else if (v_sum1 < 0.0) {
-                v_limited = lower_limit;
             } else {
-                /* only a sum that is no number comes here, which no sample in range leads to: nothing is added */
-                v_limited = 0.0;
+                v_limited = lower_limit;
             }
+        } else {
+            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
+             * everything starts anew */
+            outputs->limited = true;
+            state->disturbed = true;
+            state->preset = false;
+            state->fade = 0u;
+            v_limited = 0.0;
         }
         if (state->fade >= fade_cycles) {
             outputs->v_add = v_limited;
@@ -298,41 +312,41 @@ uint32_t axis_x_ipc_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint64_t expected[35] = {
-        UINT64_C(0xbeb45a0bc4da408f),
-        UINT64_C(0x6234982ad6dec284),
-        UINT64_C(0x9d1eea30b60f4d06),
-        UINT64_C(0xd49b8fd4b1045578),
-        UINT64_C(0x43a9fa6b3e968669),
-        UINT64_C(0x1f4245062ae8389f),
-        UINT64_C(0x23d9bad227dfe675),
-        UINT64_C(0x650fe29a36005ee8),
-        UINT64_C(0x3b8fd00757f9d52a),
-        UINT64_C(0xea5459992d422f71),
-        UINT64_C(0x7c807cd547bb76f2),
-        UINT64_C(0x5ac7be842d108a6c),
-        UINT64_C(0xeaee4a2e4411f5b5),
-        UINT64_C(0x786a85630b3dfc2c),
-        UINT64_C(0xb1eef69da7a2a576),
-        UINT64_C(0x90b8e0073749d246),
-        UINT64_C(0xf832e4412170dca4),
-        UINT64_C(0x8824b13744b3ac6b),
-        UINT64_C(0x1832a956ef8a00e6),
-        UINT64_C(0xc29ccb40a6440740),
-        UINT64_C(0xfdbd4d1f233bc39c),
-        UINT64_C(0xf1594c7702e007cc),
-        UINT64_C(0xb3e70c666b76209f),
-        UINT64_C(0x785de56429e65844),
-        UINT64_C(0x6884a53d51da35bd),
-        UINT64_C(0xa59924b75e9f1838),
-        UINT64_C(0xddfde6fe005ce2e8),
-        UINT64_C(0x9feb073de07deeda),
-        UINT64_C(0x1667e00eca35db0f),
-        UINT64_C(0xe47a38a31067e76b),
-        UINT64_C(0x5df98b975d884e77),
-        UINT64_C(0x67c4954c5d0792c4),
-        UINT64_C(0xd534614637a49035),
-        UINT64_C(0x2d5aa39bada7e3c6),
-        UINT64_C(0x3eaa3dc08e7ea689),
+        UINT64_C(0xbeb83a0bc4da408f),
+        UINT64_C(0x0ebffee605698347),
+        UINT64_C(0xf74778eb4541b8d4),
+        UINT64_C(0xabb0dc0fe0303bc6),
+        UINT64_C(0x1af878852e9d953c),
+        UINT64_C(0x3120d2d4611629e3),
+        UINT64_C(0xd43d3984c2969985),
+        UINT64_C(0x2f3f1dcf128762d6),
+        UINT64_C(0x39d61ea9d3e1b6e6),
+        UINT64_C(0x5c2441e59b9f614d),
+        UINT64_C(0x1464cbe2c49ea70f),
+        UINT64_C(0x6ae7854f04866e1d),
+        UINT64_C(0x8840d78743414221),
+        UINT64_C(0x043138105efe4823),
+        UINT64_C(0xc0e5f281e9df1166),
+        UINT64_C(0x11ea98bae0b7166a),
+        UINT64_C(0x79160509664fe3bd),
+        UINT64_C(0x65e52a7db3c3e66c),
+        UINT64_C(0x98f7db2661e66f2b),
+        UINT64_C(0xf473bb6ce360ae21),
+        UINT64_C(0x3c267401ea535855),
+        UINT64_C(0x6fcbf07d353059c3),
+        UINT64_C(0x9ea552d306d81b73),
+        UINT64_C(0xa17493fb83aa258d),
+        UINT64_C(0x5832625906527df4),
+        UINT64_C(0x3e2889e9d8290ac4),
+        UINT64_C(0xef21af360aa88139),
+        UINT64_C(0x9b11763f69d9685e),
+        UINT64_C(0x71e3e5d60e335dc3),
+        UINT64_C(0xc9b6fb9d2e22cc55),
+        UINT64_C(0x3cf1bc8f4c380961),
+        UINT64_C(0x55975f161a0ebeec),
+        UINT64_C(0x9969a4fdcdcbd81f),
+        UINT64_C(0xad6819698025e890),
+        UINT64_C(0xeb8153782220ab02),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
@@ -377,6 +391,7 @@ uint32_t axis_x_ipc_self_test(void)
         digest = fold(digest, outputs.error_id);
         digest = fold(digest, state.preset);
         digest = fold(digest, state.fade);
+        digest = fold(digest, state.disturbed);
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s2));
         digest = fold(digest, bits_of(state.stage1_oscillation_s1));

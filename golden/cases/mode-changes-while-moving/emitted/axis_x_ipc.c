@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  4e51eb593ea39353bfb695664947457e
- * checksum    fe5f93fd4fe8e6381e93419e1154e62d
+ * checksum    049844ef2f05c1eeb4fe81d2654a4b6c
  */
 #include "axis_x_ipc.h"
 
@@ -101,15 +101,20 @@ static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
+/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
+ * anew */
+static const uint32_t error_state = 3u;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
 /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 static const double anti_denormal = 1.0e-30;
+static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
 
 void axis_x_ipc_init(axis_x_ipc_state *state)
 {
+    state->disturbed = false;
     state->preset = false;
     state->fade = 0u;
 }
@@ -135,6 +140,10 @@ void axis_x_ipc_step(
             && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
         runs = true;
         reason = error_none;
+    } else if (state->disturbed) {
+        state->disturbed = false;
+        runs = false;
+        reason = error_state;
     } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
             && magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
@@ -246,16 +255,21 @@ void axis_x_ipc_step(
             } else {
                 v_limited = v_sum1;
             }
-        } else {
+        } else if (magnitude(v_sum1) <= sum_limit) {
             outputs->limited = true;
             if (v_sum1 > 0.0) {
                 v_limited = limit;
-            } else if (v_sum1 < 0.0) {
-                v_limited = lower_limit;
             } else {
-                /* only a sum that is no number comes here, which no sample in range leads to: nothing is added */
-                v_limited = 0.0;
+                v_limited = lower_limit;
             }
+        } else {
+            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
+             * everything starts anew */
+            outputs->limited = true;
+            state->disturbed = true;
+            state->preset = false;
+            state->fade = 0u;
+            v_limited = 0.0;
         }
         if (state->fade >= fade_cycles) {
             outputs->v_add = v_limited;
@@ -310,41 +324,41 @@ uint32_t axis_x_ipc_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint64_t expected[35] = {
-        UINT64_C(0x9c3d96b1a52cd312),
-        UINT64_C(0x31f23c5407705aa7),
-        UINT64_C(0xeac4251d77850a39),
-        UINT64_C(0x041fe72bd86a7b85),
-        UINT64_C(0x0bc190910bc87324),
-        UINT64_C(0x8352d6b9bdb93fb9),
-        UINT64_C(0x5c045028a745530b),
-        UINT64_C(0xebdbec9be3f99c4f),
-        UINT64_C(0xb0399ff021ec4b4e),
-        UINT64_C(0x112366f0ef87fefb),
-        UINT64_C(0x96e956ff79909680),
-        UINT64_C(0xa5c4321dc27f44ad),
-        UINT64_C(0x12410d32743c930a),
-        UINT64_C(0xbf6c259a91af618e),
-        UINT64_C(0xd6bec45269ddc398),
-        UINT64_C(0x47f9b569e420ae5f),
-        UINT64_C(0xc96ce911684a5470),
-        UINT64_C(0x09fdaeb4390612c3),
-        UINT64_C(0x134ac5c333cbdee5),
-        UINT64_C(0x89ccf989f4298252),
-        UINT64_C(0x09291ff90b5502be),
-        UINT64_C(0xb9fc8021f50d833f),
-        UINT64_C(0xb9c44a577f00cf9e),
-        UINT64_C(0x44ec4242706b2e7b),
-        UINT64_C(0x34625ec725ff0ed7),
-        UINT64_C(0x80ad9e2206d510f7),
-        UINT64_C(0x241d484893fffd12),
-        UINT64_C(0x33d5f30a707b9b72),
-        UINT64_C(0x645dcfc5382bc2c5),
-        UINT64_C(0x9fe72efe15b8605f),
-        UINT64_C(0xbc47235c923ae896),
-        UINT64_C(0xc01a6422ad0d77a1),
-        UINT64_C(0x39d8a1e083979fab),
-        UINT64_C(0x119bc6ee1ecb9236),
-        UINT64_C(0x0b376031b80a995c),
+        UINT64_C(0xabbd96b1a52cd312),
+        UINT64_C(0x625249fdeddbc5a4),
+        UINT64_C(0x677aa628b4281119),
+        UINT64_C(0x5d5aa03d4327f34a),
+        UINT64_C(0x3405469163554a82),
+        UINT64_C(0xde0f42c18f9828f7),
+        UINT64_C(0xaf8b4c45cac06dc5),
+        UINT64_C(0x728b10456b37033a),
+        UINT64_C(0x1d50af7d43e744bc),
+        UINT64_C(0x32b208f06efa7115),
+        UINT64_C(0xacfd277ae0511108),
+        UINT64_C(0x514515c2f40647c1),
+        UINT64_C(0x141d1da83efdb987),
+        UINT64_C(0x77b96b6d99c05a6b),
+        UINT64_C(0xf95054cea4d3cef3),
+        UINT64_C(0x1d43aeda9dbb7ccf),
+        UINT64_C(0x52152bdc2f78bb26),
+        UINT64_C(0x4f198f4d57d3b992),
+        UINT64_C(0x677b322fa4d788fc),
+        UINT64_C(0x66ce6031e2a4d178),
+        UINT64_C(0x8524e416ae2560ea),
+        UINT64_C(0xa981b1e385dac6a4),
+        UINT64_C(0x33be8f9643e4826b),
+        UINT64_C(0xfe56786915d1fd1e),
+        UINT64_C(0xc2b98a462ef3010a),
+        UINT64_C(0x72185b481cd17ced),
+        UINT64_C(0x2a738725595685f1),
+        UINT64_C(0x50dc2978de7af31f),
+        UINT64_C(0x7ad2e2739c9b63c6),
+        UINT64_C(0x93627714d70f4b88),
+        UINT64_C(0xd6f75429534220e5),
+        UINT64_C(0x2a529a9686c4ef85),
+        UINT64_C(0xf2be689798620e7a),
+        UINT64_C(0x773786de7fbd7c7c),
+        UINT64_C(0xe579275c0dd1ebcd),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
@@ -390,6 +404,7 @@ uint32_t axis_x_ipc_self_test(void)
         digest = fold(digest, outputs.error_id);
         digest = fold(digest, state.preset);
         digest = fold(digest, state.fade);
+        digest = fold(digest, state.disturbed);
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s2));
         digest = fold(digest, bits_of(state.stage1_oscillation_s1));

@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  442c659489487722d01b9deeeaaf4c7d
- * checksum    222693173a2e26c3158694517416dab6
+ * checksum    93f881ce31839dbdb037bafbce04599a
  */
 #include "axis_rack_and_pinion_ipc.h"
 
@@ -91,15 +91,20 @@ static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
+/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
+ * anew */
+static const uint32_t error_state = 3u;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
 /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 static const double anti_denormal = 1.0e-30;
+static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
 
 void axis_rack_and_pinion_ipc_init(axis_rack_and_pinion_ipc_state *state)
 {
+    state->disturbed = false;
     state->preset = false;
     state->fade = 0u;
 }
@@ -125,6 +130,10 @@ void axis_rack_and_pinion_ipc_step(
             && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
         runs = true;
         reason = error_none;
+    } else if (state->disturbed) {
+        state->disturbed = false;
+        runs = false;
+        reason = error_state;
     } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
             && magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
@@ -218,16 +227,21 @@ void axis_rack_and_pinion_ipc_step(
             } else {
                 v_limited = v_sum1;
             }
-        } else {
+        } else if (magnitude(v_sum1) <= sum_limit) {
             outputs->limited = true;
             if (v_sum1 > 0.0) {
                 v_limited = limit;
-            } else if (v_sum1 < 0.0) {
-                v_limited = lower_limit;
             } else {
-                /* only a sum that is no number comes here, which no sample in range leads to: nothing is added */
-                v_limited = 0.0;
+                v_limited = lower_limit;
             }
+        } else {
+            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
+             * everything starts anew */
+            outputs->limited = true;
+            state->disturbed = true;
+            state->preset = false;
+            state->fade = 0u;
+            v_limited = 0.0;
         }
         if (state->fade >= fade_cycles) {
             outputs->v_add = v_limited;
@@ -282,41 +296,41 @@ uint32_t axis_rack_and_pinion_ipc_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint64_t expected[35] = {
-        UINT64_C(0x1a65ffb82eb6d540),
-        UINT64_C(0x4f322b208c14ffc1),
-        UINT64_C(0x54ae5b7d57160a49),
-        UINT64_C(0xe62d81162faa0ca6),
-        UINT64_C(0xa7100a60624b96da),
-        UINT64_C(0x5b59e69194d2a017),
-        UINT64_C(0x7b9c51814c5f8dcc),
-        UINT64_C(0xd24085c0827d3619),
-        UINT64_C(0xe641957208d60b23),
-        UINT64_C(0xb0c694d1d26c06c0),
-        UINT64_C(0x0c78f089f709c4e0),
-        UINT64_C(0xbf13bfad3465ac8f),
-        UINT64_C(0xd0274b70d0c95881),
-        UINT64_C(0xcdce5585986b8d72),
-        UINT64_C(0x5601cb21ccefb4cf),
-        UINT64_C(0x5a3783e8c45bf804),
-        UINT64_C(0xffe7c91b7cbca8d0),
-        UINT64_C(0xda9b2639e0d1bdd4),
-        UINT64_C(0xea463ce8e8298e7f),
-        UINT64_C(0xf73ff2fa5fa97a7f),
-        UINT64_C(0xd1f453264c8fe3e4),
-        UINT64_C(0x15d2f6543aeaa87e),
-        UINT64_C(0x0529d812a8a25335),
-        UINT64_C(0x9dc0df88a90e8a13),
-        UINT64_C(0xb040aafd66ed0426),
-        UINT64_C(0x56174d2d0020a7a5),
-        UINT64_C(0x7c358812c6699879),
-        UINT64_C(0x5f792ece637e1bfc),
-        UINT64_C(0x7bc1fbb2f4d6ff8d),
-        UINT64_C(0x7a5e72b3a2c5061c),
-        UINT64_C(0x8f5e64c4c51ba1fe),
-        UINT64_C(0xf9f62137bd71313a),
-        UINT64_C(0xae10b328d09fba1f),
-        UINT64_C(0x2806e5a6649e7f09),
-        UINT64_C(0x888758168c0cd8f1),
+        UINT64_C(0x1a6600b02eb6d540),
+        UINT64_C(0xb3ebabbbda6c2547),
+        UINT64_C(0xb134f52ad7f4dcb3),
+        UINT64_C(0x1d69f734beb1045c),
+        UINT64_C(0x723be362e862fb3b),
+        UINT64_C(0xd338e64b98e8a7f8),
+        UINT64_C(0xdaa77a765cebf664),
+        UINT64_C(0x6f2135d9dd0cefac),
+        UINT64_C(0x309b2b7f816e9bda),
+        UINT64_C(0x97b774b5cc282043),
+        UINT64_C(0x34743bea1aab046f),
+        UINT64_C(0x1e6aa98d854d36f7),
+        UINT64_C(0x78552186e9b68b0a),
+        UINT64_C(0xfa90140a29a2f6cf),
+        UINT64_C(0xf9dcdd29325de449),
+        UINT64_C(0x64f9a96683660aad),
+        UINT64_C(0xa2158522b36ec7b2),
+        UINT64_C(0xad627b70befb0933),
+        UINT64_C(0xdadb3f0b6f8ade14),
+        UINT64_C(0x2426c4c46740d5cc),
+        UINT64_C(0x074d1f930b05c91d),
+        UINT64_C(0x6ca5c7fcb4b6e4f6),
+        UINT64_C(0x3a0d9cc8c69e655f),
+        UINT64_C(0x807bb69ee275ec15),
+        UINT64_C(0xa65ab3050f270a13),
+        UINT64_C(0xdfeed8435242e17a),
+        UINT64_C(0x0cdb34887afcdb72),
+        UINT64_C(0x8c2f86ba870ae0ce),
+        UINT64_C(0x4b10588920a2fb38),
+        UINT64_C(0xc950ea54d1d65514),
+        UINT64_C(0x717da23ea52756d9),
+        UINT64_C(0xcd44b5f1eb0f9f9b),
+        UINT64_C(0xf5bf1c3d534ff109),
+        UINT64_C(0xce51df1f854b4947),
+        UINT64_C(0x3f17e60ec5a22cd2),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_rack_and_pinion_ipc_state *, const axis_rack_and_pinion_ipc_inputs *, axis_rack_and_pinion_ipc_outputs *) =
@@ -361,6 +375,7 @@ uint32_t axis_rack_and_pinion_ipc_self_test(void)
         digest = fold(digest, outputs.error_id);
         digest = fold(digest, state.preset);
         digest = fold(digest, state.fade);
+        digest = fold(digest, state.disturbed);
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s2));
         digest = fold(digest, bits_of(state.stage1_oscillation_s1));

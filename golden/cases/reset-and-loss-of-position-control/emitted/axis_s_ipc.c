@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  f238c861639f753c7ad0cad4ea3352d1
- * checksum    b1a4693bfd14154b5646fb55bd454e65
+ * checksum    4644c46a87f1954f75e0e313309dd618
  */
 #include "axis_s_ipc.h"
 
@@ -72,15 +72,20 @@ static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
+/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
+ * anew */
+static const uint32_t error_state = 3u;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
 /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 static const double anti_denormal = 1.0e-30;
+static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
 
 void axis_s_ipc_init(axis_s_ipc_state *state)
 {
+    state->disturbed = false;
     state->preset = false;
     state->fade = 0u;
 }
@@ -106,6 +111,10 @@ void axis_s_ipc_step(
             && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
         runs = true;
         reason = error_none;
+    } else if (state->disturbed) {
+        state->disturbed = false;
+        runs = false;
+        reason = error_state;
     } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
             && magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
@@ -179,16 +188,21 @@ void axis_s_ipc_step(
             } else {
                 v_limited = v_stage0;
             }
-        } else {
+        } else if (magnitude(v_stage0) <= sum_limit) {
             outputs->limited = true;
             if (v_stage0 > 0.0) {
                 v_limited = limit;
-            } else if (v_stage0 < 0.0) {
-                v_limited = lower_limit;
             } else {
-                /* only a sum that is no number comes here, which no sample in range leads to: nothing is added */
-                v_limited = 0.0;
+                v_limited = lower_limit;
             }
+        } else {
+            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
+             * everything starts anew */
+            outputs->limited = true;
+            state->disturbed = true;
+            state->preset = false;
+            state->fade = 0u;
+            v_limited = 0.0;
         }
         if (state->fade >= fade_cycles) {
             outputs->v_add = v_limited;
@@ -243,41 +257,41 @@ uint32_t axis_s_ipc_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint64_t expected[35] = {
-        UINT64_C(0xd27d5fa577faa55e),
-        UINT64_C(0x81e69e6048b622b1),
-        UINT64_C(0x0a534473dc09723e),
-        UINT64_C(0xc30aef5109f4251d),
-        UINT64_C(0xdcfb7ecfc42fc71d),
-        UINT64_C(0x5af3545d0701d45f),
-        UINT64_C(0x9ce85f42cfe16518),
-        UINT64_C(0xdd9a2daaee22dbc2),
-        UINT64_C(0xbed1a22d133c09ab),
-        UINT64_C(0x0fac22272259fab7),
-        UINT64_C(0xf3446a9e87910ec3),
-        UINT64_C(0xb0fea2e213424061),
-        UINT64_C(0x7c0428537281ad2d),
-        UINT64_C(0x7bfc1166e200da8e),
-        UINT64_C(0xa89e509480c554c4),
-        UINT64_C(0x0d85d96ead42a1c2),
-        UINT64_C(0x0c0e3c3478ba08cf),
-        UINT64_C(0x4becda1ce16437a0),
-        UINT64_C(0x3532c1abc681d213),
-        UINT64_C(0x67c700f8943829d4),
-        UINT64_C(0x6d5d118f919964f1),
-        UINT64_C(0xa8a5bbed376a9217),
-        UINT64_C(0xb08121e35015cce3),
-        UINT64_C(0xe6fde105e5917147),
-        UINT64_C(0x3a2606c9ccfe3c54),
-        UINT64_C(0x256ecc13bc6e2653),
-        UINT64_C(0x6d7a4868387d75b5),
-        UINT64_C(0x0534e8aa5af45169),
-        UINT64_C(0x415e6a847c58cda3),
-        UINT64_C(0xd96db31b396145f1),
-        UINT64_C(0xd3234604154a4b74),
-        UINT64_C(0xf1f468d1988f56c7),
-        UINT64_C(0x75ae59ccec074a30),
-        UINT64_C(0xd528416eba8ee643),
-        UINT64_C(0x786a999ed69a8791),
+        UINT64_C(0xd27d5fa5b5faa55e),
+        UINT64_C(0xbfa536ffd15a4fb4),
+        UINT64_C(0xfd8ca494e6fabc08),
+        UINT64_C(0xeefb4d880cf1c553),
+        UINT64_C(0xa041d8fdb1405c75),
+        UINT64_C(0x5e1ad71264c16fdb),
+        UINT64_C(0xe03d07c0166b4e85),
+        UINT64_C(0x390a645d18ca828d),
+        UINT64_C(0x158019dc093388b7),
+        UINT64_C(0x5bb13ece0ee0a03e),
+        UINT64_C(0xc8aa717295df59f0),
+        UINT64_C(0x835b5404fe4804f5),
+        UINT64_C(0x88a14db03c18a1f3),
+        UINT64_C(0x2fcf544d140f8a27),
+        UINT64_C(0xe557f558e4ab3fd2),
+        UINT64_C(0xb78c3102936a2805),
+        UINT64_C(0x4f168bb0b420f856),
+        UINT64_C(0xebdb9e433d200f6c),
+        UINT64_C(0x1fb0af174ebaa082),
+        UINT64_C(0x782f01233d6dbcea),
+        UINT64_C(0xf769cf8f125dc5d0),
+        UINT64_C(0xb9bf3cd48e9b2e3d),
+        UINT64_C(0x7eef34cf948ae442),
+        UINT64_C(0x2f78637b835d1b48),
+        UINT64_C(0x7f225704c7fca6f0),
+        UINT64_C(0x5c73fce942ad1044),
+        UINT64_C(0xde06a95c4c34b8af),
+        UINT64_C(0x03d4f2b39df95fc1),
+        UINT64_C(0xc7e9f025a196e4eb),
+        UINT64_C(0x58e51ce93f0f03e0),
+        UINT64_C(0x25413b0e5f305a1f),
+        UINT64_C(0x8d4e3a29b4312f5c),
+        UINT64_C(0x19b41cdc2bb847da),
+        UINT64_C(0x9ab6e83a74760d6f),
+        UINT64_C(0x9d057f28db32cb2b),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_s_ipc_state *, const axis_s_ipc_inputs *, axis_s_ipc_outputs *) =
@@ -322,6 +336,7 @@ uint32_t axis_s_ipc_self_test(void)
         digest = fold(digest, outputs.error_id);
         digest = fold(digest, state.preset);
         digest = fold(digest, state.fade);
+        digest = fold(digest, state.disturbed);
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s2));
         digest = fold(digest, bits_of(state.stage0_filter0_section1_s1));

@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  f238c861639f753c7ad0cad4ea3352d1
- * checksum    e163900a28778720de4ce7b458269c5d
+ * checksum    05c55a08d2efb1e1bf76c3161440958f
  */
 #ifndef AXIS_S_IPC_H
 #define AXIS_S_IPC_H
@@ -40,13 +40,14 @@ typedef struct {
     double v_add_calculated;
     bool limited; /* the limit (P-AXIS-00757 of P-AXIS-00212) acts in this cycle */
     bool fault; /* the block cannot act in this cycle, the id says why */
-    uint32_t error_id; /* 0 none, 1 cycle_time, 2 mode, 12 v_motor */
+    uint32_t error_id; /* 0 none, 1 cycle_time, 2 mode, 3 state, 12 v_motor */
 } axis_s_ipc_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool preset; /* whether the sections have been preset to the steady state of an input */
     uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
+    bool disturbed; /* whether a state was overwritten, as the cycle before has shown */
     double stage0_filter0_section0_s1; /* what the next output takes over */
     double stage0_filter0_section0_s2; /* what `s1` takes over */
     double stage0_filter0_section1_s1; /* what the next output takes over */

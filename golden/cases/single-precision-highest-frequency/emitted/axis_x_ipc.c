@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  85973501273fb31e4d28546a16b52344
- * checksum    0b4891a41cf4ceef57671193d5191208
+ * checksum    36bcc0ae1536767458fab1766e206a3f
  */
 #include "axis_x_ipc.h"
 
@@ -76,15 +76,21 @@ static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const float sample_limit = 1000000000.0f;
+/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
+ * anew */
+static const uint32_t error_state = 3u;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_direct = 13u; /* error_id: v_direct is not within the sample limit */
 /* added to every change and to low, so that a section at rest never decays into subnormal numbers */
 static const float least_change = 1.0e-18f;
+/* largest magnitude of a sum of stages: beyond it a state has been overwritten */
+static const float sum_limit = 1000000000000000.0f;
 
 void axis_x_ipc_init(axis_x_ipc_state *state)
 {
+    state->disturbed = false;
     state->preset = false;
     state->fade = 0u;
 }
@@ -110,6 +116,10 @@ void axis_x_ipc_step(
             && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
         runs = true;
         reason = error_none;
+    } else if (state->disturbed) {
+        state->disturbed = false;
+        runs = false;
+        reason = error_state;
     } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
             && magnitude(inputs->v_direct) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
@@ -199,16 +209,21 @@ void axis_x_ipc_step(
             } else {
                 v_limited = v_stage0;
             }
-        } else {
+        } else if (magnitude(v_stage0) <= sum_limit) {
             outputs->limited = true;
             if (v_stage0 > 0.0f) {
                 v_limited = limit;
-            } else if (v_stage0 < 0.0f) {
-                v_limited = lower_limit;
             } else {
-                /* only a sum that is no number comes here, which no sample in range leads to: nothing is added */
-                v_limited = 0.0f;
+                v_limited = lower_limit;
             }
+        } else {
+            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
+             * everything starts anew */
+            outputs->limited = true;
+            state->disturbed = true;
+            state->preset = false;
+            state->fade = 0u;
+            v_limited = 0.0f;
         }
         if (state->fade >= fade_cycles) {
             outputs->v_add = v_limited;
@@ -263,41 +278,41 @@ uint32_t axis_x_ipc_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint32_t expected[35] = {
-        UINT32_C(0xb181bcd3),
-        UINT32_C(0xd1f690bf),
-        UINT32_C(0x4e66f114),
-        UINT32_C(0x957a2396),
-        UINT32_C(0xbb444861),
-        UINT32_C(0xb8e32555),
-        UINT32_C(0xa1484785),
-        UINT32_C(0x95756436),
-        UINT32_C(0xa0e8108e),
-        UINT32_C(0x02e2805e),
-        UINT32_C(0x3a9ca1ad),
-        UINT32_C(0xe7567766),
-        UINT32_C(0x4a2ac46c),
-        UINT32_C(0xe002bd41),
-        UINT32_C(0x46417c20),
-        UINT32_C(0xe9ab3202),
-        UINT32_C(0xc6cc153d),
-        UINT32_C(0xa12129ad),
-        UINT32_C(0x022c226a),
-        UINT32_C(0x80b0719f),
-        UINT32_C(0x71243aad),
-        UINT32_C(0x40513242),
-        UINT32_C(0x19b7af79),
-        UINT32_C(0x7ede6774),
-        UINT32_C(0xf5c57265),
-        UINT32_C(0xe6066c3d),
-        UINT32_C(0xf50f8b35),
-        UINT32_C(0x0c0c188f),
-        UINT32_C(0x66cd469c),
-        UINT32_C(0x1cbda74d),
-        UINT32_C(0x337f0fe0),
-        UINT32_C(0x72cf51c1),
-        UINT32_C(0x05ccad94),
-        UINT32_C(0x8b4cbb0b),
-        UINT32_C(0x605cd390),
+        UINT32_C(0xb181dbd3),
+        UINT32_C(0x8114595f),
+        UINT32_C(0xb38ddc28),
+        UINT32_C(0x66c5d6a3),
+        UINT32_C(0x6dcbdabd),
+        UINT32_C(0xd67e26e6),
+        UINT32_C(0x78c648af),
+        UINT32_C(0x5e45110a),
+        UINT32_C(0x43d979b3),
+        UINT32_C(0x5425e774),
+        UINT32_C(0x112704bc),
+        UINT32_C(0xec603e55),
+        UINT32_C(0x127c4a8f),
+        UINT32_C(0x65d22401),
+        UINT32_C(0x63405d96),
+        UINT32_C(0x2a1856a8),
+        UINT32_C(0x22df5106),
+        UINT32_C(0xef7d2d82),
+        UINT32_C(0x3bfaedfd),
+        UINT32_C(0xb36dcf8e),
+        UINT32_C(0x733810c6),
+        UINT32_C(0xb9393564),
+        UINT32_C(0xd8c95f03),
+        UINT32_C(0x104826de),
+        UINT32_C(0x81f6c670),
+        UINT32_C(0x5a93c341),
+        UINT32_C(0x27036f8e),
+        UINT32_C(0x7e6a5975),
+        UINT32_C(0x3d5d6cf4),
+        UINT32_C(0xc4493fa2),
+        UINT32_C(0xa97079ad),
+        UINT32_C(0xf24e703c),
+        UINT32_C(0x852b89f3),
+        UINT32_C(0x27ab62e1),
+        UINT32_C(0xfb50626f),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
@@ -338,6 +353,7 @@ uint32_t axis_x_ipc_self_test(void)
         digest = fold(digest, outputs.error_id);
         digest = fold(digest, state.preset);
         digest = fold(digest, state.fade);
+        digest = fold(digest, state.disturbed);
         digest = fold(digest, bits_of(state.source_v_direct_before));
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
         digest = fold(digest, bits_of(state.stage0_filter0_section0_p));

@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  85973501273fb31e4d28546a16b52344
- * checksum    2cbb9cd54f0159d049840884e1423bfc
+ * checksum    f65307401866cbdf0633b40f2df0605c
  */
 #ifndef AXIS_X_IPC_H
 #define AXIS_X_IPC_H
@@ -43,13 +43,14 @@ typedef struct {
     float v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the fade; 0 in OFF [um/s] */
     bool limited; /* the limit (P-AXIS-00757 of P-AXIS-00212) acts in this cycle */
     bool fault; /* the block cannot act in this cycle, the id says why */
-    uint32_t error_id; /* 0 none, 1 cycle_time, 2 mode, 13 v_direct */
+    uint32_t error_id; /* 0 none, 1 cycle_time, 2 mode, 3 state, 13 v_direct */
 } axis_x_ipc_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool preset; /* whether the sections have been preset to the steady state of an input */
     uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
+    bool disturbed; /* whether a state was overwritten, as the cycle before has shown */
     float source_v_direct_before; /* the value of the cycle before */
     float stage0_filter0_section0_s1; /* what the next output takes over */
     float stage0_filter0_section0_p; /* the input without its low-pass part */

@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  62500 ns
  * parameters  73ee4c20de103491d7d9a4c84a9dde2d
- * checksum    112e3c8732928fd4375072da35cdb704
+ * checksum    604e30666f90514115da0acc18a8edab
  */
 #include "axis_x_ipc.h"
 
@@ -83,15 +83,21 @@ static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const float sample_limit = 1000000000.0f;
+/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
+ * anew */
+static const uint32_t error_state = 3u;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
 /* added to every change and to low, so that a section at rest never decays into subnormal numbers */
 static const float least_change = 1.0e-18f;
+/* largest magnitude of a sum of stages: beyond it a state has been overwritten */
+static const float sum_limit = 1000000000000000.0f;
 
 void axis_x_ipc_init(axis_x_ipc_state *state)
 {
+    state->disturbed = false;
     state->preset = false;
     state->fade = 0u;
 }
@@ -117,6 +123,10 @@ void axis_x_ipc_step(
             && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
         runs = true;
         reason = error_none;
+    } else if (state->disturbed) {
+        state->disturbed = false;
+        runs = false;
+        reason = error_state;
     } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
             && magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
@@ -224,16 +234,21 @@ void axis_x_ipc_step(
             } else {
                 v_limited = v_stage0;
             }
-        } else {
+        } else if (magnitude(v_stage0) <= sum_limit) {
             outputs->limited = true;
             if (v_stage0 > 0.0f) {
                 v_limited = limit;
-            } else if (v_stage0 < 0.0f) {
-                v_limited = lower_limit;
             } else {
-                /* only a sum that is no number comes here, which no sample in range leads to: nothing is added */
-                v_limited = 0.0f;
+                v_limited = lower_limit;
             }
+        } else {
+            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
+             * everything starts anew */
+            outputs->limited = true;
+            state->disturbed = true;
+            state->preset = false;
+            state->fade = 0u;
+            v_limited = 0.0f;
         }
         if (state->fade >= fade_cycles) {
             outputs->v_add = v_limited;
@@ -288,41 +303,41 @@ uint32_t axis_x_ipc_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint32_t expected[35] = {
-        UINT32_C(0xa470c80e),
-        UINT32_C(0x65c5362a),
-        UINT32_C(0x68e7a188),
-        UINT32_C(0x6ec30f1c),
-        UINT32_C(0x81055f9b),
-        UINT32_C(0xdd1da028),
-        UINT32_C(0x5819253f),
-        UINT32_C(0x671cf724),
-        UINT32_C(0x5fe31179),
-        UINT32_C(0x009aa47c),
-        UINT32_C(0x09096637),
-        UINT32_C(0xd1690aa9),
-        UINT32_C(0x9a2291f6),
-        UINT32_C(0x5f6b85ba),
-        UINT32_C(0x26b1da67),
-        UINT32_C(0xd47ba989),
-        UINT32_C(0xfe85816d),
-        UINT32_C(0xf550321b),
-        UINT32_C(0x9ba33021),
-        UINT32_C(0x3b071505),
-        UINT32_C(0x414c15be),
-        UINT32_C(0x446cb47c),
-        UINT32_C(0xa60ea3c2),
-        UINT32_C(0x046ce255),
-        UINT32_C(0xaed7d8c6),
-        UINT32_C(0x56b0d5ee),
-        UINT32_C(0x4a54dcbc),
-        UINT32_C(0x47b64226),
-        UINT32_C(0xb395e7d3),
-        UINT32_C(0xc7b7a327),
-        UINT32_C(0x7db04405),
-        UINT32_C(0xe337974e),
-        UINT32_C(0x0a30b69a),
-        UINT32_C(0x103394cc),
-        UINT32_C(0x4c7cc3f9),
+        UINT32_C(0xb3f0c80e),
+        UINT32_C(0xdec08b87),
+        UINT32_C(0xd2960b0f),
+        UINT32_C(0xccecc554),
+        UINT32_C(0x0123b54e),
+        UINT32_C(0x72a5ee52),
+        UINT32_C(0x6e37f924),
+        UINT32_C(0x62e633e4),
+        UINT32_C(0x2159a689),
+        UINT32_C(0x08d82994),
+        UINT32_C(0x1cfcd269),
+        UINT32_C(0xc2d83cde),
+        UINT32_C(0x943c45e8),
+        UINT32_C(0xd7bcb177),
+        UINT32_C(0x6404dedd),
+        UINT32_C(0x14e365c9),
+        UINT32_C(0x47e67f88),
+        UINT32_C(0xff647b49),
+        UINT32_C(0x97619810),
+        UINT32_C(0x90ed2708),
+        UINT32_C(0x99204978),
+        UINT32_C(0x87bcac1f),
+        UINT32_C(0xadd504fc),
+        UINT32_C(0xd87b5875),
+        UINT32_C(0x15b1b98b),
+        UINT32_C(0x44c5e1e1),
+        UINT32_C(0xecac7f20),
+        UINT32_C(0x4f7b298f),
+        UINT32_C(0x8622ddb1),
+        UINT32_C(0xafde3ae0),
+        UINT32_C(0xba86c61c),
+        UINT32_C(0xf2fdfc7e),
+        UINT32_C(0xfa28c799),
+        UINT32_C(0xc55e75d4),
+        UINT32_C(0x25201845),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
@@ -363,6 +378,7 @@ uint32_t axis_x_ipc_self_test(void)
         digest = fold(digest, outputs.error_id);
         digest = fold(digest, state.preset);
         digest = fold(digest, state.fade);
+        digest = fold(digest, state.disturbed);
         digest = fold(digest, bits_of(state.source_v_motor_before));
         digest = fold(digest, bits_of(state.stage0_oscillation_s1));
         digest = fold(digest, bits_of(state.stage0_oscillation_p));

@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  62500 ns
  * parameters  73ee4c20de103491d7d9a4c84a9dde2d
- * checksum    51d5bb72df7e0fe23f0bf05a55263a57
+ * checksum    8b6e4797c63f83f35bd7b52c13d42718
  */
 #ifndef AXIS_X_IPC_H
 #define AXIS_X_IPC_H
@@ -41,13 +41,14 @@ typedef struct {
     float v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the fade; 0 in OFF [um/s] */
     bool limited; /* the limit (P-AXIS-00757 of P-AXIS-00212) acts in this cycle */
     bool fault; /* the block cannot act in this cycle, the id says why */
-    uint32_t error_id; /* 0 none, 1 cycle_time, 2 mode, 12 v_motor */
+    uint32_t error_id; /* 0 none, 1 cycle_time, 2 mode, 3 state, 12 v_motor */
 } axis_x_ipc_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool preset; /* whether the sections have been preset to the steady state of an input */
     uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
+    bool disturbed; /* whether a state was overwritten, as the cycle before has shown */
     float source_v_motor_before; /* the value of the cycle before */
     float stage0_oscillation_s1; /* what the next output takes over */
     float stage0_oscillation_p; /* the input without its low-pass part */

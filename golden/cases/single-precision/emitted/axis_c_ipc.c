@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  93aee06be26c056330bf348cc27a6125
- * checksum    4ac47be68c297ecdc1227d66c1b55ee7
+ * checksum    570bb88c4bd99330ad080cb1cfc52b61
  */
 #include "axis_c_ipc.h"
 
@@ -131,6 +131,9 @@ static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const float sample_limit = 1000000000.0f;
+/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
+ * anew */
+static const uint32_t error_state = 3u;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
@@ -138,9 +141,12 @@ static const uint32_t error_v_command = 11u; /* error_id: v_command is not withi
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
 /* added to every change and to low, so that a section at rest never decays into subnormal numbers */
 static const float least_change = 1.0e-18f;
+/* largest magnitude of a sum of stages: beyond it a state has been overwritten */
+static const float sum_limit = 1000000000000000.0f;
 
 void axis_c_ipc_init(axis_c_ipc_state *state)
 {
+    state->disturbed = false;
     state->preset = false;
     state->fade = 0u;
 }
@@ -167,6 +173,10 @@ void axis_c_ipc_step(
             && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
         runs = true;
         reason = error_none;
+    } else if (state->disturbed) {
+        state->disturbed = false;
+        runs = false;
+        reason = error_state;
     } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
             && magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
@@ -374,16 +384,21 @@ void axis_c_ipc_step(
             } else {
                 v_limited = v_sum2;
             }
-        } else {
+        } else if (magnitude(v_sum2) <= sum_limit) {
             outputs->limited = true;
             if (v_sum2 > 0.0f) {
                 v_limited = limit;
-            } else if (v_sum2 < 0.0f) {
-                v_limited = lower_limit;
             } else {
-                /* only a sum that is no number comes here, which no sample in range leads to: nothing is added */
-                v_limited = 0.0f;
+                v_limited = lower_limit;
             }
+        } else {
+            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
+             * everything starts anew */
+            outputs->limited = true;
+            state->disturbed = true;
+            state->preset = false;
+            state->fade = 0u;
+            v_limited = 0.0f;
         }
         if (state->fade >= fade_cycles) {
             outputs->v_add = v_limited;
@@ -438,44 +453,44 @@ uint32_t axis_c_ipc_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint32_t expected[38] = {
-        UINT32_C(0x1e5801ce),
-        UINT32_C(0x3bb01918),
-        UINT32_C(0x29e5a274),
-        UINT32_C(0x4cbafe45),
-        UINT32_C(0x4736bb0f),
-        UINT32_C(0xa8302092),
-        UINT32_C(0x96795a0e),
-        UINT32_C(0x114cab53),
-        UINT32_C(0xa4cf4025),
-        UINT32_C(0x4512814e),
-        UINT32_C(0xbebf9f80),
-        UINT32_C(0xbe1089d7),
-        UINT32_C(0x7a7098ec),
-        UINT32_C(0x2664d9bd),
-        UINT32_C(0x83eaab42),
-        UINT32_C(0x95382c80),
-        UINT32_C(0x65dab878),
-        UINT32_C(0x9e49d906),
-        UINT32_C(0x8879f69d),
-        UINT32_C(0xcfd7e32f),
-        UINT32_C(0x25eafe50),
-        UINT32_C(0xdfa63d7a),
-        UINT32_C(0x2c6f699c),
-        UINT32_C(0x863dba60),
-        UINT32_C(0xa0f4146a),
-        UINT32_C(0x3f720dd4),
-        UINT32_C(0xc2e3a197),
-        UINT32_C(0xf2482092),
-        UINT32_C(0x08fa48a3),
-        UINT32_C(0x9f14148d),
-        UINT32_C(0x47243b33),
-        UINT32_C(0x0200bfd0),
-        UINT32_C(0x1d7c3937),
-        UINT32_C(0xe845314c),
-        UINT32_C(0xf1bd2d3d),
-        UINT32_C(0x5e79e3fa),
-        UINT32_C(0x91c1d5ca),
-        UINT32_C(0x81137928),
+        UINT32_C(0x1e58024a),
+        UINT32_C(0xe95afb0e),
+        UINT32_C(0x1994ebb5),
+        UINT32_C(0x9f008a02),
+        UINT32_C(0x5c156edd),
+        UINT32_C(0xe2af41ab),
+        UINT32_C(0x2efa1097),
+        UINT32_C(0x7a391eaf),
+        UINT32_C(0x79bd52f8),
+        UINT32_C(0xd9cbaf20),
+        UINT32_C(0x121dde2b),
+        UINT32_C(0xc40c62f8),
+        UINT32_C(0xd105b8e7),
+        UINT32_C(0xe3b62153),
+        UINT32_C(0x235ae060),
+        UINT32_C(0x5e2f182a),
+        UINT32_C(0x6464400a),
+        UINT32_C(0xab5e21eb),
+        UINT32_C(0x5f63b9fd),
+        UINT32_C(0xe2fecacb),
+        UINT32_C(0xe06e3e54),
+        UINT32_C(0xfa2ab8ee),
+        UINT32_C(0x87effa5d),
+        UINT32_C(0x037d856b),
+        UINT32_C(0xacffad13),
+        UINT32_C(0x87ea0b19),
+        UINT32_C(0x8bb6107c),
+        UINT32_C(0xeba7a356),
+        UINT32_C(0xa43055b4),
+        UINT32_C(0x0908ed99),
+        UINT32_C(0xd27d834b),
+        UINT32_C(0x54c9ae13),
+        UINT32_C(0x17d9f2b9),
+        UINT32_C(0x3f8a00ce),
+        UINT32_C(0x955e20e3),
+        UINT32_C(0xc815386e),
+        UINT32_C(0x15404676),
+        UINT32_C(0xe717dd2d),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_c_ipc_state *, const axis_c_ipc_inputs *, axis_c_ipc_outputs *) =
@@ -519,6 +534,7 @@ uint32_t axis_c_ipc_self_test(void)
         digest = fold(digest, outputs.error_id);
         digest = fold(digest, state.preset);
         digest = fold(digest, state.fade);
+        digest = fold(digest, state.disturbed);
         digest = fold(digest, bits_of(state.source_v_command_before));
         digest = fold(digest, bits_of(state.source_v_motor_before));
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));

@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  93aee06be26c056330bf348cc27a6125
- * checksum    aabb77c97dcf111d34a5679f8e56675a
+ * checksum    f79d5e8ec8671362bf2dff656802924c
  */
 #ifndef AXIS_C_IPC_H
 #define AXIS_C_IPC_H
@@ -52,13 +52,14 @@ typedef struct {
     float v_add_calculated;
     bool limited; /* the limit (P-AXIS-00757 of P-AXIS-00212) acts in this cycle */
     bool fault; /* the block cannot act in this cycle, the id says why */
-    uint32_t error_id; /* 0 none, 1 cycle_time, 2 mode, 11 v_command, 12 v_motor */
+    uint32_t error_id; /* 0 none, 1 cycle_time, 2 mode, 3 state, 11 v_command, 12 v_motor */
 } axis_c_ipc_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool preset; /* whether the sections have been preset to the steady state of an input */
     uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
+    bool disturbed; /* whether a state was overwritten, as the cycle before has shown */
     float source_v_command_before; /* the value of the cycle before */
     float source_v_motor_before; /* the value of the cycle before */
     float stage0_filter0_section0_s1; /* what the next output takes over */

@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  a0c645d4293c1d72ba63265e5e4c41a7
- * checksum    0b9fdabdc7bcfdd764c5fefd6a85d0e5
+ * checksum    906f825ee724dfd0d4388bc80086bac4
  */
 #include "axis_x_ipc.h"
 
@@ -158,6 +158,9 @@ static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
+/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
+ * anew */
+static const uint32_t error_state = 3u;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
@@ -165,9 +168,11 @@ static const uint32_t error_v_command = 11u; /* error_id: v_command is not withi
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
 /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 static const double anti_denormal = 1.0e-30;
+static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
 
 void axis_x_ipc_init(axis_x_ipc_state *state)
 {
+    state->disturbed = false;
     state->preset = false;
     state->fade = 0u;
 }
@@ -194,6 +199,10 @@ void axis_x_ipc_step(
             && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
         runs = true;
         reason = error_none;
+    } else if (state->disturbed) {
+        state->disturbed = false;
+        runs = false;
+        reason = error_state;
     } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
             && magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
@@ -414,16 +423,21 @@ void axis_x_ipc_step(
             } else {
                 v_limited = v_sum2;
             }
-        } else {
+        } else if (magnitude(v_sum2) <= sum_limit) {
             outputs->limited = true;
             if (v_sum2 > 0.0) {
                 v_limited = limit;
-            } else if (v_sum2 < 0.0) {
-                v_limited = lower_limit;
             } else {
-                /* only a sum that is no number comes here, which no sample in range leads to: nothing is added */
-                v_limited = 0.0;
+                v_limited = lower_limit;
             }
+        } else {
+            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
+             * everything starts anew */
+            outputs->limited = true;
+            state->disturbed = true;
+            state->preset = false;
+            state->fade = 0u;
+            v_limited = 0.0;
         }
         if (state->fade >= fade_cycles) {
             outputs->v_add = v_limited;
@@ -478,44 +492,44 @@ uint32_t axis_x_ipc_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint64_t expected[38] = {
-        UINT64_C(0xd993638c1eef9abf),
-        UINT64_C(0xa773305ddd64a5b5),
-        UINT64_C(0xb818401d3eb687f1),
-        UINT64_C(0x59ff8c59afc3ef47),
-        UINT64_C(0x0c05e7bfab843004),
-        UINT64_C(0xcfcce2baf451f15b),
-        UINT64_C(0x78e31706f23f60e0),
-        UINT64_C(0xda7ded5a256bc177),
-        UINT64_C(0xafdb725416d1c46e),
-        UINT64_C(0x9d7c899b53630989),
-        UINT64_C(0x27b808e92b0611f4),
-        UINT64_C(0x0cb70b9521e592e6),
-        UINT64_C(0x32d6435f03606fd5),
-        UINT64_C(0x9dfb8b5c4275ce58),
-        UINT64_C(0x89a46f9b2f303110),
-        UINT64_C(0xdd21d21c216ebd4f),
-        UINT64_C(0xda050a039dd35b8f),
-        UINT64_C(0x4a0d399f002dea21),
-        UINT64_C(0xa4c739266b17e5e3),
-        UINT64_C(0xfeae312a6d232259),
-        UINT64_C(0xcf4e310fce35b9d5),
-        UINT64_C(0x1883ec1f02cb3c0d),
-        UINT64_C(0x2820d8e8002073a6),
-        UINT64_C(0x0f3327fdc4e182c0),
-        UINT64_C(0x8794a5790fdc487a),
-        UINT64_C(0x4a772606933bc001),
-        UINT64_C(0xd90f87d7a1e8dacb),
-        UINT64_C(0x323c2f118e479bfe),
-        UINT64_C(0xcd038c7490de84b2),
-        UINT64_C(0xef71425da4449802),
-        UINT64_C(0x941770cc989e0f60),
-        UINT64_C(0xc7a9874ec6467eb4),
-        UINT64_C(0x027d7fa0fe35eaec),
-        UINT64_C(0xc72bd65e05b6818f),
-        UINT64_C(0x83f46130461e04cd),
-        UINT64_C(0x029f7f396640e5bc),
-        UINT64_C(0x8fd29c818b72d1cd),
-        UINT64_C(0x1738b14774ddcb9d),
+        UINT64_C(0xd993638c210d9abf),
+        UINT64_C(0x858c9bc3ada0a39b),
+        UINT64_C(0x8e6dc52d6500f349),
+        UINT64_C(0xadf9744a96dd916e),
+        UINT64_C(0x4acd1a58c100c27a),
+        UINT64_C(0xbff36a89a22bafa5),
+        UINT64_C(0xcfc716f399da29c7),
+        UINT64_C(0xb16749946fbd3598),
+        UINT64_C(0xe8d84a6ca378d290),
+        UINT64_C(0x6e77c2b825b7b5e8),
+        UINT64_C(0x925e68aac05a4ef3),
+        UINT64_C(0xa488f2c518f429e0),
+        UINT64_C(0xeab2b7c6e675e405),
+        UINT64_C(0xcebf7c5061b87995),
+        UINT64_C(0x3c06c775ec1eb215),
+        UINT64_C(0x2ea7203cc54a6ce3),
+        UINT64_C(0x470af8eacbebf9d3),
+        UINT64_C(0x0d63730ea9dc5105),
+        UINT64_C(0x6f325cf9f2de7d8c),
+        UINT64_C(0xaa488123e426f4f6),
+        UINT64_C(0x652f96a456dbdcc2),
+        UINT64_C(0x5c3f3be537e94a83),
+        UINT64_C(0x923ecdd3885005d0),
+        UINT64_C(0x9e04a3c49255e43c),
+        UINT64_C(0x51a5cd33ea78f8f2),
+        UINT64_C(0x4d618e9a0da3c88e),
+        UINT64_C(0x68834ab6307a2185),
+        UINT64_C(0x0e7aa4de3d1095c5),
+        UINT64_C(0xc92e7228b7ba7c55),
+        UINT64_C(0xfebc10ada10977e3),
+        UINT64_C(0x79409a1ea69bfa7b),
+        UINT64_C(0x116a54fd7921417c),
+        UINT64_C(0xa7211af0bcfeccb3),
+        UINT64_C(0x3ba35d94b37fa79e),
+        UINT64_C(0x1c8fa0991479eced),
+        UINT64_C(0x58c64d97c2a1cd64),
+        UINT64_C(0x73834cc610da620f),
+        UINT64_C(0xf0eb37e0e1a8d899),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
@@ -563,6 +577,7 @@ uint32_t axis_x_ipc_self_test(void)
         digest = fold(digest, outputs.error_id);
         digest = fold(digest, state.preset);
         digest = fold(digest, state.fade);
+        digest = fold(digest, state.disturbed);
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s2));
         digest = fold(digest, bits_of(state.stage0_filter0_section1_s1));

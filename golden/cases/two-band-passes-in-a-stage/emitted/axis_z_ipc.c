@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  c2f6b8fb6fa0145044514cee709a094e
- * checksum    40456f5e32904e1414d5df2772bf064c
+ * checksum    c295799f7d1dbfec20bb2c01358771c0
  */
 #include "axis_z_ipc.h"
 
@@ -105,6 +105,9 @@ static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
+/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
+ * anew */
+static const uint32_t error_state = 3u;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
@@ -112,9 +115,11 @@ static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within th
 static const uint32_t error_v_direct = 13u; /* error_id: v_direct is not within the sample limit */
 /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 static const double anti_denormal = 1.0e-30;
+static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
 
 void axis_z_ipc_init(axis_z_ipc_state *state)
 {
+    state->disturbed = false;
     state->preset = false;
     state->fade = 0u;
 }
@@ -141,6 +146,10 @@ void axis_z_ipc_step(
             && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
         runs = true;
         reason = error_none;
+    } else if (state->disturbed) {
+        state->disturbed = false;
+        runs = false;
+        reason = error_state;
     } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
             && magnitude(inputs->v_motor) <= sample_limit && magnitude(inputs->v_direct) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
@@ -268,16 +277,21 @@ void axis_z_ipc_step(
             } else {
                 v_limited = v_sum1;
             }
-        } else {
+        } else if (magnitude(v_sum1) <= sum_limit) {
             outputs->limited = true;
             if (v_sum1 > 0.0) {
                 v_limited = limit;
-            } else if (v_sum1 < 0.0) {
-                v_limited = lower_limit;
             } else {
-                /* only a sum that is no number comes here, which no sample in range leads to: nothing is added */
-                v_limited = 0.0;
+                v_limited = lower_limit;
             }
+        } else {
+            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
+             * everything starts anew */
+            outputs->limited = true;
+            state->disturbed = true;
+            state->preset = false;
+            state->fade = 0u;
+            v_limited = 0.0;
         }
         if (state->fade >= fade_cycles) {
             outputs->v_add = v_limited;
@@ -332,44 +346,44 @@ uint32_t axis_z_ipc_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint64_t expected[38] = {
-        UINT64_C(0x5084d5e36810827a),
-        UINT64_C(0x048d18285062f44a),
-        UINT64_C(0x39ffadde51ce6cc7),
-        UINT64_C(0xe490060b6167a950),
-        UINT64_C(0xe197f674c7c80c34),
-        UINT64_C(0x68dd3c35bdd12c17),
-        UINT64_C(0x2795827b02b8813b),
-        UINT64_C(0x10a2fe9c2d89a9d4),
-        UINT64_C(0x78a33d491647b152),
-        UINT64_C(0xf2962847c4a53a60),
-        UINT64_C(0x27c7451bda4a45ca),
-        UINT64_C(0x6e95114a149a6df2),
-        UINT64_C(0x97e7c2094b015a05),
-        UINT64_C(0xa7f976cfcda12105),
-        UINT64_C(0x696b50fdf3c007f1),
-        UINT64_C(0xff706d06acfaba7c),
-        UINT64_C(0xb3700a7490408bc2),
-        UINT64_C(0x15e1fe977cd00df4),
-        UINT64_C(0x7f2cc1ee2c797d71),
-        UINT64_C(0x8063ab100ec36ddb),
-        UINT64_C(0xbc6f7f6990bf9648),
-        UINT64_C(0x0499d38e41ead1a6),
-        UINT64_C(0xf45198cb80303e7c),
-        UINT64_C(0x1492de04dfb4178c),
-        UINT64_C(0xb9d221225e96a387),
-        UINT64_C(0x98728cdb10e27aa4),
-        UINT64_C(0xd500c8d297cd3f17),
-        UINT64_C(0x78df56a95c98f2f2),
-        UINT64_C(0x2ffb54b1020acd88),
-        UINT64_C(0x9597baf298ec27a1),
-        UINT64_C(0x555a92f529fdc6b2),
-        UINT64_C(0xd362eef7f68a3715),
-        UINT64_C(0xd61f38df17c470d8),
-        UINT64_C(0x0a71de609a2cdc83),
-        UINT64_C(0xe1fade3665c81a9b),
-        UINT64_C(0xb91c5aa8c79cac61),
-        UINT64_C(0xa576f98f612ef579),
-        UINT64_C(0xedaaccda60de3174),
+        UINT64_C(0x5084d5e3681082b8),
+        UINT64_C(0xd18d2270705ebc8f),
+        UINT64_C(0x1735fbb6a84a0818),
+        UINT64_C(0x0e129cc363cb43aa),
+        UINT64_C(0x6d987c6d36abae04),
+        UINT64_C(0x70301662249cfbce),
+        UINT64_C(0x9792dbd35f06e657),
+        UINT64_C(0x1c2f06ad81cf38ad),
+        UINT64_C(0x061e734143588ed7),
+        UINT64_C(0x728683ff45173e89),
+        UINT64_C(0xda1d37ed920bf3dc),
+        UINT64_C(0x654729e81f84be16),
+        UINT64_C(0xcb74481208988e37),
+        UINT64_C(0xcac54bc94c03eb86),
+        UINT64_C(0xf59925b8132c4c68),
+        UINT64_C(0xefe0ce9066ffe047),
+        UINT64_C(0xf3b0b751902f9170),
+        UINT64_C(0xc615f6f2d200224f),
+        UINT64_C(0xf31b3543378706c0),
+        UINT64_C(0x784ed31f40019dc8),
+        UINT64_C(0x61034b98dd3d799b),
+        UINT64_C(0x464e9d274b2ce865),
+        UINT64_C(0xff4e829ab1d46751),
+        UINT64_C(0x53ee48d146dcef17),
+        UINT64_C(0x5d8a8f9e37ebeafe),
+        UINT64_C(0xba55cd9b1c3db199),
+        UINT64_C(0x6f0f7a30391d4707),
+        UINT64_C(0xe03f7413a50dea71),
+        UINT64_C(0x19c17205f2e16e75),
+        UINT64_C(0x2cec97519e25d730),
+        UINT64_C(0x527fa965063d1a09),
+        UINT64_C(0x09b4d539cd42c020),
+        UINT64_C(0x8276cf4131a01cec),
+        UINT64_C(0x4d9d2fddd9aaf5a5),
+        UINT64_C(0xd6a5a1ba40131ce3),
+        UINT64_C(0x13801d33a2ed78fb),
+        UINT64_C(0xf15d06eb783bc28b),
+        UINT64_C(0x957d14222840d354),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_z_ipc_state *, const axis_z_ipc_inputs *, axis_z_ipc_outputs *) =
@@ -417,6 +431,7 @@ uint32_t axis_z_ipc_self_test(void)
         digest = fold(digest, outputs.error_id);
         digest = fold(digest, state.preset);
         digest = fold(digest, state.fade);
+        digest = fold(digest, state.disturbed);
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s2));
         digest = fold(digest, bits_of(state.stage0_filter0_section1_s1));

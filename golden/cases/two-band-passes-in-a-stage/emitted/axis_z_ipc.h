@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  c2f6b8fb6fa0145044514cee709a094e
- * checksum    1a4bcf638de8fc2d7b8d580f419a0d46
+ * checksum    4c30f356f03030660fd7d90c355a2698
  */
 #ifndef AXIS_Z_IPC_H
 #define AXIS_Z_IPC_H
@@ -51,13 +51,14 @@ typedef struct {
     double v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the fade; 0 in OFF [um/s] */
     bool limited; /* the limit (P-AXIS-00757 of P-AXIS-00212) acts in this cycle */
     bool fault; /* the block cannot act in this cycle, the id says why */
-    uint32_t error_id; /* 0 none, 1 cycle_time, 2 mode, 12 v_motor, 13 v_direct */
+    uint32_t error_id; /* 0 none, 1 cycle_time, 2 mode, 3 state, 12 v_motor, 13 v_direct */
 } axis_z_ipc_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool preset; /* whether the sections have been preset to the steady state of an input */
     uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
+    bool disturbed; /* whether a state was overwritten, as the cycle before has shown */
     double stage0_filter0_section0_s1; /* what the next output takes over */
     double stage0_filter0_section0_s2; /* what `s1` takes over */
     double stage0_filter0_section1_s1; /* what the next output takes over */

@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  81f1a4ebb88fdcedcefe43a9b0bae022
- * checksum    2c6a90b44c40a88f34a5760118cb6d10
+ * checksum    30535bfca350fd2dd3171096d1a1cab0
  */
 #include "axis_two_frequencies_ipc.h"
 
@@ -101,15 +101,20 @@ static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
+/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
+ * anew */
+static const uint32_t error_state = 3u;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
 /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 static const double anti_denormal = 1.0e-30;
+static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
 
 void axis_two_frequencies_ipc_init(axis_two_frequencies_ipc_state *state)
 {
+    state->disturbed = false;
     state->preset = false;
     state->fade = 0u;
 }
@@ -135,6 +140,10 @@ void axis_two_frequencies_ipc_step(
             && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
         runs = true;
         reason = error_none;
+    } else if (state->disturbed) {
+        state->disturbed = false;
+        runs = false;
+        reason = error_state;
     } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
             && magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
@@ -246,16 +255,21 @@ void axis_two_frequencies_ipc_step(
             } else {
                 v_limited = v_sum1;
             }
-        } else {
+        } else if (magnitude(v_sum1) <= sum_limit) {
             outputs->limited = true;
             if (v_sum1 > 0.0) {
                 v_limited = limit;
-            } else if (v_sum1 < 0.0) {
-                v_limited = lower_limit;
             } else {
-                /* only a sum that is no number comes here, which no sample in range leads to: nothing is added */
-                v_limited = 0.0;
+                v_limited = lower_limit;
             }
+        } else {
+            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
+             * everything starts anew */
+            outputs->limited = true;
+            state->disturbed = true;
+            state->preset = false;
+            state->fade = 0u;
+            v_limited = 0.0;
         }
         if (state->fade >= fade_cycles) {
             outputs->v_add = v_limited;
@@ -310,41 +324,41 @@ uint32_t axis_two_frequencies_ipc_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint64_t expected[35] = {
-        UINT64_C(0xfb95d8a690799f3b),
-        UINT64_C(0xcfe7e7e235f911f9),
-        UINT64_C(0x555fd74a1cd69ec3),
-        UINT64_C(0xccaa4bd86649732e),
-        UINT64_C(0x436aebed4d4db143),
-        UINT64_C(0xf80337a3fe6003d9),
-        UINT64_C(0xc5ef8b9a3fe66479),
-        UINT64_C(0xa879c14456a04d7a),
-        UINT64_C(0x9322d1c220d0cd73),
-        UINT64_C(0x5e3c1684d1159f5b),
-        UINT64_C(0xad2a964f159daa4b),
-        UINT64_C(0xa382cb63e41afb8c),
-        UINT64_C(0x7a6b38f387decd71),
-        UINT64_C(0x445acbb0afa42895),
-        UINT64_C(0xdc2449f48a47b2d3),
-        UINT64_C(0x76d4812ec76d44e3),
-        UINT64_C(0x5aa557ab953099c6),
-        UINT64_C(0x88f6245b45ea2854),
-        UINT64_C(0x2a1d868de0f6b3a7),
-        UINT64_C(0x1019af02282e2651),
-        UINT64_C(0x03eca957ce7489d8),
-        UINT64_C(0xd63aaf52abaad07e),
-        UINT64_C(0x577866be90bcabcc),
-        UINT64_C(0xcb9b52bb76fe7a8f),
-        UINT64_C(0x2fc461f19dcfeccc),
-        UINT64_C(0x7cbf16c3c727e262),
-        UINT64_C(0x86ca641f98c93256),
-        UINT64_C(0xee690ee049055149),
-        UINT64_C(0x23ece892ef040773),
-        UINT64_C(0xb0510963445fca0b),
-        UINT64_C(0x7c200630172e5498),
-        UINT64_C(0x3cfc29db13fe6940),
-        UINT64_C(0x92cf9d738c905a68),
-        UINT64_C(0xe7fcf02150e749d4),
-        UINT64_C(0xeb630a73600598b8),
+        UINT64_C(0x0b15d8a690799f3b),
+        UINT64_C(0x9557bf2b3a9676f6),
+        UINT64_C(0x158370fb75f200c3),
+        UINT64_C(0xe35ebd36eceefb9c),
+        UINT64_C(0xda358a071de62da3),
+        UINT64_C(0x39743c66e05dec8f),
+        UINT64_C(0xe1801cfceeb43284),
+        UINT64_C(0x94c30334be167b36),
+        UINT64_C(0x114acba637546149),
+        UINT64_C(0xfc9d71cb13b2b3d9),
+        UINT64_C(0x52579f255ab3d8e7),
+        UINT64_C(0x52072d2721214f2a),
+        UINT64_C(0x932437cc8356c5ad),
+        UINT64_C(0xa9140a48c870792c),
+        UINT64_C(0xd1a8ae6365827648),
+        UINT64_C(0x5eb2adbdf1926ef0),
+        UINT64_C(0x77d22477f9720ab8),
+        UINT64_C(0xa53397f6d0c83d55),
+        UINT64_C(0xfbb0b4232eabc3ee),
+        UINT64_C(0x54b72995eb69dadc),
+        UINT64_C(0xe60acb7e181973a0),
+        UINT64_C(0x4a94edcf17f3ed1e),
+        UINT64_C(0x594504d54d1b98aa),
+        UINT64_C(0x1fd1dd91a301b4a2),
+        UINT64_C(0xf764fe0e6bf965dd),
+        UINT64_C(0x05ab5ecc0c2f694c),
+        UINT64_C(0xd7b3849783d1c689),
+        UINT64_C(0x461da2bdc99f47ec),
+        UINT64_C(0x1512e7b520f3e445),
+        UINT64_C(0x23c5a4f2eba05649),
+        UINT64_C(0xe6fd6a212c9c3b3c),
+        UINT64_C(0x2eeeb3e2c86305a2),
+        UINT64_C(0x9a8382f4ee2b1219),
+        UINT64_C(0x97d6bbc8f6a53b6a),
+        UINT64_C(0x55ce410ec412f5ab),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_two_frequencies_ipc_state *, const axis_two_frequencies_ipc_inputs *, axis_two_frequencies_ipc_outputs *) =
@@ -389,6 +403,7 @@ uint32_t axis_two_frequencies_ipc_self_test(void)
         digest = fold(digest, outputs.error_id);
         digest = fold(digest, state.preset);
         digest = fold(digest, state.fade);
+        digest = fold(digest, state.disturbed);
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s2));
         digest = fold(digest, bits_of(state.stage0_filter0_section1_s1));

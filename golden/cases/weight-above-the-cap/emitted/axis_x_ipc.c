@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  b8c5e69a91595cd19cc477d738dcfe37
- * checksum    0e6d7dfabcda27740674136f45d3a2e8
+ * checksum    70e1c26a89ac858c90be7de4e78936b9
  */
 #include "axis_x_ipc.h"
 
@@ -80,15 +80,20 @@ static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
 /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double sample_limit = 1000000000000000.0;
+/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
+ * anew */
+static const uint32_t error_state = 3u;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
 static const uint32_t error_cycle_time = 1u;
 static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
 static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
 /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 static const double anti_denormal = 1.0e-30;
+static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
 
 void axis_x_ipc_init(axis_x_ipc_state *state)
 {
+    state->disturbed = false;
     state->preset = false;
     state->fade = 0u;
 }
@@ -114,6 +119,10 @@ void axis_x_ipc_step(
             && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
         runs = true;
         reason = error_none;
+    } else if (state->disturbed) {
+        state->disturbed = false;
+        runs = false;
+        reason = error_state;
     } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
             && magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
@@ -192,16 +201,21 @@ void axis_x_ipc_step(
             } else {
                 v_limited = v_stage0;
             }
-        } else {
+        } else if (magnitude(v_stage0) <= sum_limit) {
             outputs->limited = true;
             if (v_stage0 > 0.0) {
                 v_limited = limit;
-            } else if (v_stage0 < 0.0) {
-                v_limited = lower_limit;
             } else {
-                /* only a sum that is no number comes here, which no sample in range leads to: nothing is added */
-                v_limited = 0.0;
+                v_limited = lower_limit;
             }
+        } else {
+            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
+             * everything starts anew */
+            outputs->limited = true;
+            state->disturbed = true;
+            state->preset = false;
+            state->fade = 0u;
+            v_limited = 0.0;
         }
         if (state->fade >= fade_cycles) {
             outputs->v_add = v_limited;
@@ -256,41 +270,41 @@ uint32_t axis_x_ipc_self_test(void)
 {
     /* the reference's digest of all outputs and of the whole state, after each sample */
     static const uint64_t expected[35] = {
-        UINT64_C(0x4ab2a4549b10561a),
-        UINT64_C(0x57d7fdb1c35dde45),
-        UINT64_C(0xd69e002a28a29da1),
-        UINT64_C(0xf3a044eae8d17cd6),
-        UINT64_C(0xf16cb0715af763a0),
-        UINT64_C(0x759910a79601d9b9),
-        UINT64_C(0x8d21a73bbb1d9080),
-        UINT64_C(0xe40961fad2d12541),
-        UINT64_C(0x9e17d5e5a219c2e1),
-        UINT64_C(0x949e07dc72c152f9),
-        UINT64_C(0x6fe883882085d0ad),
-        UINT64_C(0xb0491c341cacf955),
-        UINT64_C(0x3309399628de2925),
-        UINT64_C(0xd42faf323ffce7a3),
-        UINT64_C(0x6d8a4301dc2c2f8b),
-        UINT64_C(0x4ca97f838eab90ad),
-        UINT64_C(0x416837bb4bc4a87a),
-        UINT64_C(0x69923d836d10d175),
-        UINT64_C(0xbc39260f95f6c096),
-        UINT64_C(0x596b74c7f3ecd622),
-        UINT64_C(0x2ad5fba5b40d9ae6),
-        UINT64_C(0x4033cdb84df8cbb4),
-        UINT64_C(0x7d9cb1b113b1fa9c),
-        UINT64_C(0x370082a0cc21d6a9),
-        UINT64_C(0xb172a0d83cff0ef0),
-        UINT64_C(0x958de9b6bbaa1aa2),
-        UINT64_C(0xecc2106c274c3a95),
-        UINT64_C(0x4fc6db1c547097e5),
-        UINT64_C(0xbd86172c749e6e98),
-        UINT64_C(0x0a9ac414aa3c7dab),
-        UINT64_C(0x890ab4e44006ae7f),
-        UINT64_C(0x837836eb89baf0cf),
-        UINT64_C(0x3e0a23395b6c232d),
-        UINT64_C(0x4b8c3dac293f0bb3),
-        UINT64_C(0x6e6825f06eafd2a9),
+        UINT64_C(0x4ab2a454d910561a),
+        UINT64_C(0xef5dcff9e6a15b7b),
+        UINT64_C(0x72e7f12b2c2b0469),
+        UINT64_C(0xf3843c2ce006466e),
+        UINT64_C(0x1ccf77b061ea0bfa),
+        UINT64_C(0x5cd31edc5bc10710),
+        UINT64_C(0x1464ca9f84411a56),
+        UINT64_C(0xd5e4e0b05e76732e),
+        UINT64_C(0x0c52660f5bcd8874),
+        UINT64_C(0x8cb5ced825448800),
+        UINT64_C(0x74652348119a363f),
+        UINT64_C(0xb21fcfe05de2f875),
+        UINT64_C(0xd80d6b512eab043f),
+        UINT64_C(0x02ae5b98bac02e47),
+        UINT64_C(0x38d12aed645b0843),
+        UINT64_C(0x9420c5ddfc0b5f8e),
+        UINT64_C(0x24c2c11955783dd5),
+        UINT64_C(0xd1a5884abfdc6615),
+        UINT64_C(0x12507cc11f5ebfb3),
+        UINT64_C(0xe34f2e2246aca57a),
+        UINT64_C(0xddb98adfe2cdc7b6),
+        UINT64_C(0x89424eac3df1d068),
+        UINT64_C(0x709d4eddb5ee2897),
+        UINT64_C(0x9eff56d180c5cc57),
+        UINT64_C(0x31fc5681ad373b57),
+        UINT64_C(0x1787ea97baa363a2),
+        UINT64_C(0x1ba186f49cab5b58),
+        UINT64_C(0x8fb8b8454d292910),
+        UINT64_C(0x40661936f05560a9),
+        UINT64_C(0x5263022cabc7885f),
+        UINT64_C(0xa8cc3780da1d88c6),
+        UINT64_C(0x786bca19334b1eac),
+        UINT64_C(0x1c94100ca83ecda9),
+        UINT64_C(0xfc82744ba8667a0a),
+        UINT64_C(0x74b677c2c56c3fab),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
@@ -335,6 +349,7 @@ uint32_t axis_x_ipc_self_test(void)
         digest = fold(digest, outputs.error_id);
         digest = fold(digest, state.preset);
         digest = fold(digest, state.fade);
+        digest = fold(digest, state.disturbed);
         digest = fold(digest, bits_of(state.stage0_oscillation_s1));
         digest = fold(digest, bits_of(state.stage0_oscillation_s2));
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
