@@ -1,7 +1,8 @@
 //! What the self-test of a block does, and the answers that the reference gives. Every target prints it its own way.
 
 use crate::noise::{Noise, Run, Running, exercised};
-use compiler::{leaf, legalise::Own, program::Type};
+use compiler::program::{Program, Type, Var};
+use compiler::{leaf, legalise::Own};
 use portable::{Block, Literal, Real, RealKind};
 
 /// A short run on noise: it finds a build that fuses, reorders or shortens operations, or that takes a NaN for a number.
@@ -15,7 +16,9 @@ pub(crate) struct SelfTest {
     pub(crate) loud_from: usize,
     /// the samples in which a real input is no number, with the position of the input
     pub(crate) bad: Vec<(usize, usize)>,
-    /// after each sample the digest of all outputs and of the whole state up to there
+    /// the parts of the state that the digest covers, by position
+    pub(crate) state: Vec<usize>,
+    /// after each sample the digest of all outputs and of these parts of the state up to there
     pub(crate) expected: Vec<u64>,
 }
 
@@ -28,7 +31,7 @@ const LOUD_SAMPLES: usize = 8;
 const BAD_SAMPLE_DISTANCE: usize = 3;
 
 /// Runs the reference on noise from the generator that every target has too. At the beginning each real input is no
-/// number for a sample: a build that takes it for one goes on with other bits. The state is defined after the first sample.
+/// number for a sample: a build that takes it for one goes on with other bits.
 ///
 /// `state_paths` are the paths of all leaves of the reference's state; `ranges` are the noise's, each above 0.
 pub(crate) fn record<R: Real, B: Block<R>>(
@@ -42,7 +45,8 @@ pub(crate) fn record<R: Real, B: Block<R>>(
     let switches = inputs.filter(|(_, (input, value))| *value != input.start).map(|(index, (_, value))| (index, value));
     let reals = own.reals();
     let places = (1..).step_by(BAD_SAMPLE_DISTANCE);
-    let kept = own.program.state.iter().map(|kept| state_paths.iter().position(|path| *path == kept.path));
+    let state = defined(&own.program);
+    let kept = state.iter().map(|at| state_paths.iter().position(|path| *path == own.program.state[*at].path));
     let kept: Option<Vec<usize>> = kept.collect();
     let kept = kept.expect("self-test: the program's state is part of the reference's");
     let mut noise = Noise::<R>::within(ranges);
@@ -55,15 +59,22 @@ pub(crate) fn record<R: Real, B: Block<R>>(
             inputs[*index] = leaf(R::lit(f64::NAN));
         }
         run.step(&inputs, &mut outputs);
-        let state = run.state();
+        let reached = run.state();
         let shown = own.outputs.iter().map(|output| &outputs[*output]);
-        let values = shown.chain(kept.iter().map(|leaf| &state[*leaf]));
+        let values = shown.chain(kept.iter().map(|leaf| &reached[*leaf]));
         digest = values.fold(digest, |digest, value| fold(digest, *value, R::KIND));
         expected.push(digest);
     }
     let is_real = |index: &usize| own.program.inputs[*index].ty == Type::Real;
     let bad = places.zip((0..own.inputs.len()).filter(is_real)).collect();
-    SelfTest { switches: switches.collect(), scales: noise.scales, loud_from, bad, expected }
+    SelfTest { switches: switches.collect(), scales: noise.scales, loud_from, bad, state, expected }
+}
+
+/// The parts of the state that are defined from the first sample on. A block that begins with its usual cycles may wait before it fills
+/// what `init` leaves alone; any other block has filled all of it by then.
+fn defined(program: &Program) -> Vec<usize> {
+    let is_set = |at: &usize| program.init.iter().any(|statement| statement.mentions(Var::State(*at)));
+    (0..program.state.len()).filter(|at| !program.usual_first || is_set(at)).collect()
 }
 
 /// The digest with one more value: turned by five bits, and the bits added, in as many bits as a real has.

@@ -25,7 +25,7 @@ static uint{{ bits }}_t fold(uint{{ bits }}_t digest, uint{{ bits }}_t bits)
 
 uint32_t {{ block.prefix }}_self_test(void)
 {
-    /* the reference's digest of all outputs and of the whole state, after each sample */
+    /* the reference's digest of all outputs and of the state, after each sample */
     static const uint{{ bits }}_t expected[{{ block.expected.len() }}] = {
 {%- for digest in block.expected %}
         {{ digest }},

@@ -61,7 +61,7 @@ struct CBlock<'a> {
     /// the inputs that are set once, by position
     switches: Vec<(usize, String)>,
     scales: [String; 2],
-    /// the bits of every output and every part of the state
+    /// the bits of every output, and of every part of the state that is defined from the first sample on
     watched: Vec<String>,
 }
 
@@ -125,15 +125,14 @@ fn block_text<'a>(axis: &'a Header, block: &'a Legal<'_>, prefix: String) -> CBl
         RealKind::F64 => format!("UINT64_C(0x{bits:016x})"),
         RealKind::F32 => format!("UINT32_C(0x{bits:08x})"),
     };
-    let watched = |name: &str, variables: &[Variable], members: &[String]| -> Vec<String> {
-        let bits = |(variable, member): (&Variable, &String)| match variable.ty {
-            Type::Real => format!("bits_of({name}.{member})"),
-            Type::I32 => format!("(uint32_t){name}.{member}"),
-            Type::Bool | Type::U32 => format!("{name}.{member}"),
-        };
-        variables.iter().zip(members).map(bits).collect()
+    let bits = |name: &str, variable: &Variable, member: &str| match variable.ty {
+        Type::Real => format!("bits_of({name}.{member})"),
+        Type::I32 => format!("(uint32_t){name}.{member}"),
+        Type::Bool | Type::U32 => format!("{name}.{member}"),
     };
     let names = printer.names();
+    let outputs = program.outputs.iter().zip(&names.outputs).map(|(output, name)| bits("outputs", output, name));
+    let state = self_test.state.iter().map(|at| bits("state", &program.state[*at], &names.state[*at]));
     CBlock {
         prefix,
         inputs: outline.inputs(),
@@ -149,7 +148,6 @@ fn block_text<'a>(axis: &'a Header, block: &'a Legal<'_>, prefix: String) -> CBl
         expected: self_test.expected.iter().map(word).collect(),
         switches: self_test.switches.iter().map(|(index, value)| (*index, (LANGUAGE.literal)(*value))).collect(),
         scales: self_test.scales.map(LANGUAGE.literal),
-        watched: [watched("outputs", &program.outputs, &names.outputs), watched("state", &program.state, &names.state)]
-            .concat(),
+        watched: outputs.chain(state).collect(),
     }
 }
