@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e6579a5fd4ee7e91a79841af8c74adc1
- * checksum    9c8dc1b7444b9823bbf71c04386ef9b9
+ * checksum    a46d735b1bfd7d96983df18b851f114a
  */
 #include "axis_x_position_control.h"
 
@@ -185,7 +185,7 @@ static uint64_t fold(uint64_t digest, uint64_t bits)
 
 uint32_t axis_x_position_control_self_test(void)
 {
-    /* the reference's digest of all outputs and of the whole state, after each sample */
+    /* the reference's digest of all outputs and of the state, after each sample */
     static const uint64_t expected[41] = {
         UINT64_C(0x2cc149431c405240),
         UINT64_C(0x0ec3db03063aa279),

@@ -5,7 +5,7 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  91c6f1b05179a6542c9db8978950cedf
- * checksum    0e2af9ed5b87ec1a80f19b748128ac2f
+ * checksum    8b40b6bd7df0134b4a4be59b9cd13782
  */
 #include "axis_f_position_control.h"
 
@@ -175,7 +175,7 @@ static uint32_t fold(uint32_t digest, uint32_t bits)
 
 uint32_t axis_f_position_control_self_test(void)
 {
-    /* the reference's digest of all outputs and of the whole state, after each sample */
+    /* the reference's digest of all outputs and of the state, after each sample */
     static const uint32_t expected[41] = {
         UINT32_C(0xd1d77a87),
         UINT32_C(0x0fa3af26),

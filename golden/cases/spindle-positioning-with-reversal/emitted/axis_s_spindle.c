@@ -5,7 +5,7 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  b92e28125bf8b73ebb5b80376f6f2970
- * checksum    f46cabb7b05e52807289e8653c168577
+ * checksum    95890aa2eed54ed88a97e3d6e70c6464
  */
 #include "axis_s_spindle.h"
 
@@ -903,7 +903,7 @@ static uint64_t fold(uint64_t digest, uint64_t bits)
 
 uint32_t axis_s_spindle_self_test(void)
 {
-    /* the reference's digest of all outputs and of the whole state, after each sample */
+    /* the reference's digest of all outputs and of the state, after each sample */
     static const uint64_t expected[50] = {
         UINT64_C(0x35f9d008000203ff),
         UINT64_C(0xd596b488002453f2),
