@@ -65,7 +65,7 @@ pub(crate) fn axes(count: usize, real: RealKind) -> impl Iterator<Item = Axis> {
             name: "X".to_owned(),
             real,
             cycle_time_ns,
-            ipc: Ipc { enable, v_add_max_fact, v_max, fade: random.unit(), delay_cycles: None, stage },
+            ipc: Ipc { enable, v_add_max_fact, v_max, fade: random.unit(), ride_through: 0, delay_cycles: None, stage },
             control: crate::axis::Control::default(),
             canonical: String::new(),
             canonical_of: Default::default(),
@@ -135,5 +135,5 @@ impl Random {
 pub(crate) fn filter(filter: &Filter, cycle_time: f64) -> reference::filter::Coeffs<f64> {
     let mode = Mode::Direct { source: DirectSource::Motor };
     let stage = Stage { mode, weight_fact_num: 1, weight_fact_denom: 1, filter: [*filter, Filter::NoFilter] };
-    crate::blocks::ipc::design::stage(0, &stage, cycle_time).coeffs.filter[0]
+    crate::blocks::ipc::stage::stage(0, &stage, cycle_time).coeffs.filter[0]
 }

@@ -22,7 +22,7 @@ pub fn error_mode() -> u32 {
     2u32
 }
 
-/// error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts anew
+/// error_id: a state of the block is no number, or the sum of its stages is above sum_limit; everything starts anew
 #[portable]
 pub fn error_state() -> u32 {
     3u32
@@ -182,12 +182,6 @@ pub fn error_takeover() -> u32 {
 #[portable]
 pub fn error_gantry_slave() -> u32 {
     70_600u32
-}
-
-/// largest magnitude of a sum of stages: beyond it a state has been overwritten
-#[portable]
-pub fn sum_limit<R: Real>() -> R {
-    R::per_kind(1.0e21, 1.0e15)
 }
 
 /// largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range

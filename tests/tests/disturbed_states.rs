@@ -13,8 +13,8 @@ use reference::signal::error_state;
 use std::f64::consts::{PI, TAU};
 
 const CYCLE: f64 = 0.001;
-/// The slowest section: 20 Hz, Q 5, a Butterworth pair.
-const TIME_CONSTANT: f64 = 1.5 * 5.0 / (PI * 20.0);
+/// The slowest section: 20 Hz, Q 5.
+const TIME_CONSTANT: f64 = 5.0 / (PI * 20.0);
 /// Cycles before the state is overwritten, and behind it until nothing of it may be left.
 const BEFORE: usize = 300;
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few thousand")]
@@ -27,9 +27,9 @@ const LEFT: f64 = 1e-3;
 fn set(real: &str) -> String {
     format!(
         "cycle_time = '1ms'\n[axis.X]\nreal = '{real}'\ngetriebe = [{{ dynamik.vb_max = 500000 }}]
-[axis.X.lr_param.improved_position_control]\nenable = 'ON'\nv_add_max_fact = 100
+[axis.X.lr_param.improved_position_control]\nenable = 'ON'\nv_add_max_fact = 200
 [[axis.X.lr_param.improved_position_control.stage]]\nmode = 'DIRECT'
-filter = [{{ prototype = 'BUTTERWORTH', order = 2, fg_f0 = 20.0, q_factor = 5.0 }}]
+filter = [{{ order = 1, fg_f0 = 20.0, q_factor = 5.0 }}]
 [[axis.X.lr_param.improved_position_control.stage]]\nmode = 'INDIRECT'\nosc_damping = 0.5
 filter = [{{ order = 1, fg_f0 = 50.0, q_factor = 2.0 }}]
 [[axis.X.lr_param.improved_position_control.stage]]\nmode = 'DIRECT'
@@ -38,54 +38,56 @@ filter = [{{ type = 'ALLPASS', fg_f0 = 30.0, q_factor = 2.0 }}, {{ type = 'BANDP
     )
 }
 
-/// Overwrites one real of the state that the axis uses: with a NaN, an infinity, or with one of its bits the other way round. Gives whether it is a number then.
+/// Overwrites one value of the state that the axis uses: a real with a NaN or an infinity, any with one of its bits the other way
+/// round. Gives whether it is a number then.
 fn disturb<R: Real>(state: &ipc::State<R>, rng: &mut Rng) -> (ipc::State<R>, bool) {
     let mut all = leaves(state);
-    // What is 0 behind a vibration belongs to a section that the axis does not have.
+    // A real that is 0 behind a vibration belongs to a section that the axis does not have.
     let is_used = |of: &Literal| match of {
         Literal::F64(value) => *value != 0.0,
         Literal::F32(value) => *value != 0.0,
-        _ => false,
+        _ => true,
     };
-    let reals: Vec<usize> = (0..all.len()).filter(|at| is_used(&all[*at])).collect();
-    let at = *rng.pick(&reals);
-    let kind = rng.below(8);
-    let bit = rng.below(64);
-    let is_number;
+    let used: Vec<usize> = (0..all.len()).filter(|at| is_used(&all[*at])).collect();
+    let at = *rng.pick(&used);
+    let (kind, bit) = (rng.below(8), rng.below(64));
     all[at] = match all[at] {
-        Literal::F64(value) => {
-            let value = match kind {
-                0 => f64::NAN,
-                1 => f64::INFINITY,
-                2 => f64::NEG_INFINITY,
-                _ => f64::from_bits(value.to_bits() ^ 1 << bit),
-            };
-            is_number = value.is_finite();
-            Literal::F64(value)
-        }
-        Literal::F32(value) => {
-            let value = match kind {
-                0 => f32::NAN,
-                1 => f32::INFINITY,
-                2 => f32::NEG_INFINITY,
-                _ => f32::from_bits(value.to_bits() ^ 1 << (bit % 32)),
-            };
-            is_number = value.is_finite();
-            Literal::F32(value)
-        }
-        other => panic!("{other:?} is no real"),
+        Literal::F64(value) => Literal::F64(match kind {
+            0 => f64::NAN,
+            1 => f64::INFINITY,
+            2 => f64::NEG_INFINITY,
+            _ => f64::from_bits(value.to_bits() ^ 1 << bit),
+        }),
+        Literal::F32(value) => Literal::F32(match kind {
+            0 => f32::NAN,
+            1 => f32::INFINITY,
+            2 => f32::NEG_INFINITY,
+            _ => f32::from_bits(value.to_bits() ^ 1 << (bit % 32)),
+        }),
+        Literal::U32(value) => Literal::U32(value ^ 1 << (bit % 32)),
+        Literal::Bool(value) => Literal::Bool(!value),
+        other => panic!("{other:?} is in no state of this block"),
+    };
+    let is_number = match all[at] {
+        Literal::F64(value) => value.is_finite(),
+        Literal::F32(value) => value.is_finite(),
+        _ => true,
     };
     let mut all = all.into_iter();
     (Portable::build(&mut || all.next().expect("all of the state")), is_number)
 }
 
-/// What came of one disturbance: whether there was a fault, and whether something of it is left.
-fn run<R: Real>(coeffs: &ipc::Coeffs<R>, seed: u64) -> [bool; 2]
+/// Whether a disturbance came up as a fault. Nothing of it is left after ten time constants, and the limit always holds.
+fn run<R: Real>(coeffs: &ipc::Coeffs<R>, seed: u64) -> bool
 where
     ipc::State<R>: Copy,
 {
     let mut rng = Rng::new(seed);
-    let velocity = |n: usize| R::lit(2_000.0 * (TAU * 21.0 * CYCLE * n as f64).sin() + 50_000.0);
+    // The axis reaches 400 mm/s in 0.2 s, and vibrates so much that the block uses most of its limit.
+    let velocity = |n: usize| {
+        let vibration = 45_000.0 * (TAU * 21.0 * CYCLE * n as f64).sin();
+        R::lit(400_000.0 * (n as f64 / 200.0).min(1.0) + vibration)
+    };
     let mut inputs = <Ipc as Block<R>>::inputs(coeffs);
     let mut state = <Ipc as Block<R>>::state();
     let mut outputs = <Ipc as Block<R>>::outputs();
@@ -96,7 +98,7 @@ where
         peak = peak.max(outputs.v_add.to_f64().abs());
     }
     let limit = coeffs.limit.to_f64();
-    assert!(peak > 100.0 && peak < limit, "{peak}");
+    assert!(peak > 0.5 * limit && peak < limit, "{peak} of {limit}");
     let (mut other, is_number) = disturb(&state, &mut rng);
     let (mut fault, mut left) = (None, 0.0_f64);
     for n in BEFORE..BEFORE + LASTS + COMPARED {
@@ -113,20 +115,16 @@ where
         }
         if n >= BEFORE + LASTS {
             left = left.max((disturbed - undisturbed).abs());
-        } else {
-            // Where it was at the limit there is more to decay.
-            peak = peak.max(disturbed.abs());
         }
     }
     // A state reaches the sum through at most two sections of two states, and the fault comes in the cycle behind.
     assert!(is_number || fault.is_some_and(|cycles| cycles <= 6), "seed {seed}: {fault:?}");
-    let is_over = left <= LEFT * peak;
-    assert!(is_over || fault.is_none(), "seed {seed}: {left} of {peak} is left behind a fault");
-    [fault.is_some(), !is_over]
+    assert!(left <= LEFT * peak, "seed {seed}: fault {fault:?}, {left} of {peak} is left");
+    fault.is_some()
 }
 
-/// How many disturbances were faults, and of how many something is left.
-fn run_all<R: Real + Send + Sync>(real: &str, count: u64) -> [usize; 2]
+/// How many disturbances were faults.
+fn faults<R: Real + Send + Sync>(real: &str, count: u64) -> usize
 where
     ipc::State<R>: Copy,
     ipc::Coeffs<R>: Sync,
@@ -135,19 +133,14 @@ where
     let kind = blocks::named("ipc").expect("the registry has the block");
     let mut all = kind.coefficients(&designed).into_iter();
     let coeffs: ipc::Coeffs<R> = Portable::build(&mut || all.next().expect("all coefficients"));
-    let came: Vec<[bool; 2]> = (0..count).into_par_iter().map(|seed| run(&coeffs, seed)).collect();
-    [0, 1].map(|at| came.iter().filter(|of| of[at]).count())
+    (0..count).into_par_iter().filter(|seed| run(&coeffs, *seed)).count()
 }
 
-/// A state that has become large, but not beyond what samples in range could lead to, holds the output at its limit until it has decayed.
 #[test]
 fn an_overwritten_state_is_a_fault_or_decays() {
     let count = if is_exhaustive() { 10_000 } else { 2_000 };
-    for (real, [faults, left]) in [("f64", run_all::<f64>("f64", count)), ("f32", run_all::<f32>("f32", count))] {
-        eprintln!(
-            "{real}: of {count} disturbances {faults} are faults, of {left} something is left after ten time constants"
-        );
+    for (real, faults) in [("f64", faults::<f64>("f64", count)), ("f32", faults::<f32>("f32", count))] {
+        eprintln!("{real}: of {count} disturbances {faults} are faults, the others decay");
         assert!(faults as u64 * 4 > count, "{real}: {faults}");
-        assert!(left as u64 * 20 < count, "{real}: {left}");
     }
 }

@@ -24,7 +24,7 @@ fn the_reference_agrees_with_the_model_on_1000_random_sets_of_1000_cycles() {
     told.into_iter().flatten().for_each(|of_set| tally += of_set);
     eprintln!("{tally:?}");
     // Rounding must hardly ever leave a choice, else integers are not compared.
-    assert!(tally.choices * 1000 < tally.integers, "{tally:?}");
+    assert!(tally.choices * 500 < tally.integers, "{tally:?}");
     assert!(tally.choices_in_single * 20 < tally.integers_in_single, "{tally:?}");
     assert!(tally.runs > 2 * sets as u64, "{tally:?}");
 }

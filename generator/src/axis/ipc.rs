@@ -14,6 +14,8 @@ pub struct Ipc {
     pub v_max: f64,
     /// time of the fade [s], before it is raised to one period of the lowest f0
     pub fade: f64,
+    /// bad samples in a row in whose place the last good one stands
+    pub ride_through: u32,
     /// cycles between a command and the actual value that it caused (P-AXIS-00191), where they are given; nothing in a block is made of
     /// them
     pub delay_cycles: Option<u32>,

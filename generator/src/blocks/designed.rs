@@ -2,7 +2,7 @@
 //! are made of. No text, no program.
 
 use super::feedforward::design as feedforward;
-use super::ipc::design::{self as ipc, StageDesign};
+use super::ipc::{design as ipc, stage::StageDesign};
 use super::position_control::design as position_control;
 use super::spindle::design as spindle;
 use crate::axis::Axis;

@@ -126,6 +126,8 @@ table! {
     Gear: AXIS_KEY("gear", kind: integer(0, GEARS - 1), default: &["0"])
     /// time in which the additive velocity is faded in and out, at least one period of the lowest f0
     Fade: AXIS_KEY("fade", kind: Kind::Duration { from: 0, to: 1_000_000_000_000 }, unit: "ns", default: &["0.1s"])
+    /// bad samples in a row in whose place improved position control takes the last good one; 0: the first one is a fault
+    RideThrough: AXIS_KEY("ride_through", kind: integer(0, 10), default: &["0"])
     /// velocity command of the drive: its type in the process data; for position control in the CNC, and for a spindle whose drive changes
     /// to velocity control
     VelocityCommandData: AXIS_KEY("process_data.velocity_command", kind: Kind::Word(Width::WORDS), default: &["INT32"])

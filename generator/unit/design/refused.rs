@@ -2,8 +2,8 @@
 
 use crate::axis::{Axis, Filter, Mode, Prototype};
 use crate::blocks::Designed;
-use crate::blocks::ipc::design::stage;
 use crate::blocks::ipc::feasibility::{Refusal, refusals, refusals_of};
+use crate::blocks::ipc::stage::stage;
 use crate::unit::sets::axes;
 use portable::RealKind;
 

@@ -1,6 +1,6 @@
 //! The frequency response that `design::response` computes, against what the reference's own `step` does to an impulse.
 
-use crate::blocks::ipc::design::stage;
+use crate::blocks::ipc::stage::stage;
 use crate::design::band::warped;
 use crate::design::response::{Complex, magnitude, of_stage};
 use crate::unit::sets::axes;

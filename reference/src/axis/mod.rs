@@ -86,6 +86,7 @@ pub fn rest<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, control_out
     outputs.v_add_calculated = R::ZERO;
     take(outputs, control_outputs);
     outputs.limited = false;
+    outputs.held = false;
     outputs.fault = control_outputs.fault;
     outputs.error_id = control_outputs.error_id;
 }
@@ -178,6 +179,9 @@ pub fn improve<R: Real>(
     if ipc_outputs.limited {
         outputs.limited = true;
     }
+    if coeffs.ipc.ride_through.active {
+        outputs.held = ipc_outputs.held;
+    }
     outputs.v_add = ipc_outputs.v_add;
     outputs.v_add_calculated = ipc_outputs.v_add_calculated;
     ipc_outputs.v_add
@@ -238,6 +242,7 @@ pub fn clear<R: Real>(outputs: &mut Outputs<R>, coeffs: &Coeffs<R>) {
     }
     outputs.error_id = error_none();
     outputs.limited = false;
+    outputs.held = false;
     outputs.fault = false;
 }
 

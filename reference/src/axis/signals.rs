@@ -62,6 +62,8 @@ pub struct Outputs<R> {
     pub error_id: u32,
     /// the limit of v_add or a process-data type cuts an output off in this cycle
     pub limited: bool,
+    /// a velocity that improved position control reads is bad, the last good one stands in its place (key ride_through)
+    pub held: bool,
     /// a part of the block cannot act in this cycle, the id says why
     pub fault: bool,
 }

@@ -11,6 +11,7 @@
 //! DRYRUN or OFF. It falls to 0 at once with a fault, a reset and the loss of position control. Where the fade starts
 //! again the sections start from the steady state of the present input, so that nothing jumps.
 
+pub mod ride_through;
 mod signals;
 mod sources;
 
@@ -18,8 +19,8 @@ pub use signals::{Inputs, Outputs};
 pub use signals::{mode_dryrun, mode_off, mode_on};
 pub use sources::STAGES;
 
-use self::sources::{reads_command, reads_direct, reads_motor};
-use crate::signal::{error_cycle_time, error_gantry_slave, error_mode, error_none, error_state, sum_limit};
+use self::sources::{are_in_range, reads_command, reads_direct, reads_motor};
+use crate::signal::{error_cycle_time, error_gantry_slave, error_mode, error_none, error_state};
 use crate::signal::{error_v_command, error_v_direct, error_v_motor, sample_limit};
 use crate::stage;
 use crate::sum::empty_sum;
@@ -41,12 +42,16 @@ pub struct Coeffs<R> {
     pub limit: R,
     /// -limit
     pub lower_limit: R,
+    /// largest magnitude of a sum of stages that is not a fault
+    pub sum_limit: R,
     /// a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0
     pub rest: R,
     /// cycles that the fade takes from 0 to 1
     pub fade_cycles: u32,
     /// 1 / fade_cycles
     pub fade_step: R,
+    /// bad samples in a row
+    pub ride_through: ride_through::Coeffs,
 }
 
 /// State.
@@ -59,6 +64,8 @@ pub struct State<R> {
     pub fade: u32,
     /// whether a state was overwritten, as the cycle before has shown
     pub disturbed: bool,
+    /// bad samples in a row
+    pub ride_through: ride_through::State,
     /// the velocities of the cycle before
     pub source: sources::State<R>,
     /// the sections of each stage
@@ -68,7 +75,7 @@ pub struct State<R> {
 /// Presets all sections to the steady state of the present input.
 #[portable]
 pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) {
-    sources::preset(&mut state.source, &coeffs.stage, inputs);
+    sources::preset(&mut state.source, &coeffs.stage, coeffs.ride_through.active, inputs);
     for i in 0..STAGES {
         if coeffs.stage[i].mode != stage::Mode::NotActive {
             let x = stage::source(&coeffs.stage[i], inputs.v_command, inputs.v_motor, inputs.v_direct);
@@ -81,7 +88,7 @@ pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs
 #[portable]
 pub fn sum_of_stages<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
     let mut changes = sources::Changes::<R>::default();
-    sources::step(&mut state.source, &coeffs.stage, inputs, &mut changes);
+    sources::step(&mut state.source, &coeffs.stage, coeffs.ride_through.active, inputs, &mut changes);
     let mut v_sum = empty_sum();
     for i in 0..STAGES {
         if coeffs.stage[i].mode != stage::Mode::NotActive {
@@ -102,6 +109,10 @@ pub fn move_fade<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, mode: i32) {
             state.fade += 1u32;
         }
     } else {
+        if state.fade > coeffs.fade_cycles {
+            note("fade has been overwritten: it must not take longer than a whole fade");
+            state.fade = coeffs.fade_cycles;
+        }
         if state.fade > 0u32 {
             state.fade -= 1u32;
         }
@@ -118,18 +129,18 @@ pub fn stop<R: Real>(state: &mut State<R>) {
     state.fade = 0u32;
 }
 
-/// The sum within +-limit; exactly 0 where its magnitude is not above `rest`. A sum that no sample in range leads to is a fault: a state
-/// has been disturbed.
+/// The sum within +-limit; exactly 0 where its magnitude is not above `rest`. A sum that no velocity of this axis leads to is a fault: a
+/// state has been overwritten.
 #[portable]
 pub fn limit<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, coeffs: &Coeffs<R>, v_sum: R) -> R {
     if within(v_sum, coeffs.limit) {
         if within(v_sum, coeffs.rest) { R::ZERO } else { v_sum }
-    } else if within(v_sum, sum_limit()) {
+    } else if within(v_sum, coeffs.sum_limit) {
         outputs.limited = true;
         if v_sum > R::ZERO { coeffs.limit } else { coeffs.lower_limit }
     } else {
         note(
-            "a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then everything starts anew",
+            "a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle, then everything starts anew",
         );
         outputs.limited = true;
         state.disturbed = true;
@@ -152,6 +163,7 @@ pub fn clear<R: Real>(outputs: &mut Outputs<R>, error_id: u32) {
 #[portable]
 pub fn init<R: Real>(state: &mut State<R>) {
     state.disturbed = false;
+    ride_through::init(&mut state.ride_through);
     stop(state);
 }
 
@@ -200,11 +212,7 @@ pub fn is_mode(mode: i32) -> bool {
 /// Whether the mode is one that the axis may have, and every input that a stage looks at is in range.
 #[portable]
 pub fn is_in_range<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
-    is_mode(inputs.mode)
-        && (!coeffs.slave || inputs.mode == mode_off())
-        && (!reads_command(&coeffs.stage) || in_range(inputs.v_command, sample_limit()))
-        && (!reads_motor(&coeffs.stage) || in_range(inputs.v_motor, sample_limit()))
-        && (!reads_direct(&coeffs.stage) || in_range(inputs.v_direct, sample_limit()))
+    is_mode(inputs.mode) && (!coeffs.slave || inputs.mode == mode_off()) && are_in_range(&coeffs.stage, inputs)
 }
 
 /// Whether the caller's cycle is the one that the coefficients were designed for, or not told.
@@ -251,6 +259,27 @@ pub fn is_settled<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, mode: i32, v_mo
 /// One cycle. Only the inputs that a stage looks at are checked.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    if coeffs.ride_through.active {
+        let mut replaced = Inputs::<R>::default();
+        outputs.held = ride_through::replace(
+            &mut state.ride_through,
+            &coeffs.ride_through,
+            &coeffs.stage,
+            &state.source,
+            state.preset,
+            inputs,
+            &mut replaced,
+        );
+        cycle(state, coeffs, &replaced, outputs);
+    } else {
+        outputs.held = false;
+        cycle(state, coeffs, inputs, outputs);
+    }
+}
+
+/// One cycle with these samples.
+#[portable]
+pub fn cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let mut runs = true;
     let mut reason = error_none();
     // Mostly the mode is ON and the fade full: then nothing but the sections changes.

@@ -32,6 +32,8 @@ pub struct Outputs<R> {
     pub v_add_calculated: R,
     /// the limit (P-AXIS-00757 of P-AXIS-00212) acts in this cycle
     pub limited: bool,
+    /// a sample is bad, the last good one stands in its place (key ride_through)
+    pub held: bool,
     /// the block cannot act in this cycle, the id says why
     pub fault: bool,
     /// 0 none

@@ -4,8 +4,9 @@
 
 use super::signals::Inputs;
 use crate::section::is_driven_by_change;
+use crate::signal::sample_limit;
 use crate::{change, stage};
-use portable::{Real, portable};
+use portable::{Real, in_range, portable};
 
 /// Stages of a block.
 pub const STAGES: usize = 3;
@@ -64,15 +65,25 @@ pub fn reads_direct<R: Real>(stages: &[stage::Coeffs<R>; STAGES]) -> bool {
     found
 }
 
-/// Forms the changes of the velocities that a stage looks at, in single precision.
+/// Whether every velocity that a stage looks at is in range.
+#[portable]
+pub fn are_in_range<R: Real>(stages: &[stage::Coeffs<R>; STAGES], inputs: &Inputs<R>) -> bool {
+    (!reads_command(stages) || in_range(inputs.v_command, sample_limit()))
+        && (!reads_motor(stages) || in_range(inputs.v_motor, sample_limit()))
+        && (!reads_direct(stages) || in_range(inputs.v_direct, sample_limit()))
+}
+
+/// Forms the changes of the velocities that a stage looks at: single precision needs them, and a block that rides through bad samples needs
+/// the last good ones.
 #[portable]
 pub fn step<R: Real>(
     state: &mut State<R>,
     stages: &[stage::Coeffs<R>; STAGES],
+    rides_through: bool,
     inputs: &Inputs<R>,
     changes: &mut Changes<R>,
 ) {
-    if is_driven_by_change::<R>() {
+    if is_driven_by_change::<R>() || rides_through {
         if reads_command(stages) {
             changes.v_command = change::step(&mut state.v_command, inputs.v_command);
         }
@@ -87,8 +98,13 @@ pub fn step<R: Real>(
 
 /// The next changes are counted from the present input.
 #[portable]
-pub fn preset<R: Real>(state: &mut State<R>, stages: &[stage::Coeffs<R>; STAGES], inputs: &Inputs<R>) {
-    if is_driven_by_change::<R>() {
+pub fn preset<R: Real>(
+    state: &mut State<R>,
+    stages: &[stage::Coeffs<R>; STAGES],
+    rides_through: bool,
+    inputs: &Inputs<R>,
+) {
+    if is_driven_by_change::<R>() || rides_through {
         if reads_command(stages) {
             change::preset(&mut state.v_command, inputs.v_command);
         }

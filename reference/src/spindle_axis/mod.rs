@@ -133,6 +133,7 @@ pub fn put_out<R: Real>(
     outputs.manipulated_variable = axis_outputs.manipulated_variable;
     outputs.additive_torque = axis_outputs.additive_torque;
     outputs.additive_velocity = axis_outputs.additive_velocity;
+    outputs.held = axis_outputs.held;
     outputs.limited =
         if coeffs.spindle.in_drive { spindle_outputs.limited || axis_outputs.limited } else { axis_outputs.limited };
 }

@@ -66,7 +66,7 @@ fn compare(p: &Parameters, rng: &Rng, cycles: usize) -> Result<Tally, String> {
     run("feedforward", of_feedforward, &mut |inputs, _| alone.cycle(&c, inputs))?;
     let mut alone = position_control::Alone::default();
     run("position_control", of_control, &mut |inputs, found| alone.cycle(&c, inputs, found.held))?;
-    let mut whole = Axis::new(p);
+    let mut whole = Axis::new(p, &c, axis.ipc.sum_limit);
     run("axis", of_axis, &mut |inputs, found| whole.cycle(p, &c, inputs, found))?;
     Ok(tally)
 }
@@ -98,7 +98,13 @@ fn one(
         let inputs = history.advance();
         block(&inputs, &mut outputs);
         let output = |name: &str| outputs.iter().find(|(signal, _)| *signal == name).map_or(0.0, |(_, value)| *value);
-        let found = Found { held, v_command: output("v_command"), v_add: output("v_add") };
+        let found = Found {
+            held,
+            v_command: output("v_command"),
+            v_add: output("v_add"),
+            calculated: output("v_add_calculated"),
+            is_disturbed: output("error_id") == 3.0,
+        };
         for (signal, [from, to]) in model(&inputs, found) {
             let value = output(signal);
             if !(from <= value && value <= to) {

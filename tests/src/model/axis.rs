@@ -27,13 +27,21 @@ pub struct Found {
     pub v_command: f64,
     /// `v_add` of this cycle, which goes into the integers
     pub v_add: f64,
+    /// `v_add_calculated` of this cycle
+    pub calculated: f64,
+    /// whether its error id is 3: the sum of the cycle before was a fault
+    pub is_disturbed: bool,
 }
 
 impl Axis {
     /// Before the first cycle.
     #[must_use]
-    pub fn new(p: &Parameters) -> Self {
-        Self { feedforward: Feedforward::default(), control: PositionControl::default(), ipc: Ipc::new(p) }
+    pub fn new(p: &Parameters, c: &Coefficients, sum_limit: f64) -> Self {
+        Self {
+            feedforward: Feedforward::default(),
+            control: PositionControl::default(),
+            ipc: Ipc::new(p, c, sum_limit),
+        }
     }
 
     /// One cycle: what each output may be.
@@ -44,15 +52,23 @@ impl Axis {
         let controlled =
             if acts { self.control.act(c, inputs, &planned.v_feedforward) } else { self.control.stop(c, inputs) };
         let command = ipc::command(c, inputs, found.v_command);
+        if acts {
+            self.ipc.decide(found.is_disturbed);
+        }
+        let (ridden, command, held) =
+            if acts && c.runs_stages { self.ipc.ride(p, c, inputs, command) } else { (*inputs, command, false) };
         let ipc_fault = match &c.slave {
             Some(_) if !is_in_range(c, inputs.v_add_master) => 22,
             Some(_) => 0,
-            None => Ipc::fault(p, c, inputs, command),
+            None if !acts => 0,
+            None => self.ipc.fault(p, c, &ridden, command),
         };
         let added = match &c.slave {
-            _ if !acts || ipc_fault != 0 => self.ipc.stop(),
+            _ if !acts => self.ipc.stop(),
+            _ if ipc_fault == 3 => self.ipc.fail(),
+            _ if ipc_fault != 0 => self.ipc.stop(),
             Some(limit) => ipc::follow(c, limit, inputs.v_add_master),
-            None if c.runs_stages => self.ipc.cycle(c, inputs, command),
+            None if c.runs_stages => self.ipc.cycle(c, &ridden, command, found.calculated),
             None => ipc::NOTHING,
         };
         let v_add = if found.v_add.is_finite() { Exact::given(found.v_add) } else { Exact::zero() };
@@ -79,6 +95,7 @@ impl Axis {
             ("additive_velocity", sent.velocity.value),
             ("error_id", id(error_id)),
             ("limited", data_limited.into_iter().fold(added.limited, either)),
+            ("held", flag(held)),
             ("fault", flag(error_id != 0)),
         ]
     }

@@ -14,6 +14,11 @@ const OF_DOUBLES: f64 = 1e-10;
 /// The same in single precision.
 const OF_SINGLES: f64 = 4e-6;
 
+/// Cycles of a response that are added up.
+const LONGEST: usize = 20_000;
+/// A bound may be above what it bounds by this factor: where a response is long, only closed forms bound its end.
+const OF_BOUND: f64 = 16.0;
+
 /// What it remembers.
 #[derive(Clone, Debug)]
 pub struct Ipc {
@@ -28,6 +33,17 @@ pub struct Ipc {
     relative: f64,
     /// a sum of at most this is 0
     nothing: f64,
+    /// bad samples in a row that are replaced; how many there have been
+    ride_through: u32,
+    bad: u32,
+    /// `v_command`, `v_motor`, `v_direct` with which the stages ran last
+    before: [f64; 3],
+    /// a sum above this is a fault
+    sum_limit: f64,
+    /// whether the sum was, in the last cycle in which the stages ran
+    is_disturbed: bool,
+    /// what it is if that was a fault, where only the next cycle tells
+    disturbed: Option<Box<Self>>,
 }
 
 /// What it puts out.
@@ -45,27 +61,49 @@ pub struct Added {
 pub const NOTHING: Added = Added { v_add: [0.0; 2], calculated: [0.0; 2], limited: [0.0; 2] };
 
 impl Ipc {
-    /// Of an axis.
+    /// Of an axis. The largest sum is the block's own number, a bound: it is not below what it bounds, and not far above.
+    ///
+    /// # Panics
+    /// If it is.
     #[must_use]
-    pub fn new(p: &Parameters) -> Self {
+    pub fn new(p: &Parameters, c: &Coefficients, sum_limit: f64) -> Self {
         let ts = f64::from(p.cycle_ns) * 1e-9;
         let frequencies = |stage: &Stage| [Some(stage.band_pass.2), stage.all_pass.map(|(f0, _)| f0)];
         let lowest = p.stages.iter().flat_map(frequencies).flatten().fold(f64::INFINITY, f64::min);
         let fade = (f64::from(p.fade_ns) * 1e-9).max(if lowest.is_finite() { 1.0 / lowest } else { 0.0 });
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 1000 cycles")]
         let fade_cycles = (fade / ts - 1e-9).ceil().max(1.0) as u32;
-        let stages = p.stages.iter().map(|stage| Filters::new(stage, ts)).collect();
+        let stages: Vec<Filters> = p.stages.iter().map(|stage| Filters::new(stage, ts)).collect();
         let nothing = f64::from(p.vb_max) * 2f64.powi(if p.single { -40 } else { -60 });
         let relative = if p.single { OF_SINGLES } else { OF_DOUBLES };
-        Self { stages, fade_cycles, open: 0, runs: false, largest: 0.0, relative, nothing }
+        let own = 2.0 * c.limit.near().max(f64::from(p.vb_max) * largest_sum(&stages));
+        assert!((0.999 * own..=OF_BOUND * own).contains(&sum_limit), "sum_limit {sum_limit}, by the responses {own}");
+        let (open, runs, largest, is_disturbed, disturbed) = (0, false, 0.0, false, None);
+        let (ride_through, bad, before) = (p.ride_through, 0, [0.0; 3]);
+        Self {
+            stages,
+            ride_through,
+            bad,
+            before,
+            fade_cycles,
+            open,
+            runs,
+            largest,
+            relative,
+            nothing,
+            sum_limit,
+            is_disturbed,
+            disturbed,
+        }
     }
 
-    /// The reason why it cannot act, the first in the order 2, 11, 12, 13; 0: none. `v_command` is what SET_POINT reads.
+    /// The reason why it cannot act, the first in the order 3, 2, 11, 12, 13; 0: none. `v_command` is what SET_POINT reads.
     #[must_use]
-    pub fn fault(p: &Parameters, c: &Coefficients, inputs: &Inputs, v_command: f64) -> u32 {
+    pub fn fault(&self, p: &Parameters, c: &Coefficients, inputs: &Inputs, v_command: f64) -> u32 {
         let bad = |modes: &[Mode], value: f64| Coefficients::reads(p, modes) && !is_in_range(c, value);
         match () {
             () if !c.runs_stages => 0,
+            () if self.is_disturbed => 3,
             () if !(0..=2).contains(&inputs.mode) => 2,
             () if bad(&[Mode::SetPoint], v_command) => 11,
             () if bad(&[Mode::Indirect, Mode::DirectMotor], inputs.v_motor) => 12,
@@ -74,19 +112,53 @@ impl Ipc {
         }
     }
 
+    /// Where rounding left open whether the sum of the cycle before was a fault: whether it was.
+    pub fn decide(&mut self, was_fault: bool) {
+        if let Some(disturbed) = self.disturbed.take().filter(|_| was_fault) {
+            *self = *disturbed;
+        }
+    }
+
+    /// The inputs and `v_command` with which a cycle runs, and whether the last good sample stands in the place of one of them.
+    #[must_use]
+    pub fn ride(&mut self, p: &Parameters, c: &Coefficients, inputs: &Inputs, v_command: f64) -> (Inputs, f64, bool) {
+        const READ_BY: [&[Mode]; 3] = [&[Mode::SetPoint], &[Mode::Indirect, Mode::DirectMotor], &[Mode::DirectLoad]];
+        let mut velocities = [v_command, inputs.v_motor, inputs.v_direct];
+        let is_bad = [0, 1, 2].map(|i| Coefficients::reads(p, READ_BY[i]) && !is_in_range(c, velocities[i]));
+        let is_held = is_bad.contains(&true) && self.runs && self.bad < self.ride_through;
+        if !is_bad.contains(&true) {
+            self.bad = 0;
+        } else if is_held {
+            self.bad += 1;
+            (0..3).filter(|i| is_bad[*i]).for_each(|i| velocities[i] = self.before[i]);
+        }
+        let [v_command, v_motor, v_direct] = velocities;
+        (Inputs { v_motor, v_direct, ..*inputs }, v_command, is_held)
+    }
+
     /// At once to 0; the stages are preset again afterwards.
     pub fn stop(&mut self) -> Added {
         (self.open, self.runs) = (0, false);
         NOTHING
     }
 
-    /// A cycle without a fault. `mode`: 0 OFF, 1 ON, 2 DRYRUN.
-    pub fn cycle(&mut self, c: &Coefficients, inputs: &Inputs, v_command: f64) -> Added {
+    /// A cycle with a fault that is told: the next one starts anew.
+    pub fn fail(&mut self) -> Added {
+        self.is_disturbed = false;
+        self.stop()
+    }
+
+    /// A cycle without a fault. `mode`: 0 OFF, 1 ON, 2 DRYRUN. Where rounding leaves open whether the sum is a fault, it is none if `found`, the
+    /// block's own `v_add_calculated`, is not 0; else the next cycle tells.
+    pub fn cycle(&mut self, c: &Coefficients, inputs: &Inputs, v_command: f64, found: f64) -> Added {
         let x = |mode: Mode| match mode {
             Mode::SetPoint => v_command,
             Mode::Indirect | Mode::DirectMotor => inputs.v_motor,
             Mode::DirectLoad => inputs.v_direct,
         };
+        if self.runs || inputs.mode != 0 {
+            self.before = [v_command, inputs.v_motor, inputs.v_direct];
+        }
         let here: f64 = self.stages.iter().map(|stage| stage.gain * x(stage.mode).abs()).sum();
         if !self.runs {
             if inputs.mode == 0 {
@@ -100,7 +172,19 @@ impl Ipc {
         let v_sum: f64 = self.stages.iter_mut().map(|stage| stage.run(x(stage.mode))).sum();
         let limit = c.limit.near();
         let off = self.relative * self.largest;
-        let calculated = [v_sum - off, v_sum + off].map(|sum| sum.clamp(-limit, limit));
+        let [least, most] = [v_sum.abs() - off, v_sum.abs() + off];
+        if most > self.sum_limit {
+            let mut disturbed = Self { is_disturbed: true, disturbed: None, ..self.clone() };
+            let nothing = disturbed.stop();
+            if least > self.sum_limit {
+                *self = disturbed;
+                return Added { limited: [1.0; 2], ..nothing };
+            }
+            self.disturbed = (found == 0.0).then(|| Box::new(disturbed));
+        }
+        let is_open = self.disturbed.is_some();
+        let calculated =
+            if is_open { [0.0; 2] } else { [v_sum - off, v_sum + off].map(|sum| sum.clamp(-limit, limit)) };
         self.open = if inputs.mode == 1 { (self.open + 1).min(self.fade_cycles) } else { self.open.saturating_sub(1) };
         let fade = f64::from(self.open) / f64::from(self.fade_cycles);
         if inputs.mode == 0 && self.open == 0 {
@@ -110,12 +194,33 @@ impl Ipc {
         let rounded = |[from, to]: Interval| [from - 4.0 * c.u * from.abs(), to + 4.0 * c.u * to.abs()];
         // With the limit 0 the flag sees the states' constant, before a sum of next to nothing becomes 0.
         let off = off.max(4.0 * c.u * limit).max(self.nothing);
+        let [least, most] = [v_sum.abs() - off, v_sum.abs() + off];
         Added {
             v_add: rounded(calculated.map(|v| fade * v)),
             calculated: if inputs.mode == 0 { [0.0; 2] } else { rounded(calculated) },
-            limited: flags([v_sum.abs() - off > limit, v_sum.abs() + off > limit]),
+            limited: flags([least > limit && !is_open, most > limit]),
         }
     }
+}
+
+/// The largest sum for velocities within +-1: the responses of stages that read the same velocity are added up before their magnitudes are.
+fn largest_sum(stages: &[Filters]) -> f64 {
+    let reads = |mode: Mode| match mode {
+        Mode::SetPoint => 0,
+        Mode::Indirect | Mode::DirectMotor => 1,
+        Mode::DirectLoad => 2,
+    };
+    let mut stages = stages.to_vec();
+    let mut sum = 0.0;
+    for cycle in 0..LONGEST {
+        let mut h = [0.0; 3];
+        for stage in &mut stages {
+            h[reads(stage.mode)] += stage.run(if cycle == 0 { 1.0 } else { 0.0 });
+        }
+        let next: f64 = h.iter().map(|h| h.abs()).sum();
+        sum += next;
+    }
+    sum
 }
 
 /// What SET_POINT reads: the controller's output of this cycle, with a drive that controls the position the interpolator's.

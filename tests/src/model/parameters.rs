@@ -86,6 +86,8 @@ pub struct Parameters {
     pub vb_max: u32,
     /// key `fade` [ns]
     pub fade_ns: u32,
+    /// `ride_through`
+    pub ride_through: u32,
     /// improved position control
     pub stages: Vec<Stage>,
     /// of a gantry slave
@@ -180,6 +182,7 @@ impl Parameters {
             line("add_jerk = \"experimental\"".to_owned());
         }
         line(format!("fade = \"{}ns\"", self.fade_ns));
+        line(format!("ride_through = {}", self.ride_through));
         if let Some(master) = self.master {
             line("kopf.achs_nr = 5\nkenngr.gantry_ax_nr = 4".to_owned());
             line(self.gear());

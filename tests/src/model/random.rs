@@ -57,6 +57,7 @@ pub fn parameters(rng: &mut Rng) -> Parameters {
         v_add_max_fact: *rng.pick(&[0, 1, 50, 500, 2000]),
         vb_max: number(rng, 1_000_000),
         fade_ns: number(rng, 40) * (cycle_ns / 2),
+        ride_through: *rng.pick(&[0, 0, 1, 2, 5]),
         stages: Vec::new(),
         master: None,
     };

@@ -1,7 +1,7 @@
 //! What is legal, but inert, out of date or dangerous: warnings about an axis that is valid. Nothing here is an error.
 
 use super::check::{damping_given, master};
-use super::{design::StageDesign, phase};
+use super::{phase, stage::StageDesign};
 use crate::axis::{Axis, Filter, Mode, Stage};
 use crate::config::values::{Key, Setting, key};
 use crate::parameters::words::{Enable, FilterType, StageMode, Words};

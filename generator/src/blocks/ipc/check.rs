@@ -18,6 +18,7 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option
     let v_add_max_fact = e.integer(key(Name::VAddMaxFact));
     let v_max = v_max(e, real);
     let fade = e.duration(key(Name::Fade));
+    let ride_through = e.integer(key(Name::RideThrough));
     // Every stage is checked, so that all errors of all stages are told.
     let stages = [0, 1, 2].map(|i| stage(e, i, cycle_time));
     let is_active = stages.iter().any(|stage| !matches!(stage, Some(None)));
@@ -25,7 +26,8 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option
     let [first, second, third] = stages;
     let fade = fade? as f64 / 1e9;
     let stage = [first?, second?, third?];
-    let ipc = Ipc { enable: enable?, v_add_max_fact: v_add_max_fact?, v_max: v_max?, fade, delay_cycles, stage };
+    let (v_add_max_fact, v_max, ride_through) = (v_add_max_fact?, v_max?, ride_through?);
+    let ipc = Ipc { enable: enable?, v_add_max_fact, v_max, fade, ride_through, delay_cycles, stage };
     fade_cycles(e, &ipc, cycle_time)?;
     Some(ipc)
 }

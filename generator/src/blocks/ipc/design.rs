@@ -1,92 +1,24 @@
-//! Improved position control as it is designed, once: the bands, the sections with their places, the coefficients.
+//! Improved position control as it is designed, once: its stages, the limits of their sum, the fade.
 
-use crate::axis::{Axis, DirectSource, Filter, Ipc, Mode, Stage};
-use crate::design::band::{Band, band, edges, frequency, warped};
-use crate::design::rounding::in_precision;
-use crate::design::trapezoidal::{Output, Trapezoidal};
-use crate::design::{bandpass::sections, section, section::Shape};
-use crate::parameters::words::FilterType;
+use super::stage::{StageDesign, stage};
+use super::sum_limit::sum_limit;
+use crate::axis::{Axis, Ipc};
 use portable::RealKind;
-use reference::ipc::{Coeffs, STAGES};
-use reference::{allpass, bandpass, filter, stage, stage::FILTERS};
-use std::fmt;
-
-/// An active stage.
-#[derive(Clone, Debug)]
-pub(crate) struct StageDesign {
-    pub index: usize,
-    /// what it was designed from
-    pub stage: Stage,
-    /// the same [s]
-    pub cycle_time: f64,
-    pub filter: [Option<FilterDesign>; FILTERS],
-    /// all its sections, in the order of their execution
-    pub section: Vec<Section>,
-    pub coeffs: stage::Coeffs<f64>,
-}
-
-/// A filter and where it lies.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct FilterDesign {
-    pub index: usize,
-    pub filter: Filter,
-    pub band: Band,
-    /// lower and upper edge [Hz]: -3 dB of a band-pass, -90 and -270 degrees of an all-pass
-    pub edges: [f64; 2],
-}
-
-/// A second-order section.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Section {
-    pub element: Element,
-    pub shape: Shape,
-    /// denominator 1 + a1 z^-1 + a2 z^-2 of the biquad, which double precision has
-    pub denominator: [f64; 2],
-    /// as single precision has it, its coefficients rounded
-    pub trapezoidal: Trapezoidal,
-}
-
-/// Where a section is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Element {
-    pub stage: usize,
-    /// none: the simulated oscillation
-    pub filter: Option<usize>,
-    /// its place in a band-pass; none: all else is one section
-    pub section: Option<usize>,
-}
-
-/// Among the coefficients: `stage[0].filter[1].bandpass[2]`.
-impl fmt::Display for Element {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let stage = self.stage;
-        match (self.filter, self.section) {
-            (None, _) => write!(f, "stage[{stage}].oscillation"),
-            (Some(filter), Some(section)) => write!(f, "stage[{stage}].filter[{filter}].bandpass[{section}]"),
-            (Some(filter), None) => write!(f, "stage[{stage}].filter[{filter}].allpass"),
-        }
-    }
-}
-
-impl Element {
-    /// Among the state: `stage[0].filter[1].section[2]`.
-    pub(crate) fn in_state(self) -> String {
-        let Some(filter) = self.filter else { return self.to_string() };
-        format!("stage[{}].filter[{filter}].section[{}]", self.stage, self.section.unwrap_or(0))
-    }
-}
+use reference::ipc::{Coeffs, STAGES, ride_through};
 
 /// Designs improved position control of an axis; an inactive stage is `None`. The coefficients are in double precision; single
 /// precision rounds each of them once. A section has the coefficients of both real types, of which a block uses its own.
 ///
 /// - limit = v_add_max_fact / 1000 * v_max (P-AXIS-00757, P-AXIS-00212), in the unit of v_max: um/s or 0.001 deg/s.
+/// - sum_limit: [`sum_limit`].
 /// - rest = v_max * 2^-60 in double, v_max * 2^-40 in single precision: far below one increment, far above what a
 ///   section at rest decays to.
 /// - fade: [`fade_cycles`].
 pub(crate) fn design(axis: &Axis) -> ([Option<StageDesign>; STAGES], Coeffs<f64>) {
     let ipc = &axis.ipc;
     let (limit, fade_cycles) = (ipc.limit(), fade_cycles(axis));
-    let stages = std::array::from_fn(|i| Some(stage(i, ipc.stage[i].as_ref()?, axis.cycle_time())));
+    let stages: [Option<StageDesign>; STAGES] =
+        std::array::from_fn(|i| Some(stage(i, ipc.stage[i].as_ref()?, axis.cycle_time())));
     let coeffs = Coeffs {
         cycle_time_ns: axis.cycle_time_ns,
         enable: ipc.enable as i32,
@@ -94,9 +26,11 @@ pub(crate) fn design(axis: &Axis) -> ([Option<StageDesign>; STAGES], Coeffs<f64>
         stage: stages.each_ref().map(|stage| stage.as_ref().map_or_else(Default::default, |stage| stage.coeffs)),
         limit,
         lower_limit: 0.0 - limit, // not `-limit`: 0 stays +0
+        sum_limit: sum_limit(ipc, axis.real, stages.iter().flatten()),
         rest: libm::ldexp(ipc.v_max, rest_exponent(axis.real)),
         fade_cycles,
         fade_step: 1.0 / f64::from(fade_cycles),
+        ride_through: ride_through::Coeffs { active: ipc.ride_through > 0, cycles: ipc.ride_through },
     };
     (stages, coeffs)
 }
@@ -121,79 +55,4 @@ pub(crate) fn fade_cycles(axis: &Axis) -> u32 {
     let cycles = if (quotient - nearest).abs() <= 1e-9 * quotient { nearest } else { libm::ceil(quotient) };
     assert!(cycles <= Ipc::MAX_FADE_CYCLES, "design: the check lets no fade of {cycles} cycles through");
     cycles.max(1.0) as u32
-}
-
-/// A stage at the cycle time [s].
-///
-/// gain = -weight = -min(num / denom, 7): negative in all modes, because the stage moves the motor against the vibration
-/// (P-AXIS-00753, P-AXIS-00754, P-AXIS-00755). The simulated oscillation has the centre of the stage's first band-pass.
-pub(crate) fn stage(index: usize, of: &Stage, cycle_time: f64) -> StageDesign {
-    let (mode, direct_source) = match of.mode {
-        Mode::Direct { source: DirectSource::Motor } => (stage::Mode::Direct, stage::DirectSource::Motor),
-        Mode::Direct { source: DirectSource::Direct } => (stage::Mode::Direct, stage::DirectSource::Direct),
-        Mode::Indirect { .. } => (stage::Mode::Indirect, stage::DirectSource::default()),
-        Mode::SetPoint { .. } => (stage::Mode::SetPoint, stage::DirectSource::default()),
-    };
-    let mut design = StageDesign {
-        index,
-        stage: of.clone(),
-        cycle_time,
-        filter: [None; FILTERS],
-        section: Vec::with_capacity(1 + FILTERS * filter::MAX_ORDER),
-        coeffs: stage::Coeffs { mode, direct_source, gain: -of.weight(), ..stage::Coeffs::default() },
-    };
-    if let Some(damping) = of.mode.osc_damping() {
-        let shape = Shape { g: warped(of.f0(), cycle_time), k: 2.0 * damping, c: 1.0 };
-        let coeffs = section::oscillation(&shape);
-        let element = Element { stage: index, filter: None, section: None };
-        let [h, r, g, c] = [coeffs.h, coeffs.r, coeffs.g, coeffs.g2].map(single);
-        let trapezoidal = Trapezoidal { a: g * h, b: g * r, c, output: Output::Oscillation, is_by_change: true };
-        design.section.push(Section { element, shape, denominator: [coeffs.a1, coeffs.a2], trapezoidal });
-        design.coeffs.oscillation = coeffs;
-    }
-    for k in 0..FILTERS {
-        design.design_filter(k);
-    }
-    design
-}
-
-impl StageDesign {
-    /// Designs a filter (P-AXIS-00849); the coefficients that its type does not use stay 0.
-    fn design_filter(&mut self, index: usize) {
-        let filter = self.stage.filter[index];
-        let Some([f0, q_factor]) = filter.f0_and_q() else { return };
-        let band = band(f0, q_factor, self.cycle_time);
-        let edges = edges(&band).map(|t| frequency(t, self.cycle_time));
-        self.filter[index] = Some(FilterDesign { index, filter, band, edges });
-        let coeffs = &mut self.coeffs.filter[index];
-        let is_bandpass = |filter: &Filter| filter.kind() == FilterType::Bandpass;
-        let is_behind = self.stage.filter[..index].iter().any(is_bandpass);
-        let mut push = |section: Option<usize>, shape, denominator, abc: [f64; 3]| {
-            let element = Element { stage: self.index, filter: Some(index), section };
-            let [a, b, c] = abc.map(single);
-            let output = if section.is_some() { Output::Bandpass } else { Output::Allpass };
-            let is_by_change = section.is_none_or(|section| section == 0 && !is_behind);
-            let trapezoidal = Trapezoidal { a, b, c, output, is_by_change };
-            self.section.push(Section { element, shape, denominator, trapezoidal });
-        };
-        if let Filter::Bandpass { prototype, order, .. } = filter {
-            (coeffs.kind, coeffs.order) = (filter::Type::Bandpass, order);
-            for (i, shape) in sections(prototype, order, &band).into_iter().enumerate() {
-                let of_section = section::bandpass(&shape);
-                let bandpass::Coeffs { a1, a2, a, b, c, .. } = of_section;
-                push(Some(i), shape, [a1, a2], [a, b, c]);
-                coeffs.bandpass[i] = of_section;
-            }
-        } else {
-            let shape = Shape { g: band.omega0, k: band.bandwidth / band.omega0, c: 1.0 };
-            (coeffs.kind, coeffs.allpass) = (filter::Type::Allpass, section::allpass(&shape));
-            let allpass::Coeffs { a1, a2, a, b, c, .. } = coeffs.allpass;
-            push(None, shape, [a1, a2], [a, b, c]);
-        }
-    }
-}
-
-/// A coefficient as single precision has it.
-fn single(coefficient: f64) -> f64 {
-    in_precision(coefficient, RealKind::F32)
 }

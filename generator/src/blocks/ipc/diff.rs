@@ -2,13 +2,13 @@
 //! does at the centre frequencies.
 
 use super::super::values::is_same;
-use super::{design::StageDesign, filter};
+use super::{filter, stage::StageDesign};
 use crate::blocks::designed::Designed;
 use crate::design::{band::warped, response};
 use crate::number::{decibels, decimals, pair, significant};
 use crate::parameters::words::{StageMode, Words};
 
-/// What differs: limit, start and fade, a line each, then a line for each stage.
+/// What differs: limit, start, fade and bad samples, a line each, then a line for each stage.
 pub(crate) fn differences(old: &Designed, new: &Designed) -> Vec<String> {
     let both = |value: &dyn Fn(&Designed) -> f64| [value(old), value(new)];
     let mut lines = Vec::new();
@@ -25,6 +25,10 @@ pub(crate) fn differences(old: &Designed, new: &Designed) -> Vec<String> {
     let fades = both(&fade);
     if !is_same(fades[0], fades[1]) {
         lines.push(format!("fade {} s", pair(fades[0], fades[1], 4)));
+    }
+    let rides = [old, new].map(|of| of.axis.ipc.ride_through);
+    if rides[0] != rides[1] {
+        lines.push(format!("rides through {} -> {} bad samples in a row", rides[0], rides[1]));
     }
     for (index, (old, new)) in old.stage.iter().zip(&new.stage).enumerate() {
         let line = of_stages(old.as_ref(), new.as_ref());

@@ -1,7 +1,7 @@
 //! What must not run on a machine although each parameter is in its range: sections that rounding has spoilt.
 
 use super::check::damping_given;
-use super::design::{Element, Section, StageDesign};
+use super::stage::{Element, Section, StageDesign};
 use crate::design::rounding::precision;
 use crate::design::{band::frequency, section::at_dc_and_nyquist, trapezoidal::Trapezoidal};
 use crate::{axis::Axis, blocks::designed::Designed, codes, parameters::Name, rules::effective::Effective};

@@ -1,7 +1,7 @@
 //! What is said of a filter, by its type: its note, its part of the summary, what differs between two of them.
 
 use super::super::values::is_same;
-use super::design::FilterDesign;
+use super::stage::FilterDesign;
 use crate::axis::Filter;
 use crate::number::{digits, pair, percent, significant};
 use crate::parameters::words::{FilterType, Words};

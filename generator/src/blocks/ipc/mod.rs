@@ -9,6 +9,8 @@ pub(crate) mod feasibility;
 mod filter;
 pub(crate) mod notes;
 mod phase;
+pub(crate) mod stage;
+mod sum_limit;
 mod verdict;
 
 use super::{Part, Summary};
@@ -35,8 +37,8 @@ impl Part for Ipc {
     fn ranges(&self, designed: &Designed) -> [f64; 2] {
         let ipc = &designed.axis.ipc;
         let (limit, v_max) = (ipc.limit(), ipc.v_max);
-        // A narrow band-pass lets little of the noise pass.
-        [if limit > 0.0 { limit / 16.0 } else { v_max }, v_max.max(64.0 * limit)]
+        // A narrow band-pass lets little of the noise pass; much more of it would be a fault.
+        [if limit > 0.0 { limit / 16.0 } else { v_max }, (64.0 * limit).clamp(v_max, 16.0 * v_max)]
     }
 
     /// How it starts, its limit and its fade; a line for each stage.

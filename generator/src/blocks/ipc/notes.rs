@@ -1,7 +1,8 @@
 //! What each coefficient means physically, one line each, for the reviewer of a generated block. No design.
 
-use super::design::{Section, StageDesign, rest_exponent};
+use super::design::rest_exponent;
 use super::filter;
+use super::stage::{Section, StageDesign};
 use crate::axis::{Axis, Filter, Mode, Stage};
 use crate::blocks::designed::Designed;
 use crate::design::band::{frequency, warped};
@@ -19,9 +20,15 @@ pub(crate) fn notes(designed: &Designed) -> Vec<(String, String)> {
         notes.extend(of_stage(design));
     }
     notes.push(note("limit", of_limit(axis)));
+    let of_sum = "2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit";
+    notes.push(note("sum_limit", of_sum.to_owned()));
     let rest = rest_exponent(axis.real);
     notes.push(note("rest", format!("P-AXIS-00212 * 2^{rest}: a sum below it is exactly 0")));
     notes.push(note("fade_cycles", of_fade(axis)));
+    notes.push(note(
+        "ride_through",
+        "key ride_through: each of so many bad samples in a row is the last good one".to_owned(),
+    ));
     notes
 }
 

@@ -1,6 +1,6 @@
 //! What turns the phase of a stage: the delay of its loop, the load, an all-pass. Warnings about an axis that is valid.
 
-use super::design::{FilterDesign, StageDesign};
+use super::stage::{FilterDesign, StageDesign};
 use crate::axis::{Filter, Mode, Stage};
 use crate::design::band::{Band, warped};
 use crate::parameters::words::{DirectSource, FilterType};

@@ -2,7 +2,7 @@
 //! decided here; warnings are in `advice` and `phase`.
 
 use super::certificate::{designed, noise};
-use super::design::StageDesign;
+use super::stage::StageDesign;
 use super::{filter, phase};
 use crate::axis::{Axis, Enable, Mode};
 use crate::blocks::designed::Designed;

@@ -1,6 +1,6 @@
 //! The stages of a compiled block as chains of second-order sections, found by single steps from unit states. No bound.
 
-use super::super::design::{self, StageDesign};
+use super::super::stage::{self, StageDesign};
 use super::probe::{Probe, Source};
 use super::section::{Biquad, Section};
 use super::widened::widened;
@@ -47,7 +47,7 @@ pub(crate) struct Place {
 }
 
 /// Where a section is in the state: s1 and s2 of a biquad, s1 and p or low of a trapezoidal section.
-pub(crate) fn place(program: &Program, section: &design::Section) -> Place {
+pub(crate) fn place(program: &Program, section: &stage::Section) -> Place {
     let stem = section.element.in_state();
     let at = |name| {
         let path = format!("{stem}.{name}");
@@ -91,7 +91,7 @@ fn through(reaching: &[f64], direct: &[f64], next: [usize; 2]) -> f64 {
 /// A step from s1 = 1 leaves s1 = 1 - 2 B and p = -C (1 - B), one from p = 1 leaves s1 = 2 A; with low in the place of p, the
 /// opposite of both.
 fn trapezoidal(probe: &mut Probe<'_>, places: &[Place], stage: &StageDesign, input: usize) -> Chain {
-    let mut section = |(place, section): (&Place, &design::Section)| {
+    let mut section = |(place, section): (&Place, &stage::Section)| {
         let [s1, second] = place.s;
         let [from_s1, from_second] = place.s.map(|s| probe.column(&Source::State(s)));
         let sign = if place.is_by_change { 1.0 } else { -1.0 };

@@ -23,7 +23,7 @@ mod response;
 pub(crate) mod section;
 mod widened;
 
-use super::design::StageDesign;
+use super::stage::StageDesign;
 use crate::design::rounding::{largest, sample_limit};
 use crate::{axis::Axis, blocks::designed::Designed};
 use compiler::program::Program;

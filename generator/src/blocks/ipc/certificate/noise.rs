@@ -1,7 +1,7 @@
 //! How far the roundings of single precision, of steps and of coefficients, stay below a vibration: the signal-to-noise ratio of a
 //! stage. No step is run.
 
-use super::super::design::StageDesign;
+use super::super::stage::StageDesign;
 use super::chain::Chain;
 use super::response::{Point, designed};
 use super::section::Section;

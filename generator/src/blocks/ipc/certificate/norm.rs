@@ -32,7 +32,7 @@ const SLACK: f64 = 1e-6;
 ///
 /// A block starts in the steady state of its input, which an input that was constant for ever has led to: what holds
 /// for every sequence of samples holds from there on too.
-pub(super) fn bounds(chains: &[Chain], real: RealKind) -> Bound {
+pub(crate) fn bounds(chains: &[Chain], real: RealKind) -> Bound {
     let sections: usize = chains.iter().map(|chain| chain.section.len()).sum();
     let budget = BUDGET / sections.max(1);
     let runs: Vec<Run> = chains.iter().map(|chain| run(chain, budget, real)).collect();

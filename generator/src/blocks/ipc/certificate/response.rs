@@ -1,7 +1,7 @@
 //! Gain and phase of a stage: as its compiled sections have it, and as the formulas of its filters do. No rounding of
 //! a coefficient is in the designed values.
 
-use super::super::design::{FilterDesign, StageDesign};
+use super::super::stage::{FilterDesign, StageDesign};
 use super::chain::Chain;
 use super::section::{Biquad, Section};
 use crate::axis::{Filter, Prototype};

@@ -1,0 +1,68 @@
+//! Bad samples in a row that a block rides through: the last good one stands in the place of each. No fault.
+
+use super::signals::Inputs;
+use super::sources::{self, STAGES, are_in_range, reads_command, reads_direct, reads_motor};
+use crate::{signal::sample_limit, stage};
+use portable::{Real, in_range, portable};
+
+/// Coefficients.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Coeffs {
+    /// whether bad samples are ridden through at all
+    pub active: bool,
+    /// cycles in a row in which the last good sample stands in the place of a bad one
+    pub cycles: u32,
+}
+
+/// State.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct State {
+    /// cycles in a row in which a sample was bad
+    pub bad: u32,
+}
+
+/// Before the first cycle.
+#[portable]
+pub fn init(state: &mut State) {
+    state.bad = 0u32;
+}
+
+/// Takes the inputs over. The velocity of the cycle before stands in the place of one that is out of range, in as many cycles in a row as
+/// the coefficients allow; `is_remembered`: there is one. Gives whether it does.
+#[portable]
+pub fn replace<R: Real>(
+    state: &mut State,
+    coeffs: &Coeffs,
+    stages: &[stage::Coeffs<R>; STAGES],
+    source: &sources::State<R>,
+    is_remembered: bool,
+    inputs: &Inputs<R>,
+    replaced: &mut Inputs<R>,
+) -> bool {
+    replaced.v_command = inputs.v_command;
+    replaced.v_motor = inputs.v_motor;
+    replaced.v_direct = inputs.v_direct;
+    replaced.mode = inputs.mode;
+    replaced.position_controlled = inputs.position_controlled;
+    replaced.reset = inputs.reset;
+    replaced.task_cycle_ns = inputs.task_cycle_ns;
+    let mut held = false;
+    if are_in_range(stages, inputs) {
+        state.bad = 0u32;
+    } else if is_remembered && state.bad < coeffs.cycles {
+        state.bad += 1u32;
+        held = true;
+        if reads_command(stages) && !in_range(inputs.v_command, sample_limit()) {
+            replaced.v_command = source.v_command.before;
+        }
+        if reads_motor(stages) && !in_range(inputs.v_motor, sample_limit()) {
+            replaced.v_motor = source.v_motor.before;
+        }
+        if reads_direct(stages) && !in_range(inputs.v_direct, sample_limit()) {
+            replaced.v_direct = source.v_direct.before;
+        }
+    }
+    held
+}
