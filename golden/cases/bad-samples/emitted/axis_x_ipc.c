@@ -4,8 +4,8 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  bd44f2a00da1e1a22158ebdf82114826
- * checksum    bd53a4c30b723354adf0c19b20955733
+ * parameters  c457484c0e8d97b740ac5a2fd735266c
+ * checksum    55b5d1123e8c2dd24784f7120102121e
  */
 #include "axis_x_ipc.h"
 
@@ -91,6 +91,9 @@ static const double stage2_filter0_bandpass0_a2 = 0.9042035937390208; /* denomin
 static const double limit = 500000.0; /* largest |v_add| */
 static const double lower_limit = -500000.0; /* -limit */
 
+/* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
+static const double sum_limit = 3850812.3379631075; /* largest magnitude of a sum of stages that is not a fault */
+
 /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
 /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
 static const double rest = 4.3368086899420177e-13;
@@ -99,14 +102,18 @@ static const double rest = 4.3368086899420177e-13;
 static const uint32_t fade_cycles = 20u; /* cycles that the fade takes from 0 to 1 */
 static const double fade_step = 0.05; /* 1 / fade_cycles */
 
+/* key ride_through: each of so many bad samples in a row is the last good one */
+/* cycles in a row in which the last good sample stands in the place of a bad one */
+static const uint32_t ride_through_cycles = 1u;
+
 /* the same for every axis */
+/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+static const double sample_limit = 1000000000000000.0;
 static const uint32_t error_none = 0u; /* error_id: no fault */
 static const int32_t mode_on = 1; /* mode: the block acts */
 static const int32_t mode_off = 0; /* mode: the block is off */
 static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const double sample_limit = 1000000000000000.0;
-/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
+/* error_id: a state of the block is no number, or the sum of its stages is above sum_limit; everything starts
  * anew */
 static const uint32_t error_state = 3u;
 /* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
@@ -117,11 +124,12 @@ static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within th
 static const uint32_t error_v_direct = 13u; /* error_id: v_direct is not within the sample limit */
 /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 static const double anti_denormal = 1.0e-30;
-static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
 
 void axis_x_ipc_init(axis_x_ipc_state *state)
 {
     state->disturbed = false;
+    /* key ride_through: each of so many bad samples in a row is the last good one */
+    state->ride_through_bad = 0u;
     state->preset = false;
     state->fade = 0u;
 }
@@ -142,10 +150,46 @@ void axis_x_ipc_step(
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
+    const bool is_remembered = state->preset;
+    /* key ride_through: each of so many bad samples in a row is the last good one */
+    double ride_through_v_command;
+    double ride_through_v_motor;
+    double ride_through_v_direct;
+    if (magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit
+            && magnitude(inputs->v_direct) <= sample_limit) {
+        state->ride_through_bad = 0u;
+        ride_through_v_command = inputs->v_command;
+        ride_through_v_motor = inputs->v_motor;
+        ride_through_v_direct = inputs->v_direct;
+        outputs->held = false;
+    } else if (is_remembered && state->ride_through_bad < ride_through_cycles) {
+        outputs->held = true;
+        state->ride_through_bad = state->ride_through_bad + 1u;
+        if (magnitude(inputs->v_command) <= sample_limit) {
+            ride_through_v_command = inputs->v_command;
+        } else {
+            ride_through_v_command = state->source_v_command_before;
+        }
+        if (magnitude(inputs->v_motor) <= sample_limit) {
+            ride_through_v_motor = inputs->v_motor;
+        } else {
+            ride_through_v_motor = state->source_v_motor_before;
+        }
+        if (magnitude(inputs->v_direct) <= sample_limit) {
+            ride_through_v_direct = inputs->v_direct;
+        } else {
+            ride_through_v_direct = state->source_v_direct_before;
+        }
+    } else {
+        ride_through_v_command = inputs->v_command;
+        ride_through_v_motor = inputs->v_motor;
+        ride_through_v_direct = inputs->v_direct;
+        outputs->held = false;
+    }
     bool runs;
     uint32_t reason;
-    if (magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit
-            && magnitude(inputs->v_direct) <= sample_limit
+    if (magnitude(ride_through_v_command) <= sample_limit && magnitude(ride_through_v_motor) <= sample_limit
+            && magnitude(ride_through_v_direct) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
             && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
         runs = true;
@@ -155,14 +199,18 @@ void axis_x_ipc_step(
         runs = false;
         reason = error_state;
     } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
-            && magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit
-            && magnitude(inputs->v_direct) <= sample_limit
+            && magnitude(ride_through_v_command) <= sample_limit && magnitude(ride_through_v_motor) <= sample_limit
+            && magnitude(ride_through_v_direct) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
             && !inputs->reset) {
         if (state->preset) {
             if (inputs->mode == mode_on) {
                 state->fade = state->fade + 1u;
             } else {
+                if (state->fade > fade_cycles) {
+                    /* fade has been overwritten: it must not take longer than a whole fade */
+                    state->fade = fade_cycles;
+                }
                 if (state->fade > 0u) {
                     state->fade = state->fade - 1u;
                 }
@@ -173,30 +221,33 @@ void axis_x_ipc_step(
             runs = true;
         } else {
             if (inputs->mode != mode_off) {
+                state->source_v_command_before = ride_through_v_command;
+                state->source_v_motor_before = ride_through_v_motor;
+                state->source_v_direct_before = ride_through_v_direct;
                 /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755) */
                 /* simulated oscillation of the load, f0 of the first BANDPASS 60 Hz (P-AXIS-00751), damping ratio 0.8
                  * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-                state->stage0_oscillation_s1 = stage0_oscillation_preset_s1 * inputs->v_command;
-                state->stage0_oscillation_s2 = stage0_oscillation_preset_s2 * inputs->v_command;
+                state->stage0_oscillation_s1 = stage0_oscillation_preset_s1 * ride_through_v_command;
+                state->stage0_oscillation_s2 = stage0_oscillation_preset_s2 * ride_through_v_command;
                 /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 60 Hz (P-AXIS-00751),
                  * quality factor 5 (P-AXIS-00752), -3 dB at 54.28497 and 66.28497 Hz */
-                const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_command;
+                const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * ride_through_v_command;
                 state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
                 state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
                 /* INDIRECT (P-AXIS-00753) from v_motor, weight 100/100 = 1 (P-AXIS-00754/00755) */
                 /* simulated oscillation of the load, f0 of the first BANDPASS 70 Hz (P-AXIS-00751), damping ratio 0.8
                  * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-                state->stage1_oscillation_s1 = stage1_oscillation_preset_s1 * inputs->v_motor;
-                state->stage1_oscillation_s2 = stage1_oscillation_preset_s2 * inputs->v_motor;
+                state->stage1_oscillation_s1 = stage1_oscillation_preset_s1 * ride_through_v_motor;
+                state->stage1_oscillation_s2 = stage1_oscillation_preset_s2 * ride_through_v_motor;
                 /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 70 Hz (P-AXIS-00751),
                  * quality factor 5 (P-AXIS-00752), -3 dB at 63.32637 and 77.32637 Hz */
-                const double stage1_filter0_section0_s = stage1_filter0_bandpass0_b2 * inputs->v_motor;
+                const double stage1_filter0_section0_s = stage1_filter0_bandpass0_b2 * ride_through_v_motor;
                 state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
                 state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
                 /* DIRECT (P-AXIS-00753) from v_direct, weight 100/100 = 1 (P-AXIS-00754/00755) */
                 /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 80 Hz (P-AXIS-00751),
                  * quality factor 5 (P-AXIS-00752), -3 dB at 72.36489 and 88.36489 Hz */
-                const double stage2_filter0_section0_s = stage2_filter0_bandpass0_b2 * inputs->v_direct;
+                const double stage2_filter0_section0_s = stage2_filter0_bandpass0_b2 * ride_through_v_direct;
                 state->stage2_filter0_section0_s1 = stage2_filter0_section0_s;
                 state->stage2_filter0_section0_s2 = stage2_filter0_section0_s;
                 state->preset = true;
@@ -211,11 +262,11 @@ void axis_x_ipc_step(
             reason = error_cycle_time;
         } else if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
             reason = error_mode;
-        } else if (!(magnitude(inputs->v_command) <= sample_limit)) {
+        } else if (!(magnitude(ride_through_v_command) <= sample_limit)) {
             reason = error_v_command;
-        } else if (!(magnitude(inputs->v_motor) <= sample_limit)) {
+        } else if (!(magnitude(ride_through_v_motor) <= sample_limit)) {
             reason = error_v_motor;
-        } else if (magnitude(inputs->v_direct) <= sample_limit) {
+        } else if (magnitude(ride_through_v_direct) <= sample_limit) {
             reason = error_none;
         } else {
             reason = error_v_direct;
@@ -225,15 +276,20 @@ void axis_x_ipc_step(
     if (runs) {
         outputs->fault = false;
         outputs->error_id = error_none;
+        state->source_v_command_before = ride_through_v_command;
+        state->source_v_motor_before = ride_through_v_motor;
+        state->source_v_direct_before = ride_through_v_direct;
         /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755) */
         /* simulated oscillation of the load, f0 of the first BANDPASS 60 Hz (P-AXIS-00751), damping ratio 0.8
          * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-        const double stage0_oscillation_y = stage0_oscillation_b0 * inputs->v_command + state->stage0_oscillation_s1;
+        const double stage0_oscillation_y =
+            stage0_oscillation_b0 * ride_through_v_command + state->stage0_oscillation_s1;
         state->stage0_oscillation_s1 =
-            stage0_oscillation_b1 * inputs->v_command - stage0_oscillation_a1 * stage0_oscillation_y
+            stage0_oscillation_b1 * ride_through_v_command - stage0_oscillation_a1 * stage0_oscillation_y
                 + state->stage0_oscillation_s2;
         state->stage0_oscillation_s2 =
-            stage0_oscillation_b2 * inputs->v_command + anti_denormal - stage0_oscillation_a2 * stage0_oscillation_y;
+            stage0_oscillation_b2 * ride_through_v_command + anti_denormal
+                - stage0_oscillation_a2 * stage0_oscillation_y;
         /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 60 Hz (P-AXIS-00751),
          * quality factor 5 (P-AXIS-00752), -3 dB at 54.28497 and 66.28497 Hz */
         const double stage0_filter0_section0_t = stage0_filter0_bandpass0_b2 * stage0_oscillation_y;
@@ -246,12 +302,12 @@ void axis_x_ipc_step(
         /* INDIRECT (P-AXIS-00753) from v_motor, weight 100/100 = 1 (P-AXIS-00754/00755) */
         /* simulated oscillation of the load, f0 of the first BANDPASS 70 Hz (P-AXIS-00751), damping ratio 0.8
          * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-        const double stage1_oscillation_y = stage1_oscillation_b0 * inputs->v_motor + state->stage1_oscillation_s1;
+        const double stage1_oscillation_y = stage1_oscillation_b0 * ride_through_v_motor + state->stage1_oscillation_s1;
         state->stage1_oscillation_s1 =
-            stage1_oscillation_b1 * inputs->v_motor - stage1_oscillation_a1 * stage1_oscillation_y
+            stage1_oscillation_b1 * ride_through_v_motor - stage1_oscillation_a1 * stage1_oscillation_y
                 + state->stage1_oscillation_s2;
         state->stage1_oscillation_s2 =
-            stage1_oscillation_b2 * inputs->v_motor + anti_denormal - stage1_oscillation_a2 * stage1_oscillation_y;
+            stage1_oscillation_b2 * ride_through_v_motor + anti_denormal - stage1_oscillation_a2 * stage1_oscillation_y;
         /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 70 Hz (P-AXIS-00751),
          * quality factor 5 (P-AXIS-00752), -3 dB at 63.32637 and 77.32637 Hz */
         const double stage1_filter0_section0_t = stage1_filter0_bandpass0_b2 * stage1_oscillation_y;
@@ -265,7 +321,7 @@ void axis_x_ipc_step(
         /* DIRECT (P-AXIS-00753) from v_direct, weight 100/100 = 1 (P-AXIS-00754/00755) */
         /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 80 Hz (P-AXIS-00751),
          * quality factor 5 (P-AXIS-00752), -3 dB at 72.36489 and 88.36489 Hz */
-        const double stage2_filter0_section0_t = stage2_filter0_bandpass0_b2 * inputs->v_direct;
+        const double stage2_filter0_section0_t = stage2_filter0_bandpass0_b2 * ride_through_v_direct;
         const double stage2_filter0_section0_y = state->stage2_filter0_section0_s1 - stage2_filter0_section0_t;
         state->stage2_filter0_section0_s1 =
             state->stage2_filter0_section0_s2 - stage2_filter0_bandpass0_a1 * stage2_filter0_section0_y;
@@ -289,8 +345,8 @@ void axis_x_ipc_step(
                 v_limited = lower_limit;
             }
         } else {
-            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
-             * everything starts anew */
+            /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
+             * then everything starts anew */
             outputs->limited = true;
             state->disturbed = true;
             state->preset = false;
@@ -350,47 +406,47 @@ uint32_t axis_x_ipc_self_test(void)
 {
     /* the reference's digest of all outputs and of the state, after each sample */
     static const uint64_t expected[41] = {
-        UINT64_C(0xb7035009349ea788),
-        UINT64_C(0xcbd5aaa7598b311f),
-        UINT64_C(0x5754047739b588e5),
-        UINT64_C(0xed46511fa5649481),
-        UINT64_C(0xe9669a1e1c969a85),
-        UINT64_C(0x5787a60349ec8184),
-        UINT64_C(0x321b9bb53b85f3f9),
-        UINT64_C(0x1db92bab00348161),
-        UINT64_C(0x3e10f276f5d10cb7),
-        UINT64_C(0x4a5ce85112140236),
-        UINT64_C(0x758a44133f83eccf),
-        UINT64_C(0x698fde7de48ccfc2),
-        UINT64_C(0xd4a12c8548a149e5),
-        UINT64_C(0x74a979f564838bfa),
-        UINT64_C(0x95ab150f890c0fa8),
-        UINT64_C(0x092735bc57d0c825),
-        UINT64_C(0xd4c7b022c106845d),
-        UINT64_C(0x886fa34ab8a3d7a5),
-        UINT64_C(0xb5e5427a2eba634a),
-        UINT64_C(0xa42716eefbc365ea),
-        UINT64_C(0xa76b8c3499ee56ee),
-        UINT64_C(0x6cfb802f968f19b1),
-        UINT64_C(0x75b0802b1a0a2b6d),
-        UINT64_C(0x163936010ada203f),
-        UINT64_C(0xf3ec2de57bf738ef),
-        UINT64_C(0x2dc0b9146a4fddae),
-        UINT64_C(0x8c01c86582997915),
-        UINT64_C(0x8da6b75030971464),
-        UINT64_C(0x01d569c0c4053ed5),
-        UINT64_C(0x81aeba348fefff2e),
-        UINT64_C(0xd1b5883e6240d1f6),
-        UINT64_C(0x012cb661ab750b3b),
-        UINT64_C(0x5f7bd2b8060c9e23),
-        UINT64_C(0x2d1688ae1787a9c3),
-        UINT64_C(0x589e426b2b1b980a),
-        UINT64_C(0xdf37e775619a8237),
-        UINT64_C(0x2ac5238d24c69732),
-        UINT64_C(0x2f2d14e12f2b3a78),
-        UINT64_C(0xc5dd4c89a662786a),
-        UINT64_C(0x8801b079d0684a09),
-        UINT64_C(0xd941b9eb54158b0f),
+        UINT64_C(0xb370b6d3319fa788),
+        UINT64_C(0xfe3f853de30cde73),
+        UINT64_C(0x5b32e753f7239655),
+        UINT64_C(0x834c1fca7ce7e335),
+        UINT64_C(0xfe520b065a63a301),
+        UINT64_C(0xe8347390bbc7f49d),
+        UINT64_C(0xf07ebde06a6ceef9),
+        UINT64_C(0x057ece9cb9dd0610),
+        UINT64_C(0x5a2581a14445c84b),
+        UINT64_C(0xae55737f9d6d4522),
+        UINT64_C(0xdc2adad2db1e741e),
+        UINT64_C(0xa5bc166514016bd2),
+        UINT64_C(0x41056bdd42f649d5),
+        UINT64_C(0x14858e31fbb7a4f2),
+        UINT64_C(0x1fbbd85f3e184f12),
+        UINT64_C(0x83d3958e26f581c8),
+        UINT64_C(0xf1705eaa6839c640),
+        UINT64_C(0x40ab387eaf22e057),
+        UINT64_C(0x5006f0d55cbd59ba),
+        UINT64_C(0x6e80345918f8e7f6),
+        UINT64_C(0xcecc73f537856400),
+        UINT64_C(0x17746a34f9cb45c1),
+        UINT64_C(0xc438fc700a69abc6),
+        UINT64_C(0x810e03e87d41d1ad),
+        UINT64_C(0x0f8f5e7a07683d36),
+        UINT64_C(0xd442b1a212fcc9d4),
+        UINT64_C(0xcfe37d7a20869098),
+        UINT64_C(0x51814d9c01010363),
+        UINT64_C(0x6993fd3911b85472),
+        UINT64_C(0xf8ff1fc50b52e309),
+        UINT64_C(0x05d80563caffa057),
+        UINT64_C(0x976964e193467782),
+        UINT64_C(0x2f9630f9061f4ccf),
+        UINT64_C(0x70f75623bcb13cff),
+        UINT64_C(0x8d926efc61701577),
+        UINT64_C(0xb225bd829ecb5466),
+        UINT64_C(0x39c8070f585a820b),
+        UINT64_C(0x989d34a9e0c0f8c9),
+        UINT64_C(0x5ac793017d817be4),
+        UINT64_C(0x108563241ba8f8af),
+        UINT64_C(0xc8a5b777031aa96c),
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
     void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
@@ -422,7 +478,7 @@ uint32_t axis_x_ipc_self_test(void)
     axis_x_ipc_inputs_init(&inputs);
     for (sample = 0u; sample < 41u; sample++) {
         /* at first within every limit, so that nothing is cut off */
-        scale = sample < 33u ? 0.001953125 : 2.0;
+        scale = sample < 33u ? 0.001953125 : 0.5;
         /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
         random = random * 1664525u + 1013904223u;
         noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
@@ -437,11 +493,16 @@ uint32_t axis_x_ipc_self_test(void)
         digest = fold(digest, bits_of(outputs.v_add));
         digest = fold(digest, bits_of(outputs.v_add_calculated));
         digest = fold(digest, outputs.limited);
+        digest = fold(digest, outputs.held);
         digest = fold(digest, outputs.fault);
         digest = fold(digest, outputs.error_id);
         digest = fold(digest, state.preset);
         digest = fold(digest, state.fade);
         digest = fold(digest, state.disturbed);
+        digest = fold(digest, state.ride_through_bad);
+        digest = fold(digest, bits_of(state.source_v_command_before));
+        digest = fold(digest, bits_of(state.source_v_motor_before));
+        digest = fold(digest, bits_of(state.source_v_direct_before));
         digest = fold(digest, bits_of(state.stage0_oscillation_s1));
         digest = fold(digest, bits_of(state.stage0_oscillation_s2));
         digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));

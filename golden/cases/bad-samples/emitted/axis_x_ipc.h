@@ -4,8 +4,8 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  bd44f2a00da1e1a22158ebdf82114826
- * checksum    f934efde8c34ae18a19deb71896e68b5
+ * parameters  c457484c0e8d97b740ac5a2fd735266c
+ * checksum    c8fbc2468944f7fa3418d382961f7c2c
  */
 #ifndef AXIS_X_IPC_H
 #define AXIS_X_IPC_H
@@ -50,6 +50,7 @@ typedef struct {
     double v_add; /* velocity to add to the manipulated variable [um/s] */
     double v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the fade; 0 in OFF [um/s] */
     bool limited; /* the limit (P-AXIS-00757 of P-AXIS-00212) acts in this cycle */
+    bool held; /* a sample is bad, the last good one stands in its place (key ride_through) */
     bool fault; /* the block cannot act in this cycle, the id says why */
     uint32_t error_id; /* 0 none, 1 cycle_time, 2 mode, 3 state, 11 v_command, 12 v_motor, 13 v_direct */
 } axis_x_ipc_outputs;
@@ -59,6 +60,10 @@ typedef struct {
     bool preset; /* whether the sections have been preset to the steady state of an input */
     uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
     bool disturbed; /* whether a state was overwritten, as the cycle before has shown */
+    uint32_t ride_through_bad; /* cycles in a row in which a sample was bad */
+    double source_v_command_before; /* the value of the cycle before */
+    double source_v_motor_before; /* the value of the cycle before */
+    double source_v_direct_before; /* the value of the cycle before */
     double stage0_oscillation_s1; /* what the next output takes over */
     double stage0_oscillation_s2; /* what `s1` takes over */
     double stage0_filter0_section0_s1; /* what the next output takes over */
