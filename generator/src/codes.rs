@@ -28,6 +28,7 @@ static ERROR_IDS: &[&Fn] = &[
     &signal::error_j_interpolator::Ir::<f64>::IR,
     &signal::error_x_command::Ir::<f64>::IR,
     &signal::error_x_actual::Ir::<f64>::IR,
+    &signal::error_following_error::Ir::<f64>::IR,
     &signal::error_v_feedforward::Ir::<f64>::IR,
     &signal::error_v_additive::Ir::<f64>::IR,
     &signal::error_v_add::Ir::<f64>::IR,
@@ -357,7 +358,7 @@ codes! {
         "global_disable (P-AXIS-00256) wins over G135: the block puts out 0.";
     SINGLE_POSITION = "AX430", "positions in single precision",
         "Single precision has 24 bits: a position beyond 16.7 m, or 16777 deg, loses micrometres or thousandths of a degree, \
-         and a quarter of that already below.";
+         and a quarter of that already below. A position controller in the CNC takes the following error instead.";
     KV_DEFAULT = "AX431", "the gain of the position controller is its default",
         "The list has no getriebe[i].kv (P-AXIS-00099). Where the drive controls the position, Kv must be that of the drive \
          (SERCOS S-0-0104, CANopen 30C0h:01).";

@@ -23,7 +23,7 @@ pub fn stimulus(axis: &Axis, block: &Program) -> Stimulus {
 }
 
 /// The real inputs of all blocks, each with the size that it has at the largest velocity of the axis.
-fn reals(axis: &Axis) -> [(&'static str, f64); 12] {
+fn reals(axis: &Axis) -> [(&'static str, f64); 13] {
     let v_max = axis.ipc.v_max;
     [
         ("v_command", v_max),
@@ -34,6 +34,7 @@ fn reals(axis: &Axis) -> [(&'static str, f64); 12] {
         ("j_interpolator", 300.0 * v_max),
         ("x_command", 2.0 * v_max),
         ("x_actual", 1.98 * v_max),
+        ("following_error", 0.02 * v_max),
         ("v_feedforward", v_max),
         ("v_additive", v_max),
         ("v_add", 0.1 * v_max),
@@ -90,6 +91,7 @@ fn events() -> Vec<Event> {
         event("x_command", "nan", 23_000, 2, 54_000),
         event("x_command", "1e9", 38_000, 40, 63_000),
         event("x_actual", "inf", 25_000, 1, 56_000),
+        event("following_error", "inf", 25_500, 1, 57_000),
         event("v_feedforward", "nan", 28_000, 1, 58_000),
         event("v_additive", "nan", 29_000, 1, 62_000),
         event("v_add", "nan", 31_500, 1, 64_000),

@@ -106,6 +106,12 @@ pub fn error_v_actual() -> u32 {
     23u32
 }
 
+/// error_id: following_error is not within the sample limit
+#[portable]
+pub fn error_following_error() -> u32 {
+    24u32
+}
+
 /// error_id: spindle: two requests in one cycle, the one of lower priority is lost
 #[portable]
 pub fn error_requests() -> u32 {

@@ -278,8 +278,6 @@ set.toml:4:28: warning[AX429]: vorsteuer.global_disable (P-AXIS-00256) is TRUE: 
 
 > real = 'f32'
 > getriebe = [{ kv = 2000 }]
-set.toml:3:8: warning[AX430]: the position lag is computed in single precision, which has 24 bits for a position
-    write instead: real = "f64" for this axis
 
 > real = 'f32'
 > kenngr.antr_typ = 8

@@ -15,7 +15,7 @@ mod signals;
 
 pub use signals::{Inputs, Outputs};
 
-use crate::signal::{error_cycle_time, error_none, error_v_add_master, error_x_actual, error_x_command, sample_limit};
+use crate::signal::{error_cycle_time, error_none, error_v_add_master, error_x_command, sample_limit};
 use crate::{feedforward, ipc, position_control};
 use portable::{Block, Enable, Fn, Real, in_range, portable, within};
 use position_control::Location;
@@ -259,6 +259,7 @@ pub fn act<R: Real>(
     let mut control_inputs = position_control::Inputs::<R>::default();
     control_inputs.x_command = inputs.x_command;
     control_inputs.x_actual = inputs.x_actual;
+    control_inputs.following_error = inputs.following_error;
     let mut feedforward_outputs = feedforward::Outputs::<R>::default();
     feed_forward(state, coeffs, inputs, outputs, &mut feedforward_outputs);
     if coeffs.position_control.feedforward {
@@ -329,12 +330,12 @@ pub fn hold<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, outputs: &mut Out
 /// One cycle. Only the inputs that the axis uses are checked.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    if !in_range(inputs.x_command, sample_limit()) {
+    if !position_control::is_command_in_range(&coeffs.position_control, inputs.x_command) {
         hold(state, coeffs, outputs, error_x_command());
     } else if inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns {
         follow(state, coeffs, inputs, outputs, error_cycle_time());
-    } else if position_control::reads_actual(&coeffs.position_control) && !in_range(inputs.x_actual, sample_limit()) {
-        follow(state, coeffs, inputs, outputs, error_x_actual());
+    } else if !position_control::is_actual_in_range(&coeffs.position_control, inputs.x_actual, inputs.following_error) {
+        follow(state, coeffs, inputs, outputs, position_control::error_of_actual(&coeffs.position_control));
     } else if !inputs.position_controlled || inputs.reset {
         follow(state, coeffs, inputs, outputs, error_none());
     } else {

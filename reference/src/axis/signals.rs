@@ -10,6 +10,8 @@ pub struct Inputs<R> {
     pub x_command: R,
     /// actual position, on the same turn as x_command [um or 0.001 deg]
     pub x_actual: R,
+    /// x_command - x_actual in the place of both, in single precision: subtracted by the caller in increments or in double precision [um or 0.001 deg]
+    pub following_error: R,
     /// velocity of the interpolator [um/s or 0.001 deg/s]
     pub v_interpolator: R,
     /// acceleration of the interpolator [um/s^2 or 0.001 deg/s^2]

@@ -9,12 +9,17 @@
 //! ```
 //!
 //! Positions grow in the direction of positive velocity. Integers are rounded half away from zero and saturated.
+//!
+//! In single precision a position of 3 m is rounded to 0.25 um. The controller in the CNC therefore takes `following_error` in the place of
+//! both positions; its caller subtracts them in increments or in double precision.
 
 mod signals;
 
 pub use signals::{Inputs, Outputs};
 
-use crate::signal::{error_cycle_time, error_none, error_v_add, error_v_additive, error_v_feedforward};
+use crate::signal::{
+    error_cycle_time, error_following_error, error_none, error_v_add, error_v_additive, error_v_feedforward,
+};
 use crate::signal::{error_x_actual, error_x_command, sample_limit};
 use crate::sum::empty_sum;
 use crate::{delay, process_data};
@@ -88,10 +93,38 @@ pub fn init<R: Real>(state: &mut State<R>) {
     state.x_held = R::ZERO;
 }
 
-/// Whether the actual position matters.
+/// Whether the controller takes the difference of both positions: in single precision.
+#[portable]
+pub fn takes_following_error<R: Real>(coeffs: &Coeffs<R>) -> bool {
+    coeffs.location == Location::Cnc && R::per_kind(0.0, 1.0) > R::ZERO
+}
+
+/// Whether the actual position matters, or the following error in its place.
 #[portable]
 pub fn reads_actual<R: Real>(coeffs: &Coeffs<R>) -> bool {
     coeffs.location != Location::Drive
+}
+
+/// Whether the command position is a number in range, where it matters.
+#[portable]
+pub fn is_command_in_range<R: Real>(coeffs: &Coeffs<R>, x_command: R) -> bool {
+    takes_following_error(coeffs) || in_range(x_command, sample_limit())
+}
+
+/// Whether the actual position is a number in range, or the following error in its place.
+#[portable]
+pub fn is_actual_in_range<R: Real>(coeffs: &Coeffs<R>, x_actual: R, following_error: R) -> bool {
+    if takes_following_error(coeffs) {
+        in_range(following_error, sample_limit())
+    } else {
+        !reads_actual(coeffs) || in_range(x_actual, sample_limit())
+    }
+}
+
+/// The id of what is not in range then.
+#[portable]
+pub fn error_of_actual<R: Real>(coeffs: &Coeffs<R>) -> u32 {
+    if takes_following_error(coeffs) { error_following_error() } else { error_x_actual() }
 }
 
 /// The output of the position controller, before v_add is added; 0 where the drive has the controller.
@@ -99,7 +132,9 @@ pub fn reads_actual<R: Real>(coeffs: &Coeffs<R>) -> bool {
 pub fn command<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
     let mut v_controller = R::ZERO;
     if coeffs.location == Location::Cnc {
-        let v_lag = coeffs.kv * (inputs.x_command - inputs.x_actual);
+        let lag =
+            if takes_following_error(coeffs) { inputs.following_error } else { inputs.x_command - inputs.x_actual };
+        let v_lag = coeffs.kv * lag;
         v_controller = if coeffs.feedforward { v_lag + inputs.v_feedforward } else { v_lag };
     }
     v_controller
@@ -224,12 +259,12 @@ pub fn put_out<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Input
 /// One cycle. Only the inputs that the axis uses are checked.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    if !in_range(inputs.x_command, sample_limit()) {
+    if !is_command_in_range(coeffs, inputs.x_command) {
         hold(state, coeffs, outputs, error_x_command());
     } else if inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns {
         follow(state, coeffs, inputs, outputs, error_cycle_time());
-    } else if reads_actual(coeffs) && !in_range(inputs.x_actual, sample_limit()) {
-        follow(state, coeffs, inputs, outputs, error_x_actual());
+    } else if !is_actual_in_range(coeffs, inputs.x_actual, inputs.following_error) {
+        follow(state, coeffs, inputs, outputs, error_of_actual(coeffs));
     } else if coeffs.feedforward && !in_range(inputs.v_feedforward, sample_limit()) {
         follow(state, coeffs, inputs, outputs, error_v_feedforward());
     } else if coeffs.additive && !in_range(inputs.v_additive, sample_limit()) {

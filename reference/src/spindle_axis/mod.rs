@@ -94,6 +94,7 @@ pub fn act<R: Real>(
     if coeffs.axis.position_control.location == Location::Cnc {
         // On the same turn: the lag goes the shortest way.
         let lag = shortest(spindle_outputs.x_spindle - inputs.x_actual);
+        axis_inputs.following_error = lag;
         axis_inputs.x_actual = spindle_outputs.x_spindle - lag;
     }
     axis_inputs.v_interpolator = spindle_outputs.v_spindle;

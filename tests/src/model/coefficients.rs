@@ -51,6 +51,8 @@ pub struct Coefficients {
     pub torque_bits: Option<Bits>,
     /// where the position is controlled
     pub location: Location,
+    /// whether the controller of the CNC takes `following_error` in the place of both positions: in single precision
+    pub takes_following_error: bool,
     /// Kv [1/s]
     pub kv: Exact,
     /// `manipulated_scale` and the process datum
@@ -99,6 +101,7 @@ impl Coefficients {
             velocity: p.velocity_bits.map(|bits| (velocity_scale(p), bits)),
             torque_bits: p.torque_bits.filter(|_| ways.torque.contains(&true)),
             location,
+            takes_following_error: p.single && location == Location::Cnc,
             kv: Exact::ratio(p.kv.unwrap_or(1000), 100),
             manipulated: (Exact::ratio(60, 1_000_000).times(&quotient(p.multi_gain)), p.command_bits),
             increments: Exact::given(10.0).times(&resolution(p)),

@@ -8,6 +8,7 @@ use crate::random::rng::Rng;
 pub struct Inputs {
     pub x_command: f64,
     pub x_actual: f64,
+    pub following_error: f64,
     pub v_interpolator: f64,
     pub a_interpolator: f64,
     pub j_interpolator: f64,
@@ -31,6 +32,7 @@ impl Inputs {
     pub const USUAL: Self = Self {
         x_command: 0.0,
         x_actual: 0.0,
+        following_error: 0.0,
         v_interpolator: 0.0,
         a_interpolator: 0.0,
         j_interpolator: 0.0,
@@ -107,14 +109,17 @@ impl History {
         // The actual position stays near its command.
         reals[1] += reals[0];
         let single = self.single;
+        let lag = reals[0] - reals[1];
+        let mut following_error = if self.rng.below(1000) < self.events / 4 { bad(&mut self.rng, single) } else { lag };
+        if single {
+            following_error = narrowed(following_error);
+        }
         for real in &mut reals {
             if self.rng.below(1000) < self.events / 4 {
                 *real = bad(&mut self.rng, single);
             }
             if single {
-                #[expect(clippy::cast_possible_truncation, reason = "a number of the block's real type")]
-                let narrow = *real as f32;
-                *real = f64::from(narrow);
+                *real = narrowed(*real);
             }
         }
         let mut inputs = self.switches;
@@ -135,6 +140,7 @@ impl History {
         Inputs {
             x_command,
             x_actual,
+            following_error,
             v_interpolator,
             a_interpolator,
             j_interpolator,
@@ -188,6 +194,12 @@ impl History {
 /// Uniform in -1 to 1, with 53 random bits.
 fn uniform(rng: &mut Rng) -> f64 {
     (rng.word() >> 11) as f64 / 2f64.powi(52) - 1.0
+}
+
+/// A number of single precision.
+#[expect(clippy::cast_possible_truncation, reason = "a number of the block's real type")]
+fn narrowed(real: f64) -> f64 {
+    f64::from(real as f32)
 }
 
 /// A number that is none, or the last one that is.

@@ -37,12 +37,19 @@ pub struct Sent {
 }
 
 impl PositionControl {
-    /// 17, 1, 18 in this order; 0: none of them.
+    /// 17, 1, 18 or 24 in this order; 0: none of them.
     #[must_use]
     pub fn fault(c: &Coefficients, inputs: &Inputs) -> u32 {
         match () {
-            () if !is_in_range(c, inputs.x_command) => 17,
+            () if !c.takes_following_error && !is_in_range(c, inputs.x_command) => 17,
             () if is_wrong_cycle(c, inputs) => 1,
+            () if c.takes_following_error => {
+                if is_in_range(c, inputs.following_error) {
+                    0
+                } else {
+                    24
+                }
+            }
             () if c.location != Location::Drive && !is_in_range(c, inputs.x_actual) => 18,
             () => 0,
         }
@@ -51,7 +58,8 @@ impl PositionControl {
     /// A cycle in which it does not act: `x_drive` follows the command, or holds where there is none.
     pub fn stop(&mut self, c: &Coefficients, inputs: &Inputs) -> Controlled {
         self.commands.clear();
-        let follows = is_in_range(c, inputs.x_command).then(|| match c.location {
+        let has_command = c.takes_following_error || is_in_range(c, inputs.x_command);
+        let follows = has_command.then(|| match c.location {
             Location::Cnc => Exact::zero(),
             Location::Drive | Location::Profidrive => Exact::given(inputs.x_command),
         });
@@ -67,7 +75,11 @@ impl PositionControl {
         self.commands.push_front(inputs.x_command);
         let shifted = self.commands[c.shift];
         if c.location == Location::Cnc {
-            let lag = Exact::difference(inputs.x_command, inputs.x_actual);
+            let lag = if c.takes_following_error {
+                Exact::given(inputs.following_error)
+            } else {
+                Exact::difference(inputs.x_command, inputs.x_actual)
+            };
             let v_command = sum(c.kv.times(&lag), v_feedforward);
             return Controlled { v_command, x_drive: Some(Exact::zero()), xerr: Exact::zero() };
         }

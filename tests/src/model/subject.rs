@@ -74,7 +74,7 @@ fn blocks_as<R: Real>(designed: &Designed) -> [Option<Run>; 3] {
     let position_control = runs!(
         designed,
         reference::position_control::PositionControl,
-        [x_command x_actual v_feedforward v_additive v_add],
+        [x_command x_actual following_error v_feedforward v_additive v_add],
         [v_command x_drive],
         [manipulated_variable xerr additive_velocity additive_torque error_id],
         [limited fault],
@@ -85,7 +85,7 @@ fn blocks_as<R: Real>(designed: &Designed) -> [Option<Run>; 3] {
     let whole = runs!(
         designed,
         reference::axis::Axis,
-        [x_command x_actual v_interpolator a_interpolator j_interpolator v_motor v_direct v_add_master],
+        [x_command x_actual following_error v_interpolator a_interpolator j_interpolator v_motor v_direct v_add_master],
         [v_command v_feedforward v_add v_add_calculated x_drive],
         [manipulated_variable xerr additive_torque additive_velocity error_id],
         [limited held fault],

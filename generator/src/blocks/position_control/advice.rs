@@ -14,10 +14,15 @@ pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     kv_default(gear, e);
     let Some(control) = &axis.control.position_control else { return };
     saturation(axis, control, gear, e);
-    if axis.real == RealKind::F32 {
-        let what = if control.location == Location::Cnc { "the position lag" } else { "the drive's position command" };
-        let found = format!("{what} is computed in single precision, which has 24 bits for a position");
-        e.warn(codes::SINGLE_POSITION, key(Name::RealType), found, "real = \"f64\" for this axis".to_owned());
+    // The controller in the CNC takes the following error in the place of positions.
+    if axis.real == RealKind::F32 && control.location != Location::Cnc {
+        let found = "the drive's position command is computed in single precision, which has 24 bits for a position";
+        e.warn(
+            codes::SINGLE_POSITION,
+            key(Name::RealType),
+            found.to_owned(),
+            "real = \"f64\" for this axis".to_owned(),
+        );
     }
 }
 
