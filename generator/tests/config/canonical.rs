@@ -19,6 +19,7 @@ fn every_effective_parameter_in_the_order_of_the_table() {
     let expected = "cycle_time 1ms
 real f64
 fade 100ms
+ride_through 0
 kenngr.achs_typ ACHSTYP_TRANSLATOR
 getriebe[0].dynamik.vb_max 200000
 ipc.enable ON
