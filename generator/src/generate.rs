@@ -43,6 +43,7 @@ pub fn header(axis: &Axis, block: &Block) -> Header {
         cycle_time_ns: axis.cycle_time_ns,
         is_rotary: axis.control.is_rotary,
         parameters_digest: digest((axis.canonical_of(name).to_owned() + &terms).as_bytes()),
+        structure_digest: digest(format!("cycle_time_ns {}\n{}", axis.cycle_time_ns, block.structure).as_bytes()),
     }
 }
 

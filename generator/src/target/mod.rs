@@ -19,6 +19,9 @@ use std::borrow::Cow;
 /// The tool's version, which every generated file names.
 pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
+/// Whose a generated file is, which its head says.
+pub(crate) const LICENCE: &str = "this file belongs to the user of axgen; no licence of axgen applies to it";
+
 #[derive(Clone, Copy, Debug)]
 pub struct Target {
     /// the name on the command line and in a set
@@ -75,6 +78,8 @@ pub struct Header {
     pub is_rotary: bool,
     /// the digest of the effective parameters of the block
     pub parameters_digest: String,
+    /// the digest of what is in the block, without the values of its coefficients
+    pub structure_digest: String,
 }
 
 /// A block with its program as the language of a target can say it.

@@ -55,7 +55,7 @@ pub struct Language {
     pub(super) choice: [&'static str; 5],
     /// how a choice by a number is written
     pub(super) cases: Cases,
-    /// the statement that calls what stands apart
+    /// the statement that calls what stands apart; `{block}` is what the names of the block begin with
     pub(super) call: &'static str,
     /// what begins a comment, begins its next line, and ends it
     pub(super) comment: [&'static str; 3],
@@ -91,7 +91,8 @@ impl Language {
 /// How an operation is written.
 pub(super) struct Form {
     pub level: Level,
-    /// its text: `{0}` and `{1}` are its operands, a line break is a blank or, in a line that is too long, a new line
+    /// its text: `{0}` and `{1}` are its operands, `{block}` is what the names of the block begin with, a line break is a blank or, in a
+    /// line that is too long, a new line
     pub text: &'static str,
     /// how tightly its operands bind at least, or they get parentheses
     pub least: [Level; 2],
@@ -102,10 +103,12 @@ pub(super) struct Form {
 pub enum Appearance {
     /// its digits in the statements, its name behind them
     Inline,
-    /// by its name, declared as a constant
+    /// by its name, declared as a constant; where functions have constants of their own, in the only one that reads it
     Declared,
+    /// by its name behind the block's, declared as a constant outside all functions
+    Shared,
     /// by its name, a variable that each cycle assigns anew
     Assigned,
-    /// by its name, a number of an enumeration
+    /// by its name behind the block's in capital letters, a number of an enumeration that the caller sees
     Enumerator,
 }

@@ -11,10 +11,11 @@ pub(crate) mod notes;
 mod phase;
 mod verdict;
 
-use super::{Part, Summary};
+use super::{Certified, Figure, Part, Summary};
 use crate::axis::{Axis, Stage};
 use crate::blocks::designed::Designed;
 use crate::parameters::words::{StageMode, Words};
+use crate::design::rounding::literal;
 use compiler::program::Program;
 use reference::ipc::{Coeffs, Ipc};
 
@@ -71,13 +72,24 @@ impl Part for Ipc {
         diff::description(designed)
     }
 
-    fn certificate(&self, designed: &Designed, program: &Program) -> Vec<String> {
+    fn certificate(&self, designed: &Designed, program: &Program) -> Certified {
         // A gantry slave's block never acts: there is nothing to measure.
-        match designed.axis.control.master {
-            Some(_) => Vec::new(),
-            None => certificate::lines(&certificate::certify(designed, program)),
+        if designed.axis.control.master.is_some() {
+            return Certified::default();
         }
+        let certificate = certificate::certify(designed, program);
+        let figures = limit(designed).into_iter().chain(certificate::figure(&certificate));
+        Certified { lines: certificate::lines(&certificate), figures: figures.collect() }
     }
+}
+
+/// The largest |v_add| that an axis adds; none: it adds nothing.
+pub(super) fn limit(designed: &Designed) -> Option<Figure> {
+    let axis = &designed.axis;
+    let own = axis.ipc.is_active().then(|| axis.ipc.limit());
+    let doc = "the largest |v_add| [um/s or 0.001 deg/s]".to_owned();
+    let figure = |limit| Figure { name: "LIMIT", doc, value: literal(limit, axis.real) };
+    if axis.control.master.is_some() { axis.control.master_limit.map(figure) } else { own.map(figure) }
 }
 
 fn in_short(stage: &Stage) -> String {
