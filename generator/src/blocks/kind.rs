@@ -17,6 +17,9 @@ pub trait Part: Sync {
     /// Whether the parameters of an axis ask for it.
     fn is_asked_for(&self, axis: &Axis) -> bool;
 
+    /// What it is called where names have to be short.
+    fn short_name(&self) -> &'static str;
+
     /// Its coefficients, in double precision.
     fn design(designed: &Designed) -> <Self as Reference<f64>>::Coeffs
     where

@@ -14,6 +14,10 @@ impl Part for SpindleAxis {
         axis.control.spindle.is_some()
     }
 
+    fn short_name(&self) -> &'static str {
+        "sx"
+    }
+
     fn design(designed: &Designed) -> Coeffs<f64> {
         Coeffs { spindle: designed.spindle, axis: Axis::design(designed) }
     }

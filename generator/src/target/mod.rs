@@ -72,6 +72,8 @@ impl Target {
 pub struct Header {
     pub name: String,
     pub real: RealKind,
+    /// what the block is called where the axis wants short names in C
+    pub short_name: Option<&'static str>,
     /// the cycle of its position controller
     pub cycle_time_ns: u32,
     /// whether it is a rotary axis or a spindle: its signals are in 0.001 deg, else in um

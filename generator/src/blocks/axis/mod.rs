@@ -14,6 +14,10 @@ impl Part for Axis {
         axis.control.position_control.is_some() && axis.control.spindle.is_none()
     }
 
+    fn short_name(&self) -> &'static str {
+        "ax"
+    }
+
     fn design(designed: &Designed) -> Coeffs<f64> {
         let axis = &designed.axis;
         let limit = axis.control.master_limit.unwrap_or(0.0);

@@ -25,6 +25,10 @@ impl Part for Ipc {
         axis.ipc.is_active() || axis.control.is_empty()
     }
 
+    fn short_name(&self) -> &'static str {
+        "ipc"
+    }
+
     fn design(designed: &Designed) -> Coeffs<f64> {
         designed.ipc
     }
