@@ -5,17 +5,73 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e5deef9d65ceb21ba9e8f5a959e207a2
- * checksum    c31852ffc95c03450cca8bf124c26eda
+ * structure   92acc77ffb8f87d14c39621bda8a33ca
+ * checksum    9f53998ef93d5e238000ea4f68bdeda9
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_AXIS_H
 #define AXIS_X_AXIS_H
 
+#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* What code can compare with what it expects, at its start or in an #if. */
+/* the cycle time that the block is designed for [ns] */
+#define AXIS_X_AXIS_CYCLE_TIME_NS 1000000u
+/* the bits of its real type */
+#define AXIS_X_AXIS_REAL_BITS 64
+/* the largest |v_add| [um/s] */
+#define AXIS_X_AXIS_LIMIT 530000.0
+/* the digest of its parameters, as in the head of this file */
+#define AXIS_X_AXIS_PARAMETERS_0 0xe5deef9du
+#define AXIS_X_AXIS_PARAMETERS_1 0x65ceb21bu
+#define AXIS_X_AXIS_PARAMETERS_2 0xa9e8f5a9u
+#define AXIS_X_AXIS_PARAMETERS_3 0x59e207a2u
+/* the digest of its structure: the same where two blocks differ in the values of coefficients only */
+#define AXIS_X_AXIS_STRUCTURE_0 0x92acc77fu
+#define AXIS_X_AXIS_STRUCTURE_1 0xfb8f87d1u
+#define AXIS_X_AXIS_STRUCTURE_2 0x4c39621bu
+#define AXIS_X_AXIS_STRUCTURE_3 0xda8a33cau
+/* the bytes of its structs where a bool has one and each member is aligned to its own size */
+#define AXIS_X_AXIS_INPUTS_SIZE 64u
+#define AXIS_X_AXIS_OUTPUTS_SIZE 48u
+#define AXIS_X_AXIS_STATE_SIZE 64u
+
+/* A compiler or an option that gives double other bits would compute other numbers, and lay the structs below out
+ * differently. What else an ABI decides, alignment above all, is its own affair. */
+#if defined(__cplusplus) && __cplusplus >= 201103L
+static_assert(sizeof(double) * CHAR_BIT == AXIS_X_AXIS_REAL_BITS, "double must have 64 bits");
+#elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
+_Static_assert(sizeof(double) * CHAR_BIT == AXIS_X_AXIS_REAL_BITS, "double must have 64 bits");
+#else
+typedef char axis_x_axis_real_has_64_bits[sizeof(double) * CHAR_BIT == AXIS_X_AXIS_REAL_BITS ? 1 : -1];
+#endif
+
+/* values of the input mode */
+enum {
+    AXIS_X_AXIS_MODE_OFF = 0, /* the block is off */
+    AXIS_X_AXIS_MODE_ON = 1, /* the block acts */
+    AXIS_X_AXIS_MODE_DRYRUN = 2 /* the block calculates and does not act */
+};
+
+/* values of the output error_id */
+enum {
+    AXIS_X_AXIS_ERROR_NONE = 0, /* no fault */
+    AXIS_X_AXIS_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
+    AXIS_X_AXIS_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
+    /* a state of the block is no number, or beyond all that samples in range lead to; everything starts anew */
+    AXIS_X_AXIS_ERROR_STATE = 3,
+    AXIS_X_AXIS_ERROR_V_MOTOR = 12, /* v_motor is not within the sample limit */
+    AXIS_X_AXIS_ERROR_V_INTERPOLATOR = 14, /* v_interpolator is not within the sample limit */
+    AXIS_X_AXIS_ERROR_A_INTERPOLATOR = 15, /* a_interpolator is not within the sample limit */
+    AXIS_X_AXIS_ERROR_X_COMMAND = 17, /* x_command is not within the sample limit */
+    AXIS_X_AXIS_ERROR_X_ACTUAL = 18 /* x_actual is not within the sample limit */
+};
 
 /* Written by the caller. axis_x_axis_inputs_init fills in what is said to be the start. */
 typedef struct {
@@ -63,8 +119,15 @@ typedef struct {
     double ipc_stage1_filter0_section0_s2; /* what `s1` takes over */
 } axis_x_axis_state;
 
-/* Once before the first cycle. */
-void axis_x_axis_init(axis_x_axis_state *state);
+/* Who may call what, when: a function works on the structs that it gets and on nothing else. There are no global
+ * variables, no library calls and no recursion, and little stack. Different states may be at work at the same time.
+ * Of one state only one function runs at a time: nothing that may interrupt step or init calls either for this state.
+ * step writes each output once, with its final value, but not all at the same moment. A reader that step may interrupt
+ * copies the outputs with that interrupt off; or the task that calls step hands copies over, two in turn, behind a
+ * counter. A reader that can interrupt step takes such a copy too, never the struct that step is writing. */
+
+/* Once before the first cycle: every member of the state gets its start. */
+void axis_x_axis_init(axis_x_axis_state *fresh);
 
 /* Gives every input the value that it has until the caller writes it. */
 void axis_x_axis_inputs_init(axis_x_axis_inputs *inputs);
@@ -75,10 +138,11 @@ void axis_x_axis_step(
     const axis_x_axis_inputs *inputs,
     axis_x_axis_outputs *outputs);
 
-/* Compares a run of 47 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
+/* In a file of its own, axis_x_axis_self_test.c: a build that does not call it leaves it out.
+ * Compares a run of 47 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
  * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
- * precision. Run it once at start-up, on the machine and with the compiler options that the block runs with: it finds a
- * build that fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
+ * precision. Run it once at start-up, on the machine, both files with the same compiler options: it finds a build that
+ * fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
 uint32_t axis_x_axis_self_test(void);
 
 #ifdef __cplusplus
