@@ -44,14 +44,13 @@ uint32_t {{ block.prefix }}_self_test(void)
     {{ block.prefix }}_inputs inputs;
     {{ block.prefix }}_outputs outputs;
     uint{{ bits }}_t digest = 0u;
-    uint{{ bits }}_t noise;
-    {{ real }} scale;
     uint32_t random = 1u;
     uint32_t sample;
     /* 1 + 2^-{% if real == "double" %}30{% else %}15{% endif %} and its rounded square; volatile: worked out when it runs */
     volatile {{ real }} factor = {{ block.prefix }}_real_of({% if real == "double" %}UINT64_C(0x3ff0000000400000){% else %}UINT32_C(0x3f800100){% endif %});
     volatile {{ real }} square = {{ block.prefix }}_real_of({% if real == "double" %}UINT64_C(0x3ff0000000800000){% else %}UINT32_C(0x3f800200){% endif %});
-    const {{ real }} product = factor * factor;
+    const {{ real }} one = factor;
+    const {{ real }} product = one * one;
     const {{ real }} remainder = product - square;
 
     /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
@@ -72,8 +71,9 @@ uint32_t {{ block.prefix }}_self_test(void)
 {%- endfor %}
     for (sample = 0u; sample < {{ expected.len() }}u; sample++) {
         /* at first within every limit, so that nothing is cut off */
-        scale = sample < {{ self_test.loud_from }}u ? {{ scales[0] }} : {{ scales[1] }};
+        const {{ real }} scale = sample < {{ self_test.loud_from }}u ? {{ scales[0] }} : {{ scales[1] }};
         /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
+        uint{{ bits }}_t noise;
 {%- for (bad_sample, input) in self_test.bad %}
         random = random * 1664525u + 1013904223u;
         noise = {{ block.prefix }}_bits_of((({{ real }})(random >> 8) - 8388608.0{{ suffix }}) * scale);

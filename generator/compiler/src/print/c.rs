@@ -28,6 +28,8 @@ pub static LANGUAGE: Language = Language {
     constant: Some("const "),
     assign: " =",
     choice: ["if (", "} else if (", ") {", "} else {", "}"],
+    // MISRA C:2012 15.7
+    nothing_else: Some("/* nothing else is to be done */"),
     cases: Cases {
         asks: ["switch (", ") {"],
         label: (Some("case "), ": {"),
@@ -107,7 +109,7 @@ fn form(operation: &Expr, ty: Type, real: RealKind) -> Option<Form> {
             _ => return None,
         },
         (Expr::Intrinsic(intrinsic, _), _) => match (intrinsic, real) {
-            (Intrinsic::InRange | Intrinsic::Within, _) => (Comparison, "{block}_magnitude({0}) <= {1}", [Any, Sum]),
+            (Intrinsic::InRange | Intrinsic::Within, _) => (Comparison, "{block}_magnitude({0})\n<= {1}", [Any, Sum]),
             (Intrinsic::FromU32 | Intrinsic::FromI32, RealKind::F64) => (Sign, "(double){0}", [Primary; 2]),
             (Intrinsic::FromU32 | Intrinsic::FromI32, RealKind::F32) => (Sign, "(float){0}", [Primary; 2]),
             (Intrinsic::Truncate, _) => (Sign, "(int32_t){0}", [Primary; 2]),

@@ -53,6 +53,8 @@ pub struct Language {
     /// the texts of an `if`: before the first condition, before each further one, behind a condition, before the statements
     /// for which no condition holds, at the end
     pub(super) choice: [&'static str; 5],
+    /// the comment in the `else` that ends a chain of questions in which nothing is left to do; `None`: a chain needs no such end
+    pub(super) nothing_else: Option<&'static str>,
     /// how a choice by a number is written
     pub(super) cases: Cases,
     /// the statement that calls what stands apart; `{block}` is what the names of the block begin with

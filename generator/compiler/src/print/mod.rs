@@ -185,14 +185,18 @@ impl<'d> Layout<'d> {
                     self.arena.text(text).append(condition).append(behind)
                 };
                 let mut doc = asked(first, condition).append(inner(then));
-                let mut rest = otherwise;
+                let (mut rest, mut is_chain) = (otherwise, false);
                 // An `if` that is alone in the other branch continues the chain.
                 while let [Statement::If { condition, then, otherwise }] = rest.as_slice() {
                     doc = doc.append(self.hardline).append(asked(next, condition)).append(inner(then));
-                    rest = otherwise;
+                    (rest, is_chain) = (otherwise, true);
                 }
+                let nothing = self.printer.language.nothing_else.filter(|_| is_chain);
                 if !rest.is_empty() {
                     doc = doc.append(self.hardline).append(last).append(inner(rest));
+                } else if let Some(nothing) = nothing {
+                    let comment = DocBuilder(self.arena, self.hardline.into()).append(nothing).nest(INDENTATION);
+                    doc = doc.append(self.hardline).append(last).append(comment);
                 }
                 doc.append(self.hardline).append(end)
             }
