@@ -60,7 +60,7 @@ fn anything_else_changes_it() {
         ("order = 1", "order = 2", &["ipc", "axis"][..]),
         ("mode = 'DIRECT'", "mode = 'INDIRECT'\nosc_damping = 0.5", &["ipc", "axis"]),
         ("mode = 'DIRECT'", "mode = 'DIRECT'\ndirect_source = 'v_direct'", &["ipc", "axis"]),
-        ("q_factor = 5 }", "q_factor = 5 }, { type = 'ALLPASS', fg_f0 = 53, damping = 0.5 }", &["ipc", "axis"]),
+        ("q_factor = 5 }", "q_factor = 5 }, { type = 'ALLPASS', fg_f0 = 53, q_factor = 2 }", &["ipc", "axis"]),
         ("'VEL|ACC'", "'VEL'", &["feedforward", "axis"]),
         ("real = 'f64'", "real = 'f32'", &all),
         ("'1ms'", "'2ms'", &all),

@@ -25,7 +25,7 @@ use std::borrow::Cow;
 
 /// What C needs.
 pub const WITH_OUTPUTS: &[Stage] =
-    &[("whole", whole::run), ("settled", settle::run), ("early", early::run), ("chosen", choose::run), ("apart", apart::run)];
+    &[("settled", settle::run), ("early", early::run), ("chosen", choose::run), ("apart", apart::run), ("whole", whole::run)];
 
 /// What Structured Text needs where the digits of an LREAL may stand in an expression.
 pub const WITH_DIGITS: &[Stage] = &[
