@@ -82,7 +82,16 @@ pub(crate) fn axis<'v>(name: &str, cycle_time: Option<u32>, values: &'v Values, 
             let blocks = [IPC, FEEDFORWARD, POSITION_CONTROL, SPINDLE];
             let (canonical, own) = effective.canonical(blocks);
             let canonical_of = blocks.into_iter().zip(own).collect();
-            Some(Axis { name: name.to_owned(), real, short_names, cycle_time_ns, ipc, control, canonical, canonical_of })
+            Some(Axis {
+                name: name.to_owned(),
+                real,
+                short_names,
+                cycle_time_ns,
+                ipc,
+                control,
+                canonical,
+                canonical_of,
+            })
         }
         _ => None,
     };

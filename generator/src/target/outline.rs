@@ -134,10 +134,9 @@ impl Outline<'_> {
                     name: name.clone(),
                     value: match wanted {
                         Appearance::Assigned => (self.language.operand)(constant.value).0,
-                        Appearance::Inline
-                        | Appearance::Declared
-                        | Appearance::Shared
-                        | Appearance::Enumerator => (self.language.literal)(constant.value),
+                        Appearance::Inline | Appearance::Declared | Appearance::Shared | Appearance::Enumerator => {
+                            (self.language.literal)(constant.value)
+                        }
                     },
                     doc: self.doc(constant.doc),
                 });

@@ -77,7 +77,8 @@ fn a_weight_changes_its_own_lines_only() {
             let is_expected = line.contains("UINT64_C(0x") || line.contains("expected_");
             let is_certified =
                 ["range:", "designed", "measured", "before the limit", " precision"].iter().any(|it| line.contains(it));
-            let is_macro = line.starts_with("#define AXIS_Y_IPC_PARAMETERS_") || line.starts_with("#define AXIS_Y_IPC_BOUND ");
+            let is_macro =
+                line.starts_with("#define AXIS_Y_IPC_PARAMETERS_") || line.starts_with("#define AXIS_Y_IPC_BOUND ");
             assert!(is_digest(line) || is_macro || says_the_weight || is_expected || is_certified, "{name}: {line}");
         }
     }

@@ -66,7 +66,8 @@ fn all_axes_in_one_translation_unit_pass_their_self_tests() {
     let blocks = blocks(&names);
     assert!(blocks.len() > 30, "{blocks:?}");
     for (index, block) in blocks.iter().enumerate() {
-        writeln!(text, "    if ({block}_self_test() != 0u) {{ return {}; }}", index + 1).expect("a string takes all text");
+        writeln!(text, "    if ({block}_self_test() != 0u) {{ return {}; }}", index + 1)
+            .expect("a string takes all text");
     }
     text += "    return 0;\n}\n";
     std::fs::write(folder.path().join("unity.c"), text).expect("room in it");
@@ -147,7 +148,8 @@ fn short_names_are_short() {
             let text = std::fs::read_to_string(path).expect("it was written");
             let words = text.split(|character: char| !(character.is_ascii_alphanumeric() || character == '_'));
             for word in words {
-                let is_external = ["init", "inputs_init", "step", "self_test"].iter().any(|of| word == format!("{block}_{of}"));
+                let is_external =
+                    ["init", "inputs_init", "step", "self_test"].iter().any(|of| word == format!("{block}_{of}"));
                 let length = word.len();
                 assert!(length <= 63 && (!is_external || length <= 31), "{word}: {length}");
                 longest = longest.max(if is_external { length } else { 0 });

@@ -24,8 +24,13 @@ use crate::program::Program;
 use std::borrow::Cow;
 
 /// What C needs.
-pub const WITH_OUTPUTS: &[Stage] =
-    &[("settled", settle::run), ("early", early::run), ("chosen", choose::run), ("apart", apart::run), ("whole", whole::run)];
+pub const WITH_OUTPUTS: &[Stage] = &[
+    ("settled", settle::run),
+    ("early", early::run),
+    ("chosen", choose::run),
+    ("apart", apart::run),
+    ("whole", whole::run),
+];
 
 /// What Structured Text needs where the digits of an LREAL may stand in an expression.
 pub const WITH_DIGITS: &[Stage] = &[

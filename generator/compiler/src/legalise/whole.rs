@@ -5,7 +5,8 @@ use crate::program::{Expr, Program, Statement, Var};
 
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let is_given = |target| {
-        let assigns = |statement: &Statement| matches!(statement, Statement::Assign { target: to, .. } if *to == target);
+        let assigns =
+            |statement: &Statement| matches!(statement, Statement::Assign { target: to, .. } if *to == target);
         program.init.iter().any(assigns)
     };
     let starts = program.state.iter().enumerate().map(|(index, variable)| (Var::State(index), variable.start));

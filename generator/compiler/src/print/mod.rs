@@ -173,9 +173,7 @@ impl<'d> Layout<'d> {
             Statement::Assign { target, value } => {
                 self.assignment(self.arena.text(&self.printer.texts[*target]), value)
             }
-            Statement::Apart(_) => {
-                self.arena.text(self.printer.language.call.replace("{block}", self.printer.block))
-            }
+            Statement::Apart(_) => self.arena.text(self.printer.language.call.replace("{block}", self.printer.block)),
             Statement::Choose { by, arms } => self.choice(by, arms, declared),
             Statement::If { condition, then, otherwise } => {
                 let [first, next, behind, last, end] = self.printer.language.choice;

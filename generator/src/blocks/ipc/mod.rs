@@ -14,8 +14,8 @@ mod verdict;
 use super::{Certified, Figure, Part, Summary};
 use crate::axis::{Axis, Stage};
 use crate::blocks::designed::Designed;
-use crate::parameters::words::{StageMode, Words};
 use crate::design::rounding::literal;
+use crate::parameters::words::{StageMode, Words};
 use compiler::program::Program;
 use reference::ipc::{Coeffs, Ipc};
 

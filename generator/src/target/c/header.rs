@@ -27,7 +27,11 @@ pub(super) fn macros(axis: &Header, block: &Legal<'_>) -> Vec<Macro> {
     for figure in &block.block.certificate.figures {
         macros.push(one(figure.name, (LANGUAGE.literal)(figure.value), &unit::own(&figure.doc, axis.is_rotary)));
     }
-    macros.extend(words("PARAMETERS", &axis.parameters_digest, "the digest of its parameters, as in the head of this file"));
+    macros.extend(words(
+        "PARAMETERS",
+        &axis.parameters_digest,
+        "the digest of its parameters, as in the head of this file",
+    ));
     let doc = "the digest of its structure: the same where two blocks differ in the values of coefficients only";
     macros.extend(words("STRUCTURE", &axis.structure_digest, doc));
     let program = &*block.program;
@@ -83,7 +87,8 @@ pub(super) fn enumerations(outline: &Outline<'_>) -> Vec<Group> {
             None => groups.push((vec![var], constants)),
         }
     }
-    let signals = groups.iter().map(|(signals, constants)| group(outline, &of_signals(outline, signals), signals, constants));
+    let signals =
+        groups.iter().map(|(signals, constants)| group(outline, &of_signals(outline, signals), signals, constants));
     let mut enumerations: Vec<Group> = signals.collect();
     let mut rest: Vec<(&'static str, BTreeSet<usize>)> = Vec::new();
     for (index, constant) in program.constants.iter().enumerate() {

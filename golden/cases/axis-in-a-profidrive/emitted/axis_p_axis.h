@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  f96437c6c55f5ffae303567efedf6e0d
  * structure   c6fa11f3255d864565884c00ba8ced9d
- * checksum    c91f25aa74913b3bef45a163dbf6279e
+ * checksum    76d9936aaeeed2f9054b0215d77e9fce
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_P_AXIS_H
@@ -40,8 +40,8 @@ extern "C" {
 #define AXIS_P_AXIS_OUTPUTS_SIZE 32u
 #define AXIS_P_AXIS_STATE_SIZE 40u
 
-/* A compiler or an option that gives double other bits would compute other numbers, and lay the structs below out
- * differently. What else an ABI decides, alignment above all, is its own affair. */
+/* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
+ * Nothing else is asserted: the alignment of members is the ABI's own affair. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
 static_assert(sizeof(double) * CHAR_BIT == AXIS_P_AXIS_REAL_BITS, "double must have 64 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
@@ -96,12 +96,12 @@ typedef struct {
     double position_control_x_held; /* the last position command of the drive */
 } axis_p_axis_state;
 
-/* Who may call what, when: a function works on the structs that it gets and on nothing else. There are no global
- * variables, no library calls and no recursion, and little stack. Different states may be at work at the same time.
- * Of one state only one function runs at a time: nothing that may interrupt step or init calls either for this state.
- * step writes each output once, with its final value, but not all at the same moment. A reader that step may interrupt
- * copies the outputs with that interrupt off; or the task that calls step hands copies over, two in turn, behind a
- * counter. A reader that can interrupt step takes such a copy too, never the struct that step is writing. */
+/* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls
+ * no library, and takes little stack. Calls with different states may interrupt each other. Of one state only one
+ * function may be at work: neither step nor init may be interrupted by a call for the same state.
+ * step writes each output once, with its final value, but one output after another. Another task or interrupt that reads
+ * several of them copies them while step cannot run (its interrupt is off), or reads copies that the task of step
+ * puts into two buffers in turn, behind a counter. */
 
 /* Once before the first cycle: every member of the state gets its start. */
 void axis_p_axis_init(axis_p_axis_state *fresh);

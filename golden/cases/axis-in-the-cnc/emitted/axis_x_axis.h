@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  e5deef9d65ceb21ba9e8f5a959e207a2
  * structure   92acc77ffb8f87d14c39621bda8a33ca
- * checksum    9f53998ef93d5e238000ea4f68bdeda9
+ * checksum    2a3f86bff9e4638ce4f94b1acc0c76d2
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_AXIS_H
@@ -42,8 +42,8 @@ extern "C" {
 #define AXIS_X_AXIS_OUTPUTS_SIZE 48u
 #define AXIS_X_AXIS_STATE_SIZE 64u
 
-/* A compiler or an option that gives double other bits would compute other numbers, and lay the structs below out
- * differently. What else an ABI decides, alignment above all, is its own affair. */
+/* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
+ * Nothing else is asserted: the alignment of members is the ABI's own affair. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
 static_assert(sizeof(double) * CHAR_BIT == AXIS_X_AXIS_REAL_BITS, "double must have 64 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
@@ -119,12 +119,12 @@ typedef struct {
     double ipc_stage1_filter0_section0_s2; /* what `s1` takes over */
 } axis_x_axis_state;
 
-/* Who may call what, when: a function works on the structs that it gets and on nothing else. There are no global
- * variables, no library calls and no recursion, and little stack. Different states may be at work at the same time.
- * Of one state only one function runs at a time: nothing that may interrupt step or init calls either for this state.
- * step writes each output once, with its final value, but not all at the same moment. A reader that step may interrupt
- * copies the outputs with that interrupt off; or the task that calls step hands copies over, two in turn, behind a
- * counter. A reader that can interrupt step takes such a copy too, never the struct that step is writing. */
+/* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls
+ * no library, and takes little stack. Calls with different states may interrupt each other. Of one state only one
+ * function may be at work: neither step nor init may be interrupted by a call for the same state.
+ * step writes each output once, with its final value, but one output after another. Another task or interrupt that reads
+ * several of them copies them while step cannot run (its interrupt is off), or reads copies that the task of step
+ * puts into two buffers in turn, behind a counter. */
 
 /* Once before the first cycle: every member of the state gets its start. */
 void axis_x_axis_init(axis_x_axis_state *fresh);

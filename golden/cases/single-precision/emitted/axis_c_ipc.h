@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  93aee06be26c056330bf348cc27a6125
  * structure   b298c1bd84788c1d2beb0e13249d792f
- * checksum    d7f14227883187532a80765366674078
+ * checksum    a3097a704f63cad75d54b34553a3a1e1
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_C_IPC_H
@@ -59,8 +59,8 @@ extern "C" {
 #define AXIS_C_IPC_OUTPUTS_SIZE 16u
 #define AXIS_C_IPC_STATE_SIZE 112u
 
-/* A compiler or an option that gives float other bits would compute other numbers, and lay the structs below out
- * differently. What else an ABI decides, alignment above all, is its own affair. */
+/* With another number of bits in float the block would compute other numbers, and the structs would be laid out differently.
+ * Nothing else is asserted: the alignment of members is the ABI's own affair. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
 static_assert(sizeof(float) * CHAR_BIT == AXIS_C_IPC_REAL_BITS, "float must have 32 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
@@ -142,12 +142,12 @@ typedef struct {
     float stage2_filter0_input_before; /* the value of the cycle before */
 } axis_c_ipc_state;
 
-/* Who may call what, when: a function works on the structs that it gets and on nothing else. There are no global
- * variables, no library calls and no recursion, and little stack. Different states may be at work at the same time.
- * Of one state only one function runs at a time: nothing that may interrupt step or init calls either for this state.
- * step writes each output once, with its final value, but not all at the same moment. A reader that step may interrupt
- * copies the outputs with that interrupt off; or the task that calls step hands copies over, two in turn, behind a
- * counter. A reader that can interrupt step takes such a copy too, never the struct that step is writing. */
+/* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls
+ * no library, and takes little stack. Calls with different states may interrupt each other. Of one state only one
+ * function may be at work: neither step nor init may be interrupted by a call for the same state.
+ * step writes each output once, with its final value, but one output after another. Another task or interrupt that reads
+ * several of them copies them while step cannot run (its interrupt is off), or reads copies that the task of step
+ * puts into two buffers in turn, behind a counter. */
 
 /* Once before the first cycle: every member of the state gets its start. */
 void axis_c_ipc_init(axis_c_ipc_state *fresh);

@@ -6,7 +6,7 @@
  * cycle time  2000000 ns
  * parameters  b92e28125bf8b73ebb5b80376f6f2970
  * structure   d8e1a53f37cece291154447b66106781
- * checksum    c232a54a3f985a4245d6d1f0d26de55d
+ * checksum    d0eacaef7bc20172c0e2763c1678b9b2
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle.h"
@@ -357,6 +357,8 @@ static void axis_s_spindle_any_cycle(
             } else if (state->control == AXIS_S_SPINDLE_SPINDLE_STATE_TO_VELOCITY
                     || state->control == AXIS_S_SPINDLE_SPINDLE_STATE_VELOCITY) {
                 state->returns = true;
+            } else {
+                /* nothing else is to be done */
             }
         }
         const bool is_wrong = inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != axis_s_spindle_cycle_time_ns;
@@ -616,6 +618,8 @@ static void axis_s_spindle_any_cycle(
                         if (state->v > v_position_control_on_negative) {
                             state->v = v_position_control_on_negative;
                         }
+                    } else {
+                        /* nothing else is to be done */
                     }
                     state->x = state->x + state->v * cycle_time;
                     if (can_leave) {
@@ -680,6 +684,8 @@ static void axis_s_spindle_any_cycle(
                 if (state->v > 0.0) {
                     state->v = 0.0;
                 }
+            } else {
+                /* nothing else is to be done */
             }
             state->x = state->x + state->v * cycle_time;
         }
@@ -776,6 +782,8 @@ static void axis_s_spindle_any_cycle(
                 state->queued = state->queued - 1u;
                 state->jobs = state->jobs + 1u;
             }
+        } else {
+            /* nothing else is to be done */
         }
         outputs->job = state->present_kind;
         outputs->job_speed = state->present_speed;
