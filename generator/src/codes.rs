@@ -89,7 +89,7 @@ codes! {
         "A set names at least one axis: a table [axis.NAME] with a list, or with parameters.";
     AXIS_NAME = "AX006", "a name that an axis cannot have",
         "The name becomes part of identifiers and of file names in every target: letters, digits and single underscores, \
-         a letter first, at most 32.";
+         a letter first, at most 32. With short_names at most 12: the names that linkers see have 31 characters then.";
     AXIS_TWICE = "AX007", "two axes whose names differ in case only",
         "Structured Text and some file systems do not tell upper and lower case apart.";
     OPTION = "AX008", "an option that a set does not take",

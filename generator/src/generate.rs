@@ -1,6 +1,6 @@
 //! The whole way from a set to its files. Each step is one call.
 
-use crate::blocks::{self, Block, Designed};
+use crate::blocks::{self, Block, Designed, Part};
 use crate::target::{File, Header, Target, Unit};
 use crate::{axis::Axis, digest::digest, pipeline::Set};
 use compiler::pass::Defect;
@@ -36,13 +36,16 @@ pub fn units<'s>(set: &'s Set) -> Vec<Unit<'s>> {
 /// What the head of a file says of an axis and of one of its blocks.
 pub fn header(axis: &Axis, block: &Block) -> Header {
     let name = block.program.block;
-    let terms = blocks::named(name).map_or_else(String::new, |kind| kind.terms(axis));
+    let kind = blocks::named(name);
+    let terms = kind.map_or_else(String::new, |kind| kind.terms(axis));
     Header {
         name: axis.name.clone(),
         real: axis.real,
+        short_name: kind.filter(|_| axis.short_names).map(Part::short_name),
         cycle_time_ns: axis.cycle_time_ns,
         is_rotary: axis.control.is_rotary,
         parameters_digest: digest((axis.canonical_of(name).to_owned() + &terms).as_bytes()),
+        structure_digest: digest(format!("cycle_time_ns {}\n{}", axis.cycle_time_ns, block.structure).as_bytes()),
     }
 }
 

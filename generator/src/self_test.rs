@@ -1,7 +1,7 @@
 //! What the self-test of a block does, and the answers that the reference gives. Every target prints it its own way.
 
 use crate::noise::{Noise, Run, Running, exercised};
-use compiler::program::{Program, Type, Var};
+use compiler::program::Type;
 use compiler::{leaf, legalise::Own};
 use portable::{Block, Literal, Real, RealKind};
 
@@ -16,9 +16,7 @@ pub(crate) struct SelfTest {
     pub(crate) loud_from: usize,
     /// the samples in which a real input is no number, with the position of the input
     pub(crate) bad: Vec<(usize, usize)>,
-    /// the parts of the state that the digest covers, by position
-    pub(crate) state: Vec<usize>,
-    /// after each sample the digest of all outputs and of these parts of the state up to there
+    /// after each sample the digest of all outputs and of the whole state up to there
     pub(crate) expected: Vec<u64>,
 }
 
@@ -45,8 +43,7 @@ pub(crate) fn record<R: Real, B: Block<R>>(
     let switches = inputs.filter(|(_, (input, value))| *value != input.start).map(|(index, (_, value))| (index, value));
     let reals = own.reals();
     let places = (1..).step_by(BAD_SAMPLE_DISTANCE);
-    let state = defined(&own.program);
-    let kept = state.iter().map(|at| state_paths.iter().position(|path| *path == own.program.state[*at].path));
+    let kept = own.program.state.iter().map(|of| state_paths.iter().position(|path| *path == of.path));
     let kept: Option<Vec<usize>> = kept.collect();
     let kept = kept.expect("self-test: the program's state is part of the reference's");
     let mut noise = Noise::<R>::within(ranges);
@@ -67,14 +64,7 @@ pub(crate) fn record<R: Real, B: Block<R>>(
     }
     let is_real = |index: &usize| own.program.inputs[*index].ty == Type::Real;
     let bad = places.zip((0..own.inputs.len()).filter(is_real)).collect();
-    SelfTest { switches: switches.collect(), scales: noise.scales, loud_from, bad, state, expected }
-}
-
-/// The parts of the state that are defined from the first sample on. A block that begins with its usual cycles may wait before it fills
-/// what `init` leaves alone; any other block has filled all of it by then.
-fn defined(program: &Program) -> Vec<usize> {
-    let is_set = |at: &usize| program.init.iter().any(|statement| statement.mentions(Var::State(*at)));
-    (0..program.state.len()).filter(|at| !program.usual_first || is_set(at)).collect()
+    SelfTest { switches: switches.collect(), scales: noise.scales, loud_from, bad, expected }
 }
 
 /// The digest with one more value: turned by five bits, and the bits added, in as many bits as a real has.

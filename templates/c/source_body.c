@@ -1,26 +1,10 @@
 #include "{{ header }}"
 
-/* The numbers below hold for IEEE 754 arithmetic that rounds every operation once. */
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) \
-    || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || defined(__NO_SIGNED_ZEROS__)
-#error "this block needs exact arithmetic: compile it without -ffast-math and its parts"
-#endif
-#include <float.h>
-#if FLT_EVAL_METHOD != 0
-#error "this block needs arithmetic in the declared type: on x86 compile it with -mfpmath=sse"
-#endif
-/* A fused multiply-add rounds once where the reference rounds twice. */
-#if defined(__clang__)
-#pragma STDC FP_CONTRACT OFF
-#elif defined(__GNUC__)
-#pragma GCC optimize ("fp-contract=off")
-#else
-#pragma STDC FP_CONTRACT OFF
-#endif
+{% include "c/guards.h" %}
 {%- if uses_magnitude %}
 
 /* |value|, without a library */
-static {{ real }} magnitude({{ real }} value)
+static {{ real }} {{ block.prefix }}_magnitude({{ real }} value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs{{ suffix }}(value);
@@ -33,7 +17,7 @@ static {{ real }} magnitude({{ real }} value)
 
 /* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
  * rightly; without a library */
-static int32_t nearest({{ real }} value)
+static int32_t {{ block.prefix }}_nearest({{ real }} value)
 {
 #if defined(__GNUC__)
     return (int32_t)(value + __builtin_copysign{{ suffix }}({{ nearly_half }}, value));
@@ -42,7 +26,7 @@ static int32_t nearest({{ real }} value)
 #endif
 }
 {%- endif %}
-{% for group in block.constants %}
+{% for group in block.shared %}
 {%- if !group.note.is_empty() %}
 /* {{ group.note }} */
 {%- endif %}
@@ -56,16 +40,10 @@ static const {{ member.ty }} {{ member.name }} = {{ member.value }}; /* {{ membe
 {%- endmatch %}
 {%- endfor %}
 {% endfor %}
-{%- for group in block.enumerations %}
-/* {{ group.note }} */
-enum {
-{%- for member in group.constants %}
-    {{ member.name }} = {{ member.value }}{% if !loop.last %},{% endif %} /* {{ member.doc }} */
-{%- endfor %}
-};
-{% endfor %}
-void {{ block.prefix }}_init({{ block.prefix }}_state *state)
+void {{ block.prefix }}_init({{ block.prefix }}_state *fresh)
 {
+    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    volatile {{ block.prefix }}_state *const state = fresh;
 {%- if block.state.is_empty() %}
     state->unused = false;
 {%- endif %}
@@ -83,11 +61,13 @@ void {{ block.prefix }}_inputs_init({{ block.prefix }}_inputs *inputs)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static void any_cycle(
+static void {{ block.prefix }}_any_cycle(
     {{ block.prefix }}_state *restrict state,
     const {{ block.prefix }}_inputs *restrict inputs,
     {{ block.prefix }}_outputs *restrict outputs)
 {
+{%- let constants = block.constants_apart %}
+{%- include "c/constants.c" %}
 {{ block.any_cycle }}}
 
 {% endif -%}
@@ -96,9 +76,9 @@ void {{ block.prefix }}_step(
     const {{ block.prefix }}_inputs *restrict inputs,
     {{ block.prefix }}_outputs *restrict outputs)
 {
+{%- let constants = block.constants %}
+{%- include "c/constants.c" %}
 {%- if block.state.is_empty() %}
     (void)state;
 {%- endif %}
 {{ block.step }}}
-
-{% include "c/self_test.c" %}

@@ -16,7 +16,7 @@ pub fn run(arguments: &SetArguments, format: Format, verbose: bool) -> Result<Ex
             continue;
         }
         for block in blocks::blocks(designed).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}")) {
-            block.certificate.iter().try_for_each(|line| output::line(format!("  {line}")))?;
+            block.certificate.lines.iter().try_for_each(|line| output::line(format!("  {line}")))?;
         }
     }
     let (warnings, foreign) = (counted(warnings, "warning"), counted(set.foreign, "parameter"));

@@ -16,6 +16,7 @@ pub mod pass;
 pub mod print;
 pub mod program;
 pub mod specialise;
+pub mod structure;
 
 use portable::{Literal, Portable, Real};
 

@@ -36,7 +36,7 @@ fn a_name_is_given_once() {
         step: Vec::new(),
     };
     assert_eq!(
-        Printer::new(&program, &LANGUAGE).names().constants,
+        Printer::new(&program, &LANGUAGE, "names").names().constants,
         ["a0_b", "float_value", "A0_B_next", "float_next", "a0_b_last"]
     );
 }

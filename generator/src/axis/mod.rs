@@ -21,6 +21,8 @@ pub struct Axis {
     pub name: String,
     /// of its blocks
     pub real: RealKind,
+    /// whether the names that linkers see have at most 31 characters in C
+    pub short_names: bool,
     /// position-controller cycle [ns]
     pub cycle_time_ns: u32,
     pub ipc: Ipc,

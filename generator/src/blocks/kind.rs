@@ -8,7 +8,7 @@ use crate::trial::{self, Drill, Recording};
 use crate::{axis::Axis, design::rounding::rounded};
 use compiler::legalise::{self, Own};
 use compiler::pass::{self, Defect};
-use compiler::{leaves, program::Program, specialise};
+use compiler::{leaves, program::Program, specialise, structure};
 use portable::{Block as Reference, Literal, Real, RealKind};
 use std::collections::BTreeMap;
 
@@ -16,6 +16,9 @@ use std::collections::BTreeMap;
 pub trait Part: Sync {
     /// Whether the parameters of an axis ask for it.
     fn is_asked_for(&self, axis: &Axis) -> bool;
+
+    /// What it is called where names have to be short.
+    fn short_name(&self) -> &'static str;
 
     /// Its coefficients, in double precision.
     fn design(designed: &Designed) -> <Self as Reference<f64>>::Coeffs
@@ -66,9 +69,9 @@ pub trait Part: Sync {
         values::description(&self.values(designed))
     }
 
-    /// What is certain of its program, in words, a line each.
-    fn certificate(&self, _: &Designed, _: &Program) -> Vec<String> {
-        Vec::new()
+    /// What is certain of its program.
+    fn certificate(&self, _: &Designed, _: &Program) -> Certified {
+        Certified::default()
     }
 }
 
@@ -79,6 +82,26 @@ pub struct Summary {
     pub head: String,
     /// lines of its own
     pub lines: Vec<String>,
+}
+
+/// What is certain of a block.
+#[derive(Clone, Debug, Default)]
+pub struct Certified {
+    /// in words, a line each
+    pub lines: Vec<String>,
+    /// for code
+    pub figures: Vec<Figure>,
+}
+
+/// A number that code may compare with what it expects.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Figure {
+    /// in capital letters
+    pub name: &'static str,
+    /// what it is, with its unit
+    pub doc: String,
+    /// in the real type of the block
+    pub value: Literal,
 }
 
 /// A block that an axis may have, in the real type of the axis.
@@ -117,8 +140,10 @@ pub struct Block {
     pub(crate) self_test: SelfTest,
     /// a recorded run
     pub(crate) trial: Recording,
-    /// what is certain of its range, and its measured response, in words
-    pub certificate: Vec<String>,
+    /// what is certain of its range, and its measured response
+    pub certificate: Certified,
+    /// what is in it, without the values of its coefficients: the same text, the same structure
+    pub structure: String,
 }
 
 impl Block {
@@ -181,6 +206,7 @@ fn block<R: Real, P: Part + Reference<f64> + Reference<R>>(part: &P, designed: &
     let ranges = part.ranges(designed);
     let notes = part.notes(designed).into_iter().collect();
     let specialised = specialise::block::<R, P>(&coeffs(), &notes);
+    let structure = structure::of(&specialised);
     let paths: Vec<String> = specialised.state.iter().map(|variable| variable.path.clone()).collect();
     let program = pass::run(specialised, None)?;
     let own = legalise::own(&program)?;
@@ -189,5 +215,5 @@ fn block<R: Real, P: Part + Reference<f64> + Reference<R>>(part: &P, designed: &
     let start = part.start_cycles(designed);
     let drill = part.drill(designed);
     let trial = trial::recording::<R, P>(coeffs(), (&program, &own), &paths, ranges, start, &drill);
-    Ok(Block { program, own, notes, self_test, trial, certificate })
+    Ok(Block { program, own, notes, self_test, trial, certificate, structure })
 }

@@ -21,7 +21,7 @@ mod values;
 pub use crate::trial::Drill;
 pub use designed::Designed;
 pub use ipc::feasibility::refusals;
-pub use kind::{Block, Kind, Part, Summary};
+pub use kind::{Block, Certified, Figure, Kind, Part, Summary};
 pub(crate) use values::{Value, differences};
 
 use crate::axis::Axis;

@@ -1,8 +1,9 @@
 //! The block `spindle_axis`: the changeover with feedforward, position control and improved position control.
 
-use super::{Drill, Part, Summary};
+use super::{Certified, Drill, Part, Summary, ipc};
 use crate::blocks::designed::Designed;
 use crate::trial::Set;
+use compiler::program::Program;
 use reference::axis::Axis;
 use reference::ipc::mode_off;
 use reference::spindle::Spindle;
@@ -11,6 +12,10 @@ use reference::spindle_axis::{Coeffs, SpindleAxis};
 impl Part for SpindleAxis {
     fn is_asked_for(&self, axis: &crate::axis::Axis) -> bool {
         axis.control.spindle.is_some()
+    }
+
+    fn short_name(&self) -> &'static str {
+        "sx"
     }
 
     fn design(designed: &Designed) -> Coeffs<f64> {
@@ -43,5 +48,10 @@ impl Part for SpindleAxis {
     /// Its parts say it.
     fn summary(&self, _: &Designed) -> Summary {
         Summary::default()
+    }
+
+    /// The limit of what it adds.
+    fn certificate(&self, designed: &Designed, _: &Program) -> Certified {
+        Certified { figures: ipc::limit(designed).into_iter().collect(), ..Certified::default() }
     }
 }

@@ -19,9 +19,10 @@ use crate::blocks::ipc::check as ipc;
 use crate::blocks::spindle::check as spindle;
 use crate::blocks::{FEEDFORWARD, IPC, POSITION_CONTROL, SPINDLE};
 use crate::blocks::{feedforward::check as feedforward, position_control::check as position_control};
+use crate::codes;
 use crate::config::values::{Values, key};
 use crate::diagnostics::{Diagnostic, Place, Report};
-use crate::parameters::words::{AxisType, FeedforwardWord, RealType, Words};
+use crate::parameters::words::{AxisType, Boolean, FeedforwardWord, RealType, Words};
 use crate::parameters::{Name, Value};
 use crate::rules::{drive, effective::Effective};
 use portable::RealKind;
@@ -66,6 +67,7 @@ pub(crate) fn axis<'v>(name: &str, cycle_time: Option<u32>, values: &'v Values, 
         RealType::F64 => RealKind::F64,
         RealType::F32 => RealKind::F32,
     });
+    let short_names = short_names(&mut effective, name);
     let changes_over = spindle::is_asked_for(&mut effective);
     let axis_type = effective.word(key(Name::AxisType));
     gear::check(&mut effective);
@@ -73,16 +75,42 @@ pub(crate) fn axis<'v>(name: &str, cycle_time: Option<u32>, values: &'v Values, 
     let ipc = ipc::check(&mut effective, cycle_time, real);
     let control = control(&mut effective, cycle_time, (axis_type, changes_over), ipc.as_ref());
     let gear = control.as_ref().map_or(0, |(_, gear)| *gear);
-    let axis = match (real, cycle_time, ipc, control) {
-        (Some(real), Some(cycle_time_ns), Some(ipc), Some((control, _))) if !effective.report.has_errors() => {
+    let axis = match (real, short_names, cycle_time, ipc, control) {
+        (Some(real), Some(short_names), Some(cycle_time_ns), Some(ipc), Some((control, _)))
+            if !effective.report.has_errors() =>
+        {
             let blocks = [IPC, FEEDFORWARD, POSITION_CONTROL, SPINDLE];
             let (canonical, own) = effective.canonical(blocks);
             let canonical_of = blocks.into_iter().zip(own).collect();
-            Some(Axis { name: name.to_owned(), real, cycle_time_ns, ipc, control, canonical, canonical_of })
+            Some(Axis {
+                name: name.to_owned(),
+                real,
+                short_names,
+                cycle_time_ns,
+                ipc,
+                control,
+                canonical,
+                canonical_of,
+            })
         }
         _ => None,
     };
     Checked { axis, gear, effective }
+}
+
+/// Characters of an axis name with which `ax_NAME_ipc_inputs_init` has 31.
+const LONGEST_OF_SHORT_NAMES: usize = 12;
+
+/// Whether names have to be short in C. It changes names only: the digest of the parameters does not cover it.
+fn short_names(e: &mut Effective<'_>, name: &str) -> Option<bool> {
+    let asked = key(Name::ShortNames);
+    let is_wanted = e.validated_word::<Boolean>(asked)? == Boolean::True;
+    if is_wanted && name.len() > LONGEST_OF_SHORT_NAMES {
+        let found = format!("{} of the axis `{name}`, whose name has {} characters", e.title(asked), name.len());
+        let allowed = format!("short_names of an axis with a name of at most {LONGEST_OF_SHORT_NAMES} characters");
+        e.refuse(codes::AXIS_NAME, asked, found, [Some(allowed), Some("a shorter name for the axis".to_owned())]);
+    }
+    Some(is_wanted)
 }
 
 /// Feedforward, position control, changeover and gantry, with the gear step; none: an error, which has been said.

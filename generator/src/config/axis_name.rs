@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-/// With the longest suffix that a target adds, a name stays within the 63 characters that every compiler tells apart.
+/// With what a target adds, the name of a type or of a function stays within the 63 characters that every compiler tells apart.
 const LONGEST: usize = 32;
 
 pub(crate) const ALLOWED: &str =

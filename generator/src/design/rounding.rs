@@ -22,6 +22,20 @@ pub(crate) fn in_precision(value: f64, real: RealKind) -> f64 {
     if real == RealKind::F64 { value } else { f32::lit(value).into() }
 }
 
+/// The same as a literal.
+pub(crate) fn literal(value: f64, real: RealKind) -> Literal {
+    if real == RealKind::F64 { Literal::F64(value) } else { Literal::F32(f32::lit(value)) }
+}
+
+/// The smallest number of a real type that is not below a positive number.
+pub(crate) fn at_least(value: f64, real: RealKind) -> Literal {
+    let near = f32::lit(value);
+    match real {
+        RealKind::F64 => Literal::F64(value),
+        RealKind::F32 => Literal::F32(if f64::from(near) < value { near.next_up() } else { near }),
+    }
+}
+
 /// The largest number of a real type.
 pub(crate) fn largest(real: RealKind) -> f64 {
     if real == RealKind::F64 { f64::MAX } else { f32::MAX.into() }

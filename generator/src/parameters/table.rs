@@ -122,6 +122,9 @@ table! {
     ImportedLineEnd: AXIS_KEY("imported_list.line_end", kind: Kind::Word(LineEnd::WORDS), default: &["LF"])
     /// real type of the generated blocks: double or single precision
     RealType: AXIS_KEY("real", kind: Kind::Word(RealType::WORDS), default: &["f64"])
+    /// names in C for tools that tell 31 characters apart (C99 5.2.4.1, MISRA C:2012 5.1): all names that linkers see have at most as
+    /// many; the axis then has a name of at most 12 characters
+    ShortNames: AXIS_KEY("short_names", kind: Kind::Word(Boolean::WORDS), default: &["FALSE"])
     /// gear step whose parameters (`getriebe[i]`) are used
     Gear: AXIS_KEY("gear", kind: integer(0, GEARS - 1), default: &["0"])
     /// time in which the additive velocity is faded in and out, at least one period of the lowest f0

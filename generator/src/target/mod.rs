@@ -19,6 +19,9 @@ use std::borrow::Cow;
 /// The tool's version, which every generated file names.
 pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
+/// Whose a generated file is, which its head says.
+pub(crate) const LICENCE: &str = "this file belongs to the user of axgen; no licence of axgen applies to it";
+
 #[derive(Clone, Copy, Debug)]
 pub struct Target {
     /// the name on the command line and in a set
@@ -69,12 +72,16 @@ impl Target {
 pub struct Header {
     pub name: String,
     pub real: RealKind,
+    /// what the block is called where the axis wants short names in C
+    pub short_name: Option<&'static str>,
     /// the cycle of its position controller
     pub cycle_time_ns: u32,
     /// whether it is a rotary axis or a spindle: its signals are in 0.001 deg, else in um
     pub is_rotary: bool,
     /// the digest of the effective parameters of the block
     pub parameters_digest: String,
+    /// the digest of what is in the block, without the values of its coefficients
+    pub structure_digest: String,
 }
 
 /// A block with its program as the language of a target can say it.

@@ -91,7 +91,7 @@ impl Outline<'_> {
     }
 
     /// A doc comment of the reference, with the unit that the axis has.
-    fn doc(&self, doc: &str) -> String {
+    pub(super) fn doc(&self, doc: &str) -> String {
         comment::harmless(&unit::own(doc, self.axis.is_rotary)).into_owned()
     }
 
@@ -101,10 +101,16 @@ impl Outline<'_> {
 
     /// The constants that appear in this way, in their order, a new group where another note of the block begins.
     pub(super) fn groups(&self, wanted: Appearance) -> Vec<Group> {
+        self.groups_of(wanted, &|_| true)
+    }
+
+    /// The same of those, by position, that are asked for.
+    pub(super) fn groups_of(&self, wanted: Appearance, is_asked_for: &dyn Fn(usize) -> bool) -> Vec<Group> {
         let mut groups: Vec<Group> = Vec::new();
         let mut said = Vec::new();
         let (constants, names) = (&self.block.program.constants, &self.printer.names().constants);
-        for ((constant, name), appearance) in constants.iter().zip(names).zip(self.printer.appearances()) {
+        let appearances = self.printer.appearances().iter().enumerate();
+        for ((constant, name), (index, appearance)) in constants.iter().zip(names).zip(appearances) {
             let notes: Vec<&str> = match constant.origin {
                 Origin::Coefficient(_) => {
                     let notes = &self.block.block.notes;
@@ -118,7 +124,8 @@ impl Outline<'_> {
                 let note = comment::wrapped(&fresh, COMMENT_WIDTH, self.next_line);
                 groups.push(Group { note, constants: Vec::new() });
             }
-            if let (Some(group), true) = (groups.last_mut(), *appearance == wanted) {
+            let is_wanted = *appearance == wanted && is_asked_for(index);
+            if let (Some(group), true) = (groups.last_mut(), is_wanted) {
                 group.constants.push(Member {
                     ty: self
                         .ty(Type::of_literal(constant.value)
@@ -127,7 +134,7 @@ impl Outline<'_> {
                     name: name.clone(),
                     value: match wanted {
                         Appearance::Assigned => (self.language.operand)(constant.value).0,
-                        Appearance::Inline | Appearance::Declared | Appearance::Enumerator => {
+                        Appearance::Inline | Appearance::Declared | Appearance::Shared | Appearance::Enumerator => {
                             (self.language.literal)(constant.value)
                         }
                     },

@@ -12,6 +12,7 @@ fn every_target_has_its_files() {
             format!("axis_{axis}_ipc.scl"),
             format!("axis_{axis}_ipc.st"),
             format!("axis_{axis}_ipc.xml"),
+            format!("axis_{axis}_ipc_self_test.c"),
             format!("axis_{axis}_ipc_self_test.scl"),
             format!("axis_{axis}_ipc_self_test.st"),
             format!("axis_{axis}_ipc_self_test.xml"),

@@ -40,6 +40,7 @@ fn rack_and_pinion(real: RealKind) -> Axis {
 /// An axis with a limit of 530000.
 fn axis(real: RealKind, cycle_time_ns: u32, stage: [Option<Stage>; 3]) -> Axis {
     Axis {
+        short_names: false,
         name: "X".to_owned(),
         real,
         cycle_time_ns,

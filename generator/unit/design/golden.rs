@@ -110,6 +110,7 @@ fn rack_and_pinion() -> Axis {
         None,
     ];
     Axis {
+        short_names: false,
         name: "X".to_owned(),
         real: RealKind::F64,
         cycle_time_ns: 1_000_000,

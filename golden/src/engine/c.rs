@@ -14,8 +14,8 @@ use tempfile::TempDir;
 /// A block's emitted files in a folder of their own, with a program around them that every build shares.
 pub struct Harness {
     folder: TempDir,
-    /// the emitted file to compile
-    source: String,
+    /// the emitted files to compile: the block, its self-test
+    sources: Vec<String>,
     block: Block,
 }
 
@@ -39,7 +39,8 @@ impl Harness {
         write("harness.c", include_str!("harness.c"))?;
         let harness = ["-std=c99", "-O2", "-DLAYOUT=\"layout.h\"", "-c", "harness.c", "-o", "harness.o"];
         compiler.call(folder.path(), &harness, &[])?;
-        Ok(Self { folder, source: format!("{stem}.c"), block: block.clone() })
+        let sources = emitted.iter().map(|file| &file.name).filter(|name| name.ends_with(".c")).cloned().collect();
+        Ok(Self { folder, sources, block: block.clone() })
     }
 
     /// Compiles the block, only it with the compiler's options, and runs it.
@@ -49,9 +50,15 @@ impl Harness {
     pub fn run(&self, inputs: &Samples, compiler: &Compiler) -> Result<Samples, Failure> {
         let build = new_folder()?;
         let path = |name: &str| build.path().join(name).to_string_lossy().into_owned();
-        let (object, program) = (path("block.o"), path("block"));
-        compiler.call(self.folder.path(), &["-c", &self.source, "-o", &object], &compiler.options)?;
-        compiler.call(self.folder.path(), &["harness.o", &object, "-o", &program], &compiler.link)?;
+        let program = path("block");
+        let in_folder = |name: &str| self.folder.path().join(name).to_string_lossy().into_owned();
+        let sources: Vec<String> = self.sources.iter().map(|name| in_folder(name)).collect();
+        let objects = self.sources.iter().map(|name| name.trim_end_matches('c').to_owned() + "o");
+        let objects: Vec<String> = objects.chain([in_folder("harness.o")]).collect();
+        let compile: Vec<&str> = ["-c"].into_iter().chain(sources.iter().map(String::as_str)).collect();
+        compiler.call(build.path(), &compile, &compiler.options)?;
+        let link: Vec<&str> = ["-o", &program].into_iter().chain(objects.iter().map(String::as_str)).collect();
+        compiler.call(build.path(), &link, &compiler.link)?;
         let (all, own) = (&self.block.program, &self.block.own);
         let bytes = pipe(&program, &compiler.emulator, &inputs.only(&own.inputs).bytes)?;
         let shape = Shape::of(&own.program.outputs, all.real);

@@ -28,7 +28,7 @@ impl Blocks {
         if program.outputs.is_empty() {
             return;
         }
-        let printer = Printer::new(&program, &PLAIN);
+        let printer = Printer::new(&program, &PLAIN, "");
         let names = printer.names();
         let constants = program.constants.iter().zip(&names.constants).zip(printer.appearances());
         let assigned: Vec<_> = constants.filter(|(_, how)| **how == Appearance::Assigned).map(|(it, _)| it).collect();

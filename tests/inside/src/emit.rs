@@ -53,7 +53,7 @@ pub fn samples(compiled: &Compiled, words: &mut Vec<u64>) {
 
 /// Types and functions of one program, and what the driver calls.
 fn source(number: usize, program: &Program) -> String {
-    let printer = Printer::new(program, &LANGUAGE);
+    let printer = Printer::new(program, &LANGUAGE, "block");
     let names = printer.names();
     let members = |variables: &[Variable], names: &[String]| -> String {
         if variables.is_empty() {

@@ -179,7 +179,7 @@ impl Cell {
 /// The ratio in the certificate's line.
 fn stated(designed: &blocks::Designed) -> f64 {
     let blocks = blocks::blocks(designed).expect("no defect");
-    let lines = blocks.iter().flat_map(|block| &block.certificate);
+    let lines = blocks.iter().flat_map(|block| &block.certificate.lines);
     let ratio = lines.filter_map(|line| line.split_once("stage[0] ")?.1.strip_suffix(" dB")?.parse().ok()).next();
     ratio.expect("the certificate states the ratio")
 }

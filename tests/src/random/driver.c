@@ -25,12 +25,12 @@ struct block {
 /* by the size of the real type */
 #define NEARLY_HALF (sizeof(REAL) == sizeof(float) ? (REAL)0.49999997f : (REAL)0.49999999999999994)
 
-static REAL magnitude(REAL value)
+static REAL block_magnitude(REAL value)
 {
     return value < (REAL)0 ? -value : value;
 }
 
-static int32_t nearest(REAL value)
+static int32_t block_nearest(REAL value)
 {
     return (int32_t)(value < (REAL)0 ? value - NEARLY_HALF : value + NEARLY_HALF);
 }

@@ -31,8 +31,8 @@ fn strict_compilers_have_nothing_to_say() {
         cases().par_iter().for_each(|case| {
             let (folder, stem) = written(case);
             for level in ["-O0", "-O2"] {
-                let source = format!("{stem}.c");
-                compile(tool.command, folder.path(), &[&STRICT[..], &[level, "-c", &source, "-o", "block.o"]].concat());
+                let sources = [&format!("{stem}.c")[..], &format!("{stem}_self_test.c")];
+                compile(tool.command, folder.path(), &[&STRICT[..], &[level, "-c"], &sources].concat());
             }
         });
     }
@@ -87,7 +87,8 @@ fn the_header_is_fit_for_cpp() {
     }
 }
 
-/// No library, no memset or memcpy that the compiler makes of a loop or a copy, and nothing writable but the caller's.
+/// No library, no memset or memcpy that the compiler makes of a loop or a copy, and nothing writable but the caller's. A self-test needs its
+/// block.
 #[test]
 fn objects_need_no_symbol_and_hold_no_writable_data() {
     if !has("nm", "nm", "binutils") {
@@ -98,21 +99,28 @@ fn objects_need_no_symbol_and_hold_no_writable_data() {
             let (folder, stem) = written(case);
             for level in LEVELS {
                 // Some distributions switch the stack protector on, which is a symbol of theirs.
-                let options = ["-std=c99", "-fno-stack-protector", "-c", &format!("{stem}.c"), "-o", "block.o"];
+                let sources = [format!("{stem}.c"), format!("{stem}_self_test.c")];
+                let options = ["-std=c99", "-fno-stack-protector", "-c", &sources[0], &sources[1]];
                 compile(tool.command, folder.path(), &[&options, level].concat());
-                let what = format!("{}: {} {level:?}", title(case), tool.command);
-                assert_eq!(symbols(folder.path(), &["-u"]), "", "{what}: undefined");
-                let all = symbols(folder.path(), &["--format=posix"]);
-                let kinds = all.lines().filter_map(|line| line.split_whitespace().nth(1));
-                let writable: Vec<&str> = kinds.filter(|kind| "BbCDdGgSs".contains(kind)).collect();
-                assert!(all.contains("_step T") && writable.is_empty(), "{what}: {all}");
+                for (what, function, needs) in
+                    [("", "_step", &[][..]), ("_self_test", "_self_test", &["_init", "_inputs_init", "_step"])]
+                {
+                    let object = format!("{stem}{what}.o");
+                    let needs: String = needs.iter().map(|name| format!("{stem}{name}\n")).collect();
+                    let what = format!("{}: {object} {} {level:?}", title(case), tool.command);
+                    assert_eq!(symbols(folder.path(), &["-u", "-j", &object]), needs, "{what}: undefined");
+                    let all = symbols(folder.path(), &["--format=posix", &object]);
+                    let kinds = all.lines().filter_map(|line| line.split_whitespace().nth(1));
+                    let writable: Vec<&str> = kinds.filter(|kind| "BbCDdGgSs".contains(kind)).collect();
+                    assert!(all.contains(&format!("{stem}{function} T")) && writable.is_empty(), "{what}: {all}");
+                }
             }
         });
     }
 }
 
 fn symbols(folder: &Path, options: &[&str]) -> String {
-    let output = Command::new("nm").args(options).arg("block.o").current_dir(folder).output();
+    let output = Command::new("nm").args(options).current_dir(folder).output();
     let output = output.unwrap_or_else(|error| panic!("nm: {error}"));
     assert!(output.status.success(), "{output:?}");
     String::from_utf8_lossy(&output.stdout).into_owned()

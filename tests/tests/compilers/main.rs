@@ -8,6 +8,7 @@ mod arm;
 mod files;
 mod flags;
 mod matrix;
+mod unity;
 
 use axgen_tests::cases::{in_both_real_types, title};
 use axgen_tests::environment;

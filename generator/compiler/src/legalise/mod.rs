@@ -14,6 +14,7 @@ mod own;
 mod settle;
 mod single;
 mod start;
+mod whole;
 
 pub use enable::RENAMED;
 pub use own::{Own, own};
@@ -23,8 +24,13 @@ use crate::program::Program;
 use std::borrow::Cow;
 
 /// What C needs.
-pub const WITH_OUTPUTS: &[Stage] =
-    &[("settled", settle::run), ("early", early::run), ("chosen", choose::run), ("apart", apart::run)];
+pub const WITH_OUTPUTS: &[Stage] = &[
+    ("settled", settle::run),
+    ("early", early::run),
+    ("chosen", choose::run),
+    ("apart", apart::run),
+    ("whole", whole::run),
+];
 
 /// What Structured Text needs where the digits of an LREAL may stand in an expression.
 pub const WITH_DIGITS: &[Stage] = &[

@@ -2,7 +2,7 @@
 
 use super::language::{Appearance, Cases, Form, Language, Level};
 use super::number::decimal;
-use crate::program::{Constant, Expr, Origin, Type};
+use crate::program::{Constant, Expr, Origin, Program, Statement, Type, Var, values};
 use portable::{Binary, Intrinsic, Literal, RealKind, Unary};
 use std::collections::HashSet;
 use std::sync::LazyLock;
@@ -22,12 +22,14 @@ pub static LANGUAGE: Language = Language {
     // `&&` beside `||` is legal and misread.
     logic: [Level::And, Level::Comparison],
     form,
-    appearances: |program| program.constants.iter().map(appearance).collect(),
+    appearances,
     before: ["inputs->", "outputs->", "state->", "", ""],
     has_structs: true,
     constant: Some("const "),
     assign: " =",
     choice: ["if (", "} else if (", ") {", "} else {", "}"],
+    // MISRA C:2012 15.7
+    nothing_else: Some("/* nothing else is to be done */"),
     cases: Cases {
         asks: ["switch (", ") {"],
         label: (Some("case "), ": {"),
@@ -35,11 +37,11 @@ pub static LANGUAGE: Language = Language {
         ends: ["break;", "}"],
         end: "}",
     },
-    call: "any_cycle(state, inputs, outputs);",
+    call: "{block}_any_cycle(state, inputs, outputs);",
     comment: ["/* ", " * ", " */"],
 };
 
-/// Words that C, C++ and the two headers that a block includes keep for themselves; then those that a block uses.
+/// Words that C, C++ and the two headers that a block includes keep for themselves; then the parameters of a block's functions.
 static RESERVED: LazyLock<HashSet<&'static str>> = LazyLock::new(|| {
     "
         alignas alignof and and_eq asm auto bitand bitor bool break case catch char class compl concept const const_cast
@@ -48,19 +50,39 @@ static RESERVED: LazyLock<HashSet<&'static str>> = LazyLock::new(|| {
         mutable namespace new noexcept not not_eq nullptr operator or or_eq private protected public register
         reinterpret_cast requires restrict return short signed sizeof static static_assert static_cast struct switch
         template this thread_local throw true try typedef typeid typename typeof uint32_t uint64_t union unsigned using
-        virtual void volatile wchar_t while xor xor_eq state inputs outputs bits_of real_of fold digest scale step noise
-        random sample magnitude nearest any_cycle
+        virtual void volatile wchar_t while xor xor_eq state inputs outputs
     "
     .split_ascii_whitespace()
     .collect()
 });
 
-/// A constant that chooses a `case` is an enumerator: to C a `const` is none.
-fn appearance(constant: &Constant) -> Appearance {
-    match constant.origin {
+/// What a caller may write or read by name is a number of an enumeration, as is what chooses a `case`: to C a `const` is none. Any
+/// other number is a constant of the function that reads it; one that both functions of a cycle read stands above them.
+fn appearances(program: &Program) -> Vec<Appearance> {
+    let signals = values::of_signals(program);
+    let [all, apart] = [&program.step[..], program.apart()].map(|list| readings(list, program.constants.len()));
+    let appearance = |(index, constant): (usize, &Constant)| match constant.origin {
+        _ if signals.iter().any(|signal| signal.constants.contains(&index)) => Appearance::Enumerator,
         Origin::Variant(_) => Appearance::Enumerator,
+        Origin::Coefficient(_) | Origin::Function if 0 < apart[index] && apart[index] < all[index] => {
+            Appearance::Shared
+        }
         Origin::Coefficient(_) | Origin::Function => Appearance::Declared,
+    };
+    program.constants.iter().enumerate().map(appearance).collect()
+}
+
+/// How often statements read each constant.
+fn readings(list: &[Statement], constants: usize) -> Vec<usize> {
+    let mut readings = vec![0; constants];
+    for statement in list {
+        statement.reads(&mut |var| {
+            if let Var::Constant(index) = var {
+                readings[index] += 1;
+            }
+        });
     }
+    readings
 }
 
 fn literal(value: Literal) -> String {
@@ -89,11 +111,11 @@ fn form(operation: &Expr, ty: Type, real: RealKind) -> Option<Form> {
             _ => return None,
         },
         (Expr::Intrinsic(intrinsic, _), _) => match (intrinsic, real) {
-            (Intrinsic::InRange | Intrinsic::Within, _) => (Comparison, "magnitude({0}) <= {1}", [Any, Sum]),
+            (Intrinsic::InRange | Intrinsic::Within, _) => (Comparison, "{block}_magnitude({0})\n<= {1}", [Any, Sum]),
             (Intrinsic::FromU32 | Intrinsic::FromI32, RealKind::F64) => (Sign, "(double){0}", [Primary; 2]),
             (Intrinsic::FromU32 | Intrinsic::FromI32, RealKind::F32) => (Sign, "(float){0}", [Primary; 2]),
             (Intrinsic::Truncate, _) => (Sign, "(int32_t){0}", [Primary; 2]),
-            (Intrinsic::Nearest, _) => (Primary, "nearest({0})", [Any; 2]),
+            (Intrinsic::Nearest, _) => (Primary, "{block}_nearest({0})", [Any; 2]),
         },
         _ => return None,
     };

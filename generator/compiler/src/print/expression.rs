@@ -76,9 +76,15 @@ impl<'d> Layout<'d> {
             let mut pieces = text.split('{');
             let doc = self.arena.text(pieces.next().unwrap_or_default());
             pieces.fold(doc, |doc, piece| {
-                let (index, text) = piece.split_once('}').expect("print: a form's operand ends");
-                let index = usize::from(index == "1");
-                doc.append(self.bound(operands[index].clone(), form.least[index], 0)).append(text)
+                let (what, text) = piece.split_once('}').expect("print: a form's operand ends");
+                let doc = match what {
+                    "block" => doc.append(self.printer.block),
+                    operand => {
+                        let index = usize::from(operand == "1");
+                        doc.append(self.bound(operands[index].clone(), form.least[index], 0))
+                    }
+                };
+                doc.append(text)
             })
         };
         let doc = match form.text.split_once('\n') {

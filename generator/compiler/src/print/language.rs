@@ -53,9 +53,11 @@ pub struct Language {
     /// the texts of an `if`: before the first condition, before each further one, behind a condition, before the statements
     /// for which no condition holds, at the end
     pub(super) choice: [&'static str; 5],
+    /// the comment in the `else` that ends a chain of questions in which nothing is left to do; `None`: a chain needs no such end
+    pub(super) nothing_else: Option<&'static str>,
     /// how a choice by a number is written
     pub(super) cases: Cases,
-    /// the statement that calls what stands apart
+    /// the statement that calls what stands apart; `{block}` is what the names of the block begin with
     pub(super) call: &'static str,
     /// what begins a comment, begins its next line, and ends it
     pub(super) comment: [&'static str; 3],
@@ -91,7 +93,8 @@ impl Language {
 /// How an operation is written.
 pub(super) struct Form {
     pub level: Level,
-    /// its text: `{0}` and `{1}` are its operands, a line break is a blank or, in a line that is too long, a new line
+    /// its text: `{0}` and `{1}` are its operands, `{block}` is what the names of the block begin with, a line break is a blank or, in a
+    /// line that is too long, a new line
     pub text: &'static str,
     /// how tightly its operands bind at least, or they get parentheses
     pub least: [Level; 2],
@@ -102,10 +105,12 @@ pub(super) struct Form {
 pub enum Appearance {
     /// its digits in the statements, its name behind them
     Inline,
-    /// by its name, declared as a constant
+    /// by its name, declared as a constant; where functions have constants of their own, in the only one that reads it
     Declared,
+    /// by its name behind the block's, declared as a constant outside all functions
+    Shared,
     /// by its name, a variable that each cycle assigns anew
     Assigned,
-    /// by its name, a number of an enumeration
+    /// by its name behind the block's in capital letters, a number of an enumeration that the caller sees
     Enumerator,
 }

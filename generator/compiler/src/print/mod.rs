@@ -15,7 +15,7 @@ pub use language::{Appearance, Language};
 use names::Names;
 pub use names::identifier;
 
-use crate::program::{Expr, Program, Statement, Table, Var, Variable};
+use crate::program::{Constant, Expr, Program, Statement, Table, Var, Variable};
 use language::Level;
 use pretty::{Arena, DocAllocator, DocBuilder, RefDoc};
 
@@ -32,6 +32,8 @@ type Doc<'d> = DocBuilder<'d, Arena<'d>>;
 pub struct Printer<'p> {
     program: &'p Program,
     language: &'p Language,
+    /// what the names begin with that the block has outside its functions
+    block: &'p str,
     /// as declared
     names: Scope,
     appearances: Vec<Appearance>,
@@ -60,17 +62,22 @@ fn members(variables: &[Variable], language: &Language, names: &mut Names) -> Ve
 }
 
 impl<'p> Printer<'p> {
-    /// The names of the interface are taken first.
-    pub fn new(program: &'p Program, language: &'p Language) -> Self {
+    /// The names of the interface are taken first. `block` is what the names begin with that the block has outside its functions.
+    pub fn new(program: &'p Program, language: &'p Language, block: &'p str) -> Self {
         let mut names = Names::new(language);
+        let appearances = (language.appearances)(program);
+        let constant = |(constant, appearance): (&Constant, &Appearance), names: &mut Names| match appearance {
+            Appearance::Enumerator => names.take(&format!("{block}.{}", constant.path)).to_ascii_uppercase(),
+            Appearance::Shared => names.take(&format!("{block}.{}", constant.path)),
+            Appearance::Inline | Appearance::Declared | Appearance::Assigned => names.take(&constant.path),
+        };
         let names = Scope {
             inputs: members(&program.inputs, language, &mut names),
             outputs: members(&program.outputs, language, &mut names),
             state: members(&program.state, language, &mut names),
-            constants: program.constants.iter().map(|constant| names.take(&constant.path)).collect(),
+            constants: program.constants.iter().zip(&appearances).map(|it| constant(it, &mut names)).collect(),
             locals: program.locals.iter().map(|local| names.take(&local.path)).collect(),
         };
-        let appearances = (language.appearances)(program);
         let mut texts = names.clone();
         let Scope { inputs, outputs, state, constants, locals } = &mut texts;
         for (before, list) in language.before.into_iter().zip([inputs, outputs, state, constants, locals]) {
@@ -84,7 +91,7 @@ impl<'p> Printer<'p> {
                 texts.constants[index] = if level == Level::Primary { text } else { format!("({text})") };
             }
         }
-        Self { program, language, names, appearances, texts }
+        Self { program, language, block, names, appearances, texts }
     }
 
     /// The names of the variables, as they are declared.
@@ -166,7 +173,7 @@ impl<'d> Layout<'d> {
             Statement::Assign { target, value } => {
                 self.assignment(self.arena.text(&self.printer.texts[*target]), value)
             }
-            Statement::Apart(_) => self.arena.text(self.printer.language.call),
+            Statement::Apart(_) => self.arena.text(self.printer.language.call.replace("{block}", self.printer.block)),
             Statement::Choose { by, arms } => self.choice(by, arms, declared),
             Statement::If { condition, then, otherwise } => {
                 let [first, next, behind, last, end] = self.printer.language.choice;
@@ -176,14 +183,18 @@ impl<'d> Layout<'d> {
                     self.arena.text(text).append(condition).append(behind)
                 };
                 let mut doc = asked(first, condition).append(inner(then));
-                let mut rest = otherwise;
+                let (mut rest, mut is_chain) = (otherwise, false);
                 // An `if` that is alone in the other branch continues the chain.
                 while let [Statement::If { condition, then, otherwise }] = rest.as_slice() {
                     doc = doc.append(self.hardline).append(asked(next, condition)).append(inner(then));
-                    rest = otherwise;
+                    (rest, is_chain) = (otherwise, true);
                 }
+                let nothing = self.printer.language.nothing_else.filter(|_| is_chain);
                 if !rest.is_empty() {
                     doc = doc.append(self.hardline).append(last).append(inner(rest));
+                } else if let Some(nothing) = nothing {
+                    let comment = DocBuilder(self.arena, self.hardline.into()).append(nothing).nest(INDENTATION);
+                    doc = doc.append(self.hardline).append(last).append(comment);
                 }
                 doc.append(self.hardline).append(end)
             }

@@ -5,6 +5,7 @@
 
 mod expr;
 mod table;
+pub mod values;
 mod visit;
 
 pub use table::Table;
@@ -212,6 +213,18 @@ impl Program {
             Var::Constant(index) => &self.constants[index].path,
             Var::Local(index) => &self.locals[index].path,
         }
+    }
+
+    /// The statements of `step` that stand apart.
+    pub fn apart(&self) -> &[Statement] {
+        fn last(list: &[Statement]) -> &[Statement] {
+            match list.last() {
+                Some(Statement::Apart(body)) => body,
+                Some(Statement::If { otherwise, .. }) => last(otherwise),
+                Some(Statement::Note(_) | Statement::Assign { .. } | Statement::Choose { .. }) | None => &[],
+            }
+        }
+        last(&self.step)
     }
 
     /// The statements of both bodies.

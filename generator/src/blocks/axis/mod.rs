@@ -2,8 +2,9 @@
 
 use super::ipc::notes::{self as ipc_notes, cycle_time, note};
 use super::values::{Value, Values, of_part};
-use super::{Part, Summary, feedforward, position_control};
+use super::{Certified, Part, Summary, feedforward, ipc, position_control};
 use crate::{blocks::designed::Designed, number::digits};
+use compiler::program::Program;
 use reference::axis::{Axis, Coeffs};
 use reference::feedforward::Feedforward;
 use reference::ipc::Ipc;
@@ -11,6 +12,10 @@ use reference::ipc::Ipc;
 impl Part for Axis {
     fn is_asked_for(&self, axis: &crate::axis::Axis) -> bool {
         axis.control.position_control.is_some() && axis.control.spindle.is_none()
+    }
+
+    fn short_name(&self) -> &'static str {
+        "ax"
     }
 
     fn design(designed: &Designed) -> Coeffs<f64> {
@@ -66,5 +71,10 @@ impl Part for Axis {
     fn values(&self, designed: &Designed) -> Values {
         let limit = designed.axis.control.master_limit;
         of_part("gantry", [("limit of the master", limit.map(|limit| Value::Number(limit, "")))])
+    }
+
+    /// The limit of what it adds.
+    fn certificate(&self, designed: &Designed, _: &Program) -> Certified {
+        Certified { figures: ipc::limit(designed).into_iter().collect(), ..Certified::default() }
     }
 }

@@ -15,6 +15,10 @@ impl Part for Feedforward {
         axis.control.feedforward.is_some()
     }
 
+    fn short_name(&self) -> &'static str {
+        "ff"
+    }
+
     fn design(designed: &Designed) -> Coeffs<f64> {
         designed.feedforward
     }

@@ -13,9 +13,10 @@ pub(crate) mod stage;
 mod sum_limit;
 mod verdict;
 
-use super::{Part, Summary};
+use super::{Certified, Figure, Part, Summary};
 use crate::axis::{Axis, Stage};
 use crate::blocks::designed::Designed;
+use crate::design::rounding::literal;
 use crate::parameters::words::{StageMode, Words};
 use compiler::program::Program;
 use reference::ipc::{Coeffs, Ipc};
@@ -24,6 +25,10 @@ impl Part for Ipc {
     fn is_asked_for(&self, axis: &Axis) -> bool {
         // An axis of which nothing is asked gets a block that puts out 0, and a warning.
         axis.ipc.is_active() || axis.control.is_empty()
+    }
+
+    fn short_name(&self) -> &'static str {
+        "ipc"
     }
 
     fn design(designed: &Designed) -> Coeffs<f64> {
@@ -73,13 +78,24 @@ impl Part for Ipc {
         diff::description(designed)
     }
 
-    fn certificate(&self, designed: &Designed, program: &Program) -> Vec<String> {
+    fn certificate(&self, designed: &Designed, program: &Program) -> Certified {
         // A gantry slave's block never acts: there is nothing to measure.
-        match designed.axis.control.master {
-            Some(_) => Vec::new(),
-            None => certificate::lines(&certificate::certify(designed, program)),
+        if designed.axis.control.master.is_some() {
+            return Certified::default();
         }
+        let certificate = certificate::certify(designed, program);
+        let figures = limit(designed).into_iter().chain(certificate::figure(&certificate));
+        Certified { lines: certificate::lines(&certificate), figures: figures.collect() }
     }
+}
+
+/// The largest |v_add| that an axis adds; none: it adds nothing.
+pub(super) fn limit(designed: &Designed) -> Option<Figure> {
+    let axis = &designed.axis;
+    let own = axis.ipc.is_active().then(|| axis.ipc.limit());
+    let doc = "the largest |v_add| [um/s or 0.001 deg/s]".to_owned();
+    let figure = |limit| Figure { name: "LIMIT", doc, value: literal(limit, axis.real) };
+    if axis.control.master.is_some() { axis.control.master_limit.map(figure) } else { own.map(figure) }
 }
 
 fn in_short(stage: &Stage) -> String {

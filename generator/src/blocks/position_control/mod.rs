@@ -15,6 +15,10 @@ impl Part for PositionControl {
         axis.control.position_control.is_some()
     }
 
+    fn short_name(&self) -> &'static str {
+        "pc"
+    }
+
     fn design(designed: &Designed) -> Coeffs<f64> {
         designed.position_control
     }

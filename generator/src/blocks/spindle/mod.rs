@@ -21,6 +21,10 @@ impl Part for Spindle {
         axis.control.spindle.is_some()
     }
 
+    fn short_name(&self) -> &'static str {
+        "sp"
+    }
+
     fn design(designed: &Designed) -> Coeffs<f64> {
         designed.spindle
     }

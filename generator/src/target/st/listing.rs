@@ -52,7 +52,7 @@ pub(super) fn name(axis: &str, block: &str, dialect: &Dialect) -> String {
 }
 
 pub(super) fn listing(axis: &Header, block: &Legal<'_>, dialect: &Dialect) -> Listing {
-    let printer = &Printer::new(&block.program, dialect.language);
+    let printer = &Printer::new(&block.program, dialect.language, "");
     let outline = Outline { axis, block, language: dialect.language, printer, next_line: "\n       " };
     Listing {
         name: name(&axis.name, block.program.block, dialect),
@@ -94,7 +94,7 @@ impl Origin<'_> {
         let instance = format!("{}_{}", self.axis.name.to_ascii_lowercase(), self.block);
         let ty = format!("{0}{1}{0}", dialect.quote, name(&self.axis.name, self.block, dialect));
         Self {
-            certificate: comment::wrapped(&block.block.certificate, COMMENT_WIDTH, "\n   "),
+            certificate: comment::wrapped(&block.block.certificate.lines, COMMENT_WIDTH, "\n   "),
             instance: [format!("{}{instance}", dialect.mark), format!("{instance} : {ty}")],
             arguments: inputs.iter().map(argument).collect(),
             ..self

@@ -5,7 +5,9 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  8fe3d1f2dab55b1cc386ce2a9c62c311
- * checksum    3e1f95b703021cd496875a2832565d1e
+ * structure   e992a8539608b0cbdbd4583d26df7940
+ * checksum    fb01d80cac64cdeeadf0891ca6fa47ba
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_y_ipc.h"
 
@@ -28,7 +30,7 @@
 #endif
 
 /* |value|, without a library */
-static double magnitude(double value)
+static double axis_y_ipc_magnitude(double value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs(value);
@@ -37,98 +39,27 @@ static double magnitude(double value)
 #endif
 }
 
-/* cycle time 2000 us, the coefficients hold for no other */
-static const uint32_t cycle_time_ns = 2000000u; /* cycle time that all coefficients were designed for [ns] */
-
-/* DIRECT (P-AXIS-00753) from v_direct, weight 80/100 = 0.8 (P-AXIS-00754/00755)
- * BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 36 Hz (P-AXIS-00751), quality
- * factor 4 (P-AXIS-00752), -3 dB at 31.76085 and 40.76085 Hz
- * section 1 of 2: centre frequency 32.93491 Hz, quality factor 5.483077, gain 1.42018 there and 1 at 36 Hz */
-static const double stage0_filter0_bandpass0_b2 = -0.05023933873913654; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage0_filter0_bandpass0_a1 = -1.7663636462346728; /* denominator: s1 = s2 - a1 y */
-static const double stage0_filter0_bandpass0_a2 = 0.9292493565764681; /* denominator: s2 = b2 x - a2 y */
-
-/* section 2 of 2: centre frequency 39.32888 Hz, quality factor 5.483077, gain 1.42018 there and 1 at 36 Hz */
-static const double stage0_filter0_bandpass1_b2 = -0.058883543519194934; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage0_filter0_bandpass1_a1 = -1.6876755600376976; /* denominator: s1 = s2 - a1 y */
-static const double stage0_filter0_bandpass1_a2 = 0.9170759668499533; /* denominator: s2 = b2 x - a2 y */
-
-/* ALLPASS (P-AXIS-00849): -180 deg at 28.1 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg at
- * 21.90407 and -270 deg at 35.95407 Hz */
-static const double stage0_filter1_allpass_a1 = -1.724010005392215; /* numerator and denominator: s1 = a1 x - a1 y + s2 */
-static const double stage0_filter1_allpass_a2 = 0.8373760615296454; /* numerator and denominator: y = a2 x + s1, s2 = x - a2 y */
-
-/* -weight, against the vibration; at 36 Hz the stage adds 0.8 times its source at -90.30454 deg */
-static const double stage0_gain = -0.8; /* -weight: negative, because the stage moves the motor against the vibration */
-
-/* SET_POINT (P-AXIS-00753) from v_command, weight 45/100 = 0.45 (P-AXIS-00754/00755)
- * simulated oscillation of the load, f0 of the first BANDPASS 18 Hz (P-AXIS-00751), damping ratio 0.5
- * (P-AXIS-00850): gain 1 at DC, 1.414214 and -45 deg at f0 */
-static const double stage1_oscillation_b0 = 0.11228124405870729; /* numerator: y = b0 x + s1 */
-static const double stage1_oscillation_b1 = 0.02290469996786741; /* numerator: s1 = b1 x - a1 y + s2 */
-static const double stage1_oscillation_b2 = -0.0893765440908399; /* numerator: s2 = b2 x - a2 y */
-static const double stage1_oscillation_a1 = -1.752532811914718; /* denominator: s1 = b1 x - a1 y + s2 */
-static const double stage1_oscillation_a2 = 0.7983422118504528; /* denominator: s2 = b2 x - a2 y */
-static const double stage1_oscillation_preset_s1 = 0.8877187559412927; /* 1 - b0: steady s1 for a constant input of 1 */
-static const double stage1_oscillation_preset_s2 = -0.8877187559412927; /* b2 - a2: steady s2 for a constant input of 1 */
-
-/* ALLPASS (P-AXIS-00849): -180 deg at 12 Hz (P-AXIS-00751), quality factor 1 (P-AXIS-00752), -90 deg at 7.406215
- * and -270 deg at 19.40622 Hz */
-static const double stage1_filter0_allpass_a1 = -1.838426155617157; /* numerator and denominator: s1 = a1 x - a1 y + s2 */
-static const double stage1_filter0_allpass_a2 = 0.8595285603875744; /* numerator and denominator: y = a2 x + s1, s2 = x - a2 y */
-static const double stage1_filter0_allpass_preset = 0.14047143961242559; /* 1 - a2: steady s1 and s2 for a constant input of 1 */
-
-/* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 18 Hz (P-AXIS-00751), quality factor 3
- * (P-AXIS-00752), -3 dB at 15.24407 and 21.24407 Hz
- * section 1 of 2: centre frequency 16.16088 Hz, quality factor 2.714799, gain 1.161518 there and 1 at 18 Hz */
-static const double stage1_filter1_bandpass0_b2 = -0.04160096799102977; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage1_filter1_bandpass0_a1 = -1.8887386133969648; /* denominator: s1 = s2 - a1 y */
-static const double stage1_filter1_bandpass0_a2 = 0.9283679129343531; /* denominator: s2 = b2 x - a2 y */
-
-/* section 2 of 2: centre frequency 20.04442 Hz, quality factor 2.714799, gain 1.161518 there and 1 at 18 Hz */
-static const double stage1_filter1_bandpass1_b2 = -0.05097629628073575; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage1_filter1_bandpass1_a1 = -1.8518828641013412; /* denominator: s1 = s2 - a1 y */
-static const double stage1_filter1_bandpass1_a2 = 0.9122246748139792; /* denominator: s2 = b2 x - a2 y */
-
-/* -weight, against the vibration; at 18 Hz the stage adds 0.6363961 times its source at -124.6381 deg */
-static const double stage1_gain = -0.45; /* -weight: negative, because the stage moves the motor against the vibration */
-
-/* largest |v_add| = 200000: 500 * 0.1 % (P-AXIS-00757) of 400000 (P-AXIS-00212) */
-static const double limit = 200000.0; /* largest |v_add| */
-static const double lower_limit = -200000.0; /* -limit */
-
-/* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
-/* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
-static const double rest = 3.469446951953614e-13;
-
-/* OFF to ON takes 0.1 s (key fade), in cycles */
-static const uint32_t fade_cycles = 50u; /* cycles that the fade takes from 0 to 1 */
-static const double fade_step = 0.02; /* 1 / fade_cycles */
-
-/* the same for every axis */
-static const uint32_t error_none = 0u; /* error_id: no fault */
-static const int32_t mode_on = 1; /* mode: the block acts */
-static const int32_t mode_off = 0; /* mode: the block is off */
-static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const double sample_limit = 1000000000000000.0;
-/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
- * anew */
-static const uint32_t error_state = 3u;
-/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_cycle_time = 1u;
-static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
-static const uint32_t error_v_command = 11u; /* error_id: v_command is not within the sample limit */
-static const uint32_t error_v_direct = 13u; /* error_id: v_direct is not within the sample limit */
-/* added in every update of s2, so that a section at rest never decays into subnormal numbers */
-static const double anti_denormal = 1.0e-30;
-static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
-
-void axis_y_ipc_init(axis_y_ipc_state *state)
+void axis_y_ipc_init(axis_y_ipc_state *fresh)
 {
-    state->disturbed = false;
+    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    volatile axis_y_ipc_state *const state = fresh;
     state->preset = false;
     state->fade = 0u;
+    state->disturbed = false;
+    state->stage0_filter0_section0_s1 = 0.0;
+    state->stage0_filter0_section0_s2 = 0.0;
+    state->stage0_filter0_section1_s1 = 0.0;
+    state->stage0_filter0_section1_s2 = 0.0;
+    state->stage0_filter1_section0_s1 = 0.0;
+    state->stage0_filter1_section0_s2 = 0.0;
+    state->stage1_oscillation_s1 = 0.0;
+    state->stage1_oscillation_s2 = 0.0;
+    state->stage1_filter0_section0_s1 = 0.0;
+    state->stage1_filter0_section0_s2 = 0.0;
+    state->stage1_filter1_section0_s1 = 0.0;
+    state->stage1_filter1_section0_s2 = 0.0;
+    state->stage1_filter1_section1_s1 = 0.0;
+    state->stage1_filter1_section1_s2 = 0.0;
 }
 
 void axis_y_ipc_inputs_init(axis_y_ipc_inputs *inputs)
@@ -146,35 +77,112 @@ void axis_y_ipc_step(
     const axis_y_ipc_inputs *restrict inputs,
     axis_y_ipc_outputs *restrict outputs)
 {
+    /* cycle time 2000 us, the coefficients hold for no other */
+    static const uint32_t cycle_time_ns = 2000000u; /* cycle time that all coefficients were designed for [ns] */
+
+    /* DIRECT (P-AXIS-00753) from v_direct, weight 80/100 = 0.8 (P-AXIS-00754/00755)
+     * BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 36 Hz (P-AXIS-00751), quality
+     * factor 4 (P-AXIS-00752), -3 dB at 31.76085 and 40.76085 Hz
+     * section 1 of 2: centre frequency 32.93491 Hz, quality factor 5.483077, gain 1.42018 there and 1 at 36 Hz */
+    static const double stage0_filter0_bandpass0_b2 = -0.05023933873913654; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage0_filter0_bandpass0_a1 = -1.7663636462346728; /* denominator: s1 = s2 - a1 y */
+    static const double stage0_filter0_bandpass0_a2 = 0.9292493565764681; /* denominator: s2 = b2 x - a2 y */
+
+    /* section 2 of 2: centre frequency 39.32888 Hz, quality factor 5.483077, gain 1.42018 there and 1 at 36 Hz */
+    static const double stage0_filter0_bandpass1_b2 = -0.058883543519194934; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage0_filter0_bandpass1_a1 = -1.6876755600376976; /* denominator: s1 = s2 - a1 y */
+    static const double stage0_filter0_bandpass1_a2 = 0.9170759668499533; /* denominator: s2 = b2 x - a2 y */
+
+    /* ALLPASS (P-AXIS-00849): -180 deg at 28.1 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg at
+     * 21.90407 and -270 deg at 35.95407 Hz */
+    static const double stage0_filter1_allpass_a1 = -1.724010005392215; /* numerator and denominator: s1 = a1 x - a1 y + s2 */
+    static const double stage0_filter1_allpass_a2 = 0.8373760615296454; /* numerator and denominator: y = a2 x + s1, s2 = x - a2 y */
+
+    /* -weight, against the vibration; at 36 Hz the stage adds 0.8 times its source at -90.30454 deg */
+    static const double stage0_gain = -0.8; /* -weight: negative, because the stage moves the motor against the vibration */
+
+    /* SET_POINT (P-AXIS-00753) from v_command, weight 45/100 = 0.45 (P-AXIS-00754/00755)
+     * simulated oscillation of the load, f0 of the first BANDPASS 18 Hz (P-AXIS-00751), damping ratio 0.5
+     * (P-AXIS-00850): gain 1 at DC, 1.414214 and -45 deg at f0 */
+    static const double stage1_oscillation_b0 = 0.11228124405870729; /* numerator: y = b0 x + s1 */
+    static const double stage1_oscillation_b1 = 0.02290469996786741; /* numerator: s1 = b1 x - a1 y + s2 */
+    static const double stage1_oscillation_b2 = -0.0893765440908399; /* numerator: s2 = b2 x - a2 y */
+    static const double stage1_oscillation_a1 = -1.752532811914718; /* denominator: s1 = b1 x - a1 y + s2 */
+    static const double stage1_oscillation_a2 = 0.7983422118504528; /* denominator: s2 = b2 x - a2 y */
+    static const double stage1_oscillation_preset_s1 = 0.8877187559412927; /* 1 - b0: steady s1 for a constant input of 1 */
+    static const double stage1_oscillation_preset_s2 = -0.8877187559412927; /* b2 - a2: steady s2 for a constant input of 1 */
+
+    /* ALLPASS (P-AXIS-00849): -180 deg at 12 Hz (P-AXIS-00751), quality factor 1 (P-AXIS-00752), -90 deg at 7.406215
+     * and -270 deg at 19.40622 Hz */
+    static const double stage1_filter0_allpass_a1 = -1.838426155617157; /* numerator and denominator: s1 = a1 x - a1 y + s2 */
+    static const double stage1_filter0_allpass_a2 = 0.8595285603875744; /* numerator and denominator: y = a2 x + s1, s2 = x - a2 y */
+    static const double stage1_filter0_allpass_preset = 0.14047143961242559; /* 1 - a2: steady s1 and s2 for a constant input of 1 */
+
+    /* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 18 Hz (P-AXIS-00751), quality factor 3
+     * (P-AXIS-00752), -3 dB at 15.24407 and 21.24407 Hz
+     * section 1 of 2: centre frequency 16.16088 Hz, quality factor 2.714799, gain 1.161518 there and 1 at 18 Hz */
+    static const double stage1_filter1_bandpass0_b2 = -0.04160096799102977; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage1_filter1_bandpass0_a1 = -1.8887386133969648; /* denominator: s1 = s2 - a1 y */
+    static const double stage1_filter1_bandpass0_a2 = 0.9283679129343531; /* denominator: s2 = b2 x - a2 y */
+
+    /* section 2 of 2: centre frequency 20.04442 Hz, quality factor 2.714799, gain 1.161518 there and 1 at 18 Hz */
+    static const double stage1_filter1_bandpass1_b2 = -0.05097629628073575; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage1_filter1_bandpass1_a1 = -1.8518828641013412; /* denominator: s1 = s2 - a1 y */
+    static const double stage1_filter1_bandpass1_a2 = 0.9122246748139792; /* denominator: s2 = b2 x - a2 y */
+
+    /* -weight, against the vibration; at 18 Hz the stage adds 0.6363961 times its source at -124.6381 deg */
+    static const double stage1_gain = -0.45; /* -weight: negative, because the stage moves the motor against the vibration */
+
+    /* largest |v_add| = 200000: 500 * 0.1 % (P-AXIS-00757) of 400000 (P-AXIS-00212) */
+    static const double limit = 200000.0; /* largest |v_add| */
+    static const double lower_limit = -200000.0; /* -limit */
+
+    /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
+    /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
+    static const double rest = 3.469446951953614e-13;
+
+    /* OFF to ON takes 0.1 s (key fade), in cycles */
+    static const uint32_t fade_cycles = 50u; /* cycles that the fade takes from 0 to 1 */
+    static const double fade_step = 0.02; /* 1 / fade_cycles */
+
+    /* the same for every axis */
+    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    static const double sample_limit = 1000000000000000.0;
+    /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
+    static const double anti_denormal = 1.0e-30;
+    static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
+
     bool runs;
     uint32_t reason;
-    if (magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_direct) <= sample_limit
+    if (axis_y_ipc_magnitude(inputs->v_command) <= sample_limit
+            && axis_y_ipc_magnitude(inputs->v_direct) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
+            && !inputs->reset && inputs->mode == AXIS_Y_IPC_MODE_ON && state->fade >= fade_cycles) {
         runs = true;
-        reason = error_none;
+        reason = AXIS_Y_IPC_ERROR_NONE;
     } else if (state->disturbed) {
         state->disturbed = false;
         runs = false;
-        reason = error_state;
-    } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
-            && magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_direct) <= sample_limit
+        reason = AXIS_Y_IPC_ERROR_STATE;
+    } else if ((inputs->mode == AXIS_Y_IPC_MODE_ON || inputs->mode == AXIS_Y_IPC_MODE_OFF
+                || inputs->mode == AXIS_Y_IPC_MODE_DRYRUN) && axis_y_ipc_magnitude(inputs->v_command) <= sample_limit
+            && axis_y_ipc_magnitude(inputs->v_direct) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
             && !inputs->reset) {
         if (state->preset) {
-            if (inputs->mode == mode_on) {
+            if (inputs->mode == AXIS_Y_IPC_MODE_ON) {
                 state->fade = state->fade + 1u;
             } else {
                 if (state->fade > 0u) {
                     state->fade = state->fade - 1u;
                 }
-                if (inputs->mode == mode_off && state->fade == 0u) {
+                if (inputs->mode == AXIS_Y_IPC_MODE_OFF && state->fade == 0u) {
                     state->preset = false;
                 }
             }
             runs = true;
         } else {
-            if (inputs->mode != mode_off) {
+            if (inputs->mode != AXIS_Y_IPC_MODE_OFF) {
                 /* DIRECT (P-AXIS-00753) from v_direct, weight 80/100 = 0.8 (P-AXIS-00754/00755) */
                 /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 36 Hz (P-AXIS-00751),
                  * quality factor 4 (P-AXIS-00752), -3 dB at 31.76085 and 40.76085 Hz */
@@ -211,26 +219,27 @@ void axis_y_ipc_step(
             }
             runs = false;
         }
-        reason = error_none;
+        reason = AXIS_Y_IPC_ERROR_NONE;
     } else {
         state->fade = 0u;
         state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
-            reason = error_cycle_time;
-        } else if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
-            reason = error_mode;
-        } else if (!(magnitude(inputs->v_command) <= sample_limit)) {
-            reason = error_v_command;
-        } else if (magnitude(inputs->v_direct) <= sample_limit) {
-            reason = error_none;
+            reason = AXIS_Y_IPC_ERROR_CYCLE_TIME;
+        } else if (!(inputs->mode == AXIS_Y_IPC_MODE_ON || inputs->mode == AXIS_Y_IPC_MODE_OFF
+                || inputs->mode == AXIS_Y_IPC_MODE_DRYRUN)) {
+            reason = AXIS_Y_IPC_ERROR_MODE;
+        } else if (!(axis_y_ipc_magnitude(inputs->v_command) <= sample_limit)) {
+            reason = AXIS_Y_IPC_ERROR_V_COMMAND;
+        } else if (axis_y_ipc_magnitude(inputs->v_direct) <= sample_limit) {
+            reason = AXIS_Y_IPC_ERROR_NONE;
         } else {
-            reason = error_v_direct;
+            reason = AXIS_Y_IPC_ERROR_V_DIRECT;
         }
         runs = false;
     }
     if (runs) {
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_Y_IPC_ERROR_NONE;
         /* DIRECT (P-AXIS-00753) from v_direct, weight 80/100 = 0.8 (P-AXIS-00754/00755) */
         /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 36 Hz (P-AXIS-00751),
          * quality factor 4 (P-AXIS-00752), -3 dB at 31.76085 and 40.76085 Hz */
@@ -291,14 +300,14 @@ void axis_y_ipc_step(
         const double v_stage1 = stage1_gain * stage1_filter1_section1_y;
         const double v_sum1 = v_stage0 + v_stage1;
         double v_limited;
-        if (magnitude(v_sum1) <= limit) {
+        if (axis_y_ipc_magnitude(v_sum1) <= limit) {
             outputs->limited = false;
-            if (magnitude(v_sum1) <= rest) {
+            if (axis_y_ipc_magnitude(v_sum1) <= rest) {
                 v_limited = 0.0;
             } else {
                 v_limited = v_sum1;
             }
-        } else if (magnitude(v_sum1) <= sum_limit) {
+        } else if (axis_y_ipc_magnitude(v_sum1) <= sum_limit) {
             outputs->limited = true;
             if (v_sum1 > 0.0) {
                 v_limited = limit;
@@ -323,7 +332,7 @@ void axis_y_ipc_step(
             } else {
                 outputs->v_add = 0.0;
             }
-            if (inputs->mode == mode_off) {
+            if (inputs->mode == AXIS_Y_IPC_MODE_OFF) {
                 outputs->v_add_calculated = 0.0;
             } else {
                 outputs->v_add_calculated = v_limited;
@@ -333,144 +342,7 @@ void axis_y_ipc_step(
         outputs->v_add = 0.0;
         outputs->v_add_calculated = 0.0;
         outputs->limited = false;
-        outputs->fault = reason != error_none;
+        outputs->fault = reason != AXIS_Y_IPC_ERROR_NONE;
         outputs->error_id = reason;
     }
-}
-
-static uint64_t bits_of(double value)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.value = value;
-    return view.bits;
-}
-
-static double real_of(uint64_t bits)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.bits = bits;
-    return view.value;
-}
-
-static uint64_t fold(uint64_t digest, uint64_t bits)
-{
-    return ((digest << 5) | (digest >> 59)) + bits;
-}
-
-uint32_t axis_y_ipc_self_test(void)
-{
-    /* the reference's digest of all outputs and of the state, after each sample */
-    static const uint64_t expected[38] = {
-        UINT64_C(0x403d1d2c74f35e40),
-        UINT64_C(0x174d2d437f9d7b9d),
-        UINT64_C(0x2da117e2b9d60eff),
-        UINT64_C(0x876ff06c9210de11),
-        UINT64_C(0x9b422c24c567d746),
-        UINT64_C(0x2c1cd0824dce9336),
-        UINT64_C(0xce7b1d0beb18e273),
-        UINT64_C(0x0adf44d260864407),
-        UINT64_C(0x9643e06f04dd8099),
-        UINT64_C(0x098ea04bbd5cf1e7),
-        UINT64_C(0x2afe78e6db6a704b),
-        UINT64_C(0x639b2e9040d8835c),
-        UINT64_C(0x4070b8b38fa5233a),
-        UINT64_C(0xd8b28694750ea54c),
-        UINT64_C(0xa9691bea01f70fa2),
-        UINT64_C(0x678ea568f1fb8dc7),
-        UINT64_C(0xca26b6ac94bb1215),
-        UINT64_C(0x479f9452bcebef84),
-        UINT64_C(0xf062d77378b3629e),
-        UINT64_C(0xfce6760183c521ea),
-        UINT64_C(0xe4ea5bad71f055f9),
-        UINT64_C(0x899d288f8da1ae7b),
-        UINT64_C(0x31337228b0c7cffc),
-        UINT64_C(0xa25a760942b112e8),
-        UINT64_C(0xa1cf4636921c0d2c),
-        UINT64_C(0x78d7a3e7afae8aab),
-        UINT64_C(0xc0528dcc7672ed8b),
-        UINT64_C(0xa9f10c6d2b305612),
-        UINT64_C(0x51a8da6fb2b625cd),
-        UINT64_C(0x42e102fce233258b),
-        UINT64_C(0xce9d5da920edf59a),
-        UINT64_C(0xd552c29e6a23b7ff),
-        UINT64_C(0xd8487abc31b5e74c),
-        UINT64_C(0xa44be8673751dcf2),
-        UINT64_C(0x11572767d7c8a614),
-        UINT64_C(0x26914a3ca967852e),
-        UINT64_C(0xa9b788bb44c53f07),
-        UINT64_C(0x50c04a67ef6df679),
-    };
-    /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_y_ipc_state *, const axis_y_ipc_inputs *, axis_y_ipc_outputs *) =
-        axis_y_ipc_step;
-    axis_y_ipc_state state;
-    axis_y_ipc_inputs inputs;
-    axis_y_ipc_outputs outputs;
-    uint64_t digest = 0u;
-    uint64_t noise;
-    double scale;
-    uint32_t random = 1u;
-    uint32_t sample;
-    /* 1 + 2^-30 and its rounded square; volatile: worked out when it runs */
-    volatile double factor = real_of(UINT64_C(0x3ff0000000400000));
-    volatile double square = real_of(UINT64_C(0x3ff0000000800000));
-    const double product = factor * factor;
-    const double remainder = product - square;
-
-    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
-    if (bits_of(remainder) != 0u) {
-        return 1u;
-    }
-    /* as it stands here, unless the compiler takes constants for single precision */
-    if (bits_of(0.1) != UINT64_C(0x3fb999999999999a)) {
-        return 1u;
-    }
-
-    axis_y_ipc_init(&state);
-    axis_y_ipc_inputs_init(&inputs);
-    inputs.mode = 1;
-    for (sample = 0u; sample < 38u; sample++) {
-        /* at first within every limit, so that nothing is cut off */
-        scale = sample < 30u ? 0.0009765625 : 1.0;
-        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_command = real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_direct = real_of(sample == 4u ? UINT64_C(0x7ff8000000000000) : noise);
-        step(&state, &inputs, &outputs);
-        digest = fold(digest, bits_of(outputs.v_add));
-        digest = fold(digest, bits_of(outputs.v_add_calculated));
-        digest = fold(digest, outputs.limited);
-        digest = fold(digest, outputs.fault);
-        digest = fold(digest, outputs.error_id);
-        digest = fold(digest, state.preset);
-        digest = fold(digest, state.fade);
-        digest = fold(digest, state.disturbed);
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s2));
-        digest = fold(digest, bits_of(state.stage0_filter0_section1_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section1_s2));
-        digest = fold(digest, bits_of(state.stage0_filter1_section0_s1));
-        digest = fold(digest, bits_of(state.stage0_filter1_section0_s2));
-        digest = fold(digest, bits_of(state.stage1_oscillation_s1));
-        digest = fold(digest, bits_of(state.stage1_oscillation_s2));
-        digest = fold(digest, bits_of(state.stage1_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage1_filter0_section0_s2));
-        digest = fold(digest, bits_of(state.stage1_filter1_section0_s1));
-        digest = fold(digest, bits_of(state.stage1_filter1_section0_s2));
-        digest = fold(digest, bits_of(state.stage1_filter1_section1_s1));
-        digest = fold(digest, bits_of(state.stage1_filter1_section1_s2));
-        if (digest != expected[sample]) {
-            return sample + 1u;
-        }
-    }
-    return 0u;
 }

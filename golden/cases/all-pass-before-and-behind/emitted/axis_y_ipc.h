@@ -5,11 +5,14 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  8fe3d1f2dab55b1cc386ce2a9c62c311
- * checksum    6c1d0a12def2a64fe31285cc99e4ba5e
+ * structure   e992a8539608b0cbdbd4583d26df7940
+ * checksum    4448e7f20805518e9946594be44cf398
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_Y_IPC_H
 #define AXIS_Y_IPC_H
 
+#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -26,6 +29,58 @@ extern "C" {
  * designed 0.4669993 at -8.394353 deg, measured 0.4669993 at -8.394353 deg; at 21.24407 Hz: designed 0.3950192
  * at 126.0853 deg, measured 0.3950192 at 126.0853 deg
  * largest deviation of measured from designed: 1.5e-14 */
+
+/* What code can compare with what it expects, at its start or in an #if. */
+/* the cycle time that the block is designed for [ns] */
+#define AXIS_Y_IPC_CYCLE_TIME_NS 2000000u
+/* the bits of its real type */
+#define AXIS_Y_IPC_REAL_BITS 64
+/* the largest |v_add| [um/s] */
+#define AXIS_Y_IPC_LIMIT 200000.0
+/* the bound of |v_add| before the limit that is certain for |v| <= 400000 [um/s] */
+#define AXIS_Y_IPC_BOUND 840601.8592970615
+/* the digest of its parameters, as in the head of this file */
+#define AXIS_Y_IPC_PARAMETERS_0 0x8fe3d1f2u
+#define AXIS_Y_IPC_PARAMETERS_1 0xdab55b1cu
+#define AXIS_Y_IPC_PARAMETERS_2 0xc386ce2au
+#define AXIS_Y_IPC_PARAMETERS_3 0x9c62c311u
+/* the digest of its structure: the same where two blocks differ in the values of coefficients only */
+#define AXIS_Y_IPC_STRUCTURE_0 0xe992a853u
+#define AXIS_Y_IPC_STRUCTURE_1 0x9608b0cbu
+#define AXIS_Y_IPC_STRUCTURE_2 0xdbd4583du
+#define AXIS_Y_IPC_STRUCTURE_3 0x26df7940u
+/* the bytes of its structs where a bool has one and each member is aligned to its own size */
+#define AXIS_Y_IPC_INPUTS_SIZE 32u
+#define AXIS_Y_IPC_OUTPUTS_SIZE 24u
+#define AXIS_Y_IPC_STATE_SIZE 128u
+
+/* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
+ * Nothing else is asserted: the alignment of members is the ABI's own affair. */
+#if defined(__cplusplus) && __cplusplus >= 201103L
+static_assert(sizeof(double) * CHAR_BIT == AXIS_Y_IPC_REAL_BITS, "double must have 64 bits");
+#elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
+_Static_assert(sizeof(double) * CHAR_BIT == AXIS_Y_IPC_REAL_BITS, "double must have 64 bits");
+#else
+typedef char axis_y_ipc_real_has_64_bits[sizeof(double) * CHAR_BIT == AXIS_Y_IPC_REAL_BITS ? 1 : -1];
+#endif
+
+/* values of the input mode */
+enum {
+    AXIS_Y_IPC_MODE_OFF = 0, /* the block is off */
+    AXIS_Y_IPC_MODE_ON = 1, /* the block acts */
+    AXIS_Y_IPC_MODE_DRYRUN = 2 /* the block calculates and does not act */
+};
+
+/* values of the output error_id */
+enum {
+    AXIS_Y_IPC_ERROR_NONE = 0, /* no fault */
+    AXIS_Y_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
+    AXIS_Y_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
+    /* a state of the block is no number, or beyond all that samples in range lead to; everything starts anew */
+    AXIS_Y_IPC_ERROR_STATE = 3,
+    AXIS_Y_IPC_ERROR_V_COMMAND = 11, /* v_command is not within the sample limit */
+    AXIS_Y_IPC_ERROR_V_DIRECT = 13 /* v_direct is not within the sample limit */
+};
 
 /* Written by the caller. axis_y_ipc_inputs_init fills in what is said to be the start. */
 typedef struct {
@@ -71,8 +126,15 @@ typedef struct {
     double stage1_filter1_section1_s2; /* what `s1` takes over */
 } axis_y_ipc_state;
 
-/* Once before the first cycle. */
-void axis_y_ipc_init(axis_y_ipc_state *state);
+/* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls
+ * no library, and takes little stack. Calls with different states may interrupt each other. Of one state only one
+ * function may be at work: neither step nor init may be interrupted by a call for the same state.
+ * step writes each output once, with its final value, but one output after another. Another task or interrupt that reads
+ * several of them copies them while step cannot run (its interrupt is off), or reads copies that the task of step
+ * puts into two buffers in turn, behind a counter. */
+
+/* Once before the first cycle: every member of the state gets its start. */
+void axis_y_ipc_init(axis_y_ipc_state *fresh);
 
 /* Gives every input the value that it has until the caller writes it. */
 void axis_y_ipc_inputs_init(axis_y_ipc_inputs *inputs);
@@ -83,10 +145,11 @@ void axis_y_ipc_step(
     const axis_y_ipc_inputs *inputs,
     axis_y_ipc_outputs *outputs);
 
-/* Compares a run of 38 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
+/* In a file of its own, axis_y_ipc_self_test.c: a build that does not call it leaves it out.
+ * Compares a run of 38 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
  * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
- * precision. Run it once at start-up, on the machine and with the compiler options that the block runs with: it finds a
- * build that fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
+ * precision. Run it once at start-up, on the machine, both files with the same compiler options: it finds a build that
+ * fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
 uint32_t axis_y_ipc_self_test(void);
 
 #ifdef __cplusplus

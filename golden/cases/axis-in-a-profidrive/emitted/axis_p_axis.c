@@ -5,7 +5,9 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  f96437c6c55f5ffae303567efedf6e0d
- * checksum    ab718513367d2c43562bb40b1fce9434
+ * structure   c6fa11f3255d864565884c00ba8ced9d
+ * checksum    e2d3b885652904a058a07c1559e65bde
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_p_axis.h"
 
@@ -28,7 +30,7 @@
 #endif
 
 /* |value|, without a library */
-static double magnitude(double value)
+static double axis_p_axis_magnitude(double value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs(value);
@@ -39,7 +41,7 @@ static double magnitude(double value)
 
 /* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
  * rightly; without a library */
-static int32_t nearest(double value)
+static int32_t axis_p_axis_nearest(double value)
 {
 #if defined(__GNUC__)
     return (int32_t)(value + __builtin_copysign(0.49999999999999994, value));
@@ -48,42 +50,14 @@ static int32_t nearest(double value)
 #endif
 }
 
-/* cycle time 1000 us, the coefficients hold for no other */
-static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
-
-/* weight of the whole feedforward 1/1 = 1 (P-AXIS-00228/00229) */
-static const double feedforward_weight = 1.0; /* weight of the whole feedforward at 100 % */
-static const double feedforward_weight_per_percent = 0.01; /* weight / 100 */
-
-/* time constant Ta = 4 ms (P-AXIS-00225/00226) */
-static const double feedforward_t_a = 0.004; /* time constant of the acceleration [s] */
-
-/* 1/Kv, Kv = 30/s (P-AXIS-00099): the drive must have the same (SERCOS S-0-0104, CANopen 30C0h:01) */
-static const double position_control_lag = 0.03333333333333333; /* 1 / Kv of the drive: position lag for a velocity [s] */
-
-/* path resolution R = 10.48576 increments per 0.1 um (P-AXIS-00092, 00233, 00234, 00362, 00363) */
-static const double position_control_xerr_scale = 104.8576; /* increments for 1 um */
-static const int32_t position_control_xerr_range_lowest = (-2147483647 - 1); /* smallest value of the process data */
-static const int32_t position_control_xerr_range_highest = 2147483647; /* largest value of the process data */
-/* smallest number that is rounded to the smallest value */
-static const double position_control_xerr_range_lower_limit = -2147483648.4999995;
-/* largest number that is rounded to the largest value */
-static const double position_control_xerr_range_upper_limit = 2147483647.4999998;
-
-/* the same for every axis */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const double sample_limit = 1000000000000000.0;
-static const uint32_t error_x_command = 17u; /* error_id: x_command is not within the sample limit */
-static const uint32_t error_none = 0u; /* error_id: no fault */
-/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_cycle_time = 1u;
-static const uint32_t error_x_actual = 18u; /* error_id: x_actual is not within the sample limit */
-static const uint32_t error_a_interpolator = 15u; /* error_id: a_interpolator is not within the sample limit */
-static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
-
-void axis_p_axis_init(axis_p_axis_state *state)
+void axis_p_axis_init(axis_p_axis_state *fresh)
 {
+    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    volatile axis_p_axis_state *const state = fresh;
     state->position_control_preset = false;
+    state->position_control_shift_x0 = 0.0;
+    state->position_control_shift_x1 = 0.0;
+    state->position_control_shift_x2 = 0.0;
     state->position_control_x_held = 0.0;
 }
 
@@ -105,14 +79,40 @@ void axis_p_axis_step(
     const axis_p_axis_inputs *restrict inputs,
     axis_p_axis_outputs *restrict outputs)
 {
-    if (!(magnitude(inputs->x_command) <= sample_limit)) {
+    /* cycle time 1000 us, the coefficients hold for no other */
+    static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
+
+    /* weight of the whole feedforward 1/1 = 1 (P-AXIS-00228/00229) */
+    static const double feedforward_weight = 1.0; /* weight of the whole feedforward at 100 % */
+    static const double feedforward_weight_per_percent = 0.01; /* weight / 100 */
+
+    /* time constant Ta = 4 ms (P-AXIS-00225/00226) */
+    static const double feedforward_t_a = 0.004; /* time constant of the acceleration [s] */
+
+    /* 1/Kv, Kv = 30/s (P-AXIS-00099): the drive must have the same (SERCOS S-0-0104, CANopen 30C0h:01) */
+    static const double position_control_lag = 0.03333333333333333; /* 1 / Kv of the drive: position lag for a velocity [s] */
+
+    /* path resolution R = 10.48576 increments per 0.1 um (P-AXIS-00092, 00233, 00234, 00362, 00363) */
+    static const double position_control_xerr_scale = 104.8576; /* increments for 1 um */
+    static const int32_t position_control_xerr_range_lowest = (-2147483647 - 1); /* smallest value of the process data */
+    static const int32_t position_control_xerr_range_highest = 2147483647; /* largest value of the process data */
+    /* smallest number that is rounded to the smallest value */
+    static const double position_control_xerr_range_lower_limit = -2147483648.4999995;
+    /* largest number that is rounded to the largest value */
+    static const double position_control_xerr_range_upper_limit = 2147483647.4999998;
+
+    /* the same for every axis */
+    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    static const double sample_limit = 1000000000000000.0;
+
+    if (!(axis_p_axis_magnitude(inputs->x_command) <= sample_limit)) {
         state->position_control_preset = false;
         outputs->x_drive = state->position_control_x_held;
         outputs->v_feedforward = 0.0;
         outputs->xerr = 0;
         outputs->limited = false;
         outputs->fault = true;
-        outputs->error_id = error_x_command;
+        outputs->error_id = AXIS_P_AXIS_ERROR_X_COMMAND;
     } else if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
         state->position_control_preset = false;
         state->position_control_x_held = inputs->x_command;
@@ -121,8 +121,8 @@ void axis_p_axis_step(
         outputs->xerr = 0;
         outputs->limited = false;
         outputs->fault = true;
-        outputs->error_id = error_cycle_time;
-    } else if (!(magnitude(inputs->x_actual) <= sample_limit)) {
+        outputs->error_id = AXIS_P_AXIS_ERROR_CYCLE_TIME;
+    } else if (!(axis_p_axis_magnitude(inputs->x_actual) <= sample_limit)) {
         state->position_control_preset = false;
         state->position_control_x_held = inputs->x_command;
         outputs->v_feedforward = 0.0;
@@ -130,7 +130,7 @@ void axis_p_axis_step(
         outputs->xerr = 0;
         outputs->limited = false;
         outputs->fault = true;
-        outputs->error_id = error_x_actual;
+        outputs->error_id = AXIS_P_AXIS_ERROR_X_ACTUAL;
     } else if (!inputs->position_controlled || inputs->reset) {
         state->position_control_preset = false;
         state->position_control_x_held = inputs->x_command;
@@ -139,12 +139,13 @@ void axis_p_axis_step(
         outputs->xerr = 0;
         outputs->limited = false;
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_P_AXIS_ERROR_NONE;
     } else {
         double feedforward_v_feedforward;
-        if (magnitude(inputs->v_interpolator) <= sample_limit && magnitude(inputs->a_interpolator) <= sample_limit) {
+        if (axis_p_axis_magnitude(inputs->v_interpolator) <= sample_limit
+                && axis_p_axis_magnitude(inputs->a_interpolator) <= sample_limit) {
             outputs->fault = false;
-            outputs->error_id = error_none;
+            outputs->error_id = AXIS_P_AXIS_ERROR_NONE;
             double feedforward_gain_now;
             if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
                 if (inputs->feedforward_percentage >= 100) {
@@ -159,10 +160,10 @@ void axis_p_axis_step(
             feedforward_v_feedforward = feedforward_gain_now * feedforward_v_a;
         } else {
             outputs->fault = true;
-            if (magnitude(inputs->a_interpolator) <= sample_limit) {
-                outputs->error_id = error_v_interpolator;
+            if (axis_p_axis_magnitude(inputs->a_interpolator) <= sample_limit) {
+                outputs->error_id = AXIS_P_AXIS_ERROR_V_INTERPOLATOR;
             } else {
-                outputs->error_id = error_a_interpolator;
+                outputs->error_id = AXIS_P_AXIS_ERROR_A_INTERPOLATOR;
             }
             feedforward_v_feedforward = 0.0;
         }
@@ -182,9 +183,9 @@ void axis_p_axis_step(
         outputs->x_drive = position_control_x;
         state->position_control_x_held = position_control_x;
         const double position_control_deviation = position_control_xerr_scale * (position_control_x - inputs->x_actual);
-        if (magnitude(position_control_deviation) <= position_control_xerr_range_upper_limit) {
+        if (axis_p_axis_magnitude(position_control_deviation) <= position_control_xerr_range_upper_limit) {
             outputs->limited = false;
-            outputs->xerr = nearest(position_control_deviation);
+            outputs->xerr = axis_p_axis_nearest(position_control_deviation);
         } else if (position_control_deviation > 0.0) {
             outputs->xerr = position_control_xerr_range_highest;
             outputs->limited = true;
@@ -197,143 +198,4 @@ void axis_p_axis_step(
             outputs->limited = true;
         }
     }
-}
-
-static uint64_t bits_of(double value)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.value = value;
-    return view.bits;
-}
-
-static double real_of(uint64_t bits)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.bits = bits;
-    return view.value;
-}
-
-static uint64_t fold(uint64_t digest, uint64_t bits)
-{
-    return ((digest << 5) | (digest >> 59)) + bits;
-}
-
-uint32_t axis_p_axis_self_test(void)
-{
-    /* the reference's digest of all outputs and of the state, after each sample */
-    static const uint64_t expected[44] = {
-        UINT64_C(0xe4a3f45a589230de),
-        UINT64_C(0x5d81ca5461ea05b0),
-        UINT64_C(0x665e043c7d9f31d3),
-        UINT64_C(0xaba8c99dbe4afeee),
-        UINT64_C(0xa97ec8a3b3f784ce),
-        UINT64_C(0x3f20b63b0b40e0aa),
-        UINT64_C(0x0e2dff0f4c8c1913),
-        UINT64_C(0x912388c18f765e66),
-        UINT64_C(0x802f84e216f9f8ca),
-        UINT64_C(0x1adccc81aa2e97c5),
-        UINT64_C(0x7fb8faee8ddc4bac),
-        UINT64_C(0x79d05c05bb850c81),
-        UINT64_C(0xf70248d1ecf24d9a),
-        UINT64_C(0xb55b31ea2053dfd5),
-        UINT64_C(0xed7a8bdf83127401),
-        UINT64_C(0x5447e2375ec1d388),
-        UINT64_C(0x36fca59326f532f7),
-        UINT64_C(0x6e9cf88798df6638),
-        UINT64_C(0xa8e887f7c1522979),
-        UINT64_C(0xf312971e61bbfa61),
-        UINT64_C(0x052dedaa0d34ceae),
-        UINT64_C(0x97b1e9ff86330e71),
-        UINT64_C(0xfec7bb93d10a7a15),
-        UINT64_C(0x4322fbc86e47cceb),
-        UINT64_C(0x3d2b5ad54a75cc83),
-        UINT64_C(0x9e917bdcd5f072eb),
-        UINT64_C(0x7abd4cda34b283e7),
-        UINT64_C(0x520b99617adf0a11),
-        UINT64_C(0xe80c65f2b039cecf),
-        UINT64_C(0x56f084fc27d77b2c),
-        UINT64_C(0xf1ad979b0df31c37),
-        UINT64_C(0x8cedb38ab4e53f82),
-        UINT64_C(0x8d2be96ee2872dee),
-        UINT64_C(0x641bc8a9e8049f25),
-        UINT64_C(0x0c4ef9597f8520b1),
-        UINT64_C(0xbd77e16cc252b400),
-        UINT64_C(0xb6a16b95c54263df),
-        UINT64_C(0x9e2c3065501ca696),
-        UINT64_C(0xa5e3bfd8b9ded44f),
-        UINT64_C(0xd5b3fd405ac7e8ae),
-        UINT64_C(0xb5a2924bb1d1bc09),
-        UINT64_C(0x30b6b5b63319623b),
-        UINT64_C(0x6fa46909fd8ec6d4),
-        UINT64_C(0x80be1ff262abe018),
-    };
-    /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_p_axis_state *, const axis_p_axis_inputs *, axis_p_axis_outputs *) =
-        axis_p_axis_step;
-    axis_p_axis_state state;
-    axis_p_axis_inputs inputs;
-    axis_p_axis_outputs outputs;
-    uint64_t digest = 0u;
-    uint64_t noise;
-    double scale;
-    uint32_t random = 1u;
-    uint32_t sample;
-    /* 1 + 2^-30 and its rounded square; volatile: worked out when it runs */
-    volatile double factor = real_of(UINT64_C(0x3ff0000000400000));
-    volatile double square = real_of(UINT64_C(0x3ff0000000800000));
-    const double product = factor * factor;
-    const double remainder = product - square;
-
-    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
-    if (bits_of(remainder) != 0u) {
-        return 1u;
-    }
-    /* as it stands here, unless the compiler takes constants for single precision */
-    if (bits_of(0.1) != UINT64_C(0x3fb999999999999a)) {
-        return 1u;
-    }
-
-    axis_p_axis_init(&state);
-    axis_p_axis_inputs_init(&inputs);
-    inputs.feedforward_active = true;
-    inputs.feedforward_percentage = 87;
-    for (sample = 0u; sample < 44u; sample++) {
-        /* at first within every limit, so that nothing is cut off */
-        scale = sample < 36u ? 0.001953125 : 1.0;
-        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.x_command = real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.x_actual = real_of(sample == 4u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_interpolator = real_of(sample == 7u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.a_interpolator = real_of(sample == 10u ? UINT64_C(0x7ff8000000000000) : noise);
-        step(&state, &inputs, &outputs);
-        digest = fold(digest, bits_of(outputs.v_feedforward));
-        digest = fold(digest, bits_of(outputs.x_drive));
-        digest = fold(digest, (uint32_t)outputs.xerr);
-        digest = fold(digest, outputs.error_id);
-        digest = fold(digest, outputs.limited);
-        digest = fold(digest, outputs.fault);
-        digest = fold(digest, state.position_control_preset);
-        digest = fold(digest, bits_of(state.position_control_shift_x0));
-        digest = fold(digest, bits_of(state.position_control_shift_x1));
-        digest = fold(digest, bits_of(state.position_control_shift_x2));
-        digest = fold(digest, bits_of(state.position_control_x_held));
-        if (digest != expected[sample]) {
-            return sample + 1u;
-        }
-    }
-    return 0u;
 }

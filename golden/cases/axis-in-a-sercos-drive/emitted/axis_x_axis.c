@@ -5,7 +5,9 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  84c1aaebe7d5efbf7942c2b9e5459fdc
- * checksum    35f0bc9280b6bfd9a6ff0f3b7bf124c7
+ * structure   37808e9a5d74e0e122855d70c98fb25e
+ * checksum    30290766e5a052c4cf36cd8bae943ef3
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"
 
@@ -28,7 +30,7 @@
 #endif
 
 /* |value|, without a library */
-static double magnitude(double value)
+static double axis_x_axis_magnitude(double value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs(value);
@@ -39,7 +41,7 @@ static double magnitude(double value)
 
 /* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
  * rightly; without a library */
-static int32_t nearest(double value)
+static int32_t axis_x_axis_nearest(double value)
 {
 #if defined(__GNUC__)
     return (int32_t)(value + __builtin_copysign(0.49999999999999994, value));
@@ -48,105 +50,25 @@ static int32_t nearest(double value)
 #endif
 }
 
-/* cycle time 1000 us, the coefficients hold for no other */
-static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
-
-/* weight of the whole feedforward 1/1 = 1 (P-AXIS-00228/00229) */
-static const double feedforward_weight = 1.0; /* weight of the whole feedforward at 100 % */
-static const double feedforward_weight_per_percent = 0.01; /* weight / 100 */
-
-/* delay of 150 us = 0.15 cycles (P-AXIS-00389) */
-static const double feedforward_velocity_delay_now = 0.85; /* 1 - f: share of the sample N cycles ago */
-static const double feedforward_velocity_delay_before = 0.15; /* f: share of the sample N + 1 cycles ago */
-
-/* delay of 5999 us = 5.999 cycles (P-AXIS-00390) */
-static const double feedforward_acceleration_delay_now = 0.001; /* 1 - f: share of the sample N cycles ago */
-static const double feedforward_acceleration_delay_before = 0.999; /* f: share of the sample N + 1 cycles ago */
-
-/* additive torque: load 0.004 kg m^2 (P-AXIS-00391), 1000 increments (P-AXIS-00325/00326) at the nominal torque
- * 4.5 Nm (P-AXIS-00392), weight 1 (P-AXIS-00225/00226) */
-static const double feedforward_torque_acceleration = 0.0005585053606381854; /* additive torque: increments for 1 um/s^2 */
-
-/* process data of 16 bits */
-static const int32_t feedforward_torque_range_lowest = -32768; /* smallest value of the process data */
-static const int32_t feedforward_torque_range_highest = 32767; /* largest value of the process data */
-/* smallest number that is rounded to the smallest value */
-static const double feedforward_torque_range_lower_limit = -32768.49999999999;
-/* largest number that is rounded to the largest value */
-static const double feedforward_torque_range_upper_limit = 32767.499999999996;
-
-/* SET_POINT (P-AXIS-00753) from v_command, weight 60/100 = 0.6 (P-AXIS-00754/00755)
- * simulated oscillation of the load, f0 of the first BANDPASS 14 Hz (P-AXIS-00751), damping ratio 0.6
- * (P-AXIS-00850): gain 1 at DC, 1.301708 and -39.80557 deg at f0 */
-static const double ipc_stage0_oscillation_b0 = 0.05190781515579675; /* numerator: y = b0 x + s1 */
-static const double ipc_stage0_oscillation_b1 = 0.003672795185773906; /* numerator: s1 = b1 x - a1 y + s2 */
-static const double ipc_stage0_oscillation_b2 = -0.04823501997002283; /* numerator: s2 = b2 x - a2 y */
-static const double ipc_stage0_oscillation_a1 = -1.8925115745026326; /* denominator: s1 = b1 x - a1 y + s2 */
-static const double ipc_stage0_oscillation_a2 = 0.8998571648741804; /* denominator: s2 = b2 x - a2 y */
-static const double ipc_stage0_oscillation_preset_s1 = 0.9480921848442032; /* 1 - b0: steady s1 for a constant input of 1 */
-static const double ipc_stage0_oscillation_preset_s2 = -0.9480921848442032; /* b2 - a2: steady s2 for a constant input of 1 */
-
-/* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 14 Hz (P-AXIS-00751), quality
- * factor 2 (P-AXIS-00752), -3 dB at 10.92977 and 17.92977 Hz
- * section 1 of 1: centre frequency 14 Hz, quality factor 1.9971, gain 1 there and 1 at 14 Hz */
-/* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double ipc_stage0_filter0_bandpass0_b2 = -0.021521339038659423;
-static const double ipc_stage0_filter0_bandpass0_a1 = -1.9493909600259975; /* denominator: s1 = s2 - a1 y */
-static const double ipc_stage0_filter0_bandpass0_a2 = 0.9569573219226811; /* denominator: s2 = b2 x - a2 y */
-
-/* -weight, against the vibration; at 14 Hz the stage adds 0.781025 times its source at 140.1944 deg */
-static const double ipc_stage0_gain = -0.6; /* -weight: negative, because the stage moves the motor against the vibration */
-
-/* largest |v_add| = 50000: 100 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
-static const double ipc_limit = 50000.0; /* largest |v_add| */
-static const double ipc_lower_limit = -50000.0; /* -limit */
-
-/* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
-/* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
-static const double ipc_rest = 4.3368086899420177e-13;
-
-/* OFF to ON takes 0.1 s (key fade), in cycles */
-static const uint32_t ipc_fade_cycles = 100u; /* cycles that the fade takes from 0 to 1 */
-static const double ipc_fade_step = 0.01; /* 1 / fade_cycles */
-
-/* additive velocity: 10000 increments at 10000 um per minute (P-AXIS-00206/00205, 00207): 1000000 for 1 m/min */
-static const double position_control_velocity_scale = 60.0; /* additive velocity: increments for 1 um/s */
-
-/* process data of 32 bits */
-static const int32_t position_control_velocity_range_lowest = (-2147483647 - 1); /* smallest value of the process data */
-static const int32_t position_control_velocity_range_highest = 2147483647; /* largest value of the process data */
-/* smallest number that is rounded to the smallest value */
-static const double position_control_velocity_range_lower_limit = -2147483648.4999995;
-/* largest number that is rounded to the largest value */
-static const double position_control_velocity_range_upper_limit = 2147483647.4999998;
-
-/* the same for every axis */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const double sample_limit = 1000000000000000.0;
-static const uint32_t error_x_command = 17u; /* error_id: x_command is not within the sample limit */
-static const uint32_t error_none = 0u; /* error_id: no fault */
-/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_cycle_time = 1u;
-static const uint32_t error_a_interpolator = 15u; /* error_id: a_interpolator is not within the sample limit */
-static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
-static const int32_t mode_on = 1; /* mode: the block acts */
-static const int32_t mode_off = 0; /* mode: the block is off */
-static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
- * anew */
-static const uint32_t error_state = 3u;
-static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
-static const uint32_t error_v_command = 11u; /* error_id: v_command is not within the sample limit */
-/* added in every update of s2, so that a section at rest never decays into subnormal numbers */
-static const double anti_denormal = 1.0e-30;
-static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
-
-void axis_x_axis_init(axis_x_axis_state *state)
+void axis_x_axis_init(axis_x_axis_state *fresh)
 {
+    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    volatile axis_x_axis_state *const state = fresh;
     state->feedforward_preset = false;
-    state->ipc_disturbed = false;
+    state->feedforward_velocity_delay_x0 = 0.0;
+    state->feedforward_acceleration_delay_x0 = 0.0;
+    state->feedforward_acceleration_delay_x1 = 0.0;
+    state->feedforward_acceleration_delay_x2 = 0.0;
+    state->feedforward_acceleration_delay_x3 = 0.0;
+    state->feedforward_acceleration_delay_x4 = 0.0;
+    state->feedforward_acceleration_delay_x5 = 0.0;
     state->ipc_preset = false;
     state->ipc_fade = 0u;
+    state->ipc_disturbed = false;
+    state->ipc_stage0_oscillation_s1 = 0.0;
+    state->ipc_stage0_oscillation_s2 = 0.0;
+    state->ipc_stage0_filter0_section0_s1 = 0.0;
+    state->ipc_stage0_filter0_section0_s2 = 0.0;
     state->position_control_x_held = 0.0;
 }
 
@@ -168,7 +90,86 @@ void axis_x_axis_step(
     const axis_x_axis_inputs *restrict inputs,
     axis_x_axis_outputs *restrict outputs)
 {
-    if (!(magnitude(inputs->x_command) <= sample_limit)) {
+    /* cycle time 1000 us, the coefficients hold for no other */
+    static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
+
+    /* weight of the whole feedforward 1/1 = 1 (P-AXIS-00228/00229) */
+    static const double feedforward_weight = 1.0; /* weight of the whole feedforward at 100 % */
+    static const double feedforward_weight_per_percent = 0.01; /* weight / 100 */
+
+    /* delay of 150 us = 0.15 cycles (P-AXIS-00389) */
+    static const double feedforward_velocity_delay_now = 0.85; /* 1 - f: share of the sample N cycles ago */
+    static const double feedforward_velocity_delay_before = 0.15; /* f: share of the sample N + 1 cycles ago */
+
+    /* delay of 5999 us = 5.999 cycles (P-AXIS-00390) */
+    static const double feedforward_acceleration_delay_now = 0.001; /* 1 - f: share of the sample N cycles ago */
+    static const double feedforward_acceleration_delay_before = 0.999; /* f: share of the sample N + 1 cycles ago */
+
+    /* additive torque: load 0.004 kg m^2 (P-AXIS-00391), 1000 increments (P-AXIS-00325/00326) at the nominal torque
+     * 4.5 Nm (P-AXIS-00392), weight 1 (P-AXIS-00225/00226) */
+    static const double feedforward_torque_acceleration = 0.0005585053606381854; /* additive torque: increments for 1 um/s^2 */
+
+    /* process data of 16 bits */
+    static const int32_t feedforward_torque_range_lowest = -32768; /* smallest value of the process data */
+    static const int32_t feedforward_torque_range_highest = 32767; /* largest value of the process data */
+    /* smallest number that is rounded to the smallest value */
+    static const double feedforward_torque_range_lower_limit = -32768.49999999999;
+    /* largest number that is rounded to the largest value */
+    static const double feedforward_torque_range_upper_limit = 32767.499999999996;
+
+    /* SET_POINT (P-AXIS-00753) from v_command, weight 60/100 = 0.6 (P-AXIS-00754/00755)
+     * simulated oscillation of the load, f0 of the first BANDPASS 14 Hz (P-AXIS-00751), damping ratio 0.6
+     * (P-AXIS-00850): gain 1 at DC, 1.301708 and -39.80557 deg at f0 */
+    static const double ipc_stage0_oscillation_b0 = 0.05190781515579675; /* numerator: y = b0 x + s1 */
+    static const double ipc_stage0_oscillation_b1 = 0.003672795185773906; /* numerator: s1 = b1 x - a1 y + s2 */
+    static const double ipc_stage0_oscillation_b2 = -0.04823501997002283; /* numerator: s2 = b2 x - a2 y */
+    static const double ipc_stage0_oscillation_a1 = -1.8925115745026326; /* denominator: s1 = b1 x - a1 y + s2 */
+    static const double ipc_stage0_oscillation_a2 = 0.8998571648741804; /* denominator: s2 = b2 x - a2 y */
+    static const double ipc_stage0_oscillation_preset_s1 = 0.9480921848442032; /* 1 - b0: steady s1 for a constant input of 1 */
+    static const double ipc_stage0_oscillation_preset_s2 = -0.9480921848442032; /* b2 - a2: steady s2 for a constant input of 1 */
+
+    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 14 Hz (P-AXIS-00751), quality
+     * factor 2 (P-AXIS-00752), -3 dB at 10.92977 and 17.92977 Hz
+     * section 1 of 1: centre frequency 14 Hz, quality factor 1.9971, gain 1 there and 1 at 14 Hz */
+    /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double ipc_stage0_filter0_bandpass0_b2 = -0.021521339038659423;
+    static const double ipc_stage0_filter0_bandpass0_a1 = -1.9493909600259975; /* denominator: s1 = s2 - a1 y */
+    static const double ipc_stage0_filter0_bandpass0_a2 = 0.9569573219226811; /* denominator: s2 = b2 x - a2 y */
+
+    /* -weight, against the vibration; at 14 Hz the stage adds 0.781025 times its source at 140.1944 deg */
+    static const double ipc_stage0_gain = -0.6; /* -weight: negative, because the stage moves the motor against the vibration */
+
+    /* largest |v_add| = 50000: 100 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
+    static const double ipc_limit = 50000.0; /* largest |v_add| */
+    static const double ipc_lower_limit = -50000.0; /* -limit */
+
+    /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
+    /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
+    static const double ipc_rest = 4.3368086899420177e-13;
+
+    /* OFF to ON takes 0.1 s (key fade), in cycles */
+    static const uint32_t ipc_fade_cycles = 100u; /* cycles that the fade takes from 0 to 1 */
+    static const double ipc_fade_step = 0.01; /* 1 / fade_cycles */
+
+    /* additive velocity: 10000 increments at 10000 um per minute (P-AXIS-00206/00205, 00207): 1000000 for 1 m/min */
+    static const double position_control_velocity_scale = 60.0; /* additive velocity: increments for 1 um/s */
+
+    /* process data of 32 bits */
+    static const int32_t position_control_velocity_range_lowest = (-2147483647 - 1); /* smallest value of the process data */
+    static const int32_t position_control_velocity_range_highest = 2147483647; /* largest value of the process data */
+    /* smallest number that is rounded to the smallest value */
+    static const double position_control_velocity_range_lower_limit = -2147483648.4999995;
+    /* largest number that is rounded to the largest value */
+    static const double position_control_velocity_range_upper_limit = 2147483647.4999998;
+
+    /* the same for every axis */
+    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    static const double sample_limit = 1000000000000000.0;
+    /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
+    static const double anti_denormal = 1.0e-30;
+    static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
+
+    if (!(axis_x_axis_magnitude(inputs->x_command) <= sample_limit)) {
         outputs->x_drive = state->position_control_x_held;
         state->feedforward_preset = false;
         state->ipc_preset = false;
@@ -179,7 +180,7 @@ void axis_x_axis_step(
         outputs->additive_torque = 0;
         outputs->limited = false;
         outputs->fault = true;
-        outputs->error_id = error_x_command;
+        outputs->error_id = AXIS_X_AXIS_ERROR_X_COMMAND;
     } else if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
         state->position_control_x_held = inputs->x_command;
         state->feedforward_preset = false;
@@ -192,7 +193,7 @@ void axis_x_axis_step(
         outputs->additive_torque = 0;
         outputs->limited = false;
         outputs->fault = true;
-        outputs->error_id = error_cycle_time;
+        outputs->error_id = AXIS_X_AXIS_ERROR_CYCLE_TIME;
     } else if (!inputs->position_controlled || inputs->reset) {
         state->position_control_x_held = inputs->x_command;
         state->feedforward_preset = false;
@@ -205,7 +206,7 @@ void axis_x_axis_step(
         outputs->additive_torque = 0;
         outputs->limited = false;
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_X_AXIS_ERROR_NONE;
     } else {
         outputs->x_drive = inputs->x_command;
         state->position_control_x_held = inputs->x_command;
@@ -213,9 +214,10 @@ void axis_x_axis_step(
         uint32_t error_id_so_far;
         double feedforward_v_additive;
         bool limited_so_far;
-        if (magnitude(inputs->v_interpolator) <= sample_limit && magnitude(inputs->a_interpolator) <= sample_limit) {
+        if (axis_x_axis_magnitude(inputs->v_interpolator) <= sample_limit
+                && axis_x_axis_magnitude(inputs->a_interpolator) <= sample_limit) {
             fault_so_far = false;
-            error_id_so_far = error_none;
+            error_id_so_far = AXIS_X_AXIS_ERROR_NONE;
             double feedforward_gain_now;
             if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
                 if (inputs->feedforward_percentage >= 100) {
@@ -257,9 +259,9 @@ void axis_x_axis_step(
             state->feedforward_acceleration_delay_x1 = state->feedforward_acceleration_delay_x0;
             state->feedforward_acceleration_delay_x0 = feedforward_a;
             const double feedforward_torque_a = feedforward_torque_acceleration * feedforward_acceleration_delay_y;
-            if (magnitude(feedforward_torque_a) <= feedforward_torque_range_upper_limit) {
+            if (axis_x_axis_magnitude(feedforward_torque_a) <= feedforward_torque_range_upper_limit) {
                 limited_so_far = false;
-                outputs->additive_torque = nearest(feedforward_torque_a);
+                outputs->additive_torque = axis_x_axis_nearest(feedforward_torque_a);
             } else if (feedforward_torque_a > 0.0) {
                 outputs->additive_torque = feedforward_torque_range_highest;
                 limited_so_far = true;
@@ -275,40 +277,41 @@ void axis_x_axis_step(
             outputs->additive_torque = 0;
             state->feedforward_preset = false;
             limited_so_far = false;
-            if (magnitude(inputs->a_interpolator) <= sample_limit) {
-                error_id_so_far = error_v_interpolator;
+            if (axis_x_axis_magnitude(inputs->a_interpolator) <= sample_limit) {
+                error_id_so_far = AXIS_X_AXIS_ERROR_V_INTERPOLATOR;
             } else {
-                error_id_so_far = error_a_interpolator;
+                error_id_so_far = AXIS_X_AXIS_ERROR_A_INTERPOLATOR;
             }
             feedforward_v_additive = 0.0;
             fault_so_far = true;
         }
         bool ipc_runs;
         uint32_t ipc_reason;
-        if (magnitude(inputs->v_interpolator) <= sample_limit && inputs->mode == mode_on
+        if (axis_x_axis_magnitude(inputs->v_interpolator) <= sample_limit && inputs->mode == AXIS_X_AXIS_MODE_ON
                 && state->ipc_fade >= ipc_fade_cycles) {
             ipc_runs = true;
-            ipc_reason = error_none;
+            ipc_reason = AXIS_X_AXIS_ERROR_NONE;
         } else if (state->ipc_disturbed) {
             state->ipc_disturbed = false;
             ipc_runs = false;
-            ipc_reason = error_state;
-        } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
-                && magnitude(inputs->v_interpolator) <= sample_limit) {
+            ipc_reason = AXIS_X_AXIS_ERROR_STATE;
+        } else if ((inputs->mode == AXIS_X_AXIS_MODE_ON || inputs->mode == AXIS_X_AXIS_MODE_OFF
+                    || inputs->mode == AXIS_X_AXIS_MODE_DRYRUN)
+                && axis_x_axis_magnitude(inputs->v_interpolator) <= sample_limit) {
             if (state->ipc_preset) {
-                if (inputs->mode == mode_on) {
+                if (inputs->mode == AXIS_X_AXIS_MODE_ON) {
                     state->ipc_fade = state->ipc_fade + 1u;
                 } else {
                     if (state->ipc_fade > 0u) {
                         state->ipc_fade = state->ipc_fade - 1u;
                     }
-                    if (inputs->mode == mode_off && state->ipc_fade == 0u) {
+                    if (inputs->mode == AXIS_X_AXIS_MODE_OFF && state->ipc_fade == 0u) {
                         state->ipc_preset = false;
                     }
                 }
                 ipc_runs = true;
             } else {
-                if (inputs->mode != mode_off) {
+                if (inputs->mode != AXIS_X_AXIS_MODE_OFF) {
                     /* SET_POINT (P-AXIS-00753) from v_command, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
                     /* simulated oscillation of the load, f0 of the first BANDPASS 14 Hz (P-AXIS-00751), damping ratio 0.6
                      * (P-AXIS-00850): gain 1 at DC, 1.301708 and -39.80557 deg at f0 */
@@ -324,14 +327,15 @@ void axis_x_axis_step(
                 }
                 ipc_runs = false;
             }
-            ipc_reason = error_none;
+            ipc_reason = AXIS_X_AXIS_ERROR_NONE;
         } else {
             state->ipc_fade = 0u;
             state->ipc_preset = false;
-            if (inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun) {
-                ipc_reason = error_v_command;
+            if (inputs->mode == AXIS_X_AXIS_MODE_ON || inputs->mode == AXIS_X_AXIS_MODE_OFF
+                    || inputs->mode == AXIS_X_AXIS_MODE_DRYRUN) {
+                ipc_reason = AXIS_X_AXIS_ERROR_V_COMMAND;
             } else {
-                ipc_reason = error_mode;
+                ipc_reason = AXIS_X_AXIS_ERROR_MODE;
             }
             ipc_runs = false;
         }
@@ -363,15 +367,15 @@ void axis_x_axis_step(
                     - ipc_stage0_filter0_bandpass0_a2 * ipc_stage0_filter0_section0_y;
             const double ipc_v_stage0 = ipc_stage0_gain * ipc_stage0_filter0_section0_y;
             double ipc_v_limited;
-            if (magnitude(ipc_v_stage0) <= ipc_limit) {
+            if (axis_x_axis_magnitude(ipc_v_stage0) <= ipc_limit) {
                 limited_until_now = limited_so_far;
-                if (magnitude(ipc_v_stage0) <= ipc_rest) {
+                if (axis_x_axis_magnitude(ipc_v_stage0) <= ipc_rest) {
                     ipc_v_limited = 0.0;
                 } else {
                     ipc_v_limited = ipc_v_stage0;
                 }
             } else {
-                if (magnitude(ipc_v_stage0) <= sum_limit) {
+                if (axis_x_axis_magnitude(ipc_v_stage0) <= sum_limit) {
                     if (ipc_v_stage0 > 0.0) {
                         ipc_v_limited = ipc_limit;
                     } else {
@@ -396,7 +400,7 @@ void axis_x_axis_step(
                 } else {
                     ipc_v_add = 0.0;
                 }
-                if (inputs->mode == mode_off) {
+                if (inputs->mode == AXIS_X_AXIS_MODE_OFF) {
                     outputs->v_add_calculated = 0.0;
                 } else {
                     outputs->v_add_calculated = ipc_v_limited;
@@ -404,7 +408,7 @@ void axis_x_axis_step(
             }
         } else {
             limited_until_now = limited_so_far;
-            const bool ipc_fault = ipc_reason != error_none;
+            const bool ipc_fault = ipc_reason != AXIS_X_AXIS_ERROR_NONE;
             ipc_v_add = 0.0;
             outputs->v_add_calculated = 0.0;
             const uint32_t ipc_error_id = ipc_reason;
@@ -419,9 +423,9 @@ void axis_x_axis_step(
         outputs->v_add = ipc_v_add;
         const double position_control_v_drive = feedforward_v_additive + ipc_v_add;
         const double position_control_increments = position_control_velocity_scale * position_control_v_drive;
-        if (magnitude(position_control_increments) <= position_control_velocity_range_upper_limit) {
+        if (axis_x_axis_magnitude(position_control_increments) <= position_control_velocity_range_upper_limit) {
             outputs->limited = limited_until_now;
-            outputs->additive_velocity = nearest(position_control_increments);
+            outputs->additive_velocity = axis_x_axis_nearest(position_control_increments);
         } else if (position_control_increments > 0.0) {
             outputs->additive_velocity = position_control_velocity_range_highest;
             outputs->limited = true;
@@ -435,150 +439,4 @@ void axis_x_axis_step(
             outputs->limited = true;
         }
     }
-}
-
-static uint64_t bits_of(double value)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.value = value;
-    return view.bits;
-}
-
-static double real_of(uint64_t bits)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.bits = bits;
-    return view.value;
-}
-
-static uint64_t fold(uint64_t digest, uint64_t bits)
-{
-    return ((digest << 5) | (digest >> 59)) + bits;
-}
-
-uint32_t axis_x_axis_self_test(void)
-{
-    /* the reference's digest of all outputs and of the state, after each sample */
-    static const uint64_t expected[41] = {
-        UINT64_C(0xbee5b31c57159942),
-        UINT64_C(0x9124cd5f377daabb),
-        UINT64_C(0x901d7dd31de49351),
-        UINT64_C(0x1b271aeb8244a0a1),
-        UINT64_C(0x5900f44433e952f6),
-        UINT64_C(0x707fd0a5a1be5aae),
-        UINT64_C(0x9c633ff8d4858bf7),
-        UINT64_C(0xef77be4f09031a00),
-        UINT64_C(0x58009e7d0ee08aad),
-        UINT64_C(0xd3cdb63b45d9494a),
-        UINT64_C(0x1ef7229e5851e8f8),
-        UINT64_C(0x7cfecaa34b6931aa),
-        UINT64_C(0x486adf6cf297eb3a),
-        UINT64_C(0xef02c30154a65146),
-        UINT64_C(0x3630c02ee7f01c93),
-        UINT64_C(0x2b8e3ea42d63111d),
-        UINT64_C(0x0d027b650df5854e),
-        UINT64_C(0x2e3638730d9da598),
-        UINT64_C(0x07a2bf42ea377a57),
-        UINT64_C(0xf700c16730e37251),
-        UINT64_C(0xcbbb34c88c4d728e),
-        UINT64_C(0xb9fe2eb43ccdbbb6),
-        UINT64_C(0x40eb5c38bdf7a173),
-        UINT64_C(0x2b0480a641f46ef7),
-        UINT64_C(0x0e398fb94f5c9d5f),
-        UINT64_C(0x9a50d4dc9d0594f7),
-        UINT64_C(0xa05f49593d3bae65),
-        UINT64_C(0x6214b8f4c0e60141),
-        UINT64_C(0x019329c0a835d54c),
-        UINT64_C(0x51b8996f55e7e2c1),
-        UINT64_C(0x179672cb2cf74acc),
-        UINT64_C(0x9af1f379b534dcd8),
-        UINT64_C(0xf705cddc3c526f4b),
-        UINT64_C(0xa500700b790b005a),
-        UINT64_C(0x64e2ac4ffe9c8466),
-        UINT64_C(0x28ad830d7b36f3a1),
-        UINT64_C(0xb3170c839da71ebd),
-        UINT64_C(0xf644da661faba13c),
-        UINT64_C(0xdd865fde3c82d243),
-        UINT64_C(0x3ede03a4221085f2),
-        UINT64_C(0x798985305ef30836),
-    };
-    /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_x_axis_state *, const axis_x_axis_inputs *, axis_x_axis_outputs *) =
-        axis_x_axis_step;
-    axis_x_axis_state state;
-    axis_x_axis_inputs inputs;
-    axis_x_axis_outputs outputs;
-    uint64_t digest = 0u;
-    uint64_t noise;
-    double scale;
-    uint32_t random = 1u;
-    uint32_t sample;
-    /* 1 + 2^-30 and its rounded square; volatile: worked out when it runs */
-    volatile double factor = real_of(UINT64_C(0x3ff0000000400000));
-    volatile double square = real_of(UINT64_C(0x3ff0000000800000));
-    const double product = factor * factor;
-    const double remainder = product - square;
-
-    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
-    if (bits_of(remainder) != 0u) {
-        return 1u;
-    }
-    /* as it stands here, unless the compiler takes constants for single precision */
-    if (bits_of(0.1) != UINT64_C(0x3fb999999999999a)) {
-        return 1u;
-    }
-
-    axis_x_axis_init(&state);
-    axis_x_axis_inputs_init(&inputs);
-    inputs.feedforward_active = true;
-    inputs.feedforward_percentage = 87;
-    for (sample = 0u; sample < 41u; sample++) {
-        /* at first within every limit, so that nothing is cut off */
-        scale = sample < 33u ? 0.000244140625 : 1.0;
-        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.x_command = real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_interpolator = real_of(sample == 4u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.a_interpolator = real_of(sample == 7u ? UINT64_C(0x7ff8000000000000) : noise);
-        step(&state, &inputs, &outputs);
-        digest = fold(digest, bits_of(outputs.v_add));
-        digest = fold(digest, bits_of(outputs.v_add_calculated));
-        digest = fold(digest, bits_of(outputs.x_drive));
-        digest = fold(digest, (uint32_t)outputs.additive_torque);
-        digest = fold(digest, (uint32_t)outputs.additive_velocity);
-        digest = fold(digest, outputs.error_id);
-        digest = fold(digest, outputs.limited);
-        digest = fold(digest, outputs.fault);
-        digest = fold(digest, state.feedforward_preset);
-        digest = fold(digest, bits_of(state.feedforward_velocity_delay_x0));
-        digest = fold(digest, bits_of(state.feedforward_acceleration_delay_x0));
-        digest = fold(digest, bits_of(state.feedforward_acceleration_delay_x1));
-        digest = fold(digest, bits_of(state.feedforward_acceleration_delay_x2));
-        digest = fold(digest, bits_of(state.feedforward_acceleration_delay_x3));
-        digest = fold(digest, bits_of(state.feedforward_acceleration_delay_x4));
-        digest = fold(digest, bits_of(state.feedforward_acceleration_delay_x5));
-        digest = fold(digest, state.ipc_preset);
-        digest = fold(digest, state.ipc_fade);
-        digest = fold(digest, state.ipc_disturbed);
-        digest = fold(digest, bits_of(state.ipc_stage0_oscillation_s1));
-        digest = fold(digest, bits_of(state.ipc_stage0_oscillation_s2));
-        digest = fold(digest, bits_of(state.ipc_stage0_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.ipc_stage0_filter0_section0_s2));
-        digest = fold(digest, bits_of(state.position_control_x_held));
-        if (digest != expected[sample]) {
-            return sample + 1u;
-        }
-    }
-    return 0u;
 }

@@ -5,7 +5,9 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  d9834b11557cb1d69918abf7f9c4bf67
- * checksum    26c39eb68b0d755c6ee35937d72a468c
+ * structure   8339b0de0ac9808242f4ef78f4444341
+ * checksum    f0364fae8ccef395b795dcdfbcb7422a
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_f_axis.h"
 
@@ -28,7 +30,7 @@
 #endif
 
 /* |value|, without a library */
-static float magnitude(float value)
+static float axis_f_axis_magnitude(float value)
 {
 #if defined(__GNUC__)
     return __builtin_fabsf(value);
@@ -39,7 +41,7 @@ static float magnitude(float value)
 
 /* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
  * rightly; without a library */
-static int32_t nearest(float value)
+static int32_t axis_f_axis_nearest(float value)
 {
 #if defined(__GNUC__)
     return (int32_t)(value + __builtin_copysignf(0.49999997f, value));
@@ -48,76 +50,16 @@ static int32_t nearest(float value)
 #endif
 }
 
-/* cycle time 2000 us, the coefficients hold for no other */
-static const uint32_t cycle_time_ns = 2000000u; /* cycle time that all coefficients were designed for [ns] */
-
-/* weight of the whole feedforward 1/1 = 1 (P-AXIS-00228/00229) */
-static const float feedforward_weight = 1.0f; /* weight of the whole feedforward at 100 % */
-static const float feedforward_weight_per_percent = 0.01f; /* weight / 100 */
-
-/* DIRECT (P-AXIS-00753) from v_motor, weight 60/100 = 0.6 (P-AXIS-00754/00755)
- * BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 24 Hz (P-AXIS-00751), quality
- * factor 4 (P-AXIS-00752), -3 dB at 21.1811 and 27.1811 Hz
- * section 1 of 1: centre frequency 24 Hz, quality factor 3.93777, gain 1 there and 1 at 24 Hz */
-static const float ipc_stage0_filter0_bandpass0_a = 0.036346115f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-static const float ipc_stage0_filter0_bandpass0_b = 0.058093593f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
-static const float ipc_stage0_filter0_bandpass0_c = 1.1966879f; /* C = 2 g / (c k): the low-pass part grows by C y */
-
-/* -weight, against the vibration; at 24 Hz the stage adds 0.6 times its source at 180 deg */
-static const float ipc_stage0_gain = -0.6f; /* -weight: negative, because the stage moves the motor against the vibration */
-
-/* largest |v_add| = 60000: 200 * 0.1 % (P-AXIS-00757) of 300000 (P-AXIS-00212) */
-static const float ipc_limit = 60000.0f; /* largest |v_add| */
-static const float ipc_lower_limit = -60000.0f; /* -limit */
-
-/* P-AXIS-00212 * 2^-40: a sum below it is exactly 0 */
-static const float ipc_rest = 2.728484e-7f; /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
-
-/* OFF to ON takes 0.1 s (key fade), in cycles */
-static const uint32_t ipc_fade_cycles = 50u; /* cycles that the fade takes from 0 to 1 */
-static const float ipc_fade_step = 0.02f; /* 1 / fade_cycles */
-
-/* position control in the CNC: Kv = 20/s (P-AXIS-00099) */
-static const float position_control_kv = 20.0f; /* gain of the position controller Kv [1/s] */
-
-/* 5000/1 increments at 1 m/min (P-AXIS-00129/00128) */
-static const float position_control_manipulated_scale = 0.3f; /* manipulated variable: increments for 1 um/s */
-
-/* process data of 16 bits */
-static const int32_t position_control_manipulated_range_lowest = -32768; /* smallest value of the process data */
-static const int32_t position_control_manipulated_range_highest = 32767; /* largest value of the process data */
-/* smallest number that is rounded to the smallest value */
-static const float position_control_manipulated_range_lower_limit = -32768.496f;
-/* largest number that is rounded to the largest value */
-static const float position_control_manipulated_range_upper_limit = 32767.498f;
-
-/* the same for every axis */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const float sample_limit = 1000000000.0f;
-static const uint32_t error_x_command = 17u; /* error_id: x_command is not within the sample limit */
-static const uint32_t error_none = 0u; /* error_id: no fault */
-/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_cycle_time = 1u;
-static const uint32_t error_x_actual = 18u; /* error_id: x_actual is not within the sample limit */
-static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
-static const int32_t mode_on = 1; /* mode: the block acts */
-static const int32_t mode_off = 0; /* mode: the block is off */
-static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
- * anew */
-static const uint32_t error_state = 3u;
-static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
-static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-/* added to every change and to low, so that a section at rest never decays into subnormal numbers */
-static const float least_change = 1.0e-18f;
-/* largest magnitude of a sum of stages: beyond it a state has been overwritten */
-static const float sum_limit = 1000000000000000.0f;
-
-void axis_f_axis_init(axis_f_axis_state *state)
+void axis_f_axis_init(axis_f_axis_state *fresh)
 {
-    state->ipc_disturbed = false;
+    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    volatile axis_f_axis_state *const state = fresh;
     state->ipc_preset = false;
     state->ipc_fade = 0u;
+    state->ipc_disturbed = false;
+    state->ipc_source_v_motor_before = 0.0f;
+    state->ipc_stage0_filter0_section0_s1 = 0.0f;
+    state->ipc_stage0_filter0_section0_p = 0.0f;
 }
 
 void axis_f_axis_inputs_init(axis_f_axis_inputs *inputs)
@@ -139,7 +81,58 @@ void axis_f_axis_step(
     const axis_f_axis_inputs *restrict inputs,
     axis_f_axis_outputs *restrict outputs)
 {
-    if (!(magnitude(inputs->x_command) <= sample_limit)) {
+    /* cycle time 2000 us, the coefficients hold for no other */
+    static const uint32_t cycle_time_ns = 2000000u; /* cycle time that all coefficients were designed for [ns] */
+
+    /* weight of the whole feedforward 1/1 = 1 (P-AXIS-00228/00229) */
+    static const float feedforward_weight = 1.0f; /* weight of the whole feedforward at 100 % */
+    static const float feedforward_weight_per_percent = 0.01f; /* weight / 100 */
+
+    /* DIRECT (P-AXIS-00753) from v_motor, weight 60/100 = 0.6 (P-AXIS-00754/00755)
+     * BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 24 Hz (P-AXIS-00751), quality
+     * factor 4 (P-AXIS-00752), -3 dB at 21.1811 and 27.1811 Hz
+     * section 1 of 1: centre frequency 24 Hz, quality factor 3.93777, gain 1 there and 1 at 24 Hz */
+    static const float ipc_stage0_filter0_bandpass0_a = 0.036346115f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
+    static const float ipc_stage0_filter0_bandpass0_b = 0.058093593f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+    static const float ipc_stage0_filter0_bandpass0_c = 1.1966879f; /* C = 2 g / (c k): the low-pass part grows by C y */
+
+    /* -weight, against the vibration; at 24 Hz the stage adds 0.6 times its source at 180 deg */
+    static const float ipc_stage0_gain = -0.6f; /* -weight: negative, because the stage moves the motor against the vibration */
+
+    /* largest |v_add| = 60000: 200 * 0.1 % (P-AXIS-00757) of 300000 (P-AXIS-00212) */
+    static const float ipc_limit = 60000.0f; /* largest |v_add| */
+    static const float ipc_lower_limit = -60000.0f; /* -limit */
+
+    /* P-AXIS-00212 * 2^-40: a sum below it is exactly 0 */
+    static const float ipc_rest = 2.728484e-7f; /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
+
+    /* OFF to ON takes 0.1 s (key fade), in cycles */
+    static const uint32_t ipc_fade_cycles = 50u; /* cycles that the fade takes from 0 to 1 */
+    static const float ipc_fade_step = 0.02f; /* 1 / fade_cycles */
+
+    /* position control in the CNC: Kv = 20/s (P-AXIS-00099) */
+    static const float position_control_kv = 20.0f; /* gain of the position controller Kv [1/s] */
+
+    /* 5000/1 increments at 1 m/min (P-AXIS-00129/00128) */
+    static const float position_control_manipulated_scale = 0.3f; /* manipulated variable: increments for 1 um/s */
+
+    /* process data of 16 bits */
+    static const int32_t position_control_manipulated_range_lowest = -32768; /* smallest value of the process data */
+    static const int32_t position_control_manipulated_range_highest = 32767; /* largest value of the process data */
+    /* smallest number that is rounded to the smallest value */
+    static const float position_control_manipulated_range_lower_limit = -32768.496f;
+    /* largest number that is rounded to the largest value */
+    static const float position_control_manipulated_range_upper_limit = 32767.498f;
+
+    /* the same for every axis */
+    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    static const float sample_limit = 1000000000.0f;
+    /* added to every change and to low, so that a section at rest never decays into subnormal numbers */
+    static const float least_change = 1.0e-18f;
+    /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
+    static const float sum_limit = 1000000000000000.0f;
+
+    if (!(axis_f_axis_magnitude(inputs->x_command) <= sample_limit)) {
         state->ipc_preset = false;
         state->ipc_fade = 0u;
         outputs->v_feedforward = 0.0f;
@@ -149,7 +142,7 @@ void axis_f_axis_step(
         outputs->manipulated_variable = 0;
         outputs->limited = false;
         outputs->fault = true;
-        outputs->error_id = error_x_command;
+        outputs->error_id = AXIS_F_AXIS_ERROR_X_COMMAND;
     } else if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
         state->ipc_preset = false;
         state->ipc_fade = 0u;
@@ -160,8 +153,8 @@ void axis_f_axis_step(
         outputs->manipulated_variable = 0;
         outputs->limited = false;
         outputs->fault = true;
-        outputs->error_id = error_cycle_time;
-    } else if (!(magnitude(inputs->x_actual) <= sample_limit)) {
+        outputs->error_id = AXIS_F_AXIS_ERROR_CYCLE_TIME;
+    } else if (!(axis_f_axis_magnitude(inputs->x_actual) <= sample_limit)) {
         state->ipc_preset = false;
         state->ipc_fade = 0u;
         outputs->v_feedforward = 0.0f;
@@ -171,7 +164,7 @@ void axis_f_axis_step(
         outputs->manipulated_variable = 0;
         outputs->limited = false;
         outputs->fault = true;
-        outputs->error_id = error_x_actual;
+        outputs->error_id = AXIS_F_AXIS_ERROR_X_ACTUAL;
     } else if (!inputs->position_controlled || inputs->reset) {
         state->ipc_preset = false;
         state->ipc_fade = 0u;
@@ -182,14 +175,14 @@ void axis_f_axis_step(
         outputs->manipulated_variable = 0;
         outputs->limited = false;
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_F_AXIS_ERROR_NONE;
     } else {
         bool fault_so_far;
         uint32_t error_id_so_far;
         float feedforward_v_feedforward;
-        if (magnitude(inputs->v_interpolator) <= sample_limit) {
+        if (axis_f_axis_magnitude(inputs->v_interpolator) <= sample_limit) {
             fault_so_far = false;
-            error_id_so_far = error_none;
+            error_id_so_far = AXIS_F_AXIS_ERROR_NONE;
             float feedforward_gain_now;
             if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
                 if (inputs->feedforward_percentage >= 100) {
@@ -203,7 +196,7 @@ void axis_f_axis_step(
             feedforward_v_feedforward = feedforward_gain_now * inputs->v_interpolator;
         } else {
             feedforward_v_feedforward = 0.0f;
-            error_id_so_far = error_v_interpolator;
+            error_id_so_far = AXIS_F_AXIS_ERROR_V_INTERPOLATOR;
             fault_so_far = true;
         }
         outputs->v_feedforward = feedforward_v_feedforward;
@@ -212,30 +205,31 @@ void axis_f_axis_step(
         outputs->v_command = v_controller;
         bool ipc_runs;
         uint32_t ipc_reason;
-        if (magnitude(inputs->v_motor) <= sample_limit && inputs->mode == mode_on
+        if (axis_f_axis_magnitude(inputs->v_motor) <= sample_limit && inputs->mode == AXIS_F_AXIS_MODE_ON
                 && state->ipc_fade >= ipc_fade_cycles) {
             ipc_runs = true;
-            ipc_reason = error_none;
+            ipc_reason = AXIS_F_AXIS_ERROR_NONE;
         } else if (state->ipc_disturbed) {
             state->ipc_disturbed = false;
             ipc_runs = false;
-            ipc_reason = error_state;
-        } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
-                && magnitude(inputs->v_motor) <= sample_limit) {
+            ipc_reason = AXIS_F_AXIS_ERROR_STATE;
+        } else if ((inputs->mode == AXIS_F_AXIS_MODE_ON || inputs->mode == AXIS_F_AXIS_MODE_OFF
+                    || inputs->mode == AXIS_F_AXIS_MODE_DRYRUN)
+                && axis_f_axis_magnitude(inputs->v_motor) <= sample_limit) {
             if (state->ipc_preset) {
-                if (inputs->mode == mode_on) {
+                if (inputs->mode == AXIS_F_AXIS_MODE_ON) {
                     state->ipc_fade = state->ipc_fade + 1u;
                 } else {
                     if (state->ipc_fade > 0u) {
                         state->ipc_fade = state->ipc_fade - 1u;
                     }
-                    if (inputs->mode == mode_off && state->ipc_fade == 0u) {
+                    if (inputs->mode == AXIS_F_AXIS_MODE_OFF && state->ipc_fade == 0u) {
                         state->ipc_preset = false;
                     }
                 }
                 ipc_runs = true;
             } else {
-                if (inputs->mode != mode_off) {
+                if (inputs->mode != AXIS_F_AXIS_MODE_OFF) {
                     state->ipc_source_v_motor_before = inputs->v_motor;
                     /* DIRECT (P-AXIS-00753) from v_motor, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
                     /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 24 Hz (P-AXIS-00751),
@@ -246,14 +240,15 @@ void axis_f_axis_step(
                 }
                 ipc_runs = false;
             }
-            ipc_reason = error_none;
+            ipc_reason = AXIS_F_AXIS_ERROR_NONE;
         } else {
             state->ipc_fade = 0u;
             state->ipc_preset = false;
-            if (inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun) {
-                ipc_reason = error_v_motor;
+            if (inputs->mode == AXIS_F_AXIS_MODE_ON || inputs->mode == AXIS_F_AXIS_MODE_OFF
+                    || inputs->mode == AXIS_F_AXIS_MODE_DRYRUN) {
+                ipc_reason = AXIS_F_AXIS_ERROR_V_MOTOR;
             } else {
-                ipc_reason = error_mode;
+                ipc_reason = AXIS_F_AXIS_ERROR_MODE;
             }
             ipc_runs = false;
         }
@@ -279,15 +274,15 @@ void axis_f_axis_step(
                 ipc_stage0_filter0_section0_left - ipc_stage0_filter0_bandpass0_c * ipc_stage0_filter0_section0_y;
             const float ipc_v_stage0 = ipc_stage0_gain * ipc_stage0_filter0_section0_y;
             float ipc_v_limited;
-            if (magnitude(ipc_v_stage0) <= ipc_limit) {
+            if (axis_f_axis_magnitude(ipc_v_stage0) <= ipc_limit) {
                 limited_so_far = false;
-                if (magnitude(ipc_v_stage0) <= ipc_rest) {
+                if (axis_f_axis_magnitude(ipc_v_stage0) <= ipc_rest) {
                     ipc_v_limited = 0.0f;
                 } else {
                     ipc_v_limited = ipc_v_stage0;
                 }
             } else {
-                if (magnitude(ipc_v_stage0) <= sum_limit) {
+                if (axis_f_axis_magnitude(ipc_v_stage0) <= sum_limit) {
                     if (ipc_v_stage0 > 0.0f) {
                         ipc_v_limited = ipc_limit;
                     } else {
@@ -312,7 +307,7 @@ void axis_f_axis_step(
                 } else {
                     ipc_v_add = 0.0f;
                 }
-                if (inputs->mode == mode_off) {
+                if (inputs->mode == AXIS_F_AXIS_MODE_OFF) {
                     outputs->v_add_calculated = 0.0f;
                 } else {
                     outputs->v_add_calculated = ipc_v_limited;
@@ -320,7 +315,7 @@ void axis_f_axis_step(
             }
         } else {
             limited_so_far = false;
-            const bool ipc_fault = ipc_reason != error_none;
+            const bool ipc_fault = ipc_reason != AXIS_F_AXIS_ERROR_NONE;
             ipc_v_add = 0.0f;
             outputs->v_add_calculated = 0.0f;
             const uint32_t ipc_error_id = ipc_reason;
@@ -335,9 +330,9 @@ void axis_f_axis_step(
         outputs->v_add = ipc_v_add;
         const float position_control_v_drive = v_controller + ipc_v_add;
         const float position_control_increments = position_control_manipulated_scale * position_control_v_drive;
-        if (magnitude(position_control_increments) <= position_control_manipulated_range_upper_limit) {
+        if (axis_f_axis_magnitude(position_control_increments) <= position_control_manipulated_range_upper_limit) {
             outputs->limited = limited_so_far;
-            outputs->manipulated_variable = nearest(position_control_increments);
+            outputs->manipulated_variable = axis_f_axis_nearest(position_control_increments);
         } else if (position_control_increments > 0.0f) {
             outputs->manipulated_variable = position_control_manipulated_range_highest;
             outputs->limited = true;
@@ -351,142 +346,4 @@ void axis_f_axis_step(
             outputs->limited = true;
         }
     }
-}
-
-static uint32_t bits_of(float value)
-{
-    union {
-        float value;
-        uint32_t bits;
-    } view;
-    view.value = value;
-    return view.bits;
-}
-
-static float real_of(uint32_t bits)
-{
-    union {
-        float value;
-        uint32_t bits;
-    } view;
-    view.bits = bits;
-    return view.value;
-}
-
-static uint32_t fold(uint32_t digest, uint32_t bits)
-{
-    return ((digest << 5) | (digest >> 27)) + bits;
-}
-
-uint32_t axis_f_axis_self_test(void)
-{
-    /* the reference's digest of all outputs and of the state, after each sample */
-    static const uint32_t expected[44] = {
-        UINT32_C(0x4806c7ad),
-        UINT32_C(0x88e59d63),
-        UINT32_C(0x4a89e365),
-        UINT32_C(0x2ad3fa49),
-        UINT32_C(0x77962ec4),
-        UINT32_C(0x76acab5b),
-        UINT32_C(0xb325d33c),
-        UINT32_C(0x4620be49),
-        UINT32_C(0x3253cf00),
-        UINT32_C(0x0e8ce89d),
-        UINT32_C(0xb363a7b9),
-        UINT32_C(0xd777ed8e),
-        UINT32_C(0xae5db60e),
-        UINT32_C(0x44b38f58),
-        UINT32_C(0xfaa1806c),
-        UINT32_C(0xbfa04781),
-        UINT32_C(0xd0589ef5),
-        UINT32_C(0xa63f4e78),
-        UINT32_C(0xe38cca38),
-        UINT32_C(0xebe48bac),
-        UINT32_C(0x10b9d0ec),
-        UINT32_C(0x0d35280d),
-        UINT32_C(0x46367c64),
-        UINT32_C(0xe18e2072),
-        UINT32_C(0x9cbc64da),
-        UINT32_C(0xc420b381),
-        UINT32_C(0xb5d3dde3),
-        UINT32_C(0x95303333),
-        UINT32_C(0x585c73db),
-        UINT32_C(0xfb256521),
-        UINT32_C(0xc8b15e23),
-        UINT32_C(0x191364a0),
-        UINT32_C(0x06aa3daa),
-        UINT32_C(0x30a7ae6e),
-        UINT32_C(0xfac38729),
-        UINT32_C(0x3337e3b0),
-        UINT32_C(0xbf26b71f),
-        UINT32_C(0xef4be170),
-        UINT32_C(0x7b0d4819),
-        UINT32_C(0x0c78f16b),
-        UINT32_C(0xd171c12e),
-        UINT32_C(0xe74e01ca),
-        UINT32_C(0xa2c58d93),
-        UINT32_C(0xf88ea612),
-    };
-    /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_f_axis_state *, const axis_f_axis_inputs *, axis_f_axis_outputs *) =
-        axis_f_axis_step;
-    axis_f_axis_state state;
-    axis_f_axis_inputs inputs;
-    axis_f_axis_outputs outputs;
-    uint32_t digest = 0u;
-    uint32_t noise;
-    float scale;
-    uint32_t random = 1u;
-    uint32_t sample;
-    /* 1 + 2^-15 and its rounded square; volatile: worked out when it runs */
-    volatile float factor = real_of(UINT32_C(0x3f800100));
-    volatile float square = real_of(UINT32_C(0x3f800200));
-    const float product = factor * factor;
-    const float remainder = product - square;
-
-    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
-    if (bits_of(remainder) != 0u) {
-        return 1u;
-    }
-
-    axis_f_axis_init(&state);
-    axis_f_axis_inputs_init(&inputs);
-    inputs.feedforward_active = true;
-    inputs.feedforward_percentage = 87;
-    for (sample = 0u; sample < 44u; sample++) {
-        /* at first within every limit, so that nothing is cut off */
-        scale = sample < 36u ? 0.00024414063f : 1.0f;
-        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((float)(random >> 8) - 8388608.0f) * scale);
-        inputs.x_command = real_of(sample == 1u ? UINT32_C(0x7fc00000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((float)(random >> 8) - 8388608.0f) * scale);
-        inputs.x_actual = real_of(sample == 4u ? UINT32_C(0x7fc00000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((float)(random >> 8) - 8388608.0f) * scale);
-        inputs.v_interpolator = real_of(sample == 7u ? UINT32_C(0x7fc00000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((float)(random >> 8) - 8388608.0f) * scale);
-        inputs.v_motor = real_of(sample == 10u ? UINT32_C(0x7fc00000) : noise);
-        step(&state, &inputs, &outputs);
-        digest = fold(digest, bits_of(outputs.v_command));
-        digest = fold(digest, bits_of(outputs.v_feedforward));
-        digest = fold(digest, bits_of(outputs.v_add));
-        digest = fold(digest, bits_of(outputs.v_add_calculated));
-        digest = fold(digest, (uint32_t)outputs.manipulated_variable);
-        digest = fold(digest, outputs.error_id);
-        digest = fold(digest, outputs.limited);
-        digest = fold(digest, outputs.fault);
-        digest = fold(digest, state.ipc_preset);
-        digest = fold(digest, state.ipc_fade);
-        digest = fold(digest, state.ipc_disturbed);
-        digest = fold(digest, bits_of(state.ipc_source_v_motor_before));
-        digest = fold(digest, bits_of(state.ipc_stage0_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.ipc_stage0_filter0_section0_p));
-        if (digest != expected[sample]) {
-            return sample + 1u;
-        }
-    }
-    return 0u;
 }

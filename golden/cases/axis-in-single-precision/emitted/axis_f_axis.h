@@ -5,17 +5,72 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  d9834b11557cb1d69918abf7f9c4bf67
- * checksum    b9d20bcf53dec8abfb04ec984085dad7
+ * structure   8339b0de0ac9808242f4ef78f4444341
+ * checksum    985cd886856d62caa37e5daaec43f414
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_F_AXIS_H
 #define AXIS_F_AXIS_H
 
+#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* What code can compare with what it expects, at its start or in an #if. */
+/* the cycle time that the block is designed for [ns] */
+#define AXIS_F_AXIS_CYCLE_TIME_NS 2000000u
+/* the bits of its real type */
+#define AXIS_F_AXIS_REAL_BITS 32
+/* the largest |v_add| [um/s] */
+#define AXIS_F_AXIS_LIMIT 60000.0f
+/* the digest of its parameters, as in the head of this file */
+#define AXIS_F_AXIS_PARAMETERS_0 0xd9834b11u
+#define AXIS_F_AXIS_PARAMETERS_1 0x557cb1d6u
+#define AXIS_F_AXIS_PARAMETERS_2 0x9918abf7u
+#define AXIS_F_AXIS_PARAMETERS_3 0xf9c4bf67u
+/* the digest of its structure: the same where two blocks differ in the values of coefficients only */
+#define AXIS_F_AXIS_STRUCTURE_0 0x8339b0deu
+#define AXIS_F_AXIS_STRUCTURE_1 0x0ac98082u
+#define AXIS_F_AXIS_STRUCTURE_2 0x42f4ef78u
+#define AXIS_F_AXIS_STRUCTURE_3 0xf4444341u
+/* the bytes of its structs where a bool has one and each member is aligned to its own size */
+#define AXIS_F_AXIS_INPUTS_SIZE 36u
+#define AXIS_F_AXIS_OUTPUTS_SIZE 28u
+#define AXIS_F_AXIS_STATE_SIZE 24u
+
+/* With another number of bits in float the block would compute other numbers, and the structs would be laid out differently.
+ * Nothing else is asserted: the alignment of members is the ABI's own affair. */
+#if defined(__cplusplus) && __cplusplus >= 201103L
+static_assert(sizeof(float) * CHAR_BIT == AXIS_F_AXIS_REAL_BITS, "float must have 32 bits");
+#elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
+_Static_assert(sizeof(float) * CHAR_BIT == AXIS_F_AXIS_REAL_BITS, "float must have 32 bits");
+#else
+typedef char axis_f_axis_real_has_32_bits[sizeof(float) * CHAR_BIT == AXIS_F_AXIS_REAL_BITS ? 1 : -1];
+#endif
+
+/* values of the input mode */
+enum {
+    AXIS_F_AXIS_MODE_OFF = 0, /* the block is off */
+    AXIS_F_AXIS_MODE_ON = 1, /* the block acts */
+    AXIS_F_AXIS_MODE_DRYRUN = 2 /* the block calculates and does not act */
+};
+
+/* values of the output error_id */
+enum {
+    AXIS_F_AXIS_ERROR_NONE = 0, /* no fault */
+    AXIS_F_AXIS_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
+    AXIS_F_AXIS_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
+    /* a state of the block is no number, or beyond all that samples in range lead to; everything starts anew */
+    AXIS_F_AXIS_ERROR_STATE = 3,
+    AXIS_F_AXIS_ERROR_V_MOTOR = 12, /* v_motor is not within the sample limit */
+    AXIS_F_AXIS_ERROR_V_INTERPOLATOR = 14, /* v_interpolator is not within the sample limit */
+    AXIS_F_AXIS_ERROR_X_COMMAND = 17, /* x_command is not within the sample limit */
+    AXIS_F_AXIS_ERROR_X_ACTUAL = 18 /* x_actual is not within the sample limit */
+};
 
 /* Written by the caller. axis_f_axis_inputs_init fills in what is said to be the start. */
 typedef struct {
@@ -58,8 +113,15 @@ typedef struct {
     float ipc_stage0_filter0_section0_p; /* the input without its low-pass part */
 } axis_f_axis_state;
 
-/* Once before the first cycle. */
-void axis_f_axis_init(axis_f_axis_state *state);
+/* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls
+ * no library, and takes little stack. Calls with different states may interrupt each other. Of one state only one
+ * function may be at work: neither step nor init may be interrupted by a call for the same state.
+ * step writes each output once, with its final value, but one output after another. Another task or interrupt that reads
+ * several of them copies them while step cannot run (its interrupt is off), or reads copies that the task of step
+ * puts into two buffers in turn, behind a counter. */
+
+/* Once before the first cycle: every member of the state gets its start. */
+void axis_f_axis_init(axis_f_axis_state *fresh);
 
 /* Gives every input the value that it has until the caller writes it. */
 void axis_f_axis_inputs_init(axis_f_axis_inputs *inputs);
@@ -70,10 +132,11 @@ void axis_f_axis_step(
     const axis_f_axis_inputs *inputs,
     axis_f_axis_outputs *outputs);
 
-/* Compares a run of 44 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
+/* In a file of its own, axis_f_axis_self_test.c: a build that does not call it leaves it out.
+ * Compares a run of 44 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
  * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
- * precision. Run it once at start-up, on the machine and with the compiler options that the block runs with: it finds a
- * build that fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
+ * precision. Run it once at start-up, on the machine, both files with the same compiler options: it finds a build that
+ * fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
 uint32_t axis_f_axis_self_test(void);
 
 #ifdef __cplusplus

@@ -5,7 +5,9 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e5deef9d65ceb21ba9e8f5a959e207a2
- * checksum    0d198e21e2be7cee37f3ec1d1051b610
+ * structure   92acc77ffb8f87d14c39621bda8a33ca
+ * checksum    7b4b5fdf9d33eae0c7bb3f10edafc436
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"
 
@@ -28,7 +30,7 @@
 #endif
 
 /* |value|, without a library */
-static double magnitude(double value)
+static double axis_x_axis_magnitude(double value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs(value);
@@ -39,7 +41,7 @@ static double magnitude(double value)
 
 /* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
  * rightly; without a library */
-static int32_t nearest(double value)
+static int32_t axis_x_axis_nearest(double value)
 {
 #if defined(__GNUC__)
     return (int32_t)(value + __builtin_copysign(0.49999999999999994, value));
@@ -48,103 +50,19 @@ static int32_t nearest(double value)
 #endif
 }
 
-/* cycle time 1000 us, the coefficients hold for no other */
-static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
-
-/* weight of the whole feedforward 1/1 = 1 (P-AXIS-00228/00229) */
-static const double feedforward_weight = 1.0; /* weight of the whole feedforward at 100 % */
-static const double feedforward_weight_per_percent = 0.01; /* weight / 100 */
-
-/* time constant Ta = 4 ms (P-AXIS-00225/00226) */
-static const double feedforward_t_a = 0.004; /* time constant of the acceleration [s] */
-
-/* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755)
- * BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751), quality
- * factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz
- * section 1 of 1: centre frequency 53 Hz, quality factor 9.81529, gain 1 there and 1 at 53 Hz */
-/* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double ipc_stage0_filter0_bandpass0_b2 = -0.016379233277825974;
-static const double ipc_stage0_filter0_bandpass0_a1 = -1.8591673332183505; /* denominator: s1 = s2 - a1 y */
-static const double ipc_stage0_filter0_bandpass0_a2 = 0.967241533444348; /* denominator: s2 = b2 x - a2 y */
-
-/* -weight, against the vibration; at 53 Hz the stage adds 3 times its source at 180 deg */
-static const double ipc_stage0_gain = -3.0; /* -weight: negative, because the stage moves the motor against the vibration */
-
-/* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755)
- * simulated oscillation of the load, f0 of the first BANDPASS 11 Hz (P-AXIS-00751), damping ratio 0.8
- * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-static const double ipc_stage1_oscillation_b0 = 0.05348673135661798; /* numerator: y = b0 x + s1 */
-static const double ipc_stage1_oscillation_b1 = 0.002262495254415846; /* numerator: s1 = b1 x - a1 y + s2 */
-static const double ipc_stage1_oscillation_b2 = -0.051224236102202135; /* numerator: s2 = b2 x - a2 y */
-static const double ipc_stage1_oscillation_a1 = -1.8907640420323482; /* denominator: s1 = b1 x - a1 y + s2 */
-static const double ipc_stage1_oscillation_a2 = 0.8952890325411799; /* denominator: s2 = b2 x - a2 y */
-static const double ipc_stage1_oscillation_preset_s1 = 0.946513268643382; /* 1 - b0: steady s1 for a constant input of 1 */
-static const double ipc_stage1_oscillation_preset_s2 = -0.946513268643382; /* b2 - a2: steady s2 for a constant input of 1 */
-
-/* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751), quality
- * factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz
- * section 1 of 1: centre frequency 11 Hz, quality factor 1.998209, gain 1 there and 1 at 11 Hz */
-/* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double ipc_stage1_filter0_bandpass0_b2 = -0.01698693694336859;
-static const double ipc_stage1_filter0_bandpass0_a1 = -1.9613322512435023; /* denominator: s1 = s2 - a1 y */
-static const double ipc_stage1_filter0_bandpass0_a2 = 0.9660261261132628; /* denominator: s2 = b2 x - a2 y */
-
-/* -weight, against the vibration; at 11 Hz the stage adds 2.240571 times its source at 147.9946 deg */
-static const double ipc_stage1_gain = -1.9; /* -weight: negative, because the stage moves the motor against the vibration */
-
-/* largest |v_add| = 530000: 1000 * 0.1 % (P-AXIS-00757) of 530000 (P-AXIS-00212) */
-static const double ipc_limit = 530000.0; /* largest |v_add| */
-static const double ipc_lower_limit = -530000.0; /* -limit */
-
-/* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
-/* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
-static const double ipc_rest = 4.597017211338539e-13;
-
-/* OFF to ON takes 0.1 s (key fade), in cycles */
-static const uint32_t ipc_fade_cycles = 100u; /* cycles that the fade takes from 0 to 1 */
-static const double ipc_fade_step = 0.01; /* 1 / fade_cycles */
-
-/* position control in the CNC: Kv = 20/s (P-AXIS-00099) */
-static const double position_control_kv = 20.0; /* gain of the position controller Kv [1/s] */
-
-/* 20000/1 increments at 1 m/min (P-AXIS-00129/00128) */
-static const double position_control_manipulated_scale = 1.2; /* manipulated variable: increments for 1 um/s */
-
-/* process data of 32 bits */
-static const int32_t position_control_manipulated_range_lowest = (-2147483647 - 1); /* smallest value of the process data */
-static const int32_t position_control_manipulated_range_highest = 2147483647; /* largest value of the process data */
-/* smallest number that is rounded to the smallest value */
-static const double position_control_manipulated_range_lower_limit = -2147483648.4999995;
-/* largest number that is rounded to the largest value */
-static const double position_control_manipulated_range_upper_limit = 2147483647.4999998;
-
-/* the same for every axis */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const double sample_limit = 1000000000000000.0;
-static const uint32_t error_x_command = 17u; /* error_id: x_command is not within the sample limit */
-static const uint32_t error_none = 0u; /* error_id: no fault */
-/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_cycle_time = 1u;
-static const uint32_t error_x_actual = 18u; /* error_id: x_actual is not within the sample limit */
-static const uint32_t error_a_interpolator = 15u; /* error_id: a_interpolator is not within the sample limit */
-static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
-static const int32_t mode_on = 1; /* mode: the block acts */
-static const int32_t mode_off = 0; /* mode: the block is off */
-static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
- * anew */
-static const uint32_t error_state = 3u;
-static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
-static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-/* added in every update of s2, so that a section at rest never decays into subnormal numbers */
-static const double anti_denormal = 1.0e-30;
-static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
-
-void axis_x_axis_init(axis_x_axis_state *state)
+void axis_x_axis_init(axis_x_axis_state *fresh)
 {
-    state->ipc_disturbed = false;
+    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    volatile axis_x_axis_state *const state = fresh;
     state->ipc_preset = false;
     state->ipc_fade = 0u;
+    state->ipc_disturbed = false;
+    state->ipc_stage0_filter0_section0_s1 = 0.0;
+    state->ipc_stage0_filter0_section0_s2 = 0.0;
+    state->ipc_stage1_oscillation_s1 = 0.0;
+    state->ipc_stage1_oscillation_s2 = 0.0;
+    state->ipc_stage1_filter0_section0_s1 = 0.0;
+    state->ipc_stage1_filter0_section0_s2 = 0.0;
 }
 
 void axis_x_axis_inputs_init(axis_x_axis_inputs *inputs)
@@ -167,7 +85,84 @@ void axis_x_axis_step(
     const axis_x_axis_inputs *restrict inputs,
     axis_x_axis_outputs *restrict outputs)
 {
-    if (!(magnitude(inputs->x_command) <= sample_limit)) {
+    /* cycle time 1000 us, the coefficients hold for no other */
+    static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
+
+    /* weight of the whole feedforward 1/1 = 1 (P-AXIS-00228/00229) */
+    static const double feedforward_weight = 1.0; /* weight of the whole feedforward at 100 % */
+    static const double feedforward_weight_per_percent = 0.01; /* weight / 100 */
+
+    /* time constant Ta = 4 ms (P-AXIS-00225/00226) */
+    static const double feedforward_t_a = 0.004; /* time constant of the acceleration [s] */
+
+    /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755)
+     * BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751), quality
+     * factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz
+     * section 1 of 1: centre frequency 53 Hz, quality factor 9.81529, gain 1 there and 1 at 53 Hz */
+    /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double ipc_stage0_filter0_bandpass0_b2 = -0.016379233277825974;
+    static const double ipc_stage0_filter0_bandpass0_a1 = -1.8591673332183505; /* denominator: s1 = s2 - a1 y */
+    static const double ipc_stage0_filter0_bandpass0_a2 = 0.967241533444348; /* denominator: s2 = b2 x - a2 y */
+
+    /* -weight, against the vibration; at 53 Hz the stage adds 3 times its source at 180 deg */
+    static const double ipc_stage0_gain = -3.0; /* -weight: negative, because the stage moves the motor against the vibration */
+
+    /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755)
+     * simulated oscillation of the load, f0 of the first BANDPASS 11 Hz (P-AXIS-00751), damping ratio 0.8
+     * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
+    static const double ipc_stage1_oscillation_b0 = 0.05348673135661798; /* numerator: y = b0 x + s1 */
+    static const double ipc_stage1_oscillation_b1 = 0.002262495254415846; /* numerator: s1 = b1 x - a1 y + s2 */
+    static const double ipc_stage1_oscillation_b2 = -0.051224236102202135; /* numerator: s2 = b2 x - a2 y */
+    static const double ipc_stage1_oscillation_a1 = -1.8907640420323482; /* denominator: s1 = b1 x - a1 y + s2 */
+    static const double ipc_stage1_oscillation_a2 = 0.8952890325411799; /* denominator: s2 = b2 x - a2 y */
+    static const double ipc_stage1_oscillation_preset_s1 = 0.946513268643382; /* 1 - b0: steady s1 for a constant input of 1 */
+    static const double ipc_stage1_oscillation_preset_s2 = -0.946513268643382; /* b2 - a2: steady s2 for a constant input of 1 */
+
+    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751), quality
+     * factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz
+     * section 1 of 1: centre frequency 11 Hz, quality factor 1.998209, gain 1 there and 1 at 11 Hz */
+    /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double ipc_stage1_filter0_bandpass0_b2 = -0.01698693694336859;
+    static const double ipc_stage1_filter0_bandpass0_a1 = -1.9613322512435023; /* denominator: s1 = s2 - a1 y */
+    static const double ipc_stage1_filter0_bandpass0_a2 = 0.9660261261132628; /* denominator: s2 = b2 x - a2 y */
+
+    /* -weight, against the vibration; at 11 Hz the stage adds 2.240571 times its source at 147.9946 deg */
+    static const double ipc_stage1_gain = -1.9; /* -weight: negative, because the stage moves the motor against the vibration */
+
+    /* largest |v_add| = 530000: 1000 * 0.1 % (P-AXIS-00757) of 530000 (P-AXIS-00212) */
+    static const double ipc_limit = 530000.0; /* largest |v_add| */
+    static const double ipc_lower_limit = -530000.0; /* -limit */
+
+    /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
+    /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
+    static const double ipc_rest = 4.597017211338539e-13;
+
+    /* OFF to ON takes 0.1 s (key fade), in cycles */
+    static const uint32_t ipc_fade_cycles = 100u; /* cycles that the fade takes from 0 to 1 */
+    static const double ipc_fade_step = 0.01; /* 1 / fade_cycles */
+
+    /* position control in the CNC: Kv = 20/s (P-AXIS-00099) */
+    static const double position_control_kv = 20.0; /* gain of the position controller Kv [1/s] */
+
+    /* 20000/1 increments at 1 m/min (P-AXIS-00129/00128) */
+    static const double position_control_manipulated_scale = 1.2; /* manipulated variable: increments for 1 um/s */
+
+    /* process data of 32 bits */
+    static const int32_t position_control_manipulated_range_lowest = (-2147483647 - 1); /* smallest value of the process data */
+    static const int32_t position_control_manipulated_range_highest = 2147483647; /* largest value of the process data */
+    /* smallest number that is rounded to the smallest value */
+    static const double position_control_manipulated_range_lower_limit = -2147483648.4999995;
+    /* largest number that is rounded to the largest value */
+    static const double position_control_manipulated_range_upper_limit = 2147483647.4999998;
+
+    /* the same for every axis */
+    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    static const double sample_limit = 1000000000000000.0;
+    /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
+    static const double anti_denormal = 1.0e-30;
+    static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
+
+    if (!(axis_x_axis_magnitude(inputs->x_command) <= sample_limit)) {
         state->ipc_preset = false;
         state->ipc_fade = 0u;
         outputs->v_feedforward = 0.0;
@@ -177,7 +172,7 @@ void axis_x_axis_step(
         outputs->manipulated_variable = 0;
         outputs->limited = false;
         outputs->fault = true;
-        outputs->error_id = error_x_command;
+        outputs->error_id = AXIS_X_AXIS_ERROR_X_COMMAND;
     } else if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
         state->ipc_preset = false;
         state->ipc_fade = 0u;
@@ -188,8 +183,8 @@ void axis_x_axis_step(
         outputs->manipulated_variable = 0;
         outputs->limited = false;
         outputs->fault = true;
-        outputs->error_id = error_cycle_time;
-    } else if (!(magnitude(inputs->x_actual) <= sample_limit)) {
+        outputs->error_id = AXIS_X_AXIS_ERROR_CYCLE_TIME;
+    } else if (!(axis_x_axis_magnitude(inputs->x_actual) <= sample_limit)) {
         state->ipc_preset = false;
         state->ipc_fade = 0u;
         outputs->v_feedforward = 0.0;
@@ -199,7 +194,7 @@ void axis_x_axis_step(
         outputs->manipulated_variable = 0;
         outputs->limited = false;
         outputs->fault = true;
-        outputs->error_id = error_x_actual;
+        outputs->error_id = AXIS_X_AXIS_ERROR_X_ACTUAL;
     } else if (!inputs->position_controlled || inputs->reset) {
         state->ipc_preset = false;
         state->ipc_fade = 0u;
@@ -210,14 +205,15 @@ void axis_x_axis_step(
         outputs->manipulated_variable = 0;
         outputs->limited = false;
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_X_AXIS_ERROR_NONE;
     } else {
         bool fault_so_far;
         uint32_t error_id_so_far;
         double feedforward_v_feedforward;
-        if (magnitude(inputs->v_interpolator) <= sample_limit && magnitude(inputs->a_interpolator) <= sample_limit) {
+        if (axis_x_axis_magnitude(inputs->v_interpolator) <= sample_limit
+                && axis_x_axis_magnitude(inputs->a_interpolator) <= sample_limit) {
             fault_so_far = false;
-            error_id_so_far = error_none;
+            error_id_so_far = AXIS_X_AXIS_ERROR_NONE;
             double feedforward_gain_now;
             if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
                 if (inputs->feedforward_percentage >= 100) {
@@ -231,10 +227,10 @@ void axis_x_axis_step(
             const double feedforward_v_a = inputs->v_interpolator + feedforward_t_a * inputs->a_interpolator;
             feedforward_v_feedforward = feedforward_gain_now * feedforward_v_a;
         } else {
-            if (magnitude(inputs->a_interpolator) <= sample_limit) {
-                error_id_so_far = error_v_interpolator;
+            if (axis_x_axis_magnitude(inputs->a_interpolator) <= sample_limit) {
+                error_id_so_far = AXIS_X_AXIS_ERROR_V_INTERPOLATOR;
             } else {
-                error_id_so_far = error_a_interpolator;
+                error_id_so_far = AXIS_X_AXIS_ERROR_A_INTERPOLATOR;
             }
             feedforward_v_feedforward = 0.0;
             fault_so_far = true;
@@ -245,30 +241,31 @@ void axis_x_axis_step(
         outputs->v_command = v_controller;
         bool ipc_runs;
         uint32_t ipc_reason;
-        if (magnitude(inputs->v_motor) <= sample_limit && inputs->mode == mode_on
+        if (axis_x_axis_magnitude(inputs->v_motor) <= sample_limit && inputs->mode == AXIS_X_AXIS_MODE_ON
                 && state->ipc_fade >= ipc_fade_cycles) {
             ipc_runs = true;
-            ipc_reason = error_none;
+            ipc_reason = AXIS_X_AXIS_ERROR_NONE;
         } else if (state->ipc_disturbed) {
             state->ipc_disturbed = false;
             ipc_runs = false;
-            ipc_reason = error_state;
-        } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
-                && magnitude(inputs->v_motor) <= sample_limit) {
+            ipc_reason = AXIS_X_AXIS_ERROR_STATE;
+        } else if ((inputs->mode == AXIS_X_AXIS_MODE_ON || inputs->mode == AXIS_X_AXIS_MODE_OFF
+                    || inputs->mode == AXIS_X_AXIS_MODE_DRYRUN)
+                && axis_x_axis_magnitude(inputs->v_motor) <= sample_limit) {
             if (state->ipc_preset) {
-                if (inputs->mode == mode_on) {
+                if (inputs->mode == AXIS_X_AXIS_MODE_ON) {
                     state->ipc_fade = state->ipc_fade + 1u;
                 } else {
                     if (state->ipc_fade > 0u) {
                         state->ipc_fade = state->ipc_fade - 1u;
                     }
-                    if (inputs->mode == mode_off && state->ipc_fade == 0u) {
+                    if (inputs->mode == AXIS_X_AXIS_MODE_OFF && state->ipc_fade == 0u) {
                         state->ipc_preset = false;
                     }
                 }
                 ipc_runs = true;
             } else {
-                if (inputs->mode != mode_off) {
+                if (inputs->mode != AXIS_X_AXIS_MODE_OFF) {
                     /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755) */
                     /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
                      * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
@@ -289,14 +286,15 @@ void axis_x_axis_step(
                 }
                 ipc_runs = false;
             }
-            ipc_reason = error_none;
+            ipc_reason = AXIS_X_AXIS_ERROR_NONE;
         } else {
             state->ipc_fade = 0u;
             state->ipc_preset = false;
-            if (inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun) {
-                ipc_reason = error_v_motor;
+            if (inputs->mode == AXIS_X_AXIS_MODE_ON || inputs->mode == AXIS_X_AXIS_MODE_OFF
+                    || inputs->mode == AXIS_X_AXIS_MODE_DRYRUN) {
+                ipc_reason = AXIS_X_AXIS_ERROR_V_MOTOR;
             } else {
-                ipc_reason = error_mode;
+                ipc_reason = AXIS_X_AXIS_ERROR_MODE;
             }
             ipc_runs = false;
         }
@@ -341,15 +339,15 @@ void axis_x_axis_step(
             const double ipc_v_stage1 = ipc_stage1_gain * ipc_stage1_filter0_section0_y;
             const double ipc_v_sum1 = ipc_v_stage0 + ipc_v_stage1;
             double ipc_v_limited;
-            if (magnitude(ipc_v_sum1) <= ipc_limit) {
+            if (axis_x_axis_magnitude(ipc_v_sum1) <= ipc_limit) {
                 limited_so_far = false;
-                if (magnitude(ipc_v_sum1) <= ipc_rest) {
+                if (axis_x_axis_magnitude(ipc_v_sum1) <= ipc_rest) {
                     ipc_v_limited = 0.0;
                 } else {
                     ipc_v_limited = ipc_v_sum1;
                 }
             } else {
-                if (magnitude(ipc_v_sum1) <= sum_limit) {
+                if (axis_x_axis_magnitude(ipc_v_sum1) <= sum_limit) {
                     if (ipc_v_sum1 > 0.0) {
                         ipc_v_limited = ipc_limit;
                     } else {
@@ -374,7 +372,7 @@ void axis_x_axis_step(
                 } else {
                     ipc_v_add = 0.0;
                 }
-                if (inputs->mode == mode_off) {
+                if (inputs->mode == AXIS_X_AXIS_MODE_OFF) {
                     outputs->v_add_calculated = 0.0;
                 } else {
                     outputs->v_add_calculated = ipc_v_limited;
@@ -382,7 +380,7 @@ void axis_x_axis_step(
             }
         } else {
             limited_so_far = false;
-            const bool ipc_fault = ipc_reason != error_none;
+            const bool ipc_fault = ipc_reason != AXIS_X_AXIS_ERROR_NONE;
             ipc_v_add = 0.0;
             outputs->v_add_calculated = 0.0;
             const uint32_t ipc_error_id = ipc_reason;
@@ -397,9 +395,9 @@ void axis_x_axis_step(
         outputs->v_add = ipc_v_add;
         const double position_control_v_drive = v_controller + ipc_v_add;
         const double position_control_increments = position_control_manipulated_scale * position_control_v_drive;
-        if (magnitude(position_control_increments) <= position_control_manipulated_range_upper_limit) {
+        if (axis_x_axis_magnitude(position_control_increments) <= position_control_manipulated_range_upper_limit) {
             outputs->limited = limited_so_far;
-            outputs->manipulated_variable = nearest(position_control_increments);
+            outputs->manipulated_variable = axis_x_axis_nearest(position_control_increments);
         } else if (position_control_increments > 0.0) {
             outputs->manipulated_variable = position_control_manipulated_range_highest;
             outputs->limited = true;
@@ -413,155 +411,4 @@ void axis_x_axis_step(
             outputs->limited = true;
         }
     }
-}
-
-static uint64_t bits_of(double value)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.value = value;
-    return view.bits;
-}
-
-static double real_of(uint64_t bits)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.bits = bits;
-    return view.value;
-}
-
-static uint64_t fold(uint64_t digest, uint64_t bits)
-{
-    return ((digest << 5) | (digest >> 59)) + bits;
-}
-
-uint32_t axis_x_axis_self_test(void)
-{
-    /* the reference's digest of all outputs and of the state, after each sample */
-    static const uint64_t expected[47] = {
-        UINT64_C(0xad6f6e999b37ab8a),
-        UINT64_C(0x61c0a33f1d61b95a),
-        UINT64_C(0x72dca0ccbdb02366),
-        UINT64_C(0x26e9fe6a186c8cff),
-        UINT64_C(0xc19839738d122c47),
-        UINT64_C(0x06425c945db78d2d),
-        UINT64_C(0xde0d1b614d916235),
-        UINT64_C(0x8d0128f1665cfbcf),
-        UINT64_C(0x5fce4535521665b5),
-        UINT64_C(0xdd6062e0a7fa92f8),
-        UINT64_C(0x14d4b49c3ab8c9f1),
-        UINT64_C(0x589b993507a1e8c7),
-        UINT64_C(0xe4be8178514a6009),
-        UINT64_C(0xda312c24fd2c4a91),
-        UINT64_C(0xccb7efec025b513a),
-        UINT64_C(0xa77ce62a12a86855),
-        UINT64_C(0xdaf324c5a29728cf),
-        UINT64_C(0xd556b2f916bfc946),
-        UINT64_C(0x477b68c686c27f0b),
-        UINT64_C(0xb6556f9622980dde),
-        UINT64_C(0x1f5c43613f7eae8c),
-        UINT64_C(0x5770921b3ca5afc8),
-        UINT64_C(0xc8c12ea90adf9ae1),
-        UINT64_C(0x67a3cd592f344b5a),
-        UINT64_C(0x872a6414708508d6),
-        UINT64_C(0xb0828dd4e3ce7844),
-        UINT64_C(0xc760a26a5de58876),
-        UINT64_C(0x52302ed32579b872),
-        UINT64_C(0xef5b76b3f2979ded),
-        UINT64_C(0xb16b44c5fdaba7b3),
-        UINT64_C(0xfe5d20878a812bfc),
-        UINT64_C(0xb7d2f196dfd9dd5b),
-        UINT64_C(0x2d142d1f4eb15e9c),
-        UINT64_C(0xd630886305f75dd4),
-        UINT64_C(0x55c7d17f40909044),
-        UINT64_C(0x9463829e23b19b67),
-        UINT64_C(0xf047e85fb8bf5221),
-        UINT64_C(0x0ba2a4896147f561),
-        UINT64_C(0x882217f3f63f93ea),
-        UINT64_C(0x3b9359f8e0d9b9b6),
-        UINT64_C(0xb925191e1634d326),
-        UINT64_C(0x3b9887d86d607d73),
-        UINT64_C(0x4060ddfc2fb9df1c),
-        UINT64_C(0xa16bf7a0cf94b853),
-        UINT64_C(0xe06fb52807c9e2af),
-        UINT64_C(0x56e02fd610e579bd),
-        UINT64_C(0xec3240a4d20ca379),
-    };
-    /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_x_axis_state *, const axis_x_axis_inputs *, axis_x_axis_outputs *) =
-        axis_x_axis_step;
-    axis_x_axis_state state;
-    axis_x_axis_inputs inputs;
-    axis_x_axis_outputs outputs;
-    uint64_t digest = 0u;
-    uint64_t noise;
-    double scale;
-    uint32_t random = 1u;
-    uint32_t sample;
-    /* 1 + 2^-30 and its rounded square; volatile: worked out when it runs */
-    volatile double factor = real_of(UINT64_C(0x3ff0000000400000));
-    volatile double square = real_of(UINT64_C(0x3ff0000000800000));
-    const double product = factor * factor;
-    const double remainder = product - square;
-
-    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
-    if (bits_of(remainder) != 0u) {
-        return 1u;
-    }
-    /* as it stands here, unless the compiler takes constants for single precision */
-    if (bits_of(0.1) != UINT64_C(0x3fb999999999999a)) {
-        return 1u;
-    }
-
-    axis_x_axis_init(&state);
-    axis_x_axis_inputs_init(&inputs);
-    inputs.feedforward_active = true;
-    inputs.feedforward_percentage = 87;
-    for (sample = 0u; sample < 47u; sample++) {
-        /* at first within every limit, so that nothing is cut off */
-        scale = sample < 39u ? 0.00390625 : 4.0;
-        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.x_command = real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.x_actual = real_of(sample == 4u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_interpolator = real_of(sample == 7u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.a_interpolator = real_of(sample == 10u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_motor = real_of(sample == 13u ? UINT64_C(0x7ff8000000000000) : noise);
-        step(&state, &inputs, &outputs);
-        digest = fold(digest, bits_of(outputs.v_command));
-        digest = fold(digest, bits_of(outputs.v_feedforward));
-        digest = fold(digest, bits_of(outputs.v_add));
-        digest = fold(digest, bits_of(outputs.v_add_calculated));
-        digest = fold(digest, (uint32_t)outputs.manipulated_variable);
-        digest = fold(digest, outputs.error_id);
-        digest = fold(digest, outputs.limited);
-        digest = fold(digest, outputs.fault);
-        digest = fold(digest, state.ipc_preset);
-        digest = fold(digest, state.ipc_fade);
-        digest = fold(digest, state.ipc_disturbed);
-        digest = fold(digest, bits_of(state.ipc_stage0_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.ipc_stage0_filter0_section0_s2));
-        digest = fold(digest, bits_of(state.ipc_stage1_oscillation_s1));
-        digest = fold(digest, bits_of(state.ipc_stage1_oscillation_s2));
-        digest = fold(digest, bits_of(state.ipc_stage1_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.ipc_stage1_filter0_section0_s2));
-        if (digest != expected[sample]) {
-            return sample + 1u;
-        }
-    }
-    return 0u;
 }

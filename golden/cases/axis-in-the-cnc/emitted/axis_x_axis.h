@@ -5,17 +5,73 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e5deef9d65ceb21ba9e8f5a959e207a2
- * checksum    c31852ffc95c03450cca8bf124c26eda
+ * structure   92acc77ffb8f87d14c39621bda8a33ca
+ * checksum    2a3f86bff9e4638ce4f94b1acc0c76d2
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_AXIS_H
 #define AXIS_X_AXIS_H
 
+#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* What code can compare with what it expects, at its start or in an #if. */
+/* the cycle time that the block is designed for [ns] */
+#define AXIS_X_AXIS_CYCLE_TIME_NS 1000000u
+/* the bits of its real type */
+#define AXIS_X_AXIS_REAL_BITS 64
+/* the largest |v_add| [um/s] */
+#define AXIS_X_AXIS_LIMIT 530000.0
+/* the digest of its parameters, as in the head of this file */
+#define AXIS_X_AXIS_PARAMETERS_0 0xe5deef9du
+#define AXIS_X_AXIS_PARAMETERS_1 0x65ceb21bu
+#define AXIS_X_AXIS_PARAMETERS_2 0xa9e8f5a9u
+#define AXIS_X_AXIS_PARAMETERS_3 0x59e207a2u
+/* the digest of its structure: the same where two blocks differ in the values of coefficients only */
+#define AXIS_X_AXIS_STRUCTURE_0 0x92acc77fu
+#define AXIS_X_AXIS_STRUCTURE_1 0xfb8f87d1u
+#define AXIS_X_AXIS_STRUCTURE_2 0x4c39621bu
+#define AXIS_X_AXIS_STRUCTURE_3 0xda8a33cau
+/* the bytes of its structs where a bool has one and each member is aligned to its own size */
+#define AXIS_X_AXIS_INPUTS_SIZE 64u
+#define AXIS_X_AXIS_OUTPUTS_SIZE 48u
+#define AXIS_X_AXIS_STATE_SIZE 64u
+
+/* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
+ * Nothing else is asserted: the alignment of members is the ABI's own affair. */
+#if defined(__cplusplus) && __cplusplus >= 201103L
+static_assert(sizeof(double) * CHAR_BIT == AXIS_X_AXIS_REAL_BITS, "double must have 64 bits");
+#elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
+_Static_assert(sizeof(double) * CHAR_BIT == AXIS_X_AXIS_REAL_BITS, "double must have 64 bits");
+#else
+typedef char axis_x_axis_real_has_64_bits[sizeof(double) * CHAR_BIT == AXIS_X_AXIS_REAL_BITS ? 1 : -1];
+#endif
+
+/* values of the input mode */
+enum {
+    AXIS_X_AXIS_MODE_OFF = 0, /* the block is off */
+    AXIS_X_AXIS_MODE_ON = 1, /* the block acts */
+    AXIS_X_AXIS_MODE_DRYRUN = 2 /* the block calculates and does not act */
+};
+
+/* values of the output error_id */
+enum {
+    AXIS_X_AXIS_ERROR_NONE = 0, /* no fault */
+    AXIS_X_AXIS_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
+    AXIS_X_AXIS_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
+    /* a state of the block is no number, or beyond all that samples in range lead to; everything starts anew */
+    AXIS_X_AXIS_ERROR_STATE = 3,
+    AXIS_X_AXIS_ERROR_V_MOTOR = 12, /* v_motor is not within the sample limit */
+    AXIS_X_AXIS_ERROR_V_INTERPOLATOR = 14, /* v_interpolator is not within the sample limit */
+    AXIS_X_AXIS_ERROR_A_INTERPOLATOR = 15, /* a_interpolator is not within the sample limit */
+    AXIS_X_AXIS_ERROR_X_COMMAND = 17, /* x_command is not within the sample limit */
+    AXIS_X_AXIS_ERROR_X_ACTUAL = 18 /* x_actual is not within the sample limit */
+};
 
 /* Written by the caller. axis_x_axis_inputs_init fills in what is said to be the start. */
 typedef struct {
@@ -63,8 +119,15 @@ typedef struct {
     double ipc_stage1_filter0_section0_s2; /* what `s1` takes over */
 } axis_x_axis_state;
 
-/* Once before the first cycle. */
-void axis_x_axis_init(axis_x_axis_state *state);
+/* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls
+ * no library, and takes little stack. Calls with different states may interrupt each other. Of one state only one
+ * function may be at work: neither step nor init may be interrupted by a call for the same state.
+ * step writes each output once, with its final value, but one output after another. Another task or interrupt that reads
+ * several of them copies them while step cannot run (its interrupt is off), or reads copies that the task of step
+ * puts into two buffers in turn, behind a counter. */
+
+/* Once before the first cycle: every member of the state gets its start. */
+void axis_x_axis_init(axis_x_axis_state *fresh);
 
 /* Gives every input the value that it has until the caller writes it. */
 void axis_x_axis_inputs_init(axis_x_axis_inputs *inputs);
@@ -75,10 +138,11 @@ void axis_x_axis_step(
     const axis_x_axis_inputs *inputs,
     axis_x_axis_outputs *outputs);
 
-/* Compares a run of 47 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
+/* In a file of its own, axis_x_axis_self_test.c: a build that does not call it leaves it out.
+ * Compares a run of 47 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
  * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
- * precision. Run it once at start-up, on the machine and with the compiler options that the block runs with: it finds a
- * build that fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
+ * precision. Run it once at start-up, on the machine, both files with the same compiler options: it finds a build that
+ * fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
 uint32_t axis_x_axis_self_test(void);
 
 #ifdef __cplusplus

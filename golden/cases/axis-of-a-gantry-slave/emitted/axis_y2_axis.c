@@ -5,7 +5,9 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  977edd273d0f3ff3ebf9ace069e7b66d
- * checksum    f7f316079d922e215815f0391601014c
+ * structure   7ce25a43f872ad44e037cafd8a14dfe5
+ * checksum    4b9b3dbc504e002156386a3be95e4260
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_y2_axis.h"
 
@@ -28,7 +30,7 @@
 #endif
 
 /* |value|, without a library */
-static double magnitude(double value)
+static double axis_y2_axis_magnitude(double value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs(value);
@@ -39,7 +41,7 @@ static double magnitude(double value)
 
 /* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
  * rightly; without a library */
-static int32_t nearest(double value)
+static int32_t axis_y2_axis_nearest(double value)
 {
 #if defined(__GNUC__)
     return (int32_t)(value + __builtin_copysign(0.49999999999999994, value));
@@ -48,39 +50,10 @@ static int32_t nearest(double value)
 #endif
 }
 
-/* cycle time 1000 us, the coefficients hold for no other */
-static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
-
-/* largest |v_add| = 500000 of the gantry's master (P-AXIS-00070, 00757, 00212) */
-static const double master_limit = 500000.0; /* gantry slave: largest |v_add| of the master */
-static const double master_lower_limit = -500000.0; /* -master_limit */
-
-/* position control in the CNC: Kv = 20/s (P-AXIS-00099) */
-static const double position_control_kv = 20.0; /* gain of the position controller Kv [1/s] */
-
-/* 2000/1 increments at 1 m/min (P-AXIS-00129/00128) */
-static const double position_control_manipulated_scale = 0.12; /* manipulated variable: increments for 1 um/s */
-
-/* process data of 32 bits */
-static const int32_t position_control_manipulated_range_lowest = (-2147483647 - 1); /* smallest value of the process data */
-static const int32_t position_control_manipulated_range_highest = 2147483647; /* largest value of the process data */
-/* smallest number that is rounded to the smallest value */
-static const double position_control_manipulated_range_lower_limit = -2147483648.4999995;
-/* largest number that is rounded to the largest value */
-static const double position_control_manipulated_range_upper_limit = 2147483647.4999998;
-
-/* the same for every axis */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const double sample_limit = 1000000000000000.0;
-static const uint32_t error_x_command = 17u; /* error_id: x_command is not within the sample limit */
-static const uint32_t error_none = 0u; /* error_id: no fault */
-/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_cycle_time = 1u;
-static const uint32_t error_x_actual = 18u; /* error_id: x_actual is not within the sample limit */
-static const uint32_t error_v_add_master = 22u; /* error_id: v_add_master is not within the sample limit */
-
-void axis_y2_axis_init(axis_y2_axis_state *state)
+void axis_y2_axis_init(axis_y2_axis_state *fresh)
 {
+    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    volatile axis_y2_axis_state *const state = fresh;
     state->unused = false;
 }
 
@@ -99,15 +72,40 @@ void axis_y2_axis_step(
     const axis_y2_axis_inputs *restrict inputs,
     axis_y2_axis_outputs *restrict outputs)
 {
+    /* cycle time 1000 us, the coefficients hold for no other */
+    static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
+
+    /* largest |v_add| = 500000 of the gantry's master (P-AXIS-00070, 00757, 00212) */
+    static const double master_limit = 500000.0; /* gantry slave: largest |v_add| of the master */
+    static const double master_lower_limit = -500000.0; /* -master_limit */
+
+    /* position control in the CNC: Kv = 20/s (P-AXIS-00099) */
+    static const double position_control_kv = 20.0; /* gain of the position controller Kv [1/s] */
+
+    /* 2000/1 increments at 1 m/min (P-AXIS-00129/00128) */
+    static const double position_control_manipulated_scale = 0.12; /* manipulated variable: increments for 1 um/s */
+
+    /* process data of 32 bits */
+    static const int32_t position_control_manipulated_range_lowest = (-2147483647 - 1); /* smallest value of the process data */
+    static const int32_t position_control_manipulated_range_highest = 2147483647; /* largest value of the process data */
+    /* smallest number that is rounded to the smallest value */
+    static const double position_control_manipulated_range_lower_limit = -2147483648.4999995;
+    /* largest number that is rounded to the largest value */
+    static const double position_control_manipulated_range_upper_limit = 2147483647.4999998;
+
+    /* the same for every axis */
+    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    static const double sample_limit = 1000000000000000.0;
+
     (void)state;
-    if (!(magnitude(inputs->x_command) <= sample_limit)) {
+    if (!(axis_y2_axis_magnitude(inputs->x_command) <= sample_limit)) {
         outputs->v_add = 0.0;
         outputs->v_add_calculated = 0.0;
         outputs->v_command = 0.0;
         outputs->manipulated_variable = 0;
         outputs->limited = false;
         outputs->fault = true;
-        outputs->error_id = error_x_command;
+        outputs->error_id = AXIS_Y2_AXIS_ERROR_X_COMMAND;
     } else if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
         outputs->v_add = 0.0;
         outputs->v_add_calculated = 0.0;
@@ -115,15 +113,15 @@ void axis_y2_axis_step(
         outputs->manipulated_variable = 0;
         outputs->limited = false;
         outputs->fault = true;
-        outputs->error_id = error_cycle_time;
-    } else if (!(magnitude(inputs->x_actual) <= sample_limit)) {
+        outputs->error_id = AXIS_Y2_AXIS_ERROR_CYCLE_TIME;
+    } else if (!(axis_y2_axis_magnitude(inputs->x_actual) <= sample_limit)) {
         outputs->v_add = 0.0;
         outputs->v_add_calculated = 0.0;
         outputs->v_command = 0.0;
         outputs->manipulated_variable = 0;
         outputs->limited = false;
         outputs->fault = true;
-        outputs->error_id = error_x_actual;
+        outputs->error_id = AXIS_Y2_AXIS_ERROR_X_ACTUAL;
     } else if (!inputs->position_controlled || inputs->reset) {
         outputs->v_add = 0.0;
         outputs->v_add_calculated = 0.0;
@@ -131,21 +129,21 @@ void axis_y2_axis_step(
         outputs->manipulated_variable = 0;
         outputs->limited = false;
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_Y2_AXIS_ERROR_NONE;
     } else {
         const double v_lag = position_control_kv * (inputs->x_command - inputs->x_actual);
         outputs->v_command = v_lag;
         bool limited_so_far;
         double v_followed;
-        if (!(magnitude(inputs->v_add_master) <= sample_limit)) {
+        if (!(axis_y2_axis_magnitude(inputs->v_add_master) <= sample_limit)) {
             limited_so_far = false;
             outputs->fault = true;
-            outputs->error_id = error_v_add_master;
+            outputs->error_id = AXIS_Y2_AXIS_ERROR_V_ADD_MASTER;
             v_followed = 0.0;
         } else {
             outputs->fault = false;
-            outputs->error_id = error_none;
-            if (magnitude(inputs->v_add_master) <= master_limit) {
+            outputs->error_id = AXIS_Y2_AXIS_ERROR_NONE;
+            if (axis_y2_axis_magnitude(inputs->v_add_master) <= master_limit) {
                 limited_so_far = false;
                 v_followed = inputs->v_add_master;
             } else {
@@ -161,9 +159,9 @@ void axis_y2_axis_step(
         outputs->v_add_calculated = v_followed;
         const double position_control_v_drive = v_lag + v_followed;
         const double position_control_increments = position_control_manipulated_scale * position_control_v_drive;
-        if (magnitude(position_control_increments) <= position_control_manipulated_range_upper_limit) {
+        if (axis_y2_axis_magnitude(position_control_increments) <= position_control_manipulated_range_upper_limit) {
             outputs->limited = limited_so_far;
-            outputs->manipulated_variable = nearest(position_control_increments);
+            outputs->manipulated_variable = axis_y2_axis_nearest(position_control_increments);
         } else if (position_control_increments > 0.0) {
             outputs->manipulated_variable = position_control_manipulated_range_highest;
             outputs->limited = true;
@@ -177,131 +175,4 @@ void axis_y2_axis_step(
             outputs->limited = true;
         }
     }
-}
-
-static uint64_t bits_of(double value)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.value = value;
-    return view.bits;
-}
-
-static double real_of(uint64_t bits)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.bits = bits;
-    return view.value;
-}
-
-static uint64_t fold(uint64_t digest, uint64_t bits)
-{
-    return ((digest << 5) | (digest >> 59)) + bits;
-}
-
-uint32_t axis_y2_axis_self_test(void)
-{
-    /* the reference's digest of all outputs and of the state, after each sample */
-    static const uint64_t expected[41] = {
-        UINT64_C(0x010080001c5418dd),
-        UINT64_C(0xe2a0c6e808044401),
-        UINT64_C(0xc18a200f42a0412c),
-        UINT64_C(0x5fd2096657319917),
-        UINT64_C(0xb98cc8bafe909333),
-        UINT64_C(0x67a4999ded3909ed),
-        UINT64_C(0x35644f6b21e8e924),
-        UINT64_C(0xef474921c090c38b),
-        UINT64_C(0x15e69c5f12f6e40b),
-        UINT64_C(0x81df2058d3c416a9),
-        UINT64_C(0x2cc0b54c91420155),
-        UINT64_C(0x8c300aa9d2765773),
-        UINT64_C(0xd77f3b9c020a3a0b),
-        UINT64_C(0x242e505e8a8073be),
-        UINT64_C(0x68cc1df0f044d6c4),
-        UINT64_C(0xfa5336234124984a),
-        UINT64_C(0x732542579614bff6),
-        UINT64_C(0x6ef27fb2f7bc4a11),
-        UINT64_C(0xed02508bc233eb1f),
-        UINT64_C(0x8f9bd8ff291899cb),
-        UINT64_C(0x7458ce5c87a0e607),
-        UINT64_C(0x95efb03b7ab7ec0e),
-        UINT64_C(0xd31760749f06707c),
-        UINT64_C(0x1a1383e6dd2c5e25),
-        UINT64_C(0x50637128960885d5),
-        UINT64_C(0xe4202eaa9b43f304),
-        UINT64_C(0x4e0798274aa497c1),
-        UINT64_C(0xf41cbe0a4484abee),
-        UINT64_C(0x75c9df777f4ac35c),
-        UINT64_C(0xc5269ae358a069c4),
-        UINT64_C(0x1203ce2613bd792a),
-        UINT64_C(0x6dafc950aa2f5ee5),
-        UINT64_C(0x46fb772b4f76fd63),
-        UINT64_C(0xbfb86ab0f906d9f6),
-        UINT64_C(0x14374f4b005aa268),
-        UINT64_C(0x3ad592fe6a08107e),
-        UINT64_C(0xc641034f8e9c9e95),
-        UINT64_C(0x1ce4f4b9ebba6072),
-        UINT64_C(0x3dd303c926b336a0),
-        UINT64_C(0xdd99b51dba7044d2),
-        UINT64_C(0x2182272bd7354c98),
-    };
-    /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_y2_axis_state *, const axis_y2_axis_inputs *, axis_y2_axis_outputs *) =
-        axis_y2_axis_step;
-    axis_y2_axis_state state;
-    axis_y2_axis_inputs inputs;
-    axis_y2_axis_outputs outputs;
-    uint64_t digest = 0u;
-    uint64_t noise;
-    double scale;
-    uint32_t random = 1u;
-    uint32_t sample;
-    /* 1 + 2^-30 and its rounded square; volatile: worked out when it runs */
-    volatile double factor = real_of(UINT64_C(0x3ff0000000400000));
-    volatile double square = real_of(UINT64_C(0x3ff0000000800000));
-    const double product = factor * factor;
-    const double remainder = product - square;
-
-    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
-    if (bits_of(remainder) != 0u) {
-        return 1u;
-    }
-    /* as it stands here, unless the compiler takes constants for single precision */
-    if (bits_of(0.1) != UINT64_C(0x3fb999999999999a)) {
-        return 1u;
-    }
-
-    axis_y2_axis_init(&state);
-    axis_y2_axis_inputs_init(&inputs);
-    for (sample = 0u; sample < 41u; sample++) {
-        /* at first within every limit, so that nothing is cut off */
-        scale = sample < 33u ? 0.001953125 : 1.0;
-        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.x_command = real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.x_actual = real_of(sample == 4u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_add_master = real_of(sample == 7u ? UINT64_C(0x7ff8000000000000) : noise);
-        step(&state, &inputs, &outputs);
-        digest = fold(digest, bits_of(outputs.v_command));
-        digest = fold(digest, bits_of(outputs.v_add));
-        digest = fold(digest, bits_of(outputs.v_add_calculated));
-        digest = fold(digest, (uint32_t)outputs.manipulated_variable);
-        digest = fold(digest, outputs.error_id);
-        digest = fold(digest, outputs.limited);
-        digest = fold(digest, outputs.fault);
-        if (digest != expected[sample]) {
-            return sample + 1u;
-        }
-    }
-    return 0u;
 }

@@ -5,17 +5,61 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  977edd273d0f3ff3ebf9ace069e7b66d
- * checksum    0dae4ed5c1d78fdf7c2be12068e24640
+ * structure   7ce25a43f872ad44e037cafd8a14dfe5
+ * checksum    08d1582208bce1cd3041430efddb3992
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_Y2_AXIS_H
 #define AXIS_Y2_AXIS_H
 
+#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* What code can compare with what it expects, at its start or in an #if. */
+/* the cycle time that the block is designed for [ns] */
+#define AXIS_Y2_AXIS_CYCLE_TIME_NS 1000000u
+/* the bits of its real type */
+#define AXIS_Y2_AXIS_REAL_BITS 64
+/* the largest |v_add| [um/s] */
+#define AXIS_Y2_AXIS_LIMIT 500000.0
+/* the digest of its parameters, as in the head of this file */
+#define AXIS_Y2_AXIS_PARAMETERS_0 0x977edd27u
+#define AXIS_Y2_AXIS_PARAMETERS_1 0x3d0f3ff3u
+#define AXIS_Y2_AXIS_PARAMETERS_2 0xebf9ace0u
+#define AXIS_Y2_AXIS_PARAMETERS_3 0x69e7b66du
+/* the digest of its structure: the same where two blocks differ in the values of coefficients only */
+#define AXIS_Y2_AXIS_STRUCTURE_0 0x7ce25a43u
+#define AXIS_Y2_AXIS_STRUCTURE_1 0xf872ad44u
+#define AXIS_Y2_AXIS_STRUCTURE_2 0xe037cafdu
+#define AXIS_Y2_AXIS_STRUCTURE_3 0x8a14dfe5u
+/* the bytes of its structs where a bool has one and each member is aligned to its own size */
+#define AXIS_Y2_AXIS_INPUTS_SIZE 32u
+#define AXIS_Y2_AXIS_OUTPUTS_SIZE 40u
+#define AXIS_Y2_AXIS_STATE_SIZE 1u
+
+/* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
+ * Nothing else is asserted: the alignment of members is the ABI's own affair. */
+#if defined(__cplusplus) && __cplusplus >= 201103L
+static_assert(sizeof(double) * CHAR_BIT == AXIS_Y2_AXIS_REAL_BITS, "double must have 64 bits");
+#elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
+_Static_assert(sizeof(double) * CHAR_BIT == AXIS_Y2_AXIS_REAL_BITS, "double must have 64 bits");
+#else
+typedef char axis_y2_axis_real_has_64_bits[sizeof(double) * CHAR_BIT == AXIS_Y2_AXIS_REAL_BITS ? 1 : -1];
+#endif
+
+/* values of the output error_id */
+enum {
+    AXIS_Y2_AXIS_ERROR_NONE = 0, /* no fault */
+    AXIS_Y2_AXIS_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
+    AXIS_Y2_AXIS_ERROR_X_COMMAND = 17, /* x_command is not within the sample limit */
+    AXIS_Y2_AXIS_ERROR_X_ACTUAL = 18, /* x_actual is not within the sample limit */
+    AXIS_Y2_AXIS_ERROR_V_ADD_MASTER = 22 /* v_add_master is not within the sample limit */
+};
 
 /* Written by the caller. axis_y2_axis_inputs_init fills in what is said to be the start. */
 typedef struct {
@@ -48,8 +92,15 @@ typedef struct {
     bool unused; /* this block keeps nothing; C has no struct without a member */
 } axis_y2_axis_state;
 
-/* Once before the first cycle. */
-void axis_y2_axis_init(axis_y2_axis_state *state);
+/* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls
+ * no library, and takes little stack. Calls with different states may interrupt each other. Of one state only one
+ * function may be at work: neither step nor init may be interrupted by a call for the same state.
+ * step writes each output once, with its final value, but one output after another. Another task or interrupt that reads
+ * several of them copies them while step cannot run (its interrupt is off), or reads copies that the task of step
+ * puts into two buffers in turn, behind a counter. */
+
+/* Once before the first cycle: every member of the state gets its start. */
+void axis_y2_axis_init(axis_y2_axis_state *fresh);
 
 /* Gives every input the value that it has until the caller writes it. */
 void axis_y2_axis_inputs_init(axis_y2_axis_inputs *inputs);
@@ -60,10 +111,11 @@ void axis_y2_axis_step(
     const axis_y2_axis_inputs *inputs,
     axis_y2_axis_outputs *outputs);
 
-/* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
+/* In a file of its own, axis_y2_axis_self_test.c: a build that does not call it leaves it out.
+ * Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
  * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
- * precision. Run it once at start-up, on the machine and with the compiler options that the block runs with: it finds a
- * build that fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
+ * precision. Run it once at start-up, on the machine, both files with the same compiler options: it finds a build that
+ * fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
 uint32_t axis_y2_axis_self_test(void);
 
 #ifdef __cplusplus

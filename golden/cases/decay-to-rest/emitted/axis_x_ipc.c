@@ -5,7 +5,9 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  2b6b454d807178c76ac4587468cd00d6
- * checksum    7f86cb1e260c03f6268c1323f3b54c94
+ * structure   b993f6fc769452760cb407c114e3be74
+ * checksum    6b23a03b27793587d234a500e4683b01
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
 
@@ -28,7 +30,7 @@
 #endif
 
 /* |value|, without a library */
-static double magnitude(double value)
+static double axis_x_ipc_magnitude(double value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs(value);
@@ -37,86 +39,23 @@ static double magnitude(double value)
 #endif
 }
 
-/* cycle time 1000 us, the coefficients hold for no other */
-static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
-
-/* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755)
- * BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751), quality
- * factor 2 (P-AXIS-00752), -3 dB at 41.32125 and 67.82125 Hz
- * section 1 of 2: centre frequency 44.28768 Hz, quality factor 2.816232, gain 1.437805 there and 1 at 53 Hz */
-static const double stage0_filter0_bandpass0_b2 = -0.06685983993297326; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage0_filter0_bandpass0_a1 = -1.8336403655951015; /* denominator: s1 = s2 - a1 y */
-static const double stage0_filter0_bandpass0_a2 = 0.9069973696122896; /* denominator: s2 = b2 x - a2 y */
-
-/* section 2 of 2: centre frequency 63.3498 Hz, quality factor 2.816232, gain 1.437805 there and 1 at 53 Hz */
-static const double stage0_filter0_bandpass1_b2 = -0.09257512670095769; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage0_filter0_bandpass1_a1 = -1.7249403272778752; /* denominator: s1 = s2 - a1 y */
-static const double stage0_filter0_bandpass1_a2 = 0.8712271776256741; /* denominator: s2 = b2 x - a2 y */
-
-/* ALLPASS (P-AXIS-00849): -180 deg at 41.4 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg at
- * 32.29569 and -270 deg at 52.99569 Hz */
-static const double stage0_filter1_allpass_a1 = -1.8145478239447568; /* numerator and denominator: s1 = a1 x - a1 y + s2 */
-static const double stage0_filter1_allpass_a2 = 0.8777177690826008; /* numerator and denominator: y = a2 x + s1, s2 = x - a2 y */
-
-/* -weight, against the vibration; at 53 Hz the stage adds 3 times its source at -90.01934 deg */
-static const double stage0_gain = -3.0; /* -weight: negative, because the stage moves the motor against the vibration */
-
-/* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755)
- * simulated oscillation of the load, f0 of the first BANDPASS 25 Hz (P-AXIS-00751), damping ratio 0.8
- * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-static const double stage1_oscillation_b0 = 0.11669882689029161; /* numerator: y = b0 x + s1 */
-static const double stage1_oscillation_b1 = 0.0109422618960334; /* numerator: s1 = b1 x - a1 y + s2 */
-static const double stage1_oscillation_b2 = -0.10575656499425819; /* numerator: s2 = b2 x - a2 y */
-static const double stage1_oscillation_a1 = -1.7556600843233834; /* denominator: s1 = b1 x - a1 y + s2 */
-static const double stage1_oscillation_a2 = 0.7775446081154502; /* denominator: s2 = b2 x - a2 y */
-static const double stage1_oscillation_preset_s1 = 0.8833011731097083; /* 1 - b0: steady s1 for a constant input of 1 */
-static const double stage1_oscillation_preset_s2 = -0.8833011731097085; /* b2 - a2: steady s2 for a constant input of 1 */
-
-/* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 25 Hz (P-AXIS-00751), quality
- * factor 2 (P-AXIS-00752), -3 dB at 19.51316 and 32.01316 Hz
- * section 1 of 1: centre frequency 25 Hz, quality factor 1.990762, gain 1 there and 1 at 25 Hz */
-static const double stage1_filter0_bandpass0_b2 = -0.037804754170896473; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage1_filter0_bandpass0_a1 = -1.9006980513629557; /* denominator: s1 = s2 - a1 y */
-static const double stage1_filter0_bandpass0_a2 = 0.9243904916582071; /* denominator: s2 = b2 x - a2 y */
-
-/* -weight, against the vibration; at 25 Hz the stage adds 2.240571 times its source at 147.9946 deg */
-static const double stage1_gain = -1.9; /* -weight: negative, because the stage moves the motor against the vibration */
-
-/* largest |v_add| = 500000: 1000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
-static const double limit = 500000.0; /* largest |v_add| */
-static const double lower_limit = -500000.0; /* -limit */
-
-/* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
-/* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
-static const double rest = 4.3368086899420177e-13;
-
-/* OFF to ON takes 0.05 s (key fade), in cycles */
-static const uint32_t fade_cycles = 50u; /* cycles that the fade takes from 0 to 1 */
-static const double fade_step = 0.02; /* 1 / fade_cycles */
-
-/* the same for every axis */
-static const uint32_t error_none = 0u; /* error_id: no fault */
-static const int32_t mode_on = 1; /* mode: the block acts */
-static const int32_t mode_off = 0; /* mode: the block is off */
-static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const double sample_limit = 1000000000000000.0;
-/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
- * anew */
-static const uint32_t error_state = 3u;
-/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_cycle_time = 1u;
-static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
-static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-/* added in every update of s2, so that a section at rest never decays into subnormal numbers */
-static const double anti_denormal = 1.0e-30;
-static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
-
-void axis_x_ipc_init(axis_x_ipc_state *state)
+void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
-    state->disturbed = false;
+    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    volatile axis_x_ipc_state *const state = fresh;
     state->preset = false;
     state->fade = 0u;
+    state->disturbed = false;
+    state->stage0_filter0_section0_s1 = 0.0;
+    state->stage0_filter0_section0_s2 = 0.0;
+    state->stage0_filter0_section1_s1 = 0.0;
+    state->stage0_filter0_section1_s2 = 0.0;
+    state->stage0_filter1_section0_s1 = 0.0;
+    state->stage0_filter1_section0_s2 = 0.0;
+    state->stage1_oscillation_s1 = 0.0;
+    state->stage1_oscillation_s2 = 0.0;
+    state->stage1_filter0_section0_s1 = 0.0;
+    state->stage1_filter0_section0_s2 = 0.0;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
@@ -133,35 +72,99 @@ void axis_x_ipc_step(
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
+    /* cycle time 1000 us, the coefficients hold for no other */
+    static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
+
+    /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755)
+     * BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751), quality
+     * factor 2 (P-AXIS-00752), -3 dB at 41.32125 and 67.82125 Hz
+     * section 1 of 2: centre frequency 44.28768 Hz, quality factor 2.816232, gain 1.437805 there and 1 at 53 Hz */
+    static const double stage0_filter0_bandpass0_b2 = -0.06685983993297326; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage0_filter0_bandpass0_a1 = -1.8336403655951015; /* denominator: s1 = s2 - a1 y */
+    static const double stage0_filter0_bandpass0_a2 = 0.9069973696122896; /* denominator: s2 = b2 x - a2 y */
+
+    /* section 2 of 2: centre frequency 63.3498 Hz, quality factor 2.816232, gain 1.437805 there and 1 at 53 Hz */
+    static const double stage0_filter0_bandpass1_b2 = -0.09257512670095769; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage0_filter0_bandpass1_a1 = -1.7249403272778752; /* denominator: s1 = s2 - a1 y */
+    static const double stage0_filter0_bandpass1_a2 = 0.8712271776256741; /* denominator: s2 = b2 x - a2 y */
+
+    /* ALLPASS (P-AXIS-00849): -180 deg at 41.4 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg at
+     * 32.29569 and -270 deg at 52.99569 Hz */
+    static const double stage0_filter1_allpass_a1 = -1.8145478239447568; /* numerator and denominator: s1 = a1 x - a1 y + s2 */
+    static const double stage0_filter1_allpass_a2 = 0.8777177690826008; /* numerator and denominator: y = a2 x + s1, s2 = x - a2 y */
+
+    /* -weight, against the vibration; at 53 Hz the stage adds 3 times its source at -90.01934 deg */
+    static const double stage0_gain = -3.0; /* -weight: negative, because the stage moves the motor against the vibration */
+
+    /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755)
+     * simulated oscillation of the load, f0 of the first BANDPASS 25 Hz (P-AXIS-00751), damping ratio 0.8
+     * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
+    static const double stage1_oscillation_b0 = 0.11669882689029161; /* numerator: y = b0 x + s1 */
+    static const double stage1_oscillation_b1 = 0.0109422618960334; /* numerator: s1 = b1 x - a1 y + s2 */
+    static const double stage1_oscillation_b2 = -0.10575656499425819; /* numerator: s2 = b2 x - a2 y */
+    static const double stage1_oscillation_a1 = -1.7556600843233834; /* denominator: s1 = b1 x - a1 y + s2 */
+    static const double stage1_oscillation_a2 = 0.7775446081154502; /* denominator: s2 = b2 x - a2 y */
+    static const double stage1_oscillation_preset_s1 = 0.8833011731097083; /* 1 - b0: steady s1 for a constant input of 1 */
+    static const double stage1_oscillation_preset_s2 = -0.8833011731097085; /* b2 - a2: steady s2 for a constant input of 1 */
+
+    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 25 Hz (P-AXIS-00751), quality
+     * factor 2 (P-AXIS-00752), -3 dB at 19.51316 and 32.01316 Hz
+     * section 1 of 1: centre frequency 25 Hz, quality factor 1.990762, gain 1 there and 1 at 25 Hz */
+    static const double stage1_filter0_bandpass0_b2 = -0.037804754170896473; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage1_filter0_bandpass0_a1 = -1.9006980513629557; /* denominator: s1 = s2 - a1 y */
+    static const double stage1_filter0_bandpass0_a2 = 0.9243904916582071; /* denominator: s2 = b2 x - a2 y */
+
+    /* -weight, against the vibration; at 25 Hz the stage adds 2.240571 times its source at 147.9946 deg */
+    static const double stage1_gain = -1.9; /* -weight: negative, because the stage moves the motor against the vibration */
+
+    /* largest |v_add| = 500000: 1000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
+    static const double limit = 500000.0; /* largest |v_add| */
+    static const double lower_limit = -500000.0; /* -limit */
+
+    /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
+    /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
+    static const double rest = 4.3368086899420177e-13;
+
+    /* OFF to ON takes 0.05 s (key fade), in cycles */
+    static const uint32_t fade_cycles = 50u; /* cycles that the fade takes from 0 to 1 */
+    static const double fade_step = 0.02; /* 1 / fade_cycles */
+
+    /* the same for every axis */
+    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    static const double sample_limit = 1000000000000000.0;
+    /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
+    static const double anti_denormal = 1.0e-30;
+    static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
+
     bool runs;
     uint32_t reason;
-    if (magnitude(inputs->v_motor) <= sample_limit
+    if (axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
+            && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON && state->fade >= fade_cycles) {
         runs = true;
-        reason = error_none;
+        reason = AXIS_X_IPC_ERROR_NONE;
     } else if (state->disturbed) {
         state->disturbed = false;
         runs = false;
-        reason = error_state;
-    } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
-            && magnitude(inputs->v_motor) <= sample_limit
+        reason = AXIS_X_IPC_ERROR_STATE;
+    } else if ((inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN) && axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
             && !inputs->reset) {
         if (state->preset) {
-            if (inputs->mode == mode_on) {
+            if (inputs->mode == AXIS_X_IPC_MODE_ON) {
                 state->fade = state->fade + 1u;
             } else {
                 if (state->fade > 0u) {
                     state->fade = state->fade - 1u;
                 }
-                if (inputs->mode == mode_off && state->fade == 0u) {
+                if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
                     state->preset = false;
                 }
             }
             runs = true;
         } else {
-            if (inputs->mode != mode_off) {
+            if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
                 /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755) */
                 /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
                  * quality factor 2 (P-AXIS-00752), -3 dB at 41.32125 and 67.82125 Hz */
@@ -190,24 +193,25 @@ void axis_x_ipc_step(
             }
             runs = false;
         }
-        reason = error_none;
+        reason = AXIS_X_IPC_ERROR_NONE;
     } else {
         state->fade = 0u;
         state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
-            reason = error_cycle_time;
-        } else if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
-            reason = error_mode;
-        } else if (magnitude(inputs->v_motor) <= sample_limit) {
-            reason = error_none;
+            reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
+        } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)) {
+            reason = AXIS_X_IPC_ERROR_MODE;
+        } else if (axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit) {
+            reason = AXIS_X_IPC_ERROR_NONE;
         } else {
-            reason = error_v_motor;
+            reason = AXIS_X_IPC_ERROR_V_MOTOR;
         }
         runs = false;
     }
     if (runs) {
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_X_IPC_ERROR_NONE;
         /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755) */
         /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
          * quality factor 2 (P-AXIS-00752), -3 dB at 41.32125 and 67.82125 Hz */
@@ -253,14 +257,14 @@ void axis_x_ipc_step(
         const double v_stage1 = stage1_gain * stage1_filter0_section0_y;
         const double v_sum1 = v_stage0 + v_stage1;
         double v_limited;
-        if (magnitude(v_sum1) <= limit) {
+        if (axis_x_ipc_magnitude(v_sum1) <= limit) {
             outputs->limited = false;
-            if (magnitude(v_sum1) <= rest) {
+            if (axis_x_ipc_magnitude(v_sum1) <= rest) {
                 v_limited = 0.0;
             } else {
                 v_limited = v_sum1;
             }
-        } else if (magnitude(v_sum1) <= sum_limit) {
+        } else if (axis_x_ipc_magnitude(v_sum1) <= sum_limit) {
             outputs->limited = true;
             if (v_sum1 > 0.0) {
                 v_limited = limit;
@@ -285,7 +289,7 @@ void axis_x_ipc_step(
             } else {
                 outputs->v_add = 0.0;
             }
-            if (inputs->mode == mode_off) {
+            if (inputs->mode == AXIS_X_IPC_MODE_OFF) {
                 outputs->v_add_calculated = 0.0;
             } else {
                 outputs->v_add_calculated = v_limited;
@@ -295,133 +299,7 @@ void axis_x_ipc_step(
         outputs->v_add = 0.0;
         outputs->v_add_calculated = 0.0;
         outputs->limited = false;
-        outputs->fault = reason != error_none;
+        outputs->fault = reason != AXIS_X_IPC_ERROR_NONE;
         outputs->error_id = reason;
     }
-}
-
-static uint64_t bits_of(double value)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.value = value;
-    return view.bits;
-}
-
-static double real_of(uint64_t bits)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.bits = bits;
-    return view.value;
-}
-
-static uint64_t fold(uint64_t digest, uint64_t bits)
-{
-    return ((digest << 5) | (digest >> 59)) + bits;
-}
-
-uint32_t axis_x_ipc_self_test(void)
-{
-    /* the reference's digest of all outputs and of the state, after each sample */
-    static const uint64_t expected[35] = {
-        UINT64_C(0x9469cb2073b4423f),
-        UINT64_C(0x06389c2972066dc3),
-        UINT64_C(0xac28e91d04e4ff9d),
-        UINT64_C(0xe2f99a63667f8ffc),
-        UINT64_C(0xc8489fdb9cace7dd),
-        UINT64_C(0x9a74b85398b70110),
-        UINT64_C(0x70add24dbfe8db79),
-        UINT64_C(0xf698bb2c675dec33),
-        UINT64_C(0xaa31122ad95284b2),
-        UINT64_C(0x5655469217045ef6),
-        UINT64_C(0xff74e72c389181c2),
-        UINT64_C(0x9c2d18f67eda1a0e),
-        UINT64_C(0x35c92aa9129fc9db),
-        UINT64_C(0x533ad384c68eb72a),
-        UINT64_C(0x34e42f6ab77a129b),
-        UINT64_C(0xcdbfa63df16ca072),
-        UINT64_C(0x7cae8a59676cd565),
-        UINT64_C(0xf27505307223167b),
-        UINT64_C(0x05357018d38ca40a),
-        UINT64_C(0xe43b25453b26fd75),
-        UINT64_C(0x25b89e09edc4a3b6),
-        UINT64_C(0x6c302255f79c03b4),
-        UINT64_C(0x72d144053c6e17b0),
-        UINT64_C(0xd8aa14a63ce76bc0),
-        UINT64_C(0x5ef92bb2d6776329),
-        UINT64_C(0x96596378bd06bab6),
-        UINT64_C(0x973c22846e98a562),
-        UINT64_C(0x2e0e3e6496ece393),
-        UINT64_C(0xf28e669883614b86),
-        UINT64_C(0x56116c7cb3501ed9),
-        UINT64_C(0x1d02f92aaee51f8a),
-        UINT64_C(0x95337281358fd1f0),
-        UINT64_C(0x9cad6ea6995f59c2),
-        UINT64_C(0xac7fac31f49385a2),
-        UINT64_C(0xf42e86d36bc29f33),
-    };
-    /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
-        axis_x_ipc_step;
-    axis_x_ipc_state state;
-    axis_x_ipc_inputs inputs;
-    axis_x_ipc_outputs outputs;
-    uint64_t digest = 0u;
-    uint64_t noise;
-    double scale;
-    uint32_t random = 1u;
-    uint32_t sample;
-    /* 1 + 2^-30 and its rounded square; volatile: worked out when it runs */
-    volatile double factor = real_of(UINT64_C(0x3ff0000000400000));
-    volatile double square = real_of(UINT64_C(0x3ff0000000800000));
-    const double product = factor * factor;
-    const double remainder = product - square;
-
-    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
-    if (bits_of(remainder) != 0u) {
-        return 1u;
-    }
-    /* as it stands here, unless the compiler takes constants for single precision */
-    if (bits_of(0.1) != UINT64_C(0x3fb999999999999a)) {
-        return 1u;
-    }
-
-    axis_x_ipc_init(&state);
-    axis_x_ipc_inputs_init(&inputs);
-    for (sample = 0u; sample < 35u; sample++) {
-        /* at first within every limit, so that nothing is cut off */
-        scale = sample < 27u ? 0.001953125 : 2.0;
-        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_motor = real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
-        step(&state, &inputs, &outputs);
-        digest = fold(digest, bits_of(outputs.v_add));
-        digest = fold(digest, bits_of(outputs.v_add_calculated));
-        digest = fold(digest, outputs.limited);
-        digest = fold(digest, outputs.fault);
-        digest = fold(digest, outputs.error_id);
-        digest = fold(digest, state.preset);
-        digest = fold(digest, state.fade);
-        digest = fold(digest, state.disturbed);
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s2));
-        digest = fold(digest, bits_of(state.stage0_filter0_section1_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section1_s2));
-        digest = fold(digest, bits_of(state.stage0_filter1_section0_s1));
-        digest = fold(digest, bits_of(state.stage0_filter1_section0_s2));
-        digest = fold(digest, bits_of(state.stage1_oscillation_s1));
-        digest = fold(digest, bits_of(state.stage1_oscillation_s2));
-        digest = fold(digest, bits_of(state.stage1_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage1_filter0_section0_s2));
-        if (digest != expected[sample]) {
-            return sample + 1u;
-        }
-    }
-    return 0u;
 }

@@ -5,7 +5,9 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  8f2a4ef34fb3ccdce79b4bb3427fd798
- * checksum    4615cab71ad6bb6736aa15c53e93fefe
+ * structure   5070cd20d8bb0fbe826c79fdd70c70d3
+ * checksum    f6160b801843cb4dce358e54cfc00fae
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
 
@@ -28,7 +30,7 @@
 #endif
 
 /* |value|, without a library */
-static double magnitude(double value)
+static double axis_x_ipc_magnitude(double value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs(value);
@@ -37,75 +39,21 @@ static double magnitude(double value)
 #endif
 }
 
-/* cycle time 4000 us, the coefficients hold for no other */
-static const uint32_t cycle_time_ns = 4000000u; /* cycle time that all coefficients were designed for [ns] */
-
-/* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755)
- * simulated oscillation of the load, f0 of the first BANDPASS 15 Hz (P-AXIS-00751), damping ratio 0.8
- * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-static const double stage0_oscillation_b0 = 0.25462455799273054; /* numerator: y = b0 x + s1 */
-static const double stage0_oscillation_b1 = 0.05424761183806795; /* numerator: s1 = b1 x - a1 y + s2 */
-static const double stage0_oscillation_b2 = -0.2003769461546625; /* numerator: s2 = b2 x - a2 y */
-static const double stage0_oscillation_a1 = -1.436503272176471; /* denominator: s1 = b1 x - a1 y + s2 */
-static const double stage0_oscillation_a2 = 0.544998495852607; /* denominator: s2 = b2 x - a2 y */
-static const double stage0_oscillation_preset_s1 = 0.7453754420072695; /* 1 - b0: steady s1 for a constant input of 1 */
-static const double stage0_oscillation_preset_s2 = -0.7453754420072695; /* b2 - a2: steady s2 for a constant input of 1 */
-
-/* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 15 Hz (P-AXIS-00751), quality
- * factor 1 (P-AXIS-00752), -3 dB at 9.189921 and 24.18992 Hz
- * section 1 of 3: centre frequency 15 Hz, quality factor 0.9648882, gain 1 there and 1 at 15 Hz */
-static const double stage0_filter0_bandpass0_b2 = -0.16020035088773674; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage0_filter0_bandpass0_a1 = -1.5616519332035734; /* denominator: s1 = s2 - a1 y */
-static const double stage0_filter0_bandpass0_a2 = 0.6795992982245265; /* denominator: s2 = b2 x - a2 y */
-
-/* section 2 of 3: centre frequency 9.663356 Hz, quality factor 2.125552, gain 2.202899 there and 1 at 15 Hz */
-static const double stage0_filter0_bandpass1_b2 = -0.11794637328032687; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage0_filter0_bandpass1_a1 = -1.8373649046351148; /* denominator: s1 = s2 - a1 y */
-static const double stage0_filter0_bandpass1_a2 = 0.892917138179867; /* denominator: s2 = b2 x - a2 y */
-
-/* section 3 of 3: centre frequency 23.06131 Hz, quality factor 2.125552, gain 2.202899 there and 1 at 15 Hz */
-static const double stage0_filter0_bandpass2_b2 = -0.2514162976056625; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage0_filter0_bandpass2_a1 = -1.4823888200632114; /* denominator: s1 = s2 - a1 y */
-static const double stage0_filter0_bandpass2_a2 = 0.7717405299792529; /* denominator: s2 = b2 x - a2 y */
-
-/* -weight, against the vibration; at 15 Hz the stage adds 0.8490583 times its source at 147.9946 deg */
-static const double stage0_gain = -0.72; /* -weight: negative, because the stage moves the motor against the vibration */
-
-/* largest |v_add| = 500000: 1000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
-static const double limit = 500000.0; /* largest |v_add| */
-static const double lower_limit = -500000.0; /* -limit */
-
-/* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
-/* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
-static const double rest = 4.3368086899420177e-13;
-
-/* OFF to ON takes 0.06666667 s (one period of the lowest f0), in cycles */
-static const uint32_t fade_cycles = 17u; /* cycles that the fade takes from 0 to 1 */
-static const double fade_step = 0.058823529411764705; /* 1 / fade_cycles */
-
-/* the same for every axis */
-static const uint32_t error_none = 0u; /* error_id: no fault */
-static const int32_t mode_on = 1; /* mode: the block acts */
-static const int32_t mode_off = 0; /* mode: the block is off */
-static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const double sample_limit = 1000000000000000.0;
-/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
- * anew */
-static const uint32_t error_state = 3u;
-/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_cycle_time = 1u;
-static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
-static const uint32_t error_v_command = 11u; /* error_id: v_command is not within the sample limit */
-/* added in every update of s2, so that a section at rest never decays into subnormal numbers */
-static const double anti_denormal = 1.0e-30;
-static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
-
-void axis_x_ipc_init(axis_x_ipc_state *state)
+void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
-    state->disturbed = false;
+    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    volatile axis_x_ipc_state *const state = fresh;
     state->preset = false;
     state->fade = 0u;
+    state->disturbed = false;
+    state->stage0_oscillation_s1 = 0.0;
+    state->stage0_oscillation_s2 = 0.0;
+    state->stage0_filter0_section0_s1 = 0.0;
+    state->stage0_filter0_section0_s2 = 0.0;
+    state->stage0_filter0_section1_s1 = 0.0;
+    state->stage0_filter0_section1_s2 = 0.0;
+    state->stage0_filter0_section2_s1 = 0.0;
+    state->stage0_filter0_section2_s2 = 0.0;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
@@ -122,35 +70,88 @@ void axis_x_ipc_step(
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
+    /* cycle time 4000 us, the coefficients hold for no other */
+    static const uint32_t cycle_time_ns = 4000000u; /* cycle time that all coefficients were designed for [ns] */
+
+    /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755)
+     * simulated oscillation of the load, f0 of the first BANDPASS 15 Hz (P-AXIS-00751), damping ratio 0.8
+     * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
+    static const double stage0_oscillation_b0 = 0.25462455799273054; /* numerator: y = b0 x + s1 */
+    static const double stage0_oscillation_b1 = 0.05424761183806795; /* numerator: s1 = b1 x - a1 y + s2 */
+    static const double stage0_oscillation_b2 = -0.2003769461546625; /* numerator: s2 = b2 x - a2 y */
+    static const double stage0_oscillation_a1 = -1.436503272176471; /* denominator: s1 = b1 x - a1 y + s2 */
+    static const double stage0_oscillation_a2 = 0.544998495852607; /* denominator: s2 = b2 x - a2 y */
+    static const double stage0_oscillation_preset_s1 = 0.7453754420072695; /* 1 - b0: steady s1 for a constant input of 1 */
+    static const double stage0_oscillation_preset_s2 = -0.7453754420072695; /* b2 - a2: steady s2 for a constant input of 1 */
+
+    /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 15 Hz (P-AXIS-00751), quality
+     * factor 1 (P-AXIS-00752), -3 dB at 9.189921 and 24.18992 Hz
+     * section 1 of 3: centre frequency 15 Hz, quality factor 0.9648882, gain 1 there and 1 at 15 Hz */
+    static const double stage0_filter0_bandpass0_b2 = -0.16020035088773674; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage0_filter0_bandpass0_a1 = -1.5616519332035734; /* denominator: s1 = s2 - a1 y */
+    static const double stage0_filter0_bandpass0_a2 = 0.6795992982245265; /* denominator: s2 = b2 x - a2 y */
+
+    /* section 2 of 3: centre frequency 9.663356 Hz, quality factor 2.125552, gain 2.202899 there and 1 at 15 Hz */
+    static const double stage0_filter0_bandpass1_b2 = -0.11794637328032687; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage0_filter0_bandpass1_a1 = -1.8373649046351148; /* denominator: s1 = s2 - a1 y */
+    static const double stage0_filter0_bandpass1_a2 = 0.892917138179867; /* denominator: s2 = b2 x - a2 y */
+
+    /* section 3 of 3: centre frequency 23.06131 Hz, quality factor 2.125552, gain 2.202899 there and 1 at 15 Hz */
+    static const double stage0_filter0_bandpass2_b2 = -0.2514162976056625; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage0_filter0_bandpass2_a1 = -1.4823888200632114; /* denominator: s1 = s2 - a1 y */
+    static const double stage0_filter0_bandpass2_a2 = 0.7717405299792529; /* denominator: s2 = b2 x - a2 y */
+
+    /* -weight, against the vibration; at 15 Hz the stage adds 0.8490583 times its source at 147.9946 deg */
+    static const double stage0_gain = -0.72; /* -weight: negative, because the stage moves the motor against the vibration */
+
+    /* largest |v_add| = 500000: 1000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
+    static const double limit = 500000.0; /* largest |v_add| */
+    static const double lower_limit = -500000.0; /* -limit */
+
+    /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
+    /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
+    static const double rest = 4.3368086899420177e-13;
+
+    /* OFF to ON takes 0.06666667 s (one period of the lowest f0), in cycles */
+    static const uint32_t fade_cycles = 17u; /* cycles that the fade takes from 0 to 1 */
+    static const double fade_step = 0.058823529411764705; /* 1 / fade_cycles */
+
+    /* the same for every axis */
+    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    static const double sample_limit = 1000000000000000.0;
+    /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
+    static const double anti_denormal = 1.0e-30;
+    static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
+
     bool runs;
     uint32_t reason;
-    if (magnitude(inputs->v_command) <= sample_limit
+    if (axis_x_ipc_magnitude(inputs->v_command) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
+            && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON && state->fade >= fade_cycles) {
         runs = true;
-        reason = error_none;
+        reason = AXIS_X_IPC_ERROR_NONE;
     } else if (state->disturbed) {
         state->disturbed = false;
         runs = false;
-        reason = error_state;
-    } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
-            && magnitude(inputs->v_command) <= sample_limit
+        reason = AXIS_X_IPC_ERROR_STATE;
+    } else if ((inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN) && axis_x_ipc_magnitude(inputs->v_command) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
             && !inputs->reset) {
         if (state->preset) {
-            if (inputs->mode == mode_on) {
+            if (inputs->mode == AXIS_X_IPC_MODE_ON) {
                 state->fade = state->fade + 1u;
             } else {
                 if (state->fade > 0u) {
                     state->fade = state->fade - 1u;
                 }
-                if (inputs->mode == mode_off && state->fade == 0u) {
+                if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
                     state->preset = false;
                 }
             }
             runs = true;
         } else {
-            if (inputs->mode != mode_off) {
+            if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
                 /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755) */
                 /* simulated oscillation of the load, f0 of the first BANDPASS 15 Hz (P-AXIS-00751), damping ratio 0.8
                  * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
@@ -171,24 +172,25 @@ void axis_x_ipc_step(
             }
             runs = false;
         }
-        reason = error_none;
+        reason = AXIS_X_IPC_ERROR_NONE;
     } else {
         state->fade = 0u;
         state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
-            reason = error_cycle_time;
-        } else if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
-            reason = error_mode;
-        } else if (magnitude(inputs->v_command) <= sample_limit) {
-            reason = error_none;
+            reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
+        } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)) {
+            reason = AXIS_X_IPC_ERROR_MODE;
+        } else if (axis_x_ipc_magnitude(inputs->v_command) <= sample_limit) {
+            reason = AXIS_X_IPC_ERROR_NONE;
         } else {
-            reason = error_v_command;
+            reason = AXIS_X_IPC_ERROR_V_COMMAND;
         }
         runs = false;
     }
     if (runs) {
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_X_IPC_ERROR_NONE;
         /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755) */
         /* simulated oscillation of the load, f0 of the first BANDPASS 15 Hz (P-AXIS-00751), damping ratio 0.8
          * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
@@ -220,14 +222,14 @@ void axis_x_ipc_step(
             stage0_filter0_section2_t + anti_denormal - stage0_filter0_bandpass2_a2 * stage0_filter0_section2_y;
         const double v_stage0 = stage0_gain * stage0_filter0_section2_y;
         double v_limited;
-        if (magnitude(v_stage0) <= limit) {
+        if (axis_x_ipc_magnitude(v_stage0) <= limit) {
             outputs->limited = false;
-            if (magnitude(v_stage0) <= rest) {
+            if (axis_x_ipc_magnitude(v_stage0) <= rest) {
                 v_limited = 0.0;
             } else {
                 v_limited = v_stage0;
             }
-        } else if (magnitude(v_stage0) <= sum_limit) {
+        } else if (axis_x_ipc_magnitude(v_stage0) <= sum_limit) {
             outputs->limited = true;
             if (v_stage0 > 0.0) {
                 v_limited = limit;
@@ -252,7 +254,7 @@ void axis_x_ipc_step(
             } else {
                 outputs->v_add = 0.0;
             }
-            if (inputs->mode == mode_off) {
+            if (inputs->mode == AXIS_X_IPC_MODE_OFF) {
                 outputs->v_add_calculated = 0.0;
             } else {
                 outputs->v_add_calculated = v_limited;
@@ -262,131 +264,7 @@ void axis_x_ipc_step(
         outputs->v_add = 0.0;
         outputs->v_add_calculated = 0.0;
         outputs->limited = false;
-        outputs->fault = reason != error_none;
+        outputs->fault = reason != AXIS_X_IPC_ERROR_NONE;
         outputs->error_id = reason;
     }
-}
-
-static uint64_t bits_of(double value)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.value = value;
-    return view.bits;
-}
-
-static double real_of(uint64_t bits)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.bits = bits;
-    return view.value;
-}
-
-static uint64_t fold(uint64_t digest, uint64_t bits)
-{
-    return ((digest << 5) | (digest >> 59)) + bits;
-}
-
-uint32_t axis_x_ipc_self_test(void)
-{
-    /* the reference's digest of all outputs and of the state, after each sample */
-    static const uint64_t expected[35] = {
-        UINT64_C(0x085ab84e860ce757),
-        UINT64_C(0xd6253e536f53efb2),
-        UINT64_C(0x49e0bcc84fa4b57f),
-        UINT64_C(0x228a8e4d0be08af3),
-        UINT64_C(0x7fcbc32d63e917e7),
-        UINT64_C(0xdc81487498cce758),
-        UINT64_C(0x1dd0ef00ee4b8f8b),
-        UINT64_C(0x13b3a7cd2172e00b),
-        UINT64_C(0x7a311cb29964f204),
-        UINT64_C(0x6b3292b13d77b5de),
-        UINT64_C(0x4ecdc803a8ed8c95),
-        UINT64_C(0xd170fd1d927d42d5),
-        UINT64_C(0xabf6accd3c45794c),
-        UINT64_C(0x9da8cc62c12f8dde),
-        UINT64_C(0x83d252c5b2b64f97),
-        UINT64_C(0x264f076930bfb852),
-        UINT64_C(0xdb8be80128c9bdb6),
-        UINT64_C(0x889528e943676af9),
-        UINT64_C(0xf2d573bc61de1c1b),
-        UINT64_C(0xfd971e52fdf1dc14),
-        UINT64_C(0x29a810affc5a1e44),
-        UINT64_C(0x0cb03771ad9efef8),
-        UINT64_C(0x3e98d9f2b5d03323),
-        UINT64_C(0xafc20e2bd4c1c8bf),
-        UINT64_C(0x71050739fee56164),
-        UINT64_C(0xabaa09710be63c73),
-        UINT64_C(0xc4ecff108167a960),
-        UINT64_C(0x84a4e0c8ce54ace4),
-        UINT64_C(0x83f650e65356b6a7),
-        UINT64_C(0x3806ecc4b59bb167),
-        UINT64_C(0x6fb3a7e8984df8d5),
-        UINT64_C(0x9bd8c68a2bbd9438),
-        UINT64_C(0x80c2b4f55f78d04b),
-        UINT64_C(0xae44ef2da9bf7904),
-        UINT64_C(0x5915937543fc716e),
-    };
-    /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
-        axis_x_ipc_step;
-    axis_x_ipc_state state;
-    axis_x_ipc_inputs inputs;
-    axis_x_ipc_outputs outputs;
-    uint64_t digest = 0u;
-    uint64_t noise;
-    double scale;
-    uint32_t random = 1u;
-    uint32_t sample;
-    /* 1 + 2^-30 and its rounded square; volatile: worked out when it runs */
-    volatile double factor = real_of(UINT64_C(0x3ff0000000400000));
-    volatile double square = real_of(UINT64_C(0x3ff0000000800000));
-    const double product = factor * factor;
-    const double remainder = product - square;
-
-    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
-    if (bits_of(remainder) != 0u) {
-        return 1u;
-    }
-    /* as it stands here, unless the compiler takes constants for single precision */
-    if (bits_of(0.1) != UINT64_C(0x3fb999999999999a)) {
-        return 1u;
-    }
-
-    axis_x_ipc_init(&state);
-    axis_x_ipc_inputs_init(&inputs);
-    for (sample = 0u; sample < 35u; sample++) {
-        /* at first within every limit, so that nothing is cut off */
-        scale = sample < 27u ? 0.001953125 : 2.0;
-        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_command = real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
-        step(&state, &inputs, &outputs);
-        digest = fold(digest, bits_of(outputs.v_add));
-        digest = fold(digest, bits_of(outputs.v_add_calculated));
-        digest = fold(digest, outputs.limited);
-        digest = fold(digest, outputs.fault);
-        digest = fold(digest, outputs.error_id);
-        digest = fold(digest, state.preset);
-        digest = fold(digest, state.fade);
-        digest = fold(digest, state.disturbed);
-        digest = fold(digest, bits_of(state.stage0_oscillation_s1));
-        digest = fold(digest, bits_of(state.stage0_oscillation_s2));
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s2));
-        digest = fold(digest, bits_of(state.stage0_filter0_section1_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section1_s2));
-        digest = fold(digest, bits_of(state.stage0_filter0_section2_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section2_s2));
-        if (digest != expected[sample]) {
-            return sample + 1u;
-        }
-    }
-    return 0u;
 }

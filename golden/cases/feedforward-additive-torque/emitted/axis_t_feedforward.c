@@ -5,7 +5,9 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e6c01a5b3ef569d72ebaa9f39de14a3f
- * checksum    ebde242786b7eb8cdef19cceaad9045b
+ * structure   9617f4a8296e9b08ac356b6ef08d06b4
+ * checksum    8619294effd681087610b69658bf909a
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_t_feedforward.h"
 
@@ -28,7 +30,7 @@
 #endif
 
 /* |value|, without a library */
-static double magnitude(double value)
+static double axis_t_feedforward_magnitude(double value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs(value);
@@ -39,7 +41,7 @@ static double magnitude(double value)
 
 /* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
  * rightly; without a library */
-static int32_t nearest(double value)
+static int32_t axis_t_feedforward_nearest(double value)
 {
 #if defined(__GNUC__)
     return (int32_t)(value + __builtin_copysign(0.49999999999999994, value));
@@ -48,38 +50,12 @@ static int32_t nearest(double value)
 #endif
 }
 
-/* cycle time 1000 us, the coefficients hold for no other */
-static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
-
-/* weight of the whole feedforward 1/1 = 1 (P-AXIS-00228/00229) */
-static const double weight = 1.0; /* weight of the whole feedforward at 100 % */
-static const double weight_per_percent = 0.01; /* weight / 100 */
-
-/* delay of 150 us = 0.15 cycles (P-AXIS-00390) */
-static const double acceleration_delay_now = 0.85; /* 1 - f: share of the sample N cycles ago */
-static const double acceleration_delay_before = 0.15; /* f: share of the sample N + 1 cycles ago */
-
-/* additive torque: load 0.48 kg m^2 (P-AXIS-00391), 500 increments (P-AXIS-00325/00326) at the nominal torque
- * 0.45 Nm (P-AXIS-00392), weight 1.2 (P-AXIS-00225/00226) */
-static const double torque_acceleration = 2.412743157956961; /* additive torque: increments for 1 um/s^2 */
-
-/* process data of 16 bits */
-static const int32_t torque_range_lowest = -32768; /* smallest value of the process data */
-static const int32_t torque_range_highest = 32767; /* largest value of the process data */
-static const double torque_range_lower_limit = -32768.49999999999; /* smallest number that is rounded to the smallest value */
-static const double torque_range_upper_limit = 32767.499999999996; /* largest number that is rounded to the largest value */
-
-/* the same for every axis */
-/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_cycle_time = 1u;
-static const uint32_t error_none = 0u; /* error_id: no fault */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const double sample_limit = 1000000000000000.0;
-static const uint32_t error_a_interpolator = 15u; /* error_id: a_interpolator is not within the sample limit */
-
-void axis_t_feedforward_init(axis_t_feedforward_state *state)
+void axis_t_feedforward_init(axis_t_feedforward_state *fresh)
 {
+    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    volatile axis_t_feedforward_state *const state = fresh;
     state->preset = false;
+    state->acceleration_delay_x0 = 0.0;
 }
 
 void axis_t_feedforward_inputs_init(axis_t_feedforward_inputs *inputs)
@@ -97,14 +73,39 @@ void axis_t_feedforward_step(
     const axis_t_feedforward_inputs *restrict inputs,
     axis_t_feedforward_outputs *restrict outputs)
 {
+    /* cycle time 1000 us, the coefficients hold for no other */
+    static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
+
+    /* weight of the whole feedforward 1/1 = 1 (P-AXIS-00228/00229) */
+    static const double weight = 1.0; /* weight of the whole feedforward at 100 % */
+    static const double weight_per_percent = 0.01; /* weight / 100 */
+
+    /* delay of 150 us = 0.15 cycles (P-AXIS-00390) */
+    static const double acceleration_delay_now = 0.85; /* 1 - f: share of the sample N cycles ago */
+    static const double acceleration_delay_before = 0.15; /* f: share of the sample N + 1 cycles ago */
+
+    /* additive torque: load 0.48 kg m^2 (P-AXIS-00391), 500 increments (P-AXIS-00325/00326) at the nominal torque
+     * 0.45 Nm (P-AXIS-00392), weight 1.2 (P-AXIS-00225/00226) */
+    static const double torque_acceleration = 2.412743157956961; /* additive torque: increments for 1 um/s^2 */
+
+    /* process data of 16 bits */
+    static const int32_t torque_range_lowest = -32768; /* smallest value of the process data */
+    static const int32_t torque_range_highest = 32767; /* largest value of the process data */
+    static const double torque_range_lower_limit = -32768.49999999999; /* smallest number that is rounded to the smallest value */
+    static const double torque_range_upper_limit = 32767.499999999996; /* largest number that is rounded to the largest value */
+
+    /* the same for every axis */
+    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    static const double sample_limit = 1000000000000000.0;
+
     if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
         state->preset = false;
         outputs->additive_torque = 0;
         outputs->torque_limited = false;
         outputs->fault = true;
-        outputs->error_id = error_cycle_time;
-    } else if (!(magnitude(inputs->a_interpolator) <= sample_limit)) {
-        outputs->error_id = error_a_interpolator;
+        outputs->error_id = AXIS_T_FEEDFORWARD_ERROR_CYCLE_TIME;
+    } else if (!(axis_t_feedforward_magnitude(inputs->a_interpolator) <= sample_limit)) {
+        outputs->error_id = AXIS_T_FEEDFORWARD_ERROR_A_INTERPOLATOR;
         state->preset = false;
         outputs->additive_torque = 0;
         outputs->torque_limited = false;
@@ -114,10 +115,10 @@ void axis_t_feedforward_step(
         outputs->additive_torque = 0;
         outputs->torque_limited = false;
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_T_FEEDFORWARD_ERROR_NONE;
     } else {
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_T_FEEDFORWARD_ERROR_NONE;
         double gain_now;
         if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
             if (inputs->feedforward_percentage >= 100) {
@@ -139,8 +140,8 @@ void axis_t_feedforward_step(
             acceleration_delay_now * a + acceleration_delay_before * state->acceleration_delay_x0;
         state->acceleration_delay_x0 = a;
         const double torque_a = torque_acceleration * acceleration_delay_y;
-        if (magnitude(torque_a) <= torque_range_upper_limit) {
-            outputs->additive_torque = nearest(torque_a);
+        if (axis_t_feedforward_magnitude(torque_a) <= torque_range_upper_limit) {
+            outputs->additive_torque = axis_t_feedforward_nearest(torque_a);
             outputs->torque_limited = false;
         } else if (torque_a > 0.0) {
             outputs->additive_torque = torque_range_highest;
@@ -154,120 +155,4 @@ void axis_t_feedforward_step(
             outputs->torque_limited = true;
         }
     }
-}
-
-static uint64_t bits_of(double value)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.value = value;
-    return view.bits;
-}
-
-static double real_of(uint64_t bits)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.bits = bits;
-    return view.value;
-}
-
-static uint64_t fold(uint64_t digest, uint64_t bits)
-{
-    return ((digest << 5) | (digest >> 59)) + bits;
-}
-
-uint32_t axis_t_feedforward_self_test(void)
-{
-    /* the reference's digest of all outputs and of the state, after each sample */
-    static const uint64_t expected[35] = {
-        UINT64_C(0xc26d5926c87ae168),
-        UINT64_C(0x728c11856516f391),
-        UINT64_C(0x9953f885646593dd),
-        UINT64_C(0x998035d249883174),
-        UINT64_C(0x54db12ed9fbc368a),
-        UINT64_C(0x2a4c1d351ee4d956),
-        UINT64_C(0x8827cf556e182625),
-        UINT64_C(0x9bcf10de4151a209),
-        UINT64_C(0x52cf546d75979b61),
-        UINT64_C(0x9dc4ea244de7086e),
-        UINT64_C(0xd5e58c469a66fd38),
-        UINT64_C(0x68eb09086cac9664),
-        UINT64_C(0x5b7f586c6f1c0a10),
-        UINT64_C(0x5c39c536de507a12),
-        UINT64_C(0x7a019f016018aede),
-        UINT64_C(0x9880f1c1fe94e2c1),
-        UINT64_C(0xc01950d3a886a2f6),
-        UINT64_C(0xac84f032814e0268),
-        UINT64_C(0xe0b7d6471d87a292),
-        UINT64_C(0x079def5fb4a8d6f9),
-        UINT64_C(0xaf99d7b315fbf6d8),
-        UINT64_C(0x87f502b01319a93f),
-        UINT64_C(0xc73e53c4df6de4a3),
-        UINT64_C(0xfa3fa48635e40ff2),
-        UINT64_C(0x4feda09c6133c04b),
-        UINT64_C(0x58b4044b3f1a2099),
-        UINT64_C(0x1018fe1238417c13),
-        UINT64_C(0x50fb3f2e8186e37b),
-        UINT64_C(0x635c1dc995967dff),
-        UINT64_C(0xa6619154826c264a),
-        UINT64_C(0x61a305d163d15a38),
-        UINT64_C(0x1bf64db772b63238),
-        UINT64_C(0x9fa0039a914b0431),
-        UINT64_C(0xe55daa361eedc395),
-        UINT64_C(0x4aa440a0e88a9de0),
-    };
-    /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_t_feedforward_state *, const axis_t_feedforward_inputs *, axis_t_feedforward_outputs *) =
-        axis_t_feedforward_step;
-    axis_t_feedforward_state state;
-    axis_t_feedforward_inputs inputs;
-    axis_t_feedforward_outputs outputs;
-    uint64_t digest = 0u;
-    uint64_t noise;
-    double scale;
-    uint32_t random = 1u;
-    uint32_t sample;
-    /* 1 + 2^-30 and its rounded square; volatile: worked out when it runs */
-    volatile double factor = real_of(UINT64_C(0x3ff0000000400000));
-    volatile double square = real_of(UINT64_C(0x3ff0000000800000));
-    const double product = factor * factor;
-    const double remainder = product - square;
-
-    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
-    if (bits_of(remainder) != 0u) {
-        return 1u;
-    }
-    /* as it stands here, unless the compiler takes constants for single precision */
-    if (bits_of(0.1) != UINT64_C(0x3fb999999999999a)) {
-        return 1u;
-    }
-
-    axis_t_feedforward_init(&state);
-    axis_t_feedforward_inputs_init(&inputs);
-    inputs.feedforward_active = true;
-    inputs.feedforward_percentage = 87;
-    for (sample = 0u; sample < 35u; sample++) {
-        /* at first within every limit, so that nothing is cut off */
-        scale = sample < 27u ? 6.103515625e-5 : 0.03125;
-        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.a_interpolator = real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
-        step(&state, &inputs, &outputs);
-        digest = fold(digest, (uint32_t)outputs.additive_torque);
-        digest = fold(digest, outputs.torque_limited);
-        digest = fold(digest, outputs.fault);
-        digest = fold(digest, outputs.error_id);
-        digest = fold(digest, state.preset);
-        digest = fold(digest, bits_of(state.acceleration_delay_x0));
-        if (digest != expected[sample]) {
-            return sample + 1u;
-        }
-    }
-    return 0u;
 }

@@ -5,7 +5,9 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9a5bb4a83307cb65482e42039b26788c
- * checksum    1156db590cfb7431d35fef18ad6fd60d
+ * structure   f48e88ec1cc75ebd97f8714571ff5292
+ * checksum    933981c312ca52932043d706f611164f
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_v_feedforward.h"
 
@@ -28,7 +30,7 @@
 #endif
 
 /* |value|, without a library */
-static double magnitude(double value)
+static double axis_v_feedforward_magnitude(double value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs(value);
@@ -39,7 +41,7 @@ static double magnitude(double value)
 
 /* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
  * rightly; without a library */
-static int32_t nearest(double value)
+static int32_t axis_v_feedforward_nearest(double value)
 {
 #if defined(__GNUC__)
     return (int32_t)(value + __builtin_copysign(0.49999999999999994, value));
@@ -48,37 +50,12 @@ static int32_t nearest(double value)
 #endif
 }
 
-/* cycle time 1000 us, the coefficients hold for no other */
-static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
-
-/* weight of the whole feedforward 1/1 = 1 (P-AXIS-00228/00229) */
-static const double weight = 1.0; /* weight of the whole feedforward at 100 % */
-static const double weight_per_percent = 0.01; /* weight / 100 */
-
-/* delay of 150 us = 0.15 cycles (P-AXIS-00389) */
-static const double velocity_delay_now = 0.85; /* 1 - f: share of the sample N cycles ago */
-static const double velocity_delay_before = 0.15; /* f: share of the sample N + 1 cycles ago */
-
-/* additive velocity: 10000 increments at 3333 um per minute (P-AXIS-00206/00205, 00207): 3000300 for 1 m/min */
-static const double velocity_scale = 180.01800180018003; /* additive velocity: increments for 1 um/s */
-
-/* process data of 32 bits */
-static const int32_t velocity_range_lowest = (-2147483647 - 1); /* smallest value of the process data */
-static const int32_t velocity_range_highest = 2147483647; /* largest value of the process data */
-static const double velocity_range_lower_limit = -2147483648.4999995; /* smallest number that is rounded to the smallest value */
-static const double velocity_range_upper_limit = 2147483647.4999998; /* largest number that is rounded to the largest value */
-
-/* the same for every axis */
-/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_cycle_time = 1u;
-static const uint32_t error_none = 0u; /* error_id: no fault */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const double sample_limit = 1000000000000000.0;
-static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
-
-void axis_v_feedforward_init(axis_v_feedforward_state *state)
+void axis_v_feedforward_init(axis_v_feedforward_state *fresh)
 {
+    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    volatile axis_v_feedforward_state *const state = fresh;
     state->preset = false;
+    state->velocity_delay_x0 = 0.0;
 }
 
 void axis_v_feedforward_inputs_init(axis_v_feedforward_inputs *inputs)
@@ -96,30 +73,54 @@ void axis_v_feedforward_step(
     const axis_v_feedforward_inputs *restrict inputs,
     axis_v_feedforward_outputs *restrict outputs)
 {
+    /* cycle time 1000 us, the coefficients hold for no other */
+    static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
+
+    /* weight of the whole feedforward 1/1 = 1 (P-AXIS-00228/00229) */
+    static const double weight = 1.0; /* weight of the whole feedforward at 100 % */
+    static const double weight_per_percent = 0.01; /* weight / 100 */
+
+    /* delay of 150 us = 0.15 cycles (P-AXIS-00389) */
+    static const double velocity_delay_now = 0.85; /* 1 - f: share of the sample N cycles ago */
+    static const double velocity_delay_before = 0.15; /* f: share of the sample N + 1 cycles ago */
+
+    /* additive velocity: 10000 increments at 3333 um per minute (P-AXIS-00206/00205, 00207): 3000300 for 1 m/min */
+    static const double velocity_scale = 180.01800180018003; /* additive velocity: increments for 1 um/s */
+
+    /* process data of 32 bits */
+    static const int32_t velocity_range_lowest = (-2147483647 - 1); /* smallest value of the process data */
+    static const int32_t velocity_range_highest = 2147483647; /* largest value of the process data */
+    static const double velocity_range_lower_limit = -2147483648.4999995; /* smallest number that is rounded to the smallest value */
+    static const double velocity_range_upper_limit = 2147483647.4999998; /* largest number that is rounded to the largest value */
+
+    /* the same for every axis */
+    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    static const double sample_limit = 1000000000000000.0;
+
     if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
         state->preset = false;
         outputs->v_additive = 0.0;
         outputs->additive_velocity = 0;
         outputs->velocity_limited = false;
         outputs->fault = true;
-        outputs->error_id = error_cycle_time;
-    } else if (!(magnitude(inputs->v_interpolator) <= sample_limit)) {
+        outputs->error_id = AXIS_V_FEEDFORWARD_ERROR_CYCLE_TIME;
+    } else if (!(axis_v_feedforward_magnitude(inputs->v_interpolator) <= sample_limit)) {
         state->preset = false;
         outputs->v_additive = 0.0;
         outputs->additive_velocity = 0;
         outputs->velocity_limited = false;
         outputs->fault = true;
-        outputs->error_id = error_v_interpolator;
+        outputs->error_id = AXIS_V_FEEDFORWARD_ERROR_V_INTERPOLATOR;
     } else if (!inputs->position_controlled || inputs->reset) {
         state->preset = false;
         outputs->v_additive = 0.0;
         outputs->additive_velocity = 0;
         outputs->velocity_limited = false;
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_V_FEEDFORWARD_ERROR_NONE;
     } else {
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_V_FEEDFORWARD_ERROR_NONE;
         double gain_now;
         if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
             if (inputs->feedforward_percentage >= 100) {
@@ -141,8 +142,8 @@ void axis_v_feedforward_step(
         state->velocity_delay_x0 = v;
         outputs->v_additive = velocity_delay_y;
         const double velocity = velocity_scale * velocity_delay_y;
-        if (magnitude(velocity) <= velocity_range_upper_limit) {
-            outputs->additive_velocity = nearest(velocity);
+        if (axis_v_feedforward_magnitude(velocity) <= velocity_range_upper_limit) {
+            outputs->additive_velocity = axis_v_feedforward_nearest(velocity);
             outputs->velocity_limited = false;
         } else if (velocity > 0.0) {
             outputs->additive_velocity = velocity_range_highest;
@@ -156,121 +157,4 @@ void axis_v_feedforward_step(
             outputs->velocity_limited = true;
         }
     }
-}
-
-static uint64_t bits_of(double value)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.value = value;
-    return view.bits;
-}
-
-static double real_of(uint64_t bits)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.bits = bits;
-    return view.value;
-}
-
-static uint64_t fold(uint64_t digest, uint64_t bits)
-{
-    return ((digest << 5) | (digest >> 59)) + bits;
-}
-
-uint32_t axis_v_feedforward_self_test(void)
-{
-    /* the reference's digest of all outputs and of the state, after each sample */
-    static const uint64_t expected[35] = {
-        UINT64_C(0x8fdbe836f0aa37b2),
-        UINT64_C(0x460f16bfb35adaff),
-        UINT64_C(0x18a5b81c0a52d461),
-        UINT64_C(0x68ba1a84208dd1ea),
-        UINT64_C(0x1551fea33b5de119),
-        UINT64_C(0xc7fa31afd46b00a8),
-        UINT64_C(0x4ccaf91d2f84a15b),
-        UINT64_C(0x518aece9a7c86b5e),
-        UINT64_C(0xffbc1c53852cd8f8),
-        UINT64_C(0x3ada6de61d39308c),
-        UINT64_C(0x7910743259f684c6),
-        UINT64_C(0xc5e2af9cc9e096ee),
-        UINT64_C(0xd00b425b161e0e5f),
-        UINT64_C(0xa2823dbec5fae3db),
-        UINT64_C(0x74de3e60d149083b),
-        UINT64_C(0x496f6a9f673790e6),
-        UINT64_C(0xc6ca9503f61301a7),
-        UINT64_C(0xd3ad93f5e9c58448),
-        UINT64_C(0x424d1772cbfe3875),
-        UINT64_C(0xd06d70908109a428),
-        UINT64_C(0xcabecb3a61ae96b5),
-        UINT64_C(0xef2c2958e55ad2d9),
-        UINT64_C(0xe99818f84b03d6f2),
-        UINT64_C(0x6939272bb1035717),
-        UINT64_C(0x0d78b9715a9dd2a1),
-        UINT64_C(0x6553d09e710f3b7b),
-        UINT64_C(0x3a7ca335ccdca753),
-        UINT64_C(0xd2aa416143a3738c),
-        UINT64_C(0x24c0f7e0f8ebd652),
-        UINT64_C(0x061580c30fddd06d),
-        UINT64_C(0x4591c18def2a9ab0),
-        UINT64_C(0x4e3c27b16f1d53d3),
-        UINT64_C(0x3349d5238c6ff408),
-        UINT64_C(0x13a346213599cae0),
-        UINT64_C(0xe2f1dbfa3c925712),
-    };
-    /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_v_feedforward_state *, const axis_v_feedforward_inputs *, axis_v_feedforward_outputs *) =
-        axis_v_feedforward_step;
-    axis_v_feedforward_state state;
-    axis_v_feedforward_inputs inputs;
-    axis_v_feedforward_outputs outputs;
-    uint64_t digest = 0u;
-    uint64_t noise;
-    double scale;
-    uint32_t random = 1u;
-    uint32_t sample;
-    /* 1 + 2^-30 and its rounded square; volatile: worked out when it runs */
-    volatile double factor = real_of(UINT64_C(0x3ff0000000400000));
-    volatile double square = real_of(UINT64_C(0x3ff0000000800000));
-    const double product = factor * factor;
-    const double remainder = product - square;
-
-    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
-    if (bits_of(remainder) != 0u) {
-        return 1u;
-    }
-    /* as it stands here, unless the compiler takes constants for single precision */
-    if (bits_of(0.1) != UINT64_C(0x3fb999999999999a)) {
-        return 1u;
-    }
-
-    axis_v_feedforward_init(&state);
-    axis_v_feedforward_inputs_init(&inputs);
-    inputs.feedforward_active = true;
-    inputs.feedforward_percentage = 87;
-    for (sample = 0u; sample < 35u; sample++) {
-        /* at first within every limit, so that nothing is cut off */
-        scale = sample < 27u ? 0.001953125 : 1.0;
-        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_interpolator = real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
-        step(&state, &inputs, &outputs);
-        digest = fold(digest, bits_of(outputs.v_additive));
-        digest = fold(digest, (uint32_t)outputs.additive_velocity);
-        digest = fold(digest, outputs.velocity_limited);
-        digest = fold(digest, outputs.fault);
-        digest = fold(digest, outputs.error_id);
-        digest = fold(digest, state.preset);
-        digest = fold(digest, bits_of(state.velocity_delay_x0));
-        if (digest != expected[sample]) {
-            return sample + 1u;
-        }
-    }
-    return 0u;
 }

@@ -5,17 +5,58 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9a5bb4a83307cb65482e42039b26788c
- * checksum    3a7f3c801c7fdd21222a4340af9c4d24
+ * structure   f48e88ec1cc75ebd97f8714571ff5292
+ * checksum    822086656c1d954d7455f61418930935
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_V_FEEDFORWARD_H
 #define AXIS_V_FEEDFORWARD_H
 
+#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* What code can compare with what it expects, at its start or in an #if. */
+/* the cycle time that the block is designed for [ns] */
+#define AXIS_V_FEEDFORWARD_CYCLE_TIME_NS 1000000u
+/* the bits of its real type */
+#define AXIS_V_FEEDFORWARD_REAL_BITS 64
+/* the digest of its parameters, as in the head of this file */
+#define AXIS_V_FEEDFORWARD_PARAMETERS_0 0x9a5bb4a8u
+#define AXIS_V_FEEDFORWARD_PARAMETERS_1 0x3307cb65u
+#define AXIS_V_FEEDFORWARD_PARAMETERS_2 0x482e4203u
+#define AXIS_V_FEEDFORWARD_PARAMETERS_3 0x9b26788cu
+/* the digest of its structure: the same where two blocks differ in the values of coefficients only */
+#define AXIS_V_FEEDFORWARD_STRUCTURE_0 0xf48e88ecu
+#define AXIS_V_FEEDFORWARD_STRUCTURE_1 0x1cc75ebdu
+#define AXIS_V_FEEDFORWARD_STRUCTURE_2 0x97f87145u
+#define AXIS_V_FEEDFORWARD_STRUCTURE_3 0x71ff5292u
+/* the bytes of its structs where a bool has one and each member is aligned to its own size */
+#define AXIS_V_FEEDFORWARD_INPUTS_SIZE 24u
+#define AXIS_V_FEEDFORWARD_OUTPUTS_SIZE 24u
+#define AXIS_V_FEEDFORWARD_STATE_SIZE 16u
+
+/* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
+ * Nothing else is asserted: the alignment of members is the ABI's own affair. */
+#if defined(__cplusplus) && __cplusplus >= 201103L
+static_assert(sizeof(double) * CHAR_BIT == AXIS_V_FEEDFORWARD_REAL_BITS, "double must have 64 bits");
+#elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
+_Static_assert(sizeof(double) * CHAR_BIT == AXIS_V_FEEDFORWARD_REAL_BITS, "double must have 64 bits");
+#else
+typedef char axis_v_feedforward_real_has_64_bits[sizeof(double) * CHAR_BIT == AXIS_V_FEEDFORWARD_REAL_BITS ? 1 : -1];
+#endif
+
+/* values of the output error_id */
+enum {
+    AXIS_V_FEEDFORWARD_ERROR_NONE = 0, /* no fault */
+    /* task_cycle_ns is not the cycle time that the coefficients were designed for */
+    AXIS_V_FEEDFORWARD_ERROR_CYCLE_TIME = 1,
+    AXIS_V_FEEDFORWARD_ERROR_V_INTERPOLATOR = 14 /* v_interpolator is not within the sample limit */
+};
 
 /* Written by the caller. axis_v_feedforward_inputs_init fills in what is said to be the start. */
 typedef struct {
@@ -42,8 +83,15 @@ typedef struct {
     double velocity_delay_x0; /* the samples before the present one, the latest first */
 } axis_v_feedforward_state;
 
-/* Once before the first cycle. */
-void axis_v_feedforward_init(axis_v_feedforward_state *state);
+/* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls
+ * no library, and takes little stack. Calls with different states may interrupt each other. Of one state only one
+ * function may be at work: neither step nor init may be interrupted by a call for the same state.
+ * step writes each output once, with its final value, but one output after another. Another task or interrupt that reads
+ * several of them copies them while step cannot run (its interrupt is off), or reads copies that the task of step
+ * puts into two buffers in turn, behind a counter. */
+
+/* Once before the first cycle: every member of the state gets its start. */
+void axis_v_feedforward_init(axis_v_feedforward_state *fresh);
 
 /* Gives every input the value that it has until the caller writes it. */
 void axis_v_feedforward_inputs_init(axis_v_feedforward_inputs *inputs);
@@ -54,10 +102,11 @@ void axis_v_feedforward_step(
     const axis_v_feedforward_inputs *inputs,
     axis_v_feedforward_outputs *outputs);
 
-/* Compares a run of 35 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
+/* In a file of its own, axis_v_feedforward_self_test.c: a build that does not call it leaves it out.
+ * Compares a run of 35 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
  * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
- * precision. Run it once at start-up, on the machine and with the compiler options that the block runs with: it finds a
- * build that fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
+ * precision. Run it once at start-up, on the machine, both files with the same compiler options: it finds a build that
+ * fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
 uint32_t axis_v_feedforward_self_test(void);
 
 #ifdef __cplusplus

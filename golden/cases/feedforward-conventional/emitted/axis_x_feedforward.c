@@ -5,7 +5,9 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  b3ed5792d9f8226b8fcc93505e5e2511
- * checksum    b96a09f083a47f9d958c5ade7bf5ff63
+ * structure   7cece44b9e1acc647b384c4f009eada1
+ * checksum    1e6b3e559ca74e7814d6a46b21085919
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_feedforward.h"
 
@@ -28,7 +30,7 @@
 #endif
 
 /* |value|, without a library */
-static double magnitude(double value)
+static double axis_x_feedforward_magnitude(double value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs(value);
@@ -37,31 +39,10 @@ static double magnitude(double value)
 #endif
 }
 
-/* cycle time 1000 us, the coefficients hold for no other */
-static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
-
-/* weight of the whole feedforward 12/10 = 1.2 (P-AXIS-00228/00229) */
-static const double weight = 1.2; /* weight of the whole feedforward at 100 % */
-static const double weight_per_percent = 0.012; /* weight / 100 */
-
-/* time constant Ta = 4 ms (P-AXIS-00225/00226) */
-static const double t_a = 0.004; /* time constant of the acceleration [s] */
-
-/* jerk factor 1/2 (P-AXIS-00337/00338) times Ta^2 */
-static const double t_j = 8.0e-6; /* square of the time constant of the jerk [s^2] */
-
-/* the same for every axis */
-/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_cycle_time = 1u;
-static const uint32_t error_none = 0u; /* error_id: no fault */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const double sample_limit = 1000000000000000.0;
-static const uint32_t error_j_interpolator = 16u; /* error_id: j_interpolator is not within the sample limit */
-static const uint32_t error_a_interpolator = 15u; /* error_id: a_interpolator is not within the sample limit */
-static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
-
-void axis_x_feedforward_init(axis_x_feedforward_state *state)
+void axis_x_feedforward_init(axis_x_feedforward_state *fresh)
 {
+    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    volatile axis_x_feedforward_state *const state = fresh;
     state->unused = false;
 }
 
@@ -82,29 +63,47 @@ void axis_x_feedforward_step(
     const axis_x_feedforward_inputs *restrict inputs,
     axis_x_feedforward_outputs *restrict outputs)
 {
+    /* cycle time 1000 us, the coefficients hold for no other */
+    static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
+
+    /* weight of the whole feedforward 12/10 = 1.2 (P-AXIS-00228/00229) */
+    static const double weight = 1.2; /* weight of the whole feedforward at 100 % */
+    static const double weight_per_percent = 0.012; /* weight / 100 */
+
+    /* time constant Ta = 4 ms (P-AXIS-00225/00226) */
+    static const double t_a = 0.004; /* time constant of the acceleration [s] */
+
+    /* jerk factor 1/2 (P-AXIS-00337/00338) times Ta^2 */
+    static const double t_j = 8.0e-6; /* square of the time constant of the jerk [s^2] */
+
+    /* the same for every axis */
+    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    static const double sample_limit = 1000000000000000.0;
+
     (void)state;
     if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
         outputs->v_feedforward = 0.0;
         outputs->fault = true;
-        outputs->error_id = error_cycle_time;
-    } else if (!(magnitude(inputs->v_interpolator) <= sample_limit && magnitude(inputs->a_interpolator) <= sample_limit
-            && magnitude(inputs->j_interpolator) <= sample_limit)) {
+        outputs->error_id = AXIS_X_FEEDFORWARD_ERROR_CYCLE_TIME;
+    } else if (!(axis_x_feedforward_magnitude(inputs->v_interpolator) <= sample_limit
+            && axis_x_feedforward_magnitude(inputs->a_interpolator) <= sample_limit
+            && axis_x_feedforward_magnitude(inputs->j_interpolator) <= sample_limit)) {
         outputs->fault = true;
         outputs->v_feedforward = 0.0;
-        if (!(magnitude(inputs->j_interpolator) <= sample_limit)) {
-            outputs->error_id = error_j_interpolator;
-        } else if (magnitude(inputs->a_interpolator) <= sample_limit) {
-            outputs->error_id = error_v_interpolator;
+        if (!(axis_x_feedforward_magnitude(inputs->j_interpolator) <= sample_limit)) {
+            outputs->error_id = AXIS_X_FEEDFORWARD_ERROR_J_INTERPOLATOR;
+        } else if (axis_x_feedforward_magnitude(inputs->a_interpolator) <= sample_limit) {
+            outputs->error_id = AXIS_X_FEEDFORWARD_ERROR_V_INTERPOLATOR;
         } else {
-            outputs->error_id = error_a_interpolator;
+            outputs->error_id = AXIS_X_FEEDFORWARD_ERROR_A_INTERPOLATOR;
         }
     } else if (!inputs->position_controlled || inputs->reset) {
         outputs->v_feedforward = 0.0;
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_X_FEEDFORWARD_ERROR_NONE;
     } else {
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_X_FEEDFORWARD_ERROR_NONE;
         double gain_now;
         if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
             if (inputs->feedforward_percentage >= 100) {
@@ -119,129 +118,4 @@ void axis_x_feedforward_step(
         const double v_a_j = v_a + t_j * inputs->j_interpolator;
         outputs->v_feedforward = gain_now * v_a_j;
     }
-}
-
-static uint64_t bits_of(double value)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.value = value;
-    return view.bits;
-}
-
-static double real_of(uint64_t bits)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.bits = bits;
-    return view.value;
-}
-
-static uint64_t fold(uint64_t digest, uint64_t bits)
-{
-    return ((digest << 5) | (digest >> 59)) + bits;
-}
-
-uint32_t axis_x_feedforward_self_test(void)
-{
-    /* the reference's digest of all outputs and of the state, after each sample */
-    static const uint64_t expected[41] = {
-        UINT64_C(0x06936169fbaceb03),
-        UINT64_C(0xb0b4fdd675818377),
-        UINT64_C(0x886981f8a6db955d),
-        UINT64_C(0x8ae1f422ed4afd37),
-        UINT64_C(0xfa1176a57e9bc59f),
-        UINT64_C(0xfbc5b8fa8b68420b),
-        UINT64_C(0xbe2961f83254a6e5),
-        UINT64_C(0xb0fc192a5372df44),
-        UINT64_C(0x2f4c4cb2ef02eb81),
-        UINT64_C(0xe75dbc47bbf3dea8),
-        UINT64_C(0x10e7d459dd5950b2),
-        UINT64_C(0x2ab14a697a760177),
-        UINT64_C(0xe96774ffc36bdc5a),
-        UINT64_C(0xac7bdb67488a85b6),
-        UINT64_C(0x0a0e241ae0a6cd41),
-        UINT64_C(0x2bfbe2f79ff4480a),
-        UINT64_C(0x958c44aedb4b2b00),
-        UINT64_C(0x625a3882cc67cdc9),
-        UINT64_C(0x345af2b66d8ab230),
-        UINT64_C(0xb2a917c0b99a2130),
-        UINT64_C(0x9e8807927a8cea57),
-        UINT64_C(0xbbb15512a6eed046),
-        UINT64_C(0xec1c82212ae14cdb),
-        UINT64_C(0x5236b45a27044f11),
-        UINT64_C(0x36f4472df81bfe1e),
-        UINT64_C(0x0a6688cb7ac1527c),
-        UINT64_C(0x702071c666f31236),
-        UINT64_C(0xcc9d009166ae3912),
-        UINT64_C(0x13febe12c6161951),
-        UINT64_C(0x35e926ab22ed0902),
-        UINT64_C(0xc1aad3e228d47bf7),
-        UINT64_C(0xf3924561a1c49fd7),
-        UINT64_C(0xfa037136454376cb),
-        UINT64_C(0x007fff0086190e05),
-        UINT64_C(0x822eb4b60b0aef45),
-        UINT64_C(0xca99d40b5debb81c),
-        UINT64_C(0x2dfafb12a1b94c52),
-        UINT64_C(0x7911e5cdfcdaa002),
-        UINT64_C(0x4f701ec8fc8b878d),
-        UINT64_C(0x44e9f6b8bc55dcbd),
-        UINT64_C(0xe61314a163881379),
-    };
-    /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_x_feedforward_state *, const axis_x_feedforward_inputs *, axis_x_feedforward_outputs *) =
-        axis_x_feedforward_step;
-    axis_x_feedforward_state state;
-    axis_x_feedforward_inputs inputs;
-    axis_x_feedforward_outputs outputs;
-    uint64_t digest = 0u;
-    uint64_t noise;
-    double scale;
-    uint32_t random = 1u;
-    uint32_t sample;
-    /* 1 + 2^-30 and its rounded square; volatile: worked out when it runs */
-    volatile double factor = real_of(UINT64_C(0x3ff0000000400000));
-    volatile double square = real_of(UINT64_C(0x3ff0000000800000));
-    const double product = factor * factor;
-    const double remainder = product - square;
-
-    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
-    if (bits_of(remainder) != 0u) {
-        return 1u;
-    }
-    /* as it stands here, unless the compiler takes constants for single precision */
-    if (bits_of(0.1) != UINT64_C(0x3fb999999999999a)) {
-        return 1u;
-    }
-
-    axis_x_feedforward_init(&state);
-    axis_x_feedforward_inputs_init(&inputs);
-    inputs.feedforward_active = true;
-    inputs.feedforward_percentage = 87;
-    for (sample = 0u; sample < 41u; sample++) {
-        /* at first within every limit, so that nothing is cut off */
-        scale = sample < 33u ? 0.001953125 : 1.0;
-        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_interpolator = real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.a_interpolator = real_of(sample == 4u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.j_interpolator = real_of(sample == 7u ? UINT64_C(0x7ff8000000000000) : noise);
-        step(&state, &inputs, &outputs);
-        digest = fold(digest, bits_of(outputs.v_feedforward));
-        digest = fold(digest, outputs.fault);
-        digest = fold(digest, outputs.error_id);
-        if (digest != expected[sample]) {
-            return sample + 1u;
-        }
-    }
-    return 0u;
 }

@@ -5,7 +5,9 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  5081215969251b07d12905c1b2a3f3db
- * checksum    6d61da733213041bfd638e81d3a3e379
+ * structure   7de2212c90ae1e6a1b2926f90da39e62
+ * checksum    ff784a3013e000e0f1cfa9635b5c945c
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_feedforward.h"
 
@@ -28,7 +30,7 @@
 #endif
 
 /* |value|, without a library */
-static double magnitude(double value)
+static double axis_x_feedforward_magnitude(double value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs(value);
@@ -39,7 +41,7 @@ static double magnitude(double value)
 
 /* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
  * rightly; without a library */
-static int32_t nearest(double value)
+static int32_t axis_x_feedforward_nearest(double value)
 {
 #if defined(__GNUC__)
     return (int32_t)(value + __builtin_copysign(0.49999999999999994, value));
@@ -48,50 +50,19 @@ static int32_t nearest(double value)
 #endif
 }
 
-/* cycle time 1000 us, the coefficients hold for no other */
-static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
-
-/* weight of the whole feedforward 3/4 = 0.75 (P-AXIS-00228/00229) */
-static const double weight = 0.75; /* weight of the whole feedforward at 100 % */
-static const double weight_per_percent = 0.0075; /* weight / 100 */
-
-/* delay of 5999 us = 5.999 cycles (P-AXIS-00389) */
-static const double velocity_delay_now = 0.001; /* 1 - f: share of the sample N cycles ago */
-static const double velocity_delay_before = 0.999; /* f: share of the sample N + 1 cycles ago */
-
-/* additive velocity: 1 increments at 10 um per second (P-AXIS-00206/00205, 00207): 1666.667 for 1 m/min */
-static const double velocity_scale = 0.1; /* additive velocity: increments for 1 um/s */
-
-/* process data of 16 bits */
-static const int32_t velocity_range_lowest = -32768; /* smallest value of the process data */
-static const int32_t velocity_range_highest = 32767; /* largest value of the process data */
-static const double velocity_range_lower_limit = -32768.49999999999; /* smallest number that is rounded to the smallest value */
-static const double velocity_range_upper_limit = 32767.499999999996; /* largest number that is rounded to the largest value */
-
-/* additive torque: load 0.002 kg m^2 (P-AXIS-00391), 1000 increments (P-AXIS-00325/00326) at the nominal torque
- * 2.5 Nm (P-AXIS-00392), weight 1 (P-AXIS-00225/00226) */
-static const double torque_acceleration = 0.0005026548245743669; /* additive torque: increments for 1 um/s^2 */
-
-/* inferred from units: the jerk factor (P-AXIS-00337/00338) read in seconds */
-static const double torque_jerk = 1.0053096491487338e-6; /* additive torque: increments for 1 um/s^3 */
-static const int32_t torque_range_lowest = -32768; /* smallest value of the process data */
-static const int32_t torque_range_highest = 32767; /* largest value of the process data */
-static const double torque_range_lower_limit = -32768.49999999999; /* smallest number that is rounded to the smallest value */
-static const double torque_range_upper_limit = 32767.499999999996; /* largest number that is rounded to the largest value */
-
-/* the same for every axis */
-/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_cycle_time = 1u;
-static const uint32_t error_none = 0u; /* error_id: no fault */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const double sample_limit = 1000000000000000.0;
-static const uint32_t error_j_interpolator = 16u; /* error_id: j_interpolator is not within the sample limit */
-static const uint32_t error_a_interpolator = 15u; /* error_id: a_interpolator is not within the sample limit */
-static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
-
-void axis_x_feedforward_init(axis_x_feedforward_state *state)
+void axis_x_feedforward_init(axis_x_feedforward_state *fresh)
 {
+    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    volatile axis_x_feedforward_state *const state = fresh;
     state->preset = false;
+    state->velocity_delay_x0 = 0.0;
+    state->velocity_delay_x1 = 0.0;
+    state->velocity_delay_x2 = 0.0;
+    state->velocity_delay_x3 = 0.0;
+    state->velocity_delay_x4 = 0.0;
+    state->velocity_delay_x5 = 0.0;
+    state->acceleration_delay_x0 = 0.0;
+    state->acceleration_delay_x1 = 0.0;
 }
 
 void axis_x_feedforward_inputs_init(axis_x_feedforward_inputs *inputs)
@@ -110,6 +81,41 @@ void axis_x_feedforward_step(
     const axis_x_feedforward_inputs *restrict inputs,
     axis_x_feedforward_outputs *restrict outputs)
 {
+    /* cycle time 1000 us, the coefficients hold for no other */
+    static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
+
+    /* weight of the whole feedforward 3/4 = 0.75 (P-AXIS-00228/00229) */
+    static const double weight = 0.75; /* weight of the whole feedforward at 100 % */
+    static const double weight_per_percent = 0.0075; /* weight / 100 */
+
+    /* delay of 5999 us = 5.999 cycles (P-AXIS-00389) */
+    static const double velocity_delay_now = 0.001; /* 1 - f: share of the sample N cycles ago */
+    static const double velocity_delay_before = 0.999; /* f: share of the sample N + 1 cycles ago */
+
+    /* additive velocity: 1 increments at 10 um per second (P-AXIS-00206/00205, 00207): 1666.667 for 1 m/min */
+    static const double velocity_scale = 0.1; /* additive velocity: increments for 1 um/s */
+
+    /* process data of 16 bits */
+    static const int32_t velocity_range_lowest = -32768; /* smallest value of the process data */
+    static const int32_t velocity_range_highest = 32767; /* largest value of the process data */
+    static const double velocity_range_lower_limit = -32768.49999999999; /* smallest number that is rounded to the smallest value */
+    static const double velocity_range_upper_limit = 32767.499999999996; /* largest number that is rounded to the largest value */
+
+    /* additive torque: load 0.002 kg m^2 (P-AXIS-00391), 1000 increments (P-AXIS-00325/00326) at the nominal torque
+     * 2.5 Nm (P-AXIS-00392), weight 1 (P-AXIS-00225/00226) */
+    static const double torque_acceleration = 0.0005026548245743669; /* additive torque: increments for 1 um/s^2 */
+
+    /* inferred from units: the jerk factor (P-AXIS-00337/00338) read in seconds */
+    static const double torque_jerk = 1.0053096491487338e-6; /* additive torque: increments for 1 um/s^3 */
+    static const int32_t torque_range_lowest = -32768; /* smallest value of the process data */
+    static const int32_t torque_range_highest = 32767; /* largest value of the process data */
+    static const double torque_range_lower_limit = -32768.49999999999; /* smallest number that is rounded to the smallest value */
+    static const double torque_range_upper_limit = 32767.499999999996; /* largest number that is rounded to the largest value */
+
+    /* the same for every axis */
+    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    static const double sample_limit = 1000000000000000.0;
+
     if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
         state->preset = false;
         outputs->v_additive = 0.0;
@@ -118,9 +124,10 @@ void axis_x_feedforward_step(
         outputs->velocity_limited = false;
         outputs->torque_limited = false;
         outputs->fault = true;
-        outputs->error_id = error_cycle_time;
-    } else if (!(magnitude(inputs->v_interpolator) <= sample_limit && magnitude(inputs->a_interpolator) <= sample_limit
-            && magnitude(inputs->j_interpolator) <= sample_limit)) {
+        outputs->error_id = AXIS_X_FEEDFORWARD_ERROR_CYCLE_TIME;
+    } else if (!(axis_x_feedforward_magnitude(inputs->v_interpolator) <= sample_limit
+            && axis_x_feedforward_magnitude(inputs->a_interpolator) <= sample_limit
+            && axis_x_feedforward_magnitude(inputs->j_interpolator) <= sample_limit)) {
         outputs->fault = true;
         outputs->torque_limited = false;
         outputs->velocity_limited = false;
@@ -128,12 +135,12 @@ void axis_x_feedforward_step(
         outputs->additive_velocity = 0;
         outputs->v_additive = 0.0;
         state->preset = false;
-        if (!(magnitude(inputs->j_interpolator) <= sample_limit)) {
-            outputs->error_id = error_j_interpolator;
-        } else if (magnitude(inputs->a_interpolator) <= sample_limit) {
-            outputs->error_id = error_v_interpolator;
+        if (!(axis_x_feedforward_magnitude(inputs->j_interpolator) <= sample_limit)) {
+            outputs->error_id = AXIS_X_FEEDFORWARD_ERROR_J_INTERPOLATOR;
+        } else if (axis_x_feedforward_magnitude(inputs->a_interpolator) <= sample_limit) {
+            outputs->error_id = AXIS_X_FEEDFORWARD_ERROR_V_INTERPOLATOR;
         } else {
-            outputs->error_id = error_a_interpolator;
+            outputs->error_id = AXIS_X_FEEDFORWARD_ERROR_A_INTERPOLATOR;
         }
     } else if (!inputs->position_controlled || inputs->reset) {
         state->preset = false;
@@ -143,10 +150,10 @@ void axis_x_feedforward_step(
         outputs->velocity_limited = false;
         outputs->torque_limited = false;
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_X_FEEDFORWARD_ERROR_NONE;
     } else {
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_X_FEEDFORWARD_ERROR_NONE;
         double gain_now;
         if (inputs->feedforward_percentage > 0) {
             if (inputs->feedforward_percentage >= 100) {
@@ -186,8 +193,8 @@ void axis_x_feedforward_step(
         state->velocity_delay_x0 = v;
         outputs->v_additive = velocity_delay_y;
         const double velocity = velocity_scale * velocity_delay_y;
-        if (magnitude(velocity) <= velocity_range_upper_limit) {
-            outputs->additive_velocity = nearest(velocity);
+        if (axis_x_feedforward_magnitude(velocity) <= velocity_range_upper_limit) {
+            outputs->additive_velocity = axis_x_feedforward_nearest(velocity);
             outputs->velocity_limited = false;
         } else if (velocity > 0.0) {
             outputs->additive_velocity = velocity_range_highest;
@@ -207,8 +214,8 @@ void axis_x_feedforward_step(
         const double torque_a = torque_acceleration * acceleration_delay_x_whole;
         /* delay of 0 us = 0 cycles (P-AXIS-00547) */
         const double torque_a_j = torque_a + torque_jerk * j;
-        if (magnitude(torque_a_j) <= torque_range_upper_limit) {
-            outputs->additive_torque = nearest(torque_a_j);
+        if (axis_x_feedforward_magnitude(torque_a_j) <= torque_range_upper_limit) {
+            outputs->additive_torque = axis_x_feedforward_nearest(torque_a_j);
             outputs->torque_limited = false;
         } else if (torque_a_j > 0.0) {
             outputs->additive_torque = torque_range_highest;
@@ -222,141 +229,4 @@ void axis_x_feedforward_step(
             outputs->torque_limited = true;
         }
     }
-}
-
-static uint64_t bits_of(double value)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.value = value;
-    return view.bits;
-}
-
-static double real_of(uint64_t bits)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.bits = bits;
-    return view.value;
-}
-
-static uint64_t fold(uint64_t digest, uint64_t bits)
-{
-    return ((digest << 5) | (digest >> 59)) + bits;
-}
-
-uint32_t axis_x_feedforward_self_test(void)
-{
-    /* the reference's digest of all outputs and of the state, after each sample */
-    static const uint64_t expected[41] = {
-        UINT64_C(0xa280d906051067da),
-        UINT64_C(0xcb7599a18ba3e4f8),
-        UINT64_C(0xb2d8fced3f4b5a00),
-        UINT64_C(0x887b6ff72e27aacd),
-        UINT64_C(0x43f55406603c1ba8),
-        UINT64_C(0x1356c1bb7a33decd),
-        UINT64_C(0xb239e339f50d7997),
-        UINT64_C(0xb31a43fed4e64d6c),
-        UINT64_C(0x2ee833aa371ef0ee),
-        UINT64_C(0x07d9015b3fa16226),
-        UINT64_C(0x1e0b1a8443acac21),
-        UINT64_C(0xdf39e3a6676f23d1),
-        UINT64_C(0x6e57ea9dab684a00),
-        UINT64_C(0x4f77da4708d97ad1),
-        UINT64_C(0x2f557ac21f9ccb63),
-        UINT64_C(0x21bc020a0918ee55),
-        UINT64_C(0x290a3811be261ae3),
-        UINT64_C(0xe7663a0640137718),
-        UINT64_C(0xf87ee5188b60f337),
-        UINT64_C(0x3d8c2cbdf9dfef96),
-        UINT64_C(0xdcfb74ecb822e1d9),
-        UINT64_C(0x5c01a9bb2f85ad91),
-        UINT64_C(0x929e2c834c90925d),
-        UINT64_C(0xc78a6bccb0f10b2a),
-        UINT64_C(0x564a162427cfe194),
-        UINT64_C(0x92dea49683ac23cb),
-        UINT64_C(0x8fff144e0103cf35),
-        UINT64_C(0xab24f8a837ada0b7),
-        UINT64_C(0x8b14611c428b3ea1),
-        UINT64_C(0x50146dbc311b8097),
-        UINT64_C(0x95bba627bbbeea52),
-        UINT64_C(0x757c0594750b307b),
-        UINT64_C(0xa2452d898db19bce),
-        UINT64_C(0x42ffc2e08b2fb75c),
-        UINT64_C(0x48b58ba316253448),
-        UINT64_C(0xaf5a5cc9b7d5e3c6),
-        UINT64_C(0x808680cb25fb853d),
-        UINT64_C(0x1bde87a7c1df84f6),
-        UINT64_C(0xa0afce5511a85bcc),
-        UINT64_C(0x877982d9f458b772),
-        UINT64_C(0x1594aa84b3c08a9b),
-    };
-    /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_x_feedforward_state *, const axis_x_feedforward_inputs *, axis_x_feedforward_outputs *) =
-        axis_x_feedforward_step;
-    axis_x_feedforward_state state;
-    axis_x_feedforward_inputs inputs;
-    axis_x_feedforward_outputs outputs;
-    uint64_t digest = 0u;
-    uint64_t noise;
-    double scale;
-    uint32_t random = 1u;
-    uint32_t sample;
-    /* 1 + 2^-30 and its rounded square; volatile: worked out when it runs */
-    volatile double factor = real_of(UINT64_C(0x3ff0000000400000));
-    volatile double square = real_of(UINT64_C(0x3ff0000000800000));
-    const double product = factor * factor;
-    const double remainder = product - square;
-
-    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
-    if (bits_of(remainder) != 0u) {
-        return 1u;
-    }
-    /* as it stands here, unless the compiler takes constants for single precision */
-    if (bits_of(0.1) != UINT64_C(0x3fb999999999999a)) {
-        return 1u;
-    }
-
-    axis_x_feedforward_init(&state);
-    axis_x_feedforward_inputs_init(&inputs);
-    inputs.feedforward_percentage = 87;
-    for (sample = 0u; sample < 41u; sample++) {
-        /* at first within every limit, so that nothing is cut off */
-        scale = sample < 33u ? 0.001953125 : 1.0;
-        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_interpolator = real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.a_interpolator = real_of(sample == 4u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.j_interpolator = real_of(sample == 7u ? UINT64_C(0x7ff8000000000000) : noise);
-        step(&state, &inputs, &outputs);
-        digest = fold(digest, bits_of(outputs.v_additive));
-        digest = fold(digest, (uint32_t)outputs.additive_velocity);
-        digest = fold(digest, (uint32_t)outputs.additive_torque);
-        digest = fold(digest, outputs.velocity_limited);
-        digest = fold(digest, outputs.torque_limited);
-        digest = fold(digest, outputs.fault);
-        digest = fold(digest, outputs.error_id);
-        digest = fold(digest, state.preset);
-        digest = fold(digest, bits_of(state.velocity_delay_x0));
-        digest = fold(digest, bits_of(state.velocity_delay_x1));
-        digest = fold(digest, bits_of(state.velocity_delay_x2));
-        digest = fold(digest, bits_of(state.velocity_delay_x3));
-        digest = fold(digest, bits_of(state.velocity_delay_x4));
-        digest = fold(digest, bits_of(state.velocity_delay_x5));
-        digest = fold(digest, bits_of(state.acceleration_delay_x0));
-        digest = fold(digest, bits_of(state.acceleration_delay_x1));
-        if (digest != expected[sample]) {
-            return sample + 1u;
-        }
-    }
-    return 0u;
 }

@@ -5,7 +5,9 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  31e1c061703d034773a37e854ddee59a
- * checksum    e4d3893abb93631866078ce462630fbb
+ * structure   a33c2b0ac8e56a167626e70bd1b1e4f9
+ * checksum    45e2570c03c40a7ea95f770be72fda2b
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
 
@@ -28,7 +30,7 @@
 #endif
 
 /* |value|, without a library */
-static double magnitude(double value)
+static double axis_x_ipc_magnitude(double value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs(value);
@@ -37,99 +39,29 @@ static double magnitude(double value)
 #endif
 }
 
-/* cycle time 4000 us, the coefficients hold for no other */
-static const uint32_t cycle_time_ns = 4000000u; /* cycle time that all coefficients were designed for [ns] */
-
-/* DIRECT (P-AXIS-00753) from v_motor, weight 100/100 = 1 (P-AXIS-00754/00755)
- * BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 112.5 Hz (P-AXIS-00751), quality
- * factor 1 (P-AXIS-00752), -3 dB at 12.19175 and 124.6917 Hz
- * section 1 of 3: centre frequency 112.5 Hz, quality factor 0.02447174, gain 1 there and 1 at 112.5 Hz */
-static const double stage0_filter0_bandpass0_b2 = -0.8632712640026805; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage0_filter0_bandpass0_a1 = 0.26007351067010104; /* denominator: s1 = s2 - a1 y */
-static const double stage0_filter0_bandpass0_a2 = -0.726542528005361; /* denominator: s2 = b2 x - a2 y */
-
-/* section 2 of 3: centre frequency 12.19533 Hz, quality factor 1.000898, gain 40.90017 there and 1 at 112.5 Hz */
-static const double stage0_filter0_bandpass1_b2 = -5.357286838113758; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage0_filter0_bandpass1_a1 = -1.6570297814353183; /* denominator: s1 = s2 - a1 y */
-static const double stage0_filter0_bandpass1_a2 = 0.7380310804457715; /* denominator: s2 = b2 x - a2 y */
-
-/* section 3 of 3: centre frequency 124.6917 Hz, quality factor 1.000898, gain 40.90017 there and 1 at 112.5 Hz */
-static const double stage0_filter0_bandpass2_b2 = -0.1577240138110104; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage0_filter0_bandpass2_a1 = 1.9922275433438266; /* denominator: s1 = s2 - a1 y */
-static const double stage0_filter0_bandpass2_a2 = 0.9922873665841692; /* denominator: s2 = b2 x - a2 y */
-
-/* ALLPASS (P-AXIS-00849): -180 deg at 112.5 Hz (P-AXIS-00751), quality factor 10 (P-AXIS-00752), -90 deg at
- * 105.706 and -270 deg at 116.956 Hz */
-static const double stage0_filter1_allpass_a1 = 1.6651299473047152; /* numerator and denominator: s1 = a1 x - a1 y + s2 */
-static const double stage0_filter1_allpass_a2 = 0.7508212380387647; /* numerator and denominator: y = a2 x + s1, s2 = x - a2 y */
-
-/* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755)
- * simulated oscillation of the load, f0 of the first BANDPASS 112.5 Hz (P-AXIS-00751), damping ratio 0.9
- * (P-AXIS-00850): gain 1 at DC, 1.143959 and -29.0546 deg at f0 */
-static const double stage1_oscillation_b0 = 0.9808532595225529; /* numerator: y = b0 x + s1 */
-static const double stage1_oscillation_b1 = 1.526510576959047; /* numerator: s1 = b1 x - a1 y + s2 */
-static const double stage1_oscillation_b2 = 0.5456573174364941; /* numerator: s2 = b2 x - a2 y */
-static const double stage1_oscillation_a1 = 1.4882170960041525; /* denominator: s1 = b1 x - a1 y + s2 */
-static const double stage1_oscillation_a2 = 0.5648040579139413; /* denominator: s2 = b2 x - a2 y */
-static const double stage1_oscillation_preset_s1 = 0.019146740477447133; /* 1 - b0: steady s1 for a constant input of 1 */
-static const double stage1_oscillation_preset_s2 = -0.019146740477447133; /* b2 - a2: steady s2 for a constant input of 1 */
-
-/* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 112.5 Hz (P-AXIS-00751), quality factor
- * 10 (P-AXIS-00752), -3 dB at 105.706 and 116.956 Hz
- * section 1 of 3: centre frequency 112.5 Hz, quality factor 0.8207856, gain 1 there and 1 at 112.5 Hz */
-static const double stage1_filter0_bandpass0_b2 = -0.1584224627596586; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage1_filter0_bandpass0_a1 = 1.6007756015201078; /* denominator: s1 = s2 - a1 y */
-static const double stage1_filter0_bandpass0_a2 = 0.6831550744806828; /* denominator: s2 = b2 x - a2 y */
-
-/* section 2 of 3: centre frequency 104.8699 Hz, quality factor 1.163366, gain 1.551268 there and 1 at 112.5 Hz */
-static const double stage1_filter0_bandpass1_b2 = -0.26740548636722156; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage1_filter0_bandpass1_a1 = 1.4478851593481936; /* denominator: s1 = s2 - a1 y */
-static const double stage1_filter0_bandpass1_a2 = 0.655242690371508; /* denominator: s2 = b2 x - a2 y */
-
-/* section 3 of 3: centre frequency 117.3017 Hz, quality factor 1.163366, gain 1.551268 there and 1 at 112.5 Hz */
-static const double stage1_filter0_bandpass2_b2 = -0.11840815683009465; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage1_filter0_bandpass2_a1 = 1.8128705833495182; /* denominator: s1 = s2 - a1 y */
-static const double stage1_filter0_bandpass2_a2 = 0.8473401644020422; /* denominator: s2 = b2 x - a2 y */
-
-/* -weight, against the vibration; at 112.5 Hz the stage adds 0.8236504 times its source at 150.9454 deg */
-static const double stage1_gain = -0.72; /* -weight: negative, because the stage moves the motor against the vibration */
-
-/* largest |v_add| = 500000: 1000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
-static const double limit = 500000.0; /* largest |v_add| */
-static const double lower_limit = -500000.0; /* -limit */
-
-/* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
-/* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
-static const double rest = 4.3368086899420177e-13;
-
-/* OFF to ON takes 0.1 s (key fade), in cycles */
-static const uint32_t fade_cycles = 25u; /* cycles that the fade takes from 0 to 1 */
-static const double fade_step = 0.04; /* 1 / fade_cycles */
-
-/* the same for every axis */
-static const uint32_t error_none = 0u; /* error_id: no fault */
-static const int32_t mode_on = 1; /* mode: the block acts */
-static const int32_t mode_off = 0; /* mode: the block is off */
-static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const double sample_limit = 1000000000000000.0;
-/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
- * anew */
-static const uint32_t error_state = 3u;
-/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_cycle_time = 1u;
-static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
-static const uint32_t error_v_command = 11u; /* error_id: v_command is not within the sample limit */
-static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-/* added in every update of s2, so that a section at rest never decays into subnormal numbers */
-static const double anti_denormal = 1.0e-30;
-static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
-
-void axis_x_ipc_init(axis_x_ipc_state *state)
+void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
-    state->disturbed = false;
+    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    volatile axis_x_ipc_state *const state = fresh;
     state->preset = false;
     state->fade = 0u;
+    state->disturbed = false;
+    state->stage0_filter0_section0_s1 = 0.0;
+    state->stage0_filter0_section0_s2 = 0.0;
+    state->stage0_filter0_section1_s1 = 0.0;
+    state->stage0_filter0_section1_s2 = 0.0;
+    state->stage0_filter0_section2_s1 = 0.0;
+    state->stage0_filter0_section2_s2 = 0.0;
+    state->stage0_filter1_section0_s1 = 0.0;
+    state->stage0_filter1_section0_s2 = 0.0;
+    state->stage1_oscillation_s1 = 0.0;
+    state->stage1_oscillation_s2 = 0.0;
+    state->stage1_filter0_section0_s1 = 0.0;
+    state->stage1_filter0_section0_s2 = 0.0;
+    state->stage1_filter0_section1_s1 = 0.0;
+    state->stage1_filter0_section1_s2 = 0.0;
+    state->stage1_filter0_section2_s1 = 0.0;
+    state->stage1_filter0_section2_s2 = 0.0;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
@@ -147,35 +79,112 @@ void axis_x_ipc_step(
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
+    /* cycle time 4000 us, the coefficients hold for no other */
+    static const uint32_t cycle_time_ns = 4000000u; /* cycle time that all coefficients were designed for [ns] */
+
+    /* DIRECT (P-AXIS-00753) from v_motor, weight 100/100 = 1 (P-AXIS-00754/00755)
+     * BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 112.5 Hz (P-AXIS-00751), quality
+     * factor 1 (P-AXIS-00752), -3 dB at 12.19175 and 124.6917 Hz
+     * section 1 of 3: centre frequency 112.5 Hz, quality factor 0.02447174, gain 1 there and 1 at 112.5 Hz */
+    static const double stage0_filter0_bandpass0_b2 = -0.8632712640026805; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage0_filter0_bandpass0_a1 = 0.26007351067010104; /* denominator: s1 = s2 - a1 y */
+    static const double stage0_filter0_bandpass0_a2 = -0.726542528005361; /* denominator: s2 = b2 x - a2 y */
+
+    /* section 2 of 3: centre frequency 12.19533 Hz, quality factor 1.000898, gain 40.90017 there and 1 at 112.5 Hz */
+    static const double stage0_filter0_bandpass1_b2 = -5.357286838113758; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage0_filter0_bandpass1_a1 = -1.6570297814353183; /* denominator: s1 = s2 - a1 y */
+    static const double stage0_filter0_bandpass1_a2 = 0.7380310804457715; /* denominator: s2 = b2 x - a2 y */
+
+    /* section 3 of 3: centre frequency 124.6917 Hz, quality factor 1.000898, gain 40.90017 there and 1 at 112.5 Hz */
+    static const double stage0_filter0_bandpass2_b2 = -0.1577240138110104; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage0_filter0_bandpass2_a1 = 1.9922275433438266; /* denominator: s1 = s2 - a1 y */
+    static const double stage0_filter0_bandpass2_a2 = 0.9922873665841692; /* denominator: s2 = b2 x - a2 y */
+
+    /* ALLPASS (P-AXIS-00849): -180 deg at 112.5 Hz (P-AXIS-00751), quality factor 10 (P-AXIS-00752), -90 deg at
+     * 105.706 and -270 deg at 116.956 Hz */
+    static const double stage0_filter1_allpass_a1 = 1.6651299473047152; /* numerator and denominator: s1 = a1 x - a1 y + s2 */
+    static const double stage0_filter1_allpass_a2 = 0.7508212380387647; /* numerator and denominator: y = a2 x + s1, s2 = x - a2 y */
+
+    /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755)
+     * simulated oscillation of the load, f0 of the first BANDPASS 112.5 Hz (P-AXIS-00751), damping ratio 0.9
+     * (P-AXIS-00850): gain 1 at DC, 1.143959 and -29.0546 deg at f0 */
+    static const double stage1_oscillation_b0 = 0.9808532595225529; /* numerator: y = b0 x + s1 */
+    static const double stage1_oscillation_b1 = 1.526510576959047; /* numerator: s1 = b1 x - a1 y + s2 */
+    static const double stage1_oscillation_b2 = 0.5456573174364941; /* numerator: s2 = b2 x - a2 y */
+    static const double stage1_oscillation_a1 = 1.4882170960041525; /* denominator: s1 = b1 x - a1 y + s2 */
+    static const double stage1_oscillation_a2 = 0.5648040579139413; /* denominator: s2 = b2 x - a2 y */
+    static const double stage1_oscillation_preset_s1 = 0.019146740477447133; /* 1 - b0: steady s1 for a constant input of 1 */
+    static const double stage1_oscillation_preset_s2 = -0.019146740477447133; /* b2 - a2: steady s2 for a constant input of 1 */
+
+    /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 112.5 Hz (P-AXIS-00751), quality factor
+     * 10 (P-AXIS-00752), -3 dB at 105.706 and 116.956 Hz
+     * section 1 of 3: centre frequency 112.5 Hz, quality factor 0.8207856, gain 1 there and 1 at 112.5 Hz */
+    static const double stage1_filter0_bandpass0_b2 = -0.1584224627596586; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage1_filter0_bandpass0_a1 = 1.6007756015201078; /* denominator: s1 = s2 - a1 y */
+    static const double stage1_filter0_bandpass0_a2 = 0.6831550744806828; /* denominator: s2 = b2 x - a2 y */
+
+    /* section 2 of 3: centre frequency 104.8699 Hz, quality factor 1.163366, gain 1.551268 there and 1 at 112.5 Hz */
+    static const double stage1_filter0_bandpass1_b2 = -0.26740548636722156; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage1_filter0_bandpass1_a1 = 1.4478851593481936; /* denominator: s1 = s2 - a1 y */
+    static const double stage1_filter0_bandpass1_a2 = 0.655242690371508; /* denominator: s2 = b2 x - a2 y */
+
+    /* section 3 of 3: centre frequency 117.3017 Hz, quality factor 1.163366, gain 1.551268 there and 1 at 112.5 Hz */
+    static const double stage1_filter0_bandpass2_b2 = -0.11840815683009465; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage1_filter0_bandpass2_a1 = 1.8128705833495182; /* denominator: s1 = s2 - a1 y */
+    static const double stage1_filter0_bandpass2_a2 = 0.8473401644020422; /* denominator: s2 = b2 x - a2 y */
+
+    /* -weight, against the vibration; at 112.5 Hz the stage adds 0.8236504 times its source at 150.9454 deg */
+    static const double stage1_gain = -0.72; /* -weight: negative, because the stage moves the motor against the vibration */
+
+    /* largest |v_add| = 500000: 1000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
+    static const double limit = 500000.0; /* largest |v_add| */
+    static const double lower_limit = -500000.0; /* -limit */
+
+    /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
+    /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
+    static const double rest = 4.3368086899420177e-13;
+
+    /* OFF to ON takes 0.1 s (key fade), in cycles */
+    static const uint32_t fade_cycles = 25u; /* cycles that the fade takes from 0 to 1 */
+    static const double fade_step = 0.04; /* 1 / fade_cycles */
+
+    /* the same for every axis */
+    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    static const double sample_limit = 1000000000000000.0;
+    /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
+    static const double anti_denormal = 1.0e-30;
+    static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
+
     bool runs;
     uint32_t reason;
-    if (magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit
+    if (axis_x_ipc_magnitude(inputs->v_command) <= sample_limit && axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
+            && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON && state->fade >= fade_cycles) {
         runs = true;
-        reason = error_none;
+        reason = AXIS_X_IPC_ERROR_NONE;
     } else if (state->disturbed) {
         state->disturbed = false;
         runs = false;
-        reason = error_state;
-    } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
-            && magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit
+        reason = AXIS_X_IPC_ERROR_STATE;
+    } else if ((inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN) && axis_x_ipc_magnitude(inputs->v_command) <= sample_limit
+            && axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
             && !inputs->reset) {
         if (state->preset) {
-            if (inputs->mode == mode_on) {
+            if (inputs->mode == AXIS_X_IPC_MODE_ON) {
                 state->fade = state->fade + 1u;
             } else {
                 if (state->fade > 0u) {
                     state->fade = state->fade - 1u;
                 }
-                if (inputs->mode == mode_off && state->fade == 0u) {
+                if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
                     state->preset = false;
                 }
             }
             runs = true;
         } else {
-            if (inputs->mode != mode_off) {
+            if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
                 /* DIRECT (P-AXIS-00753) from v_motor, weight 100/100 = 1 (P-AXIS-00754/00755) */
                 /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 112.5 Hz (P-AXIS-00751),
                  * quality factor 1 (P-AXIS-00752), -3 dB at 12.19175 and 124.6917 Hz */
@@ -213,26 +222,27 @@ void axis_x_ipc_step(
             }
             runs = false;
         }
-        reason = error_none;
+        reason = AXIS_X_IPC_ERROR_NONE;
     } else {
         state->fade = 0u;
         state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
-            reason = error_cycle_time;
-        } else if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
-            reason = error_mode;
-        } else if (!(magnitude(inputs->v_command) <= sample_limit)) {
-            reason = error_v_command;
-        } else if (magnitude(inputs->v_motor) <= sample_limit) {
-            reason = error_none;
+            reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
+        } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)) {
+            reason = AXIS_X_IPC_ERROR_MODE;
+        } else if (!(axis_x_ipc_magnitude(inputs->v_command) <= sample_limit)) {
+            reason = AXIS_X_IPC_ERROR_V_COMMAND;
+        } else if (axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit) {
+            reason = AXIS_X_IPC_ERROR_NONE;
         } else {
-            reason = error_v_motor;
+            reason = AXIS_X_IPC_ERROR_V_MOTOR;
         }
         runs = false;
     }
     if (runs) {
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_X_IPC_ERROR_NONE;
         /* DIRECT (P-AXIS-00753) from v_motor, weight 100/100 = 1 (P-AXIS-00754/00755) */
         /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 112.5 Hz (P-AXIS-00751),
          * quality factor 1 (P-AXIS-00752), -3 dB at 12.19175 and 124.6917 Hz */
@@ -296,14 +306,14 @@ void axis_x_ipc_step(
         const double v_stage1 = stage1_gain * stage1_filter0_section2_y;
         const double v_sum1 = v_stage0 + v_stage1;
         double v_limited;
-        if (magnitude(v_sum1) <= limit) {
+        if (axis_x_ipc_magnitude(v_sum1) <= limit) {
             outputs->limited = false;
-            if (magnitude(v_sum1) <= rest) {
+            if (axis_x_ipc_magnitude(v_sum1) <= rest) {
                 v_limited = 0.0;
             } else {
                 v_limited = v_sum1;
             }
-        } else if (magnitude(v_sum1) <= sum_limit) {
+        } else if (axis_x_ipc_magnitude(v_sum1) <= sum_limit) {
             outputs->limited = true;
             if (v_sum1 > 0.0) {
                 v_limited = limit;
@@ -328,7 +338,7 @@ void axis_x_ipc_step(
             } else {
                 outputs->v_add = 0.0;
             }
-            if (inputs->mode == mode_off) {
+            if (inputs->mode == AXIS_X_IPC_MODE_OFF) {
                 outputs->v_add_calculated = 0.0;
             } else {
                 outputs->v_add_calculated = v_limited;
@@ -338,145 +348,7 @@ void axis_x_ipc_step(
         outputs->v_add = 0.0;
         outputs->v_add_calculated = 0.0;
         outputs->limited = false;
-        outputs->fault = reason != error_none;
+        outputs->fault = reason != AXIS_X_IPC_ERROR_NONE;
         outputs->error_id = reason;
     }
-}
-
-static uint64_t bits_of(double value)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.value = value;
-    return view.bits;
-}
-
-static double real_of(uint64_t bits)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.bits = bits;
-    return view.value;
-}
-
-static uint64_t fold(uint64_t digest, uint64_t bits)
-{
-    return ((digest << 5) | (digest >> 59)) + bits;
-}
-
-uint32_t axis_x_ipc_self_test(void)
-{
-    /* the reference's digest of all outputs and of the state, after each sample */
-    static const uint64_t expected[38] = {
-        UINT64_C(0xfee445e716ddf5d5),
-        UINT64_C(0xc4e32a4277f4d76b),
-        UINT64_C(0x39135c69e78d8b46),
-        UINT64_C(0x2538597d33ef804e),
-        UINT64_C(0xb6470b5c32ae0dd3),
-        UINT64_C(0xf22ba492d91c1747),
-        UINT64_C(0xf60d8936d91f83fa),
-        UINT64_C(0x92417ac65afc2a59),
-        UINT64_C(0x94ef8243148292c5),
-        UINT64_C(0x56344ebf10235231),
-        UINT64_C(0xcaf1ecf802c07cc7),
-        UINT64_C(0xddaba647c7225d4c),
-        UINT64_C(0xbb6185c58ffe74f9),
-        UINT64_C(0x97cb102ea5b478ab),
-        UINT64_C(0x81f49ebbf32aa56b),
-        UINT64_C(0x2d6a76b116fdd01d),
-        UINT64_C(0xe4d38ed4800ec689),
-        UINT64_C(0xc34c03a2d40ad5c8),
-        UINT64_C(0xd85dad27ac7eae3a),
-        UINT64_C(0x47a9d36094abf38a),
-        UINT64_C(0xd3c9541b3ba7cc22),
-        UINT64_C(0x8c3caa138ea1f087),
-        UINT64_C(0x460fb29ca2a90ea9),
-        UINT64_C(0x0e54bdc2b07a8596),
-        UINT64_C(0xbd8a2020401d1f02),
-        UINT64_C(0x164990af92689d2a),
-        UINT64_C(0xe761a663fe333147),
-        UINT64_C(0x04f1a9cb02cba355),
-        UINT64_C(0x18161a4eef41e9ef),
-        UINT64_C(0xf8fc94b013992b4e),
-        UINT64_C(0x5f196483cac1755c),
-        UINT64_C(0xb8dbe5886b9f7806),
-        UINT64_C(0x1e70d45819662b01),
-        UINT64_C(0xb947fdfb5936d437),
-        UINT64_C(0xf9e94f7721f2f3fe),
-        UINT64_C(0xc6770b98b5b34aa9),
-        UINT64_C(0xeb228f642fb01b4a),
-        UINT64_C(0x1b262dcff8502d4b),
-    };
-    /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
-        axis_x_ipc_step;
-    axis_x_ipc_state state;
-    axis_x_ipc_inputs inputs;
-    axis_x_ipc_outputs outputs;
-    uint64_t digest = 0u;
-    uint64_t noise;
-    double scale;
-    uint32_t random = 1u;
-    uint32_t sample;
-    /* 1 + 2^-30 and its rounded square; volatile: worked out when it runs */
-    volatile double factor = real_of(UINT64_C(0x3ff0000000400000));
-    volatile double square = real_of(UINT64_C(0x3ff0000000800000));
-    const double product = factor * factor;
-    const double remainder = product - square;
-
-    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
-    if (bits_of(remainder) != 0u) {
-        return 1u;
-    }
-    /* as it stands here, unless the compiler takes constants for single precision */
-    if (bits_of(0.1) != UINT64_C(0x3fb999999999999a)) {
-        return 1u;
-    }
-
-    axis_x_ipc_init(&state);
-    axis_x_ipc_inputs_init(&inputs);
-    for (sample = 0u; sample < 38u; sample++) {
-        /* at first within every limit, so that nothing is cut off */
-        scale = sample < 30u ? 0.001953125 : 2.0;
-        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_command = real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_motor = real_of(sample == 4u ? UINT64_C(0x7ff8000000000000) : noise);
-        step(&state, &inputs, &outputs);
-        digest = fold(digest, bits_of(outputs.v_add));
-        digest = fold(digest, bits_of(outputs.v_add_calculated));
-        digest = fold(digest, outputs.limited);
-        digest = fold(digest, outputs.fault);
-        digest = fold(digest, outputs.error_id);
-        digest = fold(digest, state.preset);
-        digest = fold(digest, state.fade);
-        digest = fold(digest, state.disturbed);
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s2));
-        digest = fold(digest, bits_of(state.stage0_filter0_section1_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section1_s2));
-        digest = fold(digest, bits_of(state.stage0_filter0_section2_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section2_s2));
-        digest = fold(digest, bits_of(state.stage0_filter1_section0_s1));
-        digest = fold(digest, bits_of(state.stage0_filter1_section0_s2));
-        digest = fold(digest, bits_of(state.stage1_oscillation_s1));
-        digest = fold(digest, bits_of(state.stage1_oscillation_s2));
-        digest = fold(digest, bits_of(state.stage1_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage1_filter0_section0_s2));
-        digest = fold(digest, bits_of(state.stage1_filter0_section1_s1));
-        digest = fold(digest, bits_of(state.stage1_filter0_section1_s2));
-        digest = fold(digest, bits_of(state.stage1_filter0_section2_s1));
-        digest = fold(digest, bits_of(state.stage1_filter0_section2_s2));
-        if (digest != expected[sample]) {
-            return sample + 1u;
-        }
-    }
-    return 0u;
 }

@@ -5,7 +5,9 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  05853f723de7eac931d9702e2fd307a0
- * checksum    7106a53e0148c89204b2a6fd02f80241
+ * structure   bf459eb05e71ad635359dd51dce331e9
+ * checksum    5eecbc32f3fa9113cbe6196e78292b21
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
 
@@ -28,7 +30,7 @@
 #endif
 
 /* |value|, without a library */
-static double magnitude(double value)
+static double axis_x_ipc_magnitude(double value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs(value);
@@ -37,60 +39,17 @@ static double magnitude(double value)
 #endif
 }
 
-/* cycle time 1000 us, the coefficients hold for no other */
-static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
-
-/* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755)
- * BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751), quality
- * factor 5 (P-AXIS-00752), -3 dB at 47.95452 and 58.55452 Hz
- * section 1 of 2: centre frequency 49.37005 Hz, quality factor 6.956619, gain 1.4179 there and 1 at 53 Hz */
-static const double stage0_filter0_bandpass0_b2 = -0.03044023709855864; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage0_filter0_bandpass0_a1 = -1.863656591577733; /* denominator: s1 = s2 - a1 y */
-static const double stage0_filter0_bandpass0_a2 = 0.957062919501819; /* denominator: s2 = b2 x - a2 y */
-
-/* section 2 of 2: centre frequency 56.88619 Hz, quality factor 6.956619, gain 1.4179 there and 1 at 53 Hz */
-static const double stage0_filter0_bandpass1_b2 = -0.03478014892049481; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage0_filter0_bandpass1_a1 = -1.8276424086217713; /* denominator: s1 = s2 - a1 y */
-static const double stage0_filter0_bandpass1_a2 = 0.9509413133313367; /* denominator: s2 = b2 x - a2 y */
-
-/* -weight, against the vibration; at 53 Hz the stage adds 3 times its source at 180 deg */
-static const double stage0_gain = -3.0; /* -weight: negative, because the stage moves the motor against the vibration */
-
-/* largest |v_add| = 2500: 5 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
-static const double limit = 2500.0; /* largest |v_add| */
-static const double lower_limit = -2500.0; /* -limit */
-
-/* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
-/* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
-static const double rest = 4.3368086899420177e-13;
-
-/* OFF to ON takes 0.05 s (key fade), in cycles */
-static const uint32_t fade_cycles = 50u; /* cycles that the fade takes from 0 to 1 */
-static const double fade_step = 0.02; /* 1 / fade_cycles */
-
-/* the same for every axis */
-static const uint32_t error_none = 0u; /* error_id: no fault */
-static const int32_t mode_on = 1; /* mode: the block acts */
-static const int32_t mode_off = 0; /* mode: the block is off */
-static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const double sample_limit = 1000000000000000.0;
-/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
- * anew */
-static const uint32_t error_state = 3u;
-/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_cycle_time = 1u;
-static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
-static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-/* added in every update of s2, so that a section at rest never decays into subnormal numbers */
-static const double anti_denormal = 1.0e-30;
-static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
-
-void axis_x_ipc_init(axis_x_ipc_state *state)
+void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
-    state->disturbed = false;
+    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    volatile axis_x_ipc_state *const state = fresh;
     state->preset = false;
     state->fade = 0u;
+    state->disturbed = false;
+    state->stage0_filter0_section0_s1 = 0.0;
+    state->stage0_filter0_section0_s2 = 0.0;
+    state->stage0_filter0_section1_s1 = 0.0;
+    state->stage0_filter0_section1_s2 = 0.0;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
@@ -107,35 +66,73 @@ void axis_x_ipc_step(
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
+    /* cycle time 1000 us, the coefficients hold for no other */
+    static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
+
+    /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755)
+     * BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751), quality
+     * factor 5 (P-AXIS-00752), -3 dB at 47.95452 and 58.55452 Hz
+     * section 1 of 2: centre frequency 49.37005 Hz, quality factor 6.956619, gain 1.4179 there and 1 at 53 Hz */
+    static const double stage0_filter0_bandpass0_b2 = -0.03044023709855864; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage0_filter0_bandpass0_a1 = -1.863656591577733; /* denominator: s1 = s2 - a1 y */
+    static const double stage0_filter0_bandpass0_a2 = 0.957062919501819; /* denominator: s2 = b2 x - a2 y */
+
+    /* section 2 of 2: centre frequency 56.88619 Hz, quality factor 6.956619, gain 1.4179 there and 1 at 53 Hz */
+    static const double stage0_filter0_bandpass1_b2 = -0.03478014892049481; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage0_filter0_bandpass1_a1 = -1.8276424086217713; /* denominator: s1 = s2 - a1 y */
+    static const double stage0_filter0_bandpass1_a2 = 0.9509413133313367; /* denominator: s2 = b2 x - a2 y */
+
+    /* -weight, against the vibration; at 53 Hz the stage adds 3 times its source at 180 deg */
+    static const double stage0_gain = -3.0; /* -weight: negative, because the stage moves the motor against the vibration */
+
+    /* largest |v_add| = 2500: 5 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
+    static const double limit = 2500.0; /* largest |v_add| */
+    static const double lower_limit = -2500.0; /* -limit */
+
+    /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
+    /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
+    static const double rest = 4.3368086899420177e-13;
+
+    /* OFF to ON takes 0.05 s (key fade), in cycles */
+    static const uint32_t fade_cycles = 50u; /* cycles that the fade takes from 0 to 1 */
+    static const double fade_step = 0.02; /* 1 / fade_cycles */
+
+    /* the same for every axis */
+    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    static const double sample_limit = 1000000000000000.0;
+    /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
+    static const double anti_denormal = 1.0e-30;
+    static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
+
     bool runs;
     uint32_t reason;
-    if (magnitude(inputs->v_motor) <= sample_limit
+    if (axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
+            && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON && state->fade >= fade_cycles) {
         runs = true;
-        reason = error_none;
+        reason = AXIS_X_IPC_ERROR_NONE;
     } else if (state->disturbed) {
         state->disturbed = false;
         runs = false;
-        reason = error_state;
-    } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
-            && magnitude(inputs->v_motor) <= sample_limit
+        reason = AXIS_X_IPC_ERROR_STATE;
+    } else if ((inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN) && axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
             && !inputs->reset) {
         if (state->preset) {
-            if (inputs->mode == mode_on) {
+            if (inputs->mode == AXIS_X_IPC_MODE_ON) {
                 state->fade = state->fade + 1u;
             } else {
                 if (state->fade > 0u) {
                     state->fade = state->fade - 1u;
                 }
-                if (inputs->mode == mode_off && state->fade == 0u) {
+                if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
                     state->preset = false;
                 }
             }
             runs = true;
         } else {
-            if (inputs->mode != mode_off) {
+            if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
                 /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755) */
                 /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
                  * quality factor 5 (P-AXIS-00752), -3 dB at 47.95452 and 58.55452 Hz */
@@ -149,24 +146,25 @@ void axis_x_ipc_step(
             }
             runs = false;
         }
-        reason = error_none;
+        reason = AXIS_X_IPC_ERROR_NONE;
     } else {
         state->fade = 0u;
         state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
-            reason = error_cycle_time;
-        } else if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
-            reason = error_mode;
-        } else if (magnitude(inputs->v_motor) <= sample_limit) {
-            reason = error_none;
+            reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
+        } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)) {
+            reason = AXIS_X_IPC_ERROR_MODE;
+        } else if (axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit) {
+            reason = AXIS_X_IPC_ERROR_NONE;
         } else {
-            reason = error_v_motor;
+            reason = AXIS_X_IPC_ERROR_V_MOTOR;
         }
         runs = false;
     }
     if (runs) {
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_X_IPC_ERROR_NONE;
         /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755) */
         /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
          * quality factor 5 (P-AXIS-00752), -3 dB at 47.95452 and 58.55452 Hz */
@@ -184,14 +182,14 @@ void axis_x_ipc_step(
             stage0_filter0_section1_t + anti_denormal - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
         const double v_stage0 = stage0_gain * stage0_filter0_section1_y;
         double v_limited;
-        if (magnitude(v_stage0) <= limit) {
+        if (axis_x_ipc_magnitude(v_stage0) <= limit) {
             outputs->limited = false;
-            if (magnitude(v_stage0) <= rest) {
+            if (axis_x_ipc_magnitude(v_stage0) <= rest) {
                 v_limited = 0.0;
             } else {
                 v_limited = v_stage0;
             }
-        } else if (magnitude(v_stage0) <= sum_limit) {
+        } else if (axis_x_ipc_magnitude(v_stage0) <= sum_limit) {
             outputs->limited = true;
             if (v_stage0 > 0.0) {
                 v_limited = limit;
@@ -216,7 +214,7 @@ void axis_x_ipc_step(
             } else {
                 outputs->v_add = 0.0;
             }
-            if (inputs->mode == mode_off) {
+            if (inputs->mode == AXIS_X_IPC_MODE_OFF) {
                 outputs->v_add_calculated = 0.0;
             } else {
                 outputs->v_add_calculated = v_limited;
@@ -226,127 +224,7 @@ void axis_x_ipc_step(
         outputs->v_add = 0.0;
         outputs->v_add_calculated = 0.0;
         outputs->limited = false;
-        outputs->fault = reason != error_none;
+        outputs->fault = reason != AXIS_X_IPC_ERROR_NONE;
         outputs->error_id = reason;
     }
-}
-
-static uint64_t bits_of(double value)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.value = value;
-    return view.bits;
-}
-
-static double real_of(uint64_t bits)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.bits = bits;
-    return view.value;
-}
-
-static uint64_t fold(uint64_t digest, uint64_t bits)
-{
-    return ((digest << 5) | (digest >> 59)) + bits;
-}
-
-uint32_t axis_x_ipc_self_test(void)
-{
-    /* the reference's digest of all outputs and of the state, after each sample */
-    static const uint64_t expected[35] = {
-        UINT64_C(0xb8bb5f0772869510),
-        UINT64_C(0xc4471657a9ae7e41),
-        UINT64_C(0x965e5e668cb236a3),
-        UINT64_C(0xcda27fb1d1135c6c),
-        UINT64_C(0x83647169991f446a),
-        UINT64_C(0x4583b44eff1a59f4),
-        UINT64_C(0x727591fbb20f7fdf),
-        UINT64_C(0x788947f6db7b5d48),
-        UINT64_C(0xabd97c6611ec7539),
-        UINT64_C(0x9743298296be451f),
-        UINT64_C(0x2afcdaa795f4f7d1),
-        UINT64_C(0x672066eaf76e8c0a),
-        UINT64_C(0xaec559a37643c3d0),
-        UINT64_C(0x3beea987defd8924),
-        UINT64_C(0x372cf51c6417272f),
-        UINT64_C(0x5e3b7a25bfa1d729),
-        UINT64_C(0x37ac8e5a612e48c8),
-        UINT64_C(0xee1cdaf69c0bd8e8),
-        UINT64_C(0x668b42589645c2f3),
-        UINT64_C(0x0e2d1e0f6e366914),
-        UINT64_C(0x1b72722675193310),
-        UINT64_C(0xc9c8b84bf309aad8),
-        UINT64_C(0x2905fe11a76c9f10),
-        UINT64_C(0x7eb697f5960d18eb),
-        UINT64_C(0xa374bab29ec4ea67),
-        UINT64_C(0x849447780205d288),
-        UINT64_C(0xbd1c765d19e29a09),
-        UINT64_C(0x3ce34f4f9ee39c34),
-        UINT64_C(0xe7dcea068e7e04cb),
-        UINT64_C(0x07789fb9c614317b),
-        UINT64_C(0x399c30c85527c722),
-        UINT64_C(0x43b40f5b62467e75),
-        UINT64_C(0x7ecc2aa36fa6a3c2),
-        UINT64_C(0x56a4d72354495efb),
-        UINT64_C(0xfd0ceee3f01182f6),
-    };
-    /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
-        axis_x_ipc_step;
-    axis_x_ipc_state state;
-    axis_x_ipc_inputs inputs;
-    axis_x_ipc_outputs outputs;
-    uint64_t digest = 0u;
-    uint64_t noise;
-    double scale;
-    uint32_t random = 1u;
-    uint32_t sample;
-    /* 1 + 2^-30 and its rounded square; volatile: worked out when it runs */
-    volatile double factor = real_of(UINT64_C(0x3ff0000000400000));
-    volatile double square = real_of(UINT64_C(0x3ff0000000800000));
-    const double product = factor * factor;
-    const double remainder = product - square;
-
-    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
-    if (bits_of(remainder) != 0u) {
-        return 1u;
-    }
-    /* as it stands here, unless the compiler takes constants for single precision */
-    if (bits_of(0.1) != UINT64_C(0x3fb999999999999a)) {
-        return 1u;
-    }
-
-    axis_x_ipc_init(&state);
-    axis_x_ipc_inputs_init(&inputs);
-    for (sample = 0u; sample < 35u; sample++) {
-        /* at first within every limit, so that nothing is cut off */
-        scale = sample < 27u ? 1.52587890625e-5 : 0.03125;
-        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_motor = real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
-        step(&state, &inputs, &outputs);
-        digest = fold(digest, bits_of(outputs.v_add));
-        digest = fold(digest, bits_of(outputs.v_add_calculated));
-        digest = fold(digest, outputs.limited);
-        digest = fold(digest, outputs.fault);
-        digest = fold(digest, outputs.error_id);
-        digest = fold(digest, state.preset);
-        digest = fold(digest, state.fade);
-        digest = fold(digest, state.disturbed);
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s2));
-        digest = fold(digest, bits_of(state.stage0_filter0_section1_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section1_s2));
-        if (digest != expected[sample]) {
-            return sample + 1u;
-        }
-    }
-    return 0u;
 }

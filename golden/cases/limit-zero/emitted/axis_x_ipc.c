@@ -5,7 +5,9 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  8b2c2e4a9ecf18e1cac56b7273a1d9be
- * checksum    c8299b4f9529e6378a4b9bf6395e1bbe
+ * structure   029b365dcab2b41f831f9be929cb37fc
+ * checksum    134de63b155e1584c7c8e95a1303dc0c
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
 
@@ -28,7 +30,7 @@
 #endif
 
 /* |value|, without a library */
-static double magnitude(double value)
+static double axis_x_ipc_magnitude(double value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs(value);
@@ -37,57 +39,17 @@ static double magnitude(double value)
 #endif
 }
 
-/* cycle time 2000 us, the coefficients hold for no other */
-static const uint32_t cycle_time_ns = 2000000u; /* cycle time that all coefficients were designed for [ns] */
-
-/* DIRECT (P-AXIS-00753) from v_motor, weight 1/1 = 1 (P-AXIS-00754/00755)
- * BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751), quality
- * factor 10 (P-AXIS-00752), -3 dB at 50.40612 and 55.70612 Hz
- * section 1 of 2: centre frequency 53 Hz, quality factor 5.968369, gain 1 there and 1 at 53 Hz */
-static const double stage0_filter0_bandpass0_b2 = -0.04921381385367338; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage0_filter0_bandpass0_a1 = -1.4951843592043013; /* denominator: s1 = s2 - a1 y */
-static const double stage0_filter0_bandpass0_a2 = 0.9015723722926532; /* denominator: s2 = b2 x - a2 y */
-
-/* section 2 of 2: centre frequency 53 Hz, quality factor 5.968369, gain 1 there and 1 at 53 Hz */
-static const double stage0_filter0_bandpass1_b2 = -0.04921381385367338; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage0_filter0_bandpass1_a1 = -1.4951843592043013; /* denominator: s1 = s2 - a1 y */
-static const double stage0_filter0_bandpass1_a2 = 0.9015723722926532; /* denominator: s2 = b2 x - a2 y */
-
-/* largest |v_add| = 0: 0 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
-static const double limit = 0.0; /* largest |v_add| */
-static const double lower_limit = 0.0; /* -limit */
-
-/* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
-/* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
-static const double rest = 4.3368086899420177e-13;
-
-/* OFF to ON takes 0.1 s (key fade), in cycles */
-static const uint32_t fade_cycles = 50u; /* cycles that the fade takes from 0 to 1 */
-static const double fade_step = 0.02; /* 1 / fade_cycles */
-
-/* the same for every axis */
-static const uint32_t error_none = 0u; /* error_id: no fault */
-static const int32_t mode_on = 1; /* mode: the block acts */
-static const int32_t mode_off = 0; /* mode: the block is off */
-static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const double sample_limit = 1000000000000000.0;
-/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
- * anew */
-static const uint32_t error_state = 3u;
-/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_cycle_time = 1u;
-static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
-static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-/* added in every update of s2, so that a section at rest never decays into subnormal numbers */
-static const double anti_denormal = 1.0e-30;
-static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
-
-void axis_x_ipc_init(axis_x_ipc_state *state)
+void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
-    state->disturbed = false;
+    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    volatile axis_x_ipc_state *const state = fresh;
     state->preset = false;
     state->fade = 0u;
+    state->disturbed = false;
+    state->stage0_filter0_section0_s1 = 0.0;
+    state->stage0_filter0_section0_s2 = 0.0;
+    state->stage0_filter0_section1_s1 = 0.0;
+    state->stage0_filter0_section1_s2 = 0.0;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
@@ -104,35 +66,70 @@ void axis_x_ipc_step(
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
+    /* cycle time 2000 us, the coefficients hold for no other */
+    static const uint32_t cycle_time_ns = 2000000u; /* cycle time that all coefficients were designed for [ns] */
+
+    /* DIRECT (P-AXIS-00753) from v_motor, weight 1/1 = 1 (P-AXIS-00754/00755)
+     * BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751), quality
+     * factor 10 (P-AXIS-00752), -3 dB at 50.40612 and 55.70612 Hz
+     * section 1 of 2: centre frequency 53 Hz, quality factor 5.968369, gain 1 there and 1 at 53 Hz */
+    static const double stage0_filter0_bandpass0_b2 = -0.04921381385367338; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage0_filter0_bandpass0_a1 = -1.4951843592043013; /* denominator: s1 = s2 - a1 y */
+    static const double stage0_filter0_bandpass0_a2 = 0.9015723722926532; /* denominator: s2 = b2 x - a2 y */
+
+    /* section 2 of 2: centre frequency 53 Hz, quality factor 5.968369, gain 1 there and 1 at 53 Hz */
+    static const double stage0_filter0_bandpass1_b2 = -0.04921381385367338; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage0_filter0_bandpass1_a1 = -1.4951843592043013; /* denominator: s1 = s2 - a1 y */
+    static const double stage0_filter0_bandpass1_a2 = 0.9015723722926532; /* denominator: s2 = b2 x - a2 y */
+
+    /* largest |v_add| = 0: 0 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
+    static const double limit = 0.0; /* largest |v_add| */
+    static const double lower_limit = 0.0; /* -limit */
+
+    /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
+    /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
+    static const double rest = 4.3368086899420177e-13;
+
+    /* OFF to ON takes 0.1 s (key fade), in cycles */
+    static const uint32_t fade_cycles = 50u; /* cycles that the fade takes from 0 to 1 */
+    static const double fade_step = 0.02; /* 1 / fade_cycles */
+
+    /* the same for every axis */
+    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    static const double sample_limit = 1000000000000000.0;
+    /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
+    static const double anti_denormal = 1.0e-30;
+    static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
+
     bool runs;
     uint32_t reason;
-    if (magnitude(inputs->v_motor) <= sample_limit
+    if (axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
+            && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON && state->fade >= fade_cycles) {
         runs = true;
-        reason = error_none;
+        reason = AXIS_X_IPC_ERROR_NONE;
     } else if (state->disturbed) {
         state->disturbed = false;
         runs = false;
-        reason = error_state;
-    } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
-            && magnitude(inputs->v_motor) <= sample_limit
+        reason = AXIS_X_IPC_ERROR_STATE;
+    } else if ((inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN) && axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
             && !inputs->reset) {
         if (state->preset) {
-            if (inputs->mode == mode_on) {
+            if (inputs->mode == AXIS_X_IPC_MODE_ON) {
                 state->fade = state->fade + 1u;
             } else {
                 if (state->fade > 0u) {
                     state->fade = state->fade - 1u;
                 }
-                if (inputs->mode == mode_off && state->fade == 0u) {
+                if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
                     state->preset = false;
                 }
             }
             runs = true;
         } else {
-            if (inputs->mode != mode_off) {
+            if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
                 /* DIRECT (P-AXIS-00753) from v_motor, weight 1/1 = 1 (P-AXIS-00754/00755) */
                 /* BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
                  * quality factor 10 (P-AXIS-00752), -3 dB at 50.40612 and 55.70612 Hz */
@@ -146,24 +143,25 @@ void axis_x_ipc_step(
             }
             runs = false;
         }
-        reason = error_none;
+        reason = AXIS_X_IPC_ERROR_NONE;
     } else {
         state->fade = 0u;
         state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
-            reason = error_cycle_time;
-        } else if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
-            reason = error_mode;
-        } else if (magnitude(inputs->v_motor) <= sample_limit) {
-            reason = error_none;
+            reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
+        } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)) {
+            reason = AXIS_X_IPC_ERROR_MODE;
+        } else if (axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit) {
+            reason = AXIS_X_IPC_ERROR_NONE;
         } else {
-            reason = error_v_motor;
+            reason = AXIS_X_IPC_ERROR_V_MOTOR;
         }
         runs = false;
     }
     if (runs) {
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_X_IPC_ERROR_NONE;
         /* DIRECT (P-AXIS-00753) from v_motor, weight 1/1 = 1 (P-AXIS-00754/00755) */
         /* BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
          * quality factor 10 (P-AXIS-00752), -3 dB at 50.40612 and 55.70612 Hz */
@@ -181,14 +179,14 @@ void axis_x_ipc_step(
             stage0_filter0_section1_t + anti_denormal - stage0_filter0_bandpass1_a2 * stage0_filter0_section1_y;
         const double v_stage0 = -stage0_filter0_section1_y;
         double v_limited;
-        if (magnitude(v_stage0) <= limit) {
+        if (axis_x_ipc_magnitude(v_stage0) <= limit) {
             outputs->limited = false;
-            if (magnitude(v_stage0) <= rest) {
+            if (axis_x_ipc_magnitude(v_stage0) <= rest) {
                 v_limited = 0.0;
             } else {
                 v_limited = v_stage0;
             }
-        } else if (magnitude(v_stage0) <= sum_limit) {
+        } else if (axis_x_ipc_magnitude(v_stage0) <= sum_limit) {
             outputs->limited = true;
             if (v_stage0 > 0.0) {
                 v_limited = limit;
@@ -213,7 +211,7 @@ void axis_x_ipc_step(
             } else {
                 outputs->v_add = 0.0;
             }
-            if (inputs->mode == mode_off) {
+            if (inputs->mode == AXIS_X_IPC_MODE_OFF) {
                 outputs->v_add_calculated = 0.0;
             } else {
                 outputs->v_add_calculated = v_limited;
@@ -223,127 +221,7 @@ void axis_x_ipc_step(
         outputs->v_add = 0.0;
         outputs->v_add_calculated = 0.0;
         outputs->limited = false;
-        outputs->fault = reason != error_none;
+        outputs->fault = reason != AXIS_X_IPC_ERROR_NONE;
         outputs->error_id = reason;
     }
-}
-
-static uint64_t bits_of(double value)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.value = value;
-    return view.bits;
-}
-
-static double real_of(uint64_t bits)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.bits = bits;
-    return view.value;
-}
-
-static uint64_t fold(uint64_t digest, uint64_t bits)
-{
-    return ((digest << 5) | (digest >> 59)) + bits;
-}
-
-uint32_t axis_x_ipc_self_test(void)
-{
-    /* the reference's digest of all outputs and of the state, after each sample */
-    static const uint64_t expected[35] = {
-        UINT64_C(0xb24419d23f434970),
-        UINT64_C(0xbd685ccf23377de7),
-        UINT64_C(0x17c9f91a1893071d),
-        UINT64_C(0x964516e7fc291aeb),
-        UINT64_C(0xc0490d722b75cec9),
-        UINT64_C(0x8b76e0e92cbd2f5b),
-        UINT64_C(0x0e2566fc261f69c8),
-        UINT64_C(0xf179e8a3e21a31ee),
-        UINT64_C(0x30ef2b9f8443fc97),
-        UINT64_C(0x6c07b3fbea3b60c0),
-        UINT64_C(0x68f9a1ca19d4effb),
-        UINT64_C(0xc4d9aa3a0a26d082),
-        UINT64_C(0x1cc68f08c7a2cbac),
-        UINT64_C(0x25692d4347c45ceb),
-        UINT64_C(0xd51ac9b4ac763293),
-        UINT64_C(0x18d13b2dd6797b33),
-        UINT64_C(0x8d9374698a8b13e7),
-        UINT64_C(0x119722bff16e87bc),
-        UINT64_C(0x48aad2c780ff4a5d),
-        UINT64_C(0xdcad073cece3c683),
-        UINT64_C(0xed374bd0a59fe13c),
-        UINT64_C(0x61504fea8fcad89c),
-        UINT64_C(0x03a4a9f43c266549),
-        UINT64_C(0x155e17a1d4304ee5),
-        UINT64_C(0xd6be20e85533d8df),
-        UINT64_C(0xa645d250ecb8de85),
-        UINT64_C(0xb90a899530982d01),
-        UINT64_C(0xa6b4117f8d59a770),
-        UINT64_C(0xf9910151e7c25e29),
-        UINT64_C(0x2c8e131be2a4e364),
-        UINT64_C(0x9a4e5592443d21bb),
-        UINT64_C(0x328f42c39ee78c78),
-        UINT64_C(0xe9ce0b69c0a5e670),
-        UINT64_C(0xb0a43f9852ae1ebe),
-        UINT64_C(0xf6acf65812604cc7),
-    };
-    /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
-        axis_x_ipc_step;
-    axis_x_ipc_state state;
-    axis_x_ipc_inputs inputs;
-    axis_x_ipc_outputs outputs;
-    uint64_t digest = 0u;
-    uint64_t noise;
-    double scale;
-    uint32_t random = 1u;
-    uint32_t sample;
-    /* 1 + 2^-30 and its rounded square; volatile: worked out when it runs */
-    volatile double factor = real_of(UINT64_C(0x3ff0000000400000));
-    volatile double square = real_of(UINT64_C(0x3ff0000000800000));
-    const double product = factor * factor;
-    const double remainder = product - square;
-
-    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
-    if (bits_of(remainder) != 0u) {
-        return 1u;
-    }
-    /* as it stands here, unless the compiler takes constants for single precision */
-    if (bits_of(0.1) != UINT64_C(0x3fb999999999999a)) {
-        return 1u;
-    }
-
-    axis_x_ipc_init(&state);
-    axis_x_ipc_inputs_init(&inputs);
-    for (sample = 0u; sample < 35u; sample++) {
-        /* at first within every limit, so that nothing is cut off */
-        scale = sample < 27u ? 0.03125 : 0.03125;
-        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_motor = real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
-        step(&state, &inputs, &outputs);
-        digest = fold(digest, bits_of(outputs.v_add));
-        digest = fold(digest, bits_of(outputs.v_add_calculated));
-        digest = fold(digest, outputs.limited);
-        digest = fold(digest, outputs.fault);
-        digest = fold(digest, outputs.error_id);
-        digest = fold(digest, state.preset);
-        digest = fold(digest, state.fade);
-        digest = fold(digest, state.disturbed);
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s2));
-        digest = fold(digest, bits_of(state.stage0_filter0_section1_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section1_s2));
-        if (digest != expected[sample]) {
-            return sample + 1u;
-        }
-    }
-    return 0u;
 }

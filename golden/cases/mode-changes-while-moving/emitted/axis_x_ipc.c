@@ -5,7 +5,9 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  4e51eb593ea39353bfb695664947457e
- * checksum    a5d56774236ac42b44a5e1be53fdd629
+ * structure   a0bb467bc1cfe7f88f2f004723fceac5
+ * checksum    02c4bc8101acd8879b62b955ad930fa4
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
 
@@ -28,7 +30,7 @@
 #endif
 
 /* |value|, without a library */
-static double magnitude(double value)
+static double axis_x_ipc_magnitude(double value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs(value);
@@ -37,86 +39,23 @@ static double magnitude(double value)
 #endif
 }
 
-/* cycle time 1000 us, the coefficients hold for no other */
-static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
-
-/* DIRECT (P-AXIS-00753) from v_motor, weight 200/100 = 2 (P-AXIS-00754/00755)
- * BANDPASS BUTTERWORTH order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz (P-AXIS-00751), quality
- * factor 4 (P-AXIS-00752), -3 dB at 35.30473 and 45.30473 Hz
- * section 1 of 1: centre frequency 40 Hz, quality factor 3.95672, gain 1 there and 1 at 40 Hz */
-static const double stage0_filter0_bandpass0_b2 = -0.030468747091253825; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage0_filter0_bandpass0_a1 = -1.8781432915107115; /* denominator: s1 = s2 - a1 y */
-static const double stage0_filter0_bandpass0_a2 = 0.9390625058174924; /* denominator: s2 = b2 x - a2 y */
-
-/* -weight, against the vibration; at 40 Hz the stage adds 2 times its source at 180 deg */
-static const double stage0_gain = -2.0; /* -weight: negative, because the stage moves the motor against the vibration */
-
-/* INDIRECT (P-AXIS-00753) from v_motor, weight 150/100 = 1.5 (P-AXIS-00754/00755)
- * simulated oscillation of the load, f0 of the first BANDPASS 20 Hz (P-AXIS-00751), damping ratio 0.7
- * (P-AXIS-00850): gain 1 at DC, 1.228904 and -35.53768 deg at f0 */
-static const double stage1_oscillation_b0 = 0.08428161196726552; /* numerator: y = b0 x + s1 */
-static const double stage1_oscillation_b1 = 0.007249294427372564; /* numerator: s1 = b1 x - a1 y + s2 */
-static const double stage1_oscillation_b2 = -0.07703231753989295; /* numerator: s2 = b2 x - a2 y */
-static const double stage1_oscillation_a1 = -1.8241874816380963; /* denominator: s1 = b1 x - a1 y + s2 */
-static const double stage1_oscillation_a2 = 0.8386860704928415; /* denominator: s2 = b2 x - a2 y */
-static const double stage1_oscillation_preset_s1 = 0.9157183880327344; /* 1 - b0: steady s1 for a constant input of 1 */
-static const double stage1_oscillation_preset_s2 = -0.9157183880327344; /* b2 - a2: steady s2 for a constant input of 1 */
-
-/* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 20 Hz (P-AXIS-00751), quality factor 3
- * (P-AXIS-00752), -3 dB at 16.9411 and 23.60776 Hz
- * section 1 of 3: centre frequency 20 Hz, quality factor 2.261834, gain 1 there and 1 at 20 Hz */
-static const double stage1_filter0_bandpass0_b2 = -0.026959174566359042; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage1_filter0_bandpass0_a1 = -1.9307362157837793; /* denominator: s1 = s2 - a1 y */
-static const double stage1_filter0_bandpass0_a2 = 0.9460816508672819; /* denominator: s2 = b2 x - a2 y */
-
-/* section 2 of 3: centre frequency 16.90077 Hz, quality factor 2.897025, gain 1.401819 there and 1 at 20 Hz */
-static const double stage1_filter0_bandpass1_b2 = -0.025182950485730823; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage1_filter0_bandpass1_a1 = -1.9530075487270584; /* denominator: s1 = s2 - a1 y */
-static const double stage1_filter0_bandpass1_a2 = 0.9640710285611096; /* denominator: s2 = b2 x - a2 y */
-
-/* section 3 of 3: centre frequency 23.664 Hz, quality factor 2.897025, gain 1.401819 there and 1 at 20 Hz */
-static const double stage1_filter0_bandpass2_b2 = -0.034947171017398526; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage1_filter0_bandpass2_a1 = -1.928623744397893; /* denominator: s1 = s2 - a1 y */
-static const double stage1_filter0_bandpass2_a2 = 0.9501402383304695; /* denominator: s2 = b2 x - a2 y */
-
-/* -weight, against the vibration; at 20 Hz the stage adds 1.843355 times its source at 144.4623 deg */
-static const double stage1_gain = -1.5; /* -weight: negative, because the stage moves the motor against the vibration */
-
-/* largest |v_add| = 500000: 1000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
-static const double limit = 500000.0; /* largest |v_add| */
-static const double lower_limit = -500000.0; /* -limit */
-
-/* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
-/* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
-static const double rest = 4.3368086899420177e-13;
-
-/* OFF to ON takes 0.06 s (key fade), in cycles */
-static const uint32_t fade_cycles = 60u; /* cycles that the fade takes from 0 to 1 */
-static const double fade_step = 0.016666666666666666; /* 1 / fade_cycles */
-
-/* the same for every axis */
-static const uint32_t error_none = 0u; /* error_id: no fault */
-static const int32_t mode_on = 1; /* mode: the block acts */
-static const int32_t mode_off = 0; /* mode: the block is off */
-static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const double sample_limit = 1000000000000000.0;
-/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
- * anew */
-static const uint32_t error_state = 3u;
-/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_cycle_time = 1u;
-static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
-static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-/* added in every update of s2, so that a section at rest never decays into subnormal numbers */
-static const double anti_denormal = 1.0e-30;
-static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
-
-void axis_x_ipc_init(axis_x_ipc_state *state)
+void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
-    state->disturbed = false;
+    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    volatile axis_x_ipc_state *const state = fresh;
     state->preset = false;
     state->fade = 0u;
+    state->disturbed = false;
+    state->stage0_filter0_section0_s1 = 0.0;
+    state->stage0_filter0_section0_s2 = 0.0;
+    state->stage1_oscillation_s1 = 0.0;
+    state->stage1_oscillation_s2 = 0.0;
+    state->stage1_filter0_section0_s1 = 0.0;
+    state->stage1_filter0_section0_s2 = 0.0;
+    state->stage1_filter0_section1_s1 = 0.0;
+    state->stage1_filter0_section1_s2 = 0.0;
+    state->stage1_filter0_section2_s1 = 0.0;
+    state->stage1_filter0_section2_s2 = 0.0;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
@@ -133,35 +72,99 @@ void axis_x_ipc_step(
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
+    /* cycle time 1000 us, the coefficients hold for no other */
+    static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
+
+    /* DIRECT (P-AXIS-00753) from v_motor, weight 200/100 = 2 (P-AXIS-00754/00755)
+     * BANDPASS BUTTERWORTH order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz (P-AXIS-00751), quality
+     * factor 4 (P-AXIS-00752), -3 dB at 35.30473 and 45.30473 Hz
+     * section 1 of 1: centre frequency 40 Hz, quality factor 3.95672, gain 1 there and 1 at 40 Hz */
+    static const double stage0_filter0_bandpass0_b2 = -0.030468747091253825; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage0_filter0_bandpass0_a1 = -1.8781432915107115; /* denominator: s1 = s2 - a1 y */
+    static const double stage0_filter0_bandpass0_a2 = 0.9390625058174924; /* denominator: s2 = b2 x - a2 y */
+
+    /* -weight, against the vibration; at 40 Hz the stage adds 2 times its source at 180 deg */
+    static const double stage0_gain = -2.0; /* -weight: negative, because the stage moves the motor against the vibration */
+
+    /* INDIRECT (P-AXIS-00753) from v_motor, weight 150/100 = 1.5 (P-AXIS-00754/00755)
+     * simulated oscillation of the load, f0 of the first BANDPASS 20 Hz (P-AXIS-00751), damping ratio 0.7
+     * (P-AXIS-00850): gain 1 at DC, 1.228904 and -35.53768 deg at f0 */
+    static const double stage1_oscillation_b0 = 0.08428161196726552; /* numerator: y = b0 x + s1 */
+    static const double stage1_oscillation_b1 = 0.007249294427372564; /* numerator: s1 = b1 x - a1 y + s2 */
+    static const double stage1_oscillation_b2 = -0.07703231753989295; /* numerator: s2 = b2 x - a2 y */
+    static const double stage1_oscillation_a1 = -1.8241874816380963; /* denominator: s1 = b1 x - a1 y + s2 */
+    static const double stage1_oscillation_a2 = 0.8386860704928415; /* denominator: s2 = b2 x - a2 y */
+    static const double stage1_oscillation_preset_s1 = 0.9157183880327344; /* 1 - b0: steady s1 for a constant input of 1 */
+    static const double stage1_oscillation_preset_s2 = -0.9157183880327344; /* b2 - a2: steady s2 for a constant input of 1 */
+
+    /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 20 Hz (P-AXIS-00751), quality factor 3
+     * (P-AXIS-00752), -3 dB at 16.9411 and 23.60776 Hz
+     * section 1 of 3: centre frequency 20 Hz, quality factor 2.261834, gain 1 there and 1 at 20 Hz */
+    static const double stage1_filter0_bandpass0_b2 = -0.026959174566359042; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage1_filter0_bandpass0_a1 = -1.9307362157837793; /* denominator: s1 = s2 - a1 y */
+    static const double stage1_filter0_bandpass0_a2 = 0.9460816508672819; /* denominator: s2 = b2 x - a2 y */
+
+    /* section 2 of 3: centre frequency 16.90077 Hz, quality factor 2.897025, gain 1.401819 there and 1 at 20 Hz */
+    static const double stage1_filter0_bandpass1_b2 = -0.025182950485730823; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage1_filter0_bandpass1_a1 = -1.9530075487270584; /* denominator: s1 = s2 - a1 y */
+    static const double stage1_filter0_bandpass1_a2 = 0.9640710285611096; /* denominator: s2 = b2 x - a2 y */
+
+    /* section 3 of 3: centre frequency 23.664 Hz, quality factor 2.897025, gain 1.401819 there and 1 at 20 Hz */
+    static const double stage1_filter0_bandpass2_b2 = -0.034947171017398526; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage1_filter0_bandpass2_a1 = -1.928623744397893; /* denominator: s1 = s2 - a1 y */
+    static const double stage1_filter0_bandpass2_a2 = 0.9501402383304695; /* denominator: s2 = b2 x - a2 y */
+
+    /* -weight, against the vibration; at 20 Hz the stage adds 1.843355 times its source at 144.4623 deg */
+    static const double stage1_gain = -1.5; /* -weight: negative, because the stage moves the motor against the vibration */
+
+    /* largest |v_add| = 500000: 1000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
+    static const double limit = 500000.0; /* largest |v_add| */
+    static const double lower_limit = -500000.0; /* -limit */
+
+    /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
+    /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
+    static const double rest = 4.3368086899420177e-13;
+
+    /* OFF to ON takes 0.06 s (key fade), in cycles */
+    static const uint32_t fade_cycles = 60u; /* cycles that the fade takes from 0 to 1 */
+    static const double fade_step = 0.016666666666666666; /* 1 / fade_cycles */
+
+    /* the same for every axis */
+    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    static const double sample_limit = 1000000000000000.0;
+    /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
+    static const double anti_denormal = 1.0e-30;
+    static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
+
     bool runs;
     uint32_t reason;
-    if (magnitude(inputs->v_motor) <= sample_limit
+    if (axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
+            && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON && state->fade >= fade_cycles) {
         runs = true;
-        reason = error_none;
+        reason = AXIS_X_IPC_ERROR_NONE;
     } else if (state->disturbed) {
         state->disturbed = false;
         runs = false;
-        reason = error_state;
-    } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
-            && magnitude(inputs->v_motor) <= sample_limit
+        reason = AXIS_X_IPC_ERROR_STATE;
+    } else if ((inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN) && axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
             && !inputs->reset) {
         if (state->preset) {
-            if (inputs->mode == mode_on) {
+            if (inputs->mode == AXIS_X_IPC_MODE_ON) {
                 state->fade = state->fade + 1u;
             } else {
                 if (state->fade > 0u) {
                     state->fade = state->fade - 1u;
                 }
-                if (inputs->mode == mode_off && state->fade == 0u) {
+                if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
                     state->preset = false;
                 }
             }
             runs = true;
         } else {
-            if (inputs->mode != mode_off) {
+            if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
                 /* DIRECT (P-AXIS-00753) from v_motor, weight 200/100 = 2 (P-AXIS-00754/00755) */
                 /* BANDPASS BUTTERWORTH order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz (P-AXIS-00751),
                  * quality factor 4 (P-AXIS-00752), -3 dB at 35.30473 and 45.30473 Hz */
@@ -188,24 +191,25 @@ void axis_x_ipc_step(
             }
             runs = false;
         }
-        reason = error_none;
+        reason = AXIS_X_IPC_ERROR_NONE;
     } else {
         state->fade = 0u;
         state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
-            reason = error_cycle_time;
-        } else if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
-            reason = error_mode;
-        } else if (magnitude(inputs->v_motor) <= sample_limit) {
-            reason = error_none;
+            reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
+        } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)) {
+            reason = AXIS_X_IPC_ERROR_MODE;
+        } else if (axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit) {
+            reason = AXIS_X_IPC_ERROR_NONE;
         } else {
-            reason = error_v_motor;
+            reason = AXIS_X_IPC_ERROR_V_MOTOR;
         }
         runs = false;
     }
     if (runs) {
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_X_IPC_ERROR_NONE;
         /* DIRECT (P-AXIS-00753) from v_motor, weight 200/100 = 2 (P-AXIS-00754/00755) */
         /* BANDPASS BUTTERWORTH order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz (P-AXIS-00751),
          * quality factor 4 (P-AXIS-00752), -3 dB at 35.30473 and 45.30473 Hz */
@@ -248,14 +252,14 @@ void axis_x_ipc_step(
         const double v_stage1 = stage1_gain * stage1_filter0_section2_y;
         const double v_sum1 = v_stage0 + v_stage1;
         double v_limited;
-        if (magnitude(v_sum1) <= limit) {
+        if (axis_x_ipc_magnitude(v_sum1) <= limit) {
             outputs->limited = false;
-            if (magnitude(v_sum1) <= rest) {
+            if (axis_x_ipc_magnitude(v_sum1) <= rest) {
                 v_limited = 0.0;
             } else {
                 v_limited = v_sum1;
             }
-        } else if (magnitude(v_sum1) <= sum_limit) {
+        } else if (axis_x_ipc_magnitude(v_sum1) <= sum_limit) {
             outputs->limited = true;
             if (v_sum1 > 0.0) {
                 v_limited = limit;
@@ -280,7 +284,7 @@ void axis_x_ipc_step(
             } else {
                 outputs->v_add = 0.0;
             }
-            if (inputs->mode == mode_off) {
+            if (inputs->mode == AXIS_X_IPC_MODE_OFF) {
                 outputs->v_add_calculated = 0.0;
             } else {
                 outputs->v_add_calculated = v_limited;
@@ -290,134 +294,7 @@ void axis_x_ipc_step(
         outputs->v_add = 0.0;
         outputs->v_add_calculated = 0.0;
         outputs->limited = false;
-        outputs->fault = reason != error_none;
+        outputs->fault = reason != AXIS_X_IPC_ERROR_NONE;
         outputs->error_id = reason;
     }
-}
-
-static uint64_t bits_of(double value)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.value = value;
-    return view.bits;
-}
-
-static double real_of(uint64_t bits)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.bits = bits;
-    return view.value;
-}
-
-static uint64_t fold(uint64_t digest, uint64_t bits)
-{
-    return ((digest << 5) | (digest >> 59)) + bits;
-}
-
-uint32_t axis_x_ipc_self_test(void)
-{
-    /* the reference's digest of all outputs and of the state, after each sample */
-    static const uint64_t expected[35] = {
-        UINT64_C(0xabbd96b1a52cd312),
-        UINT64_C(0x625249fdeddbc5a4),
-        UINT64_C(0x677aa628b4281119),
-        UINT64_C(0x5d5aa03d4327f34a),
-        UINT64_C(0x3405469163554a82),
-        UINT64_C(0xde0f42c18f9828f7),
-        UINT64_C(0xaf8b4c45cac06dc5),
-        UINT64_C(0x728b10456b37033a),
-        UINT64_C(0x1d50af7d43e744bc),
-        UINT64_C(0x32b208f06efa7115),
-        UINT64_C(0xacfd277ae0511108),
-        UINT64_C(0x514515c2f40647c1),
-        UINT64_C(0x141d1da83efdb987),
-        UINT64_C(0x77b96b6d99c05a6b),
-        UINT64_C(0xf95054cea4d3cef3),
-        UINT64_C(0x1d43aeda9dbb7ccf),
-        UINT64_C(0x52152bdc2f78bb26),
-        UINT64_C(0x4f198f4d57d3b992),
-        UINT64_C(0x677b322fa4d788fc),
-        UINT64_C(0x66ce6031e2a4d178),
-        UINT64_C(0x8524e416ae2560ea),
-        UINT64_C(0xa981b1e385dac6a4),
-        UINT64_C(0x33be8f9643e4826b),
-        UINT64_C(0xfe56786915d1fd1e),
-        UINT64_C(0xc2b98a462ef3010a),
-        UINT64_C(0x72185b481cd17ced),
-        UINT64_C(0x2a738725595685f1),
-        UINT64_C(0x50dc2978de7af31f),
-        UINT64_C(0x7ad2e2739c9b63c6),
-        UINT64_C(0x93627714d70f4b88),
-        UINT64_C(0xd6f75429534220e5),
-        UINT64_C(0x2a529a9686c4ef85),
-        UINT64_C(0xf2be689798620e7a),
-        UINT64_C(0x773786de7fbd7c7c),
-        UINT64_C(0xe579275c0dd1ebcd),
-    };
-    /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
-        axis_x_ipc_step;
-    axis_x_ipc_state state;
-    axis_x_ipc_inputs inputs;
-    axis_x_ipc_outputs outputs;
-    uint64_t digest = 0u;
-    uint64_t noise;
-    double scale;
-    uint32_t random = 1u;
-    uint32_t sample;
-    /* 1 + 2^-30 and its rounded square; volatile: worked out when it runs */
-    volatile double factor = real_of(UINT64_C(0x3ff0000000400000));
-    volatile double square = real_of(UINT64_C(0x3ff0000000800000));
-    const double product = factor * factor;
-    const double remainder = product - square;
-
-    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
-    if (bits_of(remainder) != 0u) {
-        return 1u;
-    }
-    /* as it stands here, unless the compiler takes constants for single precision */
-    if (bits_of(0.1) != UINT64_C(0x3fb999999999999a)) {
-        return 1u;
-    }
-
-    axis_x_ipc_init(&state);
-    axis_x_ipc_inputs_init(&inputs);
-    inputs.mode = 1;
-    for (sample = 0u; sample < 35u; sample++) {
-        /* at first within every limit, so that nothing is cut off */
-        scale = sample < 27u ? 0.001953125 : 2.0;
-        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_motor = real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
-        step(&state, &inputs, &outputs);
-        digest = fold(digest, bits_of(outputs.v_add));
-        digest = fold(digest, bits_of(outputs.v_add_calculated));
-        digest = fold(digest, outputs.limited);
-        digest = fold(digest, outputs.fault);
-        digest = fold(digest, outputs.error_id);
-        digest = fold(digest, state.preset);
-        digest = fold(digest, state.fade);
-        digest = fold(digest, state.disturbed);
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s2));
-        digest = fold(digest, bits_of(state.stage1_oscillation_s1));
-        digest = fold(digest, bits_of(state.stage1_oscillation_s2));
-        digest = fold(digest, bits_of(state.stage1_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage1_filter0_section0_s2));
-        digest = fold(digest, bits_of(state.stage1_filter0_section1_s1));
-        digest = fold(digest, bits_of(state.stage1_filter0_section1_s2));
-        digest = fold(digest, bits_of(state.stage1_filter0_section2_s1));
-        digest = fold(digest, bits_of(state.stage1_filter0_section2_s2));
-        if (digest != expected[sample]) {
-            return sample + 1u;
-        }
-    }
-    return 0u;
 }

@@ -5,7 +5,9 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e6579a5fd4ee7e91a79841af8c74adc1
- * checksum    a46d735b1bfd7d96983df18b851f114a
+ * structure   a5e154235e4f43faee1c99d5f812eff8
+ * checksum    ad4e3aec3ff4607f782c27866d3d54d0
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_position_control.h"
 
@@ -28,7 +30,7 @@
 #endif
 
 /* |value|, without a library */
-static double magnitude(double value)
+static double axis_x_position_control_magnitude(double value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs(value);
@@ -39,7 +41,7 @@ static double magnitude(double value)
 
 /* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
  * rightly; without a library */
-static int32_t nearest(double value)
+static int32_t axis_x_position_control_nearest(double value)
 {
 #if defined(__GNUC__)
     return (int32_t)(value + __builtin_copysign(0.49999999999999994, value));
@@ -48,33 +50,10 @@ static int32_t nearest(double value)
 #endif
 }
 
-/* cycle time 1000 us, the coefficients hold for no other */
-static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
-
-/* 1/Kv, Kv = 20/s (P-AXIS-00099): the drive must have the same (SERCOS S-0-0104, CANopen 30C0h:01) */
-static const double lag = 0.05; /* 1 / Kv of the drive: position lag for a velocity [s] */
-
-/* additive velocity: 10000 increments at 10000 um per minute (P-AXIS-00206/00205, 00207): 1000000 for 1 m/min */
-static const double velocity_scale = 60.0; /* additive velocity: increments for 1 um/s */
-
-/* process data of 32 bits */
-static const int32_t velocity_range_lowest = (-2147483647 - 1); /* smallest value of the process data */
-static const int32_t velocity_range_highest = 2147483647; /* largest value of the process data */
-static const double velocity_range_lower_limit = -2147483648.4999995; /* smallest number that is rounded to the smallest value */
-static const double velocity_range_upper_limit = 2147483647.4999998; /* largest number that is rounded to the largest value */
-
-/* the same for every axis */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const double sample_limit = 1000000000000000.0;
-static const uint32_t error_x_command = 17u; /* error_id: x_command is not within the sample limit */
-static const uint32_t error_none = 0u; /* error_id: no fault */
-/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_cycle_time = 1u;
-static const uint32_t error_v_feedforward = 19u; /* error_id: v_feedforward is not within the sample limit */
-static const uint32_t error_v_add = 21u; /* error_id: v_add is not within the sample limit */
-
-void axis_x_position_control_init(axis_x_position_control_state *state)
+void axis_x_position_control_init(axis_x_position_control_state *fresh)
 {
+    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    volatile axis_x_position_control_state *const state = fresh;
     state->x_held = 0.0;
 }
 
@@ -94,35 +73,54 @@ void axis_x_position_control_step(
     const axis_x_position_control_inputs *restrict inputs,
     axis_x_position_control_outputs *restrict outputs)
 {
-    if (!(magnitude(inputs->x_command) <= sample_limit)) {
+    /* cycle time 1000 us, the coefficients hold for no other */
+    static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
+
+    /* 1/Kv, Kv = 20/s (P-AXIS-00099): the drive must have the same (SERCOS S-0-0104, CANopen 30C0h:01) */
+    static const double lag = 0.05; /* 1 / Kv of the drive: position lag for a velocity [s] */
+
+    /* additive velocity: 10000 increments at 10000 um per minute (P-AXIS-00206/00205, 00207): 1000000 for 1 m/min */
+    static const double velocity_scale = 60.0; /* additive velocity: increments for 1 um/s */
+
+    /* process data of 32 bits */
+    static const int32_t velocity_range_lowest = (-2147483647 - 1); /* smallest value of the process data */
+    static const int32_t velocity_range_highest = 2147483647; /* largest value of the process data */
+    static const double velocity_range_lower_limit = -2147483648.4999995; /* smallest number that is rounded to the smallest value */
+    static const double velocity_range_upper_limit = 2147483647.4999998; /* largest number that is rounded to the largest value */
+
+    /* the same for every axis */
+    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    static const double sample_limit = 1000000000000000.0;
+
+    if (!(axis_x_position_control_magnitude(inputs->x_command) <= sample_limit)) {
         outputs->additive_velocity = 0;
         outputs->additive_torque = 0;
         outputs->limited = false;
         outputs->fault = true;
-        outputs->error_id = error_x_command;
+        outputs->error_id = AXIS_X_POSITION_CONTROL_ERROR_X_COMMAND;
         outputs->x_drive = state->x_held;
     } else if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
         outputs->additive_velocity = 0;
         outputs->additive_torque = 0;
         outputs->limited = false;
         outputs->fault = true;
-        outputs->error_id = error_cycle_time;
+        outputs->error_id = AXIS_X_POSITION_CONTROL_ERROR_CYCLE_TIME;
         state->x_held = inputs->x_command;
         outputs->x_drive = inputs->x_command;
-    } else if (!(magnitude(inputs->v_feedforward) <= sample_limit)) {
+    } else if (!(axis_x_position_control_magnitude(inputs->v_feedforward) <= sample_limit)) {
         outputs->additive_velocity = 0;
         outputs->additive_torque = 0;
         outputs->limited = false;
         outputs->fault = true;
-        outputs->error_id = error_v_feedforward;
+        outputs->error_id = AXIS_X_POSITION_CONTROL_ERROR_V_FEEDFORWARD;
         state->x_held = inputs->x_command;
         outputs->x_drive = inputs->x_command;
-    } else if (!(magnitude(inputs->v_add) <= sample_limit)) {
+    } else if (!(axis_x_position_control_magnitude(inputs->v_add) <= sample_limit)) {
         outputs->additive_velocity = 0;
         outputs->additive_torque = 0;
         outputs->limited = false;
         outputs->fault = true;
-        outputs->error_id = error_v_add;
+        outputs->error_id = AXIS_X_POSITION_CONTROL_ERROR_V_ADD;
         state->x_held = inputs->x_command;
         outputs->x_drive = inputs->x_command;
     } else if (!inputs->position_controlled || inputs->reset) {
@@ -130,20 +128,20 @@ void axis_x_position_control_step(
         outputs->additive_torque = 0;
         outputs->limited = false;
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_X_POSITION_CONTROL_ERROR_NONE;
         state->x_held = inputs->x_command;
         outputs->x_drive = inputs->x_command;
     } else {
         outputs->additive_torque = inputs->torque_feedforward;
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_X_POSITION_CONTROL_ERROR_NONE;
         const double x = inputs->x_command + lag * inputs->v_feedforward;
         outputs->x_drive = x;
         state->x_held = x;
         const double increments = velocity_scale * inputs->v_add;
-        if (magnitude(increments) <= velocity_range_upper_limit) {
+        if (axis_x_position_control_magnitude(increments) <= velocity_range_upper_limit) {
             outputs->limited = false;
-            outputs->additive_velocity = nearest(increments);
+            outputs->additive_velocity = axis_x_position_control_nearest(increments);
         } else if (increments > 0.0) {
             outputs->additive_velocity = velocity_range_highest;
             outputs->limited = true;
@@ -156,132 +154,4 @@ void axis_x_position_control_step(
             outputs->limited = true;
         }
     }
-}
-
-static uint64_t bits_of(double value)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.value = value;
-    return view.bits;
-}
-
-static double real_of(uint64_t bits)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.bits = bits;
-    return view.value;
-}
-
-static uint64_t fold(uint64_t digest, uint64_t bits)
-{
-    return ((digest << 5) | (digest >> 59)) + bits;
-}
-
-uint32_t axis_x_position_control_self_test(void)
-{
-    /* the reference's digest of all outputs and of the state, after each sample */
-    static const uint64_t expected[41] = {
-        UINT64_C(0x2cc149431c405240),
-        UINT64_C(0x0ec3db03063aa279),
-        UINT64_C(0x2a30541e06c5af6d),
-        UINT64_C(0x5f44171b47584907),
-        UINT64_C(0xbb697fb3ca4a8d18),
-        UINT64_C(0xf5244c344d8ff912),
-        UINT64_C(0x08d0e43791c6accc),
-        UINT64_C(0x3efeb5b036b97c30),
-        UINT64_C(0xd8f954372bd108f1),
-        UINT64_C(0x14061a7d853a12b1),
-        UINT64_C(0xea34ad68cad9dc60),
-        UINT64_C(0xab9d7811c5e90fd0),
-        UINT64_C(0x3c882433cc4ba458),
-        UINT64_C(0x1e4e6fd3174d6dc2),
-        UINT64_C(0xeffec3d705e8513f),
-        UINT64_C(0xde08054e38378270),
-        UINT64_C(0x7468609b307b4041),
-        UINT64_C(0x3ea745fd498659df),
-        UINT64_C(0xd7c34843d2ae4ffa),
-        UINT64_C(0xd9d983f496c408ae),
-        UINT64_C(0x7db082b07c40343d),
-        UINT64_C(0xac4b6c47ba26819a),
-        UINT64_C(0x54d15c46e5d2aea3),
-        UINT64_C(0x7af255305d321bdd),
-        UINT64_C(0x857d14e9609db381),
-        UINT64_C(0x143a9b29154bec61),
-        UINT64_C(0x7329f16c12177ad6),
-        UINT64_C(0xecf9d7d423ef125f),
-        UINT64_C(0xdce8c7905d3ac513),
-        UINT64_C(0xcaefad41e11ca10f),
-        UINT64_C(0x9217231a7559f1bb),
-        UINT64_C(0x50a5ffa575bebc75),
-        UINT64_C(0x23df73ca863a6212),
-        UINT64_C(0x34935ef8073be625),
-        UINT64_C(0xf35661f490889d50),
-        UINT64_C(0x4b4f5481f905ee8b),
-        UINT64_C(0x612e66a9a8ca6047),
-        UINT64_C(0xc74351b8dbbed53a),
-        UINT64_C(0x91fb613a1d2b46bb),
-        UINT64_C(0x7123b7ee535d7630),
-        UINT64_C(0xdbd266226167032c),
-    };
-    /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_x_position_control_state *, const axis_x_position_control_inputs *, axis_x_position_control_outputs *) =
-        axis_x_position_control_step;
-    axis_x_position_control_state state;
-    axis_x_position_control_inputs inputs;
-    axis_x_position_control_outputs outputs;
-    uint64_t digest = 0u;
-    uint64_t noise;
-    double scale;
-    uint32_t random = 1u;
-    uint32_t sample;
-    /* 1 + 2^-30 and its rounded square; volatile: worked out when it runs */
-    volatile double factor = real_of(UINT64_C(0x3ff0000000400000));
-    volatile double square = real_of(UINT64_C(0x3ff0000000800000));
-    const double product = factor * factor;
-    const double remainder = product - square;
-
-    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
-    if (bits_of(remainder) != 0u) {
-        return 1u;
-    }
-    /* as it stands here, unless the compiler takes constants for single precision */
-    if (bits_of(0.1) != UINT64_C(0x3fb999999999999a)) {
-        return 1u;
-    }
-
-    axis_x_position_control_init(&state);
-    axis_x_position_control_inputs_init(&inputs);
-    inputs.torque_feedforward = 321;
-    for (sample = 0u; sample < 41u; sample++) {
-        /* at first within every limit, so that nothing is cut off */
-        scale = sample < 33u ? 0.001953125 : 0.03125;
-        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.x_command = real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_feedforward = real_of(sample == 4u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_add = real_of(sample == 7u ? UINT64_C(0x7ff8000000000000) : noise);
-        step(&state, &inputs, &outputs);
-        digest = fold(digest, bits_of(outputs.x_drive));
-        digest = fold(digest, (uint32_t)outputs.additive_velocity);
-        digest = fold(digest, (uint32_t)outputs.additive_torque);
-        digest = fold(digest, outputs.limited);
-        digest = fold(digest, outputs.fault);
-        digest = fold(digest, outputs.error_id);
-        digest = fold(digest, bits_of(state.x_held));
-        if (digest != expected[sample]) {
-            return sample + 1u;
-        }
-    }
-    return 0u;
 }

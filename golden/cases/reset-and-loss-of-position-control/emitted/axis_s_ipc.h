@@ -5,11 +5,14 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  f238c861639f753c7ad0cad4ea3352d1
- * checksum    05c55a08d2efb1e1bf76c3161440958f
+ * structure   50ce4d86500139a63fe4483a3e4cdda6
+ * checksum    0ccde0ac308c0c899e60e6bbd70fc733
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_IPC_H
 #define AXIS_S_IPC_H
 
+#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -22,6 +25,57 @@ extern "C" {
  * stage[0] at 250 Hz: designed 1 at 180 deg, measured 1 at 180 deg; at 220.6706 Hz: designed 0.7071068 at -90
  * deg, measured 0.7071068 at -90 deg; at 283.1706 Hz: designed 0.7071068 at 90 deg, measured 0.7071068 at 90 deg
  * largest deviation of measured from designed: 1.9e-14 */
+
+/* What code can compare with what it expects, at its start or in an #if. */
+/* the cycle time that the block is designed for [ns] */
+#define AXIS_S_IPC_CYCLE_TIME_NS 125000u
+/* the bits of its real type */
+#define AXIS_S_IPC_REAL_BITS 64
+/* the largest |v_add| [0.001 deg/s] */
+#define AXIS_S_IPC_LIMIT 3600000.0
+/* the bound of |v_add| before the limit that is certain for |v| <= 36000000 [0.001 deg/s] */
+#define AXIS_S_IPC_BOUND 50955803.07236986
+/* the digest of its parameters, as in the head of this file */
+#define AXIS_S_IPC_PARAMETERS_0 0xf238c861u
+#define AXIS_S_IPC_PARAMETERS_1 0x639f753cu
+#define AXIS_S_IPC_PARAMETERS_2 0x7ad0cad4u
+#define AXIS_S_IPC_PARAMETERS_3 0xea3352d1u
+/* the digest of its structure: the same where two blocks differ in the values of coefficients only */
+#define AXIS_S_IPC_STRUCTURE_0 0x50ce4d86u
+#define AXIS_S_IPC_STRUCTURE_1 0x500139a6u
+#define AXIS_S_IPC_STRUCTURE_2 0x3fe4483au
+#define AXIS_S_IPC_STRUCTURE_3 0x3e4cdda6u
+/* the bytes of its structs where a bool has one and each member is aligned to its own size */
+#define AXIS_S_IPC_INPUTS_SIZE 24u
+#define AXIS_S_IPC_OUTPUTS_SIZE 24u
+#define AXIS_S_IPC_STATE_SIZE 48u
+
+/* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
+ * Nothing else is asserted: the alignment of members is the ABI's own affair. */
+#if defined(__cplusplus) && __cplusplus >= 201103L
+static_assert(sizeof(double) * CHAR_BIT == AXIS_S_IPC_REAL_BITS, "double must have 64 bits");
+#elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
+_Static_assert(sizeof(double) * CHAR_BIT == AXIS_S_IPC_REAL_BITS, "double must have 64 bits");
+#else
+typedef char axis_s_ipc_real_has_64_bits[sizeof(double) * CHAR_BIT == AXIS_S_IPC_REAL_BITS ? 1 : -1];
+#endif
+
+/* values of the input mode */
+enum {
+    AXIS_S_IPC_MODE_OFF = 0, /* the block is off */
+    AXIS_S_IPC_MODE_ON = 1, /* the block acts */
+    AXIS_S_IPC_MODE_DRYRUN = 2 /* the block calculates and does not act */
+};
+
+/* values of the output error_id */
+enum {
+    AXIS_S_IPC_ERROR_NONE = 0, /* no fault */
+    AXIS_S_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
+    AXIS_S_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
+    /* a state of the block is no number, or beyond all that samples in range lead to; everything starts anew */
+    AXIS_S_IPC_ERROR_STATE = 3,
+    AXIS_S_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */
+};
 
 /* Written by the caller. axis_s_ipc_inputs_init fills in what is said to be the start. */
 typedef struct {
@@ -54,8 +108,15 @@ typedef struct {
     double stage0_filter0_section1_s2; /* what `s1` takes over */
 } axis_s_ipc_state;
 
-/* Once before the first cycle. */
-void axis_s_ipc_init(axis_s_ipc_state *state);
+/* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls
+ * no library, and takes little stack. Calls with different states may interrupt each other. Of one state only one
+ * function may be at work: neither step nor init may be interrupted by a call for the same state.
+ * step writes each output once, with its final value, but one output after another. Another task or interrupt that reads
+ * several of them copies them while step cannot run (its interrupt is off), or reads copies that the task of step
+ * puts into two buffers in turn, behind a counter. */
+
+/* Once before the first cycle: every member of the state gets its start. */
+void axis_s_ipc_init(axis_s_ipc_state *fresh);
 
 /* Gives every input the value that it has until the caller writes it. */
 void axis_s_ipc_inputs_init(axis_s_ipc_inputs *inputs);
@@ -66,10 +127,11 @@ void axis_s_ipc_step(
     const axis_s_ipc_inputs *inputs,
     axis_s_ipc_outputs *outputs);
 
-/* Compares a run of 35 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
+/* In a file of its own, axis_s_ipc_self_test.c: a build that does not call it leaves it out.
+ * Compares a run of 35 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
  * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
- * precision. Run it once at start-up, on the machine and with the compiler options that the block runs with: it finds a
- * build that fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
+ * precision. Run it once at start-up, on the machine, both files with the same compiler options: it finds a build that
+ * fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
 uint32_t axis_s_ipc_self_test(void);
 
 #ifdef __cplusplus

@@ -5,7 +5,9 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  91c6f1b05179a6542c9db8978950cedf
- * checksum    8b40b6bd7df0134b4a4be59b9cd13782
+ * structure   656a5570769fdf255893afeffd5ba770
+ * checksum    7ea861de23683de2225f28174d5ae3a8
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_f_position_control.h"
 
@@ -28,7 +30,7 @@
 #endif
 
 /* |value|, without a library */
-static float magnitude(float value)
+static float axis_f_position_control_magnitude(float value)
 {
 #if defined(__GNUC__)
     return __builtin_fabsf(value);
@@ -39,7 +41,7 @@ static float magnitude(float value)
 
 /* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
  * rightly; without a library */
-static int32_t nearest(float value)
+static int32_t axis_f_position_control_nearest(float value)
 {
 #if defined(__GNUC__)
     return (int32_t)(value + __builtin_copysignf(0.49999997f, value));
@@ -48,33 +50,10 @@ static int32_t nearest(float value)
 #endif
 }
 
-/* cycle time 2000 us, the coefficients hold for no other */
-static const uint32_t cycle_time_ns = 2000000u; /* cycle time that all coefficients were designed for [ns] */
-
-/* position control in the CNC: Kv = 20/s (P-AXIS-00099) */
-static const float kv = 20.0f; /* gain of the position controller Kv [1/s] */
-
-/* 500000/1 increments at 1 m/min (P-AXIS-00129/00128) */
-static const float manipulated_scale = 30.0f; /* manipulated variable: increments for 1 um/s */
-
-/* process data of 32 bits */
-static const int32_t manipulated_range_lowest = (-2147483647 - 1); /* smallest value of the process data */
-static const int32_t manipulated_range_highest = 2147483647; /* largest value of the process data */
-static const float manipulated_range_lower_limit = -2147483600.0f; /* smallest number that is rounded to the smallest value */
-static const float manipulated_range_upper_limit = 2147483500.0f; /* largest number that is rounded to the largest value */
-
-/* the same for every axis */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const float sample_limit = 1000000000.0f;
-static const uint32_t error_x_command = 17u; /* error_id: x_command is not within the sample limit */
-static const uint32_t error_none = 0u; /* error_id: no fault */
-/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_cycle_time = 1u;
-static const uint32_t error_x_actual = 18u; /* error_id: x_actual is not within the sample limit */
-static const uint32_t error_v_feedforward = 19u; /* error_id: v_feedforward is not within the sample limit */
-
-void axis_f_position_control_init(axis_f_position_control_state *state)
+void axis_f_position_control_init(axis_f_position_control_state *fresh)
 {
+    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    volatile axis_f_position_control_state *const state = fresh;
     state->unused = false;
 }
 
@@ -93,47 +72,66 @@ void axis_f_position_control_step(
     const axis_f_position_control_inputs *restrict inputs,
     axis_f_position_control_outputs *restrict outputs)
 {
+    /* cycle time 2000 us, the coefficients hold for no other */
+    static const uint32_t cycle_time_ns = 2000000u; /* cycle time that all coefficients were designed for [ns] */
+
+    /* position control in the CNC: Kv = 20/s (P-AXIS-00099) */
+    static const float kv = 20.0f; /* gain of the position controller Kv [1/s] */
+
+    /* 500000/1 increments at 1 m/min (P-AXIS-00129/00128) */
+    static const float manipulated_scale = 30.0f; /* manipulated variable: increments for 1 um/s */
+
+    /* process data of 32 bits */
+    static const int32_t manipulated_range_lowest = (-2147483647 - 1); /* smallest value of the process data */
+    static const int32_t manipulated_range_highest = 2147483647; /* largest value of the process data */
+    static const float manipulated_range_lower_limit = -2147483600.0f; /* smallest number that is rounded to the smallest value */
+    static const float manipulated_range_upper_limit = 2147483500.0f; /* largest number that is rounded to the largest value */
+
+    /* the same for every axis */
+    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    static const float sample_limit = 1000000000.0f;
+
     (void)state;
-    if (!(magnitude(inputs->x_command) <= sample_limit)) {
+    if (!(axis_f_position_control_magnitude(inputs->x_command) <= sample_limit)) {
         outputs->v_command = 0.0f;
         outputs->manipulated_variable = 0;
         outputs->limited = false;
         outputs->fault = true;
-        outputs->error_id = error_x_command;
+        outputs->error_id = AXIS_F_POSITION_CONTROL_ERROR_X_COMMAND;
     } else if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
         outputs->v_command = 0.0f;
         outputs->manipulated_variable = 0;
         outputs->limited = false;
         outputs->fault = true;
-        outputs->error_id = error_cycle_time;
-    } else if (!(magnitude(inputs->x_actual) <= sample_limit)) {
+        outputs->error_id = AXIS_F_POSITION_CONTROL_ERROR_CYCLE_TIME;
+    } else if (!(axis_f_position_control_magnitude(inputs->x_actual) <= sample_limit)) {
         outputs->v_command = 0.0f;
         outputs->manipulated_variable = 0;
         outputs->limited = false;
         outputs->fault = true;
-        outputs->error_id = error_x_actual;
-    } else if (!(magnitude(inputs->v_feedforward) <= sample_limit)) {
+        outputs->error_id = AXIS_F_POSITION_CONTROL_ERROR_X_ACTUAL;
+    } else if (!(axis_f_position_control_magnitude(inputs->v_feedforward) <= sample_limit)) {
         outputs->v_command = 0.0f;
         outputs->manipulated_variable = 0;
         outputs->limited = false;
         outputs->fault = true;
-        outputs->error_id = error_v_feedforward;
+        outputs->error_id = AXIS_F_POSITION_CONTROL_ERROR_V_FEEDFORWARD;
     } else if (!inputs->position_controlled || inputs->reset) {
         outputs->v_command = 0.0f;
         outputs->manipulated_variable = 0;
         outputs->limited = false;
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_F_POSITION_CONTROL_ERROR_NONE;
     } else {
         const float v_lag = kv * (inputs->x_command - inputs->x_actual);
         outputs->v_command = v_lag + inputs->v_feedforward;
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_F_POSITION_CONTROL_ERROR_NONE;
         const float v_drive = outputs->v_command;
         const float increments = manipulated_scale * v_drive;
-        if (magnitude(increments) <= manipulated_range_upper_limit) {
+        if (axis_f_position_control_magnitude(increments) <= manipulated_range_upper_limit) {
             outputs->limited = false;
-            outputs->manipulated_variable = nearest(increments);
+            outputs->manipulated_variable = axis_f_position_control_nearest(increments);
         } else if (increments > 0.0f) {
             outputs->manipulated_variable = manipulated_range_highest;
             outputs->limited = true;
@@ -146,125 +144,4 @@ void axis_f_position_control_step(
             outputs->limited = true;
         }
     }
-}
-
-static uint32_t bits_of(float value)
-{
-    union {
-        float value;
-        uint32_t bits;
-    } view;
-    view.value = value;
-    return view.bits;
-}
-
-static float real_of(uint32_t bits)
-{
-    union {
-        float value;
-        uint32_t bits;
-    } view;
-    view.bits = bits;
-    return view.value;
-}
-
-static uint32_t fold(uint32_t digest, uint32_t bits)
-{
-    return ((digest << 5) | (digest >> 27)) + bits;
-}
-
-uint32_t axis_f_position_control_self_test(void)
-{
-    /* the reference's digest of all outputs and of the state, after each sample */
-    static const uint32_t expected[41] = {
-        UINT32_C(0xd1d77a87),
-        UINT32_C(0x0fa3af26),
-        UINT32_C(0xc0004708),
-        UINT32_C(0x5295082d),
-        UINT32_C(0x5aa52a42),
-        UINT32_C(0xb12f434c),
-        UINT32_C(0xaf9cd98f),
-        UINT32_C(0x1f5f39e6),
-        UINT32_C(0x08b34995),
-        UINT32_C(0x921760f6),
-        UINT32_C(0xc8e1be18),
-        UINT32_C(0xb1b64fc6),
-        UINT32_C(0x96577683),
-        UINT32_C(0xc871afb2),
-        UINT32_C(0x35cf6392),
-        UINT32_C(0xcc97245f),
-        UINT32_C(0x8869b1a4),
-        UINT32_C(0x8ad36449),
-        UINT32_C(0xa7e8373f),
-        UINT32_C(0x3f3cd4ef),
-        UINT32_C(0xe9bb8140),
-        UINT32_C(0x75a173d8),
-        UINT32_C(0x1e3b1887),
-        UINT32_C(0x3ac27c1d),
-        UINT32_C(0x33508814),
-        UINT32_C(0x837611e3),
-        UINT32_C(0x81ce6930),
-        UINT32_C(0x4e687f93),
-        UINT32_C(0x5e7e4a7e),
-        UINT32_C(0xd4be055b),
-        UINT32_C(0x591566c6),
-        UINT32_C(0x97bc9b87),
-        UINT32_C(0xa687ef7b),
-        UINT32_C(0x1e99b2a5),
-        UINT32_C(0xd3b1d5da),
-        UINT32_C(0x495c02a8),
-        UINT32_C(0xa9475da1),
-        UINT32_C(0x000f2123),
-        UINT32_C(0x3ee4c06b),
-        UINT32_C(0xeea660a0),
-        UINT32_C(0xef31fb96),
-    };
-    /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_f_position_control_state *, const axis_f_position_control_inputs *, axis_f_position_control_outputs *) =
-        axis_f_position_control_step;
-    axis_f_position_control_state state;
-    axis_f_position_control_inputs inputs;
-    axis_f_position_control_outputs outputs;
-    uint32_t digest = 0u;
-    uint32_t noise;
-    float scale;
-    uint32_t random = 1u;
-    uint32_t sample;
-    /* 1 + 2^-15 and its rounded square; volatile: worked out when it runs */
-    volatile float factor = real_of(UINT32_C(0x3f800100));
-    volatile float square = real_of(UINT32_C(0x3f800200));
-    const float product = factor * factor;
-    const float remainder = product - square;
-
-    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
-    if (bits_of(remainder) != 0u) {
-        return 1u;
-    }
-
-    axis_f_position_control_init(&state);
-    axis_f_position_control_inputs_init(&inputs);
-    for (sample = 0u; sample < 41u; sample++) {
-        /* at first within every limit, so that nothing is cut off */
-        scale = sample < 33u ? 0.001953125f : 0.03125f;
-        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((float)(random >> 8) - 8388608.0f) * scale);
-        inputs.x_command = real_of(sample == 1u ? UINT32_C(0x7fc00000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((float)(random >> 8) - 8388608.0f) * scale);
-        inputs.x_actual = real_of(sample == 4u ? UINT32_C(0x7fc00000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((float)(random >> 8) - 8388608.0f) * scale);
-        inputs.v_feedforward = real_of(sample == 7u ? UINT32_C(0x7fc00000) : noise);
-        step(&state, &inputs, &outputs);
-        digest = fold(digest, bits_of(outputs.v_command));
-        digest = fold(digest, (uint32_t)outputs.manipulated_variable);
-        digest = fold(digest, outputs.limited);
-        digest = fold(digest, outputs.fault);
-        digest = fold(digest, outputs.error_id);
-        if (digest != expected[sample]) {
-            return sample + 1u;
-        }
-    }
-    return 0u;
 }

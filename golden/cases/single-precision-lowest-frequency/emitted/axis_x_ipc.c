@@ -5,7 +5,9 @@
  * real type   float
  * cycle time  62500 ns
  * parameters  73ee4c20de103491d7d9a4c84a9dde2d
- * checksum    46f625d1ff207ad63a0829f9c2c93936
+ * structure   87728d96584e8c54c4702f3f9b84ec49
+ * checksum    fc88449ec29733054b0276dae68be8fe
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
 
@@ -28,7 +30,7 @@
 #endif
 
 /* |value|, without a library */
-static float magnitude(float value)
+static float axis_x_ipc_magnitude(float value)
 {
 #if defined(__GNUC__)
     return __builtin_fabsf(value);
@@ -37,69 +39,23 @@ static float magnitude(float value)
 #endif
 }
 
-/* cycle time 62.5 us, the coefficients hold for no other */
-static const uint32_t cycle_time_ns = 62500u; /* cycle time that all coefficients were designed for [ns] */
-
-/* INDIRECT (P-AXIS-00753) from v_motor, weight 100/100 = 1 (P-AXIS-00754/00755)
- * simulated oscillation of the load, f0 of the first BANDPASS 1 Hz (P-AXIS-00751), damping ratio 0.3
- * (P-AXIS-00850): gain 1 at DC, 1.943651 and -59.03624 deg at f0 */
-static const float stage0_oscillation_h = 0.99988216f; /* H = h: q = H p - R s1, y = x - q, p = x - low-pass part */
-static const float stage0_oscillation_r = 0.6001256f; /* R = (g + k) h: q = H p - R s1 */
-static const float stage0_oscillation_g = 0.00019634955f; /* G = g, the warped centre: bp = s1 + G q, s1 = bp + G q */
-static const float stage0_oscillation_g2 = 0.0003926991f; /* G2 = 2 g: the low-pass part grows by G2 bp */
-
-/* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 1 Hz (P-AXIS-00751), quality factor 8
- * (P-AXIS-00752), -3 dB at 0.9394512 and 1.064451 Hz
- * section 1 of 3: centre frequency 1 Hz, quality factor 6.048345, gain 1 there and 1 at 1 Hz */
-static const float stage0_filter0_bandpass0_a = 3.2462296e-5f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-static const float stage0_filter0_bandpass0_b = 3.2500848e-5f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
-static const float stage0_filter0_bandpass0_c = 0.0023751797f; /* C = 2 g / (c k): the low-pass part grows by C y */
-
-/* section 2 of 3: centre frequency 0.9393689 Hz, quality factor 7.652839, gain 1.384798 there and 1 at 1 Hz */
-static const float stage0_filter0_bandpass1_a = 3.3374854e-5f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-static const float stage0_filter0_bandpass1_b = 2.4134908e-5f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
-static const float stage0_filter0_bandpass1_c = 0.0020386016f; /* C = 2 g / (c k): the low-pass part grows by C y */
-
-/* section 3 of 3: centre frequency 1.064544 Hz, quality factor 7.652839, gain 1.384798 there and 1 at 1 Hz */
-static const float stage0_filter0_bandpass2_a = 3.7822094e-5f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-static const float stage0_filter0_bandpass2_b = 2.735605e-5f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
-static const float stage0_filter0_bandpass2_c = 0.002310255f; /* C = 2 g / (c k): the low-pass part grows by C y */
-
-/* largest |v_add| = 500000: 1000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
-static const float limit = 500000.0f; /* largest |v_add| */
-static const float lower_limit = -500000.0f; /* -limit */
-
-/* P-AXIS-00212 * 2^-40: a sum below it is exactly 0 */
-static const float rest = 4.5474735e-7f; /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
-
-/* OFF to ON takes 1 s (one period of the lowest f0), in cycles */
-static const uint32_t fade_cycles = 16000u; /* cycles that the fade takes from 0 to 1 */
-static const float fade_step = 6.25e-5f; /* 1 / fade_cycles */
-
-/* the same for every axis */
-static const uint32_t error_none = 0u; /* error_id: no fault */
-static const int32_t mode_on = 1; /* mode: the block acts */
-static const int32_t mode_off = 0; /* mode: the block is off */
-static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const float sample_limit = 1000000000.0f;
-/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
- * anew */
-static const uint32_t error_state = 3u;
-/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_cycle_time = 1u;
-static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
-static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-/* added to every change and to low, so that a section at rest never decays into subnormal numbers */
-static const float least_change = 1.0e-18f;
-/* largest magnitude of a sum of stages: beyond it a state has been overwritten */
-static const float sum_limit = 1000000000000000.0f;
-
-void axis_x_ipc_init(axis_x_ipc_state *state)
+void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
-    state->disturbed = false;
+    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    volatile axis_x_ipc_state *const state = fresh;
     state->preset = false;
     state->fade = 0u;
+    state->disturbed = false;
+    state->source_v_motor_before = 0.0f;
+    state->stage0_oscillation_s1 = 0.0f;
+    state->stage0_oscillation_p = 0.0f;
+    state->stage0_filter0_section0_s1 = 0.0f;
+    state->stage0_filter0_section0_p = 0.0f;
+    state->stage0_filter0_section1_s1 = 0.0f;
+    state->stage0_filter0_section1_low = 0.0f;
+    state->stage0_filter0_section2_s1 = 0.0f;
+    state->stage0_filter0_section2_low = 0.0f;
+    state->stage0_filter0_input_before = 0.0f;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
@@ -116,35 +72,82 @@ void axis_x_ipc_step(
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
+    /* cycle time 62.5 us, the coefficients hold for no other */
+    static const uint32_t cycle_time_ns = 62500u; /* cycle time that all coefficients were designed for [ns] */
+
+    /* INDIRECT (P-AXIS-00753) from v_motor, weight 100/100 = 1 (P-AXIS-00754/00755)
+     * simulated oscillation of the load, f0 of the first BANDPASS 1 Hz (P-AXIS-00751), damping ratio 0.3
+     * (P-AXIS-00850): gain 1 at DC, 1.943651 and -59.03624 deg at f0 */
+    static const float stage0_oscillation_h = 0.99988216f; /* H = h: q = H p - R s1, y = x - q, p = x - low-pass part */
+    static const float stage0_oscillation_r = 0.6001256f; /* R = (g + k) h: q = H p - R s1 */
+    static const float stage0_oscillation_g = 0.00019634955f; /* G = g, the warped centre: bp = s1 + G q, s1 = bp + G q */
+    static const float stage0_oscillation_g2 = 0.0003926991f; /* G2 = 2 g: the low-pass part grows by G2 bp */
+
+    /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 1 Hz (P-AXIS-00751), quality factor 8
+     * (P-AXIS-00752), -3 dB at 0.9394512 and 1.064451 Hz
+     * section 1 of 3: centre frequency 1 Hz, quality factor 6.048345, gain 1 there and 1 at 1 Hz */
+    static const float stage0_filter0_bandpass0_a = 3.2462296e-5f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
+    static const float stage0_filter0_bandpass0_b = 3.2500848e-5f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+    static const float stage0_filter0_bandpass0_c = 0.0023751797f; /* C = 2 g / (c k): the low-pass part grows by C y */
+
+    /* section 2 of 3: centre frequency 0.9393689 Hz, quality factor 7.652839, gain 1.384798 there and 1 at 1 Hz */
+    static const float stage0_filter0_bandpass1_a = 3.3374854e-5f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
+    static const float stage0_filter0_bandpass1_b = 2.4134908e-5f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+    static const float stage0_filter0_bandpass1_c = 0.0020386016f; /* C = 2 g / (c k): the low-pass part grows by C y */
+
+    /* section 3 of 3: centre frequency 1.064544 Hz, quality factor 7.652839, gain 1.384798 there and 1 at 1 Hz */
+    static const float stage0_filter0_bandpass2_a = 3.7822094e-5f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
+    static const float stage0_filter0_bandpass2_b = 2.735605e-5f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+    static const float stage0_filter0_bandpass2_c = 0.002310255f; /* C = 2 g / (c k): the low-pass part grows by C y */
+
+    /* largest |v_add| = 500000: 1000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
+    static const float limit = 500000.0f; /* largest |v_add| */
+    static const float lower_limit = -500000.0f; /* -limit */
+
+    /* P-AXIS-00212 * 2^-40: a sum below it is exactly 0 */
+    static const float rest = 4.5474735e-7f; /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
+
+    /* OFF to ON takes 1 s (one period of the lowest f0), in cycles */
+    static const uint32_t fade_cycles = 16000u; /* cycles that the fade takes from 0 to 1 */
+    static const float fade_step = 6.25e-5f; /* 1 / fade_cycles */
+
+    /* the same for every axis */
+    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    static const float sample_limit = 1000000000.0f;
+    /* added to every change and to low, so that a section at rest never decays into subnormal numbers */
+    static const float least_change = 1.0e-18f;
+    /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
+    static const float sum_limit = 1000000000000000.0f;
+
     bool runs;
     uint32_t reason;
-    if (magnitude(inputs->v_motor) <= sample_limit
+    if (axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
+            && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON && state->fade >= fade_cycles) {
         runs = true;
-        reason = error_none;
+        reason = AXIS_X_IPC_ERROR_NONE;
     } else if (state->disturbed) {
         state->disturbed = false;
         runs = false;
-        reason = error_state;
-    } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
-            && magnitude(inputs->v_motor) <= sample_limit
+        reason = AXIS_X_IPC_ERROR_STATE;
+    } else if ((inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN) && axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
             && !inputs->reset) {
         if (state->preset) {
-            if (inputs->mode == mode_on) {
+            if (inputs->mode == AXIS_X_IPC_MODE_ON) {
                 state->fade = state->fade + 1u;
             } else {
                 if (state->fade > 0u) {
                     state->fade = state->fade - 1u;
                 }
-                if (inputs->mode == mode_off && state->fade == 0u) {
+                if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
                     state->preset = false;
                 }
             }
             runs = true;
         } else {
-            if (inputs->mode != mode_off) {
+            if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
                 state->source_v_motor_before = inputs->v_motor;
                 /* INDIRECT (P-AXIS-00753) from v_motor, weight 100/100 = 1 (P-AXIS-00754/00755) */
                 /* simulated oscillation of the load, f0 of the first BANDPASS 1 Hz (P-AXIS-00751), damping ratio 0.3
@@ -164,24 +167,25 @@ void axis_x_ipc_step(
             }
             runs = false;
         }
-        reason = error_none;
+        reason = AXIS_X_IPC_ERROR_NONE;
     } else {
         state->fade = 0u;
         state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
-            reason = error_cycle_time;
-        } else if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
-            reason = error_mode;
-        } else if (magnitude(inputs->v_motor) <= sample_limit) {
-            reason = error_none;
+            reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
+        } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)) {
+            reason = AXIS_X_IPC_ERROR_MODE;
+        } else if (axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit) {
+            reason = AXIS_X_IPC_ERROR_NONE;
         } else {
-            reason = error_v_motor;
+            reason = AXIS_X_IPC_ERROR_V_MOTOR;
         }
         runs = false;
     }
     if (runs) {
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_X_IPC_ERROR_NONE;
         const float source_v_motor_change = inputs->v_motor - state->source_v_motor_before;
         state->source_v_motor_before = inputs->v_motor;
         const float source_v_motor = source_v_motor_change + least_change;
@@ -227,14 +231,14 @@ void axis_x_ipc_step(
                 + (stage0_filter0_bandpass2_c * stage0_filter0_section2_y + least_change);
         const float v_stage0 = -stage0_filter0_section2_y;
         float v_limited;
-        if (magnitude(v_stage0) <= limit) {
+        if (axis_x_ipc_magnitude(v_stage0) <= limit) {
             outputs->limited = false;
-            if (magnitude(v_stage0) <= rest) {
+            if (axis_x_ipc_magnitude(v_stage0) <= rest) {
                 v_limited = 0.0f;
             } else {
                 v_limited = v_stage0;
             }
-        } else if (magnitude(v_stage0) <= sum_limit) {
+        } else if (axis_x_ipc_magnitude(v_stage0) <= sum_limit) {
             outputs->limited = true;
             if (v_stage0 > 0.0f) {
                 v_limited = limit;
@@ -259,7 +263,7 @@ void axis_x_ipc_step(
             } else {
                 outputs->v_add = 0.0f;
             }
-            if (inputs->mode == mode_off) {
+            if (inputs->mode == AXIS_X_IPC_MODE_OFF) {
                 outputs->v_add_calculated = 0.0f;
             } else {
                 outputs->v_add_calculated = v_limited;
@@ -269,129 +273,7 @@ void axis_x_ipc_step(
         outputs->v_add = 0.0f;
         outputs->v_add_calculated = 0.0f;
         outputs->limited = false;
-        outputs->fault = reason != error_none;
+        outputs->fault = reason != AXIS_X_IPC_ERROR_NONE;
         outputs->error_id = reason;
     }
-}
-
-static uint32_t bits_of(float value)
-{
-    union {
-        float value;
-        uint32_t bits;
-    } view;
-    view.value = value;
-    return view.bits;
-}
-
-static float real_of(uint32_t bits)
-{
-    union {
-        float value;
-        uint32_t bits;
-    } view;
-    view.bits = bits;
-    return view.value;
-}
-
-static uint32_t fold(uint32_t digest, uint32_t bits)
-{
-    return ((digest << 5) | (digest >> 27)) + bits;
-}
-
-uint32_t axis_x_ipc_self_test(void)
-{
-    /* the reference's digest of all outputs and of the state, after each sample */
-    static const uint32_t expected[35] = {
-        UINT32_C(0xb3f0c80e),
-        UINT32_C(0xdec08b87),
-        UINT32_C(0xd2960b0f),
-        UINT32_C(0xccecc554),
-        UINT32_C(0x0123b54e),
-        UINT32_C(0x72a5ee52),
-        UINT32_C(0x6e37f924),
-        UINT32_C(0x62e633e4),
-        UINT32_C(0x2159a689),
-        UINT32_C(0x08d82994),
-        UINT32_C(0x1cfcd269),
-        UINT32_C(0xc2d83cde),
-        UINT32_C(0x943c45e8),
-        UINT32_C(0xd7bcb177),
-        UINT32_C(0x6404dedd),
-        UINT32_C(0x14e365c9),
-        UINT32_C(0x47e67f88),
-        UINT32_C(0xff647b49),
-        UINT32_C(0x97619810),
-        UINT32_C(0x90ed2708),
-        UINT32_C(0x99204978),
-        UINT32_C(0x87bcac1f),
-        UINT32_C(0xadd504fc),
-        UINT32_C(0xd87b5875),
-        UINT32_C(0x15b1b98b),
-        UINT32_C(0x44c5e1e1),
-        UINT32_C(0xecac7f20),
-        UINT32_C(0x4f7b298f),
-        UINT32_C(0x8622ddb1),
-        UINT32_C(0xafde3ae0),
-        UINT32_C(0xba86c61c),
-        UINT32_C(0xf2fdfc7e),
-        UINT32_C(0xfa28c799),
-        UINT32_C(0xc55e75d4),
-        UINT32_C(0x25201845),
-    };
-    /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
-        axis_x_ipc_step;
-    axis_x_ipc_state state;
-    axis_x_ipc_inputs inputs;
-    axis_x_ipc_outputs outputs;
-    uint32_t digest = 0u;
-    uint32_t noise;
-    float scale;
-    uint32_t random = 1u;
-    uint32_t sample;
-    /* 1 + 2^-15 and its rounded square; volatile: worked out when it runs */
-    volatile float factor = real_of(UINT32_C(0x3f800100));
-    volatile float square = real_of(UINT32_C(0x3f800200));
-    const float product = factor * factor;
-    const float remainder = product - square;
-
-    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
-    if (bits_of(remainder) != 0u) {
-        return 1u;
-    }
-
-    axis_x_ipc_init(&state);
-    axis_x_ipc_inputs_init(&inputs);
-    for (sample = 0u; sample < 35u; sample++) {
-        /* at first within every limit, so that nothing is cut off */
-        scale = sample < 27u ? 0.001953125f : 2.0f;
-        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((float)(random >> 8) - 8388608.0f) * scale);
-        inputs.v_motor = real_of(sample == 1u ? UINT32_C(0x7fc00000) : noise);
-        step(&state, &inputs, &outputs);
-        digest = fold(digest, bits_of(outputs.v_add));
-        digest = fold(digest, bits_of(outputs.v_add_calculated));
-        digest = fold(digest, outputs.limited);
-        digest = fold(digest, outputs.fault);
-        digest = fold(digest, outputs.error_id);
-        digest = fold(digest, state.preset);
-        digest = fold(digest, state.fade);
-        digest = fold(digest, state.disturbed);
-        digest = fold(digest, bits_of(state.source_v_motor_before));
-        digest = fold(digest, bits_of(state.stage0_oscillation_s1));
-        digest = fold(digest, bits_of(state.stage0_oscillation_p));
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_p));
-        digest = fold(digest, bits_of(state.stage0_filter0_section1_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section1_low));
-        digest = fold(digest, bits_of(state.stage0_filter0_section2_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section2_low));
-        digest = fold(digest, bits_of(state.stage0_filter0_input_before));
-        if (digest != expected[sample]) {
-            return sample + 1u;
-        }
-    }
-    return 0u;
 }

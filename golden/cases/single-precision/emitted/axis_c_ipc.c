@@ -5,7 +5,9 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  93aee06be26c056330bf348cc27a6125
- * checksum    dd8c23c626e42faa1802a82aab981373
+ * structure   b298c1bd84788c1d2beb0e13249d792f
+ * checksum    fdb3a50aa85490030e56ac4e4ffd756f
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_c_ipc.h"
 
@@ -28,7 +30,7 @@
 #endif
 
 /* |value|, without a library */
-static float magnitude(float value)
+static float axis_c_ipc_magnitude(float value)
 {
 #if defined(__GNUC__)
     return __builtin_fabsf(value);
@@ -37,118 +39,38 @@ static float magnitude(float value)
 #endif
 }
 
-/* cycle time 1000 us, the coefficients hold for no other */
-static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
-
-/* DIRECT (P-AXIS-00753) from v_motor, weight 250/100 = 2.5 (P-AXIS-00754/00755)
- * BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751), quality
- * factor 3 (P-AXIS-00752), -3 dB at 44.87068 and 62.53735 Hz
- * section 1 of 3: centre frequency 53 Hz, quality factor 2.941835, gain 1 there and 1 at 53 Hz */
-static const float stage0_filter0_bandpass0_a = 0.052634247f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-static const float stage0_filter0_bandpass0_b = 0.07865693f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
-static const float stage0_filter0_bandpass0_c = 0.98881173f; /* C = 2 g / (c k): the low-pass part grows by C y */
-
-/* section 2 of 3: centre frequency 45.8539 Hz, quality factor 5.947513, gain 2.021702 there and 1 at 53 Hz */
-static const float stage0_filter0_bandpass1_a = 0.04716619f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-static const float stage0_filter0_bandpass1_b = 0.043457635f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
-static const float stage0_filter0_bandpass1_c = 0.85347956f; /* C = 2 g / (c k): the low-pass part grows by C y */
-
-/* section 3 of 3: centre frequency 61.21189 Hz, quality factor 5.947513, gain 2.021702 there and 1 at 53 Hz */
-static const float stage0_filter0_bandpass2_a = 0.061818752f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-static const float stage0_filter0_bandpass2_b = 0.06598745f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
-static const float stage0_filter0_bandpass2_c = 1.1456028f; /* C = 2 g / (c k): the low-pass part grows by C y */
-
-/* ALLPASS (P-AXIS-00849): -180 deg at 48 Hz (P-AXIS-00751), quality factor 3 (P-AXIS-00752), -90 deg at 40.64203
- * and -270 deg at 56.64203 Hz */
-static const float stage0_filter1_allpass_a = 0.047898203f; /* A = g h k: u = A p - B s1, p = x - low-pass part */
-static const float stage0_filter1_allpass_b = 0.06938498f; /* B = (g + k) g h: bp = s1 + u, s1 = bp + u, y = x - 2 bp */
-static const float stage0_filter1_allpass_c = 0.89718497f; /* C = 2 g / k: the low-pass part grows by C bp */
-
-/* -weight, against the vibration; at 53 Hz the stage adds 2.5 times its source at -61.59105 deg */
-static const float stage0_gain = -2.5f; /* -weight: negative, because the stage moves the motor against the vibration */
-
-/* INDIRECT (P-AXIS-00753) from v_motor, weight 120/100 = 1.2 (P-AXIS-00754/00755)
- * simulated oscillation of the load, f0 of the first BANDPASS 17.5 Hz (P-AXIS-00751), damping ratio 0.7
- * (P-AXIS-00850): gain 1 at DC, 1.228904 and -35.53768 deg at f0 */
-static const float stage1_oscillation_h = 0.92586136f; /* H = h: q = H p - R s1, y = x - q, p = x - low-pass part */
-static const float stage1_oscillation_r = 1.3471591f; /* R = (g + k) h: q = H p - R s1 */
-static const float stage1_oscillation_g = 0.05503333f; /* G = g, the warped centre: bp = s1 + G q, s1 = bp + G q */
-static const float stage1_oscillation_g2 = 0.11006666f; /* G2 = 2 g: the low-pass part grows by G2 bp */
-
-/* BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 17.5 Hz (P-AXIS-00751), quality
- * factor 3 (P-AXIS-00752), -3 dB at 14.82376 and 20.65709 Hz
- * section 1 of 2: centre frequency 17.5 Hz, quality factor 1.926679, gain 1 there and 1 at 17.5 Hz */
-static const float stage1_filter0_bandpass0_a = 0.027689066f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-static const float stage1_filter0_bandpass0_b = 0.03062498f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
-static const float stage1_filter0_bandpass0_c = 0.2120631f; /* C = 2 g / (c k): the low-pass part grows by C y */
-
-/* section 2 of 2: centre frequency 17.5 Hz, quality factor 1.926679, gain 1 there and 1 at 17.5 Hz */
-static const float stage1_filter0_bandpass1_a = 0.027689066f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-static const float stage1_filter0_bandpass1_b = 0.03062498f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
-static const float stage1_filter0_bandpass1_c = 0.2120631f; /* C = 2 g / (c k): the low-pass part grows by C y */
-
-/* -weight, against the vibration; at 17.5 Hz the stage adds 1.474684 times its source at 144.4623 deg */
-static const float stage1_gain = -1.2f; /* -weight: negative, because the stage moves the motor against the vibration */
-
-/* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755)
- * simulated oscillation of the load, f0 of the first BANDPASS 64 Hz (P-AXIS-00751), damping ratio 0.8
- * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-static const float stage2_oscillation_h = 0.73118323f; /* H = h: q = H p - R s1, y = x - q, p = x - low-pass part */
-static const float stage2_oscillation_r = 1.3189199f; /* R = (g + k) h: q = H p - R s1 */
-static const float stage2_oscillation_g = 0.20381583f; /* G = g, the warped centre: bp = s1 + G q, s1 = bp + G q */
-static const float stage2_oscillation_g2 = 0.40763167f; /* G2 = 2 g: the low-pass part grows by G2 bp */
-
-/* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 64 Hz (P-AXIS-00751), quality factor 5
- * (P-AXIS-00752), -3 dB at 57.90185 and 70.70185 Hz
- * section 1 of 2: centre frequency 60.02592 Hz, quality factor 4.424675, gain 1.157198 there and 1 at 64 Hz */
-static const float stage2_filter0_bandpass0_a = 0.04623405f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-static const float stage2_filter0_bandpass0_b = 0.07369116f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
-static const float stage2_filter0_bandpass0_c = 1.4594313f; /* C = 2 g / (c k): the low-pass part grows by C y */
-
-/* section 2 of 2: centre frequency 68.22194 Hz, quality factor 4.424675, gain 1.157198 there and 1 at 64 Hz */
-static const float stage2_filter0_bandpass1_a = 0.051913977f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-static const float stage2_filter0_bandpass1_b = 0.08806878f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
-static const float stage2_filter0_bandpass1_c = 1.664561f; /* C = 2 g / (c k): the low-pass part grows by C y */
-
-/* -weight, against the vibration; at 64 Hz the stage adds 0.8490583 times its source at 147.9946 deg */
-static const float stage2_gain = -0.72f; /* -weight: negative, because the stage moves the motor against the vibration */
-
-/* largest |v_add| = 18000: 100 * 0.1 % (P-AXIS-00757) of 180000 (P-AXIS-00212) */
-static const float limit = 18000.0f; /* largest |v_add| */
-static const float lower_limit = -18000.0f; /* -limit */
-
-/* P-AXIS-00212 * 2^-40: a sum below it is exactly 0 */
-static const float rest = 1.6370905e-7f; /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
-
-/* OFF to ON takes 0.1 s (key fade), in cycles */
-static const uint32_t fade_cycles = 100u; /* cycles that the fade takes from 0 to 1 */
-static const float fade_step = 0.01f; /* 1 / fade_cycles */
-
-/* the same for every axis */
-static const uint32_t error_none = 0u; /* error_id: no fault */
-static const int32_t mode_on = 1; /* mode: the block acts */
-static const int32_t mode_off = 0; /* mode: the block is off */
-static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const float sample_limit = 1000000000.0f;
-/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
- * anew */
-static const uint32_t error_state = 3u;
-/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_cycle_time = 1u;
-static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
-static const uint32_t error_v_command = 11u; /* error_id: v_command is not within the sample limit */
-static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-/* added to every change and to low, so that a section at rest never decays into subnormal numbers */
-static const float least_change = 1.0e-18f;
-/* largest magnitude of a sum of stages: beyond it a state has been overwritten */
-static const float sum_limit = 1000000000000000.0f;
-
-void axis_c_ipc_init(axis_c_ipc_state *state)
+void axis_c_ipc_init(axis_c_ipc_state *fresh)
 {
-    state->disturbed = false;
+    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    volatile axis_c_ipc_state *const state = fresh;
     state->preset = false;
     state->fade = 0u;
+    state->disturbed = false;
+    state->source_v_command_before = 0.0f;
+    state->source_v_motor_before = 0.0f;
+    state->stage0_filter0_section0_s1 = 0.0f;
+    state->stage0_filter0_section0_p = 0.0f;
+    state->stage0_filter0_section1_s1 = 0.0f;
+    state->stage0_filter0_section1_low = 0.0f;
+    state->stage0_filter0_section2_s1 = 0.0f;
+    state->stage0_filter0_section2_low = 0.0f;
+    state->stage0_filter1_section0_s1 = 0.0f;
+    state->stage0_filter1_section0_p = 0.0f;
+    state->stage0_filter1_input_before = 0.0f;
+    state->stage1_oscillation_s1 = 0.0f;
+    state->stage1_oscillation_p = 0.0f;
+    state->stage1_filter0_section0_s1 = 0.0f;
+    state->stage1_filter0_section0_p = 0.0f;
+    state->stage1_filter0_section1_s1 = 0.0f;
+    state->stage1_filter0_section1_low = 0.0f;
+    state->stage1_filter0_input_before = 0.0f;
+    state->stage2_oscillation_s1 = 0.0f;
+    state->stage2_oscillation_p = 0.0f;
+    state->stage2_filter0_section0_s1 = 0.0f;
+    state->stage2_filter0_section0_p = 0.0f;
+    state->stage2_filter0_section1_s1 = 0.0f;
+    state->stage2_filter0_section1_low = 0.0f;
+    state->stage2_filter0_input_before = 0.0f;
 }
 
 void axis_c_ipc_inputs_init(axis_c_ipc_inputs *inputs)
@@ -166,35 +88,131 @@ void axis_c_ipc_step(
     const axis_c_ipc_inputs *restrict inputs,
     axis_c_ipc_outputs *restrict outputs)
 {
+    /* cycle time 1000 us, the coefficients hold for no other */
+    static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
+
+    /* DIRECT (P-AXIS-00753) from v_motor, weight 250/100 = 2.5 (P-AXIS-00754/00755)
+     * BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751), quality
+     * factor 3 (P-AXIS-00752), -3 dB at 44.87068 and 62.53735 Hz
+     * section 1 of 3: centre frequency 53 Hz, quality factor 2.941835, gain 1 there and 1 at 53 Hz */
+    static const float stage0_filter0_bandpass0_a = 0.052634247f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
+    static const float stage0_filter0_bandpass0_b = 0.07865693f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+    static const float stage0_filter0_bandpass0_c = 0.98881173f; /* C = 2 g / (c k): the low-pass part grows by C y */
+
+    /* section 2 of 3: centre frequency 45.8539 Hz, quality factor 5.947513, gain 2.021702 there and 1 at 53 Hz */
+    static const float stage0_filter0_bandpass1_a = 0.04716619f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
+    static const float stage0_filter0_bandpass1_b = 0.043457635f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+    static const float stage0_filter0_bandpass1_c = 0.85347956f; /* C = 2 g / (c k): the low-pass part grows by C y */
+
+    /* section 3 of 3: centre frequency 61.21189 Hz, quality factor 5.947513, gain 2.021702 there and 1 at 53 Hz */
+    static const float stage0_filter0_bandpass2_a = 0.061818752f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
+    static const float stage0_filter0_bandpass2_b = 0.06598745f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+    static const float stage0_filter0_bandpass2_c = 1.1456028f; /* C = 2 g / (c k): the low-pass part grows by C y */
+
+    /* ALLPASS (P-AXIS-00849): -180 deg at 48 Hz (P-AXIS-00751), quality factor 3 (P-AXIS-00752), -90 deg at 40.64203
+     * and -270 deg at 56.64203 Hz */
+    static const float stage0_filter1_allpass_a = 0.047898203f; /* A = g h k: u = A p - B s1, p = x - low-pass part */
+    static const float stage0_filter1_allpass_b = 0.06938498f; /* B = (g + k) g h: bp = s1 + u, s1 = bp + u, y = x - 2 bp */
+    static const float stage0_filter1_allpass_c = 0.89718497f; /* C = 2 g / k: the low-pass part grows by C bp */
+
+    /* -weight, against the vibration; at 53 Hz the stage adds 2.5 times its source at -61.59105 deg */
+    static const float stage0_gain = -2.5f; /* -weight: negative, because the stage moves the motor against the vibration */
+
+    /* INDIRECT (P-AXIS-00753) from v_motor, weight 120/100 = 1.2 (P-AXIS-00754/00755)
+     * simulated oscillation of the load, f0 of the first BANDPASS 17.5 Hz (P-AXIS-00751), damping ratio 0.7
+     * (P-AXIS-00850): gain 1 at DC, 1.228904 and -35.53768 deg at f0 */
+    static const float stage1_oscillation_h = 0.92586136f; /* H = h: q = H p - R s1, y = x - q, p = x - low-pass part */
+    static const float stage1_oscillation_r = 1.3471591f; /* R = (g + k) h: q = H p - R s1 */
+    static const float stage1_oscillation_g = 0.05503333f; /* G = g, the warped centre: bp = s1 + G q, s1 = bp + G q */
+    static const float stage1_oscillation_g2 = 0.11006666f; /* G2 = 2 g: the low-pass part grows by G2 bp */
+
+    /* BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 17.5 Hz (P-AXIS-00751), quality
+     * factor 3 (P-AXIS-00752), -3 dB at 14.82376 and 20.65709 Hz
+     * section 1 of 2: centre frequency 17.5 Hz, quality factor 1.926679, gain 1 there and 1 at 17.5 Hz */
+    static const float stage1_filter0_bandpass0_a = 0.027689066f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
+    static const float stage1_filter0_bandpass0_b = 0.03062498f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+    static const float stage1_filter0_bandpass0_c = 0.2120631f; /* C = 2 g / (c k): the low-pass part grows by C y */
+
+    /* section 2 of 2: centre frequency 17.5 Hz, quality factor 1.926679, gain 1 there and 1 at 17.5 Hz */
+    static const float stage1_filter0_bandpass1_a = 0.027689066f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
+    static const float stage1_filter0_bandpass1_b = 0.03062498f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+    static const float stage1_filter0_bandpass1_c = 0.2120631f; /* C = 2 g / (c k): the low-pass part grows by C y */
+
+    /* -weight, against the vibration; at 17.5 Hz the stage adds 1.474684 times its source at 144.4623 deg */
+    static const float stage1_gain = -1.2f; /* -weight: negative, because the stage moves the motor against the vibration */
+
+    /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755)
+     * simulated oscillation of the load, f0 of the first BANDPASS 64 Hz (P-AXIS-00751), damping ratio 0.8
+     * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
+    static const float stage2_oscillation_h = 0.73118323f; /* H = h: q = H p - R s1, y = x - q, p = x - low-pass part */
+    static const float stage2_oscillation_r = 1.3189199f; /* R = (g + k) h: q = H p - R s1 */
+    static const float stage2_oscillation_g = 0.20381583f; /* G = g, the warped centre: bp = s1 + G q, s1 = bp + G q */
+    static const float stage2_oscillation_g2 = 0.40763167f; /* G2 = 2 g: the low-pass part grows by G2 bp */
+
+    /* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 64 Hz (P-AXIS-00751), quality factor 5
+     * (P-AXIS-00752), -3 dB at 57.90185 and 70.70185 Hz
+     * section 1 of 2: centre frequency 60.02592 Hz, quality factor 4.424675, gain 1.157198 there and 1 at 64 Hz */
+    static const float stage2_filter0_bandpass0_a = 0.04623405f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
+    static const float stage2_filter0_bandpass0_b = 0.07369116f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+    static const float stage2_filter0_bandpass0_c = 1.4594313f; /* C = 2 g / (c k): the low-pass part grows by C y */
+
+    /* section 2 of 2: centre frequency 68.22194 Hz, quality factor 4.424675, gain 1.157198 there and 1 at 64 Hz */
+    static const float stage2_filter0_bandpass1_a = 0.051913977f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
+    static const float stage2_filter0_bandpass1_b = 0.08806878f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+    static const float stage2_filter0_bandpass1_c = 1.664561f; /* C = 2 g / (c k): the low-pass part grows by C y */
+
+    /* -weight, against the vibration; at 64 Hz the stage adds 0.8490583 times its source at 147.9946 deg */
+    static const float stage2_gain = -0.72f; /* -weight: negative, because the stage moves the motor against the vibration */
+
+    /* largest |v_add| = 18000: 100 * 0.1 % (P-AXIS-00757) of 180000 (P-AXIS-00212) */
+    static const float limit = 18000.0f; /* largest |v_add| */
+    static const float lower_limit = -18000.0f; /* -limit */
+
+    /* P-AXIS-00212 * 2^-40: a sum below it is exactly 0 */
+    static const float rest = 1.6370905e-7f; /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
+
+    /* OFF to ON takes 0.1 s (key fade), in cycles */
+    static const uint32_t fade_cycles = 100u; /* cycles that the fade takes from 0 to 1 */
+    static const float fade_step = 0.01f; /* 1 / fade_cycles */
+
+    /* the same for every axis */
+    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    static const float sample_limit = 1000000000.0f;
+    /* added to every change and to low, so that a section at rest never decays into subnormal numbers */
+    static const float least_change = 1.0e-18f;
+    /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
+    static const float sum_limit = 1000000000000000.0f;
+
     bool runs;
     uint32_t reason;
-    if (magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit
+    if (axis_c_ipc_magnitude(inputs->v_command) <= sample_limit && axis_c_ipc_magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
+            && !inputs->reset && inputs->mode == AXIS_C_IPC_MODE_ON && state->fade >= fade_cycles) {
         runs = true;
-        reason = error_none;
+        reason = AXIS_C_IPC_ERROR_NONE;
     } else if (state->disturbed) {
         state->disturbed = false;
         runs = false;
-        reason = error_state;
-    } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
-            && magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit
+        reason = AXIS_C_IPC_ERROR_STATE;
+    } else if ((inputs->mode == AXIS_C_IPC_MODE_ON || inputs->mode == AXIS_C_IPC_MODE_OFF
+                || inputs->mode == AXIS_C_IPC_MODE_DRYRUN) && axis_c_ipc_magnitude(inputs->v_command) <= sample_limit
+            && axis_c_ipc_magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
             && !inputs->reset) {
         if (state->preset) {
-            if (inputs->mode == mode_on) {
+            if (inputs->mode == AXIS_C_IPC_MODE_ON) {
                 state->fade = state->fade + 1u;
             } else {
                 if (state->fade > 0u) {
                     state->fade = state->fade - 1u;
                 }
-                if (inputs->mode == mode_off && state->fade == 0u) {
+                if (inputs->mode == AXIS_C_IPC_MODE_OFF && state->fade == 0u) {
                     state->preset = false;
                 }
             }
             runs = true;
         } else {
-            if (inputs->mode != mode_off) {
+            if (inputs->mode != AXIS_C_IPC_MODE_OFF) {
                 state->source_v_command_before = inputs->v_command;
                 state->source_v_motor_before = inputs->v_motor;
                 /* DIRECT (P-AXIS-00753) from v_motor, weight 250/100 = 2.5 (P-AXIS-00754/00755) */
@@ -239,26 +257,27 @@ void axis_c_ipc_step(
             }
             runs = false;
         }
-        reason = error_none;
+        reason = AXIS_C_IPC_ERROR_NONE;
     } else {
         state->fade = 0u;
         state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
-            reason = error_cycle_time;
-        } else if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
-            reason = error_mode;
-        } else if (!(magnitude(inputs->v_command) <= sample_limit)) {
-            reason = error_v_command;
-        } else if (magnitude(inputs->v_motor) <= sample_limit) {
-            reason = error_none;
+            reason = AXIS_C_IPC_ERROR_CYCLE_TIME;
+        } else if (!(inputs->mode == AXIS_C_IPC_MODE_ON || inputs->mode == AXIS_C_IPC_MODE_OFF
+                || inputs->mode == AXIS_C_IPC_MODE_DRYRUN)) {
+            reason = AXIS_C_IPC_ERROR_MODE;
+        } else if (!(axis_c_ipc_magnitude(inputs->v_command) <= sample_limit)) {
+            reason = AXIS_C_IPC_ERROR_V_COMMAND;
+        } else if (axis_c_ipc_magnitude(inputs->v_motor) <= sample_limit) {
+            reason = AXIS_C_IPC_ERROR_NONE;
         } else {
-            reason = error_v_motor;
+            reason = AXIS_C_IPC_ERROR_V_MOTOR;
         }
         runs = false;
     }
     if (runs) {
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_C_IPC_ERROR_NONE;
         const float source_v_command_change = inputs->v_command - state->source_v_command_before;
         state->source_v_command_before = inputs->v_command;
         const float source_v_command = source_v_command_change + least_change;
@@ -377,14 +396,14 @@ void axis_c_ipc_step(
         const float v_stage2 = stage2_gain * stage2_filter0_section1_y;
         const float v_sum2 = v_sum1 + v_stage2;
         float v_limited;
-        if (magnitude(v_sum2) <= limit) {
+        if (axis_c_ipc_magnitude(v_sum2) <= limit) {
             outputs->limited = false;
-            if (magnitude(v_sum2) <= rest) {
+            if (axis_c_ipc_magnitude(v_sum2) <= rest) {
                 v_limited = 0.0f;
             } else {
                 v_limited = v_sum2;
             }
-        } else if (magnitude(v_sum2) <= sum_limit) {
+        } else if (axis_c_ipc_magnitude(v_sum2) <= sum_limit) {
             outputs->limited = true;
             if (v_sum2 > 0.0f) {
                 v_limited = limit;
@@ -409,7 +428,7 @@ void axis_c_ipc_step(
             } else {
                 outputs->v_add = 0.0f;
             }
-            if (inputs->mode == mode_off) {
+            if (inputs->mode == AXIS_C_IPC_MODE_OFF) {
                 outputs->v_add_calculated = 0.0f;
             } else {
                 outputs->v_add_calculated = v_limited;
@@ -419,150 +438,7 @@ void axis_c_ipc_step(
         outputs->v_add = 0.0f;
         outputs->v_add_calculated = 0.0f;
         outputs->limited = false;
-        outputs->fault = reason != error_none;
+        outputs->fault = reason != AXIS_C_IPC_ERROR_NONE;
         outputs->error_id = reason;
     }
-}
-
-static uint32_t bits_of(float value)
-{
-    union {
-        float value;
-        uint32_t bits;
-    } view;
-    view.value = value;
-    return view.bits;
-}
-
-static float real_of(uint32_t bits)
-{
-    union {
-        float value;
-        uint32_t bits;
-    } view;
-    view.bits = bits;
-    return view.value;
-}
-
-static uint32_t fold(uint32_t digest, uint32_t bits)
-{
-    return ((digest << 5) | (digest >> 27)) + bits;
-}
-
-uint32_t axis_c_ipc_self_test(void)
-{
-    /* the reference's digest of all outputs and of the state, after each sample */
-    static const uint32_t expected[38] = {
-        UINT32_C(0x1e58024a),
-        UINT32_C(0xe95afb0e),
-        UINT32_C(0x1994ebb5),
-        UINT32_C(0x9f008a02),
-        UINT32_C(0x5c156edd),
-        UINT32_C(0xe2af41ab),
-        UINT32_C(0x2efa1097),
-        UINT32_C(0x7a391eaf),
-        UINT32_C(0x79bd52f8),
-        UINT32_C(0xd9cbaf20),
-        UINT32_C(0x121dde2b),
-        UINT32_C(0xc40c62f8),
-        UINT32_C(0xd105b8e7),
-        UINT32_C(0xe3b62153),
-        UINT32_C(0x235ae060),
-        UINT32_C(0x5e2f182a),
-        UINT32_C(0x6464400a),
-        UINT32_C(0xab5e21eb),
-        UINT32_C(0x5f63b9fd),
-        UINT32_C(0xe2fecacb),
-        UINT32_C(0xe06e3e54),
-        UINT32_C(0xfa2ab8ee),
-        UINT32_C(0x87effa5d),
-        UINT32_C(0x037d856b),
-        UINT32_C(0xacffad13),
-        UINT32_C(0x87ea0b19),
-        UINT32_C(0x8bb6107c),
-        UINT32_C(0xeba7a356),
-        UINT32_C(0xa43055b4),
-        UINT32_C(0x0908ed99),
-        UINT32_C(0xd27d834b),
-        UINT32_C(0x54c9ae13),
-        UINT32_C(0x17d9f2b9),
-        UINT32_C(0x3f8a00ce),
-        UINT32_C(0x955e20e3),
-        UINT32_C(0xc815386e),
-        UINT32_C(0x15404676),
-        UINT32_C(0xe717dd2d),
-    };
-    /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_c_ipc_state *, const axis_c_ipc_inputs *, axis_c_ipc_outputs *) =
-        axis_c_ipc_step;
-    axis_c_ipc_state state;
-    axis_c_ipc_inputs inputs;
-    axis_c_ipc_outputs outputs;
-    uint32_t digest = 0u;
-    uint32_t noise;
-    float scale;
-    uint32_t random = 1u;
-    uint32_t sample;
-    /* 1 + 2^-15 and its rounded square; volatile: worked out when it runs */
-    volatile float factor = real_of(UINT32_C(0x3f800100));
-    volatile float square = real_of(UINT32_C(0x3f800200));
-    const float product = factor * factor;
-    const float remainder = product - square;
-
-    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
-    if (bits_of(remainder) != 0u) {
-        return 1u;
-    }
-
-    axis_c_ipc_init(&state);
-    axis_c_ipc_inputs_init(&inputs);
-    for (sample = 0u; sample < 38u; sample++) {
-        /* at first within every limit, so that nothing is cut off */
-        scale = sample < 30u ? 0.00012207031f : 0.125f;
-        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((float)(random >> 8) - 8388608.0f) * scale);
-        inputs.v_command = real_of(sample == 1u ? UINT32_C(0x7fc00000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((float)(random >> 8) - 8388608.0f) * scale);
-        inputs.v_motor = real_of(sample == 4u ? UINT32_C(0x7fc00000) : noise);
-        step(&state, &inputs, &outputs);
-        digest = fold(digest, bits_of(outputs.v_add));
-        digest = fold(digest, bits_of(outputs.v_add_calculated));
-        digest = fold(digest, outputs.limited);
-        digest = fold(digest, outputs.fault);
-        digest = fold(digest, outputs.error_id);
-        digest = fold(digest, state.preset);
-        digest = fold(digest, state.fade);
-        digest = fold(digest, state.disturbed);
-        digest = fold(digest, bits_of(state.source_v_command_before));
-        digest = fold(digest, bits_of(state.source_v_motor_before));
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_p));
-        digest = fold(digest, bits_of(state.stage0_filter0_section1_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section1_low));
-        digest = fold(digest, bits_of(state.stage0_filter0_section2_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section2_low));
-        digest = fold(digest, bits_of(state.stage0_filter1_section0_s1));
-        digest = fold(digest, bits_of(state.stage0_filter1_section0_p));
-        digest = fold(digest, bits_of(state.stage0_filter1_input_before));
-        digest = fold(digest, bits_of(state.stage1_oscillation_s1));
-        digest = fold(digest, bits_of(state.stage1_oscillation_p));
-        digest = fold(digest, bits_of(state.stage1_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage1_filter0_section0_p));
-        digest = fold(digest, bits_of(state.stage1_filter0_section1_s1));
-        digest = fold(digest, bits_of(state.stage1_filter0_section1_low));
-        digest = fold(digest, bits_of(state.stage1_filter0_input_before));
-        digest = fold(digest, bits_of(state.stage2_oscillation_s1));
-        digest = fold(digest, bits_of(state.stage2_oscillation_p));
-        digest = fold(digest, bits_of(state.stage2_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage2_filter0_section0_p));
-        digest = fold(digest, bits_of(state.stage2_filter0_section1_s1));
-        digest = fold(digest, bits_of(state.stage2_filter0_section1_low));
-        digest = fold(digest, bits_of(state.stage2_filter0_input_before));
-        if (digest != expected[sample]) {
-            return sample + 1u;
-        }
-    }
-    return 0u;
 }

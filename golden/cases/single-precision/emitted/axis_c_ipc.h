@@ -5,11 +5,14 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  93aee06be26c056330bf348cc27a6125
- * checksum    f79d5e8ec8671362bf2dff656802924c
+ * structure   b298c1bd84788c1d2beb0e13249d792f
+ * checksum    a3097a704f63cad75d54b34553a3a1e1
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_C_IPC_H
 #define AXIS_C_IPC_H
 
+#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -31,6 +34,58 @@ extern "C" {
  * largest deviation of measured from designed: 1.5e-7
  * signal-to-noise ratio in single precision, of a vibration of 360 at f0 while the axis moves at 180000:
  * stage[0] 124 dB, stage[1] 94 dB, stage[2] 93 dB */
+
+/* What code can compare with what it expects, at its start or in an #if. */
+/* the cycle time that the block is designed for [ns] */
+#define AXIS_C_IPC_CYCLE_TIME_NS 1000000u
+/* the bits of its real type */
+#define AXIS_C_IPC_REAL_BITS 32
+/* the largest |v_add| [0.001 deg/s] */
+#define AXIS_C_IPC_LIMIT 18000.0f
+/* the bound of |v_add| before the limit that is certain for |v| <= 180000 [0.001 deg/s] */
+#define AXIS_C_IPC_BOUND 1090500.8f
+/* the digest of its parameters, as in the head of this file */
+#define AXIS_C_IPC_PARAMETERS_0 0x93aee06bu
+#define AXIS_C_IPC_PARAMETERS_1 0xe26c0563u
+#define AXIS_C_IPC_PARAMETERS_2 0x30bf348cu
+#define AXIS_C_IPC_PARAMETERS_3 0xc27a6125u
+/* the digest of its structure: the same where two blocks differ in the values of coefficients only */
+#define AXIS_C_IPC_STRUCTURE_0 0xb298c1bdu
+#define AXIS_C_IPC_STRUCTURE_1 0x84788c1du
+#define AXIS_C_IPC_STRUCTURE_2 0x2beb0e13u
+#define AXIS_C_IPC_STRUCTURE_3 0x249d792fu
+/* the bytes of its structs where a bool has one and each member is aligned to its own size */
+#define AXIS_C_IPC_INPUTS_SIZE 20u
+#define AXIS_C_IPC_OUTPUTS_SIZE 16u
+#define AXIS_C_IPC_STATE_SIZE 112u
+
+/* With another number of bits in float the block would compute other numbers, and the structs would be laid out differently.
+ * Nothing else is asserted: the alignment of members is the ABI's own affair. */
+#if defined(__cplusplus) && __cplusplus >= 201103L
+static_assert(sizeof(float) * CHAR_BIT == AXIS_C_IPC_REAL_BITS, "float must have 32 bits");
+#elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
+_Static_assert(sizeof(float) * CHAR_BIT == AXIS_C_IPC_REAL_BITS, "float must have 32 bits");
+#else
+typedef char axis_c_ipc_real_has_32_bits[sizeof(float) * CHAR_BIT == AXIS_C_IPC_REAL_BITS ? 1 : -1];
+#endif
+
+/* values of the input mode */
+enum {
+    AXIS_C_IPC_MODE_OFF = 0, /* the block is off */
+    AXIS_C_IPC_MODE_ON = 1, /* the block acts */
+    AXIS_C_IPC_MODE_DRYRUN = 2 /* the block calculates and does not act */
+};
+
+/* values of the output error_id */
+enum {
+    AXIS_C_IPC_ERROR_NONE = 0, /* no fault */
+    AXIS_C_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
+    AXIS_C_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
+    /* a state of the block is no number, or beyond all that samples in range lead to; everything starts anew */
+    AXIS_C_IPC_ERROR_STATE = 3,
+    AXIS_C_IPC_ERROR_V_COMMAND = 11, /* v_command is not within the sample limit */
+    AXIS_C_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */
+};
 
 /* Written by the caller. axis_c_ipc_inputs_init fills in what is said to be the start. */
 typedef struct {
@@ -87,8 +142,15 @@ typedef struct {
     float stage2_filter0_input_before; /* the value of the cycle before */
 } axis_c_ipc_state;
 
-/* Once before the first cycle. */
-void axis_c_ipc_init(axis_c_ipc_state *state);
+/* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls
+ * no library, and takes little stack. Calls with different states may interrupt each other. Of one state only one
+ * function may be at work: neither step nor init may be interrupted by a call for the same state.
+ * step writes each output once, with its final value, but one output after another. Another task or interrupt that reads
+ * several of them copies them while step cannot run (its interrupt is off), or reads copies that the task of step
+ * puts into two buffers in turn, behind a counter. */
+
+/* Once before the first cycle: every member of the state gets its start. */
+void axis_c_ipc_init(axis_c_ipc_state *fresh);
 
 /* Gives every input the value that it has until the caller writes it. */
 void axis_c_ipc_inputs_init(axis_c_ipc_inputs *inputs);
@@ -99,10 +161,11 @@ void axis_c_ipc_step(
     const axis_c_ipc_inputs *inputs,
     axis_c_ipc_outputs *outputs);
 
-/* Compares a run of 38 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
+/* In a file of its own, axis_c_ipc_self_test.c: a build that does not call it leaves it out.
+ * Compares a run of 38 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
  * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
- * precision. Run it once at start-up, on the machine and with the compiler options that the block runs with: it finds a
- * build that fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
+ * precision. Run it once at start-up, on the machine, both files with the same compiler options: it finds a build that
+ * fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
 uint32_t axis_c_ipc_self_test(void);
 
 #ifdef __cplusplus

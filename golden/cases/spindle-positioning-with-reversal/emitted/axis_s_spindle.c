@@ -5,7 +5,9 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  b92e28125bf8b73ebb5b80376f6f2970
- * checksum    95890aa2eed54ed88a97e3d6e70c6464
+ * structure   d8e1a53f37cece291154447b66106781
+ * checksum    d0eacaef7bc20172c0e2763c1678b9b2
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle.h"
 
@@ -28,7 +30,7 @@
 #endif
 
 /* |value|, without a library */
-static double magnitude(double value)
+static double axis_s_spindle_magnitude(double value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs(value);
@@ -39,7 +41,7 @@ static double magnitude(double value)
 
 /* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
  * rightly; without a library */
-static int32_t nearest(double value)
+static int32_t axis_s_spindle_nearest(double value)
 {
 #if defined(__GNUC__)
     return (int32_t)(value + __builtin_copysign(0.49999999999999994, value));
@@ -49,109 +51,39 @@ static int32_t nearest(double value)
 }
 
 /* cycle time 2000 us, the coefficients hold for no other */
-static const uint32_t cycle_time_ns = 2000000u; /* cycle time that all coefficients were designed for [ns] */
-static const double cycle_time = 0.002; /* cycle time T [s] */
-
-/* Von = 200 rpm (P-AXIS-00767) */
-static const double v_velocity_control_on = 1200000.0; /* Von: a faster TURN leads to velocity control [0.001 deg/s] */
-
-/* Voff = 50 rpm (P-AXIS-00768) */
-static const double v_position_control_on = 300000.0; /* Voff: position control is taken up there [0.001 deg/s] */
-static const double v_position_control_on_negative = -300000.0; /* -Voff [0.001 deg/s] */
-
-/* 1 rpm (key spindle.window) */
-/* by which |v_actual| is above |v_spindle| at most where position control is taken up [0.001 deg/s] */
-static const double window = 6000.0;
-
-/* deceleration 2000 rpm/s (key spindle.deceleration) */
-static const double v_step = 24000.0; /* deceleration * T: largest change of the velocity in a cycle [0.001 deg/s] */
+static const uint32_t axis_s_spindle_cycle_time_ns = 2000000u; /* cycle time that all coefficients were designed for [ns] */
 
 /* below 15000 rpm */
 /* largest velocity below 180 deg / T: a drive can tell its direction [0.001 deg/s] */
-static const double v_largest = 89999999.99999999;
-
-/* 5 cycles (P-AXIS-00191) and 0.5 / Kv, Kv = 20/s (P-AXIS-00099) */
-static const double lead_time = 0.035; /* lead of the position command: (Nd + 1) T + (1 - w) / Kv, in the CNC T + 1 / Kv [s] */
-
-/* 1 deg (key spindle.takeover_window) */
-/* largest step of the position command where the interpolator takes over [0.001 deg] */
-static const double takeover_window = 1000.0;
-
-/* 100ms (key spindle.mode_timeout) */
-static const uint32_t mode_cycles = 50u; /* cycles within which the drive displays a new mode */
-
-/* 1.95s; from the largest velocity (P-AXIS-00212) the ramp takes 725ms */
-static const uint32_t brake_cycles = 975u; /* cycles within which the spindle has braked */
-static const int32_t position_mode = 0; /* operation mode of position control */
-static const int32_t velocity_mode = 1; /* operation mode of velocity control */
+static const double axis_s_spindle_v_largest = 89999999.99999999;
 
 /* velocity command: 1 increments at 36 0.001 deg per minute (P-AXIS-00206/00205, 00207): 27777.78 for 1000
  * deg/min */
-static const double velocity_scale = 1.6666666666666667; /* velocity command: increments for 0.001 deg/s */
+static const double axis_s_spindle_velocity_scale = 1.6666666666666667; /* velocity command: increments for 0.001 deg/s */
 
 /* process data of 32 bits */
-static const int32_t velocity_range_lowest = (-2147483647 - 1); /* smallest value of the process data */
-static const int32_t velocity_range_highest = 2147483647; /* largest value of the process data */
-static const double velocity_range_lower_limit = -2147483648.4999995; /* smallest number that is rounded to the smallest value */
-static const double velocity_range_upper_limit = 2147483647.4999998; /* largest number that is rounded to the largest value */
+static const int32_t axis_s_spindle_velocity_range_lowest = (-2147483647 - 1); /* smallest value of the process data */
+static const int32_t axis_s_spindle_velocity_range_highest = 2147483647; /* largest value of the process data */
+/* smallest number that is rounded to the smallest value */
+static const double axis_s_spindle_velocity_range_lower_limit = -2147483648.4999995;
+/* largest number that is rounded to the largest value */
+static const double axis_s_spindle_velocity_range_upper_limit = 2147483647.4999998;
 
 /* the same for every axis */
-static const uint32_t error_none = 0u; /* error_id: no fault */
 /* largest magnitude of a position in range: its number of turns is an integer of 32 bits */
-static const double position_limit = 700000000000000.0;
-static const double full_turn = 360000.0; /* a full turn [0.001 deg] */
-static const double per_turn = 2.777777777777778e-6; /* 1 / full_turn */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const double sample_limit = 1000000000000000.0;
-static const uint32_t error_direction = 32u; /* error_id: spindle: M3 and M4 in one cycle, the request is lost */
-static const uint32_t error_s_word = 33u; /* error_id: spindle: s_word is not within the sample limit, the request is lost */
-/* error_id: spindle: s_position is not within the position limit, the request is lost */
-static const uint32_t error_s_position = 34u;
-static const uint32_t error_drive_off = 36u; /* error_id: spindle: the drive is off, the request is lost */
-static const uint32_t error_waiting = 35u; /* error_id: spindle: four requests wait already, the request is lost */
-static const uint32_t error_requests = 31u; /* error_id: spindle: two requests in one cycle, the one of lower priority is lost */
-/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_cycle_time = 1u;
-static const uint32_t error_x_actual = 18u; /* error_id: x_actual is not within the sample limit */
-static const uint32_t error_v_interpolator = 14u; /* error_id: v_interpolator is not within the sample limit */
-static const uint32_t error_x_command = 17u; /* error_id: x_command is not within the sample limit */
-/* error_id: spindle: the drive displays another operation mode; stays from the fourth cycle on */
-static const uint32_t error_mode_display = 45u;
-/* error_id: spindle: 180 degrees a cycle or more, the drive cannot tell the direction; stays until reset */
-static const uint32_t error_half_turn = 44u;
-static const uint32_t error_takeover = 46u; /* error_id: spindle: x_command does not go on from x_spindle; stays until reset */
-/* error_id: spindle: the drive does not display velocity control within the time; stays until reset */
-static const uint32_t error_to_velocity = 41u;
-static const uint32_t error_v_actual = 23u; /* error_id: v_actual is not within the sample limit */
-static const uint32_t error_brake = 42u; /* error_id: spindle: the spindle has not braked within the time; stays until reset */
-/* error_id: spindle: the drive does not display position control within the time; stays until reset */
-static const uint32_t error_to_position = 43u;
+static const double axis_s_spindle_position_limit = 700000000000000.0;
+static const double axis_s_spindle_full_turn = 360000.0; /* a full turn [0.001 deg] */
+static const double axis_s_spindle_per_turn = 2.777777777777778e-6; /* 1 / full_turn */
 
-/* What the interpolator has to do. */
-enum {
-    job_stop = 0, /* M5, and what stops the spindle otherwise */
-    job_turn = 1, /* M3 or M4 */
-    job_orient = 2, /* M19 */
-    job_release = 3, /* S[PUTAX] */
-    job_home = 4 /* G74 */
-};
-
-/* What controls the spindle. */
-enum {
-    spindle_state_position = 0, /* position control */
-    spindle_state_to_velocity = 1, /* velocity control is asked for */
-    spindle_state_velocity = 2, /* velocity control */
-    spindle_state_brake = 3, /* velocity control, on the way to the velocity at which position control is taken up */
-    spindle_state_to_position = 4 /* position control is asked for */
-};
-
-void axis_s_spindle_init(axis_s_spindle_state *state)
+void axis_s_spindle_init(axis_s_spindle_state *fresh)
 {
-    state->control = spindle_state_to_position;
+    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    volatile axis_s_spindle_state *const state = fresh;
+    state->control = AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION;
     state->cycles = 0u;
     state->settled = 0u;
     state->missing = 0u;
-    state->lasting_error = error_none;
+    state->lasting_error = AXIS_S_SPINDLE_ERROR_NONE;
     state->asks_velocity = false;
     state->returns = false;
     state->is_moving = false;
@@ -159,22 +91,22 @@ void axis_s_spindle_init(axis_s_spindle_state *state)
     state->x = 0.0;
     state->x_start = 0.0;
     state->v = 0.0;
-    state->present_kind = job_stop;
+    state->present_kind = AXIS_S_SPINDLE_JOB_STOP;
     state->present_speed = 0.0;
     state->present_position = 0.0;
     state->turns_fast = false;
     state->jobs = 0u;
     state->queued = 0u;
-    state->request0_kind = job_stop;
+    state->request0_kind = AXIS_S_SPINDLE_JOB_STOP;
     state->request0_speed = 0.0;
     state->request0_position = 0.0;
-    state->request1_kind = job_stop;
+    state->request1_kind = AXIS_S_SPINDLE_JOB_STOP;
     state->request1_speed = 0.0;
     state->request1_position = 0.0;
-    state->request2_kind = job_stop;
+    state->request2_kind = AXIS_S_SPINDLE_JOB_STOP;
     state->request2_speed = 0.0;
     state->request2_position = 0.0;
-    state->request3_kind = job_stop;
+    state->request3_kind = AXIS_S_SPINDLE_JOB_STOP;
     state->request3_speed = 0.0;
     state->request3_position = 0.0;
     state->before_m3 = true;
@@ -212,40 +144,75 @@ void axis_s_spindle_inputs_init(axis_s_spindle_inputs *inputs)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static void any_cycle(
+static void axis_s_spindle_any_cycle(
     axis_s_spindle_state *restrict state,
     const axis_s_spindle_inputs *restrict inputs,
     axis_s_spindle_outputs *restrict outputs)
 {
+    /* cycle time 2000 us, the coefficients hold for no other */
+    static const double cycle_time = 0.002; /* cycle time T [s] */
+
+    /* Von = 200 rpm (P-AXIS-00767) */
+    static const double v_velocity_control_on = 1200000.0; /* Von: a faster TURN leads to velocity control [0.001 deg/s] */
+
+    /* Voff = 50 rpm (P-AXIS-00768) */
+    static const double v_position_control_on = 300000.0; /* Voff: position control is taken up there [0.001 deg/s] */
+    static const double v_position_control_on_negative = -300000.0; /* -Voff [0.001 deg/s] */
+
+    /* 1 rpm (key spindle.window) */
+    /* by which |v_actual| is above |v_spindle| at most where position control is taken up [0.001 deg/s] */
+    static const double window = 6000.0;
+
+    /* deceleration 2000 rpm/s (key spindle.deceleration) */
+    static const double v_step = 24000.0; /* deceleration * T: largest change of the velocity in a cycle [0.001 deg/s] */
+
+    /* 5 cycles (P-AXIS-00191) and 0.5 / Kv, Kv = 20/s (P-AXIS-00099) */
+    static const double lead_time = 0.035; /* lead of the position command: (Nd + 1) T + (1 - w) / Kv, in the CNC T + 1 / Kv [s] */
+
+    /* 1 deg (key spindle.takeover_window) */
+    /* largest step of the position command where the interpolator takes over [0.001 deg] */
+    static const double takeover_window = 1000.0;
+
+    /* 100ms (key spindle.mode_timeout) */
+    static const uint32_t mode_cycles = 50u; /* cycles within which the drive displays a new mode */
+
+    /* 1.95s; from the largest velocity (P-AXIS-00212) the ramp takes 725ms */
+    static const uint32_t brake_cycles = 975u; /* cycles within which the spindle has braked */
+
+    /* the same for every axis */
+    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    static const double sample_limit = 1000000000000000.0;
+
     const bool in_velocity =
-        state->usual && state->control == spindle_state_velocity
+        state->usual && state->control == AXIS_S_SPINDLE_SPINDLE_STATE_VELOCITY
             && !(inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74)
             && inputs->drive_on && !inputs->reset
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)
-            && magnitude(inputs->v_interpolator) <= sample_limit && magnitude(inputs->x_actual) <= position_limit
-            && inputs->operation_mode_display == velocity_mode;
+            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_cycle_time_ns)
+            && axis_s_spindle_magnitude(inputs->v_interpolator) <= sample_limit
+            && axis_s_spindle_magnitude(inputs->x_actual) <= axis_s_spindle_position_limit
+            && inputs->operation_mode_display == AXIS_S_SPINDLE_VELOCITY_MODE;
     if (in_velocity) {
         outputs->loop_closed = false;
-        outputs->spindle_state = spindle_state_velocity;
-        outputs->operation_mode = velocity_mode;
+        outputs->spindle_state = AXIS_S_SPINDLE_SPINDLE_STATE_VELOCITY;
+        outputs->operation_mode = AXIS_S_SPINDLE_VELOCITY_MODE;
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_S_SPINDLE_ERROR_NONE;
         outputs->waiting = 0u;
         state->v = inputs->v_interpolator;
         /* a usual cycle in VELOCITY */
         state->missing = 0u;
         double within_turn_next;
-        if (inputs->x_actual < 0.0 || inputs->x_actual >= full_turn) {
-            const int32_t turns_next = (int32_t)(inputs->x_actual * per_turn);
-            const double rest_next = inputs->x_actual - (double)turns_next * full_turn;
+        if (inputs->x_actual < 0.0 || inputs->x_actual >= axis_s_spindle_full_turn) {
+            const int32_t turns_next = (int32_t)(inputs->x_actual * axis_s_spindle_per_turn);
+            const double rest_next = inputs->x_actual - (double)turns_next * axis_s_spindle_full_turn;
             double above_next;
             if (rest_next < 0.0) {
-                above_next = rest_next + full_turn;
+                above_next = rest_next + axis_s_spindle_full_turn;
             } else {
                 above_next = rest_next;
             }
-            if (above_next >= full_turn) {
-                within_turn_next = above_next - full_turn;
+            if (above_next >= axis_s_spindle_full_turn) {
+                within_turn_next = above_next - axis_s_spindle_full_turn;
             } else {
                 within_turn_next = above_next;
             }
@@ -255,16 +222,16 @@ static void any_cycle(
         state->x = within_turn_next;
         outputs->x_spindle = state->x;
         outputs->v_spindle = state->v;
-        const double velocity_increments_next = velocity_scale * state->v;
-        if (magnitude(velocity_increments_next) <= velocity_range_upper_limit) {
-            outputs->velocity_command = nearest(velocity_increments_next);
+        const double velocity_increments_next = axis_s_spindle_velocity_scale * state->v;
+        if (axis_s_spindle_magnitude(velocity_increments_next) <= axis_s_spindle_velocity_range_upper_limit) {
+            outputs->velocity_command = axis_s_spindle_nearest(velocity_increments_next);
             outputs->limited = false;
         } else if (velocity_increments_next > 0.0) {
-            outputs->velocity_command = velocity_range_highest;
+            outputs->velocity_command = axis_s_spindle_velocity_range_highest;
             outputs->limited = true;
         } else if (velocity_increments_next < 0.0) {
-            outputs->limited = velocity_increments_next < velocity_range_lower_limit;
-            outputs->velocity_command = velocity_range_lowest;
+            outputs->limited = velocity_increments_next < axis_s_spindle_velocity_range_lower_limit;
+            outputs->velocity_command = axis_s_spindle_velocity_range_lowest;
         } else {
             /* only what is no number comes here, which no sample in range leads to: nothing is put out */
             outputs->velocity_command = 0;
@@ -295,41 +262,42 @@ static void any_cycle(
                 int32_t wanted;
                 if (new_g74) {
                     has_others = new_putax || new_m19 || new_m5 || new_turn;
-                    wanted = job_home;
+                    wanted = AXIS_S_SPINDLE_JOB_HOME;
                 } else if (new_putax) {
                     has_others = new_m19 || new_m5 || new_turn;
-                    wanted = job_release;
+                    wanted = AXIS_S_SPINDLE_JOB_RELEASE;
                 } else if (new_m19) {
-                    wanted = job_orient;
+                    wanted = AXIS_S_SPINDLE_JOB_ORIENT;
                     has_others = new_m5;
                 } else if (new_m5) {
-                    wanted = job_stop;
+                    wanted = AXIS_S_SPINDLE_JOB_STOP;
                     has_others = new_turn;
                 } else {
-                    wanted = job_turn;
+                    wanted = AXIS_S_SPINDLE_JOB_TURN;
                     has_others = false;
                 }
                 const uint32_t waiting_now = state->queued;
-                const bool has_speed = wanted == job_turn || wanted == job_orient;
+                const bool has_speed = wanted == AXIS_S_SPINDLE_JOB_TURN || wanted == AXIS_S_SPINDLE_JOB_ORIENT;
                 uint32_t why;
                 if (has_speed && inputs->m3 && inputs->m4) {
-                    why = error_direction;
-                } else if (has_speed && !(magnitude(inputs->s_word) <= sample_limit)) {
-                    why = error_s_word;
-                } else if (wanted == job_orient && !(magnitude(inputs->s_position) <= position_limit)) {
-                    why = error_s_position;
+                    why = AXIS_S_SPINDLE_ERROR_DIRECTION;
+                } else if (has_speed && !(axis_s_spindle_magnitude(inputs->s_word) <= sample_limit)) {
+                    why = AXIS_S_SPINDLE_ERROR_S_WORD;
+                } else if (wanted == AXIS_S_SPINDLE_JOB_ORIENT
+                        && !(axis_s_spindle_magnitude(inputs->s_position) <= axis_s_spindle_position_limit)) {
+                    why = AXIS_S_SPINDLE_ERROR_S_POSITION;
                 } else if (!inputs->drive_on) {
-                    why = error_drive_off;
+                    why = AXIS_S_SPINDLE_ERROR_DRIVE_OFF;
                 } else if (waiting_now >= 4u) {
-                    why = error_waiting;
+                    why = AXIS_S_SPINDLE_ERROR_WAITING;
                 } else {
-                    why = error_none;
+                    why = AXIS_S_SPINDLE_ERROR_NONE;
                 }
-                if (why != error_none) {
+                if (why != AXIS_S_SPINDLE_ERROR_NONE) {
                     request_error = why;
                 } else {
                     double speed;
-                    if (wanted == job_turn || wanted == job_orient) {
+                    if (wanted == AXIS_S_SPINDLE_JOB_TURN || wanted == AXIS_S_SPINDLE_JOB_ORIENT) {
                         const bool is_negative = inputs->s_word < 0.0;
                         if (is_negative == inputs->m4) {
                             speed = inputs->s_word;
@@ -340,7 +308,7 @@ static void any_cycle(
                         speed = 0.0;
                     }
                     double target;
-                    if (wanted == job_orient) {
+                    if (wanted == AXIS_S_SPINDLE_JOB_ORIENT) {
                         target = inputs->s_position;
                     } else {
                         target = 0.0;
@@ -364,38 +332,41 @@ static void any_cycle(
                     }
                     state->queued = state->queued + 1u;
                     if (has_others) {
-                        request_error = error_requests;
+                        request_error = AXIS_S_SPINDLE_ERROR_REQUESTS;
                     } else {
-                        request_error = error_none;
+                        request_error = AXIS_S_SPINDLE_ERROR_NONE;
                     }
                 }
             } else {
-                request_error = error_none;
+                request_error = AXIS_S_SPINDLE_ERROR_NONE;
             }
         } else {
-            request_error = error_none;
+            request_error = AXIS_S_SPINDLE_ERROR_NONE;
         }
         if (inputs->reset) {
             state->queued = 0u;
-            if (state->lasting_error != error_none) {
-                state->lasting_error = error_none;
+            if (state->lasting_error != AXIS_S_SPINDLE_ERROR_NONE) {
+                state->lasting_error = AXIS_S_SPINDLE_ERROR_NONE;
                 state->returns = false;
                 if (inputs->drive_on) {
-                    state->control = spindle_state_brake;
+                    state->control = AXIS_S_SPINDLE_SPINDLE_STATE_BRAKE;
                     state->cycles = 0u;
                     state->settled = 0u;
                     state->missing = 0u;
                 }
-            } else if (state->control == spindle_state_to_velocity || state->control == spindle_state_velocity) {
+            } else if (state->control == AXIS_S_SPINDLE_SPINDLE_STATE_TO_VELOCITY
+                    || state->control == AXIS_S_SPINDLE_SPINDLE_STATE_VELOCITY) {
                 state->returns = true;
+            } else {
+                /* nothing else is to be done */
             }
         }
-        const bool is_wrong = inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns;
-        if (is_wrong && state->lasting_error == error_none) {
-            state->lasting_error = error_cycle_time;
+        const bool is_wrong = inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != axis_s_spindle_cycle_time_ns;
+        if (is_wrong && state->lasting_error == AXIS_S_SPINDLE_ERROR_NONE) {
+            state->lasting_error = AXIS_S_SPINDLE_ERROR_CYCLE_TIME;
         }
         if (!inputs->drive_on) {
-            state->control = spindle_state_to_position;
+            state->control = AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION;
             state->cycles = 0u;
             state->settled = 0u;
             state->missing = 0u;
@@ -409,45 +380,45 @@ static void any_cycle(
             state->is_moving = false;
             state->queued = 0u;
             state->takes_over = false;
-            if (magnitude(inputs->x_actual) <= position_limit) {
+            if (axis_s_spindle_magnitude(inputs->x_actual) <= axis_s_spindle_position_limit) {
                 state->x = inputs->x_actual;
                 sample_error = 0u;
             } else {
-                sample_error = error_x_actual;
+                sample_error = AXIS_S_SPINDLE_ERROR_X_ACTUAL;
             }
-        } else if (state->lasting_error == error_none) {
+        } else if (state->lasting_error == AXIS_S_SPINDLE_ERROR_NONE) {
             switch (state->control) {
-            case spindle_state_position: {
-                const bool is_position_displayed = inputs->operation_mode_display == position_mode;
-                if (magnitude(inputs->v_interpolator) <= sample_limit) {
+            case AXIS_S_SPINDLE_SPINDLE_STATE_POSITION: {
+                const bool is_position_displayed = inputs->operation_mode_display == AXIS_S_SPINDLE_POSITION_MODE;
+                if (axis_s_spindle_magnitude(inputs->v_interpolator) <= sample_limit) {
                     bool leads;
-                    if (!(magnitude(inputs->x_command) <= position_limit)) {
+                    if (!(axis_s_spindle_magnitude(inputs->x_command) <= axis_s_spindle_position_limit)) {
                         state->missing = state->missing + 1u;
                         state->takes_over = true;
                         if (state->missing > 3u) {
-                            state->lasting_error = error_x_command;
+                            state->lasting_error = AXIS_S_SPINDLE_ERROR_X_COMMAND;
                         } else {
                             state->x = state->x + state->v * cycle_time;
                         }
-                        sample_error = error_x_command;
+                        sample_error = AXIS_S_SPINDLE_ERROR_X_COMMAND;
                         leads = false;
                     } else if (is_position_displayed) {
-                        if (magnitude(inputs->v_interpolator) <= v_largest) {
+                        if (axis_s_spindle_magnitude(inputs->v_interpolator) <= axis_s_spindle_v_largest) {
                             bool is_too_far;
                             if (state->takes_over) {
                                 const double distance = inputs->x_command - (state->x + state->v * cycle_time);
-                                const int32_t whole_turns = nearest(distance * per_turn);
-                                const double x_step = distance - (double)whole_turns * full_turn;
-                                is_too_far = !(magnitude(x_step) <= takeover_window);
+                                const int32_t whole_turns = axis_s_spindle_nearest(distance * axis_s_spindle_per_turn);
+                                const double x_step = distance - (double)whole_turns * axis_s_spindle_full_turn;
+                                is_too_far = !(axis_s_spindle_magnitude(x_step) <= takeover_window);
                                 if (is_too_far) {
-                                    state->lasting_error = error_takeover;
+                                    state->lasting_error = AXIS_S_SPINDLE_ERROR_TAKEOVER;
                                 }
                             } else {
                                 is_too_far = false;
                             }
                             leads = !is_too_far;
                         } else {
-                            state->lasting_error = error_half_turn;
+                            state->lasting_error = AXIS_S_SPINDLE_ERROR_HALF_TURN;
                             leads = false;
                         }
                         sample_error = 0u;
@@ -455,11 +426,11 @@ static void any_cycle(
                         state->missing = state->missing + 1u;
                         state->takes_over = true;
                         if (state->missing > 3u) {
-                            state->lasting_error = error_mode_display;
+                            state->lasting_error = AXIS_S_SPINDLE_ERROR_MODE_DISPLAY;
                         } else {
                             state->x = state->x + state->v * cycle_time;
                         }
-                        sample_error = error_mode_display;
+                        sample_error = AXIS_S_SPINDLE_ERROR_MODE_DISPLAY;
                         leads = false;
                     }
                     if (leads) {
@@ -472,7 +443,7 @@ static void any_cycle(
                                 || -inputs->v_interpolator >= v_velocity_control_on;
                         if (state->turns_fast && is_reached && !inputs->reset) {
                             /* POSITION -> TO_VELOCITY: M3 or M4 with more than Von, and Von is reached */
-                            state->control = spindle_state_to_velocity;
+                            state->control = AXIS_S_SPINDLE_SPINDLE_STATE_TO_VELOCITY;
                             state->cycles = 0u;
                             state->settled = 0u;
                             state->missing = 0u;
@@ -482,36 +453,38 @@ static void any_cycle(
                     state->missing = state->missing + 1u;
                     state->takes_over = true;
                     if (state->missing > 3u) {
-                        state->lasting_error = error_v_interpolator;
+                        state->lasting_error = AXIS_S_SPINDLE_ERROR_V_INTERPOLATOR;
                     } else {
                         state->x = state->x + state->v * cycle_time;
                     }
-                    sample_error = error_v_interpolator;
+                    sample_error = AXIS_S_SPINDLE_ERROR_V_INTERPOLATOR;
                 }
                 break;
             }
-            case spindle_state_to_velocity: {
+            case AXIS_S_SPINDLE_SPINDLE_STATE_TO_VELOCITY: {
                 state->cycles = state->cycles + 1u;
                 state->asks_velocity = true;
-                if (magnitude(inputs->v_interpolator) <= sample_limit) {
+                if (axis_s_spindle_magnitude(inputs->v_interpolator) <= sample_limit) {
                     bool leads_next;
-                    if (magnitude(inputs->x_command) <= position_limit) {
-                        if (magnitude(inputs->v_interpolator) <= v_largest) {
+                    if (axis_s_spindle_magnitude(inputs->x_command) <= axis_s_spindle_position_limit) {
+                        if (axis_s_spindle_magnitude(inputs->v_interpolator) <= axis_s_spindle_v_largest) {
                             bool is_too_far_next;
                             if (state->takes_over) {
                                 const double distance_next = inputs->x_command - (state->x + state->v * cycle_time);
-                                const int32_t whole_turns_next = nearest(distance_next * per_turn);
-                                const double x_step_next = distance_next - (double)whole_turns_next * full_turn;
-                                is_too_far_next = !(magnitude(x_step_next) <= takeover_window);
+                                const int32_t whole_turns_next =
+                                    axis_s_spindle_nearest(distance_next * axis_s_spindle_per_turn);
+                                const double x_step_next =
+                                    distance_next - (double)whole_turns_next * axis_s_spindle_full_turn;
+                                is_too_far_next = !(axis_s_spindle_magnitude(x_step_next) <= takeover_window);
                                 if (is_too_far_next) {
-                                    state->lasting_error = error_takeover;
+                                    state->lasting_error = AXIS_S_SPINDLE_ERROR_TAKEOVER;
                                 }
                             } else {
                                 is_too_far_next = false;
                             }
                             leads_next = !is_too_far_next;
                         } else {
-                            state->lasting_error = error_half_turn;
+                            state->lasting_error = AXIS_S_SPINDLE_ERROR_HALF_TURN;
                             leads_next = false;
                         }
                         sample_error = 0u;
@@ -519,17 +492,18 @@ static void any_cycle(
                         state->missing = state->missing + 1u;
                         state->takes_over = true;
                         if (state->missing > 3u) {
-                            state->lasting_error = error_x_command;
+                            state->lasting_error = AXIS_S_SPINDLE_ERROR_X_COMMAND;
                         } else {
                             state->x = state->x + state->v * cycle_time;
                         }
-                        sample_error = error_x_command;
+                        sample_error = AXIS_S_SPINDLE_ERROR_X_COMMAND;
                         leads_next = false;
                     }
                     if (leads_next) {
-                        const bool is_velocity_displayed = inputs->operation_mode_display == velocity_mode;
+                        const bool is_velocity_displayed =
+                            inputs->operation_mode_display == AXIS_S_SPINDLE_VELOCITY_MODE;
                         if (!is_velocity_displayed && state->cycles > mode_cycles) {
-                            state->lasting_error = error_to_velocity;
+                            state->lasting_error = AXIS_S_SPINDLE_ERROR_TO_VELOCITY;
                         } else {
                             state->missing = 0u;
                             state->takes_over = false;
@@ -537,7 +511,7 @@ static void any_cycle(
                             state->v = inputs->v_interpolator;
                             if (is_velocity_displayed) {
                                 /* TO_VELOCITY -> VELOCITY: the drive displays velocity control */
-                                state->control = spindle_state_velocity;
+                                state->control = AXIS_S_SPINDLE_SPINDLE_STATE_VELOCITY;
                                 state->cycles = 0u;
                                 state->settled = 0u;
                                 state->missing = 0u;
@@ -548,38 +522,39 @@ static void any_cycle(
                     state->missing = state->missing + 1u;
                     state->takes_over = true;
                     if (state->missing > 3u) {
-                        state->lasting_error = error_v_interpolator;
+                        state->lasting_error = AXIS_S_SPINDLE_ERROR_V_INTERPOLATOR;
                     } else {
                         state->x = state->x + state->v * cycle_time;
                     }
-                    sample_error = error_v_interpolator;
+                    sample_error = AXIS_S_SPINDLE_ERROR_V_INTERPOLATOR;
                 }
                 break;
             }
-            case spindle_state_velocity: {
-                if (!(magnitude(inputs->v_interpolator) <= sample_limit)) {
+            case AXIS_S_SPINDLE_SPINDLE_STATE_VELOCITY: {
+                if (!(axis_s_spindle_magnitude(inputs->v_interpolator) <= sample_limit)) {
                     state->missing = state->missing + 1u;
                     state->takes_over = true;
                     if (state->missing > 3u) {
-                        state->lasting_error = error_v_interpolator;
+                        state->lasting_error = AXIS_S_SPINDLE_ERROR_V_INTERPOLATOR;
                     } else {
                         state->x = state->x + state->v * cycle_time;
                     }
-                    sample_error = error_v_interpolator;
-                } else if (inputs->operation_mode_display == velocity_mode) {
+                    sample_error = AXIS_S_SPINDLE_ERROR_V_INTERPOLATOR;
+                } else if (inputs->operation_mode_display == AXIS_S_SPINDLE_VELOCITY_MODE) {
                     state->missing = 0u;
                     state->v = inputs->v_interpolator;
-                    if (magnitude(inputs->x_actual) <= position_limit) {
+                    if (axis_s_spindle_magnitude(inputs->x_actual) <= axis_s_spindle_position_limit) {
                         state->x = inputs->x_actual;
                     } else {
                         state->x = state->x + state->v * cycle_time;
                     }
                     if (state->returns
                             || (state->queued > 0u
-                                && !(state->request0_kind == job_stop || state->request0_kind == job_turn))) {
+                                && !(state->request0_kind == AXIS_S_SPINDLE_JOB_STOP
+                                || state->request0_kind == AXIS_S_SPINDLE_JOB_TURN))) {
                         /* VELOCITY -> BRAKE: M19, G74, S[PUTAX] or a reset */
                         state->returns = false;
-                        state->control = spindle_state_brake;
+                        state->control = AXIS_S_SPINDLE_SPINDLE_STATE_BRAKE;
                         state->cycles = 0u;
                         state->settled = 0u;
                         state->missing = 0u;
@@ -589,17 +564,17 @@ static void any_cycle(
                     state->missing = state->missing + 1u;
                     state->takes_over = true;
                     if (state->missing > 3u) {
-                        state->lasting_error = error_mode_display;
+                        state->lasting_error = AXIS_S_SPINDLE_ERROR_MODE_DISPLAY;
                     } else {
                         state->x = state->x + state->v * cycle_time;
                     }
-                    sample_error = error_mode_display;
+                    sample_error = AXIS_S_SPINDLE_ERROR_MODE_DISPLAY;
                 }
                 break;
             }
-            case spindle_state_brake: {
+            case AXIS_S_SPINDLE_SPINDLE_STATE_BRAKE: {
                 state->cycles = state->cycles + 1u;
-                const bool is_known = magnitude(inputs->v_actual) <= sample_limit;
+                const bool is_known = axis_s_spindle_magnitude(inputs->v_actual) <= sample_limit;
                 bool is_slow;
                 if (is_known) {
                     const double v_before = state->v;
@@ -610,8 +585,8 @@ static void any_cycle(
                         v_magnitude = v_before;
                     }
                     is_slow =
-                        magnitude(v_before) <= v_position_control_on
-                            && magnitude(inputs->v_actual) <= v_magnitude + window;
+                        axis_s_spindle_magnitude(v_before) <= v_position_control_on
+                            && axis_s_spindle_magnitude(inputs->v_actual) <= v_magnitude + window;
                 } else {
                     is_slow = false;
                 }
@@ -621,16 +596,17 @@ static void any_cycle(
                     state->settled = 0u;
                 }
                 const bool is_settled = state->settled >= 3u;
-                const bool can_leave = is_settled && magnitude(inputs->x_actual) <= position_limit;
+                const bool can_leave =
+                    is_settled && axis_s_spindle_magnitude(inputs->x_actual) <= axis_s_spindle_position_limit;
                 if (!is_known) {
-                    sample_error = error_v_actual;
+                    sample_error = AXIS_S_SPINDLE_ERROR_V_ACTUAL;
                 } else if (is_settled && !can_leave) {
-                    sample_error = error_x_actual;
+                    sample_error = AXIS_S_SPINDLE_ERROR_X_ACTUAL;
                 } else {
                     sample_error = 0u;
                 }
                 if (!can_leave && state->cycles > brake_cycles) {
-                    state->lasting_error = error_brake;
+                    state->lasting_error = AXIS_S_SPINDLE_ERROR_BRAKE;
                 } else {
                     if (state->v > v_position_control_on) {
                         state->v = state->v - v_step;
@@ -642,13 +618,15 @@ static void any_cycle(
                         if (state->v > v_position_control_on_negative) {
                             state->v = v_position_control_on_negative;
                         }
+                    } else {
+                        /* nothing else is to be done */
                     }
                     state->x = state->x + state->v * cycle_time;
                     if (can_leave) {
                         /* BRAKE -> TO_POSITION: the actual velocity has settled at Voff */
                         state->x_start = inputs->x_actual + state->v * lead_time;
                         state->is_moving = true;
-                        state->control = spindle_state_to_position;
+                        state->control = AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION;
                         state->cycles = 0u;
                         state->settled = 0u;
                         state->missing = 0u;
@@ -656,13 +634,15 @@ static void any_cycle(
                 }
                 break;
             }
-            default: { /* spindle_state_to_position */
+            default: { /* AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION */
                 state->cycles = state->cycles + 1u;
                 state->asks_velocity = false;
-                const bool can_start = state->is_moving || magnitude(inputs->x_actual) <= position_limit;
-                const bool is_position_displayed_next = can_start && inputs->operation_mode_display == position_mode;
+                const bool can_start =
+                    state->is_moving || axis_s_spindle_magnitude(inputs->x_actual) <= axis_s_spindle_position_limit;
+                const bool is_position_displayed_next =
+                    can_start && inputs->operation_mode_display == AXIS_S_SPINDLE_POSITION_MODE;
                 if (!is_position_displayed_next && state->cycles > mode_cycles) {
-                    state->lasting_error = error_to_position;
+                    state->lasting_error = AXIS_S_SPINDLE_ERROR_TO_POSITION;
                     sample_error = 0u;
                 } else {
                     if (can_start) {
@@ -675,12 +655,12 @@ static void any_cycle(
                         }
                         sample_error = 0u;
                     } else {
-                        sample_error = error_x_actual;
+                        sample_error = AXIS_S_SPINDLE_ERROR_X_ACTUAL;
                     }
                     if (is_position_displayed_next) {
                         /* TO_POSITION -> POSITION: the drive displays position control */
                         state->takes_over = true;
-                        state->control = spindle_state_position;
+                        state->control = AXIS_S_SPINDLE_SPINDLE_STATE_POSITION;
                         state->cycles = 0u;
                         state->settled = 0u;
                         state->missing = 0u;
@@ -692,7 +672,7 @@ static void any_cycle(
         } else {
             sample_error = 0u;
         }
-        const bool has_failed = state->lasting_error != error_none;
+        const bool has_failed = state->lasting_error != AXIS_S_SPINDLE_ERROR_NONE;
         if (has_failed && inputs->drive_on) {
             if (state->v > 0.0) {
                 state->v = state->v - v_step;
@@ -704,22 +684,24 @@ static void any_cycle(
                 if (state->v > 0.0) {
                     state->v = 0.0;
                 }
+            } else {
+                /* nothing else is to be done */
             }
             state->x = state->x + state->v * cycle_time;
         }
         const double angle = state->x;
         double within_turn_last;
-        if (angle < 0.0 || angle >= full_turn) {
-            const int32_t turns_last = (int32_t)(angle * per_turn);
-            const double rest_last = angle - (double)turns_last * full_turn;
+        if (angle < 0.0 || angle >= axis_s_spindle_full_turn) {
+            const int32_t turns_last = (int32_t)(angle * axis_s_spindle_per_turn);
+            const double rest_last = angle - (double)turns_last * axis_s_spindle_full_turn;
             double above_last;
             if (rest_last < 0.0) {
-                above_last = rest_last + full_turn;
+                above_last = rest_last + axis_s_spindle_full_turn;
             } else {
                 above_last = rest_last;
             }
-            if (above_last >= full_turn) {
-                within_turn_last = above_last - full_turn;
+            if (above_last >= axis_s_spindle_full_turn) {
+                within_turn_last = above_last - axis_s_spindle_full_turn;
             } else {
                 within_turn_last = above_last;
             }
@@ -729,16 +711,16 @@ static void any_cycle(
         state->x = within_turn_last;
         outputs->x_spindle = state->x;
         outputs->v_spindle = state->v;
-        const double velocity_increments_last = velocity_scale * state->v;
-        if (magnitude(velocity_increments_last) <= velocity_range_upper_limit) {
-            outputs->velocity_command = nearest(velocity_increments_last);
+        const double velocity_increments_last = axis_s_spindle_velocity_scale * state->v;
+        if (axis_s_spindle_magnitude(velocity_increments_last) <= axis_s_spindle_velocity_range_upper_limit) {
+            outputs->velocity_command = axis_s_spindle_nearest(velocity_increments_last);
             outputs->limited = false;
         } else if (velocity_increments_last > 0.0) {
-            outputs->velocity_command = velocity_range_highest;
+            outputs->velocity_command = axis_s_spindle_velocity_range_highest;
             outputs->limited = true;
         } else if (velocity_increments_last < 0.0) {
-            outputs->limited = velocity_increments_last < velocity_range_lower_limit;
-            outputs->velocity_command = velocity_range_lowest;
+            outputs->limited = velocity_increments_last < axis_s_spindle_velocity_range_lower_limit;
+            outputs->velocity_command = axis_s_spindle_velocity_range_lowest;
         } else {
             /* only what is no number comes here, which no sample in range leads to: nothing is put out */
             outputs->velocity_command = 0;
@@ -746,41 +728,45 @@ static void any_cycle(
         }
         const bool asks_velocity = state->asks_velocity;
         if (asks_velocity) {
-            outputs->operation_mode = velocity_mode;
+            outputs->operation_mode = AXIS_S_SPINDLE_VELOCITY_MODE;
         } else {
-            outputs->operation_mode = position_mode;
+            outputs->operation_mode = AXIS_S_SPINDLE_POSITION_MODE;
         }
         const uint32_t lasting = state->lasting_error;
         uint32_t error_now;
-        if (lasting != error_none) {
+        if (lasting != AXIS_S_SPINDLE_ERROR_NONE) {
             error_now = lasting;
-        } else if (sample_error != error_none) {
+        } else if (sample_error != AXIS_S_SPINDLE_ERROR_NONE) {
             error_now = sample_error;
         } else {
             error_now = request_error;
         }
         outputs->error_id = error_now;
-        outputs->fault = error_now != error_none;
+        outputs->fault = error_now != AXIS_S_SPINDLE_ERROR_NONE;
         outputs->loop_closed =
-            outputs->spindle_state == spindle_state_position && !has_failed && sample_error == error_none;
-        if (!inputs->drive_on || inputs->reset || has_failed || state->control == spindle_state_brake) {
-            if (state->present_kind != job_stop) {
+            outputs->spindle_state == AXIS_S_SPINDLE_SPINDLE_STATE_POSITION && !has_failed
+                && sample_error == AXIS_S_SPINDLE_ERROR_NONE;
+        if (!inputs->drive_on || inputs->reset || has_failed || state->control == AXIS_S_SPINDLE_SPINDLE_STATE_BRAKE) {
+            if (state->present_kind != AXIS_S_SPINDLE_JOB_STOP) {
                 state->turns_fast = false;
-                state->present_kind = job_stop;
+                state->present_kind = AXIS_S_SPINDLE_JOB_STOP;
                 state->present_speed = 0.0;
                 state->present_position = 0.0;
                 state->jobs = state->jobs + 1u;
             }
         } else if (state->queued > 0u) {
-            const bool is_over = state->present_kind == job_stop || state->present_kind == job_turn || inputs->job_done;
+            const bool is_over =
+                state->present_kind == AXIS_S_SPINDLE_JOB_STOP || state->present_kind == AXIS_S_SPINDLE_JOB_TURN
+                    || inputs->job_done;
             const bool can_serve =
-                state->control == spindle_state_position
-                    || (state->control == spindle_state_velocity && !state->returns
-                        && (state->request0_kind == job_stop || state->request0_kind == job_turn));
+                state->control == AXIS_S_SPINDLE_SPINDLE_STATE_POSITION
+                    || (state->control == AXIS_S_SPINDLE_SPINDLE_STATE_VELOCITY && !state->returns
+                        && (state->request0_kind == AXIS_S_SPINDLE_JOB_STOP
+                            || state->request0_kind == AXIS_S_SPINDLE_JOB_TURN));
             if (is_over && can_serve) {
                 const bool is_fast =
                     state->request0_speed > v_velocity_control_on || -state->request0_speed > v_velocity_control_on;
-                state->turns_fast = state->request0_kind == job_turn && is_fast;
+                state->turns_fast = state->request0_kind == AXIS_S_SPINDLE_JOB_TURN && is_fast;
                 state->present_kind = state->request0_kind;
                 state->present_speed = state->request0_speed;
                 state->present_position = state->request0_position;
@@ -796,16 +782,19 @@ static void any_cycle(
                 state->queued = state->queued - 1u;
                 state->jobs = state->jobs + 1u;
             }
+        } else {
+            /* nothing else is to be done */
         }
         outputs->job = state->present_kind;
         outputs->job_speed = state->present_speed;
         outputs->job_position = state->present_position;
         outputs->job_number = state->jobs;
         outputs->waiting = state->queued;
-        const bool stays_closed = state->control == spindle_state_position && !state->takes_over && !state->turns_fast;
-        const bool stays_open = state->control == spindle_state_velocity && !state->returns;
+        const bool stays_closed =
+            state->control == AXIS_S_SPINDLE_SPINDLE_STATE_POSITION && !state->takes_over && !state->turns_fast;
+        const bool stays_open = state->control == AXIS_S_SPINDLE_SPINDLE_STATE_VELOCITY && !state->returns;
         state->usual =
-            (stays_closed || stays_open) && state->lasting_error == error_none && state->queued == 0u
+            (stays_closed || stays_open) && state->lasting_error == AXIS_S_SPINDLE_ERROR_NONE && state->queued == 0u
                 && !state->before_any;
     }
 }
@@ -816,33 +805,34 @@ void axis_s_spindle_step(
     axis_s_spindle_outputs *restrict outputs)
 {
     const bool in_position =
-        state->usual && state->control == spindle_state_position
+        state->usual && state->control == AXIS_S_SPINDLE_SPINDLE_STATE_POSITION
             && !(inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74)
             && inputs->drive_on && !inputs->reset
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)
-            && magnitude(inputs->v_interpolator) <= v_largest && magnitude(inputs->x_command) <= position_limit
-            && inputs->operation_mode_display == position_mode;
+            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_cycle_time_ns)
+            && axis_s_spindle_magnitude(inputs->v_interpolator) <= axis_s_spindle_v_largest
+            && axis_s_spindle_magnitude(inputs->x_command) <= axis_s_spindle_position_limit
+            && inputs->operation_mode_display == AXIS_S_SPINDLE_POSITION_MODE;
     if (in_position) {
         outputs->loop_closed = true;
-        outputs->spindle_state = spindle_state_position;
-        outputs->operation_mode = position_mode;
+        outputs->spindle_state = AXIS_S_SPINDLE_SPINDLE_STATE_POSITION;
+        outputs->operation_mode = AXIS_S_SPINDLE_POSITION_MODE;
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_S_SPINDLE_ERROR_NONE;
         outputs->waiting = 0u;
         state->v = inputs->v_interpolator;
         /* a usual cycle in POSITION */
         double within_turn;
-        if (inputs->x_command < 0.0 || inputs->x_command >= full_turn) {
-            const int32_t turns = (int32_t)(inputs->x_command * per_turn);
-            const double rest = inputs->x_command - (double)turns * full_turn;
+        if (inputs->x_command < 0.0 || inputs->x_command >= axis_s_spindle_full_turn) {
+            const int32_t turns = (int32_t)(inputs->x_command * axis_s_spindle_per_turn);
+            const double rest = inputs->x_command - (double)turns * axis_s_spindle_full_turn;
             double above;
             if (rest < 0.0) {
-                above = rest + full_turn;
+                above = rest + axis_s_spindle_full_turn;
             } else {
                 above = rest;
             }
-            if (above >= full_turn) {
-                within_turn = above - full_turn;
+            if (above >= axis_s_spindle_full_turn) {
+                within_turn = above - axis_s_spindle_full_turn;
             } else {
                 within_turn = above;
             }
@@ -852,16 +842,16 @@ void axis_s_spindle_step(
         state->x = within_turn;
         outputs->x_spindle = state->x;
         outputs->v_spindle = state->v;
-        const double velocity_increments = velocity_scale * state->v;
-        if (magnitude(velocity_increments) <= velocity_range_upper_limit) {
-            outputs->velocity_command = nearest(velocity_increments);
+        const double velocity_increments = axis_s_spindle_velocity_scale * state->v;
+        if (axis_s_spindle_magnitude(velocity_increments) <= axis_s_spindle_velocity_range_upper_limit) {
+            outputs->velocity_command = axis_s_spindle_nearest(velocity_increments);
             outputs->limited = false;
         } else if (velocity_increments > 0.0) {
-            outputs->velocity_command = velocity_range_highest;
+            outputs->velocity_command = axis_s_spindle_velocity_range_highest;
             outputs->limited = true;
         } else if (velocity_increments < 0.0) {
-            outputs->limited = velocity_increments < velocity_range_lower_limit;
-            outputs->velocity_command = velocity_range_lowest;
+            outputs->limited = velocity_increments < axis_s_spindle_velocity_range_lower_limit;
+            outputs->velocity_command = axis_s_spindle_velocity_range_lowest;
         } else {
             /* only what is no number comes here, which no sample in range leads to: nothing is put out */
             outputs->velocity_command = 0;
@@ -872,197 +862,6 @@ void axis_s_spindle_step(
         outputs->job_position = state->present_position;
         outputs->job_number = state->jobs;
     } else {
-        any_cycle(state, inputs, outputs);
+        axis_s_spindle_any_cycle(state, inputs, outputs);
     }
-}
-
-static uint64_t bits_of(double value)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.value = value;
-    return view.bits;
-}
-
-static double real_of(uint64_t bits)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.bits = bits;
-    return view.value;
-}
-
-static uint64_t fold(uint64_t digest, uint64_t bits)
-{
-    return ((digest << 5) | (digest >> 59)) + bits;
-}
-
-uint32_t axis_s_spindle_self_test(void)
-{
-    /* the reference's digest of all outputs and of the state, after each sample */
-    static const uint64_t expected[50] = {
-        UINT64_C(0x35f9d008000203ff),
-        UINT64_C(0xd596b488002453f2),
-        UINT64_C(0xef560bc5cc854432),
-        UINT64_C(0x0cfdc22da8884831),
-        UINT64_C(0xa39a2a6fb91e9b0e),
-        UINT64_C(0x13320811fac1b5f4),
-        UINT64_C(0xb1b95e16dc1b6454),
-        UINT64_C(0x9fa12e9a3b7e4a60),
-        UINT64_C(0x15dc73949160ab0f),
-        UINT64_C(0xd1ee1d2827e2b5f6),
-        UINT64_C(0x7bffcaf6f58f6472),
-        UINT64_C(0x4475fcf913a64c39),
-        UINT64_C(0xc5a376899a80c89a),
-        UINT64_C(0x18624002edb08eb4),
-        UINT64_C(0x07fb93e4c658e051),
-        UINT64_C(0xc345a15dbc7e0a17),
-        UINT64_C(0xa3453a2ca188a682),
-        UINT64_C(0xb85ff7c3736a6d3b),
-        UINT64_C(0x08513af4ca4ad8cf),
-        UINT64_C(0x055a0bf3f6858202),
-        UINT64_C(0x153f810821cc2528),
-        UINT64_C(0x773ad894658a5788),
-        UINT64_C(0x75c7310277d77d9a),
-        UINT64_C(0xde8bbe80b741deba),
-        UINT64_C(0xd475f6e08cb5e0b4),
-        UINT64_C(0xc5d4207541960060),
-        UINT64_C(0x7dd22eaa62400b11),
-        UINT64_C(0x7b45338263e8b619),
-        UINT64_C(0x4daea0dc3d8b669f),
-        UINT64_C(0x6eb3e9d2c3b66ef9),
-        UINT64_C(0x79e605739a66f49e),
-        UINT64_C(0x1ed0b97f578b4ef9),
-        UINT64_C(0xeae18c4a1028f496),
-        UINT64_C(0x4a0b91df355b4e72),
-        UINT64_C(0x636b565530f4ec2a),
-        UINT64_C(0x26c832bf0d92c7b0),
-        UINT64_C(0x09900d0a99a47005),
-        UINT64_C(0x1b8415cccd970564),
-        UINT64_C(0x3c5020e5c0865b53),
-        UINT64_C(0xff5973b488a5ba35),
-        UINT64_C(0xf5a1580f5115a874),
-        UINT64_C(0x7e45d6e35a2e8c51),
-        UINT64_C(0x3776fa8e2290ca2c),
-        UINT64_C(0xeb5214c4c378a7d4),
-        UINT64_C(0xd442ebcac51a725f),
-        UINT64_C(0x8aa5847de9232b09),
-        UINT64_C(0xedb7b44581eeb5a9),
-        UINT64_C(0xf16a3b911bf75fac),
-        UINT64_C(0x81fe3b4e1365ffe4),
-        UINT64_C(0x1f62cb9fc61bf357),
-    };
-    /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_s_spindle_state *, const axis_s_spindle_inputs *, axis_s_spindle_outputs *) =
-        axis_s_spindle_step;
-    axis_s_spindle_state state;
-    axis_s_spindle_inputs inputs;
-    axis_s_spindle_outputs outputs;
-    uint64_t digest = 0u;
-    uint64_t noise;
-    double scale;
-    uint32_t random = 1u;
-    uint32_t sample;
-    /* 1 + 2^-30 and its rounded square; volatile: worked out when it runs */
-    volatile double factor = real_of(UINT64_C(0x3ff0000000400000));
-    volatile double square = real_of(UINT64_C(0x3ff0000000800000));
-    const double product = factor * factor;
-    const double remainder = product - square;
-
-    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
-    if (bits_of(remainder) != 0u) {
-        return 1u;
-    }
-    /* as it stands here, unless the compiler takes constants for single precision */
-    if (bits_of(0.1) != UINT64_C(0x3fb999999999999a)) {
-        return 1u;
-    }
-
-    axis_s_spindle_init(&state);
-    axis_s_spindle_inputs_init(&inputs);
-    inputs.drive_on = true;
-    for (sample = 0u; sample < 50u; sample++) {
-        /* at first within every limit, so that nothing is cut off */
-        scale = sample < 42u ? 1.52587890625e-5 : 0.125;
-        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.x_command = real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_interpolator = real_of(sample == 4u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.x_actual = real_of(sample == 7u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_actual = real_of(sample == 10u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.s_word = real_of(sample == 13u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.s_position = real_of(sample == 16u ? UINT64_C(0x7ff8000000000000) : noise);
-        step(&state, &inputs, &outputs);
-        digest = fold(digest, bits_of(outputs.x_spindle));
-        digest = fold(digest, bits_of(outputs.v_spindle));
-        digest = fold(digest, bits_of(outputs.job_speed));
-        digest = fold(digest, bits_of(outputs.job_position));
-        digest = fold(digest, (uint32_t)outputs.spindle_state);
-        digest = fold(digest, (uint32_t)outputs.job);
-        digest = fold(digest, outputs.job_number);
-        digest = fold(digest, outputs.waiting);
-        digest = fold(digest, (uint32_t)outputs.operation_mode);
-        digest = fold(digest, (uint32_t)outputs.velocity_command);
-        digest = fold(digest, outputs.error_id);
-        digest = fold(digest, outputs.loop_closed);
-        digest = fold(digest, outputs.limited);
-        digest = fold(digest, outputs.fault);
-        digest = fold(digest, (uint32_t)state.control);
-        digest = fold(digest, state.cycles);
-        digest = fold(digest, state.settled);
-        digest = fold(digest, state.missing);
-        digest = fold(digest, state.lasting_error);
-        digest = fold(digest, state.asks_velocity);
-        digest = fold(digest, state.returns);
-        digest = fold(digest, state.is_moving);
-        digest = fold(digest, state.takes_over);
-        digest = fold(digest, bits_of(state.x));
-        digest = fold(digest, bits_of(state.x_start));
-        digest = fold(digest, bits_of(state.v));
-        digest = fold(digest, (uint32_t)state.present_kind);
-        digest = fold(digest, bits_of(state.present_speed));
-        digest = fold(digest, bits_of(state.present_position));
-        digest = fold(digest, state.turns_fast);
-        digest = fold(digest, state.jobs);
-        digest = fold(digest, state.queued);
-        digest = fold(digest, (uint32_t)state.request0_kind);
-        digest = fold(digest, bits_of(state.request0_speed));
-        digest = fold(digest, bits_of(state.request0_position));
-        digest = fold(digest, (uint32_t)state.request1_kind);
-        digest = fold(digest, bits_of(state.request1_speed));
-        digest = fold(digest, bits_of(state.request1_position));
-        digest = fold(digest, (uint32_t)state.request2_kind);
-        digest = fold(digest, bits_of(state.request2_speed));
-        digest = fold(digest, bits_of(state.request2_position));
-        digest = fold(digest, (uint32_t)state.request3_kind);
-        digest = fold(digest, bits_of(state.request3_speed));
-        digest = fold(digest, bits_of(state.request3_position));
-        digest = fold(digest, state.before_m3);
-        digest = fold(digest, state.before_m4);
-        digest = fold(digest, state.before_m5);
-        digest = fold(digest, state.before_m19);
-        digest = fold(digest, state.before_putax);
-        digest = fold(digest, state.before_g74);
-        digest = fold(digest, state.before_any);
-        digest = fold(digest, state.usual);
-        if (digest != expected[sample]) {
-            return sample + 1u;
-        }
-    }
-    return 0u;
 }

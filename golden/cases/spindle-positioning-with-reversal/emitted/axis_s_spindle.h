@@ -5,17 +5,102 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  b92e28125bf8b73ebb5b80376f6f2970
- * checksum    d4919fb0fcb2c5456ad94ade31fe5107
+ * structure   d8e1a53f37cece291154447b66106781
+ * checksum    d50b1c8eb92bae80ec0c5a7be13ad912
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_H
 #define AXIS_S_SPINDLE_H
 
+#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* What code can compare with what it expects, at its start or in an #if. */
+/* the cycle time that the block is designed for [ns] */
+#define AXIS_S_SPINDLE_CYCLE_TIME_NS 2000000u
+/* the bits of its real type */
+#define AXIS_S_SPINDLE_REAL_BITS 64
+/* the digest of its parameters, as in the head of this file */
+#define AXIS_S_SPINDLE_PARAMETERS_0 0xb92e2812u
+#define AXIS_S_SPINDLE_PARAMETERS_1 0x5bf8b73eu
+#define AXIS_S_SPINDLE_PARAMETERS_2 0xbb5b8037u
+#define AXIS_S_SPINDLE_PARAMETERS_3 0x6f6f2970u
+/* the digest of its structure: the same where two blocks differ in the values of coefficients only */
+#define AXIS_S_SPINDLE_STRUCTURE_0 0xd8e1a53fu
+#define AXIS_S_SPINDLE_STRUCTURE_1 0x37cece29u
+#define AXIS_S_SPINDLE_STRUCTURE_2 0x1154447bu
+#define AXIS_S_SPINDLE_STRUCTURE_3 0x66106781u
+/* the bytes of its structs where a bool has one and each member is aligned to its own size */
+#define AXIS_S_SPINDLE_INPUTS_SIZE 72u
+#define AXIS_S_SPINDLE_OUTPUTS_SIZE 64u
+#define AXIS_S_SPINDLE_STATE_SIZE 184u
+
+/* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
+ * Nothing else is asserted: the alignment of members is the ABI's own affair. */
+#if defined(__cplusplus) && __cplusplus >= 201103L
+static_assert(sizeof(double) * CHAR_BIT == AXIS_S_SPINDLE_REAL_BITS, "double must have 64 bits");
+#elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
+_Static_assert(sizeof(double) * CHAR_BIT == AXIS_S_SPINDLE_REAL_BITS, "double must have 64 bits");
+#else
+typedef char axis_s_spindle_real_has_64_bits[sizeof(double) * CHAR_BIT == AXIS_S_SPINDLE_REAL_BITS ? 1 : -1];
+#endif
+
+/* values of the input operation_mode_display and of the output operation_mode */
+enum {
+    AXIS_S_SPINDLE_POSITION_MODE = 0, /* operation mode of position control */
+    AXIS_S_SPINDLE_VELOCITY_MODE = 1 /* operation mode of velocity control */
+};
+
+/* values of the output spindle_state */
+enum {
+    AXIS_S_SPINDLE_SPINDLE_STATE_POSITION = 0, /* position control */
+    AXIS_S_SPINDLE_SPINDLE_STATE_TO_VELOCITY = 1, /* velocity control is asked for */
+    AXIS_S_SPINDLE_SPINDLE_STATE_VELOCITY = 2, /* velocity control */
+    /* velocity control, on the way to the velocity at which position control is taken up */
+    AXIS_S_SPINDLE_SPINDLE_STATE_BRAKE = 3,
+    AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION = 4 /* position control is asked for */
+};
+
+/* values of the output job */
+enum {
+    AXIS_S_SPINDLE_JOB_STOP = 0, /* M5, and what stops the spindle otherwise */
+    AXIS_S_SPINDLE_JOB_TURN = 1, /* M3 or M4 */
+    AXIS_S_SPINDLE_JOB_ORIENT = 2, /* M19 */
+    AXIS_S_SPINDLE_JOB_RELEASE = 3, /* S[PUTAX] */
+    AXIS_S_SPINDLE_JOB_HOME = 4 /* G74 */
+};
+
+/* values of the output error_id */
+enum {
+    AXIS_S_SPINDLE_ERROR_NONE = 0, /* no fault */
+    /* task_cycle_ns is not the cycle time that the coefficients were designed for */
+    AXIS_S_SPINDLE_ERROR_CYCLE_TIME = 1,
+    AXIS_S_SPINDLE_ERROR_V_INTERPOLATOR = 14, /* v_interpolator is not within the sample limit */
+    AXIS_S_SPINDLE_ERROR_X_COMMAND = 17, /* x_command is not within the sample limit */
+    AXIS_S_SPINDLE_ERROR_X_ACTUAL = 18, /* x_actual is not within the sample limit */
+    AXIS_S_SPINDLE_ERROR_V_ACTUAL = 23, /* v_actual is not within the sample limit */
+    AXIS_S_SPINDLE_ERROR_REQUESTS = 31, /* spindle: two requests in one cycle, the one of lower priority is lost */
+    AXIS_S_SPINDLE_ERROR_DIRECTION = 32, /* spindle: M3 and M4 in one cycle, the request is lost */
+    AXIS_S_SPINDLE_ERROR_S_WORD = 33, /* spindle: s_word is not within the sample limit, the request is lost */
+    AXIS_S_SPINDLE_ERROR_S_POSITION = 34, /* spindle: s_position is not within the position limit, the request is lost */
+    AXIS_S_SPINDLE_ERROR_WAITING = 35, /* spindle: four requests wait already, the request is lost */
+    AXIS_S_SPINDLE_ERROR_DRIVE_OFF = 36, /* spindle: the drive is off, the request is lost */
+    /* spindle: the drive does not display velocity control within the time; stays until reset */
+    AXIS_S_SPINDLE_ERROR_TO_VELOCITY = 41,
+    AXIS_S_SPINDLE_ERROR_BRAKE = 42, /* spindle: the spindle has not braked within the time; stays until reset */
+    /* spindle: the drive does not display position control within the time; stays until reset */
+    AXIS_S_SPINDLE_ERROR_TO_POSITION = 43,
+    /* spindle: 180 degrees a cycle or more, the drive cannot tell the direction; stays until reset */
+    AXIS_S_SPINDLE_ERROR_HALF_TURN = 44,
+    /* spindle: the drive displays another operation mode; stays from the fourth cycle on */
+    AXIS_S_SPINDLE_ERROR_MODE_DISPLAY = 45,
+    AXIS_S_SPINDLE_ERROR_TAKEOVER = 46 /* spindle: x_command does not go on from x_spindle; stays until reset */
+};
 
 /* Written by the caller. axis_s_spindle_inputs_init fills in what is said to be the start. */
 typedef struct {
@@ -109,8 +194,15 @@ typedef struct {
     bool usual;
 } axis_s_spindle_state;
 
-/* Once before the first cycle. */
-void axis_s_spindle_init(axis_s_spindle_state *state);
+/* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls
+ * no library, and takes little stack. Calls with different states may interrupt each other. Of one state only one
+ * function may be at work: neither step nor init may be interrupted by a call for the same state.
+ * step writes each output once, with its final value, but one output after another. Another task or interrupt that reads
+ * several of them copies them while step cannot run (its interrupt is off), or reads copies that the task of step
+ * puts into two buffers in turn, behind a counter. */
+
+/* Once before the first cycle: every member of the state gets its start. */
+void axis_s_spindle_init(axis_s_spindle_state *fresh);
 
 /* Gives every input the value that it has until the caller writes it. */
 void axis_s_spindle_inputs_init(axis_s_spindle_inputs *inputs);
@@ -121,10 +213,11 @@ void axis_s_spindle_step(
     const axis_s_spindle_inputs *inputs,
     axis_s_spindle_outputs *outputs);
 
-/* Compares a run of 50 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
+/* In a file of its own, axis_s_spindle_self_test.c: a build that does not call it leaves it out.
+ * Compares a run of 50 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
  * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
- * precision. Run it once at start-up, on the machine and with the compiler options that the block runs with: it finds a
- * build that fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
+ * precision. Run it once at start-up, on the machine, both files with the same compiler options: it finds a build that
+ * fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
 uint32_t axis_s_spindle_self_test(void);
 
 #ifdef __cplusplus

@@ -5,7 +5,9 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  a0c645d4293c1d72ba63265e5e4c41a7
- * checksum    7e36cf73297c3d5d222f774054ceb82c
+ * structure   d8d09531e2b8fda4fbb141a04e374ad8
+ * checksum    1c20aa4c14c5d44883940b699c00a53f
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
 
@@ -28,7 +30,7 @@
 #endif
 
 /* |value|, without a library */
-static double magnitude(double value)
+static double axis_x_ipc_magnitude(double value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs(value);
@@ -37,144 +39,41 @@ static double magnitude(double value)
 #endif
 }
 
-/* cycle time 1000 us, the coefficients hold for no other */
-static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
-
-/* DIRECT (P-AXIS-00753) from v_motor, weight 150/100 = 1.5 (P-AXIS-00754/00755)
- * BANDPASS CRIT_DAMPING order 3 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751), quality
- * factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz
- * section 1 of 3: centre frequency 53 Hz, quality factor 5.004076, gain 1 there and 1 at 53 Hz */
-static const double stage0_filter0_bandpass0_b2 = -0.031629103433390246; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage0_filter0_bandpass0_a1 = -1.8303431548477298; /* denominator: s1 = s2 - a1 y */
-static const double stage0_filter0_bandpass0_a2 = 0.9367417931332195; /* denominator: s2 = b2 x - a2 y */
-
-/* section 2 of 3: centre frequency 53 Hz, quality factor 5.004076, gain 1 there and 1 at 53 Hz */
-static const double stage0_filter0_bandpass1_b2 = -0.031629103433390246; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage0_filter0_bandpass1_a1 = -1.8303431548477298; /* denominator: s1 = s2 - a1 y */
-static const double stage0_filter0_bandpass1_a2 = 0.9367417931332195; /* denominator: s2 = b2 x - a2 y */
-
-/* section 3 of 3: centre frequency 53 Hz, quality factor 5.004076, gain 1 there and 1 at 53 Hz */
-static const double stage0_filter0_bandpass2_b2 = -0.031629103433390246; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage0_filter0_bandpass2_a1 = -1.8303431548477298; /* denominator: s1 = s2 - a1 y */
-static const double stage0_filter0_bandpass2_a2 = 0.9367417931332195; /* denominator: s2 = b2 x - a2 y */
-
-/* ALLPASS (P-AXIS-00849): -180 deg at 41.4 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg at
- * 32.29569 and -270 deg at 52.99569 Hz */
-static const double stage0_filter1_allpass_a1 = -1.8145478239447568; /* numerator and denominator: s1 = a1 x - a1 y + s2 */
-static const double stage0_filter1_allpass_a2 = 0.8777177690826008; /* numerator and denominator: y = a2 x + s1, s2 = x - a2 y */
-
-/* -weight, against the vibration; at 53 Hz the stage adds 1.5 times its source at -90.01934 deg */
-static const double stage0_gain = -1.5; /* -weight: negative, because the stage moves the motor against the vibration */
-
-/* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755)
- * simulated oscillation of the load, f0 of the first BANDPASS 11 Hz (P-AXIS-00751), damping ratio 0.8
- * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-static const double stage1_oscillation_b0 = 0.05348673135661798; /* numerator: y = b0 x + s1 */
-static const double stage1_oscillation_b1 = 0.002262495254415846; /* numerator: s1 = b1 x - a1 y + s2 */
-static const double stage1_oscillation_b2 = -0.051224236102202135; /* numerator: s2 = b2 x - a2 y */
-static const double stage1_oscillation_a1 = -1.8907640420323482; /* denominator: s1 = b1 x - a1 y + s2 */
-static const double stage1_oscillation_a2 = 0.8952890325411799; /* denominator: s2 = b2 x - a2 y */
-static const double stage1_oscillation_preset_s1 = 0.946513268643382; /* 1 - b0: steady s1 for a constant input of 1 */
-static const double stage1_oscillation_preset_s2 = -0.946513268643382; /* b2 - a2: steady s2 for a constant input of 1 */
-
-/* ALLPASS (P-AXIS-00849): -180 deg at 7.2 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg at
- * 5.621441 and -270 deg at 9.221441 Hz */
-static const double stage1_filter0_allpass_a1 = -1.9756092212385525; /* numerator and denominator: s1 = a1 x - a1 y + s2 */
-static const double stage1_filter0_allpass_a2 = 0.9776325491216218; /* numerator and denominator: y = a2 x + s1, s2 = x - a2 y */
-static const double stage1_filter0_allpass_preset = 0.022367450878378214; /* 1 - a2: steady s1 and s2 for a constant input of 1 */
-
-/* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751), quality
- * factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz
- * section 1 of 3: centre frequency 11 Hz, quality factor 1.998209, gain 1 there and 1 at 11 Hz */
-static const double stage1_filter1_bandpass0_b2 = -0.01698693694336859; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage1_filter1_bandpass0_a1 = -1.9613322512435023; /* denominator: s1 = s2 - a1 y */
-static const double stage1_filter1_bandpass0_a2 = 0.9660261261132628; /* denominator: s2 = b2 x - a2 y */
-
-/* section 2 of 3: centre frequency 8.858666 Hz, quality factor 4.090567, gain 2.047116 there and 1 at 11 Hz */
-static const double stage1_filter1_bandpass1_b2 = -0.013826420465809891; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage1_filter1_bandpass1_a1 = -1.9834154200542775; /* denominator: s1 = s2 - a1 y */
-static const double stage1_filter1_bandpass1_a2 = 0.9864918076625726; /* denominator: s2 = b2 x - a2 y */
-
-/* section 3 of 3: centre frequency 13.65791 Hz, quality factor 4.090567, gain 2.047116 there and 1 at 11 Hz */
-static const double stage1_filter1_bandpass2_b2 = -0.021224312687763553; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage1_filter1_bandpass2_a1 = -1.9719807673697325; /* denominator: s1 = s2 - a1 y */
-static const double stage1_filter1_bandpass2_a2 = 0.9792641849186511; /* denominator: s2 = b2 x - a2 y */
-
-/* -weight, against the vibration; at 11 Hz the stage adds 2.240571 times its source at -152.4249 deg */
-static const double stage1_gain = -1.9; /* -weight: negative, because the stage moves the motor against the vibration */
-
-/* SET_POINT (P-AXIS-00753) from v_command, weight 14/100 = 0.14 (P-AXIS-00754/00755)
- * simulated oscillation of the load, f0 of the first BANDPASS 90 Hz (P-AXIS-00751), damping ratio 0.2
- * (P-AXIS-00850): gain 1 at DC, 2.692582 and -68.19859 deg at f0 */
-static const double stage2_oscillation_b0 = 0.16709463924394127; /* numerator: y = b0 x + s1 */
-static const double stage2_oscillation_b1 = 0.14060417735538597; /* numerator: s1 = b1 x - a1 y + s2 */
-static const double stage2_oscillation_b2 = -0.026490461888555295; /* numerator: s2 = b2 x - a2 y */
-static const double stage2_oscillation_a1 = -1.5252065441567315; /* denominator: s1 = b1 x - a1 y + s2 */
-static const double stage2_oscillation_a2 = 0.8064148988675034; /* denominator: s2 = b2 x - a2 y */
-static const double stage2_oscillation_preset_s1 = 0.8329053607560587; /* 1 - b0: steady s1 for a constant input of 1 */
-static const double stage2_oscillation_preset_s2 = -0.8329053607560587; /* b2 - a2: steady s2 for a constant input of 1 */
-
-/* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 90 Hz (P-AXIS-00751), quality factor
- * 4.5 (P-AXIS-00752), -3 dB at 80.49367 and 100.4937 Hz
- * section 1 of 3: centre frequency 90 Hz, quality factor 3.219505, gain 1 there and 1 at 90 Hz */
-static const double stage2_filter0_bandpass0_b2 = -0.07682284076371002; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage2_filter0_bandpass0_a1 = -1.55892851145764; /* denominator: s1 = s2 - a1 y */
-static const double stage2_filter0_bandpass0_a2 = 0.8463543184725799; /* denominator: s2 = b2 x - a2 y */
-
-/* section 2 of 3: centre frequency 80.43253 Hz, quality factor 4.093923, gain 1.391717 there and 1 at 90 Hz */
-static const double stage2_filter0_bandpass1_b2 = -0.07769582604386377; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage2_filter0_bandpass1_a1 = -1.6522912124414635; /* denominator: s1 = s2 - a1 y */
-static const double stage2_filter0_bandpass1_a2 = 0.8883453596798838; /* denominator: s2 = b2 x - a2 y */
-
-/* section 3 of 3: centre frequency 100.5682 Hz, quality factor 4.093923, gain 1.391717 there and 1 at 90 Hz */
-static const double stage2_filter0_bandpass2_b2 = -0.09364282930389443; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage2_filter0_bandpass2_a1 = -1.5052390771398096; /* denominator: s1 = s2 - a1 y */
-static const double stage2_filter0_bandpass2_a2 = 0.865428338214957; /* denominator: s2 = b2 x - a2 y */
-
-/* ALLPASS (P-AXIS-00849): -180 deg at 70.3 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg at
- * 54.74789 and -270 deg at 89.89789 Hz */
-static const double stage2_filter1_allpass_a1 = -1.6275825820335412; /* numerator and denominator: s1 = a1 x - a1 y + s2 */
-static const double stage2_filter1_allpass_a2 = 0.8003776621851969; /* numerator and denominator: y = a2 x + s1, s2 = x - a2 y */
-
-/* -weight, against the vibration; at 90 Hz the stage adds 0.3769615 times its source at -158.4714 deg */
-static const double stage2_gain = -0.14; /* -weight: negative, because the stage moves the motor against the vibration */
-
-/* largest |v_add| = 500000: 1000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
-static const double limit = 500000.0; /* largest |v_add| */
-static const double lower_limit = -500000.0; /* -limit */
-
-/* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
-/* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
-static const double rest = 4.3368086899420177e-13;
-
-/* OFF to ON takes 0.1388889 s (one period of the lowest f0), in cycles */
-static const uint32_t fade_cycles = 139u; /* cycles that the fade takes from 0 to 1 */
-static const double fade_step = 0.007194244604316547; /* 1 / fade_cycles */
-
-/* the same for every axis */
-static const uint32_t error_none = 0u; /* error_id: no fault */
-static const int32_t mode_on = 1; /* mode: the block acts */
-static const int32_t mode_off = 0; /* mode: the block is off */
-static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const double sample_limit = 1000000000000000.0;
-/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
- * anew */
-static const uint32_t error_state = 3u;
-/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_cycle_time = 1u;
-static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
-static const uint32_t error_v_command = 11u; /* error_id: v_command is not within the sample limit */
-static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-/* added in every update of s2, so that a section at rest never decays into subnormal numbers */
-static const double anti_denormal = 1.0e-30;
-static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
-
-void axis_x_ipc_init(axis_x_ipc_state *state)
+void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
-    state->disturbed = false;
+    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    volatile axis_x_ipc_state *const state = fresh;
     state->preset = false;
     state->fade = 0u;
+    state->disturbed = false;
+    state->stage0_filter0_section0_s1 = 0.0;
+    state->stage0_filter0_section0_s2 = 0.0;
+    state->stage0_filter0_section1_s1 = 0.0;
+    state->stage0_filter0_section1_s2 = 0.0;
+    state->stage0_filter0_section2_s1 = 0.0;
+    state->stage0_filter0_section2_s2 = 0.0;
+    state->stage0_filter1_section0_s1 = 0.0;
+    state->stage0_filter1_section0_s2 = 0.0;
+    state->stage1_oscillation_s1 = 0.0;
+    state->stage1_oscillation_s2 = 0.0;
+    state->stage1_filter0_section0_s1 = 0.0;
+    state->stage1_filter0_section0_s2 = 0.0;
+    state->stage1_filter1_section0_s1 = 0.0;
+    state->stage1_filter1_section0_s2 = 0.0;
+    state->stage1_filter1_section1_s1 = 0.0;
+    state->stage1_filter1_section1_s2 = 0.0;
+    state->stage1_filter1_section2_s1 = 0.0;
+    state->stage1_filter1_section2_s2 = 0.0;
+    state->stage2_oscillation_s1 = 0.0;
+    state->stage2_oscillation_s2 = 0.0;
+    state->stage2_filter0_section0_s1 = 0.0;
+    state->stage2_filter0_section0_s2 = 0.0;
+    state->stage2_filter0_section1_s1 = 0.0;
+    state->stage2_filter0_section1_s2 = 0.0;
+    state->stage2_filter0_section2_s1 = 0.0;
+    state->stage2_filter0_section2_s2 = 0.0;
+    state->stage2_filter1_section0_s1 = 0.0;
+    state->stage2_filter1_section0_s2 = 0.0;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
@@ -192,35 +91,157 @@ void axis_x_ipc_step(
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
+    /* cycle time 1000 us, the coefficients hold for no other */
+    static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
+
+    /* DIRECT (P-AXIS-00753) from v_motor, weight 150/100 = 1.5 (P-AXIS-00754/00755)
+     * BANDPASS CRIT_DAMPING order 3 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751), quality
+     * factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz
+     * section 1 of 3: centre frequency 53 Hz, quality factor 5.004076, gain 1 there and 1 at 53 Hz */
+    static const double stage0_filter0_bandpass0_b2 = -0.031629103433390246; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage0_filter0_bandpass0_a1 = -1.8303431548477298; /* denominator: s1 = s2 - a1 y */
+    static const double stage0_filter0_bandpass0_a2 = 0.9367417931332195; /* denominator: s2 = b2 x - a2 y */
+
+    /* section 2 of 3: centre frequency 53 Hz, quality factor 5.004076, gain 1 there and 1 at 53 Hz */
+    static const double stage0_filter0_bandpass1_b2 = -0.031629103433390246; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage0_filter0_bandpass1_a1 = -1.8303431548477298; /* denominator: s1 = s2 - a1 y */
+    static const double stage0_filter0_bandpass1_a2 = 0.9367417931332195; /* denominator: s2 = b2 x - a2 y */
+
+    /* section 3 of 3: centre frequency 53 Hz, quality factor 5.004076, gain 1 there and 1 at 53 Hz */
+    static const double stage0_filter0_bandpass2_b2 = -0.031629103433390246; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage0_filter0_bandpass2_a1 = -1.8303431548477298; /* denominator: s1 = s2 - a1 y */
+    static const double stage0_filter0_bandpass2_a2 = 0.9367417931332195; /* denominator: s2 = b2 x - a2 y */
+
+    /* ALLPASS (P-AXIS-00849): -180 deg at 41.4 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg at
+     * 32.29569 and -270 deg at 52.99569 Hz */
+    static const double stage0_filter1_allpass_a1 = -1.8145478239447568; /* numerator and denominator: s1 = a1 x - a1 y + s2 */
+    static const double stage0_filter1_allpass_a2 = 0.8777177690826008; /* numerator and denominator: y = a2 x + s1, s2 = x - a2 y */
+
+    /* -weight, against the vibration; at 53 Hz the stage adds 1.5 times its source at -90.01934 deg */
+    static const double stage0_gain = -1.5; /* -weight: negative, because the stage moves the motor against the vibration */
+
+    /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755)
+     * simulated oscillation of the load, f0 of the first BANDPASS 11 Hz (P-AXIS-00751), damping ratio 0.8
+     * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
+    static const double stage1_oscillation_b0 = 0.05348673135661798; /* numerator: y = b0 x + s1 */
+    static const double stage1_oscillation_b1 = 0.002262495254415846; /* numerator: s1 = b1 x - a1 y + s2 */
+    static const double stage1_oscillation_b2 = -0.051224236102202135; /* numerator: s2 = b2 x - a2 y */
+    static const double stage1_oscillation_a1 = -1.8907640420323482; /* denominator: s1 = b1 x - a1 y + s2 */
+    static const double stage1_oscillation_a2 = 0.8952890325411799; /* denominator: s2 = b2 x - a2 y */
+    static const double stage1_oscillation_preset_s1 = 0.946513268643382; /* 1 - b0: steady s1 for a constant input of 1 */
+    static const double stage1_oscillation_preset_s2 = -0.946513268643382; /* b2 - a2: steady s2 for a constant input of 1 */
+
+    /* ALLPASS (P-AXIS-00849): -180 deg at 7.2 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg at
+     * 5.621441 and -270 deg at 9.221441 Hz */
+    static const double stage1_filter0_allpass_a1 = -1.9756092212385525; /* numerator and denominator: s1 = a1 x - a1 y + s2 */
+    static const double stage1_filter0_allpass_a2 = 0.9776325491216218; /* numerator and denominator: y = a2 x + s1, s2 = x - a2 y */
+    static const double stage1_filter0_allpass_preset = 0.022367450878378214; /* 1 - a2: steady s1 and s2 for a constant input of 1 */
+
+    /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751), quality
+     * factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz
+     * section 1 of 3: centre frequency 11 Hz, quality factor 1.998209, gain 1 there and 1 at 11 Hz */
+    static const double stage1_filter1_bandpass0_b2 = -0.01698693694336859; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage1_filter1_bandpass0_a1 = -1.9613322512435023; /* denominator: s1 = s2 - a1 y */
+    static const double stage1_filter1_bandpass0_a2 = 0.9660261261132628; /* denominator: s2 = b2 x - a2 y */
+
+    /* section 2 of 3: centre frequency 8.858666 Hz, quality factor 4.090567, gain 2.047116 there and 1 at 11 Hz */
+    static const double stage1_filter1_bandpass1_b2 = -0.013826420465809891; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage1_filter1_bandpass1_a1 = -1.9834154200542775; /* denominator: s1 = s2 - a1 y */
+    static const double stage1_filter1_bandpass1_a2 = 0.9864918076625726; /* denominator: s2 = b2 x - a2 y */
+
+    /* section 3 of 3: centre frequency 13.65791 Hz, quality factor 4.090567, gain 2.047116 there and 1 at 11 Hz */
+    static const double stage1_filter1_bandpass2_b2 = -0.021224312687763553; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage1_filter1_bandpass2_a1 = -1.9719807673697325; /* denominator: s1 = s2 - a1 y */
+    static const double stage1_filter1_bandpass2_a2 = 0.9792641849186511; /* denominator: s2 = b2 x - a2 y */
+
+    /* -weight, against the vibration; at 11 Hz the stage adds 2.240571 times its source at -152.4249 deg */
+    static const double stage1_gain = -1.9; /* -weight: negative, because the stage moves the motor against the vibration */
+
+    /* SET_POINT (P-AXIS-00753) from v_command, weight 14/100 = 0.14 (P-AXIS-00754/00755)
+     * simulated oscillation of the load, f0 of the first BANDPASS 90 Hz (P-AXIS-00751), damping ratio 0.2
+     * (P-AXIS-00850): gain 1 at DC, 2.692582 and -68.19859 deg at f0 */
+    static const double stage2_oscillation_b0 = 0.16709463924394127; /* numerator: y = b0 x + s1 */
+    static const double stage2_oscillation_b1 = 0.14060417735538597; /* numerator: s1 = b1 x - a1 y + s2 */
+    static const double stage2_oscillation_b2 = -0.026490461888555295; /* numerator: s2 = b2 x - a2 y */
+    static const double stage2_oscillation_a1 = -1.5252065441567315; /* denominator: s1 = b1 x - a1 y + s2 */
+    static const double stage2_oscillation_a2 = 0.8064148988675034; /* denominator: s2 = b2 x - a2 y */
+    static const double stage2_oscillation_preset_s1 = 0.8329053607560587; /* 1 - b0: steady s1 for a constant input of 1 */
+    static const double stage2_oscillation_preset_s2 = -0.8329053607560587; /* b2 - a2: steady s2 for a constant input of 1 */
+
+    /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 90 Hz (P-AXIS-00751), quality factor
+     * 4.5 (P-AXIS-00752), -3 dB at 80.49367 and 100.4937 Hz
+     * section 1 of 3: centre frequency 90 Hz, quality factor 3.219505, gain 1 there and 1 at 90 Hz */
+    static const double stage2_filter0_bandpass0_b2 = -0.07682284076371002; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage2_filter0_bandpass0_a1 = -1.55892851145764; /* denominator: s1 = s2 - a1 y */
+    static const double stage2_filter0_bandpass0_a2 = 0.8463543184725799; /* denominator: s2 = b2 x - a2 y */
+
+    /* section 2 of 3: centre frequency 80.43253 Hz, quality factor 4.093923, gain 1.391717 there and 1 at 90 Hz */
+    static const double stage2_filter0_bandpass1_b2 = -0.07769582604386377; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage2_filter0_bandpass1_a1 = -1.6522912124414635; /* denominator: s1 = s2 - a1 y */
+    static const double stage2_filter0_bandpass1_a2 = 0.8883453596798838; /* denominator: s2 = b2 x - a2 y */
+
+    /* section 3 of 3: centre frequency 100.5682 Hz, quality factor 4.093923, gain 1.391717 there and 1 at 90 Hz */
+    static const double stage2_filter0_bandpass2_b2 = -0.09364282930389443; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage2_filter0_bandpass2_a1 = -1.5052390771398096; /* denominator: s1 = s2 - a1 y */
+    static const double stage2_filter0_bandpass2_a2 = 0.865428338214957; /* denominator: s2 = b2 x - a2 y */
+
+    /* ALLPASS (P-AXIS-00849): -180 deg at 70.3 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg at
+     * 54.74789 and -270 deg at 89.89789 Hz */
+    static const double stage2_filter1_allpass_a1 = -1.6275825820335412; /* numerator and denominator: s1 = a1 x - a1 y + s2 */
+    static const double stage2_filter1_allpass_a2 = 0.8003776621851969; /* numerator and denominator: y = a2 x + s1, s2 = x - a2 y */
+
+    /* -weight, against the vibration; at 90 Hz the stage adds 0.3769615 times its source at -158.4714 deg */
+    static const double stage2_gain = -0.14; /* -weight: negative, because the stage moves the motor against the vibration */
+
+    /* largest |v_add| = 500000: 1000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
+    static const double limit = 500000.0; /* largest |v_add| */
+    static const double lower_limit = -500000.0; /* -limit */
+
+    /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
+    /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
+    static const double rest = 4.3368086899420177e-13;
+
+    /* OFF to ON takes 0.1388889 s (one period of the lowest f0), in cycles */
+    static const uint32_t fade_cycles = 139u; /* cycles that the fade takes from 0 to 1 */
+    static const double fade_step = 0.007194244604316547; /* 1 / fade_cycles */
+
+    /* the same for every axis */
+    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    static const double sample_limit = 1000000000000000.0;
+    /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
+    static const double anti_denormal = 1.0e-30;
+    static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
+
     bool runs;
     uint32_t reason;
-    if (magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit
+    if (axis_x_ipc_magnitude(inputs->v_command) <= sample_limit && axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
+            && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON && state->fade >= fade_cycles) {
         runs = true;
-        reason = error_none;
+        reason = AXIS_X_IPC_ERROR_NONE;
     } else if (state->disturbed) {
         state->disturbed = false;
         runs = false;
-        reason = error_state;
-    } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
-            && magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit
+        reason = AXIS_X_IPC_ERROR_STATE;
+    } else if ((inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN) && axis_x_ipc_magnitude(inputs->v_command) <= sample_limit
+            && axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
             && !inputs->reset) {
         if (state->preset) {
-            if (inputs->mode == mode_on) {
+            if (inputs->mode == AXIS_X_IPC_MODE_ON) {
                 state->fade = state->fade + 1u;
             } else {
                 if (state->fade > 0u) {
                     state->fade = state->fade - 1u;
                 }
-                if (inputs->mode == mode_off && state->fade == 0u) {
+                if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
                     state->preset = false;
                 }
             }
             runs = true;
         } else {
-            if (inputs->mode != mode_off) {
+            if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
                 /* DIRECT (P-AXIS-00753) from v_motor, weight 150/100 = 1.5 (P-AXIS-00754/00755) */
                 /* BANDPASS CRIT_DAMPING order 3 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
                  * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
@@ -284,26 +305,27 @@ void axis_x_ipc_step(
             }
             runs = false;
         }
-        reason = error_none;
+        reason = AXIS_X_IPC_ERROR_NONE;
     } else {
         state->fade = 0u;
         state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
-            reason = error_cycle_time;
-        } else if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
-            reason = error_mode;
-        } else if (!(magnitude(inputs->v_command) <= sample_limit)) {
-            reason = error_v_command;
-        } else if (magnitude(inputs->v_motor) <= sample_limit) {
-            reason = error_none;
+            reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
+        } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)) {
+            reason = AXIS_X_IPC_ERROR_MODE;
+        } else if (!(axis_x_ipc_magnitude(inputs->v_command) <= sample_limit)) {
+            reason = AXIS_X_IPC_ERROR_V_COMMAND;
+        } else if (axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit) {
+            reason = AXIS_X_IPC_ERROR_NONE;
         } else {
-            reason = error_v_motor;
+            reason = AXIS_X_IPC_ERROR_V_MOTOR;
         }
         runs = false;
     }
     if (runs) {
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_X_IPC_ERROR_NONE;
         /* DIRECT (P-AXIS-00753) from v_motor, weight 150/100 = 1.5 (P-AXIS-00754/00755) */
         /* BANDPASS CRIT_DAMPING order 3 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
          * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
@@ -416,14 +438,14 @@ void axis_x_ipc_step(
         const double v_stage2 = stage2_gain * stage2_filter1_section0_y;
         const double v_sum2 = v_sum1 + v_stage2;
         double v_limited;
-        if (magnitude(v_sum2) <= limit) {
+        if (axis_x_ipc_magnitude(v_sum2) <= limit) {
             outputs->limited = false;
-            if (magnitude(v_sum2) <= rest) {
+            if (axis_x_ipc_magnitude(v_sum2) <= rest) {
                 v_limited = 0.0;
             } else {
                 v_limited = v_sum2;
             }
-        } else if (magnitude(v_sum2) <= sum_limit) {
+        } else if (axis_x_ipc_magnitude(v_sum2) <= sum_limit) {
             outputs->limited = true;
             if (v_sum2 > 0.0) {
                 v_limited = limit;
@@ -448,7 +470,7 @@ void axis_x_ipc_step(
             } else {
                 outputs->v_add = 0.0;
             }
-            if (inputs->mode == mode_off) {
+            if (inputs->mode == AXIS_X_IPC_MODE_OFF) {
                 outputs->v_add_calculated = 0.0;
             } else {
                 outputs->v_add_calculated = v_limited;
@@ -458,157 +480,7 @@ void axis_x_ipc_step(
         outputs->v_add = 0.0;
         outputs->v_add_calculated = 0.0;
         outputs->limited = false;
-        outputs->fault = reason != error_none;
+        outputs->fault = reason != AXIS_X_IPC_ERROR_NONE;
         outputs->error_id = reason;
     }
-}
-
-static uint64_t bits_of(double value)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.value = value;
-    return view.bits;
-}
-
-static double real_of(uint64_t bits)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.bits = bits;
-    return view.value;
-}
-
-static uint64_t fold(uint64_t digest, uint64_t bits)
-{
-    return ((digest << 5) | (digest >> 59)) + bits;
-}
-
-uint32_t axis_x_ipc_self_test(void)
-{
-    /* the reference's digest of all outputs and of the state, after each sample */
-    static const uint64_t expected[38] = {
-        UINT64_C(0xd993638c210d9abf),
-        UINT64_C(0x858c9bc3ada0a39b),
-        UINT64_C(0x8e6dc52d6500f349),
-        UINT64_C(0xadf9744a96dd916e),
-        UINT64_C(0x4acd1a58c100c27a),
-        UINT64_C(0xbff36a89a22bafa5),
-        UINT64_C(0xcfc716f399da29c7),
-        UINT64_C(0xb16749946fbd3598),
-        UINT64_C(0xe8d84a6ca378d290),
-        UINT64_C(0x6e77c2b825b7b5e8),
-        UINT64_C(0x925e68aac05a4ef3),
-        UINT64_C(0xa488f2c518f429e0),
-        UINT64_C(0xeab2b7c6e675e405),
-        UINT64_C(0xcebf7c5061b87995),
-        UINT64_C(0x3c06c775ec1eb215),
-        UINT64_C(0x2ea7203cc54a6ce3),
-        UINT64_C(0x470af8eacbebf9d3),
-        UINT64_C(0x0d63730ea9dc5105),
-        UINT64_C(0x6f325cf9f2de7d8c),
-        UINT64_C(0xaa488123e426f4f6),
-        UINT64_C(0x652f96a456dbdcc2),
-        UINT64_C(0x5c3f3be537e94a83),
-        UINT64_C(0x923ecdd3885005d0),
-        UINT64_C(0x9e04a3c49255e43c),
-        UINT64_C(0x51a5cd33ea78f8f2),
-        UINT64_C(0x4d618e9a0da3c88e),
-        UINT64_C(0x68834ab6307a2185),
-        UINT64_C(0x0e7aa4de3d1095c5),
-        UINT64_C(0xc92e7228b7ba7c55),
-        UINT64_C(0xfebc10ada10977e3),
-        UINT64_C(0x79409a1ea69bfa7b),
-        UINT64_C(0x116a54fd7921417c),
-        UINT64_C(0xa7211af0bcfeccb3),
-        UINT64_C(0x3ba35d94b37fa79e),
-        UINT64_C(0x1c8fa0991479eced),
-        UINT64_C(0x58c64d97c2a1cd64),
-        UINT64_C(0x73834cc610da620f),
-        UINT64_C(0xf0eb37e0e1a8d899),
-    };
-    /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
-        axis_x_ipc_step;
-    axis_x_ipc_state state;
-    axis_x_ipc_inputs inputs;
-    axis_x_ipc_outputs outputs;
-    uint64_t digest = 0u;
-    uint64_t noise;
-    double scale;
-    uint32_t random = 1u;
-    uint32_t sample;
-    /* 1 + 2^-30 and its rounded square; volatile: worked out when it runs */
-    volatile double factor = real_of(UINT64_C(0x3ff0000000400000));
-    volatile double square = real_of(UINT64_C(0x3ff0000000800000));
-    const double product = factor * factor;
-    const double remainder = product - square;
-
-    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
-    if (bits_of(remainder) != 0u) {
-        return 1u;
-    }
-    /* as it stands here, unless the compiler takes constants for single precision */
-    if (bits_of(0.1) != UINT64_C(0x3fb999999999999a)) {
-        return 1u;
-    }
-
-    axis_x_ipc_init(&state);
-    axis_x_ipc_inputs_init(&inputs);
-    for (sample = 0u; sample < 38u; sample++) {
-        /* at first within every limit, so that nothing is cut off */
-        scale = sample < 30u ? 0.001953125 : 2.0;
-        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_command = real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_motor = real_of(sample == 4u ? UINT64_C(0x7ff8000000000000) : noise);
-        step(&state, &inputs, &outputs);
-        digest = fold(digest, bits_of(outputs.v_add));
-        digest = fold(digest, bits_of(outputs.v_add_calculated));
-        digest = fold(digest, outputs.limited);
-        digest = fold(digest, outputs.fault);
-        digest = fold(digest, outputs.error_id);
-        digest = fold(digest, state.preset);
-        digest = fold(digest, state.fade);
-        digest = fold(digest, state.disturbed);
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s2));
-        digest = fold(digest, bits_of(state.stage0_filter0_section1_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section1_s2));
-        digest = fold(digest, bits_of(state.stage0_filter0_section2_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section2_s2));
-        digest = fold(digest, bits_of(state.stage0_filter1_section0_s1));
-        digest = fold(digest, bits_of(state.stage0_filter1_section0_s2));
-        digest = fold(digest, bits_of(state.stage1_oscillation_s1));
-        digest = fold(digest, bits_of(state.stage1_oscillation_s2));
-        digest = fold(digest, bits_of(state.stage1_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage1_filter0_section0_s2));
-        digest = fold(digest, bits_of(state.stage1_filter1_section0_s1));
-        digest = fold(digest, bits_of(state.stage1_filter1_section0_s2));
-        digest = fold(digest, bits_of(state.stage1_filter1_section1_s1));
-        digest = fold(digest, bits_of(state.stage1_filter1_section1_s2));
-        digest = fold(digest, bits_of(state.stage1_filter1_section2_s1));
-        digest = fold(digest, bits_of(state.stage1_filter1_section2_s2));
-        digest = fold(digest, bits_of(state.stage2_oscillation_s1));
-        digest = fold(digest, bits_of(state.stage2_oscillation_s2));
-        digest = fold(digest, bits_of(state.stage2_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage2_filter0_section0_s2));
-        digest = fold(digest, bits_of(state.stage2_filter0_section1_s1));
-        digest = fold(digest, bits_of(state.stage2_filter0_section1_s2));
-        digest = fold(digest, bits_of(state.stage2_filter0_section2_s1));
-        digest = fold(digest, bits_of(state.stage2_filter0_section2_s2));
-        digest = fold(digest, bits_of(state.stage2_filter1_section0_s1));
-        digest = fold(digest, bits_of(state.stage2_filter1_section0_s2));
-        if (digest != expected[sample]) {
-            return sample + 1u;
-        }
-    }
-    return 0u;
 }

@@ -5,7 +5,9 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  c2f6b8fb6fa0145044514cee709a094e
- * checksum    f6418bfa2cafe866a8652452bda67cba
+ * structure   43800d19e24d6796311796a992ef2fb2
+ * checksum    38450eec9db8166b8449b29eb5587db2
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_z_ipc.h"
 
@@ -28,7 +30,7 @@
 #endif
 
 /* |value|, without a library */
-static double magnitude(double value)
+static double axis_z_ipc_magnitude(double value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs(value);
@@ -37,91 +39,25 @@ static double magnitude(double value)
 #endif
 }
 
-/* cycle time 125 us, the coefficients hold for no other */
-static const uint32_t cycle_time_ns = 125000u; /* cycle time that all coefficients were designed for [ns] */
-
-/* DIRECT (P-AXIS-00753) from v_direct, weight 1/2 = 0.5 (P-AXIS-00754/00755)
- * BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 200 Hz (P-AXIS-00751), quality
- * factor 3 (P-AXIS-00752), -3 dB at 169.4028 and 236.0695 Hz
- * section 1 of 2: centre frequency 177.6548 Hz, quality factor 4.254149, gain 1.424224 there and 1 at 200 Hz */
-static const double stage0_filter0_bandpass0_b2 = -0.022906067995548618; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage0_filter0_bandpass0_a1 = -1.9487092256773932; /* denominator: s1 = s2 - a1 y */
-static const double stage0_filter0_bandpass0_a2 = 0.9678336054487396; /* denominator: s2 = b2 x - a2 y */
-
-/* section 2 of 2: centre frequency 225.1296 Hz, quality factor 4.254149, gain 1.424224 there and 1 at 200 Hz */
-static const double stage0_filter0_bandpass1_b2 = -0.028847338546222245; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage0_filter0_bandpass1_a1 = -1.9289393665902046; /* denominator: s1 = s2 - a1 y */
-static const double stage0_filter0_bandpass1_a2 = 0.9594904339927791; /* denominator: s2 = b2 x - a2 y */
-
-/* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 205 Hz (P-AXIS-00751), quality factor 2
- * (P-AXIS-00752), -3 dB at 160.0054 and 262.5054 Hz
- * section 1 of 2: centre frequency 173.8661 Hz, quality factor 1.831478, gain 1.170518 there and 1 at 205 Hz */
-static const double stage0_filter1_bandpass0_b2 = -0.04194238890447327; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage0_filter1_bandpass0_a1 = -1.9103844268493704; /* denominator: s1 = s2 - a1 y */
-static const double stage0_filter1_bandpass0_a2 = 0.928335357549505; /* denominator: s2 = b2 x - a2 y */
-
-/* section 2 of 2: centre frequency 241.6519 Hz, quality factor 1.831478, gain 1.170518 there and 1 at 205 Hz */
-static const double stage0_filter1_bandpass1_b2 = -0.05733307960144719; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage0_filter1_bandpass1_a1 = -1.8678838469694354; /* denominator: s1 = s2 - a1 y */
-static const double stage0_filter1_bandpass1_a2 = 0.902038134747607; /* denominator: s2 = b2 x - a2 y */
-
-/* -weight, against the vibration; at 200 Hz the stage adds 0.4984921 times its source at -172.2985 deg */
-static const double stage0_gain = -0.5; /* -weight: negative, because the stage moves the motor against the vibration */
-
-/* DIRECT (P-AXIS-00753) from v_motor, weight 3/1 = 3 (P-AXIS-00754/00755)
- * BANDPASS BUTTERWORTH order 1 (P-AXIS-00849, 00848, 00750): centre frequency 95 Hz (P-AXIS-00751), quality
- * factor 5 (P-AXIS-00752), -3 dB at 85.97294 and 104.9729 Hz
- * section 1 of 1: centre frequency 95 Hz, quality factor 4.995269, gain 1 there and 1 at 95 Hz */
-static const double stage1_filter0_bandpass0_b2 = -0.00740616053190232; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage1_filter0_bandpass0_a1 = -1.9796643989344505; /* denominator: s1 = s2 - a1 y */
-static const double stage1_filter0_bandpass0_a2 = 0.9851876789361954; /* denominator: s2 = b2 x - a2 y */
-
-/* BANDPASS BESSEL order 1 (P-AXIS-00849, 00848, 00750): centre frequency 100 Hz (P-AXIS-00751), quality factor
- * 1.5 (P-AXIS-00752), -3 dB at 72.06508 and 138.7317 Hz
- * section 1 of 1: centre frequency 100 Hz, quality factor 1.498116, gain 1 there and 1 at 100 Hz */
-static const double stage1_filter1_bandpass0_b2 = -0.025517716642560116; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage1_filter1_bandpass0_a1 = -1.9429565593897389; /* denominator: s1 = s2 - a1 y */
-static const double stage1_filter1_bandpass0_a2 = 0.9489645667148797; /* denominator: s2 = b2 x - a2 y */
-
-/* -weight, against the vibration; at 95 Hz the stage adds 2.965089 times its source at -171.2506 deg */
-static const double stage1_gain = -3.0; /* -weight: negative, because the stage moves the motor against the vibration */
-
-/* largest |v_add| = 600000: 2000 * 0.1 % (P-AXIS-00757) of 300000 (P-AXIS-00212) */
-static const double limit = 600000.0; /* largest |v_add| */
-static const double lower_limit = -600000.0; /* -limit */
-
-/* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
-/* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
-static const double rest = 2.6020852139652106e-13;
-
-/* OFF to ON takes 0.01052632 s (one period of the lowest f0), in cycles */
-static const uint32_t fade_cycles = 85u; /* cycles that the fade takes from 0 to 1 */
-static const double fade_step = 0.011764705882352941; /* 1 / fade_cycles */
-
-/* the same for every axis */
-static const uint32_t error_none = 0u; /* error_id: no fault */
-static const int32_t mode_on = 1; /* mode: the block acts */
-static const int32_t mode_off = 0; /* mode: the block is off */
-static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const double sample_limit = 1000000000000000.0;
-/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
- * anew */
-static const uint32_t error_state = 3u;
-/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_cycle_time = 1u;
-static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
-static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-static const uint32_t error_v_direct = 13u; /* error_id: v_direct is not within the sample limit */
-/* added in every update of s2, so that a section at rest never decays into subnormal numbers */
-static const double anti_denormal = 1.0e-30;
-static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
-
-void axis_z_ipc_init(axis_z_ipc_state *state)
+void axis_z_ipc_init(axis_z_ipc_state *fresh)
 {
-    state->disturbed = false;
+    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    volatile axis_z_ipc_state *const state = fresh;
     state->preset = false;
     state->fade = 0u;
+    state->disturbed = false;
+    state->stage0_filter0_section0_s1 = 0.0;
+    state->stage0_filter0_section0_s2 = 0.0;
+    state->stage0_filter0_section1_s1 = 0.0;
+    state->stage0_filter0_section1_s2 = 0.0;
+    state->stage0_filter1_section0_s1 = 0.0;
+    state->stage0_filter1_section0_s2 = 0.0;
+    state->stage0_filter1_section1_s1 = 0.0;
+    state->stage0_filter1_section1_s2 = 0.0;
+    state->stage1_filter0_section0_s1 = 0.0;
+    state->stage1_filter0_section0_s2 = 0.0;
+    state->stage1_filter1_section0_s1 = 0.0;
+    state->stage1_filter1_section0_s2 = 0.0;
 }
 
 void axis_z_ipc_inputs_init(axis_z_ipc_inputs *inputs)
@@ -139,35 +75,104 @@ void axis_z_ipc_step(
     const axis_z_ipc_inputs *restrict inputs,
     axis_z_ipc_outputs *restrict outputs)
 {
+    /* cycle time 125 us, the coefficients hold for no other */
+    static const uint32_t cycle_time_ns = 125000u; /* cycle time that all coefficients were designed for [ns] */
+
+    /* DIRECT (P-AXIS-00753) from v_direct, weight 1/2 = 0.5 (P-AXIS-00754/00755)
+     * BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 200 Hz (P-AXIS-00751), quality
+     * factor 3 (P-AXIS-00752), -3 dB at 169.4028 and 236.0695 Hz
+     * section 1 of 2: centre frequency 177.6548 Hz, quality factor 4.254149, gain 1.424224 there and 1 at 200 Hz */
+    static const double stage0_filter0_bandpass0_b2 = -0.022906067995548618; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage0_filter0_bandpass0_a1 = -1.9487092256773932; /* denominator: s1 = s2 - a1 y */
+    static const double stage0_filter0_bandpass0_a2 = 0.9678336054487396; /* denominator: s2 = b2 x - a2 y */
+
+    /* section 2 of 2: centre frequency 225.1296 Hz, quality factor 4.254149, gain 1.424224 there and 1 at 200 Hz */
+    static const double stage0_filter0_bandpass1_b2 = -0.028847338546222245; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage0_filter0_bandpass1_a1 = -1.9289393665902046; /* denominator: s1 = s2 - a1 y */
+    static const double stage0_filter0_bandpass1_a2 = 0.9594904339927791; /* denominator: s2 = b2 x - a2 y */
+
+    /* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 205 Hz (P-AXIS-00751), quality factor 2
+     * (P-AXIS-00752), -3 dB at 160.0054 and 262.5054 Hz
+     * section 1 of 2: centre frequency 173.8661 Hz, quality factor 1.831478, gain 1.170518 there and 1 at 205 Hz */
+    static const double stage0_filter1_bandpass0_b2 = -0.04194238890447327; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage0_filter1_bandpass0_a1 = -1.9103844268493704; /* denominator: s1 = s2 - a1 y */
+    static const double stage0_filter1_bandpass0_a2 = 0.928335357549505; /* denominator: s2 = b2 x - a2 y */
+
+    /* section 2 of 2: centre frequency 241.6519 Hz, quality factor 1.831478, gain 1.170518 there and 1 at 205 Hz */
+    static const double stage0_filter1_bandpass1_b2 = -0.05733307960144719; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage0_filter1_bandpass1_a1 = -1.8678838469694354; /* denominator: s1 = s2 - a1 y */
+    static const double stage0_filter1_bandpass1_a2 = 0.902038134747607; /* denominator: s2 = b2 x - a2 y */
+
+    /* -weight, against the vibration; at 200 Hz the stage adds 0.4984921 times its source at -172.2985 deg */
+    static const double stage0_gain = -0.5; /* -weight: negative, because the stage moves the motor against the vibration */
+
+    /* DIRECT (P-AXIS-00753) from v_motor, weight 3/1 = 3 (P-AXIS-00754/00755)
+     * BANDPASS BUTTERWORTH order 1 (P-AXIS-00849, 00848, 00750): centre frequency 95 Hz (P-AXIS-00751), quality
+     * factor 5 (P-AXIS-00752), -3 dB at 85.97294 and 104.9729 Hz
+     * section 1 of 1: centre frequency 95 Hz, quality factor 4.995269, gain 1 there and 1 at 95 Hz */
+    static const double stage1_filter0_bandpass0_b2 = -0.00740616053190232; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage1_filter0_bandpass0_a1 = -1.9796643989344505; /* denominator: s1 = s2 - a1 y */
+    static const double stage1_filter0_bandpass0_a2 = 0.9851876789361954; /* denominator: s2 = b2 x - a2 y */
+
+    /* BANDPASS BESSEL order 1 (P-AXIS-00849, 00848, 00750): centre frequency 100 Hz (P-AXIS-00751), quality factor
+     * 1.5 (P-AXIS-00752), -3 dB at 72.06508 and 138.7317 Hz
+     * section 1 of 1: centre frequency 100 Hz, quality factor 1.498116, gain 1 there and 1 at 100 Hz */
+    static const double stage1_filter1_bandpass0_b2 = -0.025517716642560116; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage1_filter1_bandpass0_a1 = -1.9429565593897389; /* denominator: s1 = s2 - a1 y */
+    static const double stage1_filter1_bandpass0_a2 = 0.9489645667148797; /* denominator: s2 = b2 x - a2 y */
+
+    /* -weight, against the vibration; at 95 Hz the stage adds 2.965089 times its source at -171.2506 deg */
+    static const double stage1_gain = -3.0; /* -weight: negative, because the stage moves the motor against the vibration */
+
+    /* largest |v_add| = 600000: 2000 * 0.1 % (P-AXIS-00757) of 300000 (P-AXIS-00212) */
+    static const double limit = 600000.0; /* largest |v_add| */
+    static const double lower_limit = -600000.0; /* -limit */
+
+    /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
+    /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
+    static const double rest = 2.6020852139652106e-13;
+
+    /* OFF to ON takes 0.01052632 s (one period of the lowest f0), in cycles */
+    static const uint32_t fade_cycles = 85u; /* cycles that the fade takes from 0 to 1 */
+    static const double fade_step = 0.011764705882352941; /* 1 / fade_cycles */
+
+    /* the same for every axis */
+    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    static const double sample_limit = 1000000000000000.0;
+    /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
+    static const double anti_denormal = 1.0e-30;
+    static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
+
     bool runs;
     uint32_t reason;
-    if (magnitude(inputs->v_motor) <= sample_limit && magnitude(inputs->v_direct) <= sample_limit
+    if (axis_z_ipc_magnitude(inputs->v_motor) <= sample_limit && axis_z_ipc_magnitude(inputs->v_direct) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
+            && !inputs->reset && inputs->mode == AXIS_Z_IPC_MODE_ON && state->fade >= fade_cycles) {
         runs = true;
-        reason = error_none;
+        reason = AXIS_Z_IPC_ERROR_NONE;
     } else if (state->disturbed) {
         state->disturbed = false;
         runs = false;
-        reason = error_state;
-    } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
-            && magnitude(inputs->v_motor) <= sample_limit && magnitude(inputs->v_direct) <= sample_limit
+        reason = AXIS_Z_IPC_ERROR_STATE;
+    } else if ((inputs->mode == AXIS_Z_IPC_MODE_ON || inputs->mode == AXIS_Z_IPC_MODE_OFF
+                || inputs->mode == AXIS_Z_IPC_MODE_DRYRUN) && axis_z_ipc_magnitude(inputs->v_motor) <= sample_limit
+            && axis_z_ipc_magnitude(inputs->v_direct) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
             && !inputs->reset) {
         if (state->preset) {
-            if (inputs->mode == mode_on) {
+            if (inputs->mode == AXIS_Z_IPC_MODE_ON) {
                 state->fade = state->fade + 1u;
             } else {
                 if (state->fade > 0u) {
                     state->fade = state->fade - 1u;
                 }
-                if (inputs->mode == mode_off && state->fade == 0u) {
+                if (inputs->mode == AXIS_Z_IPC_MODE_OFF && state->fade == 0u) {
                     state->preset = false;
                 }
             }
             runs = true;
         } else {
-            if (inputs->mode != mode_off) {
+            if (inputs->mode != AXIS_Z_IPC_MODE_OFF) {
                 /* DIRECT (P-AXIS-00753) from v_direct, weight 1/2 = 0.5 (P-AXIS-00754/00755) */
                 /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 200 Hz (P-AXIS-00751),
                  * quality factor 3 (P-AXIS-00752), -3 dB at 169.4028 and 236.0695 Hz */
@@ -200,26 +205,27 @@ void axis_z_ipc_step(
             }
             runs = false;
         }
-        reason = error_none;
+        reason = AXIS_Z_IPC_ERROR_NONE;
     } else {
         state->fade = 0u;
         state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
-            reason = error_cycle_time;
-        } else if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
-            reason = error_mode;
-        } else if (!(magnitude(inputs->v_motor) <= sample_limit)) {
-            reason = error_v_motor;
-        } else if (magnitude(inputs->v_direct) <= sample_limit) {
-            reason = error_none;
+            reason = AXIS_Z_IPC_ERROR_CYCLE_TIME;
+        } else if (!(inputs->mode == AXIS_Z_IPC_MODE_ON || inputs->mode == AXIS_Z_IPC_MODE_OFF
+                || inputs->mode == AXIS_Z_IPC_MODE_DRYRUN)) {
+            reason = AXIS_Z_IPC_ERROR_MODE;
+        } else if (!(axis_z_ipc_magnitude(inputs->v_motor) <= sample_limit)) {
+            reason = AXIS_Z_IPC_ERROR_V_MOTOR;
+        } else if (axis_z_ipc_magnitude(inputs->v_direct) <= sample_limit) {
+            reason = AXIS_Z_IPC_ERROR_NONE;
         } else {
-            reason = error_v_direct;
+            reason = AXIS_Z_IPC_ERROR_V_DIRECT;
         }
         runs = false;
     }
     if (runs) {
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_Z_IPC_ERROR_NONE;
         /* DIRECT (P-AXIS-00753) from v_direct, weight 1/2 = 0.5 (P-AXIS-00754/00755) */
         /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 200 Hz (P-AXIS-00751),
          * quality factor 3 (P-AXIS-00752), -3 dB at 169.4028 and 236.0695 Hz */
@@ -270,14 +276,14 @@ void axis_z_ipc_step(
         const double v_stage1 = stage1_gain * stage1_filter1_section0_y;
         const double v_sum1 = v_stage0 + v_stage1;
         double v_limited;
-        if (magnitude(v_sum1) <= limit) {
+        if (axis_z_ipc_magnitude(v_sum1) <= limit) {
             outputs->limited = false;
-            if (magnitude(v_sum1) <= rest) {
+            if (axis_z_ipc_magnitude(v_sum1) <= rest) {
                 v_limited = 0.0;
             } else {
                 v_limited = v_sum1;
             }
-        } else if (magnitude(v_sum1) <= sum_limit) {
+        } else if (axis_z_ipc_magnitude(v_sum1) <= sum_limit) {
             outputs->limited = true;
             if (v_sum1 > 0.0) {
                 v_limited = limit;
@@ -302,7 +308,7 @@ void axis_z_ipc_step(
             } else {
                 outputs->v_add = 0.0;
             }
-            if (inputs->mode == mode_off) {
+            if (inputs->mode == AXIS_Z_IPC_MODE_OFF) {
                 outputs->v_add_calculated = 0.0;
             } else {
                 outputs->v_add_calculated = v_limited;
@@ -312,141 +318,7 @@ void axis_z_ipc_step(
         outputs->v_add = 0.0;
         outputs->v_add_calculated = 0.0;
         outputs->limited = false;
-        outputs->fault = reason != error_none;
+        outputs->fault = reason != AXIS_Z_IPC_ERROR_NONE;
         outputs->error_id = reason;
     }
-}
-
-static uint64_t bits_of(double value)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.value = value;
-    return view.bits;
-}
-
-static double real_of(uint64_t bits)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.bits = bits;
-    return view.value;
-}
-
-static uint64_t fold(uint64_t digest, uint64_t bits)
-{
-    return ((digest << 5) | (digest >> 59)) + bits;
-}
-
-uint32_t axis_z_ipc_self_test(void)
-{
-    /* the reference's digest of all outputs and of the state, after each sample */
-    static const uint64_t expected[38] = {
-        UINT64_C(0x5084d5e3681082b8),
-        UINT64_C(0xd18d2270705ebc8f),
-        UINT64_C(0x1735fbb6a84a0818),
-        UINT64_C(0x0e129cc363cb43aa),
-        UINT64_C(0x6d987c6d36abae04),
-        UINT64_C(0x70301662249cfbce),
-        UINT64_C(0x9792dbd35f06e657),
-        UINT64_C(0x1c2f06ad81cf38ad),
-        UINT64_C(0x061e734143588ed7),
-        UINT64_C(0x728683ff45173e89),
-        UINT64_C(0xda1d37ed920bf3dc),
-        UINT64_C(0x654729e81f84be16),
-        UINT64_C(0xcb74481208988e37),
-        UINT64_C(0xcac54bc94c03eb86),
-        UINT64_C(0xf59925b8132c4c68),
-        UINT64_C(0xefe0ce9066ffe047),
-        UINT64_C(0xf3b0b751902f9170),
-        UINT64_C(0xc615f6f2d200224f),
-        UINT64_C(0xf31b3543378706c0),
-        UINT64_C(0x784ed31f40019dc8),
-        UINT64_C(0x61034b98dd3d799b),
-        UINT64_C(0x464e9d274b2ce865),
-        UINT64_C(0xff4e829ab1d46751),
-        UINT64_C(0x53ee48d146dcef17),
-        UINT64_C(0x5d8a8f9e37ebeafe),
-        UINT64_C(0xba55cd9b1c3db199),
-        UINT64_C(0x6f0f7a30391d4707),
-        UINT64_C(0xe03f7413a50dea71),
-        UINT64_C(0x19c17205f2e16e75),
-        UINT64_C(0x2cec97519e25d730),
-        UINT64_C(0x527fa965063d1a09),
-        UINT64_C(0x09b4d539cd42c020),
-        UINT64_C(0x8276cf4131a01cec),
-        UINT64_C(0x4d9d2fddd9aaf5a5),
-        UINT64_C(0xd6a5a1ba40131ce3),
-        UINT64_C(0x13801d33a2ed78fb),
-        UINT64_C(0xf15d06eb783bc28b),
-        UINT64_C(0x957d14222840d354),
-    };
-    /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_z_ipc_state *, const axis_z_ipc_inputs *, axis_z_ipc_outputs *) =
-        axis_z_ipc_step;
-    axis_z_ipc_state state;
-    axis_z_ipc_inputs inputs;
-    axis_z_ipc_outputs outputs;
-    uint64_t digest = 0u;
-    uint64_t noise;
-    double scale;
-    uint32_t random = 1u;
-    uint32_t sample;
-    /* 1 + 2^-30 and its rounded square; volatile: worked out when it runs */
-    volatile double factor = real_of(UINT64_C(0x3ff0000000400000));
-    volatile double square = real_of(UINT64_C(0x3ff0000000800000));
-    const double product = factor * factor;
-    const double remainder = product - square;
-
-    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
-    if (bits_of(remainder) != 0u) {
-        return 1u;
-    }
-    /* as it stands here, unless the compiler takes constants for single precision */
-    if (bits_of(0.1) != UINT64_C(0x3fb999999999999a)) {
-        return 1u;
-    }
-
-    axis_z_ipc_init(&state);
-    axis_z_ipc_inputs_init(&inputs);
-    for (sample = 0u; sample < 38u; sample++) {
-        /* at first within every limit, so that nothing is cut off */
-        scale = sample < 30u ? 0.00390625 : 4.0;
-        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_motor = real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_direct = real_of(sample == 4u ? UINT64_C(0x7ff8000000000000) : noise);
-        step(&state, &inputs, &outputs);
-        digest = fold(digest, bits_of(outputs.v_add));
-        digest = fold(digest, bits_of(outputs.v_add_calculated));
-        digest = fold(digest, outputs.limited);
-        digest = fold(digest, outputs.fault);
-        digest = fold(digest, outputs.error_id);
-        digest = fold(digest, state.preset);
-        digest = fold(digest, state.fade);
-        digest = fold(digest, state.disturbed);
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s2));
-        digest = fold(digest, bits_of(state.stage0_filter0_section1_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section1_s2));
-        digest = fold(digest, bits_of(state.stage0_filter1_section0_s1));
-        digest = fold(digest, bits_of(state.stage0_filter1_section0_s2));
-        digest = fold(digest, bits_of(state.stage0_filter1_section1_s1));
-        digest = fold(digest, bits_of(state.stage0_filter1_section1_s2));
-        digest = fold(digest, bits_of(state.stage1_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage1_filter0_section0_s2));
-        digest = fold(digest, bits_of(state.stage1_filter1_section0_s1));
-        digest = fold(digest, bits_of(state.stage1_filter1_section0_s2));
-        if (digest != expected[sample]) {
-            return sample + 1u;
-        }
-    }
-    return 0u;
 }

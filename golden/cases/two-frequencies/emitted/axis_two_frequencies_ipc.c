@@ -5,7 +5,9 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  81f1a4ebb88fdcedcefe43a9b0bae022
- * checksum    05cf0672efb897ef8da97deadd09ee68
+ * structure   e50ac1b61bc09b5da63e47a232b196ea
+ * checksum    199c629c859ebcb0afe7499b9fe5ec49
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_two_frequencies_ipc.h"
 
@@ -28,7 +30,7 @@
 #endif
 
 /* |value|, without a library */
-static double magnitude(double value)
+static double axis_two_frequencies_ipc_magnitude(double value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs(value);
@@ -37,86 +39,23 @@ static double magnitude(double value)
 #endif
 }
 
-/* cycle time 1000 us, the coefficients hold for no other */
-static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
-
-/* DIRECT (P-AXIS-00753) from v_motor, weight 100/200 = 0.5 (P-AXIS-00754/00755)
- * BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751), quality
- * factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz
- * section 1 of 2: centre frequency 53 Hz, quality factor 6.317064, gain 1 there and 1 at 53 Hz */
-static const double stage0_filter0_bandpass0_b2 = -0.025220863237669183; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage0_filter0_bandpass0_a1 = -1.8424555372194478; /* denominator: s1 = s2 - a1 y */
-static const double stage0_filter0_bandpass0_a2 = 0.9495582735246616; /* denominator: s2 = b2 x - a2 y */
-
-/* section 2 of 2: centre frequency 53 Hz, quality factor 6.317064, gain 1 there and 1 at 53 Hz */
-static const double stage0_filter0_bandpass1_b2 = -0.025220863237669183; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage0_filter0_bandpass1_a1 = -1.8424555372194478; /* denominator: s1 = s2 - a1 y */
-static const double stage0_filter0_bandpass1_a2 = 0.9495582735246616; /* denominator: s2 = b2 x - a2 y */
-
-/* -weight, against the vibration; at 53 Hz the stage adds 0.5 times its source at 180 deg */
-static const double stage0_gain = -0.5; /* -weight: negative, because the stage moves the motor against the vibration */
-
-/* INDIRECT (P-AXIS-00753) from v_motor, weight 100/200 = 0.5 (P-AXIS-00754/00755)
- * simulated oscillation of the load, f0 of the first BANDPASS 90 Hz (P-AXIS-00751), damping ratio 0.5
- * (P-AXIS-00850): gain 1 at DC, 1.414214 and -45 deg at f0 */
-static const double stage1_oscillation_b0 = 0.27269168022286355; /* numerator: y = b0 x + s1 */
-static const double stage1_oscillation_b1 = 0.12277816040608115; /* numerator: s1 = b1 x - a1 y + s2 */
-static const double stage1_oscillation_b2 = -0.14991351981678244; /* numerator: s2 = b2 x - a2 y */
-static const double stage1_oscillation_a1 = -1.3318384791481916; /* denominator: s1 = b1 x - a1 y + s2 */
-static const double stage1_oscillation_a2 = 0.5773947999603539; /* denominator: s2 = b2 x - a2 y */
-static const double stage1_oscillation_preset_s1 = 0.7273083197771364; /* 1 - b0: steady s1 for a constant input of 1 */
-static const double stage1_oscillation_preset_s2 = -0.7273083197771364; /* b2 - a2: steady s2 for a constant input of 1 */
-
-/* BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 90 Hz (P-AXIS-00751), quality
- * factor 10 (P-AXIS-00752), -3 dB at 85.60019 and 94.60019 Hz
- * section 1 of 2: centre frequency 90 Hz, quality factor 6.096751, gain 1 there and 1 at 90 Hz */
-static const double stage1_filter0_bandpass0_b2 = -0.04209387686073608; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage1_filter0_bandpass0_a1 = -1.617573779551705; /* denominator: s1 = s2 - a1 y */
-static const double stage1_filter0_bandpass0_a2 = 0.9158122462785279; /* denominator: s2 = b2 x - a2 y */
-
-/* section 2 of 2: centre frequency 90 Hz, quality factor 6.096751, gain 1 there and 1 at 90 Hz */
-static const double stage1_filter0_bandpass1_b2 = -0.04209387686073608; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage1_filter0_bandpass1_a1 = -1.617573779551705; /* denominator: s1 = s2 - a1 y */
-static const double stage1_filter0_bandpass1_a2 = 0.9158122462785279; /* denominator: s2 = b2 x - a2 y */
-
-/* -weight, against the vibration; at 90 Hz the stage adds 0.7071068 times its source at 135 deg */
-static const double stage1_gain = -0.5; /* -weight: negative, because the stage moves the motor against the vibration */
-
-/* largest |v_add| = 500000: 1000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
-static const double limit = 500000.0; /* largest |v_add| */
-static const double lower_limit = -500000.0; /* -limit */
-
-/* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
-/* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
-static const double rest = 4.3368086899420177e-13;
-
-/* OFF to ON takes 0.1 s (key fade), in cycles */
-static const uint32_t fade_cycles = 100u; /* cycles that the fade takes from 0 to 1 */
-static const double fade_step = 0.01; /* 1 / fade_cycles */
-
-/* the same for every axis */
-static const uint32_t error_none = 0u; /* error_id: no fault */
-static const int32_t mode_on = 1; /* mode: the block acts */
-static const int32_t mode_off = 0; /* mode: the block is off */
-static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const double sample_limit = 1000000000000000.0;
-/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
- * anew */
-static const uint32_t error_state = 3u;
-/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_cycle_time = 1u;
-static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
-static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-/* added in every update of s2, so that a section at rest never decays into subnormal numbers */
-static const double anti_denormal = 1.0e-30;
-static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
-
-void axis_two_frequencies_ipc_init(axis_two_frequencies_ipc_state *state)
+void axis_two_frequencies_ipc_init(axis_two_frequencies_ipc_state *fresh)
 {
-    state->disturbed = false;
+    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    volatile axis_two_frequencies_ipc_state *const state = fresh;
     state->preset = false;
     state->fade = 0u;
+    state->disturbed = false;
+    state->stage0_filter0_section0_s1 = 0.0;
+    state->stage0_filter0_section0_s2 = 0.0;
+    state->stage0_filter0_section1_s1 = 0.0;
+    state->stage0_filter0_section1_s2 = 0.0;
+    state->stage1_oscillation_s1 = 0.0;
+    state->stage1_oscillation_s2 = 0.0;
+    state->stage1_filter0_section0_s1 = 0.0;
+    state->stage1_filter0_section0_s2 = 0.0;
+    state->stage1_filter0_section1_s1 = 0.0;
+    state->stage1_filter0_section1_s2 = 0.0;
 }
 
 void axis_two_frequencies_ipc_inputs_init(axis_two_frequencies_ipc_inputs *inputs)
@@ -133,35 +72,100 @@ void axis_two_frequencies_ipc_step(
     const axis_two_frequencies_ipc_inputs *restrict inputs,
     axis_two_frequencies_ipc_outputs *restrict outputs)
 {
+    /* cycle time 1000 us, the coefficients hold for no other */
+    static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
+
+    /* DIRECT (P-AXIS-00753) from v_motor, weight 100/200 = 0.5 (P-AXIS-00754/00755)
+     * BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751), quality
+     * factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz
+     * section 1 of 2: centre frequency 53 Hz, quality factor 6.317064, gain 1 there and 1 at 53 Hz */
+    static const double stage0_filter0_bandpass0_b2 = -0.025220863237669183; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage0_filter0_bandpass0_a1 = -1.8424555372194478; /* denominator: s1 = s2 - a1 y */
+    static const double stage0_filter0_bandpass0_a2 = 0.9495582735246616; /* denominator: s2 = b2 x - a2 y */
+
+    /* section 2 of 2: centre frequency 53 Hz, quality factor 6.317064, gain 1 there and 1 at 53 Hz */
+    static const double stage0_filter0_bandpass1_b2 = -0.025220863237669183; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage0_filter0_bandpass1_a1 = -1.8424555372194478; /* denominator: s1 = s2 - a1 y */
+    static const double stage0_filter0_bandpass1_a2 = 0.9495582735246616; /* denominator: s2 = b2 x - a2 y */
+
+    /* -weight, against the vibration; at 53 Hz the stage adds 0.5 times its source at 180 deg */
+    static const double stage0_gain = -0.5; /* -weight: negative, because the stage moves the motor against the vibration */
+
+    /* INDIRECT (P-AXIS-00753) from v_motor, weight 100/200 = 0.5 (P-AXIS-00754/00755)
+     * simulated oscillation of the load, f0 of the first BANDPASS 90 Hz (P-AXIS-00751), damping ratio 0.5
+     * (P-AXIS-00850): gain 1 at DC, 1.414214 and -45 deg at f0 */
+    static const double stage1_oscillation_b0 = 0.27269168022286355; /* numerator: y = b0 x + s1 */
+    static const double stage1_oscillation_b1 = 0.12277816040608115; /* numerator: s1 = b1 x - a1 y + s2 */
+    static const double stage1_oscillation_b2 = -0.14991351981678244; /* numerator: s2 = b2 x - a2 y */
+    static const double stage1_oscillation_a1 = -1.3318384791481916; /* denominator: s1 = b1 x - a1 y + s2 */
+    static const double stage1_oscillation_a2 = 0.5773947999603539; /* denominator: s2 = b2 x - a2 y */
+    static const double stage1_oscillation_preset_s1 = 0.7273083197771364; /* 1 - b0: steady s1 for a constant input of 1 */
+    static const double stage1_oscillation_preset_s2 = -0.7273083197771364; /* b2 - a2: steady s2 for a constant input of 1 */
+
+    /* BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 90 Hz (P-AXIS-00751), quality
+     * factor 10 (P-AXIS-00752), -3 dB at 85.60019 and 94.60019 Hz
+     * section 1 of 2: centre frequency 90 Hz, quality factor 6.096751, gain 1 there and 1 at 90 Hz */
+    static const double stage1_filter0_bandpass0_b2 = -0.04209387686073608; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage1_filter0_bandpass0_a1 = -1.617573779551705; /* denominator: s1 = s2 - a1 y */
+    static const double stage1_filter0_bandpass0_a2 = 0.9158122462785279; /* denominator: s2 = b2 x - a2 y */
+
+    /* section 2 of 2: centre frequency 90 Hz, quality factor 6.096751, gain 1 there and 1 at 90 Hz */
+    static const double stage1_filter0_bandpass1_b2 = -0.04209387686073608; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage1_filter0_bandpass1_a1 = -1.617573779551705; /* denominator: s1 = s2 - a1 y */
+    static const double stage1_filter0_bandpass1_a2 = 0.9158122462785279; /* denominator: s2 = b2 x - a2 y */
+
+    /* -weight, against the vibration; at 90 Hz the stage adds 0.7071068 times its source at 135 deg */
+    static const double stage1_gain = -0.5; /* -weight: negative, because the stage moves the motor against the vibration */
+
+    /* largest |v_add| = 500000: 1000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
+    static const double limit = 500000.0; /* largest |v_add| */
+    static const double lower_limit = -500000.0; /* -limit */
+
+    /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
+    /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
+    static const double rest = 4.3368086899420177e-13;
+
+    /* OFF to ON takes 0.1 s (key fade), in cycles */
+    static const uint32_t fade_cycles = 100u; /* cycles that the fade takes from 0 to 1 */
+    static const double fade_step = 0.01; /* 1 / fade_cycles */
+
+    /* the same for every axis */
+    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    static const double sample_limit = 1000000000000000.0;
+    /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
+    static const double anti_denormal = 1.0e-30;
+    static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
+
     bool runs;
     uint32_t reason;
-    if (magnitude(inputs->v_motor) <= sample_limit
+    if (axis_two_frequencies_ipc_magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
+            && !inputs->reset && inputs->mode == AXIS_TWO_FREQUENCIES_IPC_MODE_ON && state->fade >= fade_cycles) {
         runs = true;
-        reason = error_none;
+        reason = AXIS_TWO_FREQUENCIES_IPC_ERROR_NONE;
     } else if (state->disturbed) {
         state->disturbed = false;
         runs = false;
-        reason = error_state;
-    } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
-            && magnitude(inputs->v_motor) <= sample_limit
+        reason = AXIS_TWO_FREQUENCIES_IPC_ERROR_STATE;
+    } else if ((inputs->mode == AXIS_TWO_FREQUENCIES_IPC_MODE_ON || inputs->mode == AXIS_TWO_FREQUENCIES_IPC_MODE_OFF
+                || inputs->mode == AXIS_TWO_FREQUENCIES_IPC_MODE_DRYRUN)
+            && axis_two_frequencies_ipc_magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
             && !inputs->reset) {
         if (state->preset) {
-            if (inputs->mode == mode_on) {
+            if (inputs->mode == AXIS_TWO_FREQUENCIES_IPC_MODE_ON) {
                 state->fade = state->fade + 1u;
             } else {
                 if (state->fade > 0u) {
                     state->fade = state->fade - 1u;
                 }
-                if (inputs->mode == mode_off && state->fade == 0u) {
+                if (inputs->mode == AXIS_TWO_FREQUENCIES_IPC_MODE_OFF && state->fade == 0u) {
                     state->preset = false;
                 }
             }
             runs = true;
         } else {
-            if (inputs->mode != mode_off) {
+            if (inputs->mode != AXIS_TWO_FREQUENCIES_IPC_MODE_OFF) {
                 /* DIRECT (P-AXIS-00753) from v_motor, weight 100/200 = 0.5 (P-AXIS-00754/00755) */
                 /* BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
                  * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
@@ -188,24 +192,26 @@ void axis_two_frequencies_ipc_step(
             }
             runs = false;
         }
-        reason = error_none;
+        reason = AXIS_TWO_FREQUENCIES_IPC_ERROR_NONE;
     } else {
         state->fade = 0u;
         state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
-            reason = error_cycle_time;
-        } else if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
-            reason = error_mode;
-        } else if (magnitude(inputs->v_motor) <= sample_limit) {
-            reason = error_none;
+            reason = AXIS_TWO_FREQUENCIES_IPC_ERROR_CYCLE_TIME;
+        } else if (!(inputs->mode == AXIS_TWO_FREQUENCIES_IPC_MODE_ON
+                || inputs->mode == AXIS_TWO_FREQUENCIES_IPC_MODE_OFF
+                || inputs->mode == AXIS_TWO_FREQUENCIES_IPC_MODE_DRYRUN)) {
+            reason = AXIS_TWO_FREQUENCIES_IPC_ERROR_MODE;
+        } else if (axis_two_frequencies_ipc_magnitude(inputs->v_motor) <= sample_limit) {
+            reason = AXIS_TWO_FREQUENCIES_IPC_ERROR_NONE;
         } else {
-            reason = error_v_motor;
+            reason = AXIS_TWO_FREQUENCIES_IPC_ERROR_V_MOTOR;
         }
         runs = false;
     }
     if (runs) {
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_TWO_FREQUENCIES_IPC_ERROR_NONE;
         /* DIRECT (P-AXIS-00753) from v_motor, weight 100/200 = 0.5 (P-AXIS-00754/00755) */
         /* BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
          * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
@@ -248,14 +254,14 @@ void axis_two_frequencies_ipc_step(
         const double v_stage1 = stage1_gain * stage1_filter0_section1_y;
         const double v_sum1 = v_stage0 + v_stage1;
         double v_limited;
-        if (magnitude(v_sum1) <= limit) {
+        if (axis_two_frequencies_ipc_magnitude(v_sum1) <= limit) {
             outputs->limited = false;
-            if (magnitude(v_sum1) <= rest) {
+            if (axis_two_frequencies_ipc_magnitude(v_sum1) <= rest) {
                 v_limited = 0.0;
             } else {
                 v_limited = v_sum1;
             }
-        } else if (magnitude(v_sum1) <= sum_limit) {
+        } else if (axis_two_frequencies_ipc_magnitude(v_sum1) <= sum_limit) {
             outputs->limited = true;
             if (v_sum1 > 0.0) {
                 v_limited = limit;
@@ -280,7 +286,7 @@ void axis_two_frequencies_ipc_step(
             } else {
                 outputs->v_add = 0.0;
             }
-            if (inputs->mode == mode_off) {
+            if (inputs->mode == AXIS_TWO_FREQUENCIES_IPC_MODE_OFF) {
                 outputs->v_add_calculated = 0.0;
             } else {
                 outputs->v_add_calculated = v_limited;
@@ -290,133 +296,7 @@ void axis_two_frequencies_ipc_step(
         outputs->v_add = 0.0;
         outputs->v_add_calculated = 0.0;
         outputs->limited = false;
-        outputs->fault = reason != error_none;
+        outputs->fault = reason != AXIS_TWO_FREQUENCIES_IPC_ERROR_NONE;
         outputs->error_id = reason;
     }
-}
-
-static uint64_t bits_of(double value)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.value = value;
-    return view.bits;
-}
-
-static double real_of(uint64_t bits)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.bits = bits;
-    return view.value;
-}
-
-static uint64_t fold(uint64_t digest, uint64_t bits)
-{
-    return ((digest << 5) | (digest >> 59)) + bits;
-}
-
-uint32_t axis_two_frequencies_ipc_self_test(void)
-{
-    /* the reference's digest of all outputs and of the state, after each sample */
-    static const uint64_t expected[35] = {
-        UINT64_C(0x0b15d8a690799f3b),
-        UINT64_C(0x9557bf2b3a9676f6),
-        UINT64_C(0x158370fb75f200c3),
-        UINT64_C(0xe35ebd36eceefb9c),
-        UINT64_C(0xda358a071de62da3),
-        UINT64_C(0x39743c66e05dec8f),
-        UINT64_C(0xe1801cfceeb43284),
-        UINT64_C(0x94c30334be167b36),
-        UINT64_C(0x114acba637546149),
-        UINT64_C(0xfc9d71cb13b2b3d9),
-        UINT64_C(0x52579f255ab3d8e7),
-        UINT64_C(0x52072d2721214f2a),
-        UINT64_C(0x932437cc8356c5ad),
-        UINT64_C(0xa9140a48c870792c),
-        UINT64_C(0xd1a8ae6365827648),
-        UINT64_C(0x5eb2adbdf1926ef0),
-        UINT64_C(0x77d22477f9720ab8),
-        UINT64_C(0xa53397f6d0c83d55),
-        UINT64_C(0xfbb0b4232eabc3ee),
-        UINT64_C(0x54b72995eb69dadc),
-        UINT64_C(0xe60acb7e181973a0),
-        UINT64_C(0x4a94edcf17f3ed1e),
-        UINT64_C(0x594504d54d1b98aa),
-        UINT64_C(0x1fd1dd91a301b4a2),
-        UINT64_C(0xf764fe0e6bf965dd),
-        UINT64_C(0x05ab5ecc0c2f694c),
-        UINT64_C(0xd7b3849783d1c689),
-        UINT64_C(0x461da2bdc99f47ec),
-        UINT64_C(0x1512e7b520f3e445),
-        UINT64_C(0x23c5a4f2eba05649),
-        UINT64_C(0xe6fd6a212c9c3b3c),
-        UINT64_C(0x2eeeb3e2c86305a2),
-        UINT64_C(0x9a8382f4ee2b1219),
-        UINT64_C(0x97d6bbc8f6a53b6a),
-        UINT64_C(0x55ce410ec412f5ab),
-    };
-    /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_two_frequencies_ipc_state *, const axis_two_frequencies_ipc_inputs *, axis_two_frequencies_ipc_outputs *) =
-        axis_two_frequencies_ipc_step;
-    axis_two_frequencies_ipc_state state;
-    axis_two_frequencies_ipc_inputs inputs;
-    axis_two_frequencies_ipc_outputs outputs;
-    uint64_t digest = 0u;
-    uint64_t noise;
-    double scale;
-    uint32_t random = 1u;
-    uint32_t sample;
-    /* 1 + 2^-30 and its rounded square; volatile: worked out when it runs */
-    volatile double factor = real_of(UINT64_C(0x3ff0000000400000));
-    volatile double square = real_of(UINT64_C(0x3ff0000000800000));
-    const double product = factor * factor;
-    const double remainder = product - square;
-
-    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
-    if (bits_of(remainder) != 0u) {
-        return 1u;
-    }
-    /* as it stands here, unless the compiler takes constants for single precision */
-    if (bits_of(0.1) != UINT64_C(0x3fb999999999999a)) {
-        return 1u;
-    }
-
-    axis_two_frequencies_ipc_init(&state);
-    axis_two_frequencies_ipc_inputs_init(&inputs);
-    for (sample = 0u; sample < 35u; sample++) {
-        /* at first within every limit, so that nothing is cut off */
-        scale = sample < 27u ? 0.001953125 : 2.0;
-        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_motor = real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
-        step(&state, &inputs, &outputs);
-        digest = fold(digest, bits_of(outputs.v_add));
-        digest = fold(digest, bits_of(outputs.v_add_calculated));
-        digest = fold(digest, outputs.limited);
-        digest = fold(digest, outputs.fault);
-        digest = fold(digest, outputs.error_id);
-        digest = fold(digest, state.preset);
-        digest = fold(digest, state.fade);
-        digest = fold(digest, state.disturbed);
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s2));
-        digest = fold(digest, bits_of(state.stage0_filter0_section1_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section1_s2));
-        digest = fold(digest, bits_of(state.stage1_oscillation_s1));
-        digest = fold(digest, bits_of(state.stage1_oscillation_s2));
-        digest = fold(digest, bits_of(state.stage1_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage1_filter0_section0_s2));
-        digest = fold(digest, bits_of(state.stage1_filter0_section1_s1));
-        digest = fold(digest, bits_of(state.stage1_filter0_section1_s2));
-        if (digest != expected[sample]) {
-            return sample + 1u;
-        }
-    }
-    return 0u;
 }

@@ -5,7 +5,9 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  b8c5e69a91595cd19cc477d738dcfe37
- * checksum    9bed284f8846f248bfb28af999473a38
+ * structure   f3b93a981b28a06116572328f9247f06
+ * checksum    4dec6549417a21440eefcbcee3eb6cd0
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
 
@@ -28,7 +30,7 @@
 #endif
 
 /* |value|, without a library */
-static double magnitude(double value)
+static double axis_x_ipc_magnitude(double value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs(value);
@@ -37,65 +39,17 @@ static double magnitude(double value)
 #endif
 }
 
-/* cycle time 1000 us, the coefficients hold for no other */
-static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
-
-/* INDIRECT (P-AXIS-00753) from v_motor, weight 4294967294/100 = 42949670 (P-AXIS-00754/00755), capped at 7
- * simulated oscillation of the load, f0 of the first BANDPASS 24 Hz (P-AXIS-00751), damping ratio 0.9
- * (P-AXIS-00850): gain 1 at DC, 1.143959 and -29.0546 deg at f0 */
-static const double stage0_oscillation_b0 = 0.12409864499201279; /* numerator: y = b0 x + s1 */
-static const double stage0_oscillation_b1 = 0.00999667456842488; /* numerator: s1 = b1 x - a1 y + s2 */
-static const double stage0_oscillation_b2 = -0.1141019704235879; /* numerator: s2 = b2 x - a2 y */
-static const double stage0_oscillation_a1 = -1.7418060354475495; /* denominator: s1 = b1 x - a1 y + s2 */
-static const double stage0_oscillation_a2 = 0.7617993845843993; /* denominator: s2 = b2 x - a2 y */
-static const double stage0_oscillation_preset_s1 = 0.8759013550079873; /* 1 - b0: steady s1 for a constant input of 1 */
-static const double stage0_oscillation_preset_s2 = -0.8759013550079873; /* b2 - a2: steady s2 for a constant input of 1 */
-
-/* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 24 Hz (P-AXIS-00751), quality
- * factor 5 (P-AXIS-00752), -3 dB at 21.7188 and 26.5188 Hz
- * section 1 of 1: centre frequency 24 Hz, quality factor 4.980694, gain 1 there and 1 at 24 Hz */
-static const double stage0_filter0_bandpass0_b2 = -0.014856736564224501; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage0_filter0_bandpass0_a1 = -1.9479272124251639; /* denominator: s1 = s2 - a1 y */
-static const double stage0_filter0_bandpass0_a2 = 0.970286526871551; /* denominator: s2 = b2 x - a2 y */
-
-/* -weight, against the vibration; at 24 Hz the stage adds 8.007712 times its source at 150.9454 deg */
-static const double stage0_gain = -7.0; /* -weight: negative, because the stage moves the motor against the vibration */
-
-/* largest |v_add| = 1000000: 2000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
-static const double limit = 1000000.0; /* largest |v_add| */
-static const double lower_limit = -1000000.0; /* -limit */
-
-/* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
-/* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
-static const double rest = 4.3368086899420177e-13;
-
-/* OFF to ON takes 0.1 s (key fade), in cycles */
-static const uint32_t fade_cycles = 100u; /* cycles that the fade takes from 0 to 1 */
-static const double fade_step = 0.01; /* 1 / fade_cycles */
-
-/* the same for every axis */
-static const uint32_t error_none = 0u; /* error_id: no fault */
-static const int32_t mode_on = 1; /* mode: the block acts */
-static const int32_t mode_off = 0; /* mode: the block is off */
-static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const double sample_limit = 1000000000000000.0;
-/* error_id: a state of the block is no number, or beyond all that samples in range lead to; everything starts
- * anew */
-static const uint32_t error_state = 3u;
-/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_cycle_time = 1u;
-static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
-static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-/* added in every update of s2, so that a section at rest never decays into subnormal numbers */
-static const double anti_denormal = 1.0e-30;
-static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
-
-void axis_x_ipc_init(axis_x_ipc_state *state)
+void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
-    state->disturbed = false;
+    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    volatile axis_x_ipc_state *const state = fresh;
     state->preset = false;
     state->fade = 0u;
+    state->disturbed = false;
+    state->stage0_oscillation_s1 = 0.0;
+    state->stage0_oscillation_s2 = 0.0;
+    state->stage0_filter0_section0_s1 = 0.0;
+    state->stage0_filter0_section0_s2 = 0.0;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
@@ -112,35 +66,78 @@ void axis_x_ipc_step(
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
+    /* cycle time 1000 us, the coefficients hold for no other */
+    static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
+
+    /* INDIRECT (P-AXIS-00753) from v_motor, weight 4294967294/100 = 42949670 (P-AXIS-00754/00755), capped at 7
+     * simulated oscillation of the load, f0 of the first BANDPASS 24 Hz (P-AXIS-00751), damping ratio 0.9
+     * (P-AXIS-00850): gain 1 at DC, 1.143959 and -29.0546 deg at f0 */
+    static const double stage0_oscillation_b0 = 0.12409864499201279; /* numerator: y = b0 x + s1 */
+    static const double stage0_oscillation_b1 = 0.00999667456842488; /* numerator: s1 = b1 x - a1 y + s2 */
+    static const double stage0_oscillation_b2 = -0.1141019704235879; /* numerator: s2 = b2 x - a2 y */
+    static const double stage0_oscillation_a1 = -1.7418060354475495; /* denominator: s1 = b1 x - a1 y + s2 */
+    static const double stage0_oscillation_a2 = 0.7617993845843993; /* denominator: s2 = b2 x - a2 y */
+    static const double stage0_oscillation_preset_s1 = 0.8759013550079873; /* 1 - b0: steady s1 for a constant input of 1 */
+    static const double stage0_oscillation_preset_s2 = -0.8759013550079873; /* b2 - a2: steady s2 for a constant input of 1 */
+
+    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 24 Hz (P-AXIS-00751), quality
+     * factor 5 (P-AXIS-00752), -3 dB at 21.7188 and 26.5188 Hz
+     * section 1 of 1: centre frequency 24 Hz, quality factor 4.980694, gain 1 there and 1 at 24 Hz */
+    static const double stage0_filter0_bandpass0_b2 = -0.014856736564224501; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage0_filter0_bandpass0_a1 = -1.9479272124251639; /* denominator: s1 = s2 - a1 y */
+    static const double stage0_filter0_bandpass0_a2 = 0.970286526871551; /* denominator: s2 = b2 x - a2 y */
+
+    /* -weight, against the vibration; at 24 Hz the stage adds 8.007712 times its source at 150.9454 deg */
+    static const double stage0_gain = -7.0; /* -weight: negative, because the stage moves the motor against the vibration */
+
+    /* largest |v_add| = 1000000: 2000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
+    static const double limit = 1000000.0; /* largest |v_add| */
+    static const double lower_limit = -1000000.0; /* -limit */
+
+    /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
+    /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
+    static const double rest = 4.3368086899420177e-13;
+
+    /* OFF to ON takes 0.1 s (key fade), in cycles */
+    static const uint32_t fade_cycles = 100u; /* cycles that the fade takes from 0 to 1 */
+    static const double fade_step = 0.01; /* 1 / fade_cycles */
+
+    /* the same for every axis */
+    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    static const double sample_limit = 1000000000000000.0;
+    /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
+    static const double anti_denormal = 1.0e-30;
+    static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
+
     bool runs;
     uint32_t reason;
-    if (magnitude(inputs->v_motor) <= sample_limit
+    if (axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
+            && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON && state->fade >= fade_cycles) {
         runs = true;
-        reason = error_none;
+        reason = AXIS_X_IPC_ERROR_NONE;
     } else if (state->disturbed) {
         state->disturbed = false;
         runs = false;
-        reason = error_state;
-    } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
-            && magnitude(inputs->v_motor) <= sample_limit
+        reason = AXIS_X_IPC_ERROR_STATE;
+    } else if ((inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN) && axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
             && !inputs->reset) {
         if (state->preset) {
-            if (inputs->mode == mode_on) {
+            if (inputs->mode == AXIS_X_IPC_MODE_ON) {
                 state->fade = state->fade + 1u;
             } else {
                 if (state->fade > 0u) {
                     state->fade = state->fade - 1u;
                 }
-                if (inputs->mode == mode_off && state->fade == 0u) {
+                if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
                     state->preset = false;
                 }
             }
             runs = true;
         } else {
-            if (inputs->mode != mode_off) {
+            if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
                 /* INDIRECT (P-AXIS-00753) from v_motor, weight 4294967294/100 = 42949670 (P-AXIS-00754/00755), capped
                  * at 7 */
                 /* simulated oscillation of the load, f0 of the first BANDPASS 24 Hz (P-AXIS-00751), damping ratio 0.9
@@ -156,24 +153,25 @@ void axis_x_ipc_step(
             }
             runs = false;
         }
-        reason = error_none;
+        reason = AXIS_X_IPC_ERROR_NONE;
     } else {
         state->fade = 0u;
         state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
-            reason = error_cycle_time;
-        } else if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
-            reason = error_mode;
-        } else if (magnitude(inputs->v_motor) <= sample_limit) {
-            reason = error_none;
+            reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
+        } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)) {
+            reason = AXIS_X_IPC_ERROR_MODE;
+        } else if (axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit) {
+            reason = AXIS_X_IPC_ERROR_NONE;
         } else {
-            reason = error_v_motor;
+            reason = AXIS_X_IPC_ERROR_V_MOTOR;
         }
         runs = false;
     }
     if (runs) {
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_X_IPC_ERROR_NONE;
         /* INDIRECT (P-AXIS-00753) from v_motor, weight 4294967294/100 = 42949670 (P-AXIS-00754/00755), capped
          * at 7 */
         /* simulated oscillation of the load, f0 of the first BANDPASS 24 Hz (P-AXIS-00751), damping ratio 0.9
@@ -194,14 +192,14 @@ void axis_x_ipc_step(
             stage0_filter0_section0_t + anti_denormal - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
         const double v_stage0 = stage0_gain * stage0_filter0_section0_y;
         double v_limited;
-        if (magnitude(v_stage0) <= limit) {
+        if (axis_x_ipc_magnitude(v_stage0) <= limit) {
             outputs->limited = false;
-            if (magnitude(v_stage0) <= rest) {
+            if (axis_x_ipc_magnitude(v_stage0) <= rest) {
                 v_limited = 0.0;
             } else {
                 v_limited = v_stage0;
             }
-        } else if (magnitude(v_stage0) <= sum_limit) {
+        } else if (axis_x_ipc_magnitude(v_stage0) <= sum_limit) {
             outputs->limited = true;
             if (v_stage0 > 0.0) {
                 v_limited = limit;
@@ -226,7 +224,7 @@ void axis_x_ipc_step(
             } else {
                 outputs->v_add = 0.0;
             }
-            if (inputs->mode == mode_off) {
+            if (inputs->mode == AXIS_X_IPC_MODE_OFF) {
                 outputs->v_add_calculated = 0.0;
             } else {
                 outputs->v_add_calculated = v_limited;
@@ -236,127 +234,7 @@ void axis_x_ipc_step(
         outputs->v_add = 0.0;
         outputs->v_add_calculated = 0.0;
         outputs->limited = false;
-        outputs->fault = reason != error_none;
+        outputs->fault = reason != AXIS_X_IPC_ERROR_NONE;
         outputs->error_id = reason;
     }
-}
-
-static uint64_t bits_of(double value)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.value = value;
-    return view.bits;
-}
-
-static double real_of(uint64_t bits)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.bits = bits;
-    return view.value;
-}
-
-static uint64_t fold(uint64_t digest, uint64_t bits)
-{
-    return ((digest << 5) | (digest >> 59)) + bits;
-}
-
-uint32_t axis_x_ipc_self_test(void)
-{
-    /* the reference's digest of all outputs and of the state, after each sample */
-    static const uint64_t expected[35] = {
-        UINT64_C(0x4ab2a454d910561a),
-        UINT64_C(0xef5dcff9e6a15b7b),
-        UINT64_C(0x72e7f12b2c2b0469),
-        UINT64_C(0xf3843c2ce006466e),
-        UINT64_C(0x1ccf77b061ea0bfa),
-        UINT64_C(0x5cd31edc5bc10710),
-        UINT64_C(0x1464ca9f84411a56),
-        UINT64_C(0xd5e4e0b05e76732e),
-        UINT64_C(0x0c52660f5bcd8874),
-        UINT64_C(0x8cb5ced825448800),
-        UINT64_C(0x74652348119a363f),
-        UINT64_C(0xb21fcfe05de2f875),
-        UINT64_C(0xd80d6b512eab043f),
-        UINT64_C(0x02ae5b98bac02e47),
-        UINT64_C(0x38d12aed645b0843),
-        UINT64_C(0x9420c5ddfc0b5f8e),
-        UINT64_C(0x24c2c11955783dd5),
-        UINT64_C(0xd1a5884abfdc6615),
-        UINT64_C(0x12507cc11f5ebfb3),
-        UINT64_C(0xe34f2e2246aca57a),
-        UINT64_C(0xddb98adfe2cdc7b6),
-        UINT64_C(0x89424eac3df1d068),
-        UINT64_C(0x709d4eddb5ee2897),
-        UINT64_C(0x9eff56d180c5cc57),
-        UINT64_C(0x31fc5681ad373b57),
-        UINT64_C(0x1787ea97baa363a2),
-        UINT64_C(0x1ba186f49cab5b58),
-        UINT64_C(0x8fb8b8454d292910),
-        UINT64_C(0x40661936f05560a9),
-        UINT64_C(0x5263022cabc7885f),
-        UINT64_C(0xa8cc3780da1d88c6),
-        UINT64_C(0x786bca19334b1eac),
-        UINT64_C(0x1c94100ca83ecda9),
-        UINT64_C(0xfc82744ba8667a0a),
-        UINT64_C(0x74b677c2c56c3fab),
-    };
-    /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
-        axis_x_ipc_step;
-    axis_x_ipc_state state;
-    axis_x_ipc_inputs inputs;
-    axis_x_ipc_outputs outputs;
-    uint64_t digest = 0u;
-    uint64_t noise;
-    double scale;
-    uint32_t random = 1u;
-    uint32_t sample;
-    /* 1 + 2^-30 and its rounded square; volatile: worked out when it runs */
-    volatile double factor = real_of(UINT64_C(0x3ff0000000400000));
-    volatile double square = real_of(UINT64_C(0x3ff0000000800000));
-    const double product = factor * factor;
-    const double remainder = product - square;
-
-    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
-    if (bits_of(remainder) != 0u) {
-        return 1u;
-    }
-    /* as it stands here, unless the compiler takes constants for single precision */
-    if (bits_of(0.1) != UINT64_C(0x3fb999999999999a)) {
-        return 1u;
-    }
-
-    axis_x_ipc_init(&state);
-    axis_x_ipc_inputs_init(&inputs);
-    for (sample = 0u; sample < 35u; sample++) {
-        /* at first within every limit, so that nothing is cut off */
-        scale = sample < 27u ? 0.00390625 : 4.0;
-        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_motor = real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
-        step(&state, &inputs, &outputs);
-        digest = fold(digest, bits_of(outputs.v_add));
-        digest = fold(digest, bits_of(outputs.v_add_calculated));
-        digest = fold(digest, outputs.limited);
-        digest = fold(digest, outputs.fault);
-        digest = fold(digest, outputs.error_id);
-        digest = fold(digest, state.preset);
-        digest = fold(digest, state.fade);
-        digest = fold(digest, state.disturbed);
-        digest = fold(digest, bits_of(state.stage0_oscillation_s1));
-        digest = fold(digest, bits_of(state.stage0_oscillation_s2));
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s2));
-        if (digest != expected[sample]) {
-            return sample + 1u;
-        }
-    }
-    return 0u;
 }

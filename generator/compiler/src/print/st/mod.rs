@@ -28,6 +28,7 @@ pub static PLAIN: Language = Language {
     constant: None,
     assign: " :=",
     choice: ["IF ", "ELSIF ", " THEN", "ELSE", "END_IF;"],
+    nothing_else: None,
     cases: Cases { asks: ["CASE ", " OF"], label: (None, ":"), others: "ELSE", ends: [""; 2], end: "END_CASE;" },
     call: "", // nothing stands apart
     comment: ["(* ", "   ", " *)"],

@@ -1,8 +1,9 @@
 //! A certificate in words: short lines of ASCII for the head of a file and for the terminal. Nothing is computed.
 
 use super::{Certificate, Point, noise};
+use crate::blocks::Figure;
 use crate::design::response::{Complex, angle, magnitude};
-use crate::design::rounding::{precision, sample_limit};
+use crate::design::rounding::{at_least, precision, sample_limit};
 use crate::number::digits;
 
 /// The lines: the range, the response of each stage at each of its band-passes, the largest deviation.
@@ -17,6 +18,17 @@ pub(crate) fn lines(certificate: &Certificate) -> Vec<String> {
         lines.push(noise::text(&certificate.noise, certificate.v_max));
     }
     lines
+}
+
+/// The certain bound of what the limit cuts off; none: the block adds nothing, or no bound is certain.
+pub(crate) fn figure(certificate: &Certificate) -> Option<Figure> {
+    let Certificate { real, v_max, limit, bound, .. } = certificate;
+    let value = bound.v_sum * v_max;
+    let doc = format!(
+        "the bound of |v_add| before the limit that is certain for |v| <= {} [um/s or 0.001 deg/s]",
+        digits(*v_max)
+    );
+    (*limit > 0.0 && value.is_finite()).then(|| Figure { name: "BOUND", doc, value: at_least(value, *real) })
 }
 
 fn range(certificate: &Certificate) -> String {

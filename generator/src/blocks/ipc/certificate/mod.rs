@@ -27,7 +27,7 @@ use super::stage::StageDesign;
 use crate::design::rounding::{largest, sample_limit};
 use crate::{axis::Axis, blocks::designed::Designed};
 use compiler::program::Program;
-pub(crate) use lines::lines;
+pub(crate) use lines::{figure, lines};
 use portable::RealKind;
 use response::Point;
 pub(crate) use response::designed;

@@ -5,6 +5,8 @@
  * real type   {{ real }}
  * cycle time  {{ axis.cycle_time_ns }} ns
  * parameters  {{ axis.parameters_digest }}
+ * structure   {{ axis.structure_digest }}
  * checksum    {{ crate::digest::NO_CHECKSUM }}
+ * licence     {{ crate::target::LICENCE }}
  */
 {{ body }}
