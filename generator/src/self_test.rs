@@ -46,9 +46,7 @@ pub(crate) fn record<R: Real, B: Block<R>>(
     let reals = own.reals();
     let places = (1..).step_by(BAD_SAMPLE_DISTANCE);
     let state = defined(&own.program);
-    let kept = state.iter().map(|at| state_paths.iter().position(|path| *path == own.program.state[*at].path));
-    let kept: Option<Vec<usize>> = kept.collect();
-    let kept = kept.expect("self-test: the program's state is part of the reference's");
+    let kept = among(&state, &own.program, state_paths);
     let mut noise = Noise::<R>::within(ranges);
     let loud_from = BAD_SAMPLE_DISTANCE * reals.len() + QUIET_SAMPLES;
     let (mut run, mut outputs) = (Running::<R, B>::start(coeffs), Vec::new());
@@ -72,9 +70,16 @@ pub(crate) fn record<R: Real, B: Block<R>>(
 
 /// The parts of the state that are defined from the first sample on. A block that begins with its usual cycles may wait before it fills
 /// what `init` leaves alone; any other block has filled all of it by then.
-fn defined(program: &Program) -> Vec<usize> {
+pub(crate) fn defined(program: &Program) -> Vec<usize> {
     let is_set = |at: &usize| program.init.iter().any(|statement| statement.mentions(Var::State(*at)));
     (0..program.state.len()).filter(|at| !program.usual_first || is_set(at)).collect()
+}
+
+/// Where parts of a program's state stand among all leaves of the reference's.
+pub(crate) fn among(state: &[usize], program: &Program, state_paths: &[String]) -> Vec<usize> {
+    let place = |at: &usize| state_paths.iter().position(|path| *path == program.state[*at].path);
+    let places: Option<Vec<usize>> = state.iter().map(place).collect();
+    places.expect("self-test: the program's state is part of the reference's")
 }
 
 /// The digest with one more value: turned by five bits, and the bits added, in as many bits as a real has.
