@@ -16,6 +16,7 @@ pub struct Runner {
     pub(crate) samples: usize,
     /// how many of them have one digest
     pub(crate) stretch: usize,
+    pub(crate) period: Period,
     /// the inputs that are no reals, by position among those that the axis has, as they mostly are
     pub(crate) usual: Vec<(usize, Literal)>,
     /// the positions of the real inputs
@@ -41,13 +42,31 @@ const DIGESTS: usize = 100;
 /// The fewest samples with a digest of their own.
 const SHORTEST_STRETCH: usize = 1000;
 
-/// The samples of a period, which repeats itself: little noise with the drill in it; the full noise; both with disturbances; rest.
-pub(crate) const DRILL_FROM: usize = 4000;
-pub(crate) const LOUD_FROM: usize = 6000;
-pub(crate) const DISTURBED_FROM: usize = 12_000;
-pub(crate) const DISTURBED_LOUD_FROM: usize = 14_000;
-pub(crate) const REST_FROM: usize = 16_000;
-pub(crate) const PERIOD: usize = 20_000;
+/// Where the parts of a period begin; it repeats itself. A short run is one period.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Period {
+    /// little noise is there from the beginning; here the drill begins in it
+    pub(crate) drill: usize,
+    /// the full noise
+    pub(crate) loud: usize,
+    /// little noise, with disturbances
+    pub(crate) disturbed: usize,
+    /// the full noise, with disturbances
+    pub(crate) disturbed_loud: usize,
+    /// rest
+    pub(crate) rest: usize,
+    /// how many samples it has
+    pub(crate) samples: usize,
+}
+
+impl Period {
+    /// The period of a run of so many samples.
+    fn of(samples: usize) -> Self {
+        let part = samples.clamp(20, 20_000) / 20;
+        let [drill, loud, disturbed, disturbed_loud, rest, samples] = [4, 6, 12, 14, 16, 20].map(|parts| parts * part);
+        Self { drill, loud, disturbed, disturbed_loud, rest, samples }
+    }
+}
 
 /// Runs the reference.
 ///
@@ -60,7 +79,7 @@ pub(crate) fn record<R: Real, B: Block<R>>(
     drill: &[Drill],
     samples: usize,
 ) -> Runner {
-    let usual = exercised::<R, B>(&coeffs);
+    let (usual, period) = (exercised::<R, B>(&coeffs), Period::of(samples));
     let all_reals = own.reals();
     let (reals, others_there): (Vec<usize>, Vec<usize>) =
         (0..own.inputs.len()).partition(|at| all_reals.contains(&own.inputs[*at]));
@@ -75,12 +94,13 @@ pub(crate) fn record<R: Real, B: Block<R>>(
             Set::I32(value) => Literal::I32(value),
             Set::Real(value) => leaf(R::lit(value)),
         };
-        let samples = DRILL_FROM + part.samples.start..DRILL_FROM + part.samples.end;
+        let samples = period.drill + part.samples.start..period.drill + part.samples.end;
         Some((samples, own_place(part.input)?, value))
     });
     let mut noise = Noise::<R>::within(ranges);
     let mut runner = Runner {
         samples,
+        period,
         stretch: samples.div_ceil(DIGESTS).max(SHORTEST_STRETCH),
         usual: others_there.iter().map(|at| (*at, usual[own.inputs[*at]])).collect(),
         reals,
@@ -109,7 +129,7 @@ impl Runner {
         let (mut digest, mut digests) = (0, Vec::new());
         for sample in 0..self.samples {
             let mut inputs = usual.clone();
-            self.sample(sample % PERIOD, noise, &mut turn, |at, value| inputs[own.inputs[at]] = value);
+            self.sample(sample % self.period.samples, noise, &mut turn, |at, value| inputs[own.inputs[at]] = value);
             run.step(&inputs, &mut outputs);
             let reached = run.state();
             let shown = own.outputs.iter().map(|output| &outputs[*output]);
@@ -124,13 +144,14 @@ impl Runner {
 
     /// Sets the inputs of a sample of the period; the template of C does the same, in the same order.
     fn sample<R: Real>(&self, at: usize, noise: &mut Noise<R>, turn: &mut Turn, mut set: impl FnMut(usize, Literal)) {
-        let is_loud = (LOUD_FROM..DISTURBED_FROM).contains(&at) || at >= DISTURBED_LOUD_FROM;
-        let scale = if at >= REST_FROM { R::ZERO } else { R::build(&mut || self.scales[usize::from(is_loud)]) };
+        let Period { loud, disturbed, disturbed_loud, rest, .. } = self.period;
+        let is_loud = (loud..disturbed).contains(&at) || at >= disturbed_loud;
+        let scale = if at >= rest { R::ZERO } else { R::build(&mut || self.scales[usize::from(is_loud)]) };
         self.reals.iter().for_each(|real| set(*real, noise.times(scale)));
         for (_, input, value) in self.drill.iter().filter(|(samples, ..)| samples.contains(&at)) {
             set(*input, *value);
         }
-        if !(DISTURBED_FROM..REST_FROM).contains(&at) {
+        if !(disturbed..rest).contains(&at) {
             turn.left = 0;
             return;
         }

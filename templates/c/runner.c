@@ -103,13 +103,13 @@ static {{ real }} {{ prefix }}_runner_noise({{ prefix }}_runner_source *source, 
     return (({{ real }}){{ prefix }}_runner_integer(source) - 8388608.0{{ suffix }}) * scale;
 }
 
-/* The inputs of one sample. {{ PERIOD }} samples repeat themselves: little noise, much noise, both with disturbances, rest. */
+/* The inputs of one sample. {{ runner.period.samples }} samples repeat themselves: little noise, much noise, both with disturbances, rest. */
 static void {{ prefix }}_runner_stimulus({{ prefix }}_runner_source *source, uint32_t sample, {{ prefix }}_inputs *inputs)
 {
-    const uint32_t at = sample % {{ PERIOD }}u;
+    const uint32_t at = sample % {{ runner.period.samples }}u;
 {%- if !reals.is_empty() %}
-    const bool is_loud = (at >= {{ LOUD_FROM }}u && at < {{ DISTURBED_FROM }}u) || at >= {{ DISTURBED_LOUD_FROM }}u;
-    const {{ real }} scale = at >= {{ REST_FROM }}u ? 0.0{{ suffix }} : is_loud ? {{ scales[1] }} : {{ scales[0] }};
+    const bool is_loud = (at >= {{ runner.period.loud }}u && at < {{ runner.period.disturbed }}u) || at >= {{ runner.period.disturbed_loud }}u;
+    const {{ real }} scale = at >= {{ runner.period.rest }}u ? 0.0{{ suffix }} : is_loud ? {{ scales[1] }} : {{ scales[0] }};
     union {
         uint{{ bits }}_t bits;
         {{ real }} value;
@@ -129,7 +129,7 @@ static void {{ prefix }}_runner_stimulus({{ prefix }}_runner_source *source, uin
         inputs->{{ name }} = {{ value }};
     }
 {%- endfor %}
-    if (at < {{ DISTURBED_FROM }}u || at >= {{ REST_FROM }}u) {
+    if (at < {{ runner.period.disturbed }}u || at >= {{ runner.period.rest }}u) {
 {%- if !turns.is_empty() %}
         source->left = 0u;
 {%- endif %}

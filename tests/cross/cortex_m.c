@@ -15,6 +15,12 @@ void runner_put(const char *text);
 RUNS
 #undef RUN
 
+#if defined(FLUSH)
+#define KEEPS_SUBNORMALS 0
+#else
+#define KEEPS_SUBNORMALS 1
+#endif
+
 static uint32_t semihosting(uint32_t operation, const void *argument)
 {
     register uint32_t r0 __asm__("r0") = operation;
@@ -58,6 +64,17 @@ uint32_t runner_cycles(void)
 }
 #endif
 
+#if defined(__ARM_FP)
+/* Whether half of the smallest normal number is a number other than 0. */
+static int keeps_subnormals(void)
+{
+    volatile float smallest = 0x1p-126f;
+    volatile float half = smallest * 0.5f;
+    const volatile uint32_t *bits = (const volatile uint32_t *)&half;
+    return *bits != 0u;
+}
+#endif
+
 void reset(void)
 {
     const uint32_t *from = &data_from;
@@ -75,6 +92,10 @@ void reset(void)
 #if defined(FLUSH)
     __asm__ volatile("vmsr fpscr, %0" : : "r"(3u << 24)); /* FZ, DN */
 #endif
+    if (keeps_subnormals() != KEEPS_SUBNORMALS) {
+        runner_put("subnormal numbers are not as asked for\n");
+        leave(2u);
+    }
 #endif
 #define RUN(prefix) failed += prefix##_runner();
     RUNS

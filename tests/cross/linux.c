@@ -1,5 +1,6 @@
 /* What an emitted runner needs on Linux: the standard output. RUNS is a list of runners, RUN(axis_x_ipc) each; FLUSH: the processor
  * replaces subnormal numbers by 0 and every NaN by its own. */
+#include <float.h>
 #include <stdint.h>
 #include <stdio.h>
 
@@ -17,8 +18,15 @@ void runner_put(const char *text)
 int main(void)
 {
     uint32_t failed = 0u;
+#if defined(FLUSH)
+    volatile double smallest = DBL_MIN;
+#endif
 #if defined(FLUSH) && defined(__aarch64__)
     __asm__ volatile("msr fpcr, %0" : : "r"((uint64_t)3u << 24)); /* FZ, DN */
+    if (smallest * 0.5 != 0.0) {
+        puts("subnormal numbers are not flushed");
+        return 2;
+    }
 #elif defined(FLUSH)
 #error "how this processor flushes subnormal numbers is not known here"
 #endif

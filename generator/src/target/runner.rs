@@ -2,7 +2,7 @@
 
 use super::outline::COMMENT_WIDTH;
 use super::{File, Header, Legal, block_name, rendered};
-use crate::runner::{DISTURBED_FROM, DISTURBED_LOUD_FROM, LOUD_FROM, PERIOD, REST_FROM, Runner};
+use crate::runner::Runner;
 use askama::Template;
 use compiler::print::{Printer, c::LANGUAGE};
 use compiler::program::{Type, Variable};
