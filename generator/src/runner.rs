@@ -101,7 +101,7 @@ pub(crate) fn record<R: Real, B: Block<R>>(
     let mut runner = Runner {
         samples,
         period,
-        stretch: samples.div_ceil(DIGESTS).max(SHORTEST_STRETCH),
+        stretch: samples.div_ceil(DIGESTS).max(SHORTEST_STRETCH).min(samples),
         usual: others_there.iter().map(|at| (*at, usual[own.inputs[*at]])).collect(),
         reals,
         scales: noise.scales,

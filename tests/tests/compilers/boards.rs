@@ -4,6 +4,7 @@ use axgen_tests::environment::has;
 use generator::blocks::{self, Block, Designed};
 use generator::generate::header;
 use generator::target::{File, TARGETS};
+use std::borrow::Borrow;
 use std::path::Path;
 use std::process::Command;
 use tempfile::TempDir;
@@ -142,9 +143,27 @@ pub fn run_here(emitted: &[&Emitted]) -> String {
     said(Command::new("./program").current_dir(folder.path()))
 }
 
-fn written(emitted: &[&Emitted]) -> TempDir {
+/// A folder with the object `blocks.o` of these blocks, without their runners.
+pub fn object(board: &Board, emitted: &[Emitted], level: &str) -> TempDir {
+    let folder = written(emitted);
+    let sources = emitted.iter().flat_map(|of| &of.files).map(|file| &file.name);
+    let sources = sources.filter(|name| name.ends_with(".c") && !name.ends_with("_runner.c"));
+    let mut compile = Command::new(board.compiler);
+    compile.current_dir(folder.path()).args(board.options).args([
+        level,
+        "-std=c99",
+        "-nostdlib",
+        "-r",
+        "-o",
+        "blocks.o",
+    ]);
+    finished(compile.args(sources), board.name);
+    folder
+}
+
+fn written<E: Borrow<Emitted>>(emitted: &[E]) -> TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    for File { name, text } in emitted.iter().flat_map(|of| &of.files) {
+    for File { name, text } in emitted.iter().flat_map(|of| &of.borrow().files) {
         std::fs::write(folder.path().join(name), text).expect("room in it");
     }
     folder

@@ -9,6 +9,7 @@ mod boards;
 mod files;
 mod flags;
 mod matrix;
+mod random_axes;
 mod runners;
 
 use axgen_tests::cases::{in_both_real_types, title};

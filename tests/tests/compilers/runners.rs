@@ -26,7 +26,7 @@ fn passed(prefix: &str, samples: usize) -> String {
 }
 
 /// The runners of the three blocks in one real type: `f32` or `f64`.
-fn blocks(real: &str) -> Vec<Emitted> {
+pub fn blocks(real: &str) -> Vec<Emitted> {
     let cases = in_both_real_types();
     let case = |name: &&str| {
         let is_it = |case: &&Case| title(case) == format!("{name}, {real}");
@@ -141,8 +141,8 @@ fn a_runner_names_the_first_samples_that_differ() {
 fn a_runner_finds_another_constant() {
     let case = all().into_iter().find(|case| title(case) == "single-precision, f32").expect("the case");
     let mut emitted = Emitted::of(&case.axis, &case.block, 2500);
-    let file = emitted.files.iter_mut().find(|file| file.text.contains("bandpass0_r = ")).expect("the source");
-    let line = file.text.lines().find(|line| line.contains("bandpass0_r = ")).expect("a constant").to_owned();
+    let file = emitted.files.iter_mut().find(|file| file.text.contains("bandpass0_a = ")).expect("the source");
+    let line = file.text.lines().find(|line| line.contains("bandpass0_a = ")).expect("a constant").to_owned();
     let digit = line.find('.').expect("a decimal point") + 6;
     let other = if line.as_bytes()[digit] == b'1' { "2" } else { "1" };
     let changed = [&line[..digit], other, &line[digit + 1..]].concat();
