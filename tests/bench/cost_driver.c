@@ -2,7 +2,7 @@
  * each way; on the host it takes the number of a way, whose calls of `measured_step` callgrind counts. */
 #define WAYS 8u
 /* behind these the block is faded in */
-#define CYCLES 400u
+#define CYCLES 2000u
 #define REPEATED 16u
 
 #if defined(__arm__)
