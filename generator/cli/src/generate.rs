@@ -9,7 +9,7 @@ use crate::messages::Format;
 use crate::output;
 use crate::shared;
 use compiler::pass::Defect;
-use generator::diagnostics::Slashes;
+use generator::diagnostics::{Diagnostic, Place, Slashes};
 use generator::pipeline::Set;
 use generator::target::{self, DEFAULT_TARGETS, File, TARGETS, Target};
 use generator::write::{self, Refusal, Written};
@@ -124,8 +124,9 @@ fn chosen(named: &[String], set: &Set) -> Result<Vec<Target>, Exit> {
 fn with_runners(targets: Vec<Target>, samples: usize) -> Result<Vec<Target>, Exit> {
     if targets.iter().all(|target| target.with_runners(samples).is_none()) {
         let names: Vec<&str> = targets.iter().map(|target| target.name).collect();
-        let found = format!("no target with runners among {}: add --target c", names.join(", "));
-        return Err(Exit::input(codes::NO_SUCH, "--runner", found));
+        let found = format!("no target with runners: {}", names.join(", "));
+        let diagnostic = Diagnostic::error(codes::NO_SUCH, Place::whole("--runner"), found);
+        return Err(Exit::Input(diagnostic.allowed("c").instead("--target c --runner").into()));
     }
     Ok(targets.into_iter().map(|target| target.with_runners(samples).unwrap_or(target)).collect())
 }
