@@ -49,17 +49,20 @@ pub fn header(axis: &Axis, block: &Block) -> Header {
     }
 }
 
-/// The files of an axis: design, specialise and the passes once for each block; then each target prints.
+/// The files of an axis: design, specialise and the passes once for each block; then each target prints, and the runners that are
+/// asked for are recorded.
 ///
 /// # Errors
 /// A defect of a block or of a pass.
 pub fn axis_files(designed: &Designed, targets: &[Target]) -> Result<Vec<File>, Defect> {
-    let blocks = blocks::blocks(designed)?;
-    let headers: Vec<Header> = blocks.iter().map(|block| header(&designed.axis, block)).collect();
+    let kinds = blocks::of_axis(&designed.axis);
+    let blocks = kinds.map(|kind| Ok((kind, kind.block(designed)?))).collect::<Result<Vec<_>, Defect>>()?;
+    let headers: Vec<Header> = blocks.iter().map(|(_, block)| header(&designed.axis, block)).collect();
     let mut files = Vec::new();
     for target in targets {
-        for (header, block) in headers.iter().zip(&blocks) {
+        for (header, (kind, block)) in headers.iter().zip(&blocks) {
             files.extend(target.files(header, block)?);
+            files.extend(target.runner(header, block, |samples| kind.runner(designed, block, samples))?);
         }
     }
     Ok(files)

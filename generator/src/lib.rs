@@ -26,6 +26,7 @@ pub mod parameters;
 pub mod pipeline;
 pub mod reference_page;
 mod rules;
+pub mod runner;
 pub mod schema;
 mod self_test;
 pub mod summary;

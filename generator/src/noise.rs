@@ -71,8 +71,18 @@ impl<R: Real> Noise<R> {
 
     /// The next number, of the first or the second range.
     fn next(&mut self, is_loud: bool) -> Literal {
-        self.random = self.random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
         let scale = R::build(&mut || self.scales[usize::from(is_loud)]);
-        leaf((R::from_u32(self.random >> 8) - R::lit(8_388_608.0)) * scale)
+        self.times(scale)
+    }
+
+    /// The next number, times a factor.
+    pub(crate) fn times(&mut self, scale: R) -> Literal {
+        leaf((R::from_u32(self.integer()) - R::lit(8_388_608.0)) * scale)
+    }
+
+    /// The next integer, of 24 bits.
+    pub(crate) fn integer(&mut self) -> u32 {
+        self.random = self.random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        self.random >> 8
     }
 }

@@ -1,7 +1,7 @@
 //! What the self-test of a block does, and the answers that the reference gives. Every target prints it its own way.
 
 use crate::noise::{Noise, Run, Running, exercised};
-use compiler::program::Type;
+use compiler::program::{Program, Type, Variable};
 use compiler::{leaf, legalise::Own};
 use portable::{Block, Literal, Real, RealKind};
 
@@ -43,9 +43,7 @@ pub(crate) fn record<R: Real, B: Block<R>>(
     let switches = inputs.filter(|(_, (input, value))| *value != input.start).map(|(index, (_, value))| (index, value));
     let reals = own.reals();
     let places = (1..).step_by(BAD_SAMPLE_DISTANCE);
-    let kept = own.program.state.iter().map(|of| state_paths.iter().position(|path| *path == of.path));
-    let kept: Option<Vec<usize>> = kept.collect();
-    let kept = kept.expect("self-test: the program's state is part of the reference's");
+    let kept = kept(&own.program, state_paths);
     let mut noise = Noise::<R>::within(ranges);
     let loud_from = BAD_SAMPLE_DISTANCE * reals.len() + QUIET_SAMPLES;
     let (mut run, mut outputs) = (Running::<R, B>::start(coeffs), Vec::new());
@@ -65,6 +63,13 @@ pub(crate) fn record<R: Real, B: Block<R>>(
     let is_real = |index: &usize| own.program.inputs[*index].ty == Type::Real;
     let bad = places.zip((0..own.inputs.len()).filter(is_real)).collect();
     SelfTest { switches: switches.collect(), scales: noise.scales, loud_from, bad, expected }
+}
+
+/// Where the parts of a program's state stand among all leaves of the reference's.
+pub(crate) fn kept(program: &Program, state_paths: &[String]) -> Vec<usize> {
+    let place = |part: &Variable| state_paths.iter().position(|path| *path == part.path);
+    let places: Option<Vec<usize>> = program.state.iter().map(place).collect();
+    places.expect("self-test: the program's state is part of the reference's")
 }
 
 /// The digest with one more value: turned by five bits, and the bits added, in as many bits as a real has.

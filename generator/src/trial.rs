@@ -269,7 +269,7 @@ fn turn(samples: Range<usize>, input: usize, value: Literal) -> Turn {
 }
 
 /// Other values of a switch; of an integer those beside it, and two far away.
-fn others(value: Literal) -> Vec<Literal> {
+pub(crate) fn others(value: Literal) -> Vec<Literal> {
     match value {
         Literal::Bool(value) => vec![Literal::Bool(!value)],
         Literal::I32(value) => [1, -1, 200, -200].map(|more| Literal::I32(value.wrapping_add(more))).into(),

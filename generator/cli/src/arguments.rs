@@ -34,6 +34,10 @@ pub enum Command {
         /// Only this axis, may be given several times
         #[arg(long = "axis", value_name = "X")]
         axes: Vec<String>,
+        /// Write a runner beside each block in C: a program for your own board that compares so many samples with the reference [default: 100000]
+        #[arg(long, value_name = "SAMPLES", num_args = 0..=1, require_equals = true, default_missing_value = "100000",
+            value_parser = verify::samples, conflicts_with = "emit")]
+        runner: Option<usize>,
         /// Folder for the files; created if it does not exist
         #[arg(long, value_name = "DIR", default_value = "generated")]
         out: PathBuf,

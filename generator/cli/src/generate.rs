@@ -9,11 +9,11 @@ use crate::messages::Format;
 use crate::output;
 use crate::shared;
 use compiler::pass::Defect;
-use generator::diagnostics::Slashes;
+use generator::diagnostics::{Diagnostic, Place, Slashes};
 use generator::pipeline::Set;
 use generator::target::{self, DEFAULT_TARGETS, File, TARGETS, Target};
 use generator::write::{self, Refusal, Written};
-use generator::{generate, summary};
+use generator::{codes, generate, summary};
 use std::borrow::Cow;
 use std::path::PathBuf;
 use std::slice;
@@ -27,6 +27,8 @@ pub struct Request {
     pub targets: Vec<String>,
     /// axes; empty: all
     pub axes: Vec<String>,
+    /// how many samples the runners have that are written beside the blocks; none: no runners
+    pub runner: Option<usize>,
     /// the folder for the files
     pub out: PathBuf,
     /// whether files that were changed by hand are overwritten
@@ -44,7 +46,10 @@ pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Resul
     for name in axes {
         input::axis(&set, Some(name))?;
     }
-    let targets = chosen(&request.targets, &set)?;
+    let mut targets = chosen(&request.targets, &set)?;
+    if let Some(samples) = request.runner {
+        targets = with_runners(targets, samples)?;
+    }
     if let Some(stage) = &request.emit {
         return emit::run(set.axes.iter().filter(|of| axes.is_empty() || axes.contains(&of.axis.name)), stage);
     }
@@ -113,6 +118,17 @@ fn chosen(named: &[String], set: &Set) -> Result<Vec<Target>, Exit> {
         }
     }
     Ok(targets)
+}
+
+/// The targets, those that have runners with them.
+fn with_runners(targets: Vec<Target>, samples: usize) -> Result<Vec<Target>, Exit> {
+    if targets.iter().all(|target| target.with_runners(samples).is_none()) {
+        let names: Vec<&str> = targets.iter().map(|target| target.name).collect();
+        let found = format!("no target with runners: {}", names.join(", "));
+        let diagnostic = Diagnostic::error(codes::NO_SUCH, Place::whole("--runner"), found);
+        return Err(Exit::Input(diagnostic.allowed("c").instead("--target c --runner").into()));
+    }
+    Ok(targets.into_iter().map(|target| target.with_runners(samples).unwrap_or(target)).collect())
 }
 
 fn say(set: &Set, paths: &[PathBuf], written: Written, warnings: usize) -> Result<(), Exit> {

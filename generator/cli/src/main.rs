@@ -51,9 +51,9 @@ fn main() -> ExitCode {
 /// Does what was asked for.
 fn run(command: Command, format: Format) -> Result<Exit, Exit> {
     match command {
-        Command::Generate { set, targets, axes, out, force, check, diff, emit } => {
+        Command::Generate { set, targets, axes, runner, out, force, check, diff, emit } => {
             let compare = if diff { Some(Show::Lines) } else { check.then_some(Show::Names) };
-            generate::run(&set, format, &generate::Request { targets, axes, out, force, compare, emit })
+            generate::run(&set, format, &generate::Request { targets, axes, runner, out, force, compare, emit })
         }
         Command::Check { set, verbose } => check::run(&set, format, verbose),
         Command::Run { set, axis, block, engine, stimulus, scenario, compare, map, out, force, hex } => run::run(

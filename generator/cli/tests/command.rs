@@ -104,6 +104,32 @@ fn one_axis_alone() {
     assert_eq!((run.code, run.err.as_str()), (2, "--axis: error[AX012]: no axis `Q`\n    allowed: X, Y, C\n"));
 }
 
+/// A runner beside each block in C, of as many samples as are asked for; the other files stay as they are.
+#[test]
+fn runners_stand_beside_the_blocks() {
+    let folder = folder();
+    let names = |run: &Run| run.out.lines().filter(|line| line.starts_with("generated/")).count();
+    let run = axgen(folder.path(), &["generate", "machine.toml", "--runner"]);
+    assert_eq!((run.code, names(&run)), (0, 9), "{}", run.out);
+    let runner = read(folder.path(), "generated/axis_c_ipc_runner.c");
+    assert!(runner.contains("uint32_t axis_c_ipc_runner(void)\n{") && runner.contains("sample < 100000u"));
+    assert_eq!(runner.matches("UINT32_C(0x").count(), 100 + 2, "digests; the factor of the digest, a NaN");
+    let run = axgen(folder.path(), &["generate", "machine.toml", "--runner=1500"]);
+    assert!(run.out.ends_with("3 axes: 3 files written, 6 unchanged, 0 warnings\n"), "{}", run.out);
+    assert!(read(folder.path(), "generated/axis_c_ipc_runner.c").contains("sample < 1500u"));
+    let run = axgen(folder.path(), &["generate", "machine.toml", "--runner=1500", "--check"]);
+    assert_eq!(run.code, 0, "{}", run.out);
+}
+
+#[test]
+fn a_runner_needs_c() {
+    let folder = folder();
+    let run = axgen(folder.path(), &["generate", "machine.toml", "--target", "st", "--target", "scl", "--runner"]);
+    let expected = "--runner: error[AX012]: no target with runners: st, scl\n    allowed: c\n    write instead: --target c --runner\n";
+    assert_eq!((run.code, run.err.as_str()), (2, expected));
+    assert!(!folder.path().join("generated").exists());
+}
+
 #[test]
 fn an_error_writes_nothing() {
     let folder = folder();

@@ -3,6 +3,7 @@
 use super::designed::Designed;
 use super::values::{self, Values};
 use crate::noise::{Run, Running};
+use crate::runner::{self, Runner};
 use crate::self_test::{self, SelfTest};
 use crate::trial::{self, Drill, Recording};
 use crate::{axis::Axis, design::rounding::rounded};
@@ -121,6 +122,12 @@ pub trait Kind: Part {
     /// A defect of the block or of a pass.
     fn block(&self, designed: &Designed) -> Result<Block, Defect>;
 
+    /// A run of so many samples for a user's own board, of a block of that axis.
+    ///
+    /// # Errors
+    /// A defect of the block.
+    fn runner(&self, designed: &Designed, block: &Block, samples: usize) -> Result<Runner, Defect>;
+
     /// The reference, before its first cycle.
     fn start(&self, designed: &Designed) -> Box<dyn Run>;
 
@@ -172,6 +179,13 @@ impl<P: Part + Reference<f64> + Reference<f32> + 'static> Kind for P {
         }
     }
 
+    fn runner(&self, designed: &Designed, block: &Block, samples: usize) -> Result<Runner, Defect> {
+        match designed.axis.real {
+            RealKind::F64 => runner::<f64, P>(self, designed, block, samples),
+            RealKind::F32 => runner::<f32, P>(self, designed, block, samples),
+        }
+    }
+
     fn start(&self, designed: &Designed) -> Box<dyn Run> {
         let (coeffs, real) = (P::design(designed), designed.axis.real);
         match real {
@@ -216,4 +230,18 @@ fn block<R: Real, P: Part + Reference<f64> + Reference<R>>(part: &P, designed: &
     let drill = part.drill(designed);
     let trial = trial::recording::<R, P>(coeffs(), (&program, &own), &paths, ranges, start, &drill);
     Ok(Block { program, own, notes, self_test, trial, certificate, structure })
+}
+
+/// Runs the reference of a block for a user's own board.
+fn runner<R: Real, P: Part + Reference<f64> + Reference<R>>(
+    part: &P,
+    designed: &Designed,
+    block: &Block,
+    samples: usize,
+) -> Result<Runner, Defect> {
+    let paths: Vec<String> =
+        program::<R, P>(part, designed, None)?.state.into_iter().map(|variable| variable.path).collect();
+    let coeffs = rounded(&P::design(designed), R::KIND);
+    let (ranges, drill) = (part.ranges(designed), part.drill(designed));
+    Ok(runner::record::<R, P>(coeffs, (&block.program, &block.own), &paths, ranges, &drill, samples))
 }

@@ -9,6 +9,7 @@ pub(crate) use st::twincat::Cdata;
 
 use crate::blocks::Block;
 use crate::digest::with_checksum;
+use crate::runner::Runner;
 use askama::Template;
 use compiler::legalise;
 use compiler::pass::{Defect, Stage};
@@ -32,15 +33,29 @@ pub struct Target {
     files: fn(&Header, &Legal<'_>) -> Vec<File>,
     /// the files that all axes of a set share
     pub shared: fn(&[Unit<'_>]) -> Vec<File>,
+    /// the file of a block's runner; not every language has one
+    runner: Option<fn(&Header, &Legal<'_>, &Runner) -> File>,
+    /// how many samples the runners have that are written beside the blocks; `None`: none is written
+    samples: Option<usize>,
 }
 
 pub const TARGETS: [Target; 5] = [
-    Target { name: "c", passes: legalise::WITH_OUTPUTS, files: c::files, shared: |_| Vec::new() },
-    Target { name: "st", passes: legalise::WITH_DIGITS, files: st::plain, shared: |_| Vec::new() },
-    Target { name: "twincat", passes: legalise::WITH_ENABLE, files: st::twincat::files, shared: st::twincat::shared },
-    Target { name: "codesys", passes: legalise::WITH_ENABLE, files: st::codesys::files, shared: st::codesys::shared },
-    Target { name: "scl", passes: legalise::WITH_ENABLE, files: st::scl, shared: st::scl_shared },
+    Target { runner: Some(c::runner::file), ..target("c", legalise::WITH_OUTPUTS, c::files, |_| Vec::new()) },
+    target("st", legalise::WITH_DIGITS, st::plain, |_| Vec::new()),
+    target("twincat", legalise::WITH_ENABLE, st::twincat::files, st::twincat::shared),
+    target("codesys", legalise::WITH_ENABLE, st::codesys::files, st::codesys::shared),
+    target("scl", legalise::WITH_ENABLE, st::scl, st::scl_shared),
 ];
+
+/// A target without runners.
+const fn target(
+    name: &'static str,
+    passes: &'static [Stage],
+    files: fn(&Header, &Legal<'_>) -> Vec<File>,
+    shared: fn(&[Unit<'_>]) -> Vec<File>,
+) -> Target {
+    Target { name, passes, files, shared, runner: None, samples: None }
+}
 
 /// The targets of a set that names none.
 pub const DEFAULT_TARGETS: [&str; 2] = ["c", "st"];
@@ -64,6 +79,27 @@ impl Target {
     /// A defect of a legalising pass.
     pub fn files(&self, header: &Header, block: &Block) -> Result<Vec<File>, Defect> {
         Ok((self.files)(header, &Legal { program: self.program(block)?, block }))
+    }
+
+    /// The same target with a runner of so many samples beside each block, if the language has runners.
+    #[must_use]
+    pub fn with_runners(self, samples: usize) -> Option<Self> {
+        self.runner.map(|_| Self { samples: Some(samples), ..self })
+    }
+
+    /// The file of a block's runner, if one is asked for; `record` runs the reference for so many samples.
+    ///
+    /// # Errors
+    /// A defect of a pass.
+    pub fn runner(
+        &self,
+        header: &Header,
+        block: &Block,
+        record: impl FnOnce(usize) -> Result<Runner, Defect>,
+    ) -> Result<Option<File>, Defect> {
+        let (Some(file), Some(samples)) = (self.runner, self.samples) else { return Ok(None) };
+        let runner = record(samples)?;
+        Ok(Some(file(header, &Legal { program: self.program(block)?, block }, &runner)))
     }
 }
 

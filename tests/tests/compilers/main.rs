@@ -4,10 +4,13 @@
 //! A compiler that is not there is said, past the capture of test output; in CI and in an exhaustive run it is a failure.
 #![forbid(unsafe_code)]
 
-mod arm;
+mod bare;
+mod boards;
 mod files;
 mod flags;
 mod matrix;
+mod random_axes;
+mod runners;
 mod unity;
 
 use axgen_tests::cases::{in_both_real_types, title};

@@ -2,6 +2,7 @@
 
 mod header;
 mod names;
+pub(super) mod runner;
 
 use super::outline::{COMMENT_WIDTH, Group, Member, Outline};
 use super::{File, Header, Legal, rendered};
