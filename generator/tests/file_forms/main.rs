@@ -13,6 +13,7 @@ mod structure;
 mod suite;
 mod text;
 mod twincat;
+mod values;
 mod xml;
 
 use generator::config::{ListOptions, Unreadable};
