@@ -23,7 +23,7 @@ static uint{{ bits }}_t fold(uint{{ bits }}_t digest, uint{{ bits }}_t bits)
     return ((digest << 5) | (digest >> {{ bits - 5 }})) + bits;
 }
 
-uint32_t {{ block.prefix }}_self_test(void)
+uint32_t {{ prefix }}_self_test(void)
 {
     /* the reference's digest of all outputs and of the state, after each sample */
     static const uint{{ bits }}_t expected[{{ block.expected.len() }}] = {
@@ -32,11 +32,11 @@ uint32_t {{ block.prefix }}_self_test(void)
 {%- endfor %}
     };
     /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)({{ block.prefix }}_state *, const {{ block.prefix }}_inputs *, {{ block.prefix }}_outputs *) =
-        {{ block.prefix }}_step;
-    {{ block.prefix }}_state state;
-    {{ block.prefix }}_inputs inputs;
-    {{ block.prefix }}_outputs outputs;
+    void (*volatile step)({{ prefix }}_state *, const {{ prefix }}_inputs *, {{ prefix }}_outputs *) =
+        {{ prefix }}_step;
+    {{ prefix }}_state state;
+    {{ prefix }}_inputs inputs;
+    {{ prefix }}_outputs outputs;
     uint{{ bits }}_t digest = 0u;
     uint{{ bits }}_t noise;
     {{ real }} scale;
@@ -59,8 +59,8 @@ uint32_t {{ block.prefix }}_self_test(void)
     }
 {%- endif %}
 
-    {{ block.prefix }}_init(&state);
-    {{ block.prefix }}_inputs_init(&inputs);
+    {{ prefix }}_init(&state);
+    {{ prefix }}_inputs_init(&inputs);
 {%- for (input, value) in block.switches %}
     inputs.{{ block.inputs[*input].name }} = {{ value }};
 {%- endfor %}

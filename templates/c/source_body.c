@@ -17,7 +17,7 @@
 #else
 #pragma STDC FP_CONTRACT OFF
 #endif
-{%- if uses_magnitude %}
+{%- if block.uses_magnitude %}
 
 /* |value|, without a library */
 static {{ real }} magnitude({{ real }} value)
@@ -29,16 +29,16 @@ static {{ real }} magnitude({{ real }} value)
 #endif
 }
 {%- endif %}
-{%- if uses_nearest %}
+{%- if block.uses_nearest %}
 
 /* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
  * rightly; without a library */
 static int32_t nearest({{ real }} value)
 {
 #if defined(__GNUC__)
-    return (int32_t)(value + __builtin_copysign{{ suffix }}({{ nearly_half }}, value));
+    return (int32_t)(value + __builtin_copysign{{ suffix }}({{ block.nearly_half }}, value));
 #else
-    return (int32_t)(value < 0.0{{ suffix }} ? value - {{ nearly_half }} : value + {{ nearly_half }});
+    return (int32_t)(value < 0.0{{ suffix }} ? value - {{ block.nearly_half }} : value + {{ block.nearly_half }});
 #endif
 }
 {%- endif %}
@@ -64,14 +64,14 @@ enum {
 {%- endfor %}
 };
 {% endfor %}
-void {{ block.prefix }}_init({{ block.prefix }}_state *state)
+void {{ prefix }}_init({{ prefix }}_state *state)
 {
 {%- if block.state.is_empty() %}
     state->unused = false;
 {%- endif %}
 {{ block.init }}}
 
-void {{ block.prefix }}_inputs_init({{ block.prefix }}_inputs *inputs)
+void {{ prefix }}_inputs_init({{ prefix }}_inputs *inputs)
 {
 {%- for member in block.inputs %}
     inputs->{{ member.name }} = {{ member.value }};
@@ -84,17 +84,17 @@ void {{ block.prefix }}_inputs_init({{ block.prefix }}_inputs *inputs)
 __attribute__((noinline))
 #endif
 static void any_cycle(
-    {{ block.prefix }}_state *restrict state,
-    const {{ block.prefix }}_inputs *restrict inputs,
-    {{ block.prefix }}_outputs *restrict outputs)
+    {{ prefix }}_state *restrict state,
+    const {{ prefix }}_inputs *restrict inputs,
+    {{ prefix }}_outputs *restrict outputs)
 {
 {{ block.any_cycle }}}
 
 {% endif -%}
-void {{ block.prefix }}_step(
-    {{ block.prefix }}_state *restrict state,
-    const {{ block.prefix }}_inputs *restrict inputs,
-    {{ block.prefix }}_outputs *restrict outputs)
+void {{ prefix }}_step(
+    {{ prefix }}_state *restrict state,
+    const {{ prefix }}_inputs *restrict inputs,
+    {{ prefix }}_outputs *restrict outputs)
 {
 {%- if block.state.is_empty() %}
     (void)state;

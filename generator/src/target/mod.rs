@@ -2,7 +2,9 @@
 
 mod c;
 mod outline;
+mod rust;
 mod st;
+mod structs;
 mod unit;
 
 pub(crate) use st::twincat::Cdata;
@@ -31,8 +33,9 @@ pub struct Target {
     pub shared: fn(&[Unit<'_>]) -> Vec<File>,
 }
 
-pub const TARGETS: [Target; 5] = [
+pub const TARGETS: [Target; 6] = [
     Target { name: "c", passes: legalise::WITH_OUTPUTS, files: c::files, shared: |_| Vec::new() },
+    Target { name: "rust", passes: legalise::WITH_OUTPUTS, files: rust::files, shared: |_| Vec::new() },
     Target { name: "st", passes: legalise::WITH_DIGITS, files: st::plain, shared: |_| Vec::new() },
     Target { name: "twincat", passes: legalise::WITH_ENABLE, files: st::twincat::files, shared: st::twincat::shared },
     Target { name: "codesys", passes: legalise::WITH_ENABLE, files: st::codesys::files, shared: st::codesys::shared },

@@ -22,7 +22,7 @@ use crate::pass::{self, Defect, Stage};
 use crate::program::Program;
 use std::borrow::Cow;
 
-/// What C needs.
+/// What C and Rust need.
 pub const WITH_OUTPUTS: &[Stage] =
     &[("settled", settle::run), ("early", early::run), ("chosen", choose::run), ("apart", apart::run)];
 

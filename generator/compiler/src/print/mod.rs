@@ -8,6 +8,7 @@ mod expression;
 mod language;
 mod names;
 mod number;
+pub mod rust;
 mod scope;
 pub mod st;
 
@@ -59,6 +60,14 @@ fn members(variables: &[Variable], language: &Language, names: &mut Names) -> Ve
     variables.iter().map(name).collect()
 }
 
+fn constants(program: &Program, language: &Language, names: &mut Names) -> Vec<String> {
+    let name = |path: &str| {
+        let name = names.take(path);
+        if language.has_capitals { name.to_ascii_uppercase() } else { name }
+    };
+    program.constants.iter().map(|constant| &*constant.path).map(name).collect()
+}
+
 impl<'p> Printer<'p> {
     /// The names of the interface are taken first.
     pub fn new(program: &'p Program, language: &'p Language) -> Self {
@@ -67,7 +76,7 @@ impl<'p> Printer<'p> {
             inputs: members(&program.inputs, language, &mut names),
             outputs: members(&program.outputs, language, &mut names),
             state: members(&program.state, language, &mut names),
-            constants: program.constants.iter().map(|constant| names.take(&constant.path)).collect(),
+            constants: constants(program, language, &mut names),
             locals: program.locals.iter().map(|local| names.take(&local.path)).collect(),
         };
         let appearances = (language.appearances)(program);
@@ -130,25 +139,25 @@ impl<'d> Layout<'d> {
         let Printer { program, language, names, .. } = self.printer;
         // None where locals are declared elsewhere.
         let mut declarations =
-            language.constant.map_or_else(Vec::new, |_| scope::declarations(list, declared)).into_iter();
-        let declared_as = |local: usize| {
+            language.locals.map_or_else(Vec::new, |_| scope::declarations(list, declared)).into_iter();
+        let declared_as = |form: &str, local: usize| {
             let ty = program.locals[local].ty.expect("print: the typing pass has typed every local");
-            format!("{} {}", language.ty(ty, program.real), names.locals[local])
+            form.replace("{0}", &names.locals[local]).replace("{1}", language.ty(ty, program.real))
         };
         let mut doc = self.arena.nil();
         for statement in list {
             let locals = declarations.next().unwrap_or_default();
+            let [with_value, without] = language.locals.unwrap_or_default();
             doc = doc.append(self.hardline);
-            if let (Some(constant), Statement::Assign { target: Var::Local(local), value }) =
-                (language.constant, statement)
+            if let Statement::Assign { target: Var::Local(local), value } = statement
                 && locals.contains(local)
             {
-                let target = self.arena.text(constant).append(declared_as(*local));
+                let target = self.arena.text(declared_as(with_value, *local));
                 doc = doc.append(self.assignment(target, value));
                 continue;
             }
             for local in locals {
-                doc = doc.append(declared_as(local)).append(";").append(self.hardline);
+                doc = doc.append(declared_as(without, local)).append(self.hardline);
             }
             doc = doc.append(self.statement(statement, declared));
         }
