@@ -38,22 +38,21 @@ pub struct State {
 {%- for member in block.state %}
     // {{ member.lines("\n    // ") }}
     {{ member.name }}: {{ member.ty }},
+{%- else %}
+    // this block keeps nothing
 {%- endfor %}
 }
 {% for (name, doc, members) in starts %}
 impl {{ name }} {
     /// {{ doc }}
     #[must_use]
+    #[rustfmt::skip]
     pub const fn new() -> Self {
-{%- if members.is_empty() %}
-        Self {}
-{%- else %}
         Self {
 {%- for member in members %}
             {{ member.name }}: {{ member.value }},
 {%- endfor %}
         }
-{%- endif %}
     }
 }
 
@@ -65,7 +64,7 @@ impl Default for {{ name }} {
 {% endfor %}
 // The numbers below hold for IEEE 754 arithmetic that rounds every operation once.
 #[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
-compile_error!("this block needs arithmetic in the declared type: compile it for a processor with SSE2");
+compile_error!("this block needs arithmetic in the declared type: compile it for x86 with SSE2");
 {% for group in block.constants %}
 {%- if !group.note.is_empty() %}
 // {{ group.note }}
@@ -100,7 +99,7 @@ fn any_cycle(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
 #[rustfmt::skip]
 pub fn step(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
 {%- if block.state.is_empty() %}
-    let _ = state; // this block keeps nothing
+    let _ = state; // it keeps nothing
 {%- endif %}
 {{ block.step }}}
 

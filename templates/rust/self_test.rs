@@ -3,6 +3,7 @@
 /// machine: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number.
 #[must_use]
 #[allow(dead_code)] // for whoever runs it
+#[allow(clippy::all)] // numbers that may be equal
 #[rustfmt::skip]
 pub fn self_test() -> u32 {
     // the reference's digest of all outputs and of the state, after each sample
