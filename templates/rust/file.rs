@@ -70,13 +70,8 @@ compile_error!("this block needs arithmetic in the declared type: compile it for
 // {{ group.note }}
 {%- endif %}
 {%- for member in group.constants %}
-{%- match member.above("\n// ") %}
-{%- when Some with (above) %}
-// {{ above }}
+/// {{ member.lines("\n/// ") }}
 const {{ member.name }}: {{ member.ty }} = {{ member.value }};
-{%- when None %}
-const {{ member.name }}: {{ member.ty }} = {{ member.value }}; // {{ member.doc }}
-{%- endmatch %}
 {%- endfor %}
 {% endfor %}
 {%- if block.uses_nearest %}

@@ -19,6 +19,7 @@ fn real(cell: &str) -> f64 {
 
 fn set(inputs: &mut Inputs, (name, cell): &(String, String)) {
     match name.as_str() {
+        "v_command" => {} // this axis does not read it
         "v_motor" => inputs.v_motor = real(cell),
         "mode" => inputs.mode = cell.parse().expect("a number"),
         "position_controlled" => inputs.position_controlled = cell == "1",
