@@ -233,5 +233,8 @@ fn a_case_has_a_stimulus_or_a_scenario_and_targets_that_there_are() {
     let neither = said(&SCENARIO.replace("scenario = \"turn.nc\"\n", ""));
     assert!(neither.ends_with("case.toml: either `stimulus` or `scenario` is needed"), "{neither}");
     let unknown = said(&SCENARIO.replace("emitted = []", "emitted = [\"pascal\"]"));
-    assert!(unknown.ends_with("case.toml: no target `pascal`; there are: c, rust, st, twincat, codesys, scl"), "{unknown}");
+    assert!(
+        unknown.ends_with("case.toml: no target `pascal`; there are: c, rust, st, twincat, codesys, scl"),
+        "{unknown}"
+    );
 }

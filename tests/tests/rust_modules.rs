@@ -83,7 +83,11 @@ fn the_toolchain_leaves_modules_as_they_are() {
         silent("rustfmt", folder.path(), &["--check", "--edition", "2021"]);
     }
     if has_tool("clippy-driver", "clippy") {
-        silent("clippy-driver", folder.path(), &library(&["--edition", "2021", "-W", "clippy::all", "--emit", "metadata"]));
+        silent(
+            "clippy-driver",
+            folder.path(),
+            &library(&["--edition", "2021", "-W", "clippy::all", "--emit", "metadata"]),
+        );
     }
     silent("rustdoc", folder.path(), &["--edition", "2021", "--crate-name", "modules", "-D", "warnings"]);
 }
@@ -91,7 +95,8 @@ fn the_toolchain_leaves_modules_as_they_are() {
 /// The symbols of the object that an optimised build makes of modules, checked for overflow too.
 fn symbols(modules: &[File], target: &[&str]) -> Vec<String> {
     let folder = library(modules);
-    let options = ["--edition", "2021", "-O", "-C", "overflow-checks=on", "-C", "panic=abort", "--emit", "obj=modules.o"];
+    let options =
+        ["--edition", "2021", "-O", "-C", "overflow-checks=on", "-C", "panic=abort", "--emit", "obj=modules.o"];
     silent(&rust::command(), folder.path(), &[&LIBRARY[..], &options, target].concat());
     let output = Command::new("nm").args(["--format=posix", "modules.o"]).current_dir(folder.path()).output().unwrap();
     assert!(output.status.success(), "{output:?}");
@@ -154,11 +159,12 @@ fn fused(statement: &str) -> Option<String> {
     Some(format!("{target} = ({sign}{b}).mul_add({c}, {a});"))
 }
 
-/// A state of a section that stays as it was.
+/// A state of a section that stays as it was; not where it is cleared, which finds it cleared in a new block.
 fn lost(statement: &str) -> Option<String> {
     let (before, assigned) = statement.split_at(statement.find("state.stage")?);
-    let is_of_section = before.rsplit('\n').next()?.trim().is_empty() && assigned.contains("_section");
-    is_of_section.then(|| before.to_owned())
+    let is_of_section =
+        before.rsplit('\n').next()?.trim().is_empty() && assigned.contains("_section") && !assigned.ends_with("= 0.0;");
+    is_of_section.then(|| format!("{before}if false {{ {assigned} }}"))
 }
 
 /// A NaN taken for a number that is in range, as a build with finite arithmetic only would.
@@ -168,7 +174,7 @@ fn finite(text: &str) -> Vec<String> {
     vec![text.replace(asked, wrong)]
 }
 
-/// Of single faults at least three of four: the others show in no sample, as where a state gets what it has.
+/// Each single one.
 #[test]
 fn the_self_test_finds_planted_faults() {
     let cases = ["rack-and-pinion, f64", "single-precision-highest-frequency, f32"];
@@ -178,7 +184,8 @@ fn the_self_test_finds_planted_faults() {
         let File { name, text } = &module(case);
         let inputs = case::inputs(case, VECTOR_SAMPLES).unwrap();
         for (kind, plant) in plants {
-            let is_found = |text: String| match rust::run_file(&File { name: name.clone(), text }, &case.block, &inputs) {
+            let is_found = |text: String| match rust::run_file(&File { name: name.clone(), text }, &case.block, &inputs)
+            {
                 Err(Failure::SelfTest(_)) => true,
                 Ok(_) => false,
                 Err(failure) => panic!("{}: {kind}: {failure}", title(case)),
@@ -186,7 +193,7 @@ fn the_self_test_finds_planted_faults() {
             let found: Vec<bool> = plant(text).into_par_iter().map(is_found).collect();
             let count = found.iter().filter(|found| **found).count();
             println!("{}: {kind}: {count} of {} found", title(case), found.len());
-            assert!(count > 0 && 4 * count >= 3 * found.len(), "{}: {kind}: {count} of {}", title(case), found.len());
+            assert!(count > 0 && count == found.len(), "{}: {kind}: {count} of {}", title(case), found.len());
         }
     }
 }

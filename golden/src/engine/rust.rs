@@ -67,10 +67,7 @@ fn layout(file: &str, block: &Block) -> String {
         each(&program.outputs, &outputs, real, |name, ty, bytes| match ty {
             None => format!("frame[{}] = u8::from(outputs.{name});", bytes.start),
             Some(_) => {
-                format!(
-                    "frame[{}..{}].copy_from_slice(&outputs.{name}.to_ne_bytes());",
-                    bytes.start, bytes.end
-                )
+                format!("frame[{}..{}].copy_from_slice(&outputs.{name}.to_ne_bytes());", bytes.start, bytes.end)
             }
         }),
     )

@@ -100,7 +100,8 @@ fn every_stage_can_be_printed() {
     let folder = started();
     let (_, help, _) = axgen(folder.path(), &["generate", "--help"]);
     let passes = compiler::pass::PASSES.map(|(name, _)| name);
-    let stages = ["parameters", "program"].into_iter().chain(passes).chain(["c", "rust", "st", "twincat", "codesys", "scl"]);
+    let stages =
+        ["parameters", "program"].into_iter().chain(passes).chain(["c", "rust", "st", "twincat", "codesys", "scl"]);
     for stage in stages {
         assert!(help.contains(stage), "{stage} is in the help: {help}");
         let (code, out, err) = axgen(folder.path(), &["generate", "axes.toml", "--emit", stage]);
