@@ -111,6 +111,7 @@ fn another_weight_changes_the_files_of_ipc_and_axis_alone() {
             let of_target = |name: &str| match target.name {
                 "twincat" => name.starts_with("twincat/"),
                 "c" => name.ends_with(".c") || name.ends_with(".h"),
+                "rust" => name.ends_with(".rs"),
                 "codesys" => name.ends_with(".xml"),
                 dialect => name.ends_with(&format!(".{dialect}")),
             };

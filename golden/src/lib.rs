@@ -3,7 +3,7 @@
 //! ```text
 //! stimulus   what the inputs do, sample by sample; waveform: the forms that it is made of, from integers and libm
 //! samples    the values of all signals of a run, packed; csv: the same as text; table: the forms that recorders give it
-//! engine     the ways to run a block: reference, program, c, and the emitted Structured Text
+//! engine     the ways to run a block: reference, program, c, rust, and the emitted Structured Text
 //! recording  what a controller recorded, and how far it agrees
 //! compare    how many bits of two runs differ, and where first
 //! exercise   the stimulus for a user's own axes; boundaries: the events at the boundaries of its process data

@@ -63,6 +63,7 @@ fn what_was_recorded_is_verified() {
             "digest",
             "emitted/axis_x_ipc.h",
             "emitted/axis_x_ipc.c",
+            "emitted/axis_x_ipc.rs",
             "emitted/axis_x_ipc.st",
             "emitted/twincat/POUs/FB_axis_x_ipc.TcPOU",
             "emitted/twincat/Tests/FB_axis_x_ipc_Test.TcPOU",
@@ -232,5 +233,8 @@ fn a_case_has_a_stimulus_or_a_scenario_and_targets_that_there_are() {
     let neither = said(&SCENARIO.replace("scenario = \"turn.nc\"\n", ""));
     assert!(neither.ends_with("case.toml: either `stimulus` or `scenario` is needed"), "{neither}");
     let unknown = said(&SCENARIO.replace("emitted = []", "emitted = [\"pascal\"]"));
-    assert!(unknown.ends_with("case.toml: no target `pascal`; there are: c, st, twincat, codesys, scl"), "{unknown}");
+    assert!(
+        unknown.ends_with("case.toml: no target `pascal`; there are: c, rust, st, twincat, codesys, scl"),
+        "{unknown}"
+    );
 }

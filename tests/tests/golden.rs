@@ -1,5 +1,5 @@
-//! The golden cases: recorded bits against the reference, the interpreted program, the compiled C and the Structured
-//! Text. A C compiler is all that this needs.
+//! The golden cases: recorded bits against the reference, the interpreted program, the compiled C and Rust and the Structured
+//! Text. A C compiler and a Rust compiler are all that this needs.
 
 use axgen_tests::cases::{all, in_both_real_types, title};
 use axgen_tests::environment::is_exhaustive;
@@ -194,7 +194,7 @@ fn the_recorded_inputs_alone_give_the_recorded_outputs() {
         let inputs = csv::read(&file("inputs.csv"), &shape(&case.block.program.inputs)).unwrap();
         let expected = csv::read(&file("outputs.csv"), &shape(&case.block.program.outputs)).unwrap();
         assert_eq!(expected.len(), vectors(case).len());
-        for engine in ENGINES.into_iter().filter(|engine| *engine != Engine::C) {
+        for engine in ENGINES.into_iter().filter(|engine| ![Engine::C, Engine::Rust].contains(engine)) {
             let difference = compare(&expected, &run(case, engine, &inputs));
             assert_eq!(difference, Difference { bits: 0, first: None }, "{}: {engine}", title(case));
         }
@@ -281,8 +281,10 @@ fn a_coefficient_that_is_off_by_one_bit_is_found() {
         if case.block.program.block == "spindle" {
             return;
         }
-        let failure = engine::run(Engine::C, &case.axis, &case.block, &inputs);
-        assert!(matches!(failure, Err(Failure::SelfTest(_))), "{}: {:?}", title(&case), failure.err());
+        for engine in [Engine::C, Engine::Rust] {
+            let failure = engine::run(engine, &case.axis, &case.block, &inputs);
+            assert!(matches!(failure, Err(Failure::SelfTest(_))), "{}: {engine}: {:?}", title(&case), failure.err());
+        }
     });
 }
 

@@ -162,7 +162,8 @@ fn random_requests_give_the_same_bits_in_every_engine() {
                     visits_everything(&name, &expected);
                 }
                 requests.fetch_add(counted(&inputs), Ordering::Relaxed);
-                for engine in ENGINES {
+                // Rust in the first run only: it is compiled anew for each.
+                for engine in ENGINES.into_iter().filter(|engine| run == 0 || *engine != Engine::Rust) {
                     let found = engine::run(engine, designed, block, &inputs).unwrap();
                     assert_eq!(
                         compare(&expected, &found),

@@ -71,7 +71,7 @@ pub enum Command {
         /// The block: ipc, feedforward, position_control, spindle or axis
         #[arg(long, value_name = "B", default_value = "ipc")]
         block: String,
-        /// The engine: reference, program, c, st, twincat, codesys or scl
+        /// The engine: reference, program, c, rust, st, twincat, codesys or scl
         #[arg(long, value_name = "E", default_value = "reference")]
         engine: String,
         /// CSV file with the inputs, `-`: standard input

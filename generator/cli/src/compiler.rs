@@ -1,20 +1,49 @@
-//! Whether the C compiler of the host works at all: to tell a program that cannot compile anything from one that refuses a block.
+//! Whether the compiler of an engine works at all: to tell a program that cannot compile anything from one that refuses a block.
 
-use golden::engine::Compiler;
+use golden::engine::{Compiler, Engine, rust};
 use std::path::Path;
 use std::process::Command;
 
-/// A program that every C compiler takes.
-const PROGRAM: &str = "int main(void) { return 0; }\n";
+/// The compiler that an engine needs.
+struct Needed {
+    language: &'static str,
+    command: String,
+    /// the variable of the environment that chooses another
+    variable: &'static str,
+    options: &'static [&'static str],
+    /// a program that every such compiler takes, with its file's name
+    program: [&'static str; 2],
+}
 
-/// Whether the compiler makes a program that runs.
-pub fn works() -> bool {
+fn needed(engine: Engine) -> Option<Needed> {
+    match engine {
+        Engine::C => Some(Needed {
+            language: "C",
+            command: Compiler::host().command,
+            variable: "CC",
+            options: &["-std=c99"],
+            program: ["works.c", "int main(void) { return 0; }\n"],
+        }),
+        Engine::Rust => Some(Needed {
+            language: "Rust",
+            command: rust::command(),
+            variable: "RUSTC",
+            options: &[],
+            program: ["works.rs", "fn main() {}\n"],
+        }),
+        Engine::Reference | Engine::Program | Engine::St | Engine::TwinCat | Engine::Codesys | Engine::Scl => None,
+    }
+}
+
+/// Whether an engine has what it needs: its compiler, if there is one, makes a program that runs.
+pub fn works(engine: Engine) -> bool {
+    let Some(Needed { command, options, program: [name, text], .. }) = needed(engine) else { return true };
     let Ok(folder) = tempfile::tempdir() else { return false };
-    let (source, program) = (folder.path().join("works.c"), folder.path().join("works"));
-    if std::fs::write(&source, PROGRAM).is_err() {
+    let (source, program) = (folder.path().join(name), folder.path().join("works"));
+    if std::fs::write(&source, text).is_err() {
         return false;
     }
-    let compiler = Command::new(Compiler::host().command).args(["-std=c99", "-o"]).args([&program, &source]).output();
+    let compiler = Command::new(command).arg("-o").arg(&program).args(options).arg(&source).output();
     compiler.is_ok_and(|output| output.status.success()) && runs(&program)
 }
 
@@ -23,10 +52,11 @@ fn runs(program: &Path) -> bool {
 }
 
 /// What is said of one that does not; `text` is what it said itself.
-pub fn broken(text: &str) -> String {
-    let Compiler { command, .. } = Compiler::host();
+pub fn broken(engine: Engine, text: &str) -> String {
+    let Some(Needed { language, command, variable, .. }) = needed(engine) else { return text.to_owned() };
     let text = if text.trim().is_empty() { "nothing" } else { text.trim() };
     format!(
-        "the C compiler `{command}` cannot compile an empty program; mend it, or set CC to another. It said: {text}"
+        "the {language} compiler `{command}` cannot compile an empty program; mend it, or set {variable} to another. \
+         It said: {text}"
     )
 }

@@ -157,10 +157,10 @@ impl Run {
                     (difference.bits.to_string(), difference.first.map(place).unwrap_or_default())
                 }
                 Some(Err(Failure::SelfTest(sample))) => ("-".to_owned(), format!("self-test, sample {sample}")),
-                Some(Err(Failure::Broken(text))) if engine != Engine::C || compiler::works() => ("-".to_owned(), text),
+                Some(Err(Failure::Broken(text))) if compiler::works(engine) => ("-".to_owned(), text),
                 Some(Err(failure)) => {
                     let why = match failure {
-                        Failure::Broken(text) => compiler::broken(&text),
+                        Failure::Broken(text) => compiler::broken(engine, &text),
                         failure => failure.to_string(),
                     };
                     self.missing.insert(engine, why);

@@ -291,7 +291,7 @@ fn a_recording_is_compared_through_any_engine() {
     let folder = folder();
     let rows = recording(folder.path());
     fs::write(folder.path().join("recorded.csv"), rows.join("\n")).unwrap();
-    for engine in ["reference", "program", "c", "st", "twincat", "codesys", "scl"] {
+    for engine in ["reference", "program", "c", "rust", "st", "twincat", "codesys", "scl"] {
         let run = axgen(folder.path(), &[&RACK[..], &["--engine", engine, "--compare", "recorded.csv"]].concat());
         let expected = format!(
             "v_add, v_add_calculated, limited, fault, error_id against engine {engine}, 400 samples: 0 differing bits\n"
@@ -440,10 +440,10 @@ fn what_a_recording_may_lack() {
 #[test]
 fn a_missing_compiler_is_the_environment() {
     let folder = folder();
-    let verify = |more: &[&str]| {
+    let verify = |variable: &str, more: &[&str]| {
         let output = Command::new(env!("CARGO_BIN_EXE_axgen"))
             .current_dir(folder.path())
-            .env("CC", "no-such-compiler")
+            .env(variable, "no-such-compiler")
             .args(["verify", "machine.toml", "--samples", "10"])
             .args(more)
             .output()
@@ -451,23 +451,29 @@ fn a_missing_compiler_is_the_environment() {
         let [out, err] = [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap());
         (output.status.code(), out, err)
     };
-    let (code, out, err) = verify(&[]);
-    assert_eq!(code, Some(3), "{err}");
-    assert!(err.contains("engine c: error[AX018]: the C compiler `no-such-compiler` does not start"), "{err}");
-    assert_eq!(err.matches("no-such-compiler").count(), 1, "{err}");
-    for row in out.lines().skip(1) {
-        let words: Vec<&str> = row.split_whitespace().collect();
-        let expected = match words[2] {
-            "reference" => "(reference)",
-            "c" => "- not run",
-            _ => "0",
-        };
-        assert_eq!(words[4..].join(" "), expected, "{row}");
+    for (variable, language, engine) in [("CC", "C", "c"), ("RUSTC", "Rust", "rust")] {
+        let (code, out, err) = verify(variable, &[]);
+        assert_eq!(code, Some(3), "{err}");
+        let missing = format!(
+            "engine {engine}: error[AX018]: the {language} compiler `no-such-compiler` does not start (No such file or \
+             directory (os error 2)); install it, or set {variable} to another\n"
+        );
+        assert!(err.ends_with(&missing), "{err}");
+        assert_eq!(err.matches("no-such-compiler").count(), 1, "{err}");
+        for row in out.lines().skip(1) {
+            let words: Vec<&str> = row.split_whitespace().collect();
+            let expected = match words[2] {
+                "reference" => "(reference)",
+                missing if missing == engine => "- not run",
+                _ => "0",
+            };
+            assert_eq!(words[4..].join(" "), expected, "{row}");
+        }
     }
-    let (code, out, err) = verify(&["--engine", "st", "--engine", "program"]);
+    let (code, out, err) = verify("CC", &["--engine", "st", "--engine", "program"]);
     assert_eq!((code, err.as_str()), (Some(0), ""));
     assert_eq!(out.lines().count(), 1 + 3 * 3, "{out}");
-    let (code, _, err) = verify(&["--engine", "pascal"]);
+    let (code, _, err) = verify("CC", &["--engine", "pascal"]);
     assert_eq!(code, Some(2));
     assert!(err.contains("no engine `pascal`"), "{err}");
 }

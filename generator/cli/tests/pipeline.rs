@@ -7,15 +7,19 @@ use std::io::Write;
 use std::path::Path;
 use std::process::Command;
 
-const EXAMPLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/pipeline");
+const EXAMPLES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
 
 /// A machine's repository as somebody begins it.
 struct Repository(tempfile::TempDir);
 
 impl Repository {
     fn new() -> Self {
+        Self::from("pipeline")
+    }
+
+    fn from(example: &str) -> Self {
         let folder = tempfile::tempdir().unwrap();
-        copy(Path::new(EXAMPLE), folder.path());
+        copy(&Path::new(EXAMPLES).join(example), folder.path());
         Self(folder)
     }
 
@@ -134,6 +138,28 @@ fn a_build_script_compiles_the_emitted_c() {
     repository.change_the_list();
     let (code, said) = repository.shell("cargo run --offline");
     assert!(code != 0 && said.contains("generated/axis_x_ipc.c"), "{said}");
+}
+
+/// Firmware in Rust that has the emitted module: the crate's own tests find another block, and vectors of another.
+#[test]
+fn a_crate_with_the_emitted_module_tests_itself() {
+    let repository = Repository::from("rust");
+    repository.begin();
+    let said = repository.succeeds("cargo test --offline");
+    for test in ["axis_x_ipc::tests::this_build_has_the_bits_of_the_reference", "the_vectors_are_as_approved"] {
+        assert!(said.contains(&format!("test {test} ... ok")), "{said}");
+    }
+    let module = repository.text("generated/axis_x_ipc.rs");
+    let (start, gain) = ("STAGE0_GAIN: f64 = ", "STAGE0_GAIN: f64 = -3.0;");
+    assert!(module.contains(gain));
+    fs::write(repository.0.path().join("generated/axis_x_ipc.rs"), module.replace(gain, &format!("{start}-2.0;")))
+        .unwrap();
+    let (code, said) = repository.shell("cargo test --offline --no-fail-fast");
+    assert!(code != 0 && said.matches("... FAILED").count() == 2, "{said}");
+    repository.change_the_list();
+    repository.succeeds("axgen generate axes.toml --out generated --force");
+    let (code, said) = repository.shell("cargo test --offline --no-fail-fast");
+    assert!(code != 0 && said.matches("... FAILED").count() == 1, "the vectors were approved for 53 Hz: {said}");
 }
 
 /// Firmware in C. Without CMake a plain `cargo test` says that it was left out; in CI and in an exhaustive run that is an error.

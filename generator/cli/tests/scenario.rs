@@ -133,7 +133,7 @@ fn a_stimulus_is_what_a_scenario_runs_with() {
     let run = "run sets.toml --axis S --block spindle --hex";
     let by_file = axgen(at, &format!("{run} --stimulus p.csv"));
     assert_eq!(by_file.0, 0);
-    for engine in ["reference", "program", "c", "st", "twincat", "codesys", "scl"] {
+    for engine in ["reference", "program", "c", "rust", "st", "twincat", "codesys", "scl"] {
         assert_eq!(axgen(at, &format!("{run} --scenario p.nc --engine {engine}")), by_file, "{engine}");
     }
     // Its own outputs are replaced, others are not, and an input never is.

@@ -40,7 +40,7 @@ macro_rules! words {
 
 words! {
     Boolean { False "FALSE" = 0, True "TRUE" = 1 }
-    TargetName { C "c", St "st", TwinCat "twincat", Codesys "codesys", Scl "scl" }
+    TargetName { C "c", Rust "rust", St "st", TwinCat "twincat", Codesys "codesys", Scl "scl" }
     ListEncoding { Utf8 "utf-8", Latin1 "latin-1", Utf16LittleEnd "utf-16le", Utf16BigEnd "utf-16be" }
     LineEnd { Lf "LF", CrLf "CRLF" }
     RealType { F64 "f64" | "LREAL", F32 "f32" | "REAL" }

@@ -2,6 +2,7 @@
 
 mod c;
 mod outline;
+mod rust;
 mod st;
 mod unit;
 
@@ -39,8 +40,9 @@ pub struct Target {
     samples: Option<usize>,
 }
 
-pub const TARGETS: [Target; 5] = [
+pub const TARGETS: [Target; 6] = [
     Target { runner: Some(c::runner::file), ..target("c", legalise::WITH_OUTPUTS, c::files, |_| Vec::new()) },
+    target("rust", legalise::WITH_OUTPUTS, rust::files, |_| Vec::new()),
     target("st", legalise::WITH_DIGITS, st::plain, |_| Vec::new()),
     target("twincat", legalise::WITH_ENABLE, st::twincat::files, st::twincat::shared),
     target("codesys", legalise::WITH_ENABLE, st::codesys::files, st::codesys::shared),

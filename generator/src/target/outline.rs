@@ -27,7 +27,12 @@ impl Member {
     /// The comment in lines that fit, where it does not fit behind the declaration; else nothing.
     pub(super) fn above(&self, next_line: &str) -> Option<String> {
         let length = self.ty.len() + self.name.len() + self.value.len() + self.doc.len() + BETWEEN;
-        (length > LONGEST).then(|| comment::wrapped(&[&self.doc], COMMENT_WIDTH, next_line))
+        (length > LONGEST).then(|| self.lines(next_line))
+    }
+
+    /// The comment in lines.
+    pub(super) fn lines(&self, next_line: &str) -> String {
+        comment::wrapped(&[&self.doc], COMMENT_WIDTH, next_line)
     }
 }
 

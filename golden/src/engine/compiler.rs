@@ -1,4 +1,4 @@
-//! A C compiler: how it is called, and what its failures mean.
+//! Compilers: how they are called, and what their failures mean.
 
 use super::Failure;
 use std::path::Path;
@@ -46,19 +46,30 @@ impl Compiler {
 
     /// Calls the compiler in a folder.
     pub(super) fn call(&self, folder: &Path, arguments: &[&str], options: &[String]) -> Result<(), Failure> {
-        let output = Command::new(&self.command).current_dir(folder).args(arguments).args(options).output();
-        let output = output.map_err(|error| {
-            let name = &self.command;
-            Failure::Environment(format!(
-                "the C compiler `{name}` does not start ({error}); install it, or set CC to another"
-            ))
-        })?;
-        if output.status.success() {
-            return Ok(());
-        }
-        let errors = String::from_utf8_lossy(&output.stderr).into_owned();
-        Err(if errors.contains("this block needs") { Failure::Refused(errors) } else { Failure::Broken(errors) })
+        let arguments: Vec<&str> = arguments.iter().copied().chain(options.iter().map(String::as_str)).collect();
+        call("C", "CC", &self.command, folder, &arguments)
     }
+}
+
+/// Calls the compiler of a language in a folder; a variable of the environment chooses it.
+pub(super) fn call(
+    language: &str,
+    variable: &str,
+    command: &str,
+    folder: &Path,
+    arguments: &[&str],
+) -> Result<(), Failure> {
+    let output = Command::new(command).current_dir(folder).args(arguments).output();
+    let output = output.map_err(|error| {
+        Failure::Environment(format!(
+            "the {language} compiler `{command}` does not start ({error}); install it, or set {variable} to another"
+        ))
+    })?;
+    if output.status.success() {
+        return Ok(());
+    }
+    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+    Err(if errors.contains("this block needs") { Failure::Refused(errors) } else { Failure::Broken(errors) })
 }
 
 fn owned(options: &[&str]) -> Vec<String> {

@@ -3,8 +3,10 @@
 mod c;
 mod compiler;
 pub mod emitted;
+mod process;
 mod program;
 mod reference;
+pub mod rust;
 
 pub use c::Harness;
 pub use compiler::Compiler;
@@ -26,6 +28,8 @@ pub enum Engine {
     Program,
     /// the emitted C, compiled
     C,
+    /// the emitted Rust, compiled
+    Rust,
     /// the emitted Structured Text of the target `st`
     St,
     /// the Structured Text in the files of the target `twincat`
@@ -37,8 +41,16 @@ pub enum Engine {
 }
 
 /// All engines; the first one is right.
-pub const ENGINES: [Engine; 7] =
-    [Engine::Reference, Engine::Program, Engine::C, Engine::St, Engine::TwinCat, Engine::Codesys, Engine::Scl];
+pub const ENGINES: [Engine; 8] = [
+    Engine::Reference,
+    Engine::Program,
+    Engine::C,
+    Engine::Rust,
+    Engine::St,
+    Engine::TwinCat,
+    Engine::Codesys,
+    Engine::Scl,
+];
 
 impl fmt::Display for Engine {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -46,6 +58,7 @@ impl fmt::Display for Engine {
             Self::Reference => "reference",
             Self::Program => "program",
             Self::C => "c",
+            Self::Rust => "rust",
             Self::St => "st",
             Self::TwinCat => "twincat",
             Self::Codesys => "codesys",
@@ -83,12 +96,13 @@ impl std::error::Error for Failure {}
 /// Runs a block of an axis from its start.
 ///
 /// # Errors
-/// The engine `c` needs a compiler; the engines of Structured Text refuse a text that implementations could disagree on.
+/// The engines `c` and `rust` need a compiler; the engines of Structured Text refuse a text that implementations could disagree on.
 pub fn run(engine: Engine, designed: &Designed, block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
     match engine {
         Engine::Reference => Ok(reference::run(designed, block, inputs)),
         Engine::Program => Ok(program::run(block, inputs)),
         Engine::C => run_c(designed, block, inputs, &Compiler::host()),
+        Engine::Rust => rust::run(designed, block, inputs),
         Engine::St => emitted::run(Dialect::Plain, designed, block, inputs),
         Engine::TwinCat => emitted::run(Dialect::TwinCat, designed, block, inputs),
         Engine::Codesys => emitted::run(Dialect::Codesys, designed, block, inputs),

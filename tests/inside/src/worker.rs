@@ -1,8 +1,9 @@
-//! What a generated crate does: judges its programs, writes their C and their Structured Text, and says what came of each, line by line.
+//! What a generated crate does: judges its programs, writes their C, their Rust and their Structured Text, and says what came of each, line by line.
 
 use super::blocks::Blocks;
 use super::defect::{self, DEFECTS, Defect};
 use super::emit::Unit;
+use super::emit_rust::Modules;
 use super::gcc;
 use super::judge::{attempt, judge};
 use super::subject::Instance;
@@ -12,7 +13,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// The fact that a program was not compared as C.
+/// The fact that a program was not compared as C, nor as Rust, which reads the same words.
 pub const NOT_IN_C: &str = "C: left out, because GCC would compute something else";
 
 /// The programs of a crate: a number and an instance for each.
@@ -47,7 +48,7 @@ fn run(shard: &Shard, planted: Option<Defect>, folder: &Path) {
     let first = instances.first().map_or(0, |(number, _)| *number);
     let mut lines = String::new();
     for (real, name) in [(RealKind::F64, "f64"), (RealKind::F32, "f32")] {
-        let (mut unit, mut blocks) = (Unit::default(), Blocks::default());
+        let (mut unit, mut modules, mut blocks) = (Unit::default(), Modules::default(), Blocks::default());
         for (number, instance) in instances.iter().filter(|(_, instance)| instance.real == real) {
             let judgement = judge(instance, planted);
             let (mut facts, mut differences) = (judgement.facts, judgement.differences);
@@ -60,7 +61,10 @@ fn run(shard: &Shard, planted: Option<Defect>, folder: &Path) {
                 if gcc::subtracts_integer_from_zero(&compiled.program) {
                     facts.push(NOT_IN_C);
                 } else {
-                    print(attempt(|| unit.add(*number, &program, compiled)));
+                    print(attempt(|| {
+                        unit.add(*number, &program, compiled);
+                        modules.add(*number, &program);
+                    }));
                 }
             }
             for (engine, message) in &differences {
@@ -73,6 +77,7 @@ fn run(shard: &Shard, planted: Option<Defect>, folder: &Path) {
         let bytes = |words: &[u64]| -> Vec<u8> { words.iter().flat_map(|word| word.to_ne_bytes()).collect() };
         let files = [
             ("c", unit.text().into_bytes()),
+            ("rs", modules.text(real).into_bytes()),
             ("words", bytes(&unit.words)),
             ("st", blocks.source.into_bytes()),
             ("signals", blocks.signals.into_bytes()),

@@ -1,4 +1,4 @@
-//! Runs programs: writes crates that contain them, has them built, and gathers what they and their C say.
+//! Runs programs: writes crates that contain them, has them built, and gathers what they, their C and their Rust say.
 
 use super::compile;
 use super::print;
@@ -27,7 +27,7 @@ pub struct Batch<'b> {
     pub reals: &'b [&'static str],
     /// what is planted
     pub defect: Option<Defect>,
-    /// whether the C is compiled and run, and the Structured Text too
+    /// whether the C and the Rust are compiled and run, and the Structured Text too
     pub with_text: bool,
 }
 
@@ -47,7 +47,7 @@ pub struct Answer {
 pub struct Difference {
     /// the real type
     pub real: String,
-    /// the pass after which the interpreted program differs, or `c` with its level
+    /// the pass after which the interpreted program differs, `c` with its level, `rust` or `st`
     pub engine: String,
     /// what was found
     pub message: String,

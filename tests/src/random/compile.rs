@@ -1,4 +1,4 @@
-//! The C of a batch: compiled by the host's compiler and run, several units at a time.
+//! The C and the Rust of a batch: compiled by the host's compilers and run, several units at a time.
 
 use rayon::prelude::*;
 use std::fs;
@@ -31,26 +31,56 @@ pub struct Line {
     pub program: usize,
     /// the real type
     pub real: &'static str,
-    /// the engine: `c -O2`
+    /// the engine: `c -O2`, `rust`
     pub engine: String,
     /// what was found
     pub message: String,
 }
 
 /// Compiles and runs the units of a folder that begin with the programs of these numbers. All are compiled at -O2, the
-/// first also at -O0.
+/// first also at -O0 and as Rust.
 ///
 /// # Errors
 /// There is no compiler, or something breaks off that is not about one program.
 pub fn run(folder: &Path, firsts: &[usize]) -> Result<Vec<Line>, String> {
-    fs::write(folder.join("driver.c"), include_str!("driver.c")).map_err(|error| error.to_string())?;
+    for (name, text) in [("driver.c", include_str!("driver.c")), ("driver.rs", include_str!("driver.rs"))] {
+        fs::write(folder.join(name), text).map_err(|error| error.to_string())?;
+    }
     let at =
         |level: &'static str| firsts.iter().flat_map(move |first| ["f64", "f32"].map(|real| (level, real, *first)));
     let mut units: Vec<_> = at("-O2").collect();
     units.extend(at("-O0").take(2));
-    let lines: Result<Vec<_>, String> =
-        units.into_par_iter().map(|(level, real, first)| unit(folder, level, real, first)).collect();
+    units.extend(at(RUST).take(2));
+    let lines: Result<Vec<_>, String> = units
+        .into_par_iter()
+        .map(
+            |(level, real, first)| {
+                if level == RUST { rust_unit(folder, real, first) } else { unit(folder, level, real, first) }
+            },
+        )
+        .collect();
     Ok(lines?.concat())
+}
+
+/// What stands for a level where Rust is compiled.
+const RUST: &str = "rust";
+
+fn rust_unit(folder: &Path, real: &'static str, first: usize) -> Result<Vec<Line>, String> {
+    let (stem, program) = (format!("{real}_{first}"), format!("{real}_{first}_rust"));
+    let source = format!("{stem}.rs");
+    let compiler = golden::engine::rust::command();
+    let output = Command::new(&compiler)
+        .current_dir(folder)
+        .args(["--edition", "2024", "-O", "--error-format", "short", &source, "-o", &program])
+        .output()
+        .map_err(|error| {
+            format!("the Rust compiler `{compiler}` does not start ({error}): install it, or set RUSTC")
+        })?;
+    let line = |program, message| Line { program, real, engine: RUST.to_owned(), message };
+    if !output.status.success() {
+        return refused(folder, &source, &String::from_utf8_lossy(&output.stderr), line);
+    }
+    answers(folder, &program, &stem, line)
 }
 
 fn unit(folder: &Path, level: &str, real: &'static str, first: usize) -> Result<Vec<Line>, String> {
@@ -67,15 +97,28 @@ fn unit(folder: &Path, level: &str, real: &'static str, first: usize) -> Result<
         .map_err(|error| format!("the C compiler `{compiler}` does not start ({error}): install it, or set CC"))?;
     let line = |program, message| Line { program, real, engine: format!("c {level}"), message };
     if !output.status.success() {
-        let errors = String::from_utf8_lossy(&output.stderr);
-        let source = fs::read_to_string(folder.join(format!("{stem}.c"))).unwrap_or_default();
-        let found: Vec<Line> = errors
-            .lines()
-            .filter_map(|error| Some(line(about(error, &format!("{stem}.c:"), &source)?, error.to_owned())))
-            .collect();
-        return if found.is_empty() { Err(format!("{stem}.c does not compile:\n{errors}")) } else { Ok(found) };
+        return refused(folder, &format!("{stem}.c"), &String::from_utf8_lossy(&output.stderr), line);
     }
-    let output = Command::new(folder.join(&program))
+    answers(folder, &program, &stem, line)
+}
+
+/// The programs that a compiler's errors are about.
+fn refused(folder: &Path, file: &str, errors: &str, line: impl Fn(usize, String) -> Line) -> Result<Vec<Line>, String> {
+    let source = fs::read_to_string(folder.join(file)).unwrap_or_default();
+    let place = format!("{file}:");
+    let of_error = |error: &str| Some(line(about(error, &place, &source)?, error.to_owned()));
+    let found: Vec<Line> = errors.lines().filter_map(of_error).collect();
+    if found.is_empty() { Err(format!("{file} does not compile:\n{errors}")) } else { Ok(found) }
+}
+
+/// Runs what was compiled on its words.
+fn answers(
+    folder: &Path,
+    program: &str,
+    stem: &str,
+    line: impl Fn(usize, String) -> Line,
+) -> Result<Vec<Line>, String> {
+    let output = Command::new(folder.join(program))
         .current_dir(folder)
         .arg(format!("{stem}.words"))
         .output()
@@ -91,7 +134,7 @@ fn unit(folder: &Path, level: &str, real: &'static str, first: usize) -> Result<
 /// The number of the program that an error of the compiler is about.
 fn about(error: &str, place: &str, source: &str) -> Option<usize> {
     let at: usize = error.split_once(place)?.1.split(':').next()?.parse().ok()?;
-    error.contains("error:").then_some(())?;
+    (error.contains("error:") || error.contains("error[")).then_some(())?;
     let marks = source.lines().take(at).filter_map(|line| line.strip_prefix("/* program "));
     marks.last()?.strip_suffix(" */")?.parse().ok()
 }

@@ -1,5 +1,5 @@
 //! Random programs of the portable subset, run by every engine: the Rust itself, the program after specialising and after
-//! each pass, the emitted C, the emitted Structured Text.
+//! each pass, the emitted C and Rust, the emitted Structured Text.
 //!
 //! ```text
 //! rng, choices                the source of chance; what is chosen from it, and can be given back
@@ -8,7 +8,7 @@
 //! print                       its Rust text
 //! coverage                    which constructs it has
 //! batch                       many programs as crates of their own
-//! compile, structured_text    their C, their Structured Text
+//! compile, structured_text    their C and their Rust, their Structured Text
 //! shrink                      from a program that differs to a small one that still does
 //! campaign                    all of that, from a seed to a report
 //! ```

@@ -68,7 +68,7 @@ fn init_touches_nothing_that_is_there() {
 #[test]
 fn a_check_is_silent_right_after_generate_and_names_every_change() {
     let folder = started();
-    let all = ["c", "st", "twincat", "codesys", "scl"].map(|target| ["--target", target]).concat();
+    let all = ["c", "rust", "st", "twincat", "codesys", "scl"].map(|target| ["--target", target]).concat();
     let generate = |more: &[&str]| axgen(folder.path(), &[&["generate", "axes.toml"], all.as_slice(), more].concat());
     assert_eq!(generate(&[]).0, 0);
     assert_eq!(generate(&["--check"]), (0, String::new(), String::new()));
@@ -84,7 +84,7 @@ fn a_check_is_silent_right_after_generate_and_names_every_change() {
     // A parameter was changed.
     edit(folder.path(), "fg_f0 = 53.0", "fg_f0 = 54.0");
     let (code, out, _) = generate(&["--check"]);
-    assert_eq!((code, out.lines().count()), (1, 11), "{out}");
+    assert_eq!((code, out.lines().count()), (1, 12), "{out}");
     let (code, out, _) = generate(&["--diff"]);
     assert_eq!(code, 1);
     assert!(out.contains("--- generated/axis_x_ipc.c\n+++ generated/axis_x_ipc.c (as it would be written)\n"), "{out}");
@@ -100,7 +100,8 @@ fn every_stage_can_be_printed() {
     let folder = started();
     let (_, help, _) = axgen(folder.path(), &["generate", "--help"]);
     let passes = compiler::pass::PASSES.map(|(name, _)| name);
-    let stages = ["parameters", "program"].into_iter().chain(passes).chain(["st", "twincat", "codesys", "scl"]);
+    let stages =
+        ["parameters", "program"].into_iter().chain(passes).chain(["c", "rust", "st", "twincat", "codesys", "scl"]);
     for stage in stages {
         assert!(help.contains(stage), "{stage} is in the help: {help}");
         let (code, out, err) = axgen(folder.path(), &["generate", "axes.toml", "--emit", stage]);

@@ -33,14 +33,14 @@ const ENDS: &[(&str, i32, &str)] = &[
     (
         "generate axes.toml --target q",
         2,
-        "--target: error[AX012]: no target `q`\n    allowed: c, st, twincat, codesys, scl\n",
+        "--target: error[AX012]: no target `q`\n    allowed: c, rust, st, twincat, codesys, scl\n",
     ),
     (
         "generate axes.toml --emit q",
         2,
         "--emit: error[AX012]: no stage `q`\n    \
          allowed: parameters, program, typed, identity, known, threaded, live, coalesced, sunk, turned, pruned, verified, \
-         c, st, twincat, codesys, scl\n",
+         c, rust, st, twincat, codesys, scl\n",
     ),
     (
         "generate axes.toml --target c",
@@ -59,7 +59,7 @@ const ENDS: &[(&str, i32, &str)] = &[
     (
         "run axes.toml --stimulus in.csv --engine q",
         2,
-        "--engine: error[AX012]: no engine `q`\n    allowed: reference, program, c, st, twincat, codesys, scl\n",
+        "--engine: error[AX012]: no engine `q`\n    allowed: reference, program, c, rust, st, twincat, codesys, scl\n",
     ),
     ("run axes.toml --stimulus in.csv --block q", 2, "--block: error[AX012]: no block `q`\n    allowed: ipc\n"),
     (

@@ -36,7 +36,7 @@ fn text(name: &str) -> String {
 /// A set of this axis, for every target.
 fn named(folder: &Path, name: &str) -> Vec<String> {
     let mut arguments = set(folder, text(name));
-    let targets = ["c", "st", "twincat", "codesys", "scl"];
+    let targets = ["c", "rust", "st", "twincat", "codesys", "scl"];
     arguments.extend(targets.iter().flat_map(|target| ["--target", target]).map(str::to_owned));
     arguments
 }

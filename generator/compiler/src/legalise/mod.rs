@@ -23,7 +23,7 @@ use crate::pass::{self, Defect, Stage};
 use crate::program::Program;
 use std::borrow::Cow;
 
-/// What C needs.
+/// What C and Rust need.
 pub const WITH_OUTPUTS: &[Stage] = &[
     ("settled", settle::run),
     ("early", early::run),

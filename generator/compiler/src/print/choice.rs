@@ -1,5 +1,6 @@
 //! A choice by the number of an enumeration: one `switch` or `CASE`, every list under the names that choose it.
 
+use super::language::Cases;
 use super::{Doc, INDENTATION, Layout};
 use crate::program::{Arm, Expr, Statement};
 use pretty::DocAllocator;
@@ -15,9 +16,11 @@ impl<'d> Layout<'d> {
         }
         if !last.body.is_empty() {
             let [open, _, close] = self.printer.language.comment;
-            let names: Vec<&str> = last.labels.iter().map(|label| self.name(*label)).collect();
+            let names = self.names(&last.labels);
             let note = if names.is_empty() { String::new() } else { format!(" {open}{}{close}", names.join(", ")) };
             doc = doc.append(self.hardline).append(cases.others).append(note).append(self.arm(&last.body, declared));
+        } else if !cases.nothing.is_empty() {
+            doc = doc.append(self.hardline).append(cases.nothing);
         }
         doc.append(self.hardline).append(cases.end)
     }
@@ -34,26 +37,20 @@ impl<'d> Layout<'d> {
 
     /// The numbers that choose a list.
     fn labels(&self, labels: &[usize]) -> Doc<'d> {
-        let cases = &self.printer.language.cases;
-        let [open, _, close] = self.printer.language.comment;
-        let names: Vec<&str> = labels.iter().map(|label| self.name(*label)).collect();
-        let (before, behind) = cases.label;
-        self.arena.text(match before {
-            // Each name has its own label; what opens the list stands behind the last one.
-            Some(before) => {
-                let between = format!("{}{before}", behind.trim_end_matches(" {").to_owned() + " ");
-                format!("{before}{}{behind}", names.join(&between))
-            }
-            None => {
-                let digits: Vec<String> =
-                    labels.iter().map(|label| (self.printer.language.literal)(self.value(*label))).collect();
-                format!("{}{behind} {open}{}{close}", digits.join(", "), names.join(", "))
-            }
+        let Cases { label: [before, between, behind], by_name, .. } = self.printer.language.cases;
+        let names = self.names(labels);
+        self.arena.text(if by_name {
+            format!("{before}{}{behind}", names.join(between))
+        } else {
+            let [open, _, close] = self.printer.language.comment;
+            let digits: Vec<String> =
+                labels.iter().map(|label| (self.printer.language.literal)(self.value(*label))).collect();
+            format!("{before}{}{behind} {open}{}{close}", digits.join(between), names.join(", "))
         })
     }
 
-    fn name(&self, label: usize) -> &'d str {
-        &self.printer.names.constants[label]
+    fn names(&self, labels: &[usize]) -> Vec<&'d str> {
+        labels.iter().map(|label| self.printer.names.constants[*label].as_str()).collect()
     }
 
     fn value(&self, label: usize) -> portable::Literal {

@@ -46,8 +46,11 @@ pub struct Language {
     pub(super) before: [&'static str; 5],
     /// whether inputs, outputs and state are three structs, each with names of its own, instead of one scope
     pub(super) has_structs: bool,
-    /// what begins the declaration of a local with its value among the statements; `None`: locals are declared elsewhere
-    pub(super) constant: Option<&'static str>,
+    /// whether the names of constants are in capitals
+    pub(super) has_capitals: bool,
+    /// how a local is declared among the statements: before its value, and without one; `{0}` is its name, `{1}` its type.
+    /// `None`: locals are declared elsewhere
+    pub(super) locals: Option<[&'static str; 2]>,
     /// between a target and its value
     pub(super) assign: &'static str,
     /// the texts of an `if`: before the first condition, before each further one, behind a condition, before the statements
@@ -68,10 +71,14 @@ pub struct Language {
 pub(super) struct Cases {
     /// before and behind what is asked
     pub asks: [&'static str; 2],
-    /// before and behind a number that chooses; `None` before it: its digits, its name in a comment
-    pub label: (Option<&'static str>, &'static str),
+    /// before the first number that chooses a list, between two, behind the last
+    pub label: [&'static str; 3],
+    /// whether numbers stand there by their names, else as digits with the names in a comment
+    pub by_name: bool,
     /// before the list for every other number
     pub others: &'static str,
+    /// for every other number, where there is nothing to do
+    pub nothing: &'static str,
     /// at the end of each list, inside it and behind it
     pub ends: [&'static str; 2],
     /// at the end

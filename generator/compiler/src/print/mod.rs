@@ -8,6 +8,7 @@ mod expression;
 mod language;
 mod names;
 mod number;
+pub mod rust;
 mod scope;
 pub mod st;
 
@@ -66,10 +67,13 @@ impl<'p> Printer<'p> {
     pub fn new(program: &'p Program, language: &'p Language, block: &'p str) -> Self {
         let mut names = Names::new(language);
         let appearances = (language.appearances)(program);
-        let constant = |(constant, appearance): (&Constant, &Appearance), names: &mut Names| match appearance {
-            Appearance::Enumerator => names.take(&format!("{block}.{}", constant.path)).to_ascii_uppercase(),
-            Appearance::Shared => names.take(&format!("{block}.{}", constant.path)),
-            Appearance::Inline | Appearance::Declared | Appearance::Assigned => names.take(&constant.path),
+        let constant = |(constant, appearance): (&Constant, &Appearance), names: &mut Names| {
+            let name = match appearance {
+                Appearance::Enumerator | Appearance::Shared => names.take(&format!("{block}.{}", constant.path)),
+                Appearance::Inline | Appearance::Declared | Appearance::Assigned => names.take(&constant.path),
+            };
+            let is_capital = language.has_capitals || *appearance == Appearance::Enumerator;
+            if is_capital { name.to_ascii_uppercase() } else { name }
         };
         let names = Scope {
             inputs: members(&program.inputs, language, &mut names),
@@ -137,25 +141,25 @@ impl<'d> Layout<'d> {
         let Printer { program, language, names, .. } = self.printer;
         // None where locals are declared elsewhere.
         let mut declarations =
-            language.constant.map_or_else(Vec::new, |_| scope::declarations(list, declared)).into_iter();
-        let declared_as = |local: usize| {
+            language.locals.map_or_else(Vec::new, |_| scope::declarations(list, declared)).into_iter();
+        let declared_as = |form: &str, local: usize| {
             let ty = program.locals[local].ty.expect("print: the typing pass has typed every local");
-            format!("{} {}", language.ty(ty, program.real), names.locals[local])
+            form.replace("{0}", &names.locals[local]).replace("{1}", language.ty(ty, program.real))
         };
         let mut doc = self.arena.nil();
         for statement in list {
             let locals = declarations.next().unwrap_or_default();
+            let [with_value, without] = language.locals.unwrap_or_default();
             doc = doc.append(self.hardline);
-            if let (Some(constant), Statement::Assign { target: Var::Local(local), value }) =
-                (language.constant, statement)
+            if let Statement::Assign { target: Var::Local(local), value } = statement
                 && locals.contains(local)
             {
-                let target = self.arena.text(constant).append(declared_as(*local));
+                let target = self.arena.text(declared_as(with_value, *local));
                 doc = doc.append(self.assignment(target, value));
                 continue;
             }
             for local in locals {
-                doc = doc.append(declared_as(local)).append(";").append(self.hardline);
+                doc = doc.append(declared_as(without, local)).append(self.hardline);
             }
             doc = doc.append(self.statement(statement, declared));
         }

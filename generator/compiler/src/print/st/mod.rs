@@ -25,11 +25,20 @@ pub static PLAIN: Language = Language {
     appearances: among_statements,
     before: [""; 5],
     has_structs: false,
-    constant: None,
+    has_capitals: false,
+    locals: None,
     assign: " :=",
     choice: ["IF ", "ELSIF ", " THEN", "ELSE", "END_IF;"],
     nothing_else: None,
-    cases: Cases { asks: ["CASE ", " OF"], label: (None, ":"), others: "ELSE", ends: [""; 2], end: "END_CASE;" },
+    cases: Cases {
+        asks: ["CASE ", " OF"],
+        label: ["", ", ", ":"],
+        by_name: false,
+        others: "ELSE",
+        nothing: "",
+        ends: [""; 2],
+        end: "END_CASE;",
+    },
     call: "", // nothing stands apart
     comment: ["(* ", "   ", " *)"],
 };

@@ -1,0 +1,110 @@
+//! What Rust is to the printer.
+
+use super::language::{Appearance, Cases, Form, Language, Level};
+use super::number::decimal;
+use crate::program::{Expr, Type};
+use portable::{Binary, Intrinsic, Literal, RealKind, Unary};
+use std::collections::HashSet;
+use std::sync::LazyLock;
+
+/// Rust, any edition, without its standard library. Integers wrap around in every build: an overflow that a debug build finds
+/// would be a panic.
+pub static LANGUAGE: Language = Language {
+    is_reserved: |name| RESERVED.contains(name),
+    kept: &[],
+    types: ["bool", "i32", "u32", "f64", "f32"],
+    literal,
+    operand: |value| {
+        let text = literal(value);
+        let level = if text.starts_with('-') { Level::Sign } else { Level::Primary };
+        (text, level)
+    },
+    symbols: ["+", "-", "*", "/", "%", "<", "<=", ">", ">=", "==", "!=", "&&", "||"],
+    // `&&` beside `||` is legal and misread.
+    logic: [Level::And, Level::Comparison],
+    form,
+    appearances: |program| vec![Appearance::Declared; program.constants.len()],
+    before: ["inputs.", "outputs.", "state.", "", ""],
+    has_structs: true,
+    // A `let` of a name that a constant has would be a pattern and no new name.
+    has_capitals: true,
+    locals: Some(["let {0}: {1}", "let {0}: {1};"]),
+    assign: " =",
+    choice: ["if ", "} else if ", " {", "} else {", "}"],
+    nothing_else: None,
+    cases: Cases {
+        asks: ["match ", " {"],
+        label: ["", " | ", " => {"],
+        by_name: true,
+        others: "_ => {",
+        nothing: "_ => {}",
+        ends: ["", "}"],
+        end: "}",
+    },
+    call: "any_cycle(state, inputs, outputs);",
+    comment: ["// ", "// ", ""],
+};
+
+/// Words that an edition of Rust keeps for itself; then those that a block uses.
+static RESERVED: LazyLock<HashSet<&'static str>> = LazyLock::new(|| {
+    "
+        abstract as async await become box break const continue crate do dyn else enum extern false final fn for gen if
+        impl in let loop macro match mod move mut override priv pub ref return self static struct super trait true try
+        type typeof union unsafe unsized use virtual where while yield state inputs outputs nearest any_cycle
+    "
+    .split_ascii_whitespace()
+    .collect()
+});
+
+fn literal(value: Literal) -> String {
+    match value {
+        Literal::Bool(value) => value.to_string(),
+        Literal::I32(value) => value.to_string(),
+        Literal::U32(value) => value.to_string(),
+        Literal::F64(_) | Literal::F32(_) => decimal(value),
+        Literal::Usize(_) | Literal::Variant(_) => panic!("rust: {value:?} has no counterpart"),
+    }
+}
+
+/// Digits have no type of their own where a method is called on them: there a function stands for it.
+fn form(operation: &Expr, ty: Type, real: RealKind) -> Option<Form> {
+    use Level::{Any, Comparison, Primary, Sign, Sum};
+    let is_digits = matches!(operation.operands().next(), Some(Expr::Literal(_)));
+    let choose = |method, function| {
+        if is_digits { (Primary, function, [Any; 2]) } else { (Primary, method, [Primary, Any]) }
+    };
+    let (level, text, least) = match (operation, ty, real) {
+        (Expr::Unary(Unary::Negate, _), Type::I32, _) => choose("{0}.wrapping_neg()", "i32::wrapping_neg({0})"),
+        // `Primary`: the reader sees what the sign belongs to.
+        (Expr::Unary(Unary::Negate, _), ..) => (Sign, "-{0}", [Primary; 2]),
+        (Expr::Unary(Unary::Not, _), ..) => (Sign, "!{0}", [Primary; 2]),
+        (Expr::Binary(operator, ..), Type::I32, _) => match operator {
+            Binary::Add => choose("{0}.wrapping_add({1})", "i32::wrapping_add({0}, {1})"),
+            Binary::Subtract => choose("{0}.wrapping_sub({1})", "i32::wrapping_sub({0}, {1})"),
+            Binary::Multiply => choose("{0}.wrapping_mul({1})", "i32::wrapping_mul({0}, {1})"),
+            _ => return None,
+        },
+        (Expr::Binary(operator, ..), Type::U32, _) => match operator {
+            Binary::Add => choose("{0}.wrapping_add({1})", "u32::wrapping_add({0}, {1})"),
+            Binary::Subtract => choose("{0}.wrapping_sub({1})", "u32::wrapping_sub({0}, {1})"),
+            Binary::Multiply => choose("{0}.wrapping_mul({1})", "u32::wrapping_mul({0}, {1})"),
+            _ => return None,
+        },
+        (Expr::Intrinsic(intrinsic, _), ..) => match (intrinsic, real) {
+            (Intrinsic::InRange | Intrinsic::Within, _) if !is_digits => {
+                (Comparison, "{0}.abs() <= {1}", [Primary, Sum])
+            }
+            (Intrinsic::InRange | Intrinsic::Within, RealKind::F64) => (Comparison, "f64::abs({0}) <= {1}", [Any, Sum]),
+            (Intrinsic::InRange | Intrinsic::Within, RealKind::F32) => (Comparison, "f32::abs({0}) <= {1}", [Any, Sum]),
+            // What a cast stands beside may be read as part of its type: it always gets parentheses.
+            (Intrinsic::FromU32, RealKind::F64) if is_digits => (Primary, "f64::from({0}_u32)", [Any; 2]),
+            (Intrinsic::FromU32, RealKind::F32) if is_digits => (Any, "{0}_u32 as f32", [Primary; 2]),
+            (Intrinsic::FromU32 | Intrinsic::FromI32, RealKind::F64) => (Primary, "f64::from({0})", [Any; 2]),
+            (Intrinsic::FromU32 | Intrinsic::FromI32, RealKind::F32) => (Any, "{0} as f32", [Primary; 2]),
+            (Intrinsic::Truncate, _) => (Any, "{0} as i32", [Primary; 2]),
+            (Intrinsic::Nearest, _) => (Primary, "nearest({0})", [Any; 2]),
+        },
+        _ => return None,
+    };
+    Some(Form { level, text, least })
+}

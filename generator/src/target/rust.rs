@@ -1,0 +1,136 @@
+//! The file of a block in Rust: a module of any crate, without the standard library.
+
+use super::outline::{COMMENT_WIDTH, Group, Member, Outline};
+use super::{File, Header, Legal, block_name, rendered};
+use crate::self_test::SelfTest;
+use askama::Template;
+use compiler::interp::Machine;
+use compiler::print::rust::LANGUAGE;
+use compiler::print::{Appearance, Printer, comment};
+use compiler::program::{Expr, Program, Statement, Type, Var, Variable};
+use portable::{Intrinsic, Literal, RealKind};
+
+#[derive(Template)]
+#[template(path = "rust/file.rs")]
+struct RustFile<'a> {
+    file: &'a str,
+    axis: &'a Header,
+    block: &'static str,
+    real: &'a str,
+    bits: usize,
+    inputs: Vec<Member>,
+    outputs: Vec<Member>,
+    state: Vec<Member>,
+    constants: Vec<Group>,
+    /// what seldom runs, a function of its own; empty where `step` is one function
+    any_cycle: String,
+    step: String,
+    /// what is certain of its range, and its measured response
+    certificate: String,
+    uses_nearest: bool,
+    nearly_half: String,
+    self_test: &'a SelfTest,
+    /// the digest after each sample
+    expected: Vec<String>,
+    /// the inputs that are set once, by position
+    switches: Vec<(usize, String)>,
+    scales: [String; 2],
+    /// the bits of every output, and of every part of the state
+    watched: Vec<String>,
+}
+
+impl RustFile<'_> {
+    /// Each struct with what its start is, and its members.
+    fn starts(&self) -> [(&str, &str, &[Member]); 3] {
+        [
+            ("Inputs", "Every input with the value that it has until the caller writes it.", &self.inputs),
+            ("Outputs", "The outputs before the first cycle.", &self.outputs),
+            ("State", "The state before the first cycle.", &self.state),
+        ]
+    }
+}
+
+/// The module of a block.
+pub(super) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
+    let (program, self_test) = (&*block.program, &block.block.self_test);
+    let printer = &Printer::new(program, &LANGUAGE, "");
+    let outline = Outline { axis, block, language: &LANGUAGE, printer, next_line: "\n// " };
+    let names = printer.names();
+    let file = format!("{}.rs", block_name(&axis.name, program.block));
+    let (bits, nearly_half) = match axis.real {
+        RealKind::F64 => (64, Literal::F64(portable::nearly_half())),
+        RealKind::F32 => (32, Literal::F32(portable::nearly_half())),
+    };
+    let state = outline.state().into_iter().zip(starts(program, &names.constants));
+    let state = state.map(|(member, value)| Member { value, ..member }).collect();
+    let watched = |of: &'static str, variables: &[Variable], names: &[String]| -> Vec<String> {
+        let bits = |(variable, name): (&Variable, &String)| bits_of(&format!("{of}.{name}"), variable.ty, program.real);
+        variables.iter().zip(names).map(bits).collect()
+    };
+    let digest = |digest: &u64| match program.real {
+        RealKind::F64 => format!("0x{digest:016x}"),
+        RealKind::F32 => format!("0x{digest:08x}"),
+    };
+    let template = RustFile {
+        file: &file,
+        axis,
+        block: program.block,
+        real: LANGUAGE.ty(Type::Real, axis.real),
+        bits,
+        inputs: outline.inputs(),
+        outputs: outline.outputs(),
+        state,
+        constants: outline.groups(Appearance::Declared),
+        any_cycle: printer.body(program.apart(), 1),
+        step: printer.body(&program.step, 1),
+        certificate: comment::wrapped(&block.block.certificate.lines, COMMENT_WIDTH, outline.next_line),
+        uses_nearest: asks_for_nearest(program),
+        nearly_half: (LANGUAGE.literal)(nearly_half),
+        self_test,
+        expected: self_test.expected.iter().map(digest).collect(),
+        switches: self_test.switches.iter().map(|(index, value)| (*index, (LANGUAGE.literal)(*value))).collect(),
+        scales: self_test.scales.map(LANGUAGE.literal),
+        watched: [
+            watched("outputs", &program.outputs, &names.outputs),
+            watched("state", &program.state, &names.state),
+        ]
+        .concat(),
+    };
+    vec![rendered(&file, "", &template)]
+}
+
+/// The bits of a value, as the digest takes them.
+fn bits_of(value: &str, ty: Type, real: RealKind) -> String {
+    match (ty, real) {
+        (Type::Real, _) => format!("{value}.to_bits()"),
+        (Type::I32, RealKind::F64) => format!("u64::from({value} as u32)"),
+        (Type::I32, RealKind::F32) => format!("{value} as u32"),
+        (Type::U32, RealKind::F32) => value.to_owned(),
+        (Type::Bool | Type::U32, RealKind::F64) => format!("u64::from({value})"),
+        (Type::Bool, RealKind::F32) => format!("u32::from({value})"),
+    }
+}
+
+/// What each part of the state is before the first cycle: the constant that `init` gives it, by its name, else its value.
+fn starts(program: &Program, names: &[String]) -> Vec<String> {
+    let machine = Machine::start(program);
+    let value = |(state, value): (usize, &Literal)| {
+        let given = program.init.iter().rev().find(|statement| statement.mentions(Var::State(state)));
+        match given {
+            Some(Statement::Assign { value: Expr::Var(Var::Constant(constant)), .. }) => names[*constant].clone(),
+            _ => (LANGUAGE.literal)(*value),
+        }
+    };
+    machine.state().iter().enumerate().map(value).collect()
+}
+
+/// Whether a program rounds to integers.
+fn asks_for_nearest(program: &Program) -> bool {
+    let mut found = false;
+    for statement in program.statements() {
+        statement.expressions(&mut |expr| {
+            expr.parts(&mut |part| found |= matches!(part, Expr::Intrinsic(Intrinsic::Nearest, _)));
+        });
+    }
+    found
+}

@@ -1,0 +1,66 @@
+//! A compiled block as a process: samples on its standard input, answers on its standard output. What compiles it is not known here.
+
+use super::Failure;
+use crate::samples::{Samples, Shape};
+use compiler::program::Variable;
+use generator::blocks::Block;
+use portable::RealKind;
+use std::io::{Read, Write};
+use std::path::Path;
+use std::process::{Command, Stdio};
+use tempfile::TempDir;
+
+/// A folder that is gone afterwards.
+pub(super) fn folder() -> Result<TempDir, Failure> {
+    tempfile::tempdir().map_err(|error| Failure::Environment(format!("no temporary folder: {error}")))
+}
+
+/// Writes a file that is to be compiled.
+pub(super) fn write(folder: &Path, name: &str, text: &str) -> Result<(), Failure> {
+    let written = std::fs::write(folder.join(name), text);
+    written.map_err(|error| Failure::Environment(format!("{name}: {error}")))
+}
+
+/// The bytes of a sample of these variables.
+pub(super) fn frame(variables: &[Variable], real: RealKind) -> usize {
+    Shape::of(variables, real).frame()
+}
+
+/// Runs the program of a block, perhaps by another one, from its start.
+pub(super) fn run(program: &str, emulator: &[String], block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
+    let (all, own) = (&block.program, &block.own);
+    let bytes = pipe(program, emulator, &inputs.only(&own.inputs).bytes)?;
+    let shape = Shape::of(&own.program.outputs, all.real);
+    if bytes.len() != shape.frame() * inputs.len() {
+        return Err(Failure::Broken(format!("{} bytes came out for {} samples", bytes.len(), inputs.len())));
+    }
+    Ok(Samples { shape, bytes }.among(&own.outputs, &Shape::of(&all.outputs, all.real)))
+}
+
+/// Runs the program with the samples on its standard input.
+fn pipe(program: &str, emulator: &[String], input: &[u8]) -> Result<Vec<u8>, Failure> {
+    let broken = |what: &str, error: &std::io::Error| Failure::Broken(format!("{what} the compiled block: {error}"));
+    let words: Vec<&str> = emulator.iter().map(String::as_str).chain([program]).collect();
+    let mut child = Command::new(words[0])
+        .args(&words[1..])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .map_err(|error| broken("starting", &error))?;
+    let mut stdin = child.stdin.take().expect("engine: standard input is piped");
+    let mut stdout = child.stdout.take().expect("engine: standard output is piped");
+    let mut output = Vec::with_capacity(input.len());
+    let read = std::thread::scope(|scope| {
+        // A block that fails its self-test reads nothing: that its input breaks off is no failure of its own.
+        scope.spawn(move || drop(stdin.write_all(input)));
+        stdout.read_to_end(&mut output)
+    });
+    let result = child.wait_with_output().map_err(|error| broken("waiting for", &error))?;
+    read.map_err(|error| broken("reading from", &error))?;
+    match result.status.code() {
+        Some(0) => Ok(output),
+        Some(2) => Err(Failure::SelfTest(String::from_utf8_lossy(&result.stderr).trim().parse().unwrap_or_default())),
+        other => Err(Failure::Broken(format!("the compiled block ended with {other:?}"))),
+    }
+}

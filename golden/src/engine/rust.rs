@@ -1,0 +1,91 @@
+//! The engine `rust`: the emitted module, compiled by a Rust compiler and run as a process.
+
+use super::compiler::call;
+use super::{Failure, process};
+use crate::samples::Samples;
+use compiler::print::rust::LANGUAGE;
+use compiler::print::signals;
+use compiler::program::{Type, Variable};
+use generator::blocks::{Block, Designed};
+use generator::target::File;
+use portable::RealKind;
+use std::fmt::Write;
+
+/// The host's compiler: `$RUSTC` or `rustc`.
+#[must_use]
+pub fn command() -> String {
+    std::env::var("RUSTC").unwrap_or_else(|_| "rustc".to_owned())
+}
+
+/// The options that a user's release build has; a warning about the module is a defect of it.
+const OPTIONS: [&str; 8] = ["--edition", "2024", "-O", "-D", "warnings", "harness.rs", "-o", "block"];
+
+/// Compiles and runs a block from the file that its target emits.
+pub(super) fn run(designed: &Designed, block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
+    let files = super::files(super::target("rust"), designed, block)?;
+    let [file] = files.as_slice() else { return Err(Failure::Broken("a module is one file".to_owned())) };
+    run_file(file, block, inputs)
+}
+
+/// Compiles and runs a block from its module.
+///
+/// # Errors
+/// The compiler is not there or refuses, or the block does not pass its self-test.
+pub fn run_file(file: &File, block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
+    let folder = process::folder()?;
+    let texts = [
+        (file.name.as_str(), file.text.as_str()),
+        ("layout.rs", &layout(&file.name, block)),
+        ("harness.rs", include_str!("harness.rs")),
+    ];
+    for (name, text) in texts {
+        process::write(folder.path(), name, text)?;
+    }
+    call("Rust", "RUSTC", &command(), folder.path(), &OPTIONS)?;
+    process::run(&folder.path().join("block").to_string_lossy(), &[], block, inputs)
+}
+
+/// What the harness has to know of the block.
+fn layout(file: &str, block: &Block) -> String {
+    let program = &block.own.program;
+    let real = program.real;
+    let [inputs, outputs] = signals(program, &LANGUAGE);
+    let frame = |variables| process::frame(variables, real);
+    format!(
+        "#[path = \"{file}\"]\nmod block;\nconst IN_FRAME: usize = {};\nconst OUT_FRAME: usize = {};\n\
+         fn get(frame: &[u8; IN_FRAME], inputs: &mut block::Inputs) {{\n{}}}\n\
+         fn put(outputs: &block::Outputs, frame: &mut [u8; OUT_FRAME]) {{\n{}}}\n",
+        frame(&program.inputs),
+        frame(&program.outputs),
+        each(&program.inputs, &inputs, real, |name, ty, bytes| match ty {
+            None => format!("inputs.{name} = frame[{}] != 0;", bytes.start),
+            Some(ty) => format!(
+                "inputs.{name} = {ty}::from_ne_bytes(frame[{}..{}].try_into().unwrap());",
+                bytes.start, bytes.end
+            ),
+        }),
+        each(&program.outputs, &outputs, real, |name, ty, bytes| match ty {
+            None => format!("frame[{}] = u8::from(outputs.{name});", bytes.start),
+            Some(_) => {
+                format!("frame[{}..{}].copy_from_slice(&outputs.{name}.to_ne_bytes());", bytes.start, bytes.end)
+            }
+        }),
+    )
+}
+
+/// A statement for each variable: its name, its type unless it is a BOOL, and its bytes in a frame.
+fn each(
+    variables: &[Variable],
+    names: &[String],
+    real: RealKind,
+    statement: impl Fn(&str, Option<&str>, std::ops::Range<usize>) -> String,
+) -> String {
+    let (mut text, mut start) = (String::new(), 0);
+    for (variable, name) in variables.iter().zip(names) {
+        let end = start + process::frame(std::slice::from_ref(variable), real);
+        let ty = (variable.ty != Type::Bool).then(|| LANGUAGE.ty(variable.ty, real));
+        writeln!(text, "    {}", statement(name, ty, start..end)).expect("engine: a string takes all text");
+        start = end;
+    }
+    text
+}

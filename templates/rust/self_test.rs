@@ -1,0 +1,70 @@
+/// Compares a run of {{ expected.len() }} samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
+/// number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
+/// machine: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number.
+#[must_use]
+#[allow(dead_code)] // for whoever runs it
+#[allow(clippy::all)] // numbers that may be equal
+#[rustfmt::skip]
+pub fn self_test() -> u32 {
+    // the reference's digest of all outputs and of the state, after each sample
+    const EXPECTED: [u{{ bits }}; {{ expected.len() }}] = [
+{%- for digest in expected %}
+        {{ digest }},
+{%- endfor %}
+    ];
+    // opaque: the compiler must call what the caller calls, and not work it out by itself
+    let step: fn(&mut State, &Inputs, &mut Outputs) = core::hint::black_box(step);
+    // 1 + 2^-{% if bits == 64 %}30{% else %}15{% endif %} and its rounded square
+    let factor = core::hint::black_box({{ real }}::from_bits({% if bits == 64 %}0x3ff0_0000_0040_0000{% else %}0x3f80_0100{% endif %}));
+    let square = core::hint::black_box({{ real }}::from_bits({% if bits == 64 %}0x3ff0_0000_0080_0000{% else %}0x3f80_0200{% endif %}));
+    // 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely
+    if (factor * factor - square).to_bits() != 0 {
+        return 1;
+    }
+
+    let mut state = State::new();
+    let mut inputs = Inputs::new();
+    let mut outputs = Outputs::new();
+{%- for (input, value) in switches %}
+    inputs.{{ inputs[*input].name }} = {{ value }};
+{%- endfor %}
+    let mut random: u32 = 1;
+    // noise: the next number, as bits
+    let mut noise = |scale: {{ real }}| {
+        random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        {% if bits == 64 %}(f64::from(random >> 8) - 8_388_608.0) * scale{% else %}((random >> 8) as f32 - 8_388_608.0) * scale{% endif %}
+    };
+    let not_a_number = {{ real }}::from_bits({% if bits == 64 %}0x7ff8_0000_0000_0000{% else %}0x7fc0_0000{% endif %});
+    let mut digest: u{{ bits }} = 0;
+    let mut sample: u32 = 0;
+    for expected in EXPECTED {
+        // at first within every limit, so that nothing is cut off
+        let scale = if sample < {{ self_test.loud_from }} { {{ scales[0] }} } else { {{ scales[1] }} };
+        // each input is no number for one sample: a block that does not notice it goes on with other bits
+{%- for (bad_sample, input) in self_test.bad %}
+        let value = noise(scale);
+        inputs.{{ inputs[*input].name }} = if sample == {{ bad_sample }} { not_a_number } else { value };
+{%- endfor %}
+        step(&mut state, &inputs, &mut outputs);
+        for bits in [
+{%- for value in watched %}
+            {{ value }},
+{%- endfor %}
+        ] {
+            digest = digest.rotate_left(5).wrapping_add(bits);
+        }
+        sample = sample.wrapping_add(1);
+        if digest != expected {
+            return sample;
+        }
+    }
+    0
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn this_build_has_the_bits_of_the_reference() {
+        assert_eq!(super::self_test(), 0);
+    }
+}
