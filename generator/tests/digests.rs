@@ -51,13 +51,13 @@ fn files(set: &str, list: &str) -> Option<BTreeMap<String, String>> {
 
 /// The name of the block that a file holds.
 fn block(text: &str) -> &str {
-    let line = text.lines().find_map(|line| line.trim_start_matches([' ', '*']).strip_prefix("block "));
+    let line = text.lines().find_map(|line| line.trim_start_matches([' ', '*', '/']).strip_prefix("block "));
     line.expect("a head names its block").trim()
 }
 
 /// A text without its digests, and the digest of its parameters.
 fn parts(text: &str) -> (String, &str) {
-    let of = |line: &str, word| line.trim_start_matches([' ', '*']).starts_with(word);
+    let of = |line: &str, word| line.trim_start_matches([' ', '*', '/']).starts_with(word);
     let digest = text.lines().find(|line| of(line, "parameters ")).unwrap();
     let rest = text.lines().filter(|line| !of(line, "parameters ") && !of(line, "checksum "));
     (rest.collect::<Vec<_>>().join("\n"), digest)

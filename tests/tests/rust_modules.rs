@@ -169,9 +169,13 @@ fn lost(statement: &str) -> Option<String> {
 
 /// A NaN taken for a number that is in range, as a build with finite arithmetic only would.
 fn finite(text: &str) -> Vec<String> {
-    let (asked, wrong) = ("inputs.v_motor.abs() <= SAMPLE_LIMIT", "!(inputs.v_motor.abs() > SAMPLE_LIMIT)");
-    assert!(text.contains(asked));
-    vec![text.replace(asked, wrong)]
+    let wrong = |text: String, input| {
+        let asked = format!("inputs.{input}.abs() <= SAMPLE_LIMIT");
+        text.replace(&asked, &format!("!(inputs.{input}.abs() > SAMPLE_LIMIT)"))
+    };
+    let wrong = ["v_command", "v_motor", "v_direct"].into_iter().fold(text.to_owned(), wrong);
+    assert!(wrong != text);
+    vec![wrong]
 }
 
 /// Each single one.

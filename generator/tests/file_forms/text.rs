@@ -30,7 +30,7 @@ const WIDTH: usize = 150;
 #[test]
 fn no_line_is_too_long() {
     for case in CASES.iter() {
-        for (name, text) in case.with(&[".c", ".h", ".st", ".scl", ".TcPOU", ".TcDUT"]) {
+        for (name, text) in case.with(&[".c", ".h", ".rs", ".st", ".scl", ".TcPOU", ".TcDUT"]) {
             let long = text.lines().find(|line| line.len() > WIDTH);
             assert_eq!(long, None, "{}: {name}", case.name);
         }
@@ -41,7 +41,7 @@ fn no_line_is_too_long() {
 #[test]
 fn names_say_what_they_name() {
     for case in CASES.iter() {
-        for (name, text) in case.with(&[".c", ".st", ".scl", ".TcPOU"]) {
+        for (name, text) in case.with(&[".c", ".rs", ".st", ".scl", ".TcPOU"]) {
             let words = text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_'));
             let is_numbered = |word: &&str| {
                 let end = word.rsplit_once('_').map_or("", |(_, end)| end);
@@ -137,7 +137,11 @@ fn no_file_gives_away_where_or_when_it_was_made() {
         // The end tags of XML are no paths.
         for (name, text) in &case.files {
             let text = text.replace("</", "<");
-            let text = if name.ends_with(".c") || name.ends_with(".h") { text.replace("/*", "") } else { text };
+            let text = match name.rsplit_once('.').unwrap().1 {
+                "c" | "h" => text.replace("/*", ""),
+                "rs" => text.replace("//", ""),
+                _ => text,
+            };
             assert_eq!(traces(&text), [""; 0], "{}: {name}", case.name);
             assert_eq!(own.iter().find(|own| text.contains(**own)), None, "{}: {name}", case.name);
         }

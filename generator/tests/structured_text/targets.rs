@@ -9,6 +9,7 @@ fn every_target_has_its_files() {
         [
             format!("axis_{axis}_ipc.c"),
             format!("axis_{axis}_ipc.h"),
+            format!("axis_{axis}_ipc.rs"),
             format!("axis_{axis}_ipc.scl"),
             format!("axis_{axis}_ipc.st"),
             format!("axis_{axis}_ipc.xml"),

@@ -47,7 +47,7 @@ pub struct Answer {
 pub struct Difference {
     /// the real type
     pub real: String,
-    /// the pass after which the interpreted program differs, `c` with its level, `rust` or `st`
+    /// the pass after which the interpreted program differs, `c` or `rust` with its level, or `st`
     pub engine: String,
     /// what was found
     pub message: String,

@@ -143,7 +143,7 @@ fn small(settings: &Settings<'_>, number: usize, difference: &Difference) -> Res
     let reals: &[&str] = if difference.real == "f64" { &["f64"] } else { &["f32"] };
     let crates = format!("{}-shrink", settings.name);
     let is_c = |difference: &Difference| difference.engine.starts_with("c ");
-    let is_text = |difference: &Difference| is_c(difference) || ["rust", "st"].contains(&&*difference.engine);
+    let is_text = |difference: &Difference| is_c(difference) || ["rust -O", "st"].contains(&&*difference.engine);
     let batch = |programs: Vec<(String, &Program)>| -> Result<Vec<Answer>, String> {
         let (folder, defect) = (settings.folder, settings.defect);
         batch::run(&Batch { folder, name: &crates, programs, reals, defect, with_text: is_text(difference) })

@@ -31,7 +31,7 @@ pub struct Line {
     pub program: usize,
     /// the real type
     pub real: &'static str,
-    /// the engine: `c -O2`, `rust`
+    /// the engine: `c -O2`, `rust -O`
     pub engine: String,
     /// what was found
     pub message: String,
@@ -63,7 +63,7 @@ pub fn run(folder: &Path, firsts: &[usize]) -> Result<Vec<Line>, String> {
 }
 
 /// What stands for a level where Rust is compiled.
-const RUST: &str = "rust";
+const RUST: &str = "rust -O";
 
 fn rust_unit(folder: &Path, real: &'static str, first: usize) -> Result<Vec<Line>, String> {
     let (stem, program) = (format!("{real}_{first}"), format!("{real}_{first}_rust"));
