@@ -38,7 +38,7 @@ impl Modules {
 }
 
 fn module(number: usize, program: &Program) -> String {
-    let printer = Printer::new(program, &LANGUAGE);
+    let printer = Printer::new(program, &LANGUAGE, "");
     let names = printer.names();
     let body = |statements: &[Statement]| {
         let mut text = String::new();
