@@ -176,6 +176,7 @@ struct Turn {
 }
 
 /// The digest with one more value, word by word, the low one first. A word can be told from each other one, whatever the digest is.
+#[expect(clippy::cast_possible_truncation, reason = "the two words of a number of 64 bits")]
 fn fold(digest: u32, value: Literal) -> u32 {
     let word = |digest: u32, word: u32| (digest.rotate_left(5) ^ word).wrapping_mul(0x9e37_79b1);
     match value {

@@ -1,7 +1,5 @@
 //! The example `examples/cortex-m4`: its script builds and runs it, and the block halves the vibration at least.
 
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
-
 use std::path::Path;
 use std::process::Command;
 
