@@ -93,6 +93,7 @@ fn largest(mode: Mode, filter: [Filter; 2]) -> f64 {
         v_add_max_fact: 2000,
         v_max: 500_000.0,
         fade: 0.0,
+        ride_through: 0,
         delay_cycles: None,
         stage: [Some(stage), None, None],
     };

@@ -90,11 +90,8 @@ pub(super) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
         expected: self_test.expected.iter().map(digest).collect(),
         switches: self_test.switches.iter().map(|(index, value)| (*index, (LANGUAGE.literal)(*value))).collect(),
         scales: self_test.scales.map(LANGUAGE.literal),
-        watched: [
-            watched("outputs", &program.outputs, &names.outputs),
-            watched("state", &program.state, &names.state),
-        ]
-        .concat(),
+        watched: [watched("outputs", &program.outputs, &names.outputs), watched("state", &program.state, &names.state)]
+            .concat(),
     };
     vec![rendered(&file, "", &template)]
 }

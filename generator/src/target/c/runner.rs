@@ -1,9 +1,9 @@
 //! The runner of a block in C: a program for a user's own board, but for how the board prints and counts.
 
 use super::names;
+use crate::runner::Runner;
 use crate::target::outline::COMMENT_WIDTH;
 use crate::target::{File, Header, Legal, rendered};
-use crate::runner::Runner;
 use askama::Template;
 use compiler::print::{Printer, c::LANGUAGE};
 use compiler::program::{Type, Variable};
