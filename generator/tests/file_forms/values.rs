@@ -42,11 +42,7 @@ fn every_named_value_of_a_signal_is_in_the_header() {
             assert_eq!(values("error_id"), &ids, "{}: {file}", case.name);
             let expected: [(&str, &str, &[&str]); 3] = [
                 ("    int32_t mode;", "input mode", &["MODE_OFF", "MODE_ON", "MODE_DRYRUN"]),
-                (
-                    "    int32_t job;",
-                    "output job",
-                    &["JOB_STOP", "JOB_TURN", "JOB_ORIENT", "JOB_RELEASE", "JOB_HOME"],
-                ),
+                ("    int32_t job;", "output job", &["JOB_STOP", "JOB_TURN", "JOB_ORIENT", "JOB_RELEASE", "JOB_HOME"]),
                 (
                     "    int32_t spindle_state;",
                     "output spindle_state",
@@ -56,7 +52,9 @@ fn every_named_value_of_a_signal_is_in_the_header() {
             for (member, signal, names) in expected.into_iter().filter(|(member, ..)| text.contains(member)) {
                 let numbers: Vec<i64> = names
                     .iter()
-                    .map(|name| values(signal).get(*name).or_else(|| values(signal).get(&format!("SPINDLE_STATE_{name}"))))
+                    .map(|name| {
+                        values(signal).get(*name).or_else(|| values(signal).get(&format!("SPINDLE_STATE_{name}")))
+                    })
                     .map(|number| *number.unwrap())
                     .collect();
                 let counted: Vec<i64> = (0..).take(names.len()).collect();
