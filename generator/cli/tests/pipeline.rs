@@ -104,8 +104,8 @@ fn a_changed_list_fails_until_its_files_are_written_again() {
     let (code, said) = repository.shell("./check.sh");
     assert_eq!(code, 1, "{said}");
     for line in [
-        "- * BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz",
-        "+ * BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 54 Hz",
+        "-     * BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz",
+        "+     * BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 54 Hz",
     ] {
         assert!(said.lines().any(|said| said.starts_with(line)), "{said}");
     }
