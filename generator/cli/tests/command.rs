@@ -267,7 +267,7 @@ fn verify_counts_no_differing_bit() {
     let run = axgen(folder.path(), &["verify", "machine.toml", "--samples", "5000"]);
     assert_eq!(run.code, 0, "{}", run.err);
     let rows: Vec<Vec<&str>> = run.out.lines().skip(1).map(|line| line.split_whitespace().collect()).collect();
-    assert_eq!(rows.len(), 3 * 7, "three axes, seven engines");
+    assert_eq!(rows.len(), 3 * 8, "three axes, eight engines");
     for row in rows {
         assert_eq!(row[3], "5000");
         assert_eq!(row[4], if row[2] == "reference" { "(reference)" } else { "0" });

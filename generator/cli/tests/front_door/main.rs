@@ -305,11 +305,11 @@ fn results_for_a_pipeline() {
     let results = fs::read_to_string(folder.path().join("results.json")).unwrap();
     let results: Value = serde_json::from_str(&results).unwrap();
     assert_eq!((&results["suite"], &results["failures"]), (&"axgen verify".into(), &0.into()));
-    assert_eq!(results["results"].as_array().unwrap().len(), 7);
-    assert_eq!(results["results"][3]["name"], "ipc st");
+    assert_eq!(results["results"].as_array().unwrap().len(), 8);
+    assert_eq!(results["results"][3]["name"], "ipc rust");
     assert_eq!(
         elements(&folder.path().join("junit.xml")),
-        ["testsuites", "testsuite"].iter().chain(&["testcase"; 7]).copied().collect::<Vec<_>>()
+        ["testsuites", "testsuite"].iter().chain(&["testcase"; 8]).copied().collect::<Vec<_>>()
     );
 }
 
