@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  2000000 ns
- * parameters  8fe3d1f2dab55b1cc386ce2a9c62c311
- * structure   e992a8539608b0cbdbd4583d26df7940
- * checksum    fb01d80cac64cdeeadf0891ca6fa47ba
+ * parameters  45b6c3851830d39515fa6c4907b5f551
+ * structure   c6a9e314e286863e972288e770153b71
+ * checksum    bb05cfab0cf63ddb805a8aa39f628cde
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_y_ipc.h"
@@ -43,9 +43,6 @@ void axis_y_ipc_init(axis_y_ipc_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_y_ipc_state *const state = fresh;
-    state->preset = false;
-    state->fade = 0u;
-    state->disturbed = false;
     state->stage0_filter0_section0_s1 = 0.0;
     state->stage0_filter0_section0_s2 = 0.0;
     state->stage0_filter0_section1_s1 = 0.0;
@@ -60,6 +57,10 @@ void axis_y_ipc_init(axis_y_ipc_state *fresh)
     state->stage1_filter1_section0_s2 = 0.0;
     state->stage1_filter1_section1_s1 = 0.0;
     state->stage1_filter1_section1_s2 = 0.0;
+    state->disturbed = false;
+    /* key ride_through: each of so many bad samples in a row is the last good one */
+    state->preset = false;
+    state->fade = 0u;
 }
 
 void axis_y_ipc_inputs_init(axis_y_ipc_inputs *inputs)
@@ -137,6 +138,9 @@ void axis_y_ipc_step(
     static const double limit = 200000.0; /* largest |v_add| */
     static const double lower_limit = -200000.0; /* -limit */
 
+    /* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
+    static const double sum_limit = 1681203.879833437; /* largest magnitude of a sum of stages that is not a fault */
+
     /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
     /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
     static const double rest = 3.469446951953614e-13;
@@ -150,7 +154,6 @@ void axis_y_ipc_step(
     static const double sample_limit = 1000000000000000.0;
     /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
     static const double anti_denormal = 1.0e-30;
-    static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
 
     bool runs;
     uint32_t reason;
@@ -165,7 +168,8 @@ void axis_y_ipc_step(
         runs = false;
         reason = AXIS_Y_IPC_ERROR_STATE;
     } else if ((inputs->mode == AXIS_Y_IPC_MODE_ON || inputs->mode == AXIS_Y_IPC_MODE_OFF
-                || inputs->mode == AXIS_Y_IPC_MODE_DRYRUN) && axis_y_ipc_magnitude(inputs->v_command) <= sample_limit
+                || inputs->mode == AXIS_Y_IPC_MODE_DRYRUN)
+            && axis_y_ipc_magnitude(inputs->v_command) <= sample_limit
             && axis_y_ipc_magnitude(inputs->v_direct) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
             && !inputs->reset) {
@@ -173,6 +177,10 @@ void axis_y_ipc_step(
             if (inputs->mode == AXIS_Y_IPC_MODE_ON) {
                 state->fade = state->fade + 1u;
             } else {
+                if (state->fade > fade_cycles) {
+                    /* fade has been overwritten: it must not take longer than a whole fade */
+                    state->fade = fade_cycles;
+                }
                 if (state->fade > 0u) {
                     state->fade = state->fade - 1u;
                 }
@@ -315,8 +323,8 @@ void axis_y_ipc_step(
                 v_limited = lower_limit;
             }
         } else {
-            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
-             * everything starts anew */
+            /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
+             * then everything starts anew */
             outputs->limited = true;
             state->disturbed = true;
             state->preset = false;

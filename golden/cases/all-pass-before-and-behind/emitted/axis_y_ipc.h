@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  2000000 ns
- * parameters  8fe3d1f2dab55b1cc386ce2a9c62c311
- * structure   e992a8539608b0cbdbd4583d26df7940
- * checksum    4448e7f20805518e9946594be44cf398
+ * parameters  45b6c3851830d39515fa6c4907b5f551
+ * structure   c6a9e314e286863e972288e770153b71
+ * checksum    81ee92c309bc55443050b4f1bc9b23de
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_Y_IPC_H
@@ -40,15 +40,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 400000 [um/s] */
 #define AXIS_Y_IPC_BOUND 840601.8592970615
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_Y_IPC_PARAMETERS_0 0x8fe3d1f2u
-#define AXIS_Y_IPC_PARAMETERS_1 0xdab55b1cu
-#define AXIS_Y_IPC_PARAMETERS_2 0xc386ce2au
-#define AXIS_Y_IPC_PARAMETERS_3 0x9c62c311u
+#define AXIS_Y_IPC_PARAMETERS_0 0x45b6c385u
+#define AXIS_Y_IPC_PARAMETERS_1 0x1830d395u
+#define AXIS_Y_IPC_PARAMETERS_2 0x15fa6c49u
+#define AXIS_Y_IPC_PARAMETERS_3 0x07b5f551u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_Y_IPC_STRUCTURE_0 0xe992a853u
-#define AXIS_Y_IPC_STRUCTURE_1 0x9608b0cbu
-#define AXIS_Y_IPC_STRUCTURE_2 0xdbd4583du
-#define AXIS_Y_IPC_STRUCTURE_3 0x26df7940u
+#define AXIS_Y_IPC_STRUCTURE_0 0xc6a9e314u
+#define AXIS_Y_IPC_STRUCTURE_1 0xe286863eu
+#define AXIS_Y_IPC_STRUCTURE_2 0x972288e7u
+#define AXIS_Y_IPC_STRUCTURE_3 0x70153b71u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_Y_IPC_INPUTS_SIZE 32u
 #define AXIS_Y_IPC_OUTPUTS_SIZE 24u
@@ -76,7 +76,7 @@ enum {
     AXIS_Y_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_Y_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_Y_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number, or beyond all that samples in range lead to; everything starts anew */
+    /* a state of the block is no number, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_Y_IPC_ERROR_STATE = 3,
     AXIS_Y_IPC_ERROR_V_COMMAND = 11, /* v_command is not within the sample limit */
     AXIS_Y_IPC_ERROR_V_DIRECT = 13 /* v_direct is not within the sample limit */

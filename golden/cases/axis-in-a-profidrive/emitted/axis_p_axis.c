@@ -4,9 +4,9 @@
  * block       axis
  * real type   double
  * cycle time  1000000 ns
- * parameters  f96437c6c55f5ffae303567efedf6e0d
- * structure   c6fa11f3255d864565884c00ba8ced9d
- * checksum    e2d3b885652904a058a07c1559e65bde
+ * parameters  48991aa1392c7cbd1bb2828eed3dad8f
+ * structure   762bc1e0471c5b6570cf552c9442b1c4
+ * checksum    2812c7f11060347e7fa539ff722ae202
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_p_axis.h"
@@ -54,10 +54,11 @@ void axis_p_axis_init(axis_p_axis_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_p_axis_state *const state = fresh;
-    state->position_control_preset = false;
     state->position_control_shift_x0 = 0.0;
     state->position_control_shift_x1 = 0.0;
     state->position_control_shift_x2 = 0.0;
+    /* key ride_through: each of so many bad samples in a row is the last good one */
+    state->position_control_preset = false;
     state->position_control_x_held = 0.0;
 }
 

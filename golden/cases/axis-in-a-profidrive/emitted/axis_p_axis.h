@@ -4,9 +4,9 @@
  * block       axis
  * real type   double
  * cycle time  1000000 ns
- * parameters  f96437c6c55f5ffae303567efedf6e0d
- * structure   c6fa11f3255d864565884c00ba8ced9d
- * checksum    76d9936aaeeed2f9054b0215d77e9fce
+ * parameters  48991aa1392c7cbd1bb2828eed3dad8f
+ * structure   762bc1e0471c5b6570cf552c9442b1c4
+ * checksum    8d62bd6b54a36d8589054b586e4e67a2
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_P_AXIS_H
@@ -26,15 +26,15 @@ extern "C" {
 /* the bits of its real type */
 #define AXIS_P_AXIS_REAL_BITS 64
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_P_AXIS_PARAMETERS_0 0xf96437c6u
-#define AXIS_P_AXIS_PARAMETERS_1 0xc55f5ffau
-#define AXIS_P_AXIS_PARAMETERS_2 0xe303567eu
-#define AXIS_P_AXIS_PARAMETERS_3 0xfedf6e0du
+#define AXIS_P_AXIS_PARAMETERS_0 0x48991aa1u
+#define AXIS_P_AXIS_PARAMETERS_1 0x392c7cbdu
+#define AXIS_P_AXIS_PARAMETERS_2 0x1bb2828eu
+#define AXIS_P_AXIS_PARAMETERS_3 0xed3dad8fu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_P_AXIS_STRUCTURE_0 0xc6fa11f3u
-#define AXIS_P_AXIS_STRUCTURE_1 0x255d8645u
-#define AXIS_P_AXIS_STRUCTURE_2 0x65884c00u
-#define AXIS_P_AXIS_STRUCTURE_3 0xba8ced9du
+#define AXIS_P_AXIS_STRUCTURE_0 0x762bc1e0u
+#define AXIS_P_AXIS_STRUCTURE_1 0x471c5b65u
+#define AXIS_P_AXIS_STRUCTURE_2 0x70cf552cu
+#define AXIS_P_AXIS_STRUCTURE_3 0x9442b1c4u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_P_AXIS_INPUTS_SIZE 48u
 #define AXIS_P_AXIS_OUTPUTS_SIZE 32u

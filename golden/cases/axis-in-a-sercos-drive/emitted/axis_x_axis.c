@@ -4,9 +4,9 @@
  * block       axis
  * real type   double
  * cycle time  1000000 ns
- * parameters  84c1aaebe7d5efbf7942c2b9e5459fdc
- * structure   37808e9a5d74e0e122855d70c98fb25e
- * checksum    30290766e5a052c4cf36cd8bae943ef3
+ * parameters  33197045208879001bf76bb1abde08b1
+ * structure   a0d53b5ddc492527b88914ab446b8dcf
+ * checksum    c2c7bd98e63e873e0e7f8851baf4c550
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"
@@ -54,7 +54,6 @@ void axis_x_axis_init(axis_x_axis_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_x_axis_state *const state = fresh;
-    state->feedforward_preset = false;
     state->feedforward_velocity_delay_x0 = 0.0;
     state->feedforward_acceleration_delay_x0 = 0.0;
     state->feedforward_acceleration_delay_x1 = 0.0;
@@ -62,13 +61,15 @@ void axis_x_axis_init(axis_x_axis_state *fresh)
     state->feedforward_acceleration_delay_x3 = 0.0;
     state->feedforward_acceleration_delay_x4 = 0.0;
     state->feedforward_acceleration_delay_x5 = 0.0;
-    state->ipc_preset = false;
-    state->ipc_fade = 0u;
-    state->ipc_disturbed = false;
     state->ipc_stage0_oscillation_s1 = 0.0;
     state->ipc_stage0_oscillation_s2 = 0.0;
     state->ipc_stage0_filter0_section0_s1 = 0.0;
     state->ipc_stage0_filter0_section0_s2 = 0.0;
+    state->feedforward_preset = false;
+    state->ipc_disturbed = false;
+    /* key ride_through: each of so many bad samples in a row is the last good one */
+    state->ipc_preset = false;
+    state->ipc_fade = 0u;
     state->position_control_x_held = 0.0;
 }
 
@@ -143,6 +144,9 @@ void axis_x_axis_step(
     static const double ipc_limit = 50000.0; /* largest |v_add| */
     static const double ipc_lower_limit = -50000.0; /* -limit */
 
+    /* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
+    static const double ipc_sum_limit = 994937.2496314225; /* largest magnitude of a sum of stages that is not a fault */
+
     /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
     /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
     static const double ipc_rest = 4.3368086899420177e-13;
@@ -167,7 +171,6 @@ void axis_x_axis_step(
     static const double sample_limit = 1000000000000000.0;
     /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
     static const double anti_denormal = 1.0e-30;
-    static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
 
     if (!(axis_x_axis_magnitude(inputs->x_command) <= sample_limit)) {
         outputs->x_drive = state->position_control_x_held;
@@ -302,6 +305,10 @@ void axis_x_axis_step(
                 if (inputs->mode == AXIS_X_AXIS_MODE_ON) {
                     state->ipc_fade = state->ipc_fade + 1u;
                 } else {
+                    if (state->ipc_fade > ipc_fade_cycles) {
+                        /* fade has been overwritten: it must not take longer than a whole fade */
+                        state->ipc_fade = ipc_fade_cycles;
+                    }
                     if (state->ipc_fade > 0u) {
                         state->ipc_fade = state->ipc_fade - 1u;
                     }
@@ -375,15 +382,15 @@ void axis_x_axis_step(
                     ipc_v_limited = ipc_v_stage0;
                 }
             } else {
-                if (axis_x_axis_magnitude(ipc_v_stage0) <= sum_limit) {
+                if (axis_x_axis_magnitude(ipc_v_stage0) <= ipc_sum_limit) {
                     if (ipc_v_stage0 > 0.0) {
                         ipc_v_limited = ipc_limit;
                     } else {
                         ipc_v_limited = ipc_lower_limit;
                     }
                 } else {
-                    /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
-                     * everything starts anew */
+                    /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
+                     * then everything starts anew */
                     state->ipc_disturbed = true;
                     state->ipc_preset = false;
                     state->ipc_fade = 0u;

@@ -4,9 +4,9 @@
  * block       axis
  * real type   double
  * cycle time  1000000 ns
- * parameters  84c1aaebe7d5efbf7942c2b9e5459fdc
- * structure   37808e9a5d74e0e122855d70c98fb25e
- * checksum    f4fe72c0c3957c7b12746363d587987f
+ * parameters  33197045208879001bf76bb1abde08b1
+ * structure   a0d53b5ddc492527b88914ab446b8dcf
+ * checksum    97a2c50beb25285e6759029872b1ad18
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_AXIS_H
@@ -28,15 +28,15 @@ extern "C" {
 /* the largest |v_add| [um/s] */
 #define AXIS_X_AXIS_LIMIT 50000.0
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_AXIS_PARAMETERS_0 0x84c1aaebu
-#define AXIS_X_AXIS_PARAMETERS_1 0xe7d5efbfu
-#define AXIS_X_AXIS_PARAMETERS_2 0x7942c2b9u
-#define AXIS_X_AXIS_PARAMETERS_3 0xe5459fdcu
+#define AXIS_X_AXIS_PARAMETERS_0 0x33197045u
+#define AXIS_X_AXIS_PARAMETERS_1 0x20887900u
+#define AXIS_X_AXIS_PARAMETERS_2 0x1bf76bb1u
+#define AXIS_X_AXIS_PARAMETERS_3 0xabde08b1u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_AXIS_STRUCTURE_0 0x37808e9au
-#define AXIS_X_AXIS_STRUCTURE_1 0x5d74e0e1u
-#define AXIS_X_AXIS_STRUCTURE_2 0x22855d70u
-#define AXIS_X_AXIS_STRUCTURE_3 0xc98fb25eu
+#define AXIS_X_AXIS_STRUCTURE_0 0xa0d53b5du
+#define AXIS_X_AXIS_STRUCTURE_1 0xdc492527u
+#define AXIS_X_AXIS_STRUCTURE_2 0xb88914abu
+#define AXIS_X_AXIS_STRUCTURE_3 0x446b8dcfu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_AXIS_INPUTS_SIZE 48u
 #define AXIS_X_AXIS_OUTPUTS_SIZE 40u
@@ -64,7 +64,7 @@ enum {
     AXIS_X_AXIS_ERROR_NONE = 0, /* no fault */
     AXIS_X_AXIS_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_AXIS_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number, or beyond all that samples in range lead to; everything starts anew */
+    /* a state of the block is no number, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_X_AXIS_ERROR_STATE = 3,
     AXIS_X_AXIS_ERROR_V_COMMAND = 11, /* v_command is not within the sample limit */
     AXIS_X_AXIS_ERROR_V_INTERPOLATOR = 14, /* v_interpolator is not within the sample limit */

@@ -4,9 +4,9 @@
  * block       axis
  * real type   float
  * cycle time  2000000 ns
- * parameters  d9834b11557cb1d69918abf7f9c4bf67
- * structure   8339b0de0ac9808242f4ef78f4444341
- * checksum    f0364fae8ccef395b795dcdfbcb7422a
+ * parameters  331750b6d795f3b5a79fe386ab25fbb1
+ * structure   c145e300b741a29c38045b0ca4d36bfa
+ * checksum    32308cf1968de1bef5f4de20568c3e8e
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_f_axis.h"
@@ -54,18 +54,18 @@ void axis_f_axis_init(axis_f_axis_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_f_axis_state *const state = fresh;
-    state->ipc_preset = false;
-    state->ipc_fade = 0u;
-    state->ipc_disturbed = false;
     state->ipc_source_v_motor_before = 0.0f;
     state->ipc_stage0_filter0_section0_s1 = 0.0f;
     state->ipc_stage0_filter0_section0_p = 0.0f;
+    state->ipc_disturbed = false;
+    /* key ride_through: each of so many bad samples in a row is the last good one */
+    state->ipc_preset = false;
+    state->ipc_fade = 0u;
 }
 
 void axis_f_axis_inputs_init(axis_f_axis_inputs *inputs)
 {
-    inputs->x_command = 0.0f;
-    inputs->x_actual = 0.0f;
+    inputs->following_error = 0.0f;
     inputs->v_interpolator = 0.0f;
     inputs->v_motor = 0.0f;
     inputs->mode = 1;
@@ -103,6 +103,9 @@ void axis_f_axis_step(
     static const float ipc_limit = 60000.0f; /* largest |v_add| */
     static const float ipc_lower_limit = -60000.0f; /* -limit */
 
+    /* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
+    static const float ipc_sum_limit = 459109.13f; /* largest magnitude of a sum of stages that is not a fault */
+
     /* P-AXIS-00212 * 2^-40: a sum below it is exactly 0 */
     static const float ipc_rest = 2.728484e-7f; /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
 
@@ -129,21 +132,8 @@ void axis_f_axis_step(
     static const float sample_limit = 1000000000.0f;
     /* added to every change and to low, so that a section at rest never decays into subnormal numbers */
     static const float least_change = 1.0e-18f;
-    /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
-    static const float sum_limit = 1000000000000000.0f;
 
-    if (!(axis_f_axis_magnitude(inputs->x_command) <= sample_limit)) {
-        state->ipc_preset = false;
-        state->ipc_fade = 0u;
-        outputs->v_feedforward = 0.0f;
-        outputs->v_add = 0.0f;
-        outputs->v_add_calculated = 0.0f;
-        outputs->v_command = 0.0f;
-        outputs->manipulated_variable = 0;
-        outputs->limited = false;
-        outputs->fault = true;
-        outputs->error_id = AXIS_F_AXIS_ERROR_X_COMMAND;
-    } else if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
+    if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
         state->ipc_preset = false;
         state->ipc_fade = 0u;
         outputs->v_feedforward = 0.0f;
@@ -154,7 +144,7 @@ void axis_f_axis_step(
         outputs->limited = false;
         outputs->fault = true;
         outputs->error_id = AXIS_F_AXIS_ERROR_CYCLE_TIME;
-    } else if (!(axis_f_axis_magnitude(inputs->x_actual) <= sample_limit)) {
+    } else if (!(axis_f_axis_magnitude(inputs->following_error) <= sample_limit)) {
         state->ipc_preset = false;
         state->ipc_fade = 0u;
         outputs->v_feedforward = 0.0f;
@@ -164,7 +154,7 @@ void axis_f_axis_step(
         outputs->manipulated_variable = 0;
         outputs->limited = false;
         outputs->fault = true;
-        outputs->error_id = AXIS_F_AXIS_ERROR_X_ACTUAL;
+        outputs->error_id = AXIS_F_AXIS_ERROR_FOLLOWING_ERROR;
     } else if (!inputs->position_controlled || inputs->reset) {
         state->ipc_preset = false;
         state->ipc_fade = 0u;
@@ -200,7 +190,7 @@ void axis_f_axis_step(
             fault_so_far = true;
         }
         outputs->v_feedforward = feedforward_v_feedforward;
-        const float v_lag = position_control_kv * (inputs->x_command - inputs->x_actual);
+        const float v_lag = position_control_kv * inputs->following_error;
         const float v_controller = v_lag + feedforward_v_feedforward;
         outputs->v_command = v_controller;
         bool ipc_runs;
@@ -220,6 +210,10 @@ void axis_f_axis_step(
                 if (inputs->mode == AXIS_F_AXIS_MODE_ON) {
                     state->ipc_fade = state->ipc_fade + 1u;
                 } else {
+                    if (state->ipc_fade > ipc_fade_cycles) {
+                        /* fade has been overwritten: it must not take longer than a whole fade */
+                        state->ipc_fade = ipc_fade_cycles;
+                    }
                     if (state->ipc_fade > 0u) {
                         state->ipc_fade = state->ipc_fade - 1u;
                     }
@@ -282,15 +276,15 @@ void axis_f_axis_step(
                     ipc_v_limited = ipc_v_stage0;
                 }
             } else {
-                if (axis_f_axis_magnitude(ipc_v_stage0) <= sum_limit) {
+                if (axis_f_axis_magnitude(ipc_v_stage0) <= ipc_sum_limit) {
                     if (ipc_v_stage0 > 0.0f) {
                         ipc_v_limited = ipc_limit;
                     } else {
                         ipc_v_limited = ipc_lower_limit;
                     }
                 } else {
-                    /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
-                     * everything starts anew */
+                    /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
+                     * then everything starts anew */
                     state->ipc_disturbed = true;
                     state->ipc_preset = false;
                     state->ipc_fade = 0u;

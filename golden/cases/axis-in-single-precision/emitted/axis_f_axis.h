@@ -4,9 +4,9 @@
  * block       axis
  * real type   float
  * cycle time  2000000 ns
- * parameters  d9834b11557cb1d69918abf7f9c4bf67
- * structure   8339b0de0ac9808242f4ef78f4444341
- * checksum    985cd886856d62caa37e5daaec43f414
+ * parameters  331750b6d795f3b5a79fe386ab25fbb1
+ * structure   c145e300b741a29c38045b0ca4d36bfa
+ * checksum    f0ad265ca8c427de9ddf501be3630cf1
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_F_AXIS_H
@@ -28,17 +28,17 @@ extern "C" {
 /* the largest |v_add| [um/s] */
 #define AXIS_F_AXIS_LIMIT 60000.0f
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_F_AXIS_PARAMETERS_0 0xd9834b11u
-#define AXIS_F_AXIS_PARAMETERS_1 0x557cb1d6u
-#define AXIS_F_AXIS_PARAMETERS_2 0x9918abf7u
-#define AXIS_F_AXIS_PARAMETERS_3 0xf9c4bf67u
+#define AXIS_F_AXIS_PARAMETERS_0 0x331750b6u
+#define AXIS_F_AXIS_PARAMETERS_1 0xd795f3b5u
+#define AXIS_F_AXIS_PARAMETERS_2 0xa79fe386u
+#define AXIS_F_AXIS_PARAMETERS_3 0xab25fbb1u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_F_AXIS_STRUCTURE_0 0x8339b0deu
-#define AXIS_F_AXIS_STRUCTURE_1 0x0ac98082u
-#define AXIS_F_AXIS_STRUCTURE_2 0x42f4ef78u
-#define AXIS_F_AXIS_STRUCTURE_3 0xf4444341u
+#define AXIS_F_AXIS_STRUCTURE_0 0xc145e300u
+#define AXIS_F_AXIS_STRUCTURE_1 0xb741a29cu
+#define AXIS_F_AXIS_STRUCTURE_2 0x38045b0cu
+#define AXIS_F_AXIS_STRUCTURE_3 0xa4d36bfau
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
-#define AXIS_F_AXIS_INPUTS_SIZE 36u
+#define AXIS_F_AXIS_INPUTS_SIZE 32u
 #define AXIS_F_AXIS_OUTPUTS_SIZE 28u
 #define AXIS_F_AXIS_STATE_SIZE 24u
 
@@ -64,18 +64,18 @@ enum {
     AXIS_F_AXIS_ERROR_NONE = 0, /* no fault */
     AXIS_F_AXIS_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_F_AXIS_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number, or beyond all that samples in range lead to; everything starts anew */
+    /* a state of the block is no number, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_F_AXIS_ERROR_STATE = 3,
     AXIS_F_AXIS_ERROR_V_MOTOR = 12, /* v_motor is not within the sample limit */
     AXIS_F_AXIS_ERROR_V_INTERPOLATOR = 14, /* v_interpolator is not within the sample limit */
-    AXIS_F_AXIS_ERROR_X_COMMAND = 17, /* x_command is not within the sample limit */
-    AXIS_F_AXIS_ERROR_X_ACTUAL = 18 /* x_actual is not within the sample limit */
+    AXIS_F_AXIS_ERROR_FOLLOWING_ERROR = 24 /* following_error is not within the sample limit */
 };
 
 /* Written by the caller. axis_f_axis_inputs_init fills in what is said to be the start. */
 typedef struct {
-    float x_command; /* command position of the interpolator, on the same turn as x_actual [um]; start 0.0f */
-    float x_actual; /* actual position, on the same turn as x_command [um]; start 0.0f */
+    /* x_command - x_actual in the place of both, in single precision: subtracted by the caller in increments or in
+     * double precision [um]; start 0.0f */
+    float following_error;
     float v_interpolator; /* velocity of the interpolator [um/s]; start 0.0f */
     float v_motor; /* velocity of the motor encoder, v_ist1 [um/s]; start 0.0f */
     int32_t mode; /* improved position control: 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758); start 1 */
@@ -97,7 +97,7 @@ typedef struct {
     /* position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments] */
     int32_t manipulated_variable;
     /* of several parts the last one's; cycle_time, x_command and x_actual stop the axis, the others the part that
-     * reads them: 0 none, 1 cycle_time, 2 mode, 3 state, 12 v_motor, 14 v_interpolator, 17 x_command, 18 x_actual */
+     * reads them: 0 none, 1 cycle_time, 2 mode, 3 state, 12 v_motor, 14 v_interpolator, 24 following_error */
     uint32_t error_id;
     bool limited; /* the limit of v_add or a process-data type cuts an output off in this cycle */
     bool fault; /* a part of the block cannot act in this cycle, the id says why */
@@ -133,7 +133,7 @@ void axis_f_axis_step(
     axis_f_axis_outputs *outputs);
 
 /* In a file of its own, axis_f_axis_self_test.c: a build that does not call it leaves it out.
- * Compares a run of 44 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
+ * Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
  * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
  * precision. Run it once at start-up, on the machine, both files with the same compiler options: it finds a build that
  * fuses or reorders floating-point operations, too, or that takes a NaN for a number. */

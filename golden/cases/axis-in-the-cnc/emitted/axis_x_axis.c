@@ -4,9 +4,9 @@
  * block       axis
  * real type   double
  * cycle time  1000000 ns
- * parameters  e5deef9d65ceb21ba9e8f5a959e207a2
- * structure   92acc77ffb8f87d14c39621bda8a33ca
- * checksum    7b4b5fdf9d33eae0c7bb3f10edafc436
+ * parameters  f88928a4b0cb8925346337cc6f417916
+ * structure   7c666366b19ebd6ea394971e3ca2617c
+ * checksum    7cd71032fbf4fef92523dee44a84063d
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"
@@ -54,15 +54,16 @@ void axis_x_axis_init(axis_x_axis_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_x_axis_state *const state = fresh;
-    state->ipc_preset = false;
-    state->ipc_fade = 0u;
-    state->ipc_disturbed = false;
     state->ipc_stage0_filter0_section0_s1 = 0.0;
     state->ipc_stage0_filter0_section0_s2 = 0.0;
     state->ipc_stage1_oscillation_s1 = 0.0;
     state->ipc_stage1_oscillation_s2 = 0.0;
     state->ipc_stage1_filter0_section0_s1 = 0.0;
     state->ipc_stage1_filter0_section0_s2 = 0.0;
+    state->ipc_disturbed = false;
+    /* key ride_through: each of so many bad samples in a row is the last good one */
+    state->ipc_preset = false;
+    state->ipc_fade = 0u;
 }
 
 void axis_x_axis_inputs_init(axis_x_axis_inputs *inputs)
@@ -133,6 +134,9 @@ void axis_x_axis_step(
     static const double ipc_limit = 530000.0; /* largest |v_add| */
     static const double ipc_lower_limit = -530000.0; /* -limit */
 
+    /* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
+    static const double ipc_sum_limit = 4616683.738307328; /* largest magnitude of a sum of stages that is not a fault */
+
     /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
     /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
     static const double ipc_rest = 4.597017211338539e-13;
@@ -160,7 +164,6 @@ void axis_x_axis_step(
     static const double sample_limit = 1000000000000000.0;
     /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
     static const double anti_denormal = 1.0e-30;
-    static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
 
     if (!(axis_x_axis_magnitude(inputs->x_command) <= sample_limit)) {
         state->ipc_preset = false;
@@ -236,7 +239,8 @@ void axis_x_axis_step(
             fault_so_far = true;
         }
         outputs->v_feedforward = feedforward_v_feedforward;
-        const double v_lag = position_control_kv * (inputs->x_command - inputs->x_actual);
+        const double lag = inputs->x_command - inputs->x_actual;
+        const double v_lag = position_control_kv * lag;
         const double v_controller = v_lag + feedforward_v_feedforward;
         outputs->v_command = v_controller;
         bool ipc_runs;
@@ -256,6 +260,10 @@ void axis_x_axis_step(
                 if (inputs->mode == AXIS_X_AXIS_MODE_ON) {
                     state->ipc_fade = state->ipc_fade + 1u;
                 } else {
+                    if (state->ipc_fade > ipc_fade_cycles) {
+                        /* fade has been overwritten: it must not take longer than a whole fade */
+                        state->ipc_fade = ipc_fade_cycles;
+                    }
                     if (state->ipc_fade > 0u) {
                         state->ipc_fade = state->ipc_fade - 1u;
                     }
@@ -347,15 +355,15 @@ void axis_x_axis_step(
                     ipc_v_limited = ipc_v_sum1;
                 }
             } else {
-                if (axis_x_axis_magnitude(ipc_v_sum1) <= sum_limit) {
+                if (axis_x_axis_magnitude(ipc_v_sum1) <= ipc_sum_limit) {
                     if (ipc_v_sum1 > 0.0) {
                         ipc_v_limited = ipc_limit;
                     } else {
                         ipc_v_limited = ipc_lower_limit;
                     }
                 } else {
-                    /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
-                     * everything starts anew */
+                    /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
+                     * then everything starts anew */
                     state->ipc_disturbed = true;
                     state->ipc_preset = false;
                     state->ipc_fade = 0u;

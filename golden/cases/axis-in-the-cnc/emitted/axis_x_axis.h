@@ -4,9 +4,9 @@
  * block       axis
  * real type   double
  * cycle time  1000000 ns
- * parameters  e5deef9d65ceb21ba9e8f5a959e207a2
- * structure   92acc77ffb8f87d14c39621bda8a33ca
- * checksum    2a3f86bff9e4638ce4f94b1acc0c76d2
+ * parameters  f88928a4b0cb8925346337cc6f417916
+ * structure   7c666366b19ebd6ea394971e3ca2617c
+ * checksum    6364dacf44026b54e141d4a8041eb023
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_AXIS_H
@@ -28,15 +28,15 @@ extern "C" {
 /* the largest |v_add| [um/s] */
 #define AXIS_X_AXIS_LIMIT 530000.0
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_AXIS_PARAMETERS_0 0xe5deef9du
-#define AXIS_X_AXIS_PARAMETERS_1 0x65ceb21bu
-#define AXIS_X_AXIS_PARAMETERS_2 0xa9e8f5a9u
-#define AXIS_X_AXIS_PARAMETERS_3 0x59e207a2u
+#define AXIS_X_AXIS_PARAMETERS_0 0xf88928a4u
+#define AXIS_X_AXIS_PARAMETERS_1 0xb0cb8925u
+#define AXIS_X_AXIS_PARAMETERS_2 0x346337ccu
+#define AXIS_X_AXIS_PARAMETERS_3 0x6f417916u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_AXIS_STRUCTURE_0 0x92acc77fu
-#define AXIS_X_AXIS_STRUCTURE_1 0xfb8f87d1u
-#define AXIS_X_AXIS_STRUCTURE_2 0x4c39621bu
-#define AXIS_X_AXIS_STRUCTURE_3 0xda8a33cau
+#define AXIS_X_AXIS_STRUCTURE_0 0x7c666366u
+#define AXIS_X_AXIS_STRUCTURE_1 0xb19ebd6eu
+#define AXIS_X_AXIS_STRUCTURE_2 0xa394971eu
+#define AXIS_X_AXIS_STRUCTURE_3 0x3ca2617cu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_AXIS_INPUTS_SIZE 64u
 #define AXIS_X_AXIS_OUTPUTS_SIZE 48u
@@ -64,7 +64,7 @@ enum {
     AXIS_X_AXIS_ERROR_NONE = 0, /* no fault */
     AXIS_X_AXIS_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_AXIS_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number, or beyond all that samples in range lead to; everything starts anew */
+    /* a state of the block is no number, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_X_AXIS_ERROR_STATE = 3,
     AXIS_X_AXIS_ERROR_V_MOTOR = 12, /* v_motor is not within the sample limit */
     AXIS_X_AXIS_ERROR_V_INTERPOLATOR = 14, /* v_interpolator is not within the sample limit */

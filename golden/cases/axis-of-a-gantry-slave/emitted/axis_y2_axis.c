@@ -4,9 +4,9 @@
  * block       axis
  * real type   double
  * cycle time  1000000 ns
- * parameters  977edd273d0f3ff3ebf9ace069e7b66d
- * structure   7ce25a43f872ad44e037cafd8a14dfe5
- * checksum    4b9b3dbc504e002156386a3be95e4260
+ * parameters  4b94686ea9cabab185eae78f0d31c8d1
+ * structure   2e0ea928bcd84c3efccfb0fea0fc2ef1
+ * checksum    11bbb6f69fb23f25ced92459bad13822
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_y2_axis.h"
@@ -55,6 +55,7 @@ void axis_y2_axis_init(axis_y2_axis_state *fresh)
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_y2_axis_state *const state = fresh;
     state->unused = false;
+    /* key ride_through: each of so many bad samples in a row is the last good one */
 }
 
 void axis_y2_axis_inputs_init(axis_y2_axis_inputs *inputs)
@@ -131,7 +132,8 @@ void axis_y2_axis_step(
         outputs->fault = false;
         outputs->error_id = AXIS_Y2_AXIS_ERROR_NONE;
     } else {
-        const double v_lag = position_control_kv * (inputs->x_command - inputs->x_actual);
+        const double lag = inputs->x_command - inputs->x_actual;
+        const double v_lag = position_control_kv * lag;
         outputs->v_command = v_lag;
         bool limited_so_far;
         double v_followed;

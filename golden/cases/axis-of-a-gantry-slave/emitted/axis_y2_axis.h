@@ -4,9 +4,9 @@
  * block       axis
  * real type   double
  * cycle time  1000000 ns
- * parameters  977edd273d0f3ff3ebf9ace069e7b66d
- * structure   7ce25a43f872ad44e037cafd8a14dfe5
- * checksum    08d1582208bce1cd3041430efddb3992
+ * parameters  4b94686ea9cabab185eae78f0d31c8d1
+ * structure   2e0ea928bcd84c3efccfb0fea0fc2ef1
+ * checksum    689d14b60b76273b1940325562bcc113
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_Y2_AXIS_H
@@ -28,15 +28,15 @@ extern "C" {
 /* the largest |v_add| [um/s] */
 #define AXIS_Y2_AXIS_LIMIT 500000.0
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_Y2_AXIS_PARAMETERS_0 0x977edd27u
-#define AXIS_Y2_AXIS_PARAMETERS_1 0x3d0f3ff3u
-#define AXIS_Y2_AXIS_PARAMETERS_2 0xebf9ace0u
-#define AXIS_Y2_AXIS_PARAMETERS_3 0x69e7b66du
+#define AXIS_Y2_AXIS_PARAMETERS_0 0x4b94686eu
+#define AXIS_Y2_AXIS_PARAMETERS_1 0xa9cabab1u
+#define AXIS_Y2_AXIS_PARAMETERS_2 0x85eae78fu
+#define AXIS_Y2_AXIS_PARAMETERS_3 0x0d31c8d1u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_Y2_AXIS_STRUCTURE_0 0x7ce25a43u
-#define AXIS_Y2_AXIS_STRUCTURE_1 0xf872ad44u
-#define AXIS_Y2_AXIS_STRUCTURE_2 0xe037cafdu
-#define AXIS_Y2_AXIS_STRUCTURE_3 0x8a14dfe5u
+#define AXIS_Y2_AXIS_STRUCTURE_0 0x2e0ea928u
+#define AXIS_Y2_AXIS_STRUCTURE_1 0xbcd84c3eu
+#define AXIS_Y2_AXIS_STRUCTURE_2 0xfccfb0feu
+#define AXIS_Y2_AXIS_STRUCTURE_3 0xa0fc2ef1u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_Y2_AXIS_INPUTS_SIZE 32u
 #define AXIS_Y2_AXIS_OUTPUTS_SIZE 40u

@@ -4,8 +4,9 @@
 // block       axis
 // real type   f64
 // cycle time  1000000 ns
-// parameters  977edd273d0f3ff3ebf9ace069e7b66d
-// checksum    f83a778d255e252c851e21283c405098
+// parameters  4b94686ea9cabab185eae78f0d31c8d1
+// checksum    3e3ffda41ed1fc17ee17c9d46d3c95b3
+// licence     this file belongs to the user of axgen; no licence of axgen applies to it
 
 /// Written by the caller.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -205,7 +206,8 @@ pub fn step(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
         outputs.fault = false;
         outputs.error_id = ERROR_NONE;
     } else {
-        let v_lag: f64 = POSITION_CONTROL_KV * (inputs.x_command - inputs.x_actual);
+        let lag: f64 = inputs.x_command - inputs.x_actual;
+        let v_lag: f64 = POSITION_CONTROL_KV * lag;
         outputs.v_command = v_lag;
         let limited_so_far: bool;
         let v_followed: f64;

@@ -5,7 +5,9 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  c457484c0e8d97b740ac5a2fd735266c
- * checksum    55b5d1123e8c2dd24784f7120102121e
+ * structure   1c1a29a8ec012d2117b8460d64a31cee
+ * checksum    0e5071398826d64a680775768437fd92
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
 
@@ -28,7 +30,7 @@
 #endif
 
 /* |value|, without a library */
-static double magnitude(double value)
+static double axis_x_ipc_magnitude(double value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs(value);
@@ -37,96 +39,23 @@ static double magnitude(double value)
 #endif
 }
 
-/* cycle time 1000 us, the coefficients hold for no other */
-static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
-
-/* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755)
- * simulated oscillation of the load, f0 of the first BANDPASS 60 Hz (P-AXIS-00751), damping ratio 0.8
- * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-static const double stage0_oscillation_b0 = 0.25462455799273054; /* numerator: y = b0 x + s1 */
-static const double stage0_oscillation_b1 = 0.05424761183806795; /* numerator: s1 = b1 x - a1 y + s2 */
-static const double stage0_oscillation_b2 = -0.2003769461546625; /* numerator: s2 = b2 x - a2 y */
-static const double stage0_oscillation_a1 = -1.436503272176471; /* denominator: s1 = b1 x - a1 y + s2 */
-static const double stage0_oscillation_a2 = 0.544998495852607; /* denominator: s2 = b2 x - a2 y */
-static const double stage0_oscillation_preset_s1 = 0.7453754420072695; /* 1 - b0: steady s1 for a constant input of 1 */
-static const double stage0_oscillation_preset_s2 = -0.7453754420072695; /* b2 - a2: steady s2 for a constant input of 1 */
-
-/* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 60 Hz (P-AXIS-00751), quality
- * factor 5 (P-AXIS-00752), -3 dB at 54.28497 and 66.28497 Hz
- * section 1 of 1: centre frequency 60 Hz, quality factor 4.88009, gain 1 there and 1 at 60 Hz */
-static const double stage0_filter0_bandpass0_b2 = -0.03634611583449842; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage0_filter0_bandpass0_a1 = -1.7919654440639283; /* denominator: s1 = s2 - a1 y */
-static const double stage0_filter0_bandpass0_a2 = 0.9273077683310031; /* denominator: s2 = b2 x - a2 y */
-
-/* -weight, against the vibration; at 60 Hz the stage adds 0.8490583 times its source at 147.9946 deg */
-static const double stage0_gain = -0.72; /* -weight: negative, because the stage moves the motor against the vibration */
-
-/* INDIRECT (P-AXIS-00753) from v_motor, weight 100/100 = 1 (P-AXIS-00754/00755)
- * simulated oscillation of the load, f0 of the first BANDPASS 70 Hz (P-AXIS-00751), damping ratio 0.8
- * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-static const double stage1_oscillation_b0 = 0.2895741618340479; /* numerator: y = b0 x + s1 */
-static const double stage1_oscillation_b1 = 0.0709915589817133; /* numerator: s1 = b1 x - a1 y + s2 */
-static const double stage1_oscillation_b2 = -0.2185826028523346; /* numerator: s2 = b2 x - a2 y */
-static const double stage1_oscillation_a1 = -1.349860117350191; /* denominator: s1 = b1 x - a1 y + s2 */
-static const double stage1_oscillation_a2 = 0.4918432353136175; /* denominator: s2 = b2 x - a2 y */
-static const double stage1_oscillation_preset_s1 = 0.7104258381659521; /* 1 - b0: steady s1 for a constant input of 1 */
-static const double stage1_oscillation_preset_s2 = -0.7104258381659521; /* b2 - a2: steady s2 for a constant input of 1 */
-
-/* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 70 Hz (P-AXIS-00751), quality
- * factor 5 (P-AXIS-00752), -3 dB at 63.32637 and 77.32637 Hz
- * section 1 of 1: centre frequency 70 Hz, quality factor 4.837227, gain 1 there and 1 at 70 Hz */
-static const double stage1_filter0_bandpass0_b2 = -0.04215539206942101; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage1_filter0_bandpass0_a1 = -1.733367426628592; /* denominator: s1 = s2 - a1 y */
-static const double stage1_filter0_bandpass0_a2 = 0.915689215861158; /* denominator: s2 = b2 x - a2 y */
-
-/* DIRECT (P-AXIS-00753) from v_direct, weight 100/100 = 1 (P-AXIS-00754/00755)
- * BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 80 Hz (P-AXIS-00751), quality
- * factor 5 (P-AXIS-00752), -3 dB at 72.36489 and 88.36489 Hz
- * section 1 of 1: centre frequency 80 Hz, quality factor 4.788056, gain 1 there and 1 at 80 Hz */
-static const double stage2_filter0_bandpass0_b2 = -0.0478982031304896; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-static const double stage2_filter0_bandpass0_a1 = -1.6686663293570354; /* denominator: s1 = s2 - a1 y */
-static const double stage2_filter0_bandpass0_a2 = 0.9042035937390208; /* denominator: s2 = b2 x - a2 y */
-
-/* largest |v_add| = 500000: 1000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
-static const double limit = 500000.0; /* largest |v_add| */
-static const double lower_limit = -500000.0; /* -limit */
-
-/* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
-static const double sum_limit = 3850812.3379631075; /* largest magnitude of a sum of stages that is not a fault */
-
-/* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
-/* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
-static const double rest = 4.3368086899420177e-13;
-
-/* OFF to ON takes 0.02 s (key fade), in cycles */
-static const uint32_t fade_cycles = 20u; /* cycles that the fade takes from 0 to 1 */
-static const double fade_step = 0.05; /* 1 / fade_cycles */
-
-/* key ride_through: each of so many bad samples in a row is the last good one */
-/* cycles in a row in which the last good sample stands in the place of a bad one */
-static const uint32_t ride_through_cycles = 1u;
-
-/* the same for every axis */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-static const double sample_limit = 1000000000000000.0;
-static const uint32_t error_none = 0u; /* error_id: no fault */
-static const int32_t mode_on = 1; /* mode: the block acts */
-static const int32_t mode_off = 0; /* mode: the block is off */
-static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
-/* error_id: a state of the block is no number, or the sum of its stages is above sum_limit; everything starts
- * anew */
-static const uint32_t error_state = 3u;
-/* error_id: task_cycle_ns is not the cycle time that the coefficients were designed for */
-static const uint32_t error_cycle_time = 1u;
-static const uint32_t error_mode = 2u; /* error_id: mode is none of OFF, ON, DRYRUN */
-static const uint32_t error_v_command = 11u; /* error_id: v_command is not within the sample limit */
-static const uint32_t error_v_motor = 12u; /* error_id: v_motor is not within the sample limit */
-static const uint32_t error_v_direct = 13u; /* error_id: v_direct is not within the sample limit */
-/* added in every update of s2, so that a section at rest never decays into subnormal numbers */
-static const double anti_denormal = 1.0e-30;
-
-void axis_x_ipc_init(axis_x_ipc_state *state)
+void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
+    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    volatile axis_x_ipc_state *const state = fresh;
+    state->source_v_command_before = 0.0;
+    state->source_v_motor_before = 0.0;
+    state->source_v_direct_before = 0.0;
+    state->stage0_oscillation_s1 = 0.0;
+    state->stage0_oscillation_s2 = 0.0;
+    state->stage0_filter0_section0_s1 = 0.0;
+    state->stage0_filter0_section0_s2 = 0.0;
+    state->stage1_oscillation_s1 = 0.0;
+    state->stage1_oscillation_s2 = 0.0;
+    state->stage1_filter0_section0_s1 = 0.0;
+    state->stage1_filter0_section0_s2 = 0.0;
+    state->stage2_filter0_section0_s1 = 0.0;
+    state->stage2_filter0_section0_s2 = 0.0;
     state->disturbed = false;
     /* key ride_through: each of so many bad samples in a row is the last good one */
     state->ride_through_bad = 0u;
@@ -150,13 +79,88 @@ void axis_x_ipc_step(
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
+    /* cycle time 1000 us, the coefficients hold for no other */
+    static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
+
+    /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755)
+     * simulated oscillation of the load, f0 of the first BANDPASS 60 Hz (P-AXIS-00751), damping ratio 0.8
+     * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
+    static const double stage0_oscillation_b0 = 0.25462455799273054; /* numerator: y = b0 x + s1 */
+    static const double stage0_oscillation_b1 = 0.05424761183806795; /* numerator: s1 = b1 x - a1 y + s2 */
+    static const double stage0_oscillation_b2 = -0.2003769461546625; /* numerator: s2 = b2 x - a2 y */
+    static const double stage0_oscillation_a1 = -1.436503272176471; /* denominator: s1 = b1 x - a1 y + s2 */
+    static const double stage0_oscillation_a2 = 0.544998495852607; /* denominator: s2 = b2 x - a2 y */
+    static const double stage0_oscillation_preset_s1 = 0.7453754420072695; /* 1 - b0: steady s1 for a constant input of 1 */
+    static const double stage0_oscillation_preset_s2 = -0.7453754420072695; /* b2 - a2: steady s2 for a constant input of 1 */
+
+    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 60 Hz (P-AXIS-00751), quality
+     * factor 5 (P-AXIS-00752), -3 dB at 54.28497 and 66.28497 Hz
+     * section 1 of 1: centre frequency 60 Hz, quality factor 4.88009, gain 1 there and 1 at 60 Hz */
+    static const double stage0_filter0_bandpass0_b2 = -0.03634611583449842; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage0_filter0_bandpass0_a1 = -1.7919654440639283; /* denominator: s1 = s2 - a1 y */
+    static const double stage0_filter0_bandpass0_a2 = 0.9273077683310031; /* denominator: s2 = b2 x - a2 y */
+
+    /* -weight, against the vibration; at 60 Hz the stage adds 0.8490583 times its source at 147.9946 deg */
+    static const double stage0_gain = -0.72; /* -weight: negative, because the stage moves the motor against the vibration */
+
+    /* INDIRECT (P-AXIS-00753) from v_motor, weight 100/100 = 1 (P-AXIS-00754/00755)
+     * simulated oscillation of the load, f0 of the first BANDPASS 70 Hz (P-AXIS-00751), damping ratio 0.8
+     * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
+    static const double stage1_oscillation_b0 = 0.2895741618340479; /* numerator: y = b0 x + s1 */
+    static const double stage1_oscillation_b1 = 0.0709915589817133; /* numerator: s1 = b1 x - a1 y + s2 */
+    static const double stage1_oscillation_b2 = -0.2185826028523346; /* numerator: s2 = b2 x - a2 y */
+    static const double stage1_oscillation_a1 = -1.349860117350191; /* denominator: s1 = b1 x - a1 y + s2 */
+    static const double stage1_oscillation_a2 = 0.4918432353136175; /* denominator: s2 = b2 x - a2 y */
+    static const double stage1_oscillation_preset_s1 = 0.7104258381659521; /* 1 - b0: steady s1 for a constant input of 1 */
+    static const double stage1_oscillation_preset_s2 = -0.7104258381659521; /* b2 - a2: steady s2 for a constant input of 1 */
+
+    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 70 Hz (P-AXIS-00751), quality
+     * factor 5 (P-AXIS-00752), -3 dB at 63.32637 and 77.32637 Hz
+     * section 1 of 1: centre frequency 70 Hz, quality factor 4.837227, gain 1 there and 1 at 70 Hz */
+    static const double stage1_filter0_bandpass0_b2 = -0.04215539206942101; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage1_filter0_bandpass0_a1 = -1.733367426628592; /* denominator: s1 = s2 - a1 y */
+    static const double stage1_filter0_bandpass0_a2 = 0.915689215861158; /* denominator: s2 = b2 x - a2 y */
+
+    /* DIRECT (P-AXIS-00753) from v_direct, weight 100/100 = 1 (P-AXIS-00754/00755)
+     * BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 80 Hz (P-AXIS-00751), quality
+     * factor 5 (P-AXIS-00752), -3 dB at 72.36489 and 88.36489 Hz
+     * section 1 of 1: centre frequency 80 Hz, quality factor 4.788056, gain 1 there and 1 at 80 Hz */
+    static const double stage2_filter0_bandpass0_b2 = -0.0478982031304896; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+    static const double stage2_filter0_bandpass0_a1 = -1.6686663293570354; /* denominator: s1 = s2 - a1 y */
+    static const double stage2_filter0_bandpass0_a2 = 0.9042035937390208; /* denominator: s2 = b2 x - a2 y */
+
+    /* largest |v_add| = 500000: 1000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
+    static const double limit = 500000.0; /* largest |v_add| */
+    static const double lower_limit = -500000.0; /* -limit */
+
+    /* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
+    static const double sum_limit = 3850812.3379631075; /* largest magnitude of a sum of stages that is not a fault */
+
+    /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
+    /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
+    static const double rest = 4.3368086899420177e-13;
+
+    /* OFF to ON takes 0.02 s (key fade), in cycles */
+    static const uint32_t fade_cycles = 20u; /* cycles that the fade takes from 0 to 1 */
+    static const double fade_step = 0.05; /* 1 / fade_cycles */
+
+    /* key ride_through: each of so many bad samples in a row is the last good one */
+    /* cycles in a row in which the last good sample stands in the place of a bad one */
+    static const uint32_t ride_through_cycles = 1u;
+
+    /* the same for every axis */
+    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    static const double sample_limit = 1000000000000000.0;
+    /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
+    static const double anti_denormal = 1.0e-30;
+
     const bool is_remembered = state->preset;
     /* key ride_through: each of so many bad samples in a row is the last good one */
     double ride_through_v_command;
     double ride_through_v_motor;
     double ride_through_v_direct;
-    if (magnitude(inputs->v_command) <= sample_limit && magnitude(inputs->v_motor) <= sample_limit
-            && magnitude(inputs->v_direct) <= sample_limit) {
+    if (axis_x_ipc_magnitude(inputs->v_command) <= sample_limit && axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
+            && axis_x_ipc_magnitude(inputs->v_direct) <= sample_limit) {
         state->ride_through_bad = 0u;
         ride_through_v_command = inputs->v_command;
         ride_through_v_motor = inputs->v_motor;
@@ -165,17 +169,17 @@ void axis_x_ipc_step(
     } else if (is_remembered && state->ride_through_bad < ride_through_cycles) {
         outputs->held = true;
         state->ride_through_bad = state->ride_through_bad + 1u;
-        if (magnitude(inputs->v_command) <= sample_limit) {
+        if (axis_x_ipc_magnitude(inputs->v_command) <= sample_limit) {
             ride_through_v_command = inputs->v_command;
         } else {
             ride_through_v_command = state->source_v_command_before;
         }
-        if (magnitude(inputs->v_motor) <= sample_limit) {
+        if (axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit) {
             ride_through_v_motor = inputs->v_motor;
         } else {
             ride_through_v_motor = state->source_v_motor_before;
         }
-        if (magnitude(inputs->v_direct) <= sample_limit) {
+        if (axis_x_ipc_magnitude(inputs->v_direct) <= sample_limit) {
             ride_through_v_direct = inputs->v_direct;
         } else {
             ride_through_v_direct = state->source_v_direct_before;
@@ -188,23 +192,26 @@ void axis_x_ipc_step(
     }
     bool runs;
     uint32_t reason;
-    if (magnitude(ride_through_v_command) <= sample_limit && magnitude(ride_through_v_motor) <= sample_limit
-            && magnitude(ride_through_v_direct) <= sample_limit
+    if (axis_x_ipc_magnitude(ride_through_v_command) <= sample_limit
+            && axis_x_ipc_magnitude(ride_through_v_motor) <= sample_limit
+            && axis_x_ipc_magnitude(ride_through_v_direct) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == mode_on && state->fade >= fade_cycles) {
+            && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON && state->fade >= fade_cycles) {
         runs = true;
-        reason = error_none;
+        reason = AXIS_X_IPC_ERROR_NONE;
     } else if (state->disturbed) {
         state->disturbed = false;
         runs = false;
-        reason = error_state;
-    } else if ((inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)
-            && magnitude(ride_through_v_command) <= sample_limit && magnitude(ride_through_v_motor) <= sample_limit
-            && magnitude(ride_through_v_direct) <= sample_limit
+        reason = AXIS_X_IPC_ERROR_STATE;
+    } else if ((inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)
+            && axis_x_ipc_magnitude(ride_through_v_command) <= sample_limit
+            && axis_x_ipc_magnitude(ride_through_v_motor) <= sample_limit
+            && axis_x_ipc_magnitude(ride_through_v_direct) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
             && !inputs->reset) {
         if (state->preset) {
-            if (inputs->mode == mode_on) {
+            if (inputs->mode == AXIS_X_IPC_MODE_ON) {
                 state->fade = state->fade + 1u;
             } else {
                 if (state->fade > fade_cycles) {
@@ -214,13 +221,13 @@ void axis_x_ipc_step(
                 if (state->fade > 0u) {
                     state->fade = state->fade - 1u;
                 }
-                if (inputs->mode == mode_off && state->fade == 0u) {
+                if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
                     state->preset = false;
                 }
             }
             runs = true;
         } else {
-            if (inputs->mode != mode_off) {
+            if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
                 state->source_v_command_before = ride_through_v_command;
                 state->source_v_motor_before = ride_through_v_motor;
                 state->source_v_direct_before = ride_through_v_direct;
@@ -254,28 +261,29 @@ void axis_x_ipc_step(
             }
             runs = false;
         }
-        reason = error_none;
+        reason = AXIS_X_IPC_ERROR_NONE;
     } else {
         state->fade = 0u;
         state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
-            reason = error_cycle_time;
-        } else if (!(inputs->mode == mode_on || inputs->mode == mode_off || inputs->mode == mode_dryrun)) {
-            reason = error_mode;
-        } else if (!(magnitude(ride_through_v_command) <= sample_limit)) {
-            reason = error_v_command;
-        } else if (!(magnitude(ride_through_v_motor) <= sample_limit)) {
-            reason = error_v_motor;
-        } else if (magnitude(ride_through_v_direct) <= sample_limit) {
-            reason = error_none;
+            reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
+        } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)) {
+            reason = AXIS_X_IPC_ERROR_MODE;
+        } else if (!(axis_x_ipc_magnitude(ride_through_v_command) <= sample_limit)) {
+            reason = AXIS_X_IPC_ERROR_V_COMMAND;
+        } else if (!(axis_x_ipc_magnitude(ride_through_v_motor) <= sample_limit)) {
+            reason = AXIS_X_IPC_ERROR_V_MOTOR;
+        } else if (axis_x_ipc_magnitude(ride_through_v_direct) <= sample_limit) {
+            reason = AXIS_X_IPC_ERROR_NONE;
         } else {
-            reason = error_v_direct;
+            reason = AXIS_X_IPC_ERROR_V_DIRECT;
         }
         runs = false;
     }
     if (runs) {
         outputs->fault = false;
-        outputs->error_id = error_none;
+        outputs->error_id = AXIS_X_IPC_ERROR_NONE;
         state->source_v_command_before = ride_through_v_command;
         state->source_v_motor_before = ride_through_v_motor;
         state->source_v_direct_before = ride_through_v_direct;
@@ -330,14 +338,14 @@ void axis_x_ipc_step(
         const double v_stage2 = -stage2_filter0_section0_y;
         const double v_sum2 = v_sum1 + v_stage2;
         double v_limited;
-        if (magnitude(v_sum2) <= limit) {
+        if (axis_x_ipc_magnitude(v_sum2) <= limit) {
             outputs->limited = false;
-            if (magnitude(v_sum2) <= rest) {
+            if (axis_x_ipc_magnitude(v_sum2) <= rest) {
                 v_limited = 0.0;
             } else {
                 v_limited = v_sum2;
             }
-        } else if (magnitude(v_sum2) <= sum_limit) {
+        } else if (axis_x_ipc_magnitude(v_sum2) <= sum_limit) {
             outputs->limited = true;
             if (v_sum2 > 0.0) {
                 v_limited = limit;
@@ -362,7 +370,7 @@ void axis_x_ipc_step(
             } else {
                 outputs->v_add = 0.0;
             }
-            if (inputs->mode == mode_off) {
+            if (inputs->mode == AXIS_X_IPC_MODE_OFF) {
                 outputs->v_add_calculated = 0.0;
             } else {
                 outputs->v_add_calculated = v_limited;
@@ -372,150 +380,7 @@ void axis_x_ipc_step(
         outputs->v_add = 0.0;
         outputs->v_add_calculated = 0.0;
         outputs->limited = false;
-        outputs->fault = reason != error_none;
+        outputs->fault = reason != AXIS_X_IPC_ERROR_NONE;
         outputs->error_id = reason;
     }
-}
-
-static uint64_t bits_of(double value)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.value = value;
-    return view.bits;
-}
-
-static double real_of(uint64_t bits)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } view;
-    view.bits = bits;
-    return view.value;
-}
-
-static uint64_t fold(uint64_t digest, uint64_t bits)
-{
-    return ((digest << 5) | (digest >> 59)) + bits;
-}
-
-uint32_t axis_x_ipc_self_test(void)
-{
-    /* the reference's digest of all outputs and of the state, after each sample */
-    static const uint64_t expected[41] = {
-        UINT64_C(0xb370b6d3319fa788),
-        UINT64_C(0xfe3f853de30cde73),
-        UINT64_C(0x5b32e753f7239655),
-        UINT64_C(0x834c1fca7ce7e335),
-        UINT64_C(0xfe520b065a63a301),
-        UINT64_C(0xe8347390bbc7f49d),
-        UINT64_C(0xf07ebde06a6ceef9),
-        UINT64_C(0x057ece9cb9dd0610),
-        UINT64_C(0x5a2581a14445c84b),
-        UINT64_C(0xae55737f9d6d4522),
-        UINT64_C(0xdc2adad2db1e741e),
-        UINT64_C(0xa5bc166514016bd2),
-        UINT64_C(0x41056bdd42f649d5),
-        UINT64_C(0x14858e31fbb7a4f2),
-        UINT64_C(0x1fbbd85f3e184f12),
-        UINT64_C(0x83d3958e26f581c8),
-        UINT64_C(0xf1705eaa6839c640),
-        UINT64_C(0x40ab387eaf22e057),
-        UINT64_C(0x5006f0d55cbd59ba),
-        UINT64_C(0x6e80345918f8e7f6),
-        UINT64_C(0xcecc73f537856400),
-        UINT64_C(0x17746a34f9cb45c1),
-        UINT64_C(0xc438fc700a69abc6),
-        UINT64_C(0x810e03e87d41d1ad),
-        UINT64_C(0x0f8f5e7a07683d36),
-        UINT64_C(0xd442b1a212fcc9d4),
-        UINT64_C(0xcfe37d7a20869098),
-        UINT64_C(0x51814d9c01010363),
-        UINT64_C(0x6993fd3911b85472),
-        UINT64_C(0xf8ff1fc50b52e309),
-        UINT64_C(0x05d80563caffa057),
-        UINT64_C(0x976964e193467782),
-        UINT64_C(0x2f9630f9061f4ccf),
-        UINT64_C(0x70f75623bcb13cff),
-        UINT64_C(0x8d926efc61701577),
-        UINT64_C(0xb225bd829ecb5466),
-        UINT64_C(0x39c8070f585a820b),
-        UINT64_C(0x989d34a9e0c0f8c9),
-        UINT64_C(0x5ac793017d817be4),
-        UINT64_C(0x108563241ba8f8af),
-        UINT64_C(0xc8a5b777031aa96c),
-    };
-    /* volatile: the compiler must call what the caller calls, and not work it out by itself */
-    void (*volatile step)(axis_x_ipc_state *, const axis_x_ipc_inputs *, axis_x_ipc_outputs *) =
-        axis_x_ipc_step;
-    axis_x_ipc_state state;
-    axis_x_ipc_inputs inputs;
-    axis_x_ipc_outputs outputs;
-    uint64_t digest = 0u;
-    uint64_t noise;
-    double scale;
-    uint32_t random = 1u;
-    uint32_t sample;
-    /* 1 + 2^-30 and its rounded square; volatile: worked out when it runs */
-    volatile double factor = real_of(UINT64_C(0x3ff0000000400000));
-    volatile double square = real_of(UINT64_C(0x3ff0000000800000));
-    const double product = factor * factor;
-    const double remainder = product - square;
-
-    /* 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely */
-    if (bits_of(remainder) != 0u) {
-        return 1u;
-    }
-    /* as it stands here, unless the compiler takes constants for single precision */
-    if (bits_of(0.1) != UINT64_C(0x3fb999999999999a)) {
-        return 1u;
-    }
-
-    axis_x_ipc_init(&state);
-    axis_x_ipc_inputs_init(&inputs);
-    for (sample = 0u; sample < 41u; sample++) {
-        /* at first within every limit, so that nothing is cut off */
-        scale = sample < 33u ? 0.001953125 : 0.5;
-        /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_command = real_of(sample == 1u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_motor = real_of(sample == 4u ? UINT64_C(0x7ff8000000000000) : noise);
-        random = random * 1664525u + 1013904223u;
-        noise = bits_of(((double)(random >> 8) - 8388608.0) * scale);
-        inputs.v_direct = real_of(sample == 7u ? UINT64_C(0x7ff8000000000000) : noise);
-        step(&state, &inputs, &outputs);
-        digest = fold(digest, bits_of(outputs.v_add));
-        digest = fold(digest, bits_of(outputs.v_add_calculated));
-        digest = fold(digest, outputs.limited);
-        digest = fold(digest, outputs.held);
-        digest = fold(digest, outputs.fault);
-        digest = fold(digest, outputs.error_id);
-        digest = fold(digest, state.preset);
-        digest = fold(digest, state.fade);
-        digest = fold(digest, state.disturbed);
-        digest = fold(digest, state.ride_through_bad);
-        digest = fold(digest, bits_of(state.source_v_command_before));
-        digest = fold(digest, bits_of(state.source_v_motor_before));
-        digest = fold(digest, bits_of(state.source_v_direct_before));
-        digest = fold(digest, bits_of(state.stage0_oscillation_s1));
-        digest = fold(digest, bits_of(state.stage0_oscillation_s2));
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage0_filter0_section0_s2));
-        digest = fold(digest, bits_of(state.stage1_oscillation_s1));
-        digest = fold(digest, bits_of(state.stage1_oscillation_s2));
-        digest = fold(digest, bits_of(state.stage1_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage1_filter0_section0_s2));
-        digest = fold(digest, bits_of(state.stage2_filter0_section0_s1));
-        digest = fold(digest, bits_of(state.stage2_filter0_section0_s2));
-        if (digest != expected[sample]) {
-            return sample + 1u;
-        }
-    }
-    return 0u;
 }

@@ -5,11 +5,14 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  c457484c0e8d97b740ac5a2fd735266c
- * checksum    c8fbc2468944f7fa3418d382961f7c2c
+ * structure   1c1a29a8ec012d2117b8460d64a31cee
+ * checksum    22eca3ffdeb13d4fe9a713b0b0d1ed3b
+ * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
 #define AXIS_X_IPC_H
 
+#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -29,6 +32,59 @@ extern "C" {
  * deg, measured 0.7071068 at -135 deg; at 88.36489 Hz: designed 0.7071068 at 135 deg, measured 0.7071068 at 135
  * deg
  * largest deviation of measured from designed: 3.0e-15 */
+
+/* What code can compare with what it expects, at its start or in an #if. */
+/* the cycle time that the block is designed for [ns] */
+#define AXIS_X_IPC_CYCLE_TIME_NS 1000000u
+/* the bits of its real type */
+#define AXIS_X_IPC_REAL_BITS 64
+/* the largest |v_add| [um/s] */
+#define AXIS_X_IPC_LIMIT 500000.0
+/* the bound of |v_add| before the limit that is certain for |v| <= 500000 [um/s] */
+#define AXIS_X_IPC_BOUND 1925406.1806706567
+/* the digest of its parameters, as in the head of this file */
+#define AXIS_X_IPC_PARAMETERS_0 0xc457484cu
+#define AXIS_X_IPC_PARAMETERS_1 0x0e8d97b7u
+#define AXIS_X_IPC_PARAMETERS_2 0x40ac5a2fu
+#define AXIS_X_IPC_PARAMETERS_3 0xd735266cu
+/* the digest of its structure: the same where two blocks differ in the values of coefficients only */
+#define AXIS_X_IPC_STRUCTURE_0 0x1c1a29a8u
+#define AXIS_X_IPC_STRUCTURE_1 0xec012d21u
+#define AXIS_X_IPC_STRUCTURE_2 0x17b8460du
+#define AXIS_X_IPC_STRUCTURE_3 0x64a31ceeu
+/* the bytes of its structs where a bool has one and each member is aligned to its own size */
+#define AXIS_X_IPC_INPUTS_SIZE 40u
+#define AXIS_X_IPC_OUTPUTS_SIZE 24u
+#define AXIS_X_IPC_STATE_SIZE 120u
+
+/* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
+ * Nothing else is asserted: the alignment of members is the ABI's own affair. */
+#if defined(__cplusplus) && __cplusplus >= 201103L
+static_assert(sizeof(double) * CHAR_BIT == AXIS_X_IPC_REAL_BITS, "double must have 64 bits");
+#elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
+_Static_assert(sizeof(double) * CHAR_BIT == AXIS_X_IPC_REAL_BITS, "double must have 64 bits");
+#else
+typedef char axis_x_ipc_real_has_64_bits[sizeof(double) * CHAR_BIT == AXIS_X_IPC_REAL_BITS ? 1 : -1];
+#endif
+
+/* values of the input mode */
+enum {
+    AXIS_X_IPC_MODE_OFF = 0, /* the block is off */
+    AXIS_X_IPC_MODE_ON = 1, /* the block acts */
+    AXIS_X_IPC_MODE_DRYRUN = 2 /* the block calculates and does not act */
+};
+
+/* values of the output error_id */
+enum {
+    AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
+    AXIS_X_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
+    AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
+    /* a state of the block is no number, or the sum of its stages is above sum_limit; everything starts anew */
+    AXIS_X_IPC_ERROR_STATE = 3,
+    AXIS_X_IPC_ERROR_V_COMMAND = 11, /* v_command is not within the sample limit */
+    AXIS_X_IPC_ERROR_V_MOTOR = 12, /* v_motor is not within the sample limit */
+    AXIS_X_IPC_ERROR_V_DIRECT = 13 /* v_direct is not within the sample limit */
+};
 
 /* Written by the caller. axis_x_ipc_inputs_init fills in what is said to be the start. */
 typedef struct {
@@ -76,8 +132,15 @@ typedef struct {
     double stage2_filter0_section0_s2; /* what `s1` takes over */
 } axis_x_ipc_state;
 
-/* Once before the first cycle. */
-void axis_x_ipc_init(axis_x_ipc_state *state);
+/* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls
+ * no library, and takes little stack. Calls with different states may interrupt each other. Of one state only one
+ * function may be at work: neither step nor init may be interrupted by a call for the same state.
+ * step writes each output once, with its final value, but one output after another. Another task or interrupt that reads
+ * several of them copies them while step cannot run (its interrupt is off), or reads copies that the task of step
+ * puts into two buffers in turn, behind a counter. */
+
+/* Once before the first cycle: every member of the state gets its start. */
+void axis_x_ipc_init(axis_x_ipc_state *fresh);
 
 /* Gives every input the value that it has until the caller writes it. */
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs);
@@ -88,10 +151,11 @@ void axis_x_ipc_step(
     const axis_x_ipc_inputs *inputs,
     axis_x_ipc_outputs *outputs);
 
-/* Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
+/* In a file of its own, axis_x_ipc_self_test.c: a build that does not call it leaves it out.
+ * Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
  * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
- * precision. Run it once at start-up, on the machine and with the compiler options that the block runs with: it finds a
- * build that fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
+ * precision. Run it once at start-up, on the machine, both files with the same compiler options: it finds a build that
+ * fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
 uint32_t axis_x_ipc_self_test(void);
 
 #ifdef __cplusplus

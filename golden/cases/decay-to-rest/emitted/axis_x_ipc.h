@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  2b6b454d807178c76ac4587468cd00d6
- * structure   b993f6fc769452760cb407c114e3be74
- * checksum    277c71baaa2c3dc0ab45c0e7c9922ac8
+ * parameters  58ca3210500c306c675abded373c86b9
+ * structure   09161885d728512a3314394e4ad248eb
+ * checksum    e128b64b470aa266974f996ea4ab32b7
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -40,15 +40,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 500000 [um/s] */
 #define AXIS_X_IPC_BOUND 2972567.232244032
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_IPC_PARAMETERS_0 0x2b6b454du
-#define AXIS_X_IPC_PARAMETERS_1 0x807178c7u
-#define AXIS_X_IPC_PARAMETERS_2 0x6ac45874u
-#define AXIS_X_IPC_PARAMETERS_3 0x68cd00d6u
+#define AXIS_X_IPC_PARAMETERS_0 0x58ca3210u
+#define AXIS_X_IPC_PARAMETERS_1 0x500c306cu
+#define AXIS_X_IPC_PARAMETERS_2 0x675abdedu
+#define AXIS_X_IPC_PARAMETERS_3 0x373c86b9u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xb993f6fcu
-#define AXIS_X_IPC_STRUCTURE_1 0x76945276u
-#define AXIS_X_IPC_STRUCTURE_2 0x0cb407c1u
-#define AXIS_X_IPC_STRUCTURE_3 0x14e3be74u
+#define AXIS_X_IPC_STRUCTURE_0 0x09161885u
+#define AXIS_X_IPC_STRUCTURE_1 0xd728512au
+#define AXIS_X_IPC_STRUCTURE_2 0x3314394eu
+#define AXIS_X_IPC_STRUCTURE_3 0x4ad248ebu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u
@@ -76,7 +76,7 @@ enum {
     AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_X_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number, or beyond all that samples in range lead to; everything starts anew */
+    /* a state of the block is no number, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_X_IPC_ERROR_STATE = 3,
     AXIS_X_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */
 };

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  4000000 ns
- * parameters  8f2a4ef34fb3ccdce79b4bb3427fd798
- * structure   5070cd20d8bb0fbe826c79fdd70c70d3
- * checksum    f6160b801843cb4dce358e54cfc00fae
+ * parameters  7f175884d5684974c7516a9772c9101f
+ * structure   e72cb757496fcb896e2c8abf94fc029c
+ * checksum    ba04566aee4069a581e330adb1d048f6
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -43,9 +43,6 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_x_ipc_state *const state = fresh;
-    state->preset = false;
-    state->fade = 0u;
-    state->disturbed = false;
     state->stage0_oscillation_s1 = 0.0;
     state->stage0_oscillation_s2 = 0.0;
     state->stage0_filter0_section0_s1 = 0.0;
@@ -54,6 +51,10 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     state->stage0_filter0_section1_s2 = 0.0;
     state->stage0_filter0_section2_s1 = 0.0;
     state->stage0_filter0_section2_s2 = 0.0;
+    state->disturbed = false;
+    /* key ride_through: each of so many bad samples in a row is the last good one */
+    state->preset = false;
+    state->fade = 0u;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
@@ -108,6 +109,9 @@ void axis_x_ipc_step(
     static const double limit = 500000.0; /* largest |v_add| */
     static const double lower_limit = -500000.0; /* -limit */
 
+    /* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
+    static const double sum_limit = 1508095.0079898043; /* largest magnitude of a sum of stages that is not a fault */
+
     /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
     /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
     static const double rest = 4.3368086899420177e-13;
@@ -121,7 +125,6 @@ void axis_x_ipc_step(
     static const double sample_limit = 1000000000000000.0;
     /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
     static const double anti_denormal = 1.0e-30;
-    static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
 
     bool runs;
     uint32_t reason;
@@ -142,6 +145,10 @@ void axis_x_ipc_step(
             if (inputs->mode == AXIS_X_IPC_MODE_ON) {
                 state->fade = state->fade + 1u;
             } else {
+                if (state->fade > fade_cycles) {
+                    /* fade has been overwritten: it must not take longer than a whole fade */
+                    state->fade = fade_cycles;
+                }
                 if (state->fade > 0u) {
                     state->fade = state->fade - 1u;
                 }
@@ -237,8 +244,8 @@ void axis_x_ipc_step(
                 v_limited = lower_limit;
             }
         } else {
-            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
-             * everything starts anew */
+            /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
+             * then everything starts anew */
             outputs->limited = true;
             state->disturbed = true;
             state->preset = false;

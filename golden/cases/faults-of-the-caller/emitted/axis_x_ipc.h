@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  4000000 ns
- * parameters  8f2a4ef34fb3ccdce79b4bb3427fd798
- * structure   5070cd20d8bb0fbe826c79fdd70c70d3
- * checksum    a68dfee1b90f8f623bbc9fb177b843d7
+ * parameters  7f175884d5684974c7516a9772c9101f
+ * structure   e72cb757496fcb896e2c8abf94fc029c
+ * checksum    b52a5553d5ae53a78ad52506a1c3af00
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -37,15 +37,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 500000 [um/s] */
 #define AXIS_X_IPC_BOUND 754047.5338176988
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_IPC_PARAMETERS_0 0x8f2a4ef3u
-#define AXIS_X_IPC_PARAMETERS_1 0x4fb3ccdcu
-#define AXIS_X_IPC_PARAMETERS_2 0xe79b4bb3u
-#define AXIS_X_IPC_PARAMETERS_3 0x427fd798u
+#define AXIS_X_IPC_PARAMETERS_0 0x7f175884u
+#define AXIS_X_IPC_PARAMETERS_1 0xd5684974u
+#define AXIS_X_IPC_PARAMETERS_2 0xc7516a97u
+#define AXIS_X_IPC_PARAMETERS_3 0x72c9101fu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x5070cd20u
-#define AXIS_X_IPC_STRUCTURE_1 0xd8bb0fbeu
-#define AXIS_X_IPC_STRUCTURE_2 0x826c79fdu
-#define AXIS_X_IPC_STRUCTURE_3 0xd70c70d3u
+#define AXIS_X_IPC_STRUCTURE_0 0xe72cb757u
+#define AXIS_X_IPC_STRUCTURE_1 0x496fcb89u
+#define AXIS_X_IPC_STRUCTURE_2 0x6e2c8abfu
+#define AXIS_X_IPC_STRUCTURE_3 0x94fc029cu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u
@@ -73,7 +73,7 @@ enum {
     AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_X_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number, or beyond all that samples in range lead to; everything starts anew */
+    /* a state of the block is no number, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_X_IPC_ERROR_STATE = 3,
     AXIS_X_IPC_ERROR_V_COMMAND = 11 /* v_command is not within the sample limit */
 };

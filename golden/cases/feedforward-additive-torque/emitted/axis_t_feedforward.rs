@@ -5,7 +5,8 @@
 // real type   f64
 // cycle time  1000000 ns
 // parameters  e6c01a5b3ef569d72ebaa9f39de14a3f
-// checksum    39bb7795cd98a2cf6c1aedcfa5a96c44
+// checksum    76bd97b52a6dff99b6c84359e88bc7a0
+// licence     this file belongs to the user of axgen; no licence of axgen applies to it
 
 /// Written by the caller.
 #[derive(Clone, Copy, Debug, PartialEq)]

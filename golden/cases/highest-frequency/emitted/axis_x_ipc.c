@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  4000000 ns
- * parameters  31e1c061703d034773a37e854ddee59a
- * structure   a33c2b0ac8e56a167626e70bd1b1e4f9
- * checksum    45e2570c03c40a7ea95f770be72fda2b
+ * parameters  e2218d0b5939168de99b641de0954145
+ * structure   921979c54bcfa22475680131ccb0abfb
+ * checksum    c2afd70f1b4a0101876fd157c74b6caa
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -43,9 +43,6 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_x_ipc_state *const state = fresh;
-    state->preset = false;
-    state->fade = 0u;
-    state->disturbed = false;
     state->stage0_filter0_section0_s1 = 0.0;
     state->stage0_filter0_section0_s2 = 0.0;
     state->stage0_filter0_section1_s1 = 0.0;
@@ -62,6 +59,10 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     state->stage1_filter0_section1_s2 = 0.0;
     state->stage1_filter0_section2_s1 = 0.0;
     state->stage1_filter0_section2_s2 = 0.0;
+    state->disturbed = false;
+    /* key ride_through: each of so many bad samples in a row is the last good one */
+    state->preset = false;
+    state->fade = 0u;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
@@ -140,6 +141,9 @@ void axis_x_ipc_step(
     static const double limit = 500000.0; /* largest |v_add| */
     static const double lower_limit = -500000.0; /* -limit */
 
+    /* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
+    static const double sum_limit = 64116105.04917425; /* largest magnitude of a sum of stages that is not a fault */
+
     /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
     /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
     static const double rest = 4.3368086899420177e-13;
@@ -153,7 +157,6 @@ void axis_x_ipc_step(
     static const double sample_limit = 1000000000000000.0;
     /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
     static const double anti_denormal = 1.0e-30;
-    static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
 
     bool runs;
     uint32_t reason;
@@ -167,7 +170,8 @@ void axis_x_ipc_step(
         runs = false;
         reason = AXIS_X_IPC_ERROR_STATE;
     } else if ((inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
-                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN) && axis_x_ipc_magnitude(inputs->v_command) <= sample_limit
+                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)
+            && axis_x_ipc_magnitude(inputs->v_command) <= sample_limit
             && axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
             && !inputs->reset) {
@@ -175,6 +179,10 @@ void axis_x_ipc_step(
             if (inputs->mode == AXIS_X_IPC_MODE_ON) {
                 state->fade = state->fade + 1u;
             } else {
+                if (state->fade > fade_cycles) {
+                    /* fade has been overwritten: it must not take longer than a whole fade */
+                    state->fade = fade_cycles;
+                }
                 if (state->fade > 0u) {
                     state->fade = state->fade - 1u;
                 }
@@ -321,8 +329,8 @@ void axis_x_ipc_step(
                 v_limited = lower_limit;
             }
         } else {
-            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
-             * everything starts anew */
+            /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
+             * then everything starts anew */
             outputs->limited = true;
             state->disturbed = true;
             state->preset = false;

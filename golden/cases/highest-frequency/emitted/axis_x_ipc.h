@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  4000000 ns
- * parameters  31e1c061703d034773a37e854ddee59a
- * structure   a33c2b0ac8e56a167626e70bd1b1e4f9
- * checksum    dcfc9396491e54d3b87245b586eab930
+ * parameters  e2218d0b5939168de99b641de0954145
+ * structure   921979c54bcfa22475680131ccb0abfb
+ * checksum    feee7e67ede66c0fa9a3c1cffe73e760
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -40,15 +40,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 500000 [um/s] */
 #define AXIS_X_IPC_BOUND 32057880.859571975
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_IPC_PARAMETERS_0 0x31e1c061u
-#define AXIS_X_IPC_PARAMETERS_1 0x703d0347u
-#define AXIS_X_IPC_PARAMETERS_2 0x73a37e85u
-#define AXIS_X_IPC_PARAMETERS_3 0x4ddee59au
+#define AXIS_X_IPC_PARAMETERS_0 0xe2218d0bu
+#define AXIS_X_IPC_PARAMETERS_1 0x5939168du
+#define AXIS_X_IPC_PARAMETERS_2 0xe99b641du
+#define AXIS_X_IPC_PARAMETERS_3 0xe0954145u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xa33c2b0au
-#define AXIS_X_IPC_STRUCTURE_1 0xc8e56a16u
-#define AXIS_X_IPC_STRUCTURE_2 0x7626e70bu
-#define AXIS_X_IPC_STRUCTURE_3 0xd1b1e4f9u
+#define AXIS_X_IPC_STRUCTURE_0 0x921979c5u
+#define AXIS_X_IPC_STRUCTURE_1 0x4bcfa224u
+#define AXIS_X_IPC_STRUCTURE_2 0x75680131u
+#define AXIS_X_IPC_STRUCTURE_3 0xccb0abfbu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 32u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u
@@ -76,7 +76,7 @@ enum {
     AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_X_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number, or beyond all that samples in range lead to; everything starts anew */
+    /* a state of the block is no number, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_X_IPC_ERROR_STATE = 3,
     AXIS_X_IPC_ERROR_V_COMMAND = 11, /* v_command is not within the sample limit */
     AXIS_X_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */

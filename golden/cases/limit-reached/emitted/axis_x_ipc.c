@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  05853f723de7eac931d9702e2fd307a0
- * structure   bf459eb05e71ad635359dd51dce331e9
- * checksum    5eecbc32f3fa9113cbe6196e78292b21
+ * parameters  da7dcfbf6324441eefd915842e724825
+ * structure   5140ae4180e1dff3ee53d8708c0a973b
+ * checksum    70e9a2846075b63f9877866edd892528
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -43,13 +43,14 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_x_ipc_state *const state = fresh;
-    state->preset = false;
-    state->fade = 0u;
-    state->disturbed = false;
     state->stage0_filter0_section0_s1 = 0.0;
     state->stage0_filter0_section0_s2 = 0.0;
     state->stage0_filter0_section1_s1 = 0.0;
     state->stage0_filter0_section1_s2 = 0.0;
+    state->disturbed = false;
+    /* key ride_through: each of so many bad samples in a row is the last good one */
+    state->preset = false;
+    state->fade = 0u;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
@@ -89,6 +90,9 @@ void axis_x_ipc_step(
     static const double limit = 2500.0; /* largest |v_add| */
     static const double lower_limit = -2500.0; /* -limit */
 
+    /* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
+    static const double sum_limit = 4220929.73339239; /* largest magnitude of a sum of stages that is not a fault */
+
     /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
     /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
     static const double rest = 4.3368086899420177e-13;
@@ -102,7 +106,6 @@ void axis_x_ipc_step(
     static const double sample_limit = 1000000000000000.0;
     /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
     static const double anti_denormal = 1.0e-30;
-    static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
 
     bool runs;
     uint32_t reason;
@@ -123,6 +126,10 @@ void axis_x_ipc_step(
             if (inputs->mode == AXIS_X_IPC_MODE_ON) {
                 state->fade = state->fade + 1u;
             } else {
+                if (state->fade > fade_cycles) {
+                    /* fade has been overwritten: it must not take longer than a whole fade */
+                    state->fade = fade_cycles;
+                }
                 if (state->fade > 0u) {
                     state->fade = state->fade - 1u;
                 }
@@ -197,8 +204,8 @@ void axis_x_ipc_step(
                 v_limited = lower_limit;
             }
         } else {
-            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
-             * everything starts anew */
+            /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
+             * then everything starts anew */
             outputs->limited = true;
             state->disturbed = true;
             state->preset = false;

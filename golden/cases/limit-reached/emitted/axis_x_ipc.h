@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  05853f723de7eac931d9702e2fd307a0
- * structure   bf459eb05e71ad635359dd51dce331e9
- * checksum    c4db0dbbe2db1db6380152e51c54bddb
+ * parameters  da7dcfbf6324441eefd915842e724825
+ * structure   5140ae4180e1dff3ee53d8708c0a973b
+ * checksum    7fa9a9f2880b10cbe5dd3ce76e53bb3b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -36,15 +36,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 500000 [um/s] */
 #define AXIS_X_IPC_BOUND 2110464.9664355773
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_IPC_PARAMETERS_0 0x05853f72u
-#define AXIS_X_IPC_PARAMETERS_1 0x3de7eac9u
-#define AXIS_X_IPC_PARAMETERS_2 0x31d9702eu
-#define AXIS_X_IPC_PARAMETERS_3 0x2fd307a0u
+#define AXIS_X_IPC_PARAMETERS_0 0xda7dcfbfu
+#define AXIS_X_IPC_PARAMETERS_1 0x6324441eu
+#define AXIS_X_IPC_PARAMETERS_2 0xefd91584u
+#define AXIS_X_IPC_PARAMETERS_3 0x2e724825u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xbf459eb0u
-#define AXIS_X_IPC_STRUCTURE_1 0x5e71ad63u
-#define AXIS_X_IPC_STRUCTURE_2 0x5359dd51u
-#define AXIS_X_IPC_STRUCTURE_3 0xdce331e9u
+#define AXIS_X_IPC_STRUCTURE_0 0x5140ae41u
+#define AXIS_X_IPC_STRUCTURE_1 0x80e1dff3u
+#define AXIS_X_IPC_STRUCTURE_2 0xee53d870u
+#define AXIS_X_IPC_STRUCTURE_3 0x8c0a973bu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u
@@ -72,7 +72,7 @@ enum {
     AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_X_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number, or beyond all that samples in range lead to; everything starts anew */
+    /* a state of the block is no number, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_X_IPC_ERROR_STATE = 3,
     AXIS_X_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */
 };

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  2000000 ns
- * parameters  8b2c2e4a9ecf18e1cac56b7273a1d9be
- * structure   029b365dcab2b41f831f9be929cb37fc
- * checksum    d18b640fb7717d104ce3a536774d7dab
+ * parameters  d14d3a7918d92673b139bab56474c78a
+ * structure   a11f46f2ba6cb19711de10f1f804effd
+ * checksum    01e8adae1449cf8f78e47557fb89d6bd
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -32,15 +32,15 @@ extern "C" {
 /* the largest |v_add| [um/s] */
 #define AXIS_X_IPC_LIMIT 0.0
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_IPC_PARAMETERS_0 0x8b2c2e4au
-#define AXIS_X_IPC_PARAMETERS_1 0x9ecf18e1u
-#define AXIS_X_IPC_PARAMETERS_2 0xcac56b72u
-#define AXIS_X_IPC_PARAMETERS_3 0x73a1d9beu
+#define AXIS_X_IPC_PARAMETERS_0 0xd14d3a79u
+#define AXIS_X_IPC_PARAMETERS_1 0x18d92673u
+#define AXIS_X_IPC_PARAMETERS_2 0xb139bab5u
+#define AXIS_X_IPC_PARAMETERS_3 0x6474c78au
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x029b365du
-#define AXIS_X_IPC_STRUCTURE_1 0xcab2b41fu
-#define AXIS_X_IPC_STRUCTURE_2 0x831f9be9u
-#define AXIS_X_IPC_STRUCTURE_3 0x29cb37fcu
+#define AXIS_X_IPC_STRUCTURE_0 0xa11f46f2u
+#define AXIS_X_IPC_STRUCTURE_1 0xba6cb197u
+#define AXIS_X_IPC_STRUCTURE_2 0x11de10f1u
+#define AXIS_X_IPC_STRUCTURE_3 0xf804effdu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u
@@ -68,7 +68,7 @@ enum {
     AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_X_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number, or beyond all that samples in range lead to; everything starts anew */
+    /* a state of the block is no number, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_X_IPC_ERROR_STATE = 3,
     AXIS_X_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */
 };

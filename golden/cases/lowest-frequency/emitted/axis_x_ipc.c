@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  62500 ns
- * parameters  fec7392bc337a2691bb57e485c53865b
- * structure   b50258d9e1018fb2f340961cda237296
- * checksum    e7274cba75877f95c21172a1a21cedf7
+ * parameters  aed75293e65072928fb2cea84b48115c
+ * structure   54a821ec3f8dad0303e125591db31152
+ * checksum    f188735c0c902885a8c0a5c276f6fd18
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -43,9 +43,6 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_x_ipc_state *const state = fresh;
-    state->preset = false;
-    state->fade = 0u;
-    state->disturbed = false;
     state->stage0_filter0_section0_s1 = 0.0;
     state->stage0_filter0_section0_s2 = 0.0;
     state->stage1_oscillation_s1 = 0.0;
@@ -54,6 +51,10 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     state->stage1_filter0_section0_s2 = 0.0;
     state->stage1_filter0_section1_s1 = 0.0;
     state->stage1_filter0_section1_s2 = 0.0;
+    state->disturbed = false;
+    /* key ride_through: each of so many bad samples in a row is the last good one */
+    state->preset = false;
+    state->fade = 0u;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
@@ -116,6 +117,9 @@ void axis_x_ipc_step(
     static const double limit = 500000.0; /* largest |v_add| */
     static const double lower_limit = -500000.0; /* -limit */
 
+    /* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
+    static const double sum_limit = 40635861.57987129; /* largest magnitude of a sum of stages that is not a fault */
+
     /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
     /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
     static const double rest = 4.3368086899420177e-13;
@@ -129,7 +133,6 @@ void axis_x_ipc_step(
     static const double sample_limit = 1000000000000000.0;
     /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
     static const double anti_denormal = 1.0e-30;
-    static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
 
     bool runs;
     uint32_t reason;
@@ -150,6 +153,10 @@ void axis_x_ipc_step(
             if (inputs->mode == AXIS_X_IPC_MODE_ON) {
                 state->fade = state->fade + 1u;
             } else {
+                if (state->fade > fade_cycles) {
+                    /* fade has been overwritten: it must not take longer than a whole fade */
+                    state->fade = fade_cycles;
+                }
                 if (state->fade > 0u) {
                     state->fade = state->fade - 1u;
                 }
@@ -253,8 +260,8 @@ void axis_x_ipc_step(
                 v_limited = lower_limit;
             }
         } else {
-            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
-             * everything starts anew */
+            /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
+             * then everything starts anew */
             outputs->limited = true;
             state->disturbed = true;
             state->preset = false;

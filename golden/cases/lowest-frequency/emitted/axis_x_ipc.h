@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  62500 ns
- * parameters  fec7392bc337a2691bb57e485c53865b
- * structure   b50258d9e1018fb2f340961cda237296
- * checksum    dee13c859be0c0506fd5e682b5809188
+ * parameters  aed75293e65072928fb2cea84b48115c
+ * structure   54a821ec3f8dad0303e125591db31152
+ * checksum    b32d604e9f31378a4c8a4df33ef18306
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -40,15 +40,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 500000 [um/s] */
 #define AXIS_X_IPC_BOUND 20369176.90505299
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_IPC_PARAMETERS_0 0xfec7392bu
-#define AXIS_X_IPC_PARAMETERS_1 0xc337a269u
-#define AXIS_X_IPC_PARAMETERS_2 0x1bb57e48u
-#define AXIS_X_IPC_PARAMETERS_3 0x5c53865bu
+#define AXIS_X_IPC_PARAMETERS_0 0xaed75293u
+#define AXIS_X_IPC_PARAMETERS_1 0xe6507292u
+#define AXIS_X_IPC_PARAMETERS_2 0x8fb2cea8u
+#define AXIS_X_IPC_PARAMETERS_3 0x4b48115cu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xb50258d9u
-#define AXIS_X_IPC_STRUCTURE_1 0xe1018fb2u
-#define AXIS_X_IPC_STRUCTURE_2 0xf340961cu
-#define AXIS_X_IPC_STRUCTURE_3 0xda237296u
+#define AXIS_X_IPC_STRUCTURE_0 0x54a821ecu
+#define AXIS_X_IPC_STRUCTURE_1 0x3f8dad03u
+#define AXIS_X_IPC_STRUCTURE_2 0x03e12559u
+#define AXIS_X_IPC_STRUCTURE_3 0x1db31152u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u
@@ -76,7 +76,7 @@ enum {
     AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_X_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number, or beyond all that samples in range lead to; everything starts anew */
+    /* a state of the block is no number, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_X_IPC_ERROR_STATE = 3,
     AXIS_X_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */
 };

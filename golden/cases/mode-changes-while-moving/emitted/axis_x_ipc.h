@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  4e51eb593ea39353bfb695664947457e
- * structure   a0bb467bc1cfe7f88f2f004723fceac5
- * checksum    f70f092b10fb87a2abe98cc7e3b065b1
+ * parameters  d49faab86653543787f7164e53d30e5b
+ * structure   b87bac56e3e328ea923b69f28f164f32
+ * checksum    d3100287da76fd8f97f13657ce6f9ca1
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -39,15 +39,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 500000 [um/s] */
 #define AXIS_X_IPC_BOUND 2126134.917079088
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_IPC_PARAMETERS_0 0x4e51eb59u
-#define AXIS_X_IPC_PARAMETERS_1 0x3ea39353u
-#define AXIS_X_IPC_PARAMETERS_2 0xbfb69566u
-#define AXIS_X_IPC_PARAMETERS_3 0x4947457eu
+#define AXIS_X_IPC_PARAMETERS_0 0xd49faab8u
+#define AXIS_X_IPC_PARAMETERS_1 0x66535437u
+#define AXIS_X_IPC_PARAMETERS_2 0x87f7164eu
+#define AXIS_X_IPC_PARAMETERS_3 0x53d30e5bu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xa0bb467bu
-#define AXIS_X_IPC_STRUCTURE_1 0xc1cfe7f8u
-#define AXIS_X_IPC_STRUCTURE_2 0x8f2f0047u
-#define AXIS_X_IPC_STRUCTURE_3 0x23fceac5u
+#define AXIS_X_IPC_STRUCTURE_0 0xb87bac56u
+#define AXIS_X_IPC_STRUCTURE_1 0xe3e328eau
+#define AXIS_X_IPC_STRUCTURE_2 0x923b69f2u
+#define AXIS_X_IPC_STRUCTURE_3 0x8f164f32u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u
@@ -75,7 +75,7 @@ enum {
     AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_X_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number, or beyond all that samples in range lead to; everything starts anew */
+    /* a state of the block is no number, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_X_IPC_ERROR_STATE = 3,
     AXIS_X_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */
 };

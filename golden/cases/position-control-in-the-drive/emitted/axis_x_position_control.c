@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e6579a5fd4ee7e91a79841af8c74adc1
- * structure   a5e154235e4f43faee1c99d5f812eff8
- * checksum    ad4e3aec3ff4607f782c27866d3d54d0
+ * structure   5816a31608215d4a95e9ea6920b11ba0
+ * checksum    11e98131252c1da6356adacce3638153
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_position_control.h"

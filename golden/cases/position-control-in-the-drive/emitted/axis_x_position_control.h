@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e6579a5fd4ee7e91a79841af8c74adc1
- * structure   a5e154235e4f43faee1c99d5f812eff8
- * checksum    e79ec3794f156ee92af32bfb0232669f
+ * structure   5816a31608215d4a95e9ea6920b11ba0
+ * checksum    f478c37191fba57fb903795239c000b5
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_POSITION_CONTROL_H
@@ -31,10 +31,10 @@ extern "C" {
 #define AXIS_X_POSITION_CONTROL_PARAMETERS_2 0xa79841afu
 #define AXIS_X_POSITION_CONTROL_PARAMETERS_3 0x8c74adc1u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_POSITION_CONTROL_STRUCTURE_0 0xa5e15423u
-#define AXIS_X_POSITION_CONTROL_STRUCTURE_1 0x5e4f43fau
-#define AXIS_X_POSITION_CONTROL_STRUCTURE_2 0xee1c99d5u
-#define AXIS_X_POSITION_CONTROL_STRUCTURE_3 0xf812eff8u
+#define AXIS_X_POSITION_CONTROL_STRUCTURE_0 0x5816a316u
+#define AXIS_X_POSITION_CONTROL_STRUCTURE_1 0x08215d4au
+#define AXIS_X_POSITION_CONTROL_STRUCTURE_2 0x95e9ea69u
+#define AXIS_X_POSITION_CONTROL_STRUCTURE_3 0x20b11ba0u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_POSITION_CONTROL_INPUTS_SIZE 40u
 #define AXIS_X_POSITION_CONTROL_OUTPUTS_SIZE 24u

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  442c659489487722d01b9deeeaaf4c7d
- * structure   dc0d3bda1da9ecf2a655f5761e1b143a
- * checksum    c3d856a220eb5751493ff29524db552b
+ * parameters  22b9e1505dac5c1196b3902ac4dfba8e
+ * structure   bcff547ef2f4124bb4e6d6abb03ce825
+ * checksum    d89d37d5d0d9c526039dc131482eaa53
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_rack_and_pinion_ipc.h"
@@ -43,15 +43,16 @@ void axis_rack_and_pinion_ipc_init(axis_rack_and_pinion_ipc_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_rack_and_pinion_ipc_state *const state = fresh;
-    state->preset = false;
-    state->fade = 0u;
-    state->disturbed = false;
     state->stage0_filter0_section0_s1 = 0.0;
     state->stage0_filter0_section0_s2 = 0.0;
     state->stage1_oscillation_s1 = 0.0;
     state->stage1_oscillation_s2 = 0.0;
     state->stage1_filter0_section0_s1 = 0.0;
     state->stage1_filter0_section0_s2 = 0.0;
+    state->disturbed = false;
+    /* key ride_through: each of so many bad samples in a row is the last good one */
+    state->preset = false;
+    state->fade = 0u;
 }
 
 void axis_rack_and_pinion_ipc_inputs_init(axis_rack_and_pinion_ipc_inputs *inputs)
@@ -107,6 +108,9 @@ void axis_rack_and_pinion_ipc_step(
     static const double limit = 530000.0; /* largest |v_add| */
     static const double lower_limit = -530000.0; /* -limit */
 
+    /* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
+    static const double sum_limit = 4616683.738307328; /* largest magnitude of a sum of stages that is not a fault */
+
     /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
     /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
     static const double rest = 4.597017211338539e-13;
@@ -120,7 +124,6 @@ void axis_rack_and_pinion_ipc_step(
     static const double sample_limit = 1000000000000000.0;
     /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
     static const double anti_denormal = 1.0e-30;
-    static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
 
     bool runs;
     uint32_t reason;
@@ -142,6 +145,10 @@ void axis_rack_and_pinion_ipc_step(
             if (inputs->mode == AXIS_RACK_AND_PINION_IPC_MODE_ON) {
                 state->fade = state->fade + 1u;
             } else {
+                if (state->fade > fade_cycles) {
+                    /* fade has been overwritten: it must not take longer than a whole fade */
+                    state->fade = fade_cycles;
+                }
                 if (state->fade > 0u) {
                     state->fade = state->fade - 1u;
                 }
@@ -237,8 +244,8 @@ void axis_rack_and_pinion_ipc_step(
                 v_limited = lower_limit;
             }
         } else {
-            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
-             * everything starts anew */
+            /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
+             * then everything starts anew */
             outputs->limited = true;
             state->disturbed = true;
             state->preset = false;

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  442c659489487722d01b9deeeaaf4c7d
- * structure   dc0d3bda1da9ecf2a655f5761e1b143a
- * checksum    4ba5662824894707d87582b3675d078d
+ * parameters  22b9e1505dac5c1196b3902ac4dfba8e
+ * structure   bcff547ef2f4124bb4e6d6abb03ce825
+ * checksum    6e02f8b2c34cefc9d9ea86dc3cc8438b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_RACK_AND_PINION_IPC_H
@@ -39,15 +39,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 530000 [um/s] */
 #define AXIS_RACK_AND_PINION_IPC_BOUND 2308249.013526049
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_RACK_AND_PINION_IPC_PARAMETERS_0 0x442c6594u
-#define AXIS_RACK_AND_PINION_IPC_PARAMETERS_1 0x89487722u
-#define AXIS_RACK_AND_PINION_IPC_PARAMETERS_2 0xd01b9deeu
-#define AXIS_RACK_AND_PINION_IPC_PARAMETERS_3 0xeaaf4c7du
+#define AXIS_RACK_AND_PINION_IPC_PARAMETERS_0 0x22b9e150u
+#define AXIS_RACK_AND_PINION_IPC_PARAMETERS_1 0x5dac5c11u
+#define AXIS_RACK_AND_PINION_IPC_PARAMETERS_2 0x96b3902au
+#define AXIS_RACK_AND_PINION_IPC_PARAMETERS_3 0xc4dfba8eu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_0 0xdc0d3bdau
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_1 0x1da9ecf2u
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_2 0xa655f576u
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_3 0x1e1b143au
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_0 0xbcff547eu
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_1 0xf2f4124bu
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_2 0xb4e6d6abu
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_3 0xb03ce825u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_RACK_AND_PINION_IPC_INPUTS_SIZE 24u
 #define AXIS_RACK_AND_PINION_IPC_OUTPUTS_SIZE 24u
@@ -76,7 +76,7 @@ enum {
     /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_RACK_AND_PINION_IPC_ERROR_CYCLE_TIME = 1,
     AXIS_RACK_AND_PINION_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number, or beyond all that samples in range lead to; everything starts anew */
+    /* a state of the block is no number, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_RACK_AND_PINION_IPC_ERROR_STATE = 3,
     AXIS_RACK_AND_PINION_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */
 };

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  125000 ns
- * parameters  f238c861639f753c7ad0cad4ea3352d1
- * structure   50ce4d86500139a63fe4483a3e4cdda6
- * checksum    0ccde0ac308c0c899e60e6bbd70fc733
+ * parameters  64e9b6f3b4d48f8dec59ab3b1b6ec4e4
+ * structure   1a5a56ee715abf2ba8549f97fe9bd65e
+ * checksum    c369db12e18e6f0a577b4902866d4577
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_IPC_H
@@ -36,15 +36,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 36000000 [0.001 deg/s] */
 #define AXIS_S_IPC_BOUND 50955803.07236986
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_S_IPC_PARAMETERS_0 0xf238c861u
-#define AXIS_S_IPC_PARAMETERS_1 0x639f753cu
-#define AXIS_S_IPC_PARAMETERS_2 0x7ad0cad4u
-#define AXIS_S_IPC_PARAMETERS_3 0xea3352d1u
+#define AXIS_S_IPC_PARAMETERS_0 0x64e9b6f3u
+#define AXIS_S_IPC_PARAMETERS_1 0xb4d48f8du
+#define AXIS_S_IPC_PARAMETERS_2 0xec59ab3bu
+#define AXIS_S_IPC_PARAMETERS_3 0x1b6ec4e4u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_S_IPC_STRUCTURE_0 0x50ce4d86u
-#define AXIS_S_IPC_STRUCTURE_1 0x500139a6u
-#define AXIS_S_IPC_STRUCTURE_2 0x3fe4483au
-#define AXIS_S_IPC_STRUCTURE_3 0x3e4cdda6u
+#define AXIS_S_IPC_STRUCTURE_0 0x1a5a56eeu
+#define AXIS_S_IPC_STRUCTURE_1 0x715abf2bu
+#define AXIS_S_IPC_STRUCTURE_2 0xa8549f97u
+#define AXIS_S_IPC_STRUCTURE_3 0xfe9bd65eu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_S_IPC_INPUTS_SIZE 24u
 #define AXIS_S_IPC_OUTPUTS_SIZE 24u
@@ -72,7 +72,7 @@ enum {
     AXIS_S_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_S_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_S_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number, or beyond all that samples in range lead to; everything starts anew */
+    /* a state of the block is no number, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_S_IPC_ERROR_STATE = 3,
     AXIS_S_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */
 };

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  91c6f1b05179a6542c9db8978950cedf
- * structure   656a5570769fdf255893afeffd5ba770
- * checksum    7ea861de23683de2225f28174d5ae3a8
+ * structure   24817f06e7f2c05d27d8adc54efe201d
+ * checksum    d388ce8488c0ec4fd6978dadaa18adc2
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_f_position_control.h"
@@ -59,8 +59,7 @@ void axis_f_position_control_init(axis_f_position_control_state *fresh)
 
 void axis_f_position_control_inputs_init(axis_f_position_control_inputs *inputs)
 {
-    inputs->x_command = 0.0f;
-    inputs->x_actual = 0.0f;
+    inputs->following_error = 0.0f;
     inputs->v_feedforward = 0.0f;
     inputs->position_controlled = true;
     inputs->reset = false;
@@ -92,24 +91,18 @@ void axis_f_position_control_step(
     static const float sample_limit = 1000000000.0f;
 
     (void)state;
-    if (!(axis_f_position_control_magnitude(inputs->x_command) <= sample_limit)) {
-        outputs->v_command = 0.0f;
-        outputs->manipulated_variable = 0;
-        outputs->limited = false;
-        outputs->fault = true;
-        outputs->error_id = AXIS_F_POSITION_CONTROL_ERROR_X_COMMAND;
-    } else if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
+    if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
         outputs->v_command = 0.0f;
         outputs->manipulated_variable = 0;
         outputs->limited = false;
         outputs->fault = true;
         outputs->error_id = AXIS_F_POSITION_CONTROL_ERROR_CYCLE_TIME;
-    } else if (!(axis_f_position_control_magnitude(inputs->x_actual) <= sample_limit)) {
+    } else if (!(axis_f_position_control_magnitude(inputs->following_error) <= sample_limit)) {
         outputs->v_command = 0.0f;
         outputs->manipulated_variable = 0;
         outputs->limited = false;
         outputs->fault = true;
-        outputs->error_id = AXIS_F_POSITION_CONTROL_ERROR_X_ACTUAL;
+        outputs->error_id = AXIS_F_POSITION_CONTROL_ERROR_FOLLOWING_ERROR;
     } else if (!(axis_f_position_control_magnitude(inputs->v_feedforward) <= sample_limit)) {
         outputs->v_command = 0.0f;
         outputs->manipulated_variable = 0;
@@ -123,7 +116,7 @@ void axis_f_position_control_step(
         outputs->fault = false;
         outputs->error_id = AXIS_F_POSITION_CONTROL_ERROR_NONE;
     } else {
-        const float v_lag = kv * (inputs->x_command - inputs->x_actual);
+        const float v_lag = kv * inputs->following_error;
         outputs->v_command = v_lag + inputs->v_feedforward;
         outputs->fault = false;
         outputs->error_id = AXIS_F_POSITION_CONTROL_ERROR_NONE;

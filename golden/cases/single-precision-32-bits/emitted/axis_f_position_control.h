@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  91c6f1b05179a6542c9db8978950cedf
- * structure   656a5570769fdf255893afeffd5ba770
- * checksum    80c4b11b21dfaee7512e32be04752220
+ * structure   24817f06e7f2c05d27d8adc54efe201d
+ * checksum    8044d799a06fe26e66b4c7e54e7cf93b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_F_POSITION_CONTROL_H
@@ -31,12 +31,12 @@ extern "C" {
 #define AXIS_F_POSITION_CONTROL_PARAMETERS_2 0x2c9db897u
 #define AXIS_F_POSITION_CONTROL_PARAMETERS_3 0x8950cedfu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_F_POSITION_CONTROL_STRUCTURE_0 0x656a5570u
-#define AXIS_F_POSITION_CONTROL_STRUCTURE_1 0x769fdf25u
-#define AXIS_F_POSITION_CONTROL_STRUCTURE_2 0x5893afefu
-#define AXIS_F_POSITION_CONTROL_STRUCTURE_3 0xfd5ba770u
+#define AXIS_F_POSITION_CONTROL_STRUCTURE_0 0x24817f06u
+#define AXIS_F_POSITION_CONTROL_STRUCTURE_1 0xe7f2c05du
+#define AXIS_F_POSITION_CONTROL_STRUCTURE_2 0x27d8adc5u
+#define AXIS_F_POSITION_CONTROL_STRUCTURE_3 0x4efe201du
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
-#define AXIS_F_POSITION_CONTROL_INPUTS_SIZE 20u
+#define AXIS_F_POSITION_CONTROL_INPUTS_SIZE 16u
 #define AXIS_F_POSITION_CONTROL_OUTPUTS_SIZE 16u
 #define AXIS_F_POSITION_CONTROL_STATE_SIZE 1u
 
@@ -55,15 +55,15 @@ enum {
     AXIS_F_POSITION_CONTROL_ERROR_NONE = 0, /* no fault */
     /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_F_POSITION_CONTROL_ERROR_CYCLE_TIME = 1,
-    AXIS_F_POSITION_CONTROL_ERROR_X_COMMAND = 17, /* x_command is not within the sample limit */
-    AXIS_F_POSITION_CONTROL_ERROR_X_ACTUAL = 18, /* x_actual is not within the sample limit */
-    AXIS_F_POSITION_CONTROL_ERROR_V_FEEDFORWARD = 19 /* v_feedforward is not within the sample limit */
+    AXIS_F_POSITION_CONTROL_ERROR_V_FEEDFORWARD = 19, /* v_feedforward is not within the sample limit */
+    AXIS_F_POSITION_CONTROL_ERROR_FOLLOWING_ERROR = 24 /* following_error is not within the sample limit */
 };
 
 /* Written by the caller. axis_f_position_control_inputs_init fills in what is said to be the start. */
 typedef struct {
-    float x_command; /* command position of the interpolator, on the same turn as x_actual [um]; start 0.0f */
-    float x_actual; /* actual position, on the same turn as x_command [um]; start 0.0f */
+    /* x_command - x_actual in the place of both, in single precision: subtracted by the caller in increments or in
+     * double precision [um]; start 0.0f */
+    float following_error;
     float v_feedforward; /* conventional feedforward [um/s]; start 0.0f */
     /* FALSE: the axis is not in position control, all outputs are 0 at once; x_drive, if the drive has the
      * controller, follows x_command. It acts in full in the next cycle: x_command stands on x_actual then; start true */
@@ -81,7 +81,7 @@ typedef struct {
     int32_t manipulated_variable;
     bool limited; /* a process-data type cuts an output off in this cycle */
     bool fault; /* the block cannot act in this cycle, the id says why */
-    uint32_t error_id; /* each stops the block: 0 none, 1 cycle_time, 17 x_command, 18 x_actual, 19 v_feedforward */
+    uint32_t error_id; /* each stops the block: 0 none, 1 cycle_time, 19 v_feedforward, 24 following_error */
 } axis_f_position_control_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */
@@ -109,7 +109,7 @@ void axis_f_position_control_step(
     axis_f_position_control_outputs *outputs);
 
 /* In a file of its own, axis_f_position_control_self_test.c: a build that does not call it leaves it out.
- * Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
+ * Compares a run of 38 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
  * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
  * precision. Run it once at start-up, on the machine, both files with the same compiler options: it finds a build that
  * fuses or reorders floating-point operations, too, or that takes a NaN for a number. */

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   float
  * cycle time  2000000 ns
- * parameters  85973501273fb31e4d28546a16b52344
- * structure   7a24f96de89b308d24844376d634324b
- * checksum    55ddf3c2e6ddc6801893162ca4707763
+ * parameters  5b7004ccd3a2dab8a39f52a6bf036932
+ * structure   2b03f6b7ed4bcb0ff168b4fa0a953bf4
+ * checksum    3cf945fd37fe70c6936222b7a7e10ebf
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -39,15 +39,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 500000 [um/s] */
 #define AXIS_X_IPC_BOUND 890525.75f
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_IPC_PARAMETERS_0 0x85973501u
-#define AXIS_X_IPC_PARAMETERS_1 0x273fb31eu
-#define AXIS_X_IPC_PARAMETERS_2 0x4d28546au
-#define AXIS_X_IPC_PARAMETERS_3 0x16b52344u
+#define AXIS_X_IPC_PARAMETERS_0 0x5b7004ccu
+#define AXIS_X_IPC_PARAMETERS_1 0xd3a2dab8u
+#define AXIS_X_IPC_PARAMETERS_2 0xa39f52a6u
+#define AXIS_X_IPC_PARAMETERS_3 0xbf036932u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x7a24f96du
-#define AXIS_X_IPC_STRUCTURE_1 0xe89b308du
-#define AXIS_X_IPC_STRUCTURE_2 0x24844376u
-#define AXIS_X_IPC_STRUCTURE_3 0xd634324bu
+#define AXIS_X_IPC_STRUCTURE_0 0x2b03f6b7u
+#define AXIS_X_IPC_STRUCTURE_1 0xed4bcb0fu
+#define AXIS_X_IPC_STRUCTURE_2 0xf168b4fau
+#define AXIS_X_IPC_STRUCTURE_3 0x0a953bf4u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 16u
 #define AXIS_X_IPC_OUTPUTS_SIZE 16u
@@ -75,7 +75,7 @@ enum {
     AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_X_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number, or beyond all that samples in range lead to; everything starts anew */
+    /* a state of the block is no number, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_X_IPC_ERROR_STATE = 3,
     AXIS_X_IPC_ERROR_V_DIRECT = 13 /* v_direct is not within the sample limit */
 };

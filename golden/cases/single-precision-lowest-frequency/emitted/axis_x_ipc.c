@@ -4,9 +4,9 @@
  * block       ipc
  * real type   float
  * cycle time  62500 ns
- * parameters  73ee4c20de103491d7d9a4c84a9dde2d
- * structure   87728d96584e8c54c4702f3f9b84ec49
- * checksum    fc88449ec29733054b0276dae68be8fe
+ * parameters  20e027df3704d73c1a87b018e7aae45e
+ * structure   56064b1d1e238c3f7b9c226fbeeabae9
+ * checksum    1ff1af1e2ac5cf058f4f8da720fd5f61
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -43,9 +43,6 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_x_ipc_state *const state = fresh;
-    state->preset = false;
-    state->fade = 0u;
-    state->disturbed = false;
     state->source_v_motor_before = 0.0f;
     state->stage0_oscillation_s1 = 0.0f;
     state->stage0_oscillation_p = 0.0f;
@@ -56,6 +53,10 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     state->stage0_filter0_section2_s1 = 0.0f;
     state->stage0_filter0_section2_low = 0.0f;
     state->stage0_filter0_input_before = 0.0f;
+    state->disturbed = false;
+    /* key ride_through: each of so many bad samples in a row is the last good one */
+    state->preset = false;
+    state->fade = 0u;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
@@ -104,6 +105,9 @@ void axis_x_ipc_step(
     static const float limit = 500000.0f; /* largest |v_add| */
     static const float lower_limit = -500000.0f; /* -limit */
 
+    /* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
+    static const float sum_limit = 54020304.0f; /* largest magnitude of a sum of stages that is not a fault */
+
     /* P-AXIS-00212 * 2^-40: a sum below it is exactly 0 */
     static const float rest = 4.5474735e-7f; /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
 
@@ -116,8 +120,6 @@ void axis_x_ipc_step(
     static const float sample_limit = 1000000000.0f;
     /* added to every change and to low, so that a section at rest never decays into subnormal numbers */
     static const float least_change = 1.0e-18f;
-    /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
-    static const float sum_limit = 1000000000000000.0f;
 
     bool runs;
     uint32_t reason;
@@ -138,6 +140,10 @@ void axis_x_ipc_step(
             if (inputs->mode == AXIS_X_IPC_MODE_ON) {
                 state->fade = state->fade + 1u;
             } else {
+                if (state->fade > fade_cycles) {
+                    /* fade has been overwritten: it must not take longer than a whole fade */
+                    state->fade = fade_cycles;
+                }
                 if (state->fade > 0u) {
                     state->fade = state->fade - 1u;
                 }
@@ -246,8 +252,8 @@ void axis_x_ipc_step(
                 v_limited = lower_limit;
             }
         } else {
-            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
-             * everything starts anew */
+            /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
+             * then everything starts anew */
             outputs->limited = true;
             state->disturbed = true;
             state->preset = false;

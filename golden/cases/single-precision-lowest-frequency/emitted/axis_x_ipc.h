@@ -4,9 +4,9 @@
  * block       ipc
  * real type   float
  * cycle time  62500 ns
- * parameters  73ee4c20de103491d7d9a4c84a9dde2d
- * structure   87728d96584e8c54c4702f3f9b84ec49
- * checksum    18a5af6e5ed1647a191efb60c47eca20
+ * parameters  20e027df3704d73c1a87b018e7aae45e
+ * structure   56064b1d1e238c3f7b9c226fbeeabae9
+ * checksum    3cbe62f0cad65a7ec52d9c83525e3a13
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -39,15 +39,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 500000 [um/s] */
 #define AXIS_X_IPC_BOUND 43803140.0f
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_IPC_PARAMETERS_0 0x73ee4c20u
-#define AXIS_X_IPC_PARAMETERS_1 0xde103491u
-#define AXIS_X_IPC_PARAMETERS_2 0xd7d9a4c8u
-#define AXIS_X_IPC_PARAMETERS_3 0x4a9dde2du
+#define AXIS_X_IPC_PARAMETERS_0 0x20e027dfu
+#define AXIS_X_IPC_PARAMETERS_1 0x3704d73cu
+#define AXIS_X_IPC_PARAMETERS_2 0x1a87b018u
+#define AXIS_X_IPC_PARAMETERS_3 0xe7aae45eu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x87728d96u
-#define AXIS_X_IPC_STRUCTURE_1 0x584e8c54u
-#define AXIS_X_IPC_STRUCTURE_2 0xc4702f3fu
-#define AXIS_X_IPC_STRUCTURE_3 0x9b84ec49u
+#define AXIS_X_IPC_STRUCTURE_0 0x56064b1du
+#define AXIS_X_IPC_STRUCTURE_1 0x1e238c3fu
+#define AXIS_X_IPC_STRUCTURE_2 0x7b9c226fu
+#define AXIS_X_IPC_STRUCTURE_3 0xbeeabae9u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 16u
 #define AXIS_X_IPC_OUTPUTS_SIZE 16u
@@ -75,7 +75,7 @@ enum {
     AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_X_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number, or beyond all that samples in range lead to; everything starts anew */
+    /* a state of the block is no number, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_X_IPC_ERROR_STATE = 3,
     AXIS_X_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */
 };

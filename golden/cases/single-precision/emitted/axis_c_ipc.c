@@ -4,9 +4,9 @@
  * block       ipc
  * real type   float
  * cycle time  1000000 ns
- * parameters  93aee06be26c056330bf348cc27a6125
- * structure   b298c1bd84788c1d2beb0e13249d792f
- * checksum    fdb3a50aa85490030e56ac4e4ffd756f
+ * parameters  ae2712c64f1c384ef24212d510257896
+ * structure   90b53bdca6af7d51339a6d64d45a92e0
+ * checksum    33160a98fa8e4551eb479ba646cd4405
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_c_ipc.h"
@@ -43,9 +43,6 @@ void axis_c_ipc_init(axis_c_ipc_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_c_ipc_state *const state = fresh;
-    state->preset = false;
-    state->fade = 0u;
-    state->disturbed = false;
     state->source_v_command_before = 0.0f;
     state->source_v_motor_before = 0.0f;
     state->stage0_filter0_section0_s1 = 0.0f;
@@ -71,6 +68,10 @@ void axis_c_ipc_init(axis_c_ipc_state *fresh)
     state->stage2_filter0_section1_s1 = 0.0f;
     state->stage2_filter0_section1_low = 0.0f;
     state->stage2_filter0_input_before = 0.0f;
+    state->disturbed = false;
+    /* key ride_through: each of so many bad samples in a row is the last good one */
+    state->preset = false;
+    state->fade = 0u;
 }
 
 void axis_c_ipc_inputs_init(axis_c_ipc_inputs *inputs)
@@ -168,6 +169,9 @@ void axis_c_ipc_step(
     static const float limit = 18000.0f; /* largest |v_add| */
     static const float lower_limit = -18000.0f; /* -limit */
 
+    /* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
+    static const float sum_limit = 2180051.0f; /* largest magnitude of a sum of stages that is not a fault */
+
     /* P-AXIS-00212 * 2^-40: a sum below it is exactly 0 */
     static const float rest = 1.6370905e-7f; /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
 
@@ -180,8 +184,6 @@ void axis_c_ipc_step(
     static const float sample_limit = 1000000000.0f;
     /* added to every change and to low, so that a section at rest never decays into subnormal numbers */
     static const float least_change = 1.0e-18f;
-    /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
-    static const float sum_limit = 1000000000000000.0f;
 
     bool runs;
     uint32_t reason;
@@ -195,7 +197,8 @@ void axis_c_ipc_step(
         runs = false;
         reason = AXIS_C_IPC_ERROR_STATE;
     } else if ((inputs->mode == AXIS_C_IPC_MODE_ON || inputs->mode == AXIS_C_IPC_MODE_OFF
-                || inputs->mode == AXIS_C_IPC_MODE_DRYRUN) && axis_c_ipc_magnitude(inputs->v_command) <= sample_limit
+                || inputs->mode == AXIS_C_IPC_MODE_DRYRUN)
+            && axis_c_ipc_magnitude(inputs->v_command) <= sample_limit
             && axis_c_ipc_magnitude(inputs->v_motor) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
             && !inputs->reset) {
@@ -203,6 +206,10 @@ void axis_c_ipc_step(
             if (inputs->mode == AXIS_C_IPC_MODE_ON) {
                 state->fade = state->fade + 1u;
             } else {
+                if (state->fade > fade_cycles) {
+                    /* fade has been overwritten: it must not take longer than a whole fade */
+                    state->fade = fade_cycles;
+                }
                 if (state->fade > 0u) {
                     state->fade = state->fade - 1u;
                 }
@@ -411,8 +418,8 @@ void axis_c_ipc_step(
                 v_limited = lower_limit;
             }
         } else {
-            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
-             * everything starts anew */
+            /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
+             * then everything starts anew */
             outputs->limited = true;
             state->disturbed = true;
             state->preset = false;

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   float
  * cycle time  1000000 ns
- * parameters  93aee06be26c056330bf348cc27a6125
- * structure   b298c1bd84788c1d2beb0e13249d792f
- * checksum    a3097a704f63cad75d54b34553a3a1e1
+ * parameters  ae2712c64f1c384ef24212d510257896
+ * structure   90b53bdca6af7d51339a6d64d45a92e0
+ * checksum    ba12af9a1b4a78b9c20bce49bc726672
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_C_IPC_H
@@ -45,15 +45,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 180000 [0.001 deg/s] */
 #define AXIS_C_IPC_BOUND 1090500.8f
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_C_IPC_PARAMETERS_0 0x93aee06bu
-#define AXIS_C_IPC_PARAMETERS_1 0xe26c0563u
-#define AXIS_C_IPC_PARAMETERS_2 0x30bf348cu
-#define AXIS_C_IPC_PARAMETERS_3 0xc27a6125u
+#define AXIS_C_IPC_PARAMETERS_0 0xae2712c6u
+#define AXIS_C_IPC_PARAMETERS_1 0x4f1c384eu
+#define AXIS_C_IPC_PARAMETERS_2 0xf24212d5u
+#define AXIS_C_IPC_PARAMETERS_3 0x10257896u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_C_IPC_STRUCTURE_0 0xb298c1bdu
-#define AXIS_C_IPC_STRUCTURE_1 0x84788c1du
-#define AXIS_C_IPC_STRUCTURE_2 0x2beb0e13u
-#define AXIS_C_IPC_STRUCTURE_3 0x249d792fu
+#define AXIS_C_IPC_STRUCTURE_0 0x90b53bdcu
+#define AXIS_C_IPC_STRUCTURE_1 0xa6af7d51u
+#define AXIS_C_IPC_STRUCTURE_2 0x339a6d64u
+#define AXIS_C_IPC_STRUCTURE_3 0xd45a92e0u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_C_IPC_INPUTS_SIZE 20u
 #define AXIS_C_IPC_OUTPUTS_SIZE 16u
@@ -81,7 +81,7 @@ enum {
     AXIS_C_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_C_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_C_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number, or beyond all that samples in range lead to; everything starts anew */
+    /* a state of the block is no number, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_C_IPC_ERROR_STATE = 3,
     AXIS_C_IPC_ERROR_V_COMMAND = 11, /* v_command is not within the sample limit */
     AXIS_C_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */

@@ -5,7 +5,8 @@
 // real type   f64
 // cycle time  2000000 ns
 // parameters  b92e28125bf8b73ebb5b80376f6f2970
-// checksum    460f1cdafa59707de4d22beb12d92b51
+// checksum    1ce6d52cac225b4f9d64796cf610a4eb
+// licence     this file belongs to the user of axgen; no licence of axgen applies to it
 
 /// Written by the caller.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  a0c645d4293c1d72ba63265e5e4c41a7
- * structure   d8d09531e2b8fda4fbb141a04e374ad8
- * checksum    38a9c802d556a6b263f6357fc97bccc3
+ * parameters  b2ea24ac07785b34ded970586d2c7f0d
+ * structure   12682ec8e538aec016ba35284612fc39
+ * checksum    34eef2bdc5915deff4068dc15008a28f
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -43,15 +43,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 500000 [um/s] */
 #define AXIS_X_IPC_BOUND 3836785.6270133727
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_IPC_PARAMETERS_0 0xa0c645d4u
-#define AXIS_X_IPC_PARAMETERS_1 0x293c1d72u
-#define AXIS_X_IPC_PARAMETERS_2 0xba63265eu
-#define AXIS_X_IPC_PARAMETERS_3 0x5e4c41a7u
+#define AXIS_X_IPC_PARAMETERS_0 0xb2ea24acu
+#define AXIS_X_IPC_PARAMETERS_1 0x07785b34u
+#define AXIS_X_IPC_PARAMETERS_2 0xded97058u
+#define AXIS_X_IPC_PARAMETERS_3 0x6d2c7f0du
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xd8d09531u
-#define AXIS_X_IPC_STRUCTURE_1 0xe2b8fda4u
-#define AXIS_X_IPC_STRUCTURE_2 0xfbb141a0u
-#define AXIS_X_IPC_STRUCTURE_3 0x4e374ad8u
+#define AXIS_X_IPC_STRUCTURE_0 0x12682ec8u
+#define AXIS_X_IPC_STRUCTURE_1 0xe538aec0u
+#define AXIS_X_IPC_STRUCTURE_2 0x16ba3528u
+#define AXIS_X_IPC_STRUCTURE_3 0x4612fc39u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 32u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u
@@ -79,7 +79,7 @@ enum {
     AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_X_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number, or beyond all that samples in range lead to; everything starts anew */
+    /* a state of the block is no number, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_X_IPC_ERROR_STATE = 3,
     AXIS_X_IPC_ERROR_V_COMMAND = 11, /* v_command is not within the sample limit */
     AXIS_X_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */

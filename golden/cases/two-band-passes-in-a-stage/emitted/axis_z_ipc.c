@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  125000 ns
- * parameters  c2f6b8fb6fa0145044514cee709a094e
- * structure   43800d19e24d6796311796a992ef2fb2
- * checksum    38450eec9db8166b8449b29eb5587db2
+ * parameters  0b9067d1a5292e8925a6acec6c698ad7
+ * structure   ecb775cf31eb465edb46a4c5671feb48
+ * checksum    48f4040483cbfad63a79be702ce514c5
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_z_ipc.h"
@@ -43,9 +43,6 @@ void axis_z_ipc_init(axis_z_ipc_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_z_ipc_state *const state = fresh;
-    state->preset = false;
-    state->fade = 0u;
-    state->disturbed = false;
     state->stage0_filter0_section0_s1 = 0.0;
     state->stage0_filter0_section0_s2 = 0.0;
     state->stage0_filter0_section1_s1 = 0.0;
@@ -58,6 +55,10 @@ void axis_z_ipc_init(axis_z_ipc_state *fresh)
     state->stage1_filter0_section0_s2 = 0.0;
     state->stage1_filter1_section0_s1 = 0.0;
     state->stage1_filter1_section0_s2 = 0.0;
+    state->disturbed = false;
+    /* key ride_through: each of so many bad samples in a row is the last good one */
+    state->preset = false;
+    state->fade = 0u;
 }
 
 void axis_z_ipc_inputs_init(axis_z_ipc_inputs *inputs)
@@ -128,6 +129,9 @@ void axis_z_ipc_step(
     static const double limit = 600000.0; /* largest |v_add| */
     static const double lower_limit = -600000.0; /* -limit */
 
+    /* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
+    static const double sum_limit = 2730845.2288752054; /* largest magnitude of a sum of stages that is not a fault */
+
     /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
     /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
     static const double rest = 2.6020852139652106e-13;
@@ -141,7 +145,6 @@ void axis_z_ipc_step(
     static const double sample_limit = 1000000000000000.0;
     /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
     static const double anti_denormal = 1.0e-30;
-    static const double sum_limit = 1.0e21; /* largest magnitude of a sum of stages: beyond it a state has been overwritten */
 
     bool runs;
     uint32_t reason;
@@ -155,7 +158,8 @@ void axis_z_ipc_step(
         runs = false;
         reason = AXIS_Z_IPC_ERROR_STATE;
     } else if ((inputs->mode == AXIS_Z_IPC_MODE_ON || inputs->mode == AXIS_Z_IPC_MODE_OFF
-                || inputs->mode == AXIS_Z_IPC_MODE_DRYRUN) && axis_z_ipc_magnitude(inputs->v_motor) <= sample_limit
+                || inputs->mode == AXIS_Z_IPC_MODE_DRYRUN)
+            && axis_z_ipc_magnitude(inputs->v_motor) <= sample_limit
             && axis_z_ipc_magnitude(inputs->v_direct) <= sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
             && !inputs->reset) {
@@ -163,6 +167,10 @@ void axis_z_ipc_step(
             if (inputs->mode == AXIS_Z_IPC_MODE_ON) {
                 state->fade = state->fade + 1u;
             } else {
+                if (state->fade > fade_cycles) {
+                    /* fade has been overwritten: it must not take longer than a whole fade */
+                    state->fade = fade_cycles;
+                }
                 if (state->fade > 0u) {
                     state->fade = state->fade - 1u;
                 }
@@ -291,8 +299,8 @@ void axis_z_ipc_step(
                 v_limited = lower_limit;
             }
         } else {
-            /* a state is no number, or beyond all that samples in range lead to: a fault in the next cycle, then
-             * everything starts anew */
+            /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
+             * then everything starts anew */
             outputs->limited = true;
             state->disturbed = true;
             state->preset = false;

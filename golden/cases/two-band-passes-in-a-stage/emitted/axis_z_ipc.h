@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  125000 ns
- * parameters  c2f6b8fb6fa0145044514cee709a094e
- * structure   43800d19e24d6796311796a992ef2fb2
- * checksum    66ba432905b0c93cc604a6484fc1a9fc
+ * parameters  0b9067d1a5292e8925a6acec6c698ad7
+ * structure   ecb775cf31eb465edb46a4c5671feb48
+ * checksum    a08fba86efcdf3d4f770c8f776a470ae
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_Z_IPC_H
@@ -46,15 +46,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 300000 [um/s] */
 #define AXIS_Z_IPC_BOUND 1365422.6560584358
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_Z_IPC_PARAMETERS_0 0xc2f6b8fbu
-#define AXIS_Z_IPC_PARAMETERS_1 0x6fa01450u
-#define AXIS_Z_IPC_PARAMETERS_2 0x44514ceeu
-#define AXIS_Z_IPC_PARAMETERS_3 0x709a094eu
+#define AXIS_Z_IPC_PARAMETERS_0 0x0b9067d1u
+#define AXIS_Z_IPC_PARAMETERS_1 0xa5292e89u
+#define AXIS_Z_IPC_PARAMETERS_2 0x25a6acecu
+#define AXIS_Z_IPC_PARAMETERS_3 0x6c698ad7u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_Z_IPC_STRUCTURE_0 0x43800d19u
-#define AXIS_Z_IPC_STRUCTURE_1 0xe24d6796u
-#define AXIS_Z_IPC_STRUCTURE_2 0x311796a9u
-#define AXIS_Z_IPC_STRUCTURE_3 0x92ef2fb2u
+#define AXIS_Z_IPC_STRUCTURE_0 0xecb775cfu
+#define AXIS_Z_IPC_STRUCTURE_1 0x31eb465eu
+#define AXIS_Z_IPC_STRUCTURE_2 0xdb46a4c5u
+#define AXIS_Z_IPC_STRUCTURE_3 0x671feb48u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_Z_IPC_INPUTS_SIZE 32u
 #define AXIS_Z_IPC_OUTPUTS_SIZE 24u
@@ -82,7 +82,7 @@ enum {
     AXIS_Z_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_Z_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_Z_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number, or beyond all that samples in range lead to; everything starts anew */
+    /* a state of the block is no number, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_Z_IPC_ERROR_STATE = 3,
     AXIS_Z_IPC_ERROR_V_MOTOR = 12, /* v_motor is not within the sample limit */
     AXIS_Z_IPC_ERROR_V_DIRECT = 13 /* v_direct is not within the sample limit */

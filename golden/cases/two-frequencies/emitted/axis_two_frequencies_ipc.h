@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  81f1a4ebb88fdcedcefe43a9b0bae022
- * structure   e50ac1b61bc09b5da63e47a232b196ea
- * checksum    07683f896df46723ca85f50768ca6b6f
+ * parameters  cc60750febfefdc7fb02c8bd3f4469b3
+ * structure   6e662dafac3d27e10b14ab4f96191398
+ * checksum    58ae4c4d70aa58a45693620a07b00918
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_TWO_FREQUENCIES_IPC_H
@@ -40,15 +40,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 500000 [um/s] */
 #define AXIS_TWO_FREQUENCIES_IPC_BOUND 544377.9439517392
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_TWO_FREQUENCIES_IPC_PARAMETERS_0 0x81f1a4ebu
-#define AXIS_TWO_FREQUENCIES_IPC_PARAMETERS_1 0xb88fdcedu
-#define AXIS_TWO_FREQUENCIES_IPC_PARAMETERS_2 0xcefe43a9u
-#define AXIS_TWO_FREQUENCIES_IPC_PARAMETERS_3 0xb0bae022u
+#define AXIS_TWO_FREQUENCIES_IPC_PARAMETERS_0 0xcc60750fu
+#define AXIS_TWO_FREQUENCIES_IPC_PARAMETERS_1 0xebfefdc7u
+#define AXIS_TWO_FREQUENCIES_IPC_PARAMETERS_2 0xfb02c8bdu
+#define AXIS_TWO_FREQUENCIES_IPC_PARAMETERS_3 0x3f4469b3u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_0 0xe50ac1b6u
-#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_1 0x1bc09b5du
-#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_2 0xa63e47a2u
-#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_3 0x32b196eau
+#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_0 0x6e662dafu
+#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_1 0xac3d27e1u
+#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_2 0x0b14ab4fu
+#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_3 0x96191398u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_TWO_FREQUENCIES_IPC_INPUTS_SIZE 24u
 #define AXIS_TWO_FREQUENCIES_IPC_OUTPUTS_SIZE 24u
@@ -77,7 +77,7 @@ enum {
     /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_TWO_FREQUENCIES_IPC_ERROR_CYCLE_TIME = 1,
     AXIS_TWO_FREQUENCIES_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number, or beyond all that samples in range lead to; everything starts anew */
+    /* a state of the block is no number, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_TWO_FREQUENCIES_IPC_ERROR_STATE = 3,
     AXIS_TWO_FREQUENCIES_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */
 };

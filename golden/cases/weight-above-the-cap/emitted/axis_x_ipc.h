@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  b8c5e69a91595cd19cc477d738dcfe37
- * structure   f3b93a981b28a06116572328f9247f06
- * checksum    e60c4ea6d9d509dbaa1843477a32201b
+ * parameters  80d64cd14c58261d3c250ddc0b151fe9
+ * structure   f5ed877ffff99a36e43b5378e0b93076
+ * checksum    57414f598d38d2cd0fe5d2c55382a160
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -37,15 +37,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 500000 [um/s] */
 #define AXIS_X_IPC_BOUND 5088835.890289821
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_IPC_PARAMETERS_0 0xb8c5e69au
-#define AXIS_X_IPC_PARAMETERS_1 0x91595cd1u
-#define AXIS_X_IPC_PARAMETERS_2 0x9cc477d7u
-#define AXIS_X_IPC_PARAMETERS_3 0x38dcfe37u
+#define AXIS_X_IPC_PARAMETERS_0 0x80d64cd1u
+#define AXIS_X_IPC_PARAMETERS_1 0x4c58261du
+#define AXIS_X_IPC_PARAMETERS_2 0x3c250ddcu
+#define AXIS_X_IPC_PARAMETERS_3 0x0b151fe9u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xf3b93a98u
-#define AXIS_X_IPC_STRUCTURE_1 0x1b28a061u
-#define AXIS_X_IPC_STRUCTURE_2 0x16572328u
-#define AXIS_X_IPC_STRUCTURE_3 0xf9247f06u
+#define AXIS_X_IPC_STRUCTURE_0 0xf5ed877fu
+#define AXIS_X_IPC_STRUCTURE_1 0xfff99a36u
+#define AXIS_X_IPC_STRUCTURE_2 0xe43b5378u
+#define AXIS_X_IPC_STRUCTURE_3 0xe0b93076u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u
@@ -73,7 +73,7 @@ enum {
     AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_X_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number, or beyond all that samples in range lead to; everything starts anew */
+    /* a state of the block is no number, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_X_IPC_ERROR_STATE = 3,
     AXIS_X_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */
 };
