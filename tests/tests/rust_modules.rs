@@ -182,7 +182,8 @@ fn finite(text: &str) -> Vec<String> {
 #[test]
 fn the_self_test_finds_planted_faults() {
     let cases = ["rack-and-pinion, f64", "single-precision-highest-frequency, f32"];
-    let plants: [(&str, fn(&str) -> Vec<String>); 3] =
+    type Plant = fn(&str) -> Vec<String>;
+    let plants: [(&str, Plant); 3] =
         [("fused", |text| planted(text, fused)), ("lost", |text| planted(text, lost)), ("finite", finite)];
     for case in in_both_real_types().iter().filter(|case| cases.contains(&title(case).as_str())) {
         let File { name, text } = &module(case);

@@ -103,7 +103,7 @@ fn one(
             v_command: output("v_command"),
             v_add: output("v_add"),
             calculated: output("v_add_calculated"),
-            is_disturbed: output("error_id") == 3.0,
+            is_disturbed: output("error_id").to_bits() == 3f64.to_bits(),
         };
         for (signal, [from, to]) in model(&inputs, found) {
             let value = output(signal);
