@@ -1,7 +1,6 @@
 #ifndef {{ guard }}
 #define {{ guard }}
 
-#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -24,11 +23,11 @@ extern "C" {
 /* With another number of bits in {{ real }} the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
-static_assert(sizeof({{ real }}) * CHAR_BIT == {{ names }}_REAL_BITS, "{{ real }} must have {{ bits }} bits");
+static_assert(sizeof({{ real }}) == sizeof(uint{{ bits }}_t), "{{ real }} must have {{ bits }} bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
-_Static_assert(sizeof({{ real }}) * CHAR_BIT == {{ names }}_REAL_BITS, "{{ real }} must have {{ bits }} bits");
+_Static_assert(sizeof({{ real }}) == sizeof(uint{{ bits }}_t), "{{ real }} must have {{ bits }} bits");
 #else
-typedef char {{ block.prefix }}_real_has_{{ bits }}_bits[sizeof({{ real }}) * CHAR_BIT == {{ names }}_REAL_BITS ? 1 : -1];
+typedef char {{ block.prefix }}_real_has_{{ bits }}_bits[sizeof({{ real }}) == sizeof(uint{{ bits }}_t) ? 1 : -1];
 #endif
 {% for group in enumerations %}
 /* {{ group.note }} */

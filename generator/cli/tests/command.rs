@@ -110,12 +110,12 @@ fn runners_stand_beside_the_blocks() {
     let folder = folder();
     let names = |run: &Run| run.out.lines().filter(|line| line.starts_with("generated/")).count();
     let run = axgen(folder.path(), &["generate", "machine.toml", "--runner"]);
-    assert_eq!((run.code, names(&run)), (0, 9), "{}", run.out);
+    assert_eq!((run.code, names(&run)), (0, 12), "{}", run.out);
     let runner = read(folder.path(), "generated/axis_c_ipc_runner.c");
     assert!(runner.contains("uint32_t axis_c_ipc_runner(void)\n{") && runner.contains("sample < 100000u"));
     assert_eq!(runner.matches("UINT32_C(0x").count(), 100 + 2, "digests; the factor of the digest, a NaN");
     let run = axgen(folder.path(), &["generate", "machine.toml", "--runner=1500"]);
-    assert!(run.out.ends_with("3 axes: 3 files written, 6 unchanged, 0 warnings\n"), "{}", run.out);
+    assert!(run.out.ends_with("3 axes: 3 files written, 9 unchanged, 0 warnings\n"), "{}", run.out);
     assert!(read(folder.path(), "generated/axis_c_ipc_runner.c").contains("sample < 1500u"));
     let run = axgen(folder.path(), &["generate", "machine.toml", "--runner=1500", "--check"]);
     assert_eq!(run.code, 0, "{}", run.out);
@@ -192,7 +192,10 @@ fn a_comment_changes_no_file_and_a_weight_only_its_lines() {
     for (old, new) in before.iter().zip(&after) {
         assert_eq!(old.lines().count(), new.lines().count());
         for (old, new) in old.lines().zip(new.lines()).filter(|(old, new)| old != new) {
-            let weight = new.contains("121/100") || new.contains("stage0_gain") || new.contains("-weight, against");
+            let weight = new.contains("121/100")
+                || new.contains(" sum_limit = ")
+                || new.contains("stage0_gain")
+                || new.contains("-weight, against");
             let is_macro = new.starts_with("#define") && (new.contains("_PARAMETERS_") || new.contains("_BOUND "));
             let digest = is_macro || new.starts_with(" * parameters ") || new.starts_with(" * checksum ");
             let expected = new.trim_start().starts_with("UINT32_C(0x") || new.contains("bits_of(state.");
@@ -219,7 +222,7 @@ fn run_gives_the_same_in_every_engine() {
     };
     let reference = engine("reference", &["--hex"]);
     assert_eq!(reference.code, 0, "{}", reference.err);
-    assert!(reference.out.starts_with("v_add,v_add_calculated,limited,fault,error_id\n0x0000000000000000,"));
+    assert!(reference.out.starts_with("v_add,v_add_calculated,limited,held,fault,error_id\n0x0000000000000000,"));
     assert_eq!(reference.out.lines().count(), 201);
     for other in ["program", "c"] {
         assert_eq!(engine(other, &["--hex"]).out, reference.out, "{other}");
@@ -294,7 +297,7 @@ fn a_recording_is_compared_through_any_engine() {
     for engine in ["reference", "program", "c", "rust", "st", "twincat", "codesys", "scl"] {
         let run = axgen(folder.path(), &[&RACK[..], &["--engine", engine, "--compare", "recorded.csv"]].concat());
         let expected = format!(
-            "v_add, v_add_calculated, limited, fault, error_id against engine {engine}, 400 samples: 0 differing bits\n"
+            "v_add, v_add_calculated, limited, held, fault, error_id against engine {engine}, 400 samples: 0 differing bits\n"
         );
         assert_eq!((run.code, run.err.as_str(), run.out), (0, "", expected));
     }
@@ -421,7 +424,7 @@ fn what_a_recording_may_lack() {
         };
         rows.iter().map(row).collect()
     };
-    fs::write(folder.path().join("outputs.csv"), only(&[2, 5])).unwrap();
+    fs::write(folder.path().join("outputs.csv"), only(&[2, 6])).unwrap();
     let run = axgen(folder.path(), &[&RACK[..], &["--stimulus", "in.csv", "--compare", "outputs.csv"]].concat());
     assert_eq!(run.out, "v_add, fault against engine reference, 400 samples: 0 differing bits\n");
     let run = axgen(folder.path(), &[&RACK[..], &["--compare", "in.csv"]].concat());

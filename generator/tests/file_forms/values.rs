@@ -49,7 +49,7 @@ fn every_named_value_of_a_signal_is_in_the_header() {
                     &["POSITION", "TO_VELOCITY", "VELOCITY", "BRAKE", "TO_POSITION"],
                 ),
             ];
-            for (member, signal, names) in expected.into_iter().filter(|(member, ..)| text.contains(member)) {
+            for (_, signal, names) in expected.into_iter().filter(|(member, ..)| text.contains(member)) {
                 let numbers: Vec<i64> = names
                     .iter()
                     .map(|name| {

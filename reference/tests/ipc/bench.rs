@@ -25,6 +25,7 @@ impl<R: Real> Bench<R> {
             enable: mode_on(),
             limit: R::lit(530_000.0),
             lower_limit: R::lit(-530_000.0),
+            sum_limit: R::lit(4e6),
             rest: R::per_kind(530_000.0 / (1u64 << 60) as f64, 530_000.0 / (1u64 << 40) as f32),
             fade_cycles: FADE_CYCLES,
             fade_step: R::lit(1.0 / f64::from(FADE_CYCLES)),

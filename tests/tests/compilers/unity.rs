@@ -116,7 +116,7 @@ fn headers_hold_beside_each_other() {
 #[test]
 fn a_real_type_with_other_bits_is_refused() {
     let (folder, _) = written();
-    let text = "#include <limits.h>\n#undef CHAR_BIT\n#define CHAR_BIT 7\n#include \"axis_x_axis.h\"\n";
+    let text = "#include <stdbool.h>\n#include <stdint.h>\n#define double float\n#include \"axis_x_axis.h\"\n";
     for (name, standards) in [("other.c", ["-std=c99", "-std=c11"]), ("other.cpp", CPP)] {
         std::fs::write(folder.path().join(name), text).expect("room in it");
         for tool in tools() {

@@ -6,13 +6,12 @@
  * cycle time  2000000 ns
  * parameters  45b6c3851830d39515fa6c4907b5f551
  * structure   c6a9e314e286863e972288e770153b71
- * checksum    81ee92c309bc55443050b4f1bc9b23de
+ * checksum    2ae6a5a6cb498fe654ea339df507c7b9
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_Y_IPC_H
 #define AXIS_Y_IPC_H
 
-#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -57,11 +56,11 @@ extern "C" {
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
-static_assert(sizeof(double) * CHAR_BIT == AXIS_Y_IPC_REAL_BITS, "double must have 64 bits");
+static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
-_Static_assert(sizeof(double) * CHAR_BIT == AXIS_Y_IPC_REAL_BITS, "double must have 64 bits");
+_Static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #else
-typedef char axis_y_ipc_real_has_64_bits[sizeof(double) * CHAR_BIT == AXIS_Y_IPC_REAL_BITS ? 1 : -1];
+typedef char axis_y_ipc_real_has_64_bits[sizeof(double) == sizeof(uint64_t) ? 1 : -1];
 #endif
 
 /* values of the input mode */

@@ -6,13 +6,12 @@
  * cycle time  1000000 ns
  * parameters  48991aa1392c7cbd1bb2828eed3dad8f
  * structure   762bc1e0471c5b6570cf552c9442b1c4
- * checksum    8d62bd6b54a36d8589054b586e4e67a2
+ * checksum    7518a923ecec1485f3cd7457b9f9c5df
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_P_AXIS_H
 #define AXIS_P_AXIS_H
 
-#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -43,11 +42,11 @@ extern "C" {
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
-static_assert(sizeof(double) * CHAR_BIT == AXIS_P_AXIS_REAL_BITS, "double must have 64 bits");
+static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
-_Static_assert(sizeof(double) * CHAR_BIT == AXIS_P_AXIS_REAL_BITS, "double must have 64 bits");
+_Static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #else
-typedef char axis_p_axis_real_has_64_bits[sizeof(double) * CHAR_BIT == AXIS_P_AXIS_REAL_BITS ? 1 : -1];
+typedef char axis_p_axis_real_has_64_bits[sizeof(double) == sizeof(uint64_t) ? 1 : -1];
 #endif
 
 /* values of the output error_id */

@@ -6,13 +6,12 @@
  * cycle time  1000000 ns
  * parameters  33197045208879001bf76bb1abde08b1
  * structure   a0d53b5ddc492527b88914ab446b8dcf
- * checksum    97a2c50beb25285e6759029872b1ad18
+ * checksum    7a5b5e825c5891dde40e813c1950a1a4
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_AXIS_H
 #define AXIS_X_AXIS_H
 
-#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -45,11 +44,11 @@ extern "C" {
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
-static_assert(sizeof(double) * CHAR_BIT == AXIS_X_AXIS_REAL_BITS, "double must have 64 bits");
+static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
-_Static_assert(sizeof(double) * CHAR_BIT == AXIS_X_AXIS_REAL_BITS, "double must have 64 bits");
+_Static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #else
-typedef char axis_x_axis_real_has_64_bits[sizeof(double) * CHAR_BIT == AXIS_X_AXIS_REAL_BITS ? 1 : -1];
+typedef char axis_x_axis_real_has_64_bits[sizeof(double) == sizeof(uint64_t) ? 1 : -1];
 #endif
 
 /* values of the input mode */

@@ -6,13 +6,12 @@
  * cycle time  2000000 ns
  * parameters  331750b6d795f3b5a79fe386ab25fbb1
  * structure   c145e300b741a29c38045b0ca4d36bfa
- * checksum    f0ad265ca8c427de9ddf501be3630cf1
+ * checksum    c6e9c56ff151cb5ce973b08254d9cee2
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_F_AXIS_H
 #define AXIS_F_AXIS_H
 
-#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -45,11 +44,11 @@ extern "C" {
 /* With another number of bits in float the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
-static_assert(sizeof(float) * CHAR_BIT == AXIS_F_AXIS_REAL_BITS, "float must have 32 bits");
+static_assert(sizeof(float) == sizeof(uint32_t), "float must have 32 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
-_Static_assert(sizeof(float) * CHAR_BIT == AXIS_F_AXIS_REAL_BITS, "float must have 32 bits");
+_Static_assert(sizeof(float) == sizeof(uint32_t), "float must have 32 bits");
 #else
-typedef char axis_f_axis_real_has_32_bits[sizeof(float) * CHAR_BIT == AXIS_F_AXIS_REAL_BITS ? 1 : -1];
+typedef char axis_f_axis_real_has_32_bits[sizeof(float) == sizeof(uint32_t) ? 1 : -1];
 #endif
 
 /* values of the input mode */

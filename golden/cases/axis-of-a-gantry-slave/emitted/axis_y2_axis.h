@@ -6,13 +6,12 @@
  * cycle time  1000000 ns
  * parameters  4b94686ea9cabab185eae78f0d31c8d1
  * structure   2e0ea928bcd84c3efccfb0fea0fc2ef1
- * checksum    689d14b60b76273b1940325562bcc113
+ * checksum    2fcb341d264825014127c8757bb273df
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_Y2_AXIS_H
 #define AXIS_Y2_AXIS_H
 
-#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -45,11 +44,11 @@ extern "C" {
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
-static_assert(sizeof(double) * CHAR_BIT == AXIS_Y2_AXIS_REAL_BITS, "double must have 64 bits");
+static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
-_Static_assert(sizeof(double) * CHAR_BIT == AXIS_Y2_AXIS_REAL_BITS, "double must have 64 bits");
+_Static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #else
-typedef char axis_y2_axis_real_has_64_bits[sizeof(double) * CHAR_BIT == AXIS_Y2_AXIS_REAL_BITS ? 1 : -1];
+typedef char axis_y2_axis_real_has_64_bits[sizeof(double) == sizeof(uint64_t) ? 1 : -1];
 #endif
 
 /* values of the output error_id */

@@ -6,13 +6,12 @@
  * cycle time  1000000 ns
  * parameters  58ca3210500c306c675abded373c86b9
  * structure   09161885d728512a3314394e4ad248eb
- * checksum    e128b64b470aa266974f996ea4ab32b7
+ * checksum    f7a6f1c3744891a28af0b5c74b05159b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
 #define AXIS_X_IPC_H
 
-#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -57,11 +56,11 @@ extern "C" {
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
-static_assert(sizeof(double) * CHAR_BIT == AXIS_X_IPC_REAL_BITS, "double must have 64 bits");
+static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
-_Static_assert(sizeof(double) * CHAR_BIT == AXIS_X_IPC_REAL_BITS, "double must have 64 bits");
+_Static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #else
-typedef char axis_x_ipc_real_has_64_bits[sizeof(double) * CHAR_BIT == AXIS_X_IPC_REAL_BITS ? 1 : -1];
+typedef char axis_x_ipc_real_has_64_bits[sizeof(double) == sizeof(uint64_t) ? 1 : -1];
 #endif
 
 /* values of the input mode */

@@ -6,13 +6,12 @@
  * cycle time  1000000 ns
  * parameters  e6c01a5b3ef569d72ebaa9f39de14a3f
  * structure   9617f4a8296e9b08ac356b6ef08d06b4
- * checksum    40dd6797f9e89a27caf89da2e0bb15ec
+ * checksum    d18b8692fc2ac870b81e883e3c133178
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_T_FEEDFORWARD_H
 #define AXIS_T_FEEDFORWARD_H
 
-#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -43,11 +42,11 @@ extern "C" {
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
-static_assert(sizeof(double) * CHAR_BIT == AXIS_T_FEEDFORWARD_REAL_BITS, "double must have 64 bits");
+static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
-_Static_assert(sizeof(double) * CHAR_BIT == AXIS_T_FEEDFORWARD_REAL_BITS, "double must have 64 bits");
+_Static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #else
-typedef char axis_t_feedforward_real_has_64_bits[sizeof(double) * CHAR_BIT == AXIS_T_FEEDFORWARD_REAL_BITS ? 1 : -1];
+typedef char axis_t_feedforward_real_has_64_bits[sizeof(double) == sizeof(uint64_t) ? 1 : -1];
 #endif
 
 /* values of the output error_id */

@@ -6,13 +6,12 @@
  * cycle time  1000000 ns
  * parameters  9a5bb4a83307cb65482e42039b26788c
  * structure   f48e88ec1cc75ebd97f8714571ff5292
- * checksum    822086656c1d954d7455f61418930935
+ * checksum    3ebed6533a4f1539cc053a7003d2aa2b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_V_FEEDFORWARD_H
 #define AXIS_V_FEEDFORWARD_H
 
-#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -43,11 +42,11 @@ extern "C" {
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
-static_assert(sizeof(double) * CHAR_BIT == AXIS_V_FEEDFORWARD_REAL_BITS, "double must have 64 bits");
+static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
-_Static_assert(sizeof(double) * CHAR_BIT == AXIS_V_FEEDFORWARD_REAL_BITS, "double must have 64 bits");
+_Static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #else
-typedef char axis_v_feedforward_real_has_64_bits[sizeof(double) * CHAR_BIT == AXIS_V_FEEDFORWARD_REAL_BITS ? 1 : -1];
+typedef char axis_v_feedforward_real_has_64_bits[sizeof(double) == sizeof(uint64_t) ? 1 : -1];
 #endif
 
 /* values of the output error_id */

@@ -6,13 +6,12 @@
  * cycle time  1000000 ns
  * parameters  5081215969251b07d12905c1b2a3f3db
  * structure   7de2212c90ae1e6a1b2926f90da39e62
- * checksum    a1ef314c55b0bb90a63caa153521e5d9
+ * checksum    d94289fc5bc98d072bf78dc9aae0acf4
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_FEEDFORWARD_H
 #define AXIS_X_FEEDFORWARD_H
 
-#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -43,11 +42,11 @@ extern "C" {
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
-static_assert(sizeof(double) * CHAR_BIT == AXIS_X_FEEDFORWARD_REAL_BITS, "double must have 64 bits");
+static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
-_Static_assert(sizeof(double) * CHAR_BIT == AXIS_X_FEEDFORWARD_REAL_BITS, "double must have 64 bits");
+_Static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #else
-typedef char axis_x_feedforward_real_has_64_bits[sizeof(double) * CHAR_BIT == AXIS_X_FEEDFORWARD_REAL_BITS ? 1 : -1];
+typedef char axis_x_feedforward_real_has_64_bits[sizeof(double) == sizeof(uint64_t) ? 1 : -1];
 #endif
 
 /* values of the output error_id */

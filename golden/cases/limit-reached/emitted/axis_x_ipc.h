@@ -6,13 +6,12 @@
  * cycle time  1000000 ns
  * parameters  da7dcfbf6324441eefd915842e724825
  * structure   5140ae4180e1dff3ee53d8708c0a973b
- * checksum    7fa9a9f2880b10cbe5dd3ce76e53bb3b
+ * checksum    e4935171ae049f3e3c6920da938ebd2c
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
 #define AXIS_X_IPC_H
 
-#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -53,11 +52,11 @@ extern "C" {
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
-static_assert(sizeof(double) * CHAR_BIT == AXIS_X_IPC_REAL_BITS, "double must have 64 bits");
+static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
-_Static_assert(sizeof(double) * CHAR_BIT == AXIS_X_IPC_REAL_BITS, "double must have 64 bits");
+_Static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #else
-typedef char axis_x_ipc_real_has_64_bits[sizeof(double) * CHAR_BIT == AXIS_X_IPC_REAL_BITS ? 1 : -1];
+typedef char axis_x_ipc_real_has_64_bits[sizeof(double) == sizeof(uint64_t) ? 1 : -1];
 #endif
 
 /* values of the input mode */

@@ -6,13 +6,12 @@
  * cycle time  62500 ns
  * parameters  aed75293e65072928fb2cea84b48115c
  * structure   54a821ec3f8dad0303e125591db31152
- * checksum    b32d604e9f31378a4c8a4df33ef18306
+ * checksum    bdf077e8fab4f89cf7ad3a62f033d99a
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
 #define AXIS_X_IPC_H
 
-#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -57,11 +56,11 @@ extern "C" {
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
-static_assert(sizeof(double) * CHAR_BIT == AXIS_X_IPC_REAL_BITS, "double must have 64 bits");
+static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
-_Static_assert(sizeof(double) * CHAR_BIT == AXIS_X_IPC_REAL_BITS, "double must have 64 bits");
+_Static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #else
-typedef char axis_x_ipc_real_has_64_bits[sizeof(double) * CHAR_BIT == AXIS_X_IPC_REAL_BITS ? 1 : -1];
+typedef char axis_x_ipc_real_has_64_bits[sizeof(double) == sizeof(uint64_t) ? 1 : -1];
 #endif
 
 /* values of the input mode */

@@ -6,13 +6,12 @@
  * cycle time  1000000 ns
  * parameters  d49faab86653543787f7164e53d30e5b
  * structure   b87bac56e3e328ea923b69f28f164f32
- * checksum    d3100287da76fd8f97f13657ce6f9ca1
+ * checksum    9024131d82be1bc2be0a8d147ee50d66
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
 #define AXIS_X_IPC_H
 
-#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -56,11 +55,11 @@ extern "C" {
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
-static_assert(sizeof(double) * CHAR_BIT == AXIS_X_IPC_REAL_BITS, "double must have 64 bits");
+static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
-_Static_assert(sizeof(double) * CHAR_BIT == AXIS_X_IPC_REAL_BITS, "double must have 64 bits");
+_Static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #else
-typedef char axis_x_ipc_real_has_64_bits[sizeof(double) * CHAR_BIT == AXIS_X_IPC_REAL_BITS ? 1 : -1];
+typedef char axis_x_ipc_real_has_64_bits[sizeof(double) == sizeof(uint64_t) ? 1 : -1];
 #endif
 
 /* values of the input mode */

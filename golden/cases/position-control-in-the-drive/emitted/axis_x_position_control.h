@@ -6,13 +6,12 @@
  * cycle time  1000000 ns
  * parameters  e6579a5fd4ee7e91a79841af8c74adc1
  * structure   5816a31608215d4a95e9ea6920b11ba0
- * checksum    f478c37191fba57fb903795239c000b5
+ * checksum    e2547396072a73f5119618b0da915a78
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_POSITION_CONTROL_H
 #define AXIS_X_POSITION_CONTROL_H
 
-#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -43,11 +42,11 @@ extern "C" {
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
-static_assert(sizeof(double) * CHAR_BIT == AXIS_X_POSITION_CONTROL_REAL_BITS, "double must have 64 bits");
+static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
-_Static_assert(sizeof(double) * CHAR_BIT == AXIS_X_POSITION_CONTROL_REAL_BITS, "double must have 64 bits");
+_Static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #else
-typedef char axis_x_position_control_real_has_64_bits[sizeof(double) * CHAR_BIT == AXIS_X_POSITION_CONTROL_REAL_BITS ? 1 : -1];
+typedef char axis_x_position_control_real_has_64_bits[sizeof(double) == sizeof(uint64_t) ? 1 : -1];
 #endif
 
 /* values of the output error_id */

@@ -6,13 +6,12 @@
  * cycle time  1000000 ns
  * parameters  22b9e1505dac5c1196b3902ac4dfba8e
  * structure   bcff547ef2f4124bb4e6d6abb03ce825
- * checksum    6e02f8b2c34cefc9d9ea86dc3cc8438b
+ * checksum    b64123990f214456b80bffaf4607809a
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_RACK_AND_PINION_IPC_H
 #define AXIS_RACK_AND_PINION_IPC_H
 
-#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -56,11 +55,11 @@ extern "C" {
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
-static_assert(sizeof(double) * CHAR_BIT == AXIS_RACK_AND_PINION_IPC_REAL_BITS, "double must have 64 bits");
+static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
-_Static_assert(sizeof(double) * CHAR_BIT == AXIS_RACK_AND_PINION_IPC_REAL_BITS, "double must have 64 bits");
+_Static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #else
-typedef char axis_rack_and_pinion_ipc_real_has_64_bits[sizeof(double) * CHAR_BIT == AXIS_RACK_AND_PINION_IPC_REAL_BITS ? 1 : -1];
+typedef char axis_rack_and_pinion_ipc_real_has_64_bits[sizeof(double) == sizeof(uint64_t) ? 1 : -1];
 #endif
 
 /* values of the input mode */

@@ -6,13 +6,12 @@
  * cycle time  125000 ns
  * parameters  64e9b6f3b4d48f8dec59ab3b1b6ec4e4
  * structure   1a5a56ee715abf2ba8549f97fe9bd65e
- * checksum    c369db12e18e6f0a577b4902866d4577
+ * checksum    fe3ad8f282c3a279b238f965859721d6
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_IPC_H
 #define AXIS_S_IPC_H
 
-#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -53,11 +52,11 @@ extern "C" {
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
-static_assert(sizeof(double) * CHAR_BIT == AXIS_S_IPC_REAL_BITS, "double must have 64 bits");
+static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
-_Static_assert(sizeof(double) * CHAR_BIT == AXIS_S_IPC_REAL_BITS, "double must have 64 bits");
+_Static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #else
-typedef char axis_s_ipc_real_has_64_bits[sizeof(double) * CHAR_BIT == AXIS_S_IPC_REAL_BITS ? 1 : -1];
+typedef char axis_s_ipc_real_has_64_bits[sizeof(double) == sizeof(uint64_t) ? 1 : -1];
 #endif
 
 /* values of the input mode */

@@ -6,13 +6,12 @@
  * cycle time  2000000 ns
  * parameters  91c6f1b05179a6542c9db8978950cedf
  * structure   24817f06e7f2c05d27d8adc54efe201d
- * checksum    8044d799a06fe26e66b4c7e54e7cf93b
+ * checksum    e766d7f68bfadbe5951baf0927eadb38
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_F_POSITION_CONTROL_H
 #define AXIS_F_POSITION_CONTROL_H
 
-#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -43,11 +42,11 @@ extern "C" {
 /* With another number of bits in float the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
-static_assert(sizeof(float) * CHAR_BIT == AXIS_F_POSITION_CONTROL_REAL_BITS, "float must have 32 bits");
+static_assert(sizeof(float) == sizeof(uint32_t), "float must have 32 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
-_Static_assert(sizeof(float) * CHAR_BIT == AXIS_F_POSITION_CONTROL_REAL_BITS, "float must have 32 bits");
+_Static_assert(sizeof(float) == sizeof(uint32_t), "float must have 32 bits");
 #else
-typedef char axis_f_position_control_real_has_32_bits[sizeof(float) * CHAR_BIT == AXIS_F_POSITION_CONTROL_REAL_BITS ? 1 : -1];
+typedef char axis_f_position_control_real_has_32_bits[sizeof(float) == sizeof(uint32_t) ? 1 : -1];
 #endif
 
 /* values of the output error_id */

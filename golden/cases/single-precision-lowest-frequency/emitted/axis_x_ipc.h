@@ -6,13 +6,12 @@
  * cycle time  62500 ns
  * parameters  20e027df3704d73c1a87b018e7aae45e
  * structure   56064b1d1e238c3f7b9c226fbeeabae9
- * checksum    3cbe62f0cad65a7ec52d9c83525e3a13
+ * checksum    5768bb49f6aaf65cfc30b076bc561e80
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
 #define AXIS_X_IPC_H
 
-#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -56,11 +55,11 @@ extern "C" {
 /* With another number of bits in float the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
-static_assert(sizeof(float) * CHAR_BIT == AXIS_X_IPC_REAL_BITS, "float must have 32 bits");
+static_assert(sizeof(float) == sizeof(uint32_t), "float must have 32 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
-_Static_assert(sizeof(float) * CHAR_BIT == AXIS_X_IPC_REAL_BITS, "float must have 32 bits");
+_Static_assert(sizeof(float) == sizeof(uint32_t), "float must have 32 bits");
 #else
-typedef char axis_x_ipc_real_has_32_bits[sizeof(float) * CHAR_BIT == AXIS_X_IPC_REAL_BITS ? 1 : -1];
+typedef char axis_x_ipc_real_has_32_bits[sizeof(float) == sizeof(uint32_t) ? 1 : -1];
 #endif
 
 /* values of the input mode */

@@ -6,13 +6,12 @@
  * cycle time  1000000 ns
  * parameters  ae2712c64f1c384ef24212d510257896
  * structure   90b53bdca6af7d51339a6d64d45a92e0
- * checksum    ba12af9a1b4a78b9c20bce49bc726672
+ * checksum    ab71335b5431406cc196dc00796c0a65
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_C_IPC_H
 #define AXIS_C_IPC_H
 
-#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -62,11 +61,11 @@ extern "C" {
 /* With another number of bits in float the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
-static_assert(sizeof(float) * CHAR_BIT == AXIS_C_IPC_REAL_BITS, "float must have 32 bits");
+static_assert(sizeof(float) == sizeof(uint32_t), "float must have 32 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
-_Static_assert(sizeof(float) * CHAR_BIT == AXIS_C_IPC_REAL_BITS, "float must have 32 bits");
+_Static_assert(sizeof(float) == sizeof(uint32_t), "float must have 32 bits");
 #else
-typedef char axis_c_ipc_real_has_32_bits[sizeof(float) * CHAR_BIT == AXIS_C_IPC_REAL_BITS ? 1 : -1];
+typedef char axis_c_ipc_real_has_32_bits[sizeof(float) == sizeof(uint32_t) ? 1 : -1];
 #endif
 
 /* values of the input mode */

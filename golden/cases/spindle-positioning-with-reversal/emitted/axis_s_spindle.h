@@ -6,13 +6,12 @@
  * cycle time  2000000 ns
  * parameters  b92e28125bf8b73ebb5b80376f6f2970
  * structure   d8e1a53f37cece291154447b66106781
- * checksum    d50b1c8eb92bae80ec0c5a7be13ad912
+ * checksum    6484c513577554152f5d91d7cdb03efd
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_H
 #define AXIS_S_SPINDLE_H
 
-#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -43,11 +42,11 @@ extern "C" {
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
-static_assert(sizeof(double) * CHAR_BIT == AXIS_S_SPINDLE_REAL_BITS, "double must have 64 bits");
+static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
-_Static_assert(sizeof(double) * CHAR_BIT == AXIS_S_SPINDLE_REAL_BITS, "double must have 64 bits");
+_Static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #else
-typedef char axis_s_spindle_real_has_64_bits[sizeof(double) * CHAR_BIT == AXIS_S_SPINDLE_REAL_BITS ? 1 : -1];
+typedef char axis_s_spindle_real_has_64_bits[sizeof(double) == sizeof(uint64_t) ? 1 : -1];
 #endif
 
 /* values of the input operation_mode_display and of the output operation_mode */

@@ -6,13 +6,12 @@
  * cycle time  125000 ns
  * parameters  0b9067d1a5292e8925a6acec6c698ad7
  * structure   ecb775cf31eb465edb46a4c5671feb48
- * checksum    a08fba86efcdf3d4f770c8f776a470ae
+ * checksum    b32fabf01733cdbe27324876b0abe762
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_Z_IPC_H
 #define AXIS_Z_IPC_H
 
-#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -63,11 +62,11 @@ extern "C" {
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
-static_assert(sizeof(double) * CHAR_BIT == AXIS_Z_IPC_REAL_BITS, "double must have 64 bits");
+static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
-_Static_assert(sizeof(double) * CHAR_BIT == AXIS_Z_IPC_REAL_BITS, "double must have 64 bits");
+_Static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #else
-typedef char axis_z_ipc_real_has_64_bits[sizeof(double) * CHAR_BIT == AXIS_Z_IPC_REAL_BITS ? 1 : -1];
+typedef char axis_z_ipc_real_has_64_bits[sizeof(double) == sizeof(uint64_t) ? 1 : -1];
 #endif
 
 /* values of the input mode */

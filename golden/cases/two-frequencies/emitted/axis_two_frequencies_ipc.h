@@ -6,13 +6,12 @@
  * cycle time  1000000 ns
  * parameters  cc60750febfefdc7fb02c8bd3f4469b3
  * structure   6e662dafac3d27e10b14ab4f96191398
- * checksum    58ae4c4d70aa58a45693620a07b00918
+ * checksum    82d1c0cde43a40f54c8d86daa5b92584
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_TWO_FREQUENCIES_IPC_H
 #define AXIS_TWO_FREQUENCIES_IPC_H
 
-#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -57,11 +56,11 @@ extern "C" {
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
-static_assert(sizeof(double) * CHAR_BIT == AXIS_TWO_FREQUENCIES_IPC_REAL_BITS, "double must have 64 bits");
+static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
-_Static_assert(sizeof(double) * CHAR_BIT == AXIS_TWO_FREQUENCIES_IPC_REAL_BITS, "double must have 64 bits");
+_Static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #else
-typedef char axis_two_frequencies_ipc_real_has_64_bits[sizeof(double) * CHAR_BIT == AXIS_TWO_FREQUENCIES_IPC_REAL_BITS ? 1 : -1];
+typedef char axis_two_frequencies_ipc_real_has_64_bits[sizeof(double) == sizeof(uint64_t) ? 1 : -1];
 #endif
 
 /* values of the input mode */
