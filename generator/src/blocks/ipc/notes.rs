@@ -25,10 +25,10 @@ pub(crate) fn notes(designed: &Designed) -> Vec<(String, String)> {
     let rest = rest_exponent(axis.real);
     notes.push(note("rest", format!("P-AXIS-00212 * 2^{rest}: a sum below it is exactly 0")));
     notes.push(note("fade_cycles", of_fade(axis)));
-    notes.push(note(
-        "ride_through",
-        "key ride_through: each of so many bad samples in a row is the last good one".to_owned(),
-    ));
+    if axis.ipc.ride_through > 0 {
+        let of_ride = "key ride_through: each of so many bad samples in a row is the last good one";
+        notes.push(note("ride_through", of_ride.to_owned()));
+    }
     notes
 }
 

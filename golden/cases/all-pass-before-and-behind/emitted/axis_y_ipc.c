@@ -6,7 +6,7 @@
  * cycle time  2000000 ns
  * parameters  45b6c3851830d39515fa6c4907b5f551
  * structure   c6a9e314e286863e972288e770153b71
- * checksum    bb05cfab0cf63ddb805a8aa39f628cde
+ * checksum    d89a6fd624ee6c6b0c061554dfcc1bfd
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_y_ipc.h"
@@ -43,6 +43,9 @@ void axis_y_ipc_init(axis_y_ipc_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_y_ipc_state *const state = fresh;
+    state->preset = false;
+    state->fade = 0u;
+    state->disturbed = false;
     state->stage0_filter0_section0_s1 = 0.0;
     state->stage0_filter0_section0_s2 = 0.0;
     state->stage0_filter0_section1_s1 = 0.0;
@@ -57,10 +60,6 @@ void axis_y_ipc_init(axis_y_ipc_state *fresh)
     state->stage1_filter1_section0_s2 = 0.0;
     state->stage1_filter1_section1_s1 = 0.0;
     state->stage1_filter1_section1_s2 = 0.0;
-    state->disturbed = false;
-    /* key ride_through: each of so many bad samples in a row is the last good one */
-    state->preset = false;
-    state->fade = 0u;
 }
 
 void axis_y_ipc_inputs_init(axis_y_ipc_inputs *inputs)

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  48991aa1392c7cbd1bb2828eed3dad8f
  * structure   762bc1e0471c5b6570cf552c9442b1c4
- * checksum    2812c7f11060347e7fa539ff722ae202
+ * checksum    9647eace74840dd146a16c1efc77c38f
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_p_axis.h"
@@ -54,11 +54,10 @@ void axis_p_axis_init(axis_p_axis_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_p_axis_state *const state = fresh;
+    state->position_control_preset = false;
     state->position_control_shift_x0 = 0.0;
     state->position_control_shift_x1 = 0.0;
     state->position_control_shift_x2 = 0.0;
-    /* key ride_through: each of so many bad samples in a row is the last good one */
-    state->position_control_preset = false;
     state->position_control_x_held = 0.0;
 }
 

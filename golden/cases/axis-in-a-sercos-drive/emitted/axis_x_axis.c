@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  33197045208879001bf76bb1abde08b1
  * structure   a0d53b5ddc492527b88914ab446b8dcf
- * checksum    c2c7bd98e63e873e0e7f8851baf4c550
+ * checksum    0b6bbd20aaabb313ec3ecb941d7471f9
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"
@@ -54,6 +54,7 @@ void axis_x_axis_init(axis_x_axis_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_x_axis_state *const state = fresh;
+    state->feedforward_preset = false;
     state->feedforward_velocity_delay_x0 = 0.0;
     state->feedforward_acceleration_delay_x0 = 0.0;
     state->feedforward_acceleration_delay_x1 = 0.0;
@@ -61,15 +62,13 @@ void axis_x_axis_init(axis_x_axis_state *fresh)
     state->feedforward_acceleration_delay_x3 = 0.0;
     state->feedforward_acceleration_delay_x4 = 0.0;
     state->feedforward_acceleration_delay_x5 = 0.0;
+    state->ipc_preset = false;
+    state->ipc_fade = 0u;
+    state->ipc_disturbed = false;
     state->ipc_stage0_oscillation_s1 = 0.0;
     state->ipc_stage0_oscillation_s2 = 0.0;
     state->ipc_stage0_filter0_section0_s1 = 0.0;
     state->ipc_stage0_filter0_section0_s2 = 0.0;
-    state->feedforward_preset = false;
-    state->ipc_disturbed = false;
-    /* key ride_through: each of so many bad samples in a row is the last good one */
-    state->ipc_preset = false;
-    state->ipc_fade = 0u;
     state->position_control_x_held = 0.0;
 }
 

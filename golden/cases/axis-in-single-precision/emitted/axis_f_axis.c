@@ -6,7 +6,7 @@
  * cycle time  2000000 ns
  * parameters  331750b6d795f3b5a79fe386ab25fbb1
  * structure   c145e300b741a29c38045b0ca4d36bfa
- * checksum    32308cf1968de1bef5f4de20568c3e8e
+ * checksum    7a34d8f6a9104311f3ae92ff243ef70a
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_f_axis.h"
@@ -54,13 +54,12 @@ void axis_f_axis_init(axis_f_axis_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_f_axis_state *const state = fresh;
+    state->ipc_preset = false;
+    state->ipc_fade = 0u;
+    state->ipc_disturbed = false;
     state->ipc_source_v_motor_before = 0.0f;
     state->ipc_stage0_filter0_section0_s1 = 0.0f;
     state->ipc_stage0_filter0_section0_p = 0.0f;
-    state->ipc_disturbed = false;
-    /* key ride_through: each of so many bad samples in a row is the last good one */
-    state->ipc_preset = false;
-    state->ipc_fade = 0u;
 }
 
 void axis_f_axis_inputs_init(axis_f_axis_inputs *inputs)

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  f88928a4b0cb8925346337cc6f417916
  * structure   7c666366b19ebd6ea394971e3ca2617c
- * checksum    7cd71032fbf4fef92523dee44a84063d
+ * checksum    c8514336c907a2db2c50c32f747d30e2
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"
@@ -54,16 +54,15 @@ void axis_x_axis_init(axis_x_axis_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_x_axis_state *const state = fresh;
+    state->ipc_preset = false;
+    state->ipc_fade = 0u;
+    state->ipc_disturbed = false;
     state->ipc_stage0_filter0_section0_s1 = 0.0;
     state->ipc_stage0_filter0_section0_s2 = 0.0;
     state->ipc_stage1_oscillation_s1 = 0.0;
     state->ipc_stage1_oscillation_s2 = 0.0;
     state->ipc_stage1_filter0_section0_s1 = 0.0;
     state->ipc_stage1_filter0_section0_s2 = 0.0;
-    state->ipc_disturbed = false;
-    /* key ride_through: each of so many bad samples in a row is the last good one */
-    state->ipc_preset = false;
-    state->ipc_fade = 0u;
 }
 
 void axis_x_axis_inputs_init(axis_x_axis_inputs *inputs)

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  4b94686ea9cabab185eae78f0d31c8d1
  * structure   2e0ea928bcd84c3efccfb0fea0fc2ef1
- * checksum    11bbb6f69fb23f25ced92459bad13822
+ * checksum    e70b43a802cc481c08c42bdf238508c9
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_y2_axis.h"
@@ -55,7 +55,6 @@ void axis_y2_axis_init(axis_y2_axis_state *fresh)
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_y2_axis_state *const state = fresh;
     state->unused = false;
-    /* key ride_through: each of so many bad samples in a row is the last good one */
 }
 
 void axis_y2_axis_inputs_init(axis_y2_axis_inputs *inputs)

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  58ca3210500c306c675abded373c86b9
  * structure   09161885d728512a3314394e4ad248eb
- * checksum    8c29330a918d2c5d57cfd8cc9a7ccf96
+ * checksum    5837072994b538eee09403e3d5b5ebef
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -43,6 +43,9 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_x_ipc_state *const state = fresh;
+    state->preset = false;
+    state->fade = 0u;
+    state->disturbed = false;
     state->stage0_filter0_section0_s1 = 0.0;
     state->stage0_filter0_section0_s2 = 0.0;
     state->stage0_filter0_section1_s1 = 0.0;
@@ -53,10 +56,6 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     state->stage1_oscillation_s2 = 0.0;
     state->stage1_filter0_section0_s1 = 0.0;
     state->stage1_filter0_section0_s2 = 0.0;
-    state->disturbed = false;
-    /* key ride_through: each of so many bad samples in a row is the last good one */
-    state->preset = false;
-    state->fade = 0u;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)

@@ -6,7 +6,7 @@
  * cycle time  4000000 ns
  * parameters  7f175884d5684974c7516a9772c9101f
  * structure   e72cb757496fcb896e2c8abf94fc029c
- * checksum    ba04566aee4069a581e330adb1d048f6
+ * checksum    edf66627b218dfdc5ed002578e45dc2f
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -43,6 +43,9 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_x_ipc_state *const state = fresh;
+    state->preset = false;
+    state->fade = 0u;
+    state->disturbed = false;
     state->stage0_oscillation_s1 = 0.0;
     state->stage0_oscillation_s2 = 0.0;
     state->stage0_filter0_section0_s1 = 0.0;
@@ -51,10 +54,6 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     state->stage0_filter0_section1_s2 = 0.0;
     state->stage0_filter0_section2_s1 = 0.0;
     state->stage0_filter0_section2_s2 = 0.0;
-    state->disturbed = false;
-    /* key ride_through: each of so many bad samples in a row is the last good one */
-    state->preset = false;
-    state->fade = 0u;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)

@@ -6,7 +6,7 @@
  * cycle time  4000000 ns
  * parameters  e2218d0b5939168de99b641de0954145
  * structure   921979c54bcfa22475680131ccb0abfb
- * checksum    c2afd70f1b4a0101876fd157c74b6caa
+ * checksum    1b471841233498f6227f06a0a302faba
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -43,6 +43,9 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_x_ipc_state *const state = fresh;
+    state->preset = false;
+    state->fade = 0u;
+    state->disturbed = false;
     state->stage0_filter0_section0_s1 = 0.0;
     state->stage0_filter0_section0_s2 = 0.0;
     state->stage0_filter0_section1_s1 = 0.0;
@@ -59,10 +62,6 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     state->stage1_filter0_section1_s2 = 0.0;
     state->stage1_filter0_section2_s1 = 0.0;
     state->stage1_filter0_section2_s2 = 0.0;
-    state->disturbed = false;
-    /* key ride_through: each of so many bad samples in a row is the last good one */
-    state->preset = false;
-    state->fade = 0u;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  da7dcfbf6324441eefd915842e724825
  * structure   5140ae4180e1dff3ee53d8708c0a973b
- * checksum    70e9a2846075b63f9877866edd892528
+ * checksum    ff3acc2d8ed4afb50a8c46b903306281
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -43,14 +43,13 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_x_ipc_state *const state = fresh;
+    state->preset = false;
+    state->fade = 0u;
+    state->disturbed = false;
     state->stage0_filter0_section0_s1 = 0.0;
     state->stage0_filter0_section0_s2 = 0.0;
     state->stage0_filter0_section1_s1 = 0.0;
     state->stage0_filter0_section1_s2 = 0.0;
-    state->disturbed = false;
-    /* key ride_through: each of so many bad samples in a row is the last good one */
-    state->preset = false;
-    state->fade = 0u;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)

@@ -6,7 +6,7 @@
  * cycle time  2000000 ns
  * parameters  d14d3a7918d92673b139bab56474c78a
  * structure   a11f46f2ba6cb19711de10f1f804effd
- * checksum    0d9f68e3dd939432b395d57bec725988
+ * checksum    14f6d4fc366bbc701341abb1d8aa7783
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -43,14 +43,13 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_x_ipc_state *const state = fresh;
+    state->preset = false;
+    state->fade = 0u;
+    state->disturbed = false;
     state->stage0_filter0_section0_s1 = 0.0;
     state->stage0_filter0_section0_s2 = 0.0;
     state->stage0_filter0_section1_s1 = 0.0;
     state->stage0_filter0_section1_s2 = 0.0;
-    state->disturbed = false;
-    /* key ride_through: each of so many bad samples in a row is the last good one */
-    state->preset = false;
-    state->fade = 0u;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)

@@ -6,7 +6,7 @@
  * cycle time  62500 ns
  * parameters  aed75293e65072928fb2cea84b48115c
  * structure   54a821ec3f8dad0303e125591db31152
- * checksum    f188735c0c902885a8c0a5c276f6fd18
+ * checksum    8e6aba66bf917c195203fcdfaa96c0ca
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -43,6 +43,9 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_x_ipc_state *const state = fresh;
+    state->preset = false;
+    state->fade = 0u;
+    state->disturbed = false;
     state->stage0_filter0_section0_s1 = 0.0;
     state->stage0_filter0_section0_s2 = 0.0;
     state->stage1_oscillation_s1 = 0.0;
@@ -51,10 +54,6 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     state->stage1_filter0_section0_s2 = 0.0;
     state->stage1_filter0_section1_s1 = 0.0;
     state->stage1_filter0_section1_s2 = 0.0;
-    state->disturbed = false;
-    /* key ride_through: each of so many bad samples in a row is the last good one */
-    state->preset = false;
-    state->fade = 0u;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)

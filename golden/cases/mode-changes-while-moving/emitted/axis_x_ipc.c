@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  d49faab86653543787f7164e53d30e5b
  * structure   b87bac56e3e328ea923b69f28f164f32
- * checksum    a09972ec052a648997bb9472b72d6f26
+ * checksum    ae372abc5c0f432ce871803af62a7ae9
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -43,6 +43,9 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_x_ipc_state *const state = fresh;
+    state->preset = false;
+    state->fade = 0u;
+    state->disturbed = false;
     state->stage0_filter0_section0_s1 = 0.0;
     state->stage0_filter0_section0_s2 = 0.0;
     state->stage1_oscillation_s1 = 0.0;
@@ -53,10 +56,6 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     state->stage1_filter0_section1_s2 = 0.0;
     state->stage1_filter0_section2_s1 = 0.0;
     state->stage1_filter0_section2_s2 = 0.0;
-    state->disturbed = false;
-    /* key ride_through: each of so many bad samples in a row is the last good one */
-    state->preset = false;
-    state->fade = 0u;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)

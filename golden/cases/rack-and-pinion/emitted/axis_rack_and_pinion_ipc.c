@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  22b9e1505dac5c1196b3902ac4dfba8e
  * structure   bcff547ef2f4124bb4e6d6abb03ce825
- * checksum    d89d37d5d0d9c526039dc131482eaa53
+ * checksum    03bd4bdfd0cac4b9266bc6fd64323447
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_rack_and_pinion_ipc.h"
@@ -43,16 +43,15 @@ void axis_rack_and_pinion_ipc_init(axis_rack_and_pinion_ipc_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_rack_and_pinion_ipc_state *const state = fresh;
+    state->preset = false;
+    state->fade = 0u;
+    state->disturbed = false;
     state->stage0_filter0_section0_s1 = 0.0;
     state->stage0_filter0_section0_s2 = 0.0;
     state->stage1_oscillation_s1 = 0.0;
     state->stage1_oscillation_s2 = 0.0;
     state->stage1_filter0_section0_s1 = 0.0;
     state->stage1_filter0_section0_s2 = 0.0;
-    state->disturbed = false;
-    /* key ride_through: each of so many bad samples in a row is the last good one */
-    state->preset = false;
-    state->fade = 0u;
 }
 
 void axis_rack_and_pinion_ipc_inputs_init(axis_rack_and_pinion_ipc_inputs *inputs)

@@ -6,7 +6,7 @@
  * cycle time  125000 ns
  * parameters  64e9b6f3b4d48f8dec59ab3b1b6ec4e4
  * structure   1a5a56ee715abf2ba8549f97fe9bd65e
- * checksum    b3bbc3bc593559a448599fc4517946f4
+ * checksum    77a8c244cf1cc4fc9de44d4912e648ae
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_ipc.h"
@@ -43,14 +43,13 @@ void axis_s_ipc_init(axis_s_ipc_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_s_ipc_state *const state = fresh;
+    state->preset = false;
+    state->fade = 0u;
+    state->disturbed = false;
     state->stage0_filter0_section0_s1 = 0.0;
     state->stage0_filter0_section0_s2 = 0.0;
     state->stage0_filter0_section1_s1 = 0.0;
     state->stage0_filter0_section1_s2 = 0.0;
-    state->disturbed = false;
-    /* key ride_through: each of so many bad samples in a row is the last good one */
-    state->preset = false;
-    state->fade = 0u;
 }
 
 void axis_s_ipc_inputs_init(axis_s_ipc_inputs *inputs)

@@ -6,7 +6,7 @@
  * cycle time  2000000 ns
  * parameters  5b7004ccd3a2dab8a39f52a6bf036932
  * structure   2b03f6b7ed4bcb0ff168b4fa0a953bf4
- * checksum    4ce1c3f4e7e0963165a62463c5c66b89
+ * checksum    654c010a919750188a739b13d333dd96
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -43,6 +43,9 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_x_ipc_state *const state = fresh;
+    state->preset = false;
+    state->fade = 0u;
+    state->disturbed = false;
     state->source_v_direct_before = 0.0f;
     state->stage0_filter0_section0_s1 = 0.0f;
     state->stage0_filter0_section0_p = 0.0f;
@@ -50,10 +53,6 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     state->stage0_filter0_section1_low = 0.0f;
     state->stage0_filter0_section2_s1 = 0.0f;
     state->stage0_filter0_section2_low = 0.0f;
-    state->disturbed = false;
-    /* key ride_through: each of so many bad samples in a row is the last good one */
-    state->preset = false;
-    state->fade = 0u;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)

@@ -6,7 +6,7 @@
  * cycle time  62500 ns
  * parameters  20e027df3704d73c1a87b018e7aae45e
  * structure   56064b1d1e238c3f7b9c226fbeeabae9
- * checksum    1ff1af1e2ac5cf058f4f8da720fd5f61
+ * checksum    db075501c0fded41ed8036b9152740d4
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -43,6 +43,9 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_x_ipc_state *const state = fresh;
+    state->preset = false;
+    state->fade = 0u;
+    state->disturbed = false;
     state->source_v_motor_before = 0.0f;
     state->stage0_oscillation_s1 = 0.0f;
     state->stage0_oscillation_p = 0.0f;
@@ -53,10 +56,6 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     state->stage0_filter0_section2_s1 = 0.0f;
     state->stage0_filter0_section2_low = 0.0f;
     state->stage0_filter0_input_before = 0.0f;
-    state->disturbed = false;
-    /* key ride_through: each of so many bad samples in a row is the last good one */
-    state->preset = false;
-    state->fade = 0u;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  ae2712c64f1c384ef24212d510257896
  * structure   90b53bdca6af7d51339a6d64d45a92e0
- * checksum    33160a98fa8e4551eb479ba646cd4405
+ * checksum    7c1ba443c72f379791c355bc450f63ea
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_c_ipc.h"
@@ -43,6 +43,9 @@ void axis_c_ipc_init(axis_c_ipc_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_c_ipc_state *const state = fresh;
+    state->preset = false;
+    state->fade = 0u;
+    state->disturbed = false;
     state->source_v_command_before = 0.0f;
     state->source_v_motor_before = 0.0f;
     state->stage0_filter0_section0_s1 = 0.0f;
@@ -68,10 +71,6 @@ void axis_c_ipc_init(axis_c_ipc_state *fresh)
     state->stage2_filter0_section1_s1 = 0.0f;
     state->stage2_filter0_section1_low = 0.0f;
     state->stage2_filter0_input_before = 0.0f;
-    state->disturbed = false;
-    /* key ride_through: each of so many bad samples in a row is the last good one */
-    state->preset = false;
-    state->fade = 0u;
 }
 
 void axis_c_ipc_inputs_init(axis_c_ipc_inputs *inputs)

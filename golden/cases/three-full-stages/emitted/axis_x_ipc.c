@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  b2ea24ac07785b34ded970586d2c7f0d
  * structure   12682ec8e538aec016ba35284612fc39
- * checksum    72cb8c4569d41d40d522d0c50878c6b2
+ * checksum    e67f46ab73dfe4882cc7493a3b40e73b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -43,6 +43,9 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_x_ipc_state *const state = fresh;
+    state->preset = false;
+    state->fade = 0u;
+    state->disturbed = false;
     state->stage0_filter0_section0_s1 = 0.0;
     state->stage0_filter0_section0_s2 = 0.0;
     state->stage0_filter0_section1_s1 = 0.0;
@@ -71,10 +74,6 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     state->stage2_filter0_section2_s2 = 0.0;
     state->stage2_filter1_section0_s1 = 0.0;
     state->stage2_filter1_section0_s2 = 0.0;
-    state->disturbed = false;
-    /* key ride_through: each of so many bad samples in a row is the last good one */
-    state->preset = false;
-    state->fade = 0u;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)

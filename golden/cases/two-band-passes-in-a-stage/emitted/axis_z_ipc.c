@@ -6,7 +6,7 @@
  * cycle time  125000 ns
  * parameters  0b9067d1a5292e8925a6acec6c698ad7
  * structure   ecb775cf31eb465edb46a4c5671feb48
- * checksum    48f4040483cbfad63a79be702ce514c5
+ * checksum    bdc00e288d877fa923ec460270bc88cc
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_z_ipc.h"
@@ -43,6 +43,9 @@ void axis_z_ipc_init(axis_z_ipc_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_z_ipc_state *const state = fresh;
+    state->preset = false;
+    state->fade = 0u;
+    state->disturbed = false;
     state->stage0_filter0_section0_s1 = 0.0;
     state->stage0_filter0_section0_s2 = 0.0;
     state->stage0_filter0_section1_s1 = 0.0;
@@ -55,10 +58,6 @@ void axis_z_ipc_init(axis_z_ipc_state *fresh)
     state->stage1_filter0_section0_s2 = 0.0;
     state->stage1_filter1_section0_s1 = 0.0;
     state->stage1_filter1_section0_s2 = 0.0;
-    state->disturbed = false;
-    /* key ride_through: each of so many bad samples in a row is the last good one */
-    state->preset = false;
-    state->fade = 0u;
 }
 
 void axis_z_ipc_inputs_init(axis_z_ipc_inputs *inputs)

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  cc60750febfefdc7fb02c8bd3f4469b3
  * structure   6e662dafac3d27e10b14ab4f96191398
- * checksum    d4ed9ebbc677f4fcdb57b35bba4c4af8
+ * checksum    748fb3bada029e2177a621227fc6c911
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_two_frequencies_ipc.h"
@@ -43,6 +43,9 @@ void axis_two_frequencies_ipc_init(axis_two_frequencies_ipc_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_two_frequencies_ipc_state *const state = fresh;
+    state->preset = false;
+    state->fade = 0u;
+    state->disturbed = false;
     state->stage0_filter0_section0_s1 = 0.0;
     state->stage0_filter0_section0_s2 = 0.0;
     state->stage0_filter0_section1_s1 = 0.0;
@@ -53,10 +56,6 @@ void axis_two_frequencies_ipc_init(axis_two_frequencies_ipc_state *fresh)
     state->stage1_filter0_section0_s2 = 0.0;
     state->stage1_filter0_section1_s1 = 0.0;
     state->stage1_filter0_section1_s2 = 0.0;
-    state->disturbed = false;
-    /* key ride_through: each of so many bad samples in a row is the last good one */
-    state->preset = false;
-    state->fade = 0u;
 }
 
 void axis_two_frequencies_ipc_inputs_init(axis_two_frequencies_ipc_inputs *inputs)

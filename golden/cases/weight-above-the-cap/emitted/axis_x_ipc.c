@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  80d64cd14c58261d3c250ddc0b151fe9
  * structure   f5ed877ffff99a36e43b5378e0b93076
- * checksum    551491c26a79c5d2b5325a178adfe6ed
+ * checksum    86d1392666307b273cf4424d982d59ed
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -43,14 +43,13 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_x_ipc_state *const state = fresh;
+    state->preset = false;
+    state->fade = 0u;
+    state->disturbed = false;
     state->stage0_oscillation_s1 = 0.0;
     state->stage0_oscillation_s2 = 0.0;
     state->stage0_filter0_section0_s1 = 0.0;
     state->stage0_filter0_section0_s2 = 0.0;
-    state->disturbed = false;
-    /* key ride_through: each of so many bad samples in a row is the last good one */
-    state->preset = false;
-    state->fade = 0u;
 }
 
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
