@@ -4,7 +4,7 @@ use axgen_tests::cases::{in_both_real_types, title};
 use axgen_tests::environment::is_exhaustive;
 use compiler::interp::Machine;
 use generator::target::TARGETS;
-use golden::case::{self, DIGEST_SAMPLES, VECTOR_SAMPLES};
+use golden::case::{self, VECTOR_SAMPLES};
 use golden::compare::{Difference, compare};
 use golden::engine::{self, Engine, emitted};
 use portable::{Literal, RealKind};
@@ -14,7 +14,7 @@ use st::Dialect;
 /// Every intermediate result of a REAL block is kept in double precision, until a variable gets it.
 #[test]
 fn a_wider_evaluation_gives_the_same_bits() {
-    let count = if is_exhaustive() { DIGEST_SAMPLES } else { 100_000 };
+    let count = if is_exhaustive() { 200_000 } else { 100_000 };
     let all = in_both_real_types();
     let single: Vec<_> = all.iter().filter(|case| case.axis.axis.real == RealKind::F32).collect();
     assert!(single.len() > 20, "{}", single.len());

@@ -1,4 +1,5 @@
-//! Every case, in both real types, at every level of every compiler: the bits of the reference.
+//! Every case, in both real types, with every compiler at several levels: the bits of the reference. `AXGEN_EVERY_LEVEL=1` takes every level
+//! and a million samples for each case.
 
 use crate::{reference, tools};
 use axgen_tests::cases::{in_both_real_types, title};
@@ -10,30 +11,43 @@ use golden::samples::Samples;
 use rayon::prelude::*;
 use std::time::Instant;
 
-const LEVELS: [&[&str]; 6] =
-    [&["-O0"], &["-O1"], &["-O2"], &["-O3"], &["-Os"], &["-O3", "-march=native", "-ffp-contract=off"]];
+/// Levels that every case has; of the others each case has one, in turn.
+const ALWAYS: [&[&str]; 3] = [&["-O0"], &["-O2"], &["-O3"]];
+const IN_TURN: [&[&str]; 3] = [&["-O1"], &["-Os"], &["-O3", "-march=native", "-ffp-contract=off"]];
 const QUICK_LEVELS: [&[&str]; 2] = [&["-O0"], &["-O3"]];
+/// All that a stimulus does. The engine `c` has a million of each case (tests/tests/golden.rs).
+const SAMPLES: usize = 100_000;
 const QUICK_SAMPLES: usize = 20_000;
 
 #[test]
 #[expect(clippy::print_stdout, reason = "a figure of the acceptance")]
 fn every_level_of_every_compiler_gives_the_bits_of_the_reference() {
     let begin = Instant::now();
-    let (levels, count) =
-        if is_exhaustive() { (&LEVELS[..], DIGEST_SAMPLES) } else { (&QUICK_LEVELS[..], QUICK_SAMPLES) };
+    let is_deep = std::env::var_os("AXGEN_EVERY_LEVEL").is_some();
+    let count = match is_deep {
+        true => DIGEST_SAMPLES,
+        false if is_exhaustive() => SAMPLES,
+        false => QUICK_SAMPLES,
+    };
+    let levels = |number: usize| match is_deep {
+        true => [&ALWAYS[..], &IN_TURN].concat(),
+        false if is_exhaustive() => [&ALWAYS[..], &IN_TURN[number % IN_TURN.len()..][..1]].concat(),
+        false => QUICK_LEVELS.to_vec(),
+    };
     let (cases, commands) = (in_both_real_types(), tools().into_iter().map(|tool| tool.command).collect::<Vec<_>>());
-    cases.par_iter().for_each(|case| {
+    let of_case = |(number, case): (usize, &Case)| {
         let (inputs, expected) = reference(case, count);
+        let levels = levels(number);
         for command in &commands {
-            every_level(case, command, levels, &inputs, &expected);
+            every_level(case, command, &levels, &inputs, &expected);
         }
-    });
+        commands.len() * levels.len()
+    };
+    let builds: usize = cases.par_iter().enumerate().map(of_case).sum();
     println!(
-        "0 differing bits: {} blocks of {count} samples with {} at {}; {} builds in {:.0} s",
+        "0 differing bits: {} blocks of {count} samples with {}; {builds} builds in {:.0} s",
         cases.len(),
         commands.join(" and "),
-        levels.iter().map(|level| level.join(" ")).collect::<Vec<_>>().join(", "),
-        cases.len() * commands.len() * levels.len(),
         begin.elapsed().as_secs_f64(),
     );
 }
