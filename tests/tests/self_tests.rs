@@ -79,7 +79,7 @@ fn count(case: &Case, name: &str, plant: Plant) -> Count {
     count
 }
 
-/// Each single fault that is planted in the block of each case, in one of its real types: in each case some of each kind are found, and of those that the case's own
+/// Each single fault that is planted in each case's block: in each case some of each kind are found, and of those that the case's own
 /// stimulus shows at most one in 25 is missed. Many that are planted can be seen by nobody: a number beside a comparison, a value
 /// that is there already. The numbers of a spindle decide when it changes: a scenario in a closed loop shows what a self-test, which
 /// comes near few of them, does not. There at most as many are missed as are found, and of fused operations nothing is claimed.
@@ -93,10 +93,7 @@ fn a_self_test_finds_planted_faults() {
     for (name, plant) in plants {
         let counts: Vec<(bool, Count)> = in_both_real_types()
             .par_iter()
-            .enumerate()
-            // Each case in one of its real types, in turn.
-            .filter(|(at, _)| (at / 2 + at) % 2 == 0)
-            .map(|(_, case)| (case.block.program.block == "spindle", count(case, name, plant)))
+            .map(|case| (case.block.program.block == "spindle", count(case, name, plant)))
             .collect();
         let all = |is_spindle: bool| {
             counts.iter().filter(|(of, _)| *of == is_spindle).fold(Count::default(), |all, (_, of)| Count {
@@ -110,7 +107,7 @@ fn a_self_test_finds_planted_faults() {
             println!("{name}: {planted} planted, {found} found, {missed} missed");
         }
         assert!(
-            others.found > 50 && 25 * others.missed < others.found,
+            others.found > 100 && 25 * others.missed < others.found,
             "{name}: {} of {}",
             others.missed,
             others.found
