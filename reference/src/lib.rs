@@ -18,6 +18,7 @@ pub mod filter;
 pub mod ipc;
 pub mod oscillation;
 pub mod position_control;
+pub mod precision;
 pub mod process_data;
 pub mod section;
 pub mod signal;

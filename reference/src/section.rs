@@ -1,5 +1,6 @@
 //! What all second-order sections share: their state, which form they have, the constants that keep them out of the subnormal range.
 
+use crate::precision::is_single;
 use portable::{Real, portable};
 
 /// State of a second-order section: s1 and s2 of a biquad; in single precision s1 and p, or s1 and low.
@@ -23,7 +24,7 @@ pub struct State<R> {
 /// the speed. A change carries nothing of it.
 #[portable]
 pub fn is_driven_by_change<R: Real>() -> bool {
-    R::per_kind(0.0, 1.0) > R::ZERO
+    is_single::<R>()
 }
 
 /// added in every update of s2, so that a section at rest never decays into subnormal numbers

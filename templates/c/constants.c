@@ -1,14 +1,14 @@
 {%- for group in constants %}
 {%- if !group.note.is_empty() %}
-    /* {{ group.note }} */
+{{ margin }}/* {{ group.note }} */
 {%- endif %}
 {%- for member in group.constants %}
-{%- match member.above("\n     * ") %}
+{%- match member.above(next_line) %}
 {%- when Some with (above) %}
-    /* {{ above }} */
-    static const {{ member.ty }} {{ member.name }} = {{ member.value }};
+{{ margin }}/* {{ above }} */
+{{ margin }}static const {{ member.ty }} {{ member.name }} = {{ member.value }};
 {%- when None %}
-    static const {{ member.ty }} {{ member.name }} = {{ member.value }}; /* {{ member.doc }} */
+{{ margin }}static const {{ member.ty }} {{ member.name }} = {{ member.value }}; /* {{ member.doc }} */
 {%- endmatch %}
 {%- endfor %}
 {% endfor %}

@@ -26,20 +26,8 @@ static int32_t {{ block.prefix }}_nearest({{ real }} value)
 #endif
 }
 {%- endif %}
-{% for group in block.shared %}
-{%- if !group.note.is_empty() %}
-/* {{ group.note }} */
-{%- endif %}
-{%- for member in group.constants %}
-{%- match member.above("\n * ") %}
-{%- when Some with (above) %}
-/* {{ above }} */
-static const {{ member.ty }} {{ member.name }} = {{ member.value }};
-{%- when None %}
-static const {{ member.ty }} {{ member.name }} = {{ member.value }}; /* {{ member.doc }} */
-{%- endmatch %}
-{%- endfor %}
-{% endfor %}
+{% let (margin, next_line, constants) = ("", "\n * ", &block.shared) -%}
+{% include "c/constants.c" %}
 void {{ block.prefix }}_init({{ block.prefix }}_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
@@ -66,7 +54,7 @@ static void {{ block.prefix }}_any_cycle(
     const {{ block.prefix }}_inputs *restrict inputs,
     {{ block.prefix }}_outputs *restrict outputs)
 {
-{%- let constants = block.constants_apart %}
+{%- let (margin, next_line, constants) = ("    ", "\n     * ", &block.constants_apart) %}
 {%- include "c/constants.c" %}
 {{ block.any_cycle }}}
 
@@ -76,7 +64,7 @@ void {{ block.prefix }}_step(
     const {{ block.prefix }}_inputs *restrict inputs,
     {{ block.prefix }}_outputs *restrict outputs)
 {
-{%- let constants = block.constants %}
+{%- let (margin, next_line, constants) = ("    ", "\n     * ", &block.constants) %}
 {%- include "c/constants.c" %}
 {%- if block.state.is_empty() %}
     (void)state;

@@ -123,10 +123,7 @@ pub trait Kind: Part {
     fn block(&self, designed: &Designed) -> Result<Block, Defect>;
 
     /// A run of so many samples for a user's own board, of a block of that axis.
-    ///
-    /// # Errors
-    /// A defect of the block.
-    fn runner(&self, designed: &Designed, block: &Block, samples: usize) -> Result<Runner, Defect>;
+    fn runner(&self, designed: &Designed, block: &Block, samples: usize) -> Runner;
 
     /// The reference, before its first cycle.
     fn start(&self, designed: &Designed) -> Box<dyn Run>;
@@ -151,6 +148,8 @@ pub struct Block {
     pub certificate: Certified,
     /// what is in it, without the values of its coefficients: the same text, the same structure
     pub structure: String,
+    /// the paths of all parts of the reference's state
+    state_paths: Vec<String>,
 }
 
 impl Block {
@@ -179,7 +178,7 @@ impl<P: Part + Reference<f64> + Reference<f32> + 'static> Kind for P {
         }
     }
 
-    fn runner(&self, designed: &Designed, block: &Block, samples: usize) -> Result<Runner, Defect> {
+    fn runner(&self, designed: &Designed, block: &Block, samples: usize) -> Runner {
         match designed.axis.real {
             RealKind::F64 => runner::<f64, P>(self, designed, block, samples),
             RealKind::F32 => runner::<f32, P>(self, designed, block, samples),
@@ -221,15 +220,15 @@ fn block<R: Real, P: Part + Reference<f64> + Reference<R>>(part: &P, designed: &
     let notes = part.notes(designed).into_iter().collect();
     let specialised = specialise::block::<R, P>(&coeffs(), &notes);
     let structure = structure::of(&specialised);
-    let paths: Vec<String> = specialised.state.iter().map(|variable| variable.path.clone()).collect();
+    let state_paths: Vec<String> = specialised.state.iter().map(|variable| variable.path.clone()).collect();
     let program = pass::run(specialised, None)?;
     let own = legalise::own(&program)?;
-    let self_test = self_test::record::<R, P>(coeffs(), &own, &paths, ranges);
+    let self_test = self_test::record::<R, P>(coeffs(), &own, &state_paths, ranges);
     let certificate = part.certificate(designed, &program);
     let start = part.start_cycles(designed);
     let drill = part.drill(designed);
-    let trial = trial::recording::<R, P>(coeffs(), (&program, &own), &paths, ranges, start, &drill);
-    Ok(Block { program, own, notes, self_test, trial, certificate, structure })
+    let trial = trial::recording::<R, P>(coeffs(), (&program, &own), &state_paths, ranges, start, &drill);
+    Ok(Block { program, own, notes, self_test, trial, certificate, structure, state_paths })
 }
 
 /// Runs the reference of a block for a user's own board.
@@ -238,10 +237,8 @@ fn runner<R: Real, P: Part + Reference<f64> + Reference<R>>(
     designed: &Designed,
     block: &Block,
     samples: usize,
-) -> Result<Runner, Defect> {
-    let paths: Vec<String> =
-        program::<R, P>(part, designed, None)?.state.into_iter().map(|variable| variable.path).collect();
+) -> Runner {
     let coeffs = rounded(&P::design(designed), R::KIND);
     let (ranges, drill) = (part.ranges(designed), part.drill(designed));
-    Ok(runner::record::<R, P>(coeffs, (&block.program, &block.own), &paths, ranges, &drill, samples))
+    runner::record::<R, P>(coeffs, (&block.program, &block.own), &block.state_paths, ranges, &drill, samples)
 }

@@ -97,10 +97,10 @@ impl Target {
         &self,
         header: &Header,
         block: &Block,
-        record: impl FnOnce(usize) -> Result<Runner, Defect>,
+        record: impl FnOnce(usize) -> Runner,
     ) -> Result<Option<File>, Defect> {
         let (Some(file), Some(samples)) = (self.runner, self.samples) else { return Ok(None) };
-        let runner = record(samples)?;
+        let runner = record(samples);
         Ok(Some(file(header, &Legal { program: self.program(block)?, block }, &runner)))
     }
 }

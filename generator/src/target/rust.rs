@@ -84,7 +84,7 @@ pub(super) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
         any_cycle: printer.body(program.apart(), 1),
         step: printer.body(&program.step, 1),
         certificate: comment::wrapped(&block.block.certificate.lines, COMMENT_WIDTH, outline.next_line),
-        uses_nearest: asks_for_nearest(program),
+        uses_nearest: program.asks_for(&[Intrinsic::Nearest]),
         nearly_half: (LANGUAGE.literal)(nearly_half),
         self_test,
         expected: self_test.expected.iter().map(digest).collect(),
@@ -119,15 +119,4 @@ fn starts(program: &Program, names: &[String]) -> Vec<String> {
         }
     };
     machine.state().iter().enumerate().map(value).collect()
-}
-
-/// Whether a program rounds to integers.
-fn asks_for_nearest(program: &Program) -> bool {
-    let mut found = false;
-    for statement in program.statements() {
-        statement.expressions(&mut |expr| {
-            expr.parts(&mut |part| found |= matches!(part, Expr::Intrinsic(Intrinsic::Nearest, _)));
-        });
-    }
-    found
 }

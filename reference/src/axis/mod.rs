@@ -179,9 +179,7 @@ pub fn improve<R: Real>(
     if ipc_outputs.limited {
         outputs.limited = true;
     }
-    if coeffs.ipc.ride_through.active {
-        outputs.held = ipc_outputs.held;
-    }
+    outputs.held = ipc_outputs.held;
     outputs.v_add = ipc_outputs.v_add;
     outputs.v_add_calculated = ipc_outputs.v_add_calculated;
     ipc_outputs.v_add

@@ -17,6 +17,7 @@ mod signals;
 
 pub use signals::{Inputs, Outputs};
 
+use crate::precision::is_single;
 use crate::signal::{
     error_cycle_time, error_following_error, error_none, error_v_add, error_v_additive, error_v_feedforward,
 };
@@ -96,7 +97,7 @@ pub fn init<R: Real>(state: &mut State<R>) {
 /// Whether the controller takes the difference of both positions: in single precision.
 #[portable]
 pub fn takes_following_error<R: Real>(coeffs: &Coeffs<R>) -> bool {
-    coeffs.location == Location::Cnc && R::per_kind(0.0, 1.0) > R::ZERO
+    coeffs.location == Location::Cnc && is_single::<R>()
 }
 
 /// Whether the actual position matters, or the following error in its place.

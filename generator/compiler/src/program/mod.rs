@@ -215,6 +215,19 @@ impl Program {
         }
     }
 
+    /// Whether it asks for one of these operations.
+    pub fn asks_for(&self, wanted: &[Intrinsic]) -> bool {
+        let mut found = false;
+        for statement in self.statements() {
+            statement.expressions(&mut |expr| {
+                expr.parts(&mut |part| {
+                    found |= matches!(part, Expr::Intrinsic(intrinsic, _) if wanted.contains(intrinsic));
+                });
+            });
+        }
+        found
+    }
+
     /// The statements of `step` that stand apart.
     pub fn apart(&self) -> &[Statement] {
         fn last(list: &[Statement]) -> &[Statement] {

@@ -9,7 +9,7 @@ use super::{File, Header, Legal, rendered};
 use crate::self_test::SelfTest;
 use askama::Template;
 use compiler::print::{Appearance, Printer, c::LANGUAGE, comment};
-use compiler::program::{Expr, Program, Type, Var, Variable};
+use compiler::program::{Program, Type, Var, Variable};
 use header::Macro;
 use portable::{Intrinsic, Literal, RealKind};
 
@@ -115,8 +115,8 @@ pub(super) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
     };
     let source_body = CSource {
         header: &header,
-        uses_magnitude: asks_for(program, &[Intrinsic::InRange, Intrinsic::Within]),
-        uses_nearest: asks_for(program, &[Intrinsic::Nearest]),
+        uses_magnitude: program.asks_for(&[Intrinsic::InRange, Intrinsic::Within]),
+        uses_nearest: program.asks_for(&[Intrinsic::Nearest]),
         real,
         suffix,
         nearly_half: (LANGUAGE.literal)(nearly_half),
@@ -160,19 +160,6 @@ fn listed(outline: &Outline<'_>, prefix: &str) -> CBlock {
         step: printer.body(&program.step, 1),
         certificate: comment::wrapped(&outline.block.block.certificate.lines, COMMENT_WIDTH, outline.next_line),
     }
-}
-
-/// Whether a program asks for one of these operations.
-fn asks_for(program: &Program, wanted: &[Intrinsic]) -> bool {
-    let mut found = false;
-    for statement in program.statements() {
-        statement.expressions(&mut |expr| {
-            expr.parts(&mut |part| {
-                found |= matches!(part, Expr::Intrinsic(intrinsic, _) if wanted.contains(intrinsic));
-            });
-        });
-    }
-    found
 }
 
 /// A digest as wide as a real.

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  33197045208879001bf76bb1abde08b1
- * structure   a0d53b5ddc492527b88914ab446b8dcf
- * checksum    0b6bbd20aaabb313ec3ecb941d7471f9
+ * structure   e08a7524a208ea659c71c1f204f85978
+ * checksum    6cb5a788c0bacb5f5e97e1e2f625c468
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  33197045208879001bf76bb1abde08b1
- * structure   a0d53b5ddc492527b88914ab446b8dcf
- * checksum    7a5b5e825c5891dde40e813c1950a1a4
+ * structure   e08a7524a208ea659c71c1f204f85978
+ * checksum    092a652e4495d64f23837da73f78beb7
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_AXIS_H
@@ -32,10 +32,10 @@ extern "C" {
 #define AXIS_X_AXIS_PARAMETERS_2 0x1bf76bb1u
 #define AXIS_X_AXIS_PARAMETERS_3 0xabde08b1u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_AXIS_STRUCTURE_0 0xa0d53b5du
-#define AXIS_X_AXIS_STRUCTURE_1 0xdc492527u
-#define AXIS_X_AXIS_STRUCTURE_2 0xb88914abu
-#define AXIS_X_AXIS_STRUCTURE_3 0x446b8dcfu
+#define AXIS_X_AXIS_STRUCTURE_0 0xe08a7524u
+#define AXIS_X_AXIS_STRUCTURE_1 0xa208ea65u
+#define AXIS_X_AXIS_STRUCTURE_2 0x9c71c1f2u
+#define AXIS_X_AXIS_STRUCTURE_3 0x04f85978u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_AXIS_INPUTS_SIZE 48u
 #define AXIS_X_AXIS_OUTPUTS_SIZE 40u

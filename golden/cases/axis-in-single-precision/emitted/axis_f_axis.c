@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  331750b6d795f3b5a79fe386ab25fbb1
- * structure   c145e300b741a29c38045b0ca4d36bfa
- * checksum    7a34d8f6a9104311f3ae92ff243ef70a
+ * structure   20244a8fd39ad8593a187300c6153b08
+ * checksum    9b933971194fce696ec271fa30f4a60d
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_f_axis.h"

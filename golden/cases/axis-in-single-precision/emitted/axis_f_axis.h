@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  331750b6d795f3b5a79fe386ab25fbb1
- * structure   c145e300b741a29c38045b0ca4d36bfa
- * checksum    c6e9c56ff151cb5ce973b08254d9cee2
+ * structure   20244a8fd39ad8593a187300c6153b08
+ * checksum    1b2e00342cfbcbc515d1bbb0ed34925d
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_F_AXIS_H
@@ -32,10 +32,10 @@ extern "C" {
 #define AXIS_F_AXIS_PARAMETERS_2 0xa79fe386u
 #define AXIS_F_AXIS_PARAMETERS_3 0xab25fbb1u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_F_AXIS_STRUCTURE_0 0xc145e300u
-#define AXIS_F_AXIS_STRUCTURE_1 0xb741a29cu
-#define AXIS_F_AXIS_STRUCTURE_2 0x38045b0cu
-#define AXIS_F_AXIS_STRUCTURE_3 0xa4d36bfau
+#define AXIS_F_AXIS_STRUCTURE_0 0x20244a8fu
+#define AXIS_F_AXIS_STRUCTURE_1 0xd39ad859u
+#define AXIS_F_AXIS_STRUCTURE_2 0x3a187300u
+#define AXIS_F_AXIS_STRUCTURE_3 0xc6153b08u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_F_AXIS_INPUTS_SIZE 32u
 #define AXIS_F_AXIS_OUTPUTS_SIZE 28u

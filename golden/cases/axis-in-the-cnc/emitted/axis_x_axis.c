@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  f88928a4b0cb8925346337cc6f417916
- * structure   7c666366b19ebd6ea394971e3ca2617c
- * checksum    c8514336c907a2db2c50c32f747d30e2
+ * structure   d2ca3de14fc8bac8fa802b15bead99b3
+ * checksum    7e83cb19324347361ec4245cb663a05b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  f88928a4b0cb8925346337cc6f417916
- * structure   7c666366b19ebd6ea394971e3ca2617c
- * checksum    eb4560286a31d26fcabc78ab434ef610
+ * structure   d2ca3de14fc8bac8fa802b15bead99b3
+ * checksum    84455876541ac6455c5cbb4686c3f2f5
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_AXIS_H
@@ -32,10 +32,10 @@ extern "C" {
 #define AXIS_X_AXIS_PARAMETERS_2 0x346337ccu
 #define AXIS_X_AXIS_PARAMETERS_3 0x6f417916u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_AXIS_STRUCTURE_0 0x7c666366u
-#define AXIS_X_AXIS_STRUCTURE_1 0xb19ebd6eu
-#define AXIS_X_AXIS_STRUCTURE_2 0xa394971eu
-#define AXIS_X_AXIS_STRUCTURE_3 0x3ca2617cu
+#define AXIS_X_AXIS_STRUCTURE_0 0xd2ca3de1u
+#define AXIS_X_AXIS_STRUCTURE_1 0x4fc8bac8u
+#define AXIS_X_AXIS_STRUCTURE_2 0xfa802b15u
+#define AXIS_X_AXIS_STRUCTURE_3 0xbead99b3u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_AXIS_INPUTS_SIZE 64u
 #define AXIS_X_AXIS_OUTPUTS_SIZE 48u
