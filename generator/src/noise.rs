@@ -1,7 +1,6 @@
 //! What a recorded run is made of: the reference in operation, and noise that every target can make itself, exact in both real
 //! types. Nothing is recorded here.
 
-use crate::design::rounding::literal;
 use compiler::legalise::RealInput;
 use compiler::{leaf, leaves};
 use portable::{Block, Literal, Portable, Real, RealKind};
@@ -55,7 +54,10 @@ const PART: f64 = 1.0 / 16_777_216.0;
 
 /// The same for a target.
 pub(crate) fn part(real: RealKind) -> Literal {
-    literal(PART, real)
+    match real {
+        RealKind::F64 => leaf(PART),
+        RealKind::F32 => leaf(f32::lit(PART)),
+    }
 }
 
 /// The generator of the noise of C's self-test: scale * (integer of 24 bits - 2^23).

@@ -117,6 +117,7 @@ const ALL_SHOWN: [&str; 121] = [
     "position control in the drive",
     "torque acceleration",
     "torque jerk",
+    "error 4",
     "weight 0.75",
     "weight 1.2",
     "xerr is put out",
