@@ -1,8 +1,10 @@
 //! What a recorded run is made of: the reference in operation, and noise that every target can make itself, exact in both real
 //! types. Nothing is recorded here.
 
+use crate::design::rounding::literal;
+use compiler::legalise::RealInput;
 use compiler::{leaf, leaves};
-use portable::{Block, Literal, Portable, Real};
+use portable::{Block, Literal, Portable, Real, RealKind};
 use std::marker::PhantomData;
 
 /// A reference in operation.
@@ -48,6 +50,14 @@ pub(crate) fn exercised<R: Real, B: Block<R>>(coeffs: &B::Coeffs) -> Vec<Literal
     leaves(&inputs)
 }
 
+/// 2^-24: makes a part of 1 of the noise's integers.
+const PART: f64 = 1.0 / 16_777_216.0;
+
+/// The same for a target.
+pub(crate) fn part(real: RealKind) -> Literal {
+    literal(PART, real)
+}
+
 /// The generator of the noise of C's self-test: scale * (integer of 24 bits - 2^23).
 pub(crate) struct Noise<R> {
     random: u32,
@@ -63,21 +73,17 @@ impl<R: Real> Noise<R> {
     }
 
     /// The inputs of a cycle: noise on the reals at these positions, the others as they are usually.
-    pub(crate) fn inputs(&mut self, usual: &[Literal], reals: &[usize], is_loud: bool) -> Vec<Literal> {
+    pub(crate) fn inputs(&mut self, usual: &[Literal], reals: &[RealInput], is_loud: bool) -> Vec<Literal> {
         let mut inputs = usual.to_vec();
-        reals.iter().for_each(|index| inputs[*index] = self.next(is_loud));
+        let scale = R::build(&mut || self.scales[usize::from(is_loud)]);
+        reals.iter().for_each(|real| inputs[real.position] = self.next(real, scale));
         inputs
     }
 
-    /// The next number, of the first or the second range.
-    fn next(&mut self, is_loud: bool) -> Literal {
-        let scale = R::build(&mut || self.scales[usize::from(is_loud)]);
-        self.times(scale)
-    }
-
-    /// The next number, times a factor.
-    pub(crate) fn times(&mut self, scale: R) -> Literal {
-        leaf((R::from_u32(self.integer()) - R::lit(8_388_608.0)) * scale)
+    /// The next number for an input: of a signal times a factor, of a part from 0 to 1.
+    pub(crate) fn next(&mut self, real: &RealInput, scale: R) -> Literal {
+        let integer = R::from_u32(self.integer());
+        leaf(if real.is_fraction { integer * R::lit(PART) } else { (integer - R::lit(8_388_608.0)) * scale })
     }
 
     /// The next integer, of 24 bits.

@@ -4,7 +4,9 @@
 use crate::noise::{Noise, Run, Running, exercised};
 use crate::self_test::kept;
 use crate::trial::{Drill, Set, others};
-use compiler::{leaf, legalise::Own, program::Program};
+use compiler::leaf;
+use compiler::legalise::{Own, RealInput};
+use compiler::program::Program;
 use portable::{Block, Literal, Real};
 use reference::signal::sample_limit;
 use std::ops::Range;
@@ -19,8 +21,8 @@ pub struct Runner {
     pub(crate) period: Period,
     /// the inputs that are no reals, by position among those that the axis has, as they mostly are
     pub(crate) usual: Vec<(usize, Literal)>,
-    /// the positions of the real inputs
-    pub(crate) reals: Vec<usize>,
+    /// the real inputs
+    pub(crate) reals: Vec<RealInput>,
     /// the factors of the noise on them, powers of two: first one at which no limit acts, then the full one
     pub(crate) scales: [Literal; 2],
     /// what the block is led through in each period: the samples of the period, the input, its value
@@ -78,9 +80,9 @@ pub(crate) fn record<R: Real, B: Block<R>>(
     samples: usize,
 ) -> Runner {
     let (usual, period) = (exercised::<R, B>(&coeffs), Period::of(samples));
-    let all_reals = own.reals();
-    let (reals, others_there): (Vec<usize>, Vec<usize>) =
-        (0..own.inputs.len()).partition(|at| all_reals.contains(&own.inputs[*at]));
+    let reals = own.reals();
+    let is_other = |at: &usize| reals.iter().all(|real| real.own != *at);
+    let others_there: Vec<usize> = (0..own.inputs.len()).filter(is_other).collect();
     let turns = others_there.iter().flat_map(|at| others(usual[own.inputs[*at]]).into_iter().map(|value| (*at, value)));
     let own_place = |path: &str| {
         let place = program.inputs.iter().position(|input| input.path == path)?;
@@ -144,7 +146,7 @@ impl Runner {
         let Period { loud, disturbed, disturbed_loud, rest, .. } = self.period;
         let is_loud = (loud..disturbed).contains(&at) || at >= disturbed_loud;
         let scale = if at >= rest { R::ZERO } else { R::build(&mut || self.scales[usize::from(is_loud)]) };
-        self.reals.iter().for_each(|real| set(*real, noise.times(scale)));
+        self.reals.iter().for_each(|real| set(real.own, noise.next(real, scale)));
         for (_, input, value) in self.drill.iter().filter(|(samples, ..)| samples.contains(&at)) {
             set(*input, *value);
         }
@@ -163,7 +165,7 @@ impl Runner {
         }
         if bad >> 16 == 0 && !self.reals.is_empty() {
             let value = if bad & 4 == 0 { self.beyond } else { leaf(R::lit(f64::NAN)) };
-            set(self.reals[(bad >> 3) as usize % self.reals.len()], value);
+            set(self.reals[(bad >> 3) as usize % self.reals.len()].own, value);
         }
     }
 }

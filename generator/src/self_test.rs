@@ -1,8 +1,9 @@
 //! What the self-test of a block does, and the answers that the reference gives. Every target prints it its own way.
 
 use crate::noise::{Noise, Run, Running, exercised};
-use compiler::program::{Program, Type, Variable};
-use compiler::{leaf, legalise::Own};
+use compiler::leaf;
+use compiler::legalise::{Own, RealInput};
+use compiler::program::{Program, Variable};
 use portable::{Block, Literal, Real, RealKind};
 
 /// A short run on noise: it finds a build that fuses, reorders or shortens operations, or that takes a NaN for a number.
@@ -14,8 +15,8 @@ pub(crate) struct SelfTest {
     pub(crate) scales: [Literal; 2],
     /// the first sample with the full noise
     pub(crate) loud_from: usize,
-    /// the samples in which a real input is no number, with the position of the input
-    pub(crate) bad: Vec<(usize, usize)>,
+    /// the samples in which a real input is no number, with the input
+    pub(crate) bad: Vec<(usize, RealInput)>,
     /// after each sample the digest of all outputs and of the whole state up to there
     pub(crate) expected: Vec<u64>,
 }
@@ -50,8 +51,8 @@ pub(crate) fn record<R: Real, B: Block<R>>(
     let (mut digest, mut expected) = (0, Vec::new());
     for sample in 0..loud_from + LOUD_SAMPLES {
         let mut inputs = noise.inputs(&switched, &reals, sample >= loud_from);
-        for (_, index) in places.clone().zip(&reals).filter(|(bad, _)| *bad == sample) {
-            inputs[*index] = leaf(R::lit(f64::NAN));
+        for (_, real) in places.clone().zip(&reals).filter(|(bad, _)| *bad == sample) {
+            inputs[real.position] = leaf(R::lit(f64::NAN));
         }
         run.step(&inputs, &mut outputs);
         let reached = run.state();
@@ -60,8 +61,7 @@ pub(crate) fn record<R: Real, B: Block<R>>(
         digest = values.fold(digest, |digest, value| fold(digest, *value, R::KIND));
         expected.push(digest);
     }
-    let is_real = |index: &usize| own.program.inputs[*index].ty == Type::Real;
-    let bad = places.zip((0..own.inputs.len()).filter(is_real)).collect();
+    let bad = places.zip(reals).collect();
     SelfTest { switches: switches.collect(), scales: noise.scales, loud_from, bad, expected }
 }
 

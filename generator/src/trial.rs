@@ -2,7 +2,9 @@
 //! runtimes stop on them. What it does is so simple that every controller can do it too, to the bit.
 
 use crate::noise::{Run, Running, exercised};
-use compiler::{leaf, legalise::Own, program::Program};
+use compiler::leaf;
+use compiler::legalise::{Own, RealInput};
+use compiler::program::Program;
 use portable::{Block, Literal, Real};
 use reference::signal::sample_limit;
 use std::ops::Range;
@@ -13,10 +15,12 @@ use std::sync::{Arc, LazyLock};
 pub(crate) struct Trial {
     /// the inputs as they mostly are, in the order of all inputs
     pub(crate) usual: Vec<Literal>,
-    /// the positions of the real inputs that the axis reads: they get noise
-    pub(crate) reals: Vec<usize>,
+    /// the real inputs that the axis reads: they get noise
+    pub(crate) reals: Vec<RealInput>,
     /// the factors of the noise, powers of two: one at which no limit acts, the full one, and 0 at the end
     pub(crate) scales: [Literal; 3],
+    /// the factor of noise that is a part from 0 to 1
+    pub(crate) part: Literal,
     /// the first samples with the second and the third factor
     pub(crate) scaled_from: [usize; 2],
     /// the samples in which something is not as it mostly is
@@ -99,6 +103,7 @@ impl Noise {
     pub(crate) const FACTOR: u32 = 25_173;
     pub(crate) const SUMMAND: u32 = 13_849;
     pub(crate) const RANGE: u32 = 1 << 16;
+    pub(crate) const HALF: i32 = 1 << 15;
     /// Below it the number is made smaller: terms of a sum are of one size then, whatever their coefficients are.
     pub(crate) const SMALL_BELOW: u32 = 1 << 14;
     /// So much smaller.
@@ -111,7 +116,7 @@ impl Noise {
     /// The next number, between -2^15 and 2^15.
     fn next(&mut self) -> i32 {
         self.0 = (self.0 * Self::FACTOR + Self::SUMMAND) % Self::RANGE;
-        self.0.cast_signed() - (Self::RANGE / 2).cast_signed()
+        self.0.cast_signed() - Self::HALF
     }
 }
 
@@ -151,7 +156,7 @@ pub(crate) fn recording<R: Real, B: Block<R>>(
 /// What happens when.
 fn plan<R: Real>(
     usual: Vec<Literal>,
-    (inputs, reals, off): (&[usize], Vec<usize>, Option<(usize, Literal)>),
+    (inputs, reals, off): (&[usize], Vec<RealInput>, Option<(usize, Literal)>),
     ranges: [f64; 2],
     start: usize,
     drill: &[(usize, Set, Range<usize>)],
@@ -175,12 +180,13 @@ fn plan<R: Real>(
         turns.push(Turn { from: *next, to: *next + TURN_LENGTH, input, value, is_off });
         *next += TURN_DISTANCE;
     };
-    for &input in inputs.iter().filter(|input| !reals.contains(input)) {
+    let is_switch = |input: &&usize| reals.iter().all(|real| real.position != **input);
+    for &input in inputs.iter().filter(is_switch) {
         others(usual[input]).into_iter().for_each(|value| add(input, value, false, &mut next));
     }
     // Once more, each directly behind a fault.
     for &input in inputs.iter().filter(|input| matches!(usual[**input], Literal::Bool(_))) {
-        jumps.extend(reals.first().map(|real| (next, *real, beyond)));
+        jumps.extend(reals.first().map(|real| (next, real.position, beyond)));
         next += 1;
         others(usual[input]).into_iter().for_each(|value| add(input, value, false, &mut next));
     }
@@ -189,18 +195,19 @@ fn plan<R: Real>(
     }
     let huge = sample_limit::<R>() * R::lit(0.125);
     for value in [beyond, leaf(huge), leaf(-huge)] {
-        for &real in &reals {
-            jumps.push((next, real, value));
+        for real in &reals {
+            jumps.push((next, real.position, value));
             next += JUMP_DISTANCE;
         }
     }
     // What is huge is forgotten, and then nothing moves any more.
-    if let Some(input) = inputs.iter().find(|input| !reals.contains(input) && usual[**input] == Literal::Bool(false)) {
+    if let Some(input) = inputs.iter().find(|input| is_switch(input) && usual[**input] == Literal::Bool(false)) {
         turns.push(Turn { from: next, to: next + 1, input: *input, value: Literal::Bool(true), is_off: false });
     }
     Trial {
         samples: next + REST_SAMPLES,
         scales: [quiet, loud, leaf(R::ZERO)],
+        part: leaf(R::lit(1.0 / f64::from(Noise::RANGE))),
         scaled_from: [loud_from, next],
         turns,
         jumps,
@@ -212,15 +219,24 @@ fn plan<R: Real>(
 }
 
 impl Trial {
+    /// Whether an input is a part of something.
+    pub(crate) fn has_parts(&self) -> bool {
+        self.reals.iter().any(|real| real.is_fraction)
+    }
+
     /// The inputs of every sample, in the order of all inputs.
     pub(crate) fn inputs(&self) -> Vec<Vec<Literal>> {
         let mut noise = Noise(0);
         let sample = |sample: usize| {
             let scale = self.scales[self.scaled_from.iter().filter(|from| sample >= **from).count()];
             let mut inputs = self.usual.clone();
-            for &real in &self.reals {
+            for real in &self.reals {
                 let integer = noise.next();
-                inputs[real] = scaled(integer, scale, if noise.is_small() { Noise::SMALL } else { 1.0 });
+                inputs[real.position] = if real.is_fraction {
+                    scaled(integer + Noise::HALF, self.part, 1.0)
+                } else {
+                    scaled(integer, scale, if noise.is_small() { Noise::SMALL } else { 1.0 })
+                };
             }
             for turn in self.turns.iter().filter(|turn| turn.holds(sample)) {
                 inputs[turn.input] = turn.value;

@@ -32,7 +32,7 @@ pub fn events(block: &Program, real: RealKind, first: u64) -> Vec<Event> {
     let length = 2 * probes.len() as u64;
     let mut events = Vec::new();
     if length > 0 {
-        let base = block.inputs.iter().zip(base(block, real));
+        let base = block.inputs.iter().zip(base(block));
         events.extend(base.map(|(variable, value)| event(&variable.path, value, first, length)));
     }
     for (at, (signal, value)) in (first..).step_by(2).zip(probes) {
@@ -43,11 +43,10 @@ pub fn events(block: &Program, real: RealKind, first: u64) -> Vec<Event> {
 }
 
 /// What the inputs are while one of them is searched.
-fn base(block: &Program, real: RealKind) -> Vec<Literal> {
+fn base(block: &Program) -> Vec<Literal> {
     let value = |variable: &compiler::program::Variable| match variable.path.as_str() {
         "mode" => Literal::I32(0),
         "feedforward_active" => Literal::Bool(true),
-        _ if variable.ty == Type::Real => number(0, real),
         _ => variable.start,
     };
     block.inputs.iter().map(value).collect()
@@ -63,7 +62,7 @@ fn largest(real: RealKind) -> f64 {
 
 /// The numbers, in their order, at which an integer or a flag gets the value that it has at `far`.
 fn changes(block: &Program, real: RealKind, input: usize, far: f64) -> Vec<i64> {
-    let inputs = base(block, real);
+    let inputs = base(block);
     let answers = |place: i64| {
         let (mut given, mut answers) = (inputs.clone(), Vec::new());
         given[input] = number(place, real);

@@ -97,5 +97,12 @@ fn events() -> Vec<Event> {
         event("v_add", "nan", 31_500, 1, 64_000),
         event("v_add_master", "nan", 32_500, 1, 66_000),
         event("v_add_master", "-1e9", 39_000, 20, 67_000),
+        event("tuning_weight[0]", "0.25", 1_500, 6_000, 17_000),
+        event("tuning_weight[0]", "nan", 4_000, 3, 19_000),
+        event("tuning_weight[1]", "0.7", 3_000, 5_000, 13_000),
+        event("tuning_weight[1]", "1.0000001", 6_000, 40, 29_000),
+        event("tuning_weight[2]", "0", 2_500, 7_000, 15_000),
+        event("tuning_limit", "0.01", 7_000, 5_000, 18_000),
+        event("tuning_limit", "-0.5", 10_500, 2, 22_000),
     ]
 }

@@ -28,6 +28,12 @@ pub fn error_state() -> u32 {
     3u32
 }
 
+/// error_id: tuning_limit or a tuning_weight is no number from 0 to 1: what it was holds; no fault
+#[portable]
+pub fn error_tuning() -> u32 {
+    4u32
+}
+
 /// error_id: v_command is not within the sample limit
 #[portable]
 pub fn error_v_command() -> u32 {

@@ -119,8 +119,12 @@ static void {{ prefix }}_runner_stimulus({{ prefix }}_runner_source *source, uin
     uint32_t begin;
     uint32_t length;
     uint32_t bad;
-{% for name in reals %}
+{% for (name, is_part) in reals %}
+{%- if is_part %}
+    inputs->{{ name }} = ({{ real }}){{ prefix }}_runner_integer(source) * {{ part }};
+{%- else %}
     inputs->{{ name }} = {{ prefix }}_runner_noise(source, scale);
+{%- endif %}
 {%- endfor %}
 {%- for (name, value) in usual %}
     inputs->{{ name }} = {{ value }};
@@ -168,7 +172,7 @@ static void {{ prefix }}_runner_stimulus({{ prefix }}_runner_source *source, uin
             bad_value.bits = {% if bits == 64 %}UINT64_C(0x7ff8000000000000){% else %}UINT32_C(0x7fc00000){% endif %};
         }
         switch ((bad >> 3) % {{ reals.len() }}u) {
-{%- for name in reals %}
+{%- for (name, _) in reals %}
         {% if loop.last %}default{% else %}case {{ loop.index0 }}u{% endif %}:
             inputs->{{ name }} = bad_value.value;
             break;

@@ -76,8 +76,8 @@ uint32_t {{ block.prefix }}_self_test(void)
         uint{{ bits }}_t noise;
 {%- for (bad_sample, input) in self_test.bad %}
         random = random * 1664525u + 1013904223u;
-        noise = {{ block.prefix }}_bits_of((({{ real }})(random >> 8) - 8388608.0{{ suffix }}) * scale);
-        inputs.{{ block.inputs[*input].name }} = {{ block.prefix }}_real_of(sample == {{ bad_sample }}u ? {% if real == "double" %}UINT64_C(0x7ff8000000000000){% else %}UINT32_C(0x7fc00000){% endif %} : noise);
+        noise = {{ block.prefix }}_bits_of({% if input.is_fraction %}({{ real }})(random >> 8) * {{ part }}{% else %}(({{ real }})(random >> 8) - 8388608.0{{ suffix }}) * scale{% endif %});
+        inputs.{{ block.inputs[input.own].name }} = {{ block.prefix }}_real_of(sample == {{ bad_sample }}u ? {% if real == "double" %}UINT64_C(0x7ff8000000000000){% else %}UINT32_C(0x7fc00000){% endif %} : noise);
 {%- endfor %}
         step(&state, &inputs, &outputs);
 {%- for value in watched %}

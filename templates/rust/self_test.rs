@@ -30,10 +30,10 @@ pub fn self_test() -> u32 {
 {%- endfor %}
 {%- if !self_test.bad.is_empty() %}
     let mut random: u32 = 1;
-    // noise: the next number, as bits
-    let mut noise = |scale: {{ real }}| {
+    // noise: the next integer of 24 bits
+    let mut noise = || {
         random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        {% if bits == 64 %}(f64::from(random >> 8) - 8_388_608.0) * scale{% else %}((random >> 8) as f32 - 8_388_608.0) * scale{% endif %}
+        {% if bits == 64 %}f64::from(random >> 8){% else %}(random >> 8) as f32{% endif %}
     };
     let not_a_number = {{ real }}::from_bits({% if bits == 64 %}0x7ff8_0000_0000_0000{% else %}0x7fc0_0000{% endif %});
 {%- endif %}
@@ -45,8 +45,8 @@ pub fn self_test() -> u32 {
         let scale = if sample < {{ self_test.loud_from }} { {{ scales[0] }} } else { {{ scales[1] }} };
         // each input is no number for one sample: a block that does not notice it goes on with other bits
 {%- for (bad_sample, input) in self_test.bad %}
-        let value = noise(scale);
-        inputs.{{ inputs[*input].name }} = if sample == {{ bad_sample }} { not_a_number } else { value };
+        let value = {% if input.is_fraction %}noise() * {{ part }}{% else %}(noise() - 8_388_608.0) * scale{% endif %};
+        inputs.{{ inputs[input.own].name }} = if sample == {{ bad_sample }} { not_a_number } else { value };
 {%- endfor %}
 {%- endif %}
         step(&mut state, &inputs, &mut outputs);

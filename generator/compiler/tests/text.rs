@@ -26,6 +26,7 @@ fn a_name_is_given_once() {
         block: "names",
         switch: None,
         usual_first: false,
+        fractions: &[],
         real: RealKind::F64,
         inputs: Vec::new(),
         outputs: Vec::new(),

@@ -16,6 +16,8 @@ pub struct Ipc {
     pub fade: f64,
     /// bad samples in a row in whose place the last good one stands
     pub ride_through: u32,
+    /// what the caller may tune; none: nothing
+    pub tuning: Option<Tuning>,
     /// cycles between a command and the actual value that it caused (P-AXIS-00191), where they are given; nothing in a block is made of
     /// them
     pub delay_cycles: Option<u32>,
@@ -44,6 +46,15 @@ impl Ipc {
         let lowest = filters.filter_map(Filter::f0).min_by(f64::total_cmp);
         lowest.map_or(self.fade, |f0| self.fade.max(1.0 / f0))
     }
+}
+
+/// Inputs that tune, each a part of what the parameters ask for, 0 to 1: their starts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tuning {
+    /// `tuning_limit`
+    pub limit: f64,
+    /// `tuning_weight` of each stage
+    pub weight: [f64; 3],
 }
 
 /// An active stage.

@@ -6,7 +6,7 @@
 use super::words::{
     AddJerk, AxisType, Boolean, DirectSource, DriveObject, DriveSetting, DriveType, Enable, FeedforwardWord,
     FilterType, LineEnd, ListEncoding, Motor, OperationMode, ProcessDatum, Prototype, RealType, StageMode, TargetName,
-    Width, Words,
+    Tunable, Width, Words,
 };
 use super::{Kind, Parameter, Scope};
 
@@ -28,6 +28,7 @@ const fn above_0(to: f64) -> Kind {
 
 /// Weights are unsigned numbers of 32 bits without 0 and the largest.
 const WEIGHT: Kind = integer(1, u32::MAX - 1);
+const FRACTION: Kind = Kind::Real { from: 0.0, to: 1.0, open: [false; 2] };
 /// A factor of the vendor's type UNS32.
 const UNSIGNED: Kind = integer(1, u32::MAX);
 /// A factor of the vendor's type SGN32; a denominator of 0 takes its term away.
@@ -131,6 +132,10 @@ table! {
     Fade: AXIS_KEY("fade", kind: Kind::Duration { from: 0, to: 1_000_000_000_000 }, unit: "ns", default: &["0.1s"])
     /// bad samples in a row in whose place improved position control takes the last good one; 0: the first one is a fault
     RideThrough: AXIS_KEY("ride_through", kind: integer(0, 10), default: &["0"])
+    /// what the caller may tune while improved position control acts: nothing, or each stage's weight and the limit
+    Tunable: AXIS_KEY("tunable", kind: Kind::Word(Tunable::WORDS), default: &["nothing"])
+    /// start of the input tuning_limit: the part of the limit (P-AXIS-00757) that holds
+    TuningLimit: AXIS_KEY("tuning_limit", kind: FRACTION, default: &["1"])
     /// velocity command of the drive: its type in the process data; for position control in the CNC, and for a spindle whose drive changes
     /// to velocity control
     VelocityCommandData: AXIS_KEY("process_data.velocity_command", kind: Kind::Word(Width::WORDS), default: &["INT32"])
@@ -320,6 +325,9 @@ table! {
     /// measured velocity that a DIRECT stage takes: motor encoder or direct measuring system
     DirectSource: AXIS_KEY("lr_param.improved_position_control.stage[i].direct_source",
         indices: &[STAGES], kind: Kind::Word(DirectSource::WORDS), default: &["v_motor"])
+    /// start of the input tuning_weight of the stage: the part of its weight that acts
+    TuningWeight: AXIS_KEY("lr_param.improved_position_control.stage[i].tuning_weight",
+        indices: &[STAGES], kind: FRACTION, default: &["1"])
     /// weight of the stage: numerator; a weight above 7 is capped
     WeightFactNum: STAGE("lr_param.improved_position_control.stage[i].weight_fact_num", "P-AXIS-00754",
         data_type: "UNS32", kind: WEIGHT, default: &["1"])

@@ -35,6 +35,8 @@ struct RustFile<'a> {
     /// the inputs that are set once, by position
     switches: Vec<(usize, String)>,
     scales: [String; 2],
+    /// the factor of noise that is a part from 0 to 1
+    part: String,
     /// the bits of every output, and of every part of the state
     watched: Vec<String>,
 }
@@ -90,6 +92,7 @@ pub(super) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
         expected: self_test.expected.iter().map(digest).collect(),
         switches: self_test.switches.iter().map(|(index, value)| (*index, (LANGUAGE.literal)(*value))).collect(),
         scales: self_test.scales.map(LANGUAGE.literal),
+        part: (LANGUAGE.literal)(crate::noise::part(axis.real)),
         watched: [watched("outputs", &program.outputs, &names.outputs), watched("state", &program.state, &names.state)]
             .concat(),
     };

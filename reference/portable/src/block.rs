@@ -30,6 +30,8 @@ pub trait Block<R: Real> {
     /// Whether `step` begins with the cycles that mostly run, and its last `else` is any other cycle. C then calls that as a function of
     /// its own: a usual cycle saves no register for it.
     const USUAL_FIRST: bool = false;
+    /// The real inputs that are no samples of a signal but parts of something, from 0 to 1.
+    const FRACTIONS: &'static [&'static str] = &[];
     /// `init(state)`: before the first cycle.
     const INIT: Fn;
     /// `step(state, coeffs, inputs, outputs)`: one cycle.

@@ -17,7 +17,7 @@ pub use signals::{Inputs, Outputs};
 
 use crate::signal::{error_cycle_time, error_none, error_v_add_master, error_x_command, sample_limit};
 use crate::{feedforward, ipc, position_control};
-use portable::{Block, Enable, Fn, Real, in_range, portable, within};
+use portable::{Block, Enable, Fn, Real, in_range, note, portable, within};
 use position_control::Location;
 
 /// Where the additive velocity comes from.
@@ -169,12 +169,19 @@ pub fn improve<R: Real>(
         if coeffs.position_control.location == Location::Cnc { v_command } else { inputs.v_interpolator };
     ipc_inputs.v_motor = inputs.v_motor;
     ipc_inputs.v_direct = inputs.v_direct;
+    for i in 0..ipc::STAGES {
+        ipc_inputs.tuning_weight[i] = inputs.tuning_weight[i];
+    }
+    ipc_inputs.tuning_limit = inputs.tuning_limit;
     ipc_inputs.mode = inputs.mode;
     ipc_inputs.position_controlled = loop_closed;
     let mut ipc_outputs = ipc::Outputs::<R>::default();
     ipc::step(&mut state.ipc, &coeffs.ipc, &ipc_inputs, &mut ipc_outputs);
     if ipc_outputs.fault {
         fail(outputs, ipc_outputs.error_id);
+    } else if coeffs.ipc.tuning.active && ipc_outputs.error_id != error_none() {
+        note("no fault: an input that tunes is held");
+        outputs.error_id = ipc_outputs.error_id;
     }
     if ipc_outputs.limited {
         outputs.limited = true;
@@ -353,6 +360,7 @@ impl<R: Real> Block<R> for Axis {
 
     const NAME: &'static str = "axis";
     const ENABLE: Option<Enable> = Some(Enable { input: "position_controlled", mode: None });
+    const FRACTIONS: &'static [&'static str] = ipc::tuning::INPUTS;
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
 
@@ -361,11 +369,19 @@ impl<R: Real> Block<R> for Axis {
     }
 
     fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {
-        Inputs { mode: coeffs.ipc.enable, feedforward_percentage: 100, position_controlled: true, ..Inputs::default() }
+        Inputs {
+            mode: coeffs.ipc.enable,
+            feedforward_percentage: 100,
+            position_controlled: true,
+            tuning_weight: coeffs.ipc.tuning.weight,
+            tuning_limit: coeffs.ipc.tuning.limit,
+            ..Inputs::default()
+        }
     }
 
     fn exercise(inputs: &mut Inputs<R>, _: &Coeffs<R>) {
         inputs.mode = ipc::mode_on();
+        (inputs.tuning_weight, inputs.tuning_limit) = ([R::ONE; ipc::STAGES], R::ONE);
         inputs.feedforward_active = true;
         inputs.feedforward_percentage = 87;
     }

@@ -1,5 +1,6 @@
 //! What goes into the block `axis` and what comes out. Nothing is computed here.
 
+use crate::ipc::STAGES;
 use portable::portable;
 
 /// Inputs. Translatory axes in um, rotary axes and spindles in 0.001 deg. What the axis does not use may stay as it is.
@@ -22,6 +23,10 @@ pub struct Inputs<R> {
     pub v_motor: R,
     /// velocity of the direct measuring system, v_ist2 [um/s or 0.001 deg/s]
     pub v_direct: R,
+    /// with the key tunable: part of each stage's weight that acts, 0 to 1; anything else is held and told by error_id, and is no fault
+    pub tuning_weight: [R; STAGES],
+    /// with the key tunable: part of the limit (P-AXIS-00757) that holds, 0 to 1; anything else is held and told by error_id, and is no fault
+    pub tuning_limit: R,
     /// on a gantry slave: v_add of its master [um/s or 0.001 deg/s]
     pub v_add_master: R,
     /// improved position control: 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758)

@@ -14,14 +14,14 @@
 pub mod ride_through;
 mod signals;
 mod sources;
+pub mod tuning;
 
-pub use signals::{Inputs, Outputs};
+pub use signals::{Inputs, Outputs, STAGES};
 pub use signals::{mode_dryrun, mode_off, mode_on};
-pub use sources::STAGES;
 
 use self::sources::{are_in_range, reads_command, reads_direct, reads_motor};
 use crate::signal::{error_cycle_time, error_gantry_slave, error_mode, error_none, error_state};
-use crate::signal::{error_v_command, error_v_direct, error_v_motor, sample_limit};
+use crate::signal::{error_tuning, error_v_command, error_v_direct, error_v_motor, sample_limit};
 use crate::stage;
 use crate::sum::empty_sum;
 use portable::{Block, Enable, Fn, Real, from_u32, in_range, note, portable, within};
@@ -52,6 +52,8 @@ pub struct Coeffs<R> {
     pub fade_step: R,
     /// bad samples in a row
     pub ride_through: ride_through::Coeffs,
+    /// what the caller tunes
+    pub tuning: tuning::Coeffs<R>,
 }
 
 /// State.
@@ -66,6 +68,8 @@ pub struct State<R> {
     pub disturbed: bool,
     /// bad samples in a row
     pub ride_through: ride_through::State,
+    /// what the caller tunes
+    pub tuning: tuning::State<R>,
     /// the velocities of the cycle before
     pub source: sources::State<R>,
     /// the sections of each stage
@@ -94,7 +98,10 @@ pub fn sum_of_stages<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: 
         if coeffs.stage[i].mode != stage::Mode::NotActive {
             let x = stage::source(&coeffs.stage[i], inputs.v_command, inputs.v_motor, inputs.v_direct);
             let change = stage::source(&coeffs.stage[i], changes.v_command, changes.v_motor, changes.v_direct);
-            let v_stage = stage::step(&mut state.stage[i], &coeffs.stage[i], x, change);
+            let mut v_stage = stage::step(&mut state.stage[i], &coeffs.stage[i], x, change);
+            if coeffs.tuning.active {
+                v_stage = v_stage * state.tuning.weight[i].now;
+            }
             v_sum = v_sum + v_stage;
         }
     }
@@ -133,11 +140,17 @@ pub fn stop<R: Real>(state: &mut State<R>) {
 /// state has been overwritten.
 #[portable]
 pub fn limit<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, coeffs: &Coeffs<R>, v_sum: R) -> R {
-    if within(v_sum, coeffs.limit) {
+    let mut limit = coeffs.limit;
+    let mut lower_limit = coeffs.lower_limit;
+    if coeffs.tuning.active {
+        limit = coeffs.limit * state.tuning.limit.now;
+        lower_limit = R::ZERO - limit;
+    }
+    if within(v_sum, limit) {
         if within(v_sum, coeffs.rest) { R::ZERO } else { v_sum }
     } else if within(v_sum, coeffs.sum_limit) {
         outputs.limited = true;
-        if v_sum > R::ZERO { coeffs.limit } else { coeffs.lower_limit }
+        if v_sum > R::ZERO { limit } else { lower_limit }
     } else {
         note(
             "a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle, then everything starts anew",
@@ -164,15 +177,22 @@ pub fn clear<R: Real>(outputs: &mut Outputs<R>, error_id: u32) {
 pub fn init<R: Real>(state: &mut State<R>) {
     state.disturbed = false;
     ride_through::init(&mut state.ride_through);
+    tuning::init(&mut state.tuning);
     stop(state);
 }
 
-/// A cycle in which the sections run. The fade has been moved.
+/// A cycle in which the sections run. The fade has been moved. `is_tuning_held`: an input that tunes is not usable.
 #[portable]
-pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+pub fn act<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    inputs: &Inputs<R>,
+    outputs: &mut Outputs<R>,
+    is_tuning_held: bool,
+) {
     outputs.limited = false;
     outputs.fault = false;
-    outputs.error_id = error_none();
+    outputs.error_id = if is_tuning_held { error_tuning() } else { error_none() };
     let v_sum = sum_of_stages(state, coeffs, inputs);
     let v_limited = limit(state, outputs, coeffs, v_sum);
     if state.fade >= coeffs.fade_cycles {
@@ -259,6 +279,11 @@ pub fn is_settled<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, mode: i32, v_mo
 /// One cycle. Only the inputs that a stage looks at are checked.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    let mut is_tuning_held = false;
+    if coeffs.tuning.active {
+        let jumps = state.fade == 0u32;
+        is_tuning_held = tuning::step(&mut state.tuning, &coeffs.stage, coeffs.fade_step, jumps, inputs);
+    }
     if coeffs.ride_through.active {
         let mut replaced = Inputs::<R>::default();
         outputs.held = ride_through::replace(
@@ -270,16 +295,22 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
             inputs,
             &mut replaced,
         );
-        cycle(state, coeffs, &replaced, outputs);
+        cycle(state, coeffs, &replaced, outputs, is_tuning_held);
     } else {
         outputs.held = false;
-        cycle(state, coeffs, inputs, outputs);
+        cycle(state, coeffs, inputs, outputs, is_tuning_held);
     }
 }
 
-/// One cycle with these samples.
+/// One cycle with these samples. `is_tuning_held`: an input that tunes is not usable.
 #[portable]
-pub fn cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+pub fn cycle<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    inputs: &Inputs<R>,
+    outputs: &mut Outputs<R>,
+    is_tuning_held: bool,
+) {
     let mut runs = true;
     let mut reason = error_none();
     // Mostly the mode is ON and the fade full: then nothing but the sections changes.
@@ -297,9 +328,12 @@ pub fn cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
         }
     }
     if runs {
-        act(state, coeffs, inputs, outputs);
+        act(state, coeffs, inputs, outputs, is_tuning_held);
     } else {
         clear(outputs, reason);
+        if is_tuning_held && reason == error_none() {
+            outputs.error_id = error_tuning();
+        }
     }
 }
 
@@ -315,6 +349,7 @@ impl<R: Real> Block<R> for Ipc {
 
     const NAME: &'static str = "ipc";
     const ENABLE: Option<Enable> = Some(Enable { input: "mode", mode: Some((&mode_off::Ir::<R>::IR, "preset")) });
+    const FRACTIONS: &'static [&'static str] = tuning::INPUTS;
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
 
@@ -323,11 +358,18 @@ impl<R: Real> Block<R> for Ipc {
     }
 
     fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {
-        Inputs { mode: coeffs.enable, position_controlled: true, ..Inputs::default() }
+        Inputs {
+            mode: coeffs.enable,
+            position_controlled: true,
+            tuning_weight: coeffs.tuning.weight,
+            tuning_limit: coeffs.tuning.limit,
+            ..Inputs::default()
+        }
     }
 
     fn exercise(inputs: &mut Inputs<R>, _: &Coeffs<R>) {
         inputs.mode = mode_on();
+        (inputs.tuning_weight, inputs.tuning_limit) = ([R::ONE; STAGES], R::ONE);
     }
 
     fn outputs() -> Outputs<R> {

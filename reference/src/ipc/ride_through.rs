@@ -1,7 +1,7 @@
 //! Bad samples in a row that a block rides through: the last good one stands in the place of each. No fault.
 
-use super::signals::Inputs;
-use super::sources::{self, STAGES, are_in_range, reads_command, reads_direct, reads_motor};
+use super::signals::{Inputs, STAGES};
+use super::sources::{self, are_in_range, reads_command, reads_direct, reads_motor};
 use crate::{signal::sample_limit, stage};
 use portable::{Real, in_range, portable};
 

@@ -2,6 +2,9 @@
 
 use portable::portable;
 
+/// Stages of a block.
+pub const STAGES: usize = 3;
+
 /// Inputs. Velocities are in um/s for a translatory axis, in 0.001 deg/s for a rotary axis or a spindle.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
@@ -12,6 +15,10 @@ pub struct Inputs<R> {
     pub v_motor: R,
     /// velocity of the direct measuring system, v_ist2 [um/s or 0.001 deg/s]; input of DIRECT (P-AXIS-00753) by the key direct_source
     pub v_direct: R,
+    /// with the key tunable: part of each stage's weight that acts, 0 to 1; anything else is held and told by error_id, and is no fault
+    pub tuning_weight: [R; STAGES],
+    /// with the key tunable: part of the limit (P-AXIS-00757) that holds, 0 to 1; anything else is held and told by error_id, and is no fault
+    pub tuning_limit: R,
     /// 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758)
     pub mode: i32,
     /// FALSE: the axis is not in position control, the output is 0 at once

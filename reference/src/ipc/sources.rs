@@ -2,14 +2,11 @@
 //! stages. No section.
 #![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
 
-use super::signals::Inputs;
+use super::signals::{Inputs, STAGES};
 use crate::section::is_driven_by_change;
 use crate::signal::sample_limit;
 use crate::{change, stage};
 use portable::{Real, in_range, portable};
-
-/// Stages of a block.
-pub const STAGES: usize = 3;
 
 /// State: the velocities of the cycle before.
 #[portable]

@@ -19,7 +19,7 @@ use crate::position_control::Location;
 use crate::signal::{error_none, error_x_actual};
 use crate::spindle::SpindleState;
 use crate::{axis, ipc, position_control, process_data, spindle};
-use portable::{Block, Enable, Fn, Real, in_range, portable};
+use portable::{Block, Enable, Fn, Real, in_range, note, portable};
 
 /// Coefficients.
 #[portable]
@@ -102,6 +102,10 @@ pub fn act<R: Real>(
     axis_inputs.j_interpolator = inputs.j_interpolator;
     axis_inputs.v_motor = inputs.v_motor;
     axis_inputs.v_direct = inputs.v_direct;
+    for i in 0..ipc::STAGES {
+        axis_inputs.tuning_weight[i] = inputs.tuning_weight[i];
+    }
+    axis_inputs.tuning_limit = inputs.tuning_limit;
     axis_inputs.mode = inputs.mode;
     axis_inputs.feedforward_active = inputs.feedforward_active;
     axis_inputs.feedforward_percentage = inputs.feedforward_percentage;
@@ -180,6 +184,10 @@ pub fn close<R: Real>(
     let error_now = if axis_outputs.fault { axis_outputs.error_id } else { spindle_outputs.error_id };
     outputs.error_id = error_now;
     outputs.fault = error_now != error_none();
+    if coeffs.axis.ipc.tuning.active && error_now == error_none() {
+        note("no fault: an input that tunes is held");
+        outputs.error_id = axis_outputs.error_id;
+    }
     outputs.loop_closed = spindle_outputs.loop_closed;
 }
 
@@ -248,6 +256,7 @@ impl<R: Real> Block<R> for SpindleAxis {
     const NAME: &'static str = "spindle_axis";
     const ENABLE: Option<Enable> = Some(Enable { input: "drive_on", mode: None });
     const USUAL_FIRST: bool = true;
+    const FRACTIONS: &'static [&'static str] = ipc::tuning::INPUTS;
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
 
@@ -258,11 +267,18 @@ impl<R: Real> Block<R> for SpindleAxis {
     }
 
     fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {
-        Inputs { mode: coeffs.axis.ipc.enable, feedforward_percentage: 100, ..Inputs::default() }
+        Inputs {
+            mode: coeffs.axis.ipc.enable,
+            feedforward_percentage: 100,
+            tuning_weight: coeffs.axis.ipc.tuning.weight,
+            tuning_limit: coeffs.axis.ipc.tuning.limit,
+            ..Inputs::default()
+        }
     }
 
     fn exercise(inputs: &mut Inputs<R>, coeffs: &Coeffs<R>) {
         inputs.mode = ipc::mode_on();
+        (inputs.tuning_weight, inputs.tuning_limit) = ([R::ONE; ipc::STAGES], R::ONE);
         inputs.feedforward_active = true;
         inputs.feedforward_percentage = 87;
         inputs.drive_on = true;

@@ -1,5 +1,6 @@
 //! What goes into the block `spindle_axis` and what comes out. Nothing is computed here.
 
+use crate::ipc::STAGES;
 use crate::spindle::{Job, SpindleState};
 use portable::portable;
 
@@ -23,6 +24,10 @@ pub struct Inputs<R> {
     pub v_motor: R,
     /// velocity of the direct measuring system, v_ist2 [0.001 deg/s]
     pub v_direct: R,
+    /// with the key tunable: part of each stage's weight that acts, 0 to 1; anything else is held and told by error_id, and is no fault
+    pub tuning_weight: [R; STAGES],
+    /// with the key tunable: part of the limit (P-AXIS-00757) that holds, 0 to 1; anything else is held and told by error_id, and is no fault
+    pub tuning_limit: R,
     /// speed of a request, S word; its sign does not matter [0.001 deg/s]
     pub s_word: R,
     /// target of M19, S.POS [0.001 deg]

@@ -17,7 +17,7 @@ mod start;
 mod whole;
 
 pub use enable::RENAMED;
-pub use own::{Own, own};
+pub use own::{Own, RealInput, own};
 
 use crate::pass::{self, Defect, Stage};
 use crate::program::Program;

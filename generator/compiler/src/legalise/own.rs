@@ -15,11 +15,28 @@ pub struct Own {
 }
 
 impl Own {
-    /// The positions that its real inputs have among all.
-    pub fn reals(&self) -> Vec<usize> {
-        let reals = self.program.inputs.iter().zip(&self.inputs).filter(|(input, _)| input.ty == Type::Real);
-        reals.map(|(_, position)| *position).collect()
+    /// Its real inputs.
+    pub fn reals(&self) -> Vec<RealInput> {
+        let reals = self.program.inputs.iter().enumerate().filter(|(_, input)| input.ty == Type::Real);
+        reals
+            .map(|(own, input)| RealInput {
+                position: self.inputs[own],
+                own,
+                is_fraction: self.program.is_fraction(input),
+            })
+            .collect()
     }
+}
+
+/// A real input.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RealInput {
+    /// its position among all inputs
+    pub position: usize,
+    /// its position among those that the axis has
+    pub own: usize,
+    /// whether it is a part of something, from 0 to 1, and no sample
+    pub is_fraction: bool,
 }
 
 /// Takes the other signals away.

@@ -23,6 +23,8 @@ pub struct Program {
     pub switch: Option<Switch>,
     /// whether `step` begins with the cycles that mostly run, and its last `else` is any other cycle
     pub usual_first: bool,
+    /// the names of real inputs that are parts of something, from 0 to 1
+    pub fractions: &'static [&'static str],
     /// what [`Type::Real`] is
     pub real: RealKind,
     /// written by the caller
@@ -213,6 +215,12 @@ impl Program {
             Var::Constant(index) => &self.constants[index].path,
             Var::Local(index) => &self.locals[index].path,
         }
+    }
+
+    /// Whether an input is a part of something, from 0 to 1.
+    pub fn is_fraction(&self, input: &Variable) -> bool {
+        let name = input.path.split('[').next();
+        self.fractions.iter().any(|fraction| name == Some(fraction))
     }
 
     /// Whether it asks for one of these operations.

@@ -4,7 +4,7 @@ use super::stage::{StageDesign, stage};
 use super::sum_limit::sum_limit;
 use crate::axis::{Axis, Ipc};
 use portable::RealKind;
-use reference::ipc::{Coeffs, STAGES, ride_through};
+use reference::ipc::{Coeffs, STAGES, ride_through, tuning};
 
 /// Designs improved position control of an axis; an inactive stage is `None`. The coefficients are in double precision; single
 /// precision rounds each of them once. A section has the coefficients of both real types, of which a block uses its own.
@@ -30,6 +30,11 @@ pub(crate) fn design(axis: &Axis) -> ([Option<StageDesign>; STAGES], Coeffs<f64>
         rest: libm::ldexp(ipc.v_max, rest_exponent(axis.real)),
         fade_cycles,
         fade_step: 1.0 / f64::from(fade_cycles),
+        tuning: ipc.tuning.map_or_else(Default::default, |start| tuning::Coeffs {
+            active: true,
+            weight: start.weight,
+            limit: start.limit,
+        }),
         ride_through: ride_through::Coeffs { active: ipc.ride_through > 0, cycles: ipc.ride_through },
     };
     (stages, coeffs)

@@ -3,6 +3,7 @@
 
 use super::super::values::is_same;
 use super::{filter, stage::StageDesign};
+use crate::axis::Tuning;
 use crate::blocks::designed::Designed;
 use crate::design::{band::warped, response};
 use crate::number::{decibels, decimals, pair, significant};
@@ -30,6 +31,11 @@ pub(crate) fn differences(old: &Designed, new: &Designed) -> Vec<String> {
     if rides[0] != rides[1] {
         lines.push(format!("rides through {} -> {} bad samples in a row", rides[0], rides[1]));
     }
+    let tunes = [old, new].map(|of| of.axis.ipc.tuning);
+    if tunes[0] != tunes[1] {
+        let [old, new] = tunes.map(|of| of.map_or_else(|| "nothing".to_owned(), started));
+        lines.push(format!("the caller tunes {old} -> {new}"));
+    }
     for (index, (old, new)) in old.stage.iter().zip(&new.stage).enumerate() {
         let line = of_stages(old.as_ref(), new.as_ref());
         lines.extend(line.map(|line| format!("stage[{index}]: {line}")));
@@ -50,6 +56,12 @@ pub(crate) fn description(of: &Designed) -> Vec<String> {
     let stages = of.stage.iter().flatten();
     lines.extend(stages.map(|stage| format!("stage[{}]: {}", stage.index, of_stage(stage))));
     lines
+}
+
+/// What the caller tunes, and where it starts.
+fn started(tuning: Tuning) -> String {
+    let Tuning { limit, weight: [first, second, third] } = tuning;
+    format!("weights (starting at {first}, {second}, {third} of each) and limit (starting at {limit} of it)")
 }
 
 /// The limit as a part of v_max [%].

@@ -1,6 +1,7 @@
 //! The runner of a block in C: a program for a user's own board, but for how the board prints and counts.
 
 use super::names;
+use crate::noise::part;
 use crate::runner::Runner;
 use crate::target::outline::COMMENT_WIDTH;
 use crate::target::{File, Header, Legal, rendered};
@@ -26,7 +27,10 @@ struct CRunner<'a> {
     usual: Vec<(&'a str, String)>,
     drill: Vec<(usize, usize, &'a str, String)>,
     turns: Vec<(&'a str, String)>,
-    reals: Vec<&'a str>,
+    /// each with whether it is a part from 0 to 1
+    reals: Vec<(&'a str, bool)>,
+    /// the factor of noise that is such a part
+    part: String,
     /// what takes each output, and each part of the state, into the digest
     folded: Vec<String>,
     /// the digests, some in a line
@@ -62,7 +66,8 @@ pub(in crate::target) fn file(axis: &Header, block: &Legal<'_>, runner: &Runner)
         usual: runner.usual.iter().map(setting).collect(),
         drill: runner.drill.iter().map(drill).collect(),
         turns: runner.turns.iter().map(setting).collect(),
-        reals: runner.reals.iter().map(input).collect(),
+        reals: runner.reals.iter().map(|real| (input(&real.own), real.is_fraction)).collect(),
+        part: (LANGUAGE.literal)(part(axis.real)),
         folded: outputs.chain(state).collect(),
         expected: in_lines(&runner.expected),
     };

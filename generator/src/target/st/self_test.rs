@@ -31,8 +31,11 @@ struct Body<'a> {
     is_single: bool,
     scales: [String; 3],
     small: String,
-    /// names of the inputs that get noise
-    noise: Vec<&'a str>,
+    /// names of the inputs that get noise, and whether it is a part from 0 to 1
+    noise: Vec<(&'a str, bool)>,
+    has_parts: bool,
+    /// the factor of noise that is such a part
+    part: String,
     /// the inputs that are turned
     switches: Vec<Switch<'a>>,
     /// the samples in which an input is out of range or huge, and its value
@@ -78,6 +81,9 @@ pub(super) fn listing(axis: &Header, block: &Legal<'_>, dialect: &Dialect) -> Li
     ];
     if axis.real == RealKind::F32 {
         state.push(variable(Type::Real, "product".to_owned(), "the square, as this controller rounds it"));
+    }
+    if trial.has_parts() {
+        state.push(variable(Type::Real, "part".to_owned(), "the factor of noise from 0 to 1"));
     }
     state.extend(reals.map(|(name, doc)| variable(Type::Real, name.to_owned(), doc)));
     state.extend(of_inputs.map(|(input, name)| variable(input.ty, format!("in_{name}"), "what the block gets")));
@@ -151,7 +157,9 @@ fn body(block: &Legal<'_>, dialect: &Dialect, trial: &Trial, [inputs, outputs]: 
         is_single,
         scales: trial.scales.map(literal),
         small: literal(real(Noise::SMALL.into())),
-        noise: trial.reals.iter().map(|position| name_of(*position)).collect(),
+        noise: trial.reals.iter().map(|real| (name_of(real.position), real.is_fraction)).collect(),
+        has_parts: trial.has_parts(),
+        part: literal(trial.part),
         switches: switches.collect(),
         jumps: trial.jumps.iter().map(|(at, input, value)| (*at, name_of(*input), literal(*value))).collect(),
         contraction: [factor, square].map(|value| literal(real(value))),

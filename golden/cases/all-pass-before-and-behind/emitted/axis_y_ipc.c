@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  2000000 ns
- * parameters  45b6c3851830d39515fa6c4907b5f551
- * structure   c6a9e314e286863e972288e770153b71
- * checksum    d89a6fd624ee6c6b0c061554dfcc1bfd
+ * parameters  776a92067fc0c97acf1358dc09f1df77
+ * structure   010ffe5ed86da2b486f438483033b599
+ * checksum    7dc4635bdacc2f62fde13c181b715c5c
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_y_ipc.h"

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  2000000 ns
- * parameters  45b6c3851830d39515fa6c4907b5f551
- * structure   c6a9e314e286863e972288e770153b71
- * checksum    2ae6a5a6cb498fe654ea339df507c7b9
+ * parameters  776a92067fc0c97acf1358dc09f1df77
+ * structure   010ffe5ed86da2b486f438483033b599
+ * checksum    a4bab8ebe81101829ce7d04d99b1e4c1
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_Y_IPC_H
@@ -39,15 +39,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 400000 [um/s] */
 #define AXIS_Y_IPC_BOUND 840601.8592970615
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_Y_IPC_PARAMETERS_0 0x45b6c385u
-#define AXIS_Y_IPC_PARAMETERS_1 0x1830d395u
-#define AXIS_Y_IPC_PARAMETERS_2 0x15fa6c49u
-#define AXIS_Y_IPC_PARAMETERS_3 0x07b5f551u
+#define AXIS_Y_IPC_PARAMETERS_0 0x776a9206u
+#define AXIS_Y_IPC_PARAMETERS_1 0x7fc0c97au
+#define AXIS_Y_IPC_PARAMETERS_2 0xcf1358dcu
+#define AXIS_Y_IPC_PARAMETERS_3 0x09f1df77u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_Y_IPC_STRUCTURE_0 0xc6a9e314u
-#define AXIS_Y_IPC_STRUCTURE_1 0xe286863eu
-#define AXIS_Y_IPC_STRUCTURE_2 0x972288e7u
-#define AXIS_Y_IPC_STRUCTURE_3 0x70153b71u
+#define AXIS_Y_IPC_STRUCTURE_0 0x010ffe5eu
+#define AXIS_Y_IPC_STRUCTURE_1 0xd86da2b4u
+#define AXIS_Y_IPC_STRUCTURE_2 0x86f43848u
+#define AXIS_Y_IPC_STRUCTURE_3 0x3033b599u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_Y_IPC_INPUTS_SIZE 32u
 #define AXIS_Y_IPC_OUTPUTS_SIZE 24u

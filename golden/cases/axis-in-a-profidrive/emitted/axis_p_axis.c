@@ -4,9 +4,9 @@
  * block       axis
  * real type   double
  * cycle time  1000000 ns
- * parameters  48991aa1392c7cbd1bb2828eed3dad8f
- * structure   762bc1e0471c5b6570cf552c9442b1c4
- * checksum    9647eace74840dd146a16c1efc77c38f
+ * parameters  5de621ebeb52c01d0f5b0eb8d906051a
+ * structure   a6cae0bd4f9e15aaa908c1748b31a717
+ * checksum    938aecbd5e1b4144ee02b7d8d1596289
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_p_axis.h"

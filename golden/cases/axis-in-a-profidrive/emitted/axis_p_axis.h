@@ -4,9 +4,9 @@
  * block       axis
  * real type   double
  * cycle time  1000000 ns
- * parameters  48991aa1392c7cbd1bb2828eed3dad8f
- * structure   762bc1e0471c5b6570cf552c9442b1c4
- * checksum    7518a923ecec1485f3cd7457b9f9c5df
+ * parameters  5de621ebeb52c01d0f5b0eb8d906051a
+ * structure   a6cae0bd4f9e15aaa908c1748b31a717
+ * checksum    e5c0554a642fbecaf8c7afdc94a3e1f5
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_P_AXIS_H
@@ -25,15 +25,15 @@ extern "C" {
 /* the bits of its real type */
 #define AXIS_P_AXIS_REAL_BITS 64
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_P_AXIS_PARAMETERS_0 0x48991aa1u
-#define AXIS_P_AXIS_PARAMETERS_1 0x392c7cbdu
-#define AXIS_P_AXIS_PARAMETERS_2 0x1bb2828eu
-#define AXIS_P_AXIS_PARAMETERS_3 0xed3dad8fu
+#define AXIS_P_AXIS_PARAMETERS_0 0x5de621ebu
+#define AXIS_P_AXIS_PARAMETERS_1 0xeb52c01du
+#define AXIS_P_AXIS_PARAMETERS_2 0x0f5b0eb8u
+#define AXIS_P_AXIS_PARAMETERS_3 0xd906051au
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_P_AXIS_STRUCTURE_0 0x762bc1e0u
-#define AXIS_P_AXIS_STRUCTURE_1 0x471c5b65u
-#define AXIS_P_AXIS_STRUCTURE_2 0x70cf552cu
-#define AXIS_P_AXIS_STRUCTURE_3 0x9442b1c4u
+#define AXIS_P_AXIS_STRUCTURE_0 0xa6cae0bdu
+#define AXIS_P_AXIS_STRUCTURE_1 0x4f9e15aau
+#define AXIS_P_AXIS_STRUCTURE_2 0xa908c174u
+#define AXIS_P_AXIS_STRUCTURE_3 0x8b31a717u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_P_AXIS_INPUTS_SIZE 48u
 #define AXIS_P_AXIS_OUTPUTS_SIZE 32u

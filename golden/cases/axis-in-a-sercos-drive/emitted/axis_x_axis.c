@@ -4,9 +4,9 @@
  * block       axis
  * real type   double
  * cycle time  1000000 ns
- * parameters  33197045208879001bf76bb1abde08b1
- * structure   e08a7524a208ea659c71c1f204f85978
- * checksum    6cb5a788c0bacb5f5e97e1e2f625c468
+ * parameters  9014b604dd12f8224fb4d7d97b6b93de
+ * structure   8ae9105bcd89126fb8b1bceca1302105
+ * checksum    024ebf910dc47f186cddd0654b22da24
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"

@@ -4,9 +4,9 @@
  * block       axis
  * real type   double
  * cycle time  1000000 ns
- * parameters  33197045208879001bf76bb1abde08b1
- * structure   e08a7524a208ea659c71c1f204f85978
- * checksum    092a652e4495d64f23837da73f78beb7
+ * parameters  9014b604dd12f8224fb4d7d97b6b93de
+ * structure   8ae9105bcd89126fb8b1bceca1302105
+ * checksum    4c5d9e9cdf5e710659ddf63b9989e331
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_AXIS_H
@@ -27,15 +27,15 @@ extern "C" {
 /* the largest |v_add| [um/s] */
 #define AXIS_X_AXIS_LIMIT 50000.0
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_AXIS_PARAMETERS_0 0x33197045u
-#define AXIS_X_AXIS_PARAMETERS_1 0x20887900u
-#define AXIS_X_AXIS_PARAMETERS_2 0x1bf76bb1u
-#define AXIS_X_AXIS_PARAMETERS_3 0xabde08b1u
+#define AXIS_X_AXIS_PARAMETERS_0 0x9014b604u
+#define AXIS_X_AXIS_PARAMETERS_1 0xdd12f822u
+#define AXIS_X_AXIS_PARAMETERS_2 0x4fb4d7d9u
+#define AXIS_X_AXIS_PARAMETERS_3 0x7b6b93deu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_AXIS_STRUCTURE_0 0xe08a7524u
-#define AXIS_X_AXIS_STRUCTURE_1 0xa208ea65u
-#define AXIS_X_AXIS_STRUCTURE_2 0x9c71c1f2u
-#define AXIS_X_AXIS_STRUCTURE_3 0x04f85978u
+#define AXIS_X_AXIS_STRUCTURE_0 0x8ae9105bu
+#define AXIS_X_AXIS_STRUCTURE_1 0xcd89126fu
+#define AXIS_X_AXIS_STRUCTURE_2 0xb8b1bcecu
+#define AXIS_X_AXIS_STRUCTURE_3 0xa1302105u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_AXIS_INPUTS_SIZE 48u
 #define AXIS_X_AXIS_OUTPUTS_SIZE 40u

@@ -4,9 +4,9 @@
  * block       axis
  * real type   float
  * cycle time  2000000 ns
- * parameters  331750b6d795f3b5a79fe386ab25fbb1
- * structure   20244a8fd39ad8593a187300c6153b08
- * checksum    9b933971194fce696ec271fa30f4a60d
+ * parameters  a7946ea0b07c6e724bf5e648d7f9875f
+ * structure   2537528d8f69c22e43250355e11c7265
+ * checksum    793cb2060b68a887dded195a1dff45fa
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_f_axis.h"

@@ -4,9 +4,9 @@
  * block       axis
  * real type   float
  * cycle time  2000000 ns
- * parameters  331750b6d795f3b5a79fe386ab25fbb1
- * structure   20244a8fd39ad8593a187300c6153b08
- * checksum    1b2e00342cfbcbc515d1bbb0ed34925d
+ * parameters  a7946ea0b07c6e724bf5e648d7f9875f
+ * structure   2537528d8f69c22e43250355e11c7265
+ * checksum    83e440c02d31f5bd7147071d60a74e33
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_F_AXIS_H
@@ -27,15 +27,15 @@ extern "C" {
 /* the largest |v_add| [um/s] */
 #define AXIS_F_AXIS_LIMIT 60000.0f
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_F_AXIS_PARAMETERS_0 0x331750b6u
-#define AXIS_F_AXIS_PARAMETERS_1 0xd795f3b5u
-#define AXIS_F_AXIS_PARAMETERS_2 0xa79fe386u
-#define AXIS_F_AXIS_PARAMETERS_3 0xab25fbb1u
+#define AXIS_F_AXIS_PARAMETERS_0 0xa7946ea0u
+#define AXIS_F_AXIS_PARAMETERS_1 0xb07c6e72u
+#define AXIS_F_AXIS_PARAMETERS_2 0x4bf5e648u
+#define AXIS_F_AXIS_PARAMETERS_3 0xd7f9875fu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_F_AXIS_STRUCTURE_0 0x20244a8fu
-#define AXIS_F_AXIS_STRUCTURE_1 0xd39ad859u
-#define AXIS_F_AXIS_STRUCTURE_2 0x3a187300u
-#define AXIS_F_AXIS_STRUCTURE_3 0xc6153b08u
+#define AXIS_F_AXIS_STRUCTURE_0 0x2537528du
+#define AXIS_F_AXIS_STRUCTURE_1 0x8f69c22eu
+#define AXIS_F_AXIS_STRUCTURE_2 0x43250355u
+#define AXIS_F_AXIS_STRUCTURE_3 0xe11c7265u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_F_AXIS_INPUTS_SIZE 32u
 #define AXIS_F_AXIS_OUTPUTS_SIZE 28u

@@ -4,9 +4,9 @@
  * block       axis
  * real type   double
  * cycle time  1000000 ns
- * parameters  f88928a4b0cb8925346337cc6f417916
- * structure   d2ca3de14fc8bac8fa802b15bead99b3
- * checksum    7e83cb19324347361ec4245cb663a05b
+ * parameters  273adca5418a624708310e0a2b0a0c19
+ * structure   b7a16ab520116ac62408b04027b24048
+ * checksum    c5a493e396be4e9effd1b755b2c24aa0
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"

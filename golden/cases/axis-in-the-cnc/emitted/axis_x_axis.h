@@ -4,9 +4,9 @@
  * block       axis
  * real type   double
  * cycle time  1000000 ns
- * parameters  f88928a4b0cb8925346337cc6f417916
- * structure   d2ca3de14fc8bac8fa802b15bead99b3
- * checksum    84455876541ac6455c5cbb4686c3f2f5
+ * parameters  273adca5418a624708310e0a2b0a0c19
+ * structure   b7a16ab520116ac62408b04027b24048
+ * checksum    faf11183c3e4142944db6bf204cb5dbe
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_AXIS_H
@@ -27,15 +27,15 @@ extern "C" {
 /* the largest |v_add| [um/s] */
 #define AXIS_X_AXIS_LIMIT 530000.0
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_AXIS_PARAMETERS_0 0xf88928a4u
-#define AXIS_X_AXIS_PARAMETERS_1 0xb0cb8925u
-#define AXIS_X_AXIS_PARAMETERS_2 0x346337ccu
-#define AXIS_X_AXIS_PARAMETERS_3 0x6f417916u
+#define AXIS_X_AXIS_PARAMETERS_0 0x273adca5u
+#define AXIS_X_AXIS_PARAMETERS_1 0x418a6247u
+#define AXIS_X_AXIS_PARAMETERS_2 0x08310e0au
+#define AXIS_X_AXIS_PARAMETERS_3 0x2b0a0c19u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_AXIS_STRUCTURE_0 0xd2ca3de1u
-#define AXIS_X_AXIS_STRUCTURE_1 0x4fc8bac8u
-#define AXIS_X_AXIS_STRUCTURE_2 0xfa802b15u
-#define AXIS_X_AXIS_STRUCTURE_3 0xbead99b3u
+#define AXIS_X_AXIS_STRUCTURE_0 0xb7a16ab5u
+#define AXIS_X_AXIS_STRUCTURE_1 0x20116ac6u
+#define AXIS_X_AXIS_STRUCTURE_2 0x2408b040u
+#define AXIS_X_AXIS_STRUCTURE_3 0x27b24048u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_AXIS_INPUTS_SIZE 64u
 #define AXIS_X_AXIS_OUTPUTS_SIZE 48u

@@ -4,9 +4,9 @@
  * block       axis
  * real type   double
  * cycle time  1000000 ns
- * parameters  4b94686ea9cabab185eae78f0d31c8d1
- * structure   2e0ea928bcd84c3efccfb0fea0fc2ef1
- * checksum    e70b43a802cc481c08c42bdf238508c9
+ * parameters  2db12b55d2534ca103a8883bcea9d407
+ * structure   5aed8e2bb9631b4108d87264a7e44bc8
+ * checksum    7bcca4a49c44e6266758a70c7ad823c9
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_y2_axis.h"

@@ -4,9 +4,9 @@
  * block       axis
  * real type   double
  * cycle time  1000000 ns
- * parameters  4b94686ea9cabab185eae78f0d31c8d1
- * structure   2e0ea928bcd84c3efccfb0fea0fc2ef1
- * checksum    2fcb341d264825014127c8757bb273df
+ * parameters  2db12b55d2534ca103a8883bcea9d407
+ * structure   5aed8e2bb9631b4108d87264a7e44bc8
+ * checksum    4d3374d2753f275148496e7ae29480e0
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_Y2_AXIS_H
@@ -27,15 +27,15 @@ extern "C" {
 /* the largest |v_add| [um/s] */
 #define AXIS_Y2_AXIS_LIMIT 500000.0
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_Y2_AXIS_PARAMETERS_0 0x4b94686eu
-#define AXIS_Y2_AXIS_PARAMETERS_1 0xa9cabab1u
-#define AXIS_Y2_AXIS_PARAMETERS_2 0x85eae78fu
-#define AXIS_Y2_AXIS_PARAMETERS_3 0x0d31c8d1u
+#define AXIS_Y2_AXIS_PARAMETERS_0 0x2db12b55u
+#define AXIS_Y2_AXIS_PARAMETERS_1 0xd2534ca1u
+#define AXIS_Y2_AXIS_PARAMETERS_2 0x03a8883bu
+#define AXIS_Y2_AXIS_PARAMETERS_3 0xcea9d407u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_Y2_AXIS_STRUCTURE_0 0x2e0ea928u
-#define AXIS_Y2_AXIS_STRUCTURE_1 0xbcd84c3eu
-#define AXIS_Y2_AXIS_STRUCTURE_2 0xfccfb0feu
-#define AXIS_Y2_AXIS_STRUCTURE_3 0xa0fc2ef1u
+#define AXIS_Y2_AXIS_STRUCTURE_0 0x5aed8e2bu
+#define AXIS_Y2_AXIS_STRUCTURE_1 0xb9631b41u
+#define AXIS_Y2_AXIS_STRUCTURE_2 0x08d87264u
+#define AXIS_Y2_AXIS_STRUCTURE_3 0xa7e44bc8u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_Y2_AXIS_INPUTS_SIZE 32u
 #define AXIS_Y2_AXIS_OUTPUTS_SIZE 40u

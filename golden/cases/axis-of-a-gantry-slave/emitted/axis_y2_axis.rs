@@ -4,8 +4,8 @@
 // block       axis
 // real type   f64
 // cycle time  1000000 ns
-// parameters  4b94686ea9cabab185eae78f0d31c8d1
-// checksum    3e3ffda41ed1fc17ee17c9d46d3c95b3
+// parameters  2db12b55d2534ca103a8883bcea9d407
+// checksum    763197d7193b800f8ea76e8584e28932
 // licence     this file belongs to the user of axgen; no licence of axgen applies to it
 
 /// Written by the caller.
@@ -319,10 +319,10 @@ pub fn self_test() -> u32 {
     let mut inputs = Inputs::new();
     let mut outputs = Outputs::new();
     let mut random: u32 = 1;
-    // noise: the next number, as bits
-    let mut noise = |scale: f64| {
+    // noise: the next integer of 24 bits
+    let mut noise = || {
         random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        (f64::from(random >> 8) - 8_388_608.0) * scale
+        f64::from(random >> 8)
     };
     let not_a_number = f64::from_bits(0x7ff8_0000_0000_0000);
     let mut digest: u64 = 0;
@@ -331,11 +331,11 @@ pub fn self_test() -> u32 {
         // at first within every limit, so that nothing is cut off
         let scale = if sample < 33 { 0.001953125 } else { 1.0 };
         // each input is no number for one sample: a block that does not notice it goes on with other bits
-        let value = noise(scale);
+        let value = (noise() - 8_388_608.0) * scale;
         inputs.x_command = if sample == 1 { not_a_number } else { value };
-        let value = noise(scale);
+        let value = (noise() - 8_388_608.0) * scale;
         inputs.x_actual = if sample == 4 { not_a_number } else { value };
-        let value = noise(scale);
+        let value = (noise() - 8_388_608.0) * scale;
         inputs.v_add_master = if sample == 7 { not_a_number } else { value };
         step(&mut state, &inputs, &mut outputs);
         for bits in [

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  c457484c0e8d97b740ac5a2fd735266c
- * structure   1c1a29a8ec012d2117b8460d64a31cee
- * checksum    0e5071398826d64a680775768437fd92
+ * parameters  05550f54ed225d18fecf0f48000fec37
+ * structure   f74226b8c3882b07b9a36bb1405650c1
+ * checksum    fc9ac5d64a5583aa5e1cfc92a7533518
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

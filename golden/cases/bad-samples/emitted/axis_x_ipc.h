@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  c457484c0e8d97b740ac5a2fd735266c
- * structure   1c1a29a8ec012d2117b8460d64a31cee
- * checksum    082e4220ba42dd720b162a760458efda
+ * parameters  05550f54ed225d18fecf0f48000fec37
+ * structure   f74226b8c3882b07b9a36bb1405650c1
+ * checksum    7421b1abfc44ab6034cc74c1f4e54343
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -42,15 +42,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 500000 [um/s] */
 #define AXIS_X_IPC_BOUND 1925406.1806706567
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_IPC_PARAMETERS_0 0xc457484cu
-#define AXIS_X_IPC_PARAMETERS_1 0x0e8d97b7u
-#define AXIS_X_IPC_PARAMETERS_2 0x40ac5a2fu
-#define AXIS_X_IPC_PARAMETERS_3 0xd735266cu
+#define AXIS_X_IPC_PARAMETERS_0 0x05550f54u
+#define AXIS_X_IPC_PARAMETERS_1 0xed225d18u
+#define AXIS_X_IPC_PARAMETERS_2 0xfecf0f48u
+#define AXIS_X_IPC_PARAMETERS_3 0x000fec37u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x1c1a29a8u
-#define AXIS_X_IPC_STRUCTURE_1 0xec012d21u
-#define AXIS_X_IPC_STRUCTURE_2 0x17b8460du
-#define AXIS_X_IPC_STRUCTURE_3 0x64a31ceeu
+#define AXIS_X_IPC_STRUCTURE_0 0xf74226b8u
+#define AXIS_X_IPC_STRUCTURE_1 0xc3882b07u
+#define AXIS_X_IPC_STRUCTURE_2 0xb9a36bb1u
+#define AXIS_X_IPC_STRUCTURE_3 0x405650c1u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 40u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  58ca3210500c306c675abded373c86b9
- * structure   09161885d728512a3314394e4ad248eb
- * checksum    5837072994b538eee09403e3d5b5ebef
+ * parameters  d866a6f941d589509e7405f1c45ff916
+ * structure   f2e6e7914dc8dba198636c3b3f3f08dc
+ * checksum    6667502209303b126bb0a80c58d65a01
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

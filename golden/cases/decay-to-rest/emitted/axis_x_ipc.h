@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  58ca3210500c306c675abded373c86b9
- * structure   09161885d728512a3314394e4ad248eb
- * checksum    f7a6f1c3744891a28af0b5c74b05159b
+ * parameters  d866a6f941d589509e7405f1c45ff916
+ * structure   f2e6e7914dc8dba198636c3b3f3f08dc
+ * checksum    69c8c7c2ac5946d0532cea6b0ebbc213
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -39,15 +39,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 500000 [um/s] */
 #define AXIS_X_IPC_BOUND 2972567.232244032
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_IPC_PARAMETERS_0 0x58ca3210u
-#define AXIS_X_IPC_PARAMETERS_1 0x500c306cu
-#define AXIS_X_IPC_PARAMETERS_2 0x675abdedu
-#define AXIS_X_IPC_PARAMETERS_3 0x373c86b9u
+#define AXIS_X_IPC_PARAMETERS_0 0xd866a6f9u
+#define AXIS_X_IPC_PARAMETERS_1 0x41d58950u
+#define AXIS_X_IPC_PARAMETERS_2 0x9e7405f1u
+#define AXIS_X_IPC_PARAMETERS_3 0xc45ff916u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x09161885u
-#define AXIS_X_IPC_STRUCTURE_1 0xd728512au
-#define AXIS_X_IPC_STRUCTURE_2 0x3314394eu
-#define AXIS_X_IPC_STRUCTURE_3 0x4ad248ebu
+#define AXIS_X_IPC_STRUCTURE_0 0xf2e6e791u
+#define AXIS_X_IPC_STRUCTURE_1 0x4dc8dba1u
+#define AXIS_X_IPC_STRUCTURE_2 0x98636c3bu
+#define AXIS_X_IPC_STRUCTURE_3 0x3f3f08dcu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  4000000 ns
- * parameters  7f175884d5684974c7516a9772c9101f
- * structure   e72cb757496fcb896e2c8abf94fc029c
- * checksum    edf66627b218dfdc5ed002578e45dc2f
+ * parameters  899d9161a2ded0013f7b34563e3f8ca5
+ * structure   b4da3fb9a820983b51d2a9062cd64eb3
+ * checksum    adbe47860122395c4374e3136bf95d92
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  4000000 ns
- * parameters  7f175884d5684974c7516a9772c9101f
- * structure   e72cb757496fcb896e2c8abf94fc029c
- * checksum    ec44b9978e207c079c865a7f62b2817c
+ * parameters  899d9161a2ded0013f7b34563e3f8ca5
+ * structure   b4da3fb9a820983b51d2a9062cd64eb3
+ * checksum    cd4119528b8105728952a1b337739a0e
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -36,15 +36,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 500000 [um/s] */
 #define AXIS_X_IPC_BOUND 754047.5338176988
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_IPC_PARAMETERS_0 0x7f175884u
-#define AXIS_X_IPC_PARAMETERS_1 0xd5684974u
-#define AXIS_X_IPC_PARAMETERS_2 0xc7516a97u
-#define AXIS_X_IPC_PARAMETERS_3 0x72c9101fu
+#define AXIS_X_IPC_PARAMETERS_0 0x899d9161u
+#define AXIS_X_IPC_PARAMETERS_1 0xa2ded001u
+#define AXIS_X_IPC_PARAMETERS_2 0x3f7b3456u
+#define AXIS_X_IPC_PARAMETERS_3 0x3e3f8ca5u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xe72cb757u
-#define AXIS_X_IPC_STRUCTURE_1 0x496fcb89u
-#define AXIS_X_IPC_STRUCTURE_2 0x6e2c8abfu
-#define AXIS_X_IPC_STRUCTURE_3 0x94fc029cu
+#define AXIS_X_IPC_STRUCTURE_0 0xb4da3fb9u
+#define AXIS_X_IPC_STRUCTURE_1 0xa820983bu
+#define AXIS_X_IPC_STRUCTURE_2 0x51d2a906u
+#define AXIS_X_IPC_STRUCTURE_3 0x2cd64eb3u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -5,7 +5,7 @@
 // real type   f64
 // cycle time  1000000 ns
 // parameters  e6c01a5b3ef569d72ebaa9f39de14a3f
-// checksum    76bd97b52a6dff99b6c84359e88bc7a0
+// checksum    37b7cf5a6edac17242a969b8639c9964
 // licence     this file belongs to the user of axgen; no licence of axgen applies to it
 
 /// Written by the caller.
@@ -286,10 +286,10 @@ pub fn self_test() -> u32 {
     inputs.feedforward_active = true;
     inputs.feedforward_percentage = 87;
     let mut random: u32 = 1;
-    // noise: the next number, as bits
-    let mut noise = |scale: f64| {
+    // noise: the next integer of 24 bits
+    let mut noise = || {
         random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        (f64::from(random >> 8) - 8_388_608.0) * scale
+        f64::from(random >> 8)
     };
     let not_a_number = f64::from_bits(0x7ff8_0000_0000_0000);
     let mut digest: u64 = 0;
@@ -298,7 +298,7 @@ pub fn self_test() -> u32 {
         // at first within every limit, so that nothing is cut off
         let scale = if sample < 27 { 6.103515625e-5 } else { 0.03125 };
         // each input is no number for one sample: a block that does not notice it goes on with other bits
-        let value = noise(scale);
+        let value = (noise() - 8_388_608.0) * scale;
         inputs.a_interpolator = if sample == 1 { not_a_number } else { value };
         step(&mut state, &inputs, &mut outputs);
         for bits in [

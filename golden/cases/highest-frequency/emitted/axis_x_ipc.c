@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  4000000 ns
- * parameters  e2218d0b5939168de99b641de0954145
- * structure   921979c54bcfa22475680131ccb0abfb
- * checksum    1b471841233498f6227f06a0a302faba
+ * parameters  677de2a23211c4ed594818a9169e5c31
+ * structure   39551bc676888f52a49428fc83d3e817
+ * checksum    de40b3accf13d498aef02e76f1b45d32
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  4000000 ns
- * parameters  e2218d0b5939168de99b641de0954145
- * structure   921979c54bcfa22475680131ccb0abfb
- * checksum    93bb2e992526a82a3b3ba406d36be298
+ * parameters  677de2a23211c4ed594818a9169e5c31
+ * structure   39551bc676888f52a49428fc83d3e817
+ * checksum    6cdb3486e1ae9ff581ef38a1128df2cc
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -39,15 +39,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 500000 [um/s] */
 #define AXIS_X_IPC_BOUND 32057880.859571975
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_IPC_PARAMETERS_0 0xe2218d0bu
-#define AXIS_X_IPC_PARAMETERS_1 0x5939168du
-#define AXIS_X_IPC_PARAMETERS_2 0xe99b641du
-#define AXIS_X_IPC_PARAMETERS_3 0xe0954145u
+#define AXIS_X_IPC_PARAMETERS_0 0x677de2a2u
+#define AXIS_X_IPC_PARAMETERS_1 0x3211c4edu
+#define AXIS_X_IPC_PARAMETERS_2 0x594818a9u
+#define AXIS_X_IPC_PARAMETERS_3 0x169e5c31u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x921979c5u
-#define AXIS_X_IPC_STRUCTURE_1 0x4bcfa224u
-#define AXIS_X_IPC_STRUCTURE_2 0x75680131u
-#define AXIS_X_IPC_STRUCTURE_3 0xccb0abfbu
+#define AXIS_X_IPC_STRUCTURE_0 0x39551bc6u
+#define AXIS_X_IPC_STRUCTURE_1 0x76888f52u
+#define AXIS_X_IPC_STRUCTURE_2 0xa49428fcu
+#define AXIS_X_IPC_STRUCTURE_3 0x83d3e817u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 32u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  da7dcfbf6324441eefd915842e724825
- * structure   5140ae4180e1dff3ee53d8708c0a973b
- * checksum    ff3acc2d8ed4afb50a8c46b903306281
+ * parameters  035a2ceba1d4549378e201e9e82370a6
+ * structure   da303e9c0e74a085ae5cb1714295d328
+ * checksum    303f476d750f036260b869c21b69fe82
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  da7dcfbf6324441eefd915842e724825
- * structure   5140ae4180e1dff3ee53d8708c0a973b
- * checksum    e4935171ae049f3e3c6920da938ebd2c
+ * parameters  035a2ceba1d4549378e201e9e82370a6
+ * structure   da303e9c0e74a085ae5cb1714295d328
+ * checksum    c4b85d014bf8c1b63031684ca90ab511
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -35,15 +35,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 500000 [um/s] */
 #define AXIS_X_IPC_BOUND 2110464.9664355773
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_IPC_PARAMETERS_0 0xda7dcfbfu
-#define AXIS_X_IPC_PARAMETERS_1 0x6324441eu
-#define AXIS_X_IPC_PARAMETERS_2 0xefd91584u
-#define AXIS_X_IPC_PARAMETERS_3 0x2e724825u
+#define AXIS_X_IPC_PARAMETERS_0 0x035a2cebu
+#define AXIS_X_IPC_PARAMETERS_1 0xa1d45493u
+#define AXIS_X_IPC_PARAMETERS_2 0x78e201e9u
+#define AXIS_X_IPC_PARAMETERS_3 0xe82370a6u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x5140ae41u
-#define AXIS_X_IPC_STRUCTURE_1 0x80e1dff3u
-#define AXIS_X_IPC_STRUCTURE_2 0xee53d870u
-#define AXIS_X_IPC_STRUCTURE_3 0x8c0a973bu
+#define AXIS_X_IPC_STRUCTURE_0 0xda303e9cu
+#define AXIS_X_IPC_STRUCTURE_1 0x0e74a085u
+#define AXIS_X_IPC_STRUCTURE_2 0xae5cb171u
+#define AXIS_X_IPC_STRUCTURE_3 0x4295d328u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  2000000 ns
- * parameters  d14d3a7918d92673b139bab56474c78a
- * structure   a11f46f2ba6cb19711de10f1f804effd
- * checksum    14f6d4fc366bbc701341abb1d8aa7783
+ * parameters  2cb36657eb5edd333340ce8cb8317bc0
+ * structure   e95cc62d815e6d481b710f84c0e377f6
+ * checksum    ee55dc48e18a2f40513435449c12ef1b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

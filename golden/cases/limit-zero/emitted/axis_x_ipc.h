@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  2000000 ns
- * parameters  d14d3a7918d92673b139bab56474c78a
- * structure   a11f46f2ba6cb19711de10f1f804effd
- * checksum    52aa9ddb6e1942d96af78195be13ae78
+ * parameters  2cb36657eb5edd333340ce8cb8317bc0
+ * structure   e95cc62d815e6d481b710f84c0e377f6
+ * checksum    81db3a3ed7cdd1806af9d8f9f9d93d56
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -31,15 +31,15 @@ extern "C" {
 /* the largest |v_add| [um/s] */
 #define AXIS_X_IPC_LIMIT 0.0
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_IPC_PARAMETERS_0 0xd14d3a79u
-#define AXIS_X_IPC_PARAMETERS_1 0x18d92673u
-#define AXIS_X_IPC_PARAMETERS_2 0xb139bab5u
-#define AXIS_X_IPC_PARAMETERS_3 0x6474c78au
+#define AXIS_X_IPC_PARAMETERS_0 0x2cb36657u
+#define AXIS_X_IPC_PARAMETERS_1 0xeb5edd33u
+#define AXIS_X_IPC_PARAMETERS_2 0x3340ce8cu
+#define AXIS_X_IPC_PARAMETERS_3 0xb8317bc0u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xa11f46f2u
-#define AXIS_X_IPC_STRUCTURE_1 0xba6cb197u
-#define AXIS_X_IPC_STRUCTURE_2 0x11de10f1u
-#define AXIS_X_IPC_STRUCTURE_3 0xf804effdu
+#define AXIS_X_IPC_STRUCTURE_0 0xe95cc62du
+#define AXIS_X_IPC_STRUCTURE_1 0x815e6d48u
+#define AXIS_X_IPC_STRUCTURE_2 0x1b710f84u
+#define AXIS_X_IPC_STRUCTURE_3 0xc0e377f6u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  62500 ns
- * parameters  aed75293e65072928fb2cea84b48115c
- * structure   54a821ec3f8dad0303e125591db31152
- * checksum    8e6aba66bf917c195203fcdfaa96c0ca
+ * parameters  2ebd2317bdfdf9946197084c79fdae1d
+ * structure   63d6ff7876d5ec94ea1a0f0a61c5fa1c
+ * checksum    d6e08d740a57a1cc3ffb1d2b7002cc87
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

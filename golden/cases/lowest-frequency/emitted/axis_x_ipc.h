@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  62500 ns
- * parameters  aed75293e65072928fb2cea84b48115c
- * structure   54a821ec3f8dad0303e125591db31152
- * checksum    bdf077e8fab4f89cf7ad3a62f033d99a
+ * parameters  2ebd2317bdfdf9946197084c79fdae1d
+ * structure   63d6ff7876d5ec94ea1a0f0a61c5fa1c
+ * checksum    4c499a20d8bc0ad49e55cd6f22502d43
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -39,15 +39,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 500000 [um/s] */
 #define AXIS_X_IPC_BOUND 20369176.90505299
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_IPC_PARAMETERS_0 0xaed75293u
-#define AXIS_X_IPC_PARAMETERS_1 0xe6507292u
-#define AXIS_X_IPC_PARAMETERS_2 0x8fb2cea8u
-#define AXIS_X_IPC_PARAMETERS_3 0x4b48115cu
+#define AXIS_X_IPC_PARAMETERS_0 0x2ebd2317u
+#define AXIS_X_IPC_PARAMETERS_1 0xbdfdf994u
+#define AXIS_X_IPC_PARAMETERS_2 0x6197084cu
+#define AXIS_X_IPC_PARAMETERS_3 0x79fdae1du
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x54a821ecu
-#define AXIS_X_IPC_STRUCTURE_1 0x3f8dad03u
-#define AXIS_X_IPC_STRUCTURE_2 0x03e12559u
-#define AXIS_X_IPC_STRUCTURE_3 0x1db31152u
+#define AXIS_X_IPC_STRUCTURE_0 0x63d6ff78u
+#define AXIS_X_IPC_STRUCTURE_1 0x76d5ec94u
+#define AXIS_X_IPC_STRUCTURE_2 0xea1a0f0au
+#define AXIS_X_IPC_STRUCTURE_3 0x61c5fa1cu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  d49faab86653543787f7164e53d30e5b
- * structure   b87bac56e3e328ea923b69f28f164f32
- * checksum    ae372abc5c0f432ce871803af62a7ae9
+ * parameters  310bc9f2d370ffdb55eb325b34f7ea20
+ * structure   33777662f4563d65c0167031ac402b7c
+ * checksum    f447248b248f93a21f090107abd5c9c9
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  d49faab86653543787f7164e53d30e5b
- * structure   b87bac56e3e328ea923b69f28f164f32
- * checksum    9024131d82be1bc2be0a8d147ee50d66
+ * parameters  310bc9f2d370ffdb55eb325b34f7ea20
+ * structure   33777662f4563d65c0167031ac402b7c
+ * checksum    e3a0f94b017930a0bcb4e2b70a66e5d4
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -38,15 +38,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 500000 [um/s] */
 #define AXIS_X_IPC_BOUND 2126134.917079088
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_IPC_PARAMETERS_0 0xd49faab8u
-#define AXIS_X_IPC_PARAMETERS_1 0x66535437u
-#define AXIS_X_IPC_PARAMETERS_2 0x87f7164eu
-#define AXIS_X_IPC_PARAMETERS_3 0x53d30e5bu
+#define AXIS_X_IPC_PARAMETERS_0 0x310bc9f2u
+#define AXIS_X_IPC_PARAMETERS_1 0xd370ffdbu
+#define AXIS_X_IPC_PARAMETERS_2 0x55eb325bu
+#define AXIS_X_IPC_PARAMETERS_3 0x34f7ea20u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xb87bac56u
-#define AXIS_X_IPC_STRUCTURE_1 0xe3e328eau
-#define AXIS_X_IPC_STRUCTURE_2 0x923b69f2u
-#define AXIS_X_IPC_STRUCTURE_3 0x8f164f32u
+#define AXIS_X_IPC_STRUCTURE_0 0x33777662u
+#define AXIS_X_IPC_STRUCTURE_1 0xf4563d65u
+#define AXIS_X_IPC_STRUCTURE_2 0xc0167031u
+#define AXIS_X_IPC_STRUCTURE_3 0xac402b7cu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  22b9e1505dac5c1196b3902ac4dfba8e
- * structure   bcff547ef2f4124bb4e6d6abb03ce825
- * checksum    03bd4bdfd0cac4b9266bc6fd64323447
+ * parameters  097a836f6fa98f8ecb4119133f3f1eb0
+ * structure   b863f4554ff2e2ee807927b5c8d4dfad
+ * checksum    4bd8771fab500641dfcd4fcaca01d3aa
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_rack_and_pinion_ipc.h"

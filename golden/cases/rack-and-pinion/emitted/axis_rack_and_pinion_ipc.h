@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  22b9e1505dac5c1196b3902ac4dfba8e
- * structure   bcff547ef2f4124bb4e6d6abb03ce825
- * checksum    b64123990f214456b80bffaf4607809a
+ * parameters  097a836f6fa98f8ecb4119133f3f1eb0
+ * structure   b863f4554ff2e2ee807927b5c8d4dfad
+ * checksum    e6c31ffd5c7a0077779785a4f52a7749
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_RACK_AND_PINION_IPC_H
@@ -38,15 +38,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 530000 [um/s] */
 #define AXIS_RACK_AND_PINION_IPC_BOUND 2308249.013526049
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_RACK_AND_PINION_IPC_PARAMETERS_0 0x22b9e150u
-#define AXIS_RACK_AND_PINION_IPC_PARAMETERS_1 0x5dac5c11u
-#define AXIS_RACK_AND_PINION_IPC_PARAMETERS_2 0x96b3902au
-#define AXIS_RACK_AND_PINION_IPC_PARAMETERS_3 0xc4dfba8eu
+#define AXIS_RACK_AND_PINION_IPC_PARAMETERS_0 0x097a836fu
+#define AXIS_RACK_AND_PINION_IPC_PARAMETERS_1 0x6fa98f8eu
+#define AXIS_RACK_AND_PINION_IPC_PARAMETERS_2 0xcb411913u
+#define AXIS_RACK_AND_PINION_IPC_PARAMETERS_3 0x3f3f1eb0u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_0 0xbcff547eu
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_1 0xf2f4124bu
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_2 0xb4e6d6abu
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_3 0xb03ce825u
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_0 0xb863f455u
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_1 0x4ff2e2eeu
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_2 0x807927b5u
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_3 0xc8d4dfadu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_RACK_AND_PINION_IPC_INPUTS_SIZE 24u
 #define AXIS_RACK_AND_PINION_IPC_OUTPUTS_SIZE 24u

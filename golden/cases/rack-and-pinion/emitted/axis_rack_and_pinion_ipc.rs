@@ -4,8 +4,8 @@
 // block       ipc
 // real type   f64
 // cycle time  1000000 ns
-// parameters  22b9e1505dac5c1196b3902ac4dfba8e
-// checksum    d3c9e494fd5cb2d25ce9794b99f24476
+// parameters  097a836f6fa98f8ecb4119133f3f1eb0
+// checksum    13bc9502caa9b17dc964c7a4b01e3613
 // licence     this file belongs to the user of axgen; no licence of axgen applies to it
 
 // range: |v| <= 530000 gives |v_add| <= 2308249 before the limit and no |state| above 783998.6; for |v| <= 1e15:
@@ -449,10 +449,10 @@ pub fn self_test() -> u32 {
     let mut inputs = Inputs::new();
     let mut outputs = Outputs::new();
     let mut random: u32 = 1;
-    // noise: the next number, as bits
-    let mut noise = |scale: f64| {
+    // noise: the next integer of 24 bits
+    let mut noise = || {
         random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        (f64::from(random >> 8) - 8_388_608.0) * scale
+        f64::from(random >> 8)
     };
     let not_a_number = f64::from_bits(0x7ff8_0000_0000_0000);
     let mut digest: u64 = 0;
@@ -461,7 +461,7 @@ pub fn self_test() -> u32 {
         // at first within every limit, so that nothing is cut off
         let scale = if sample < 27 { 0.00390625 } else { 1.0 };
         // each input is no number for one sample: a block that does not notice it goes on with other bits
-        let value = noise(scale);
+        let value = (noise() - 8_388_608.0) * scale;
         inputs.v_motor = if sample == 1 { not_a_number } else { value };
         step(&mut state, &inputs, &mut outputs);
         for bits in [

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  125000 ns
- * parameters  64e9b6f3b4d48f8dec59ab3b1b6ec4e4
- * structure   1a5a56ee715abf2ba8549f97fe9bd65e
- * checksum    77a8c244cf1cc4fc9de44d4912e648ae
+ * parameters  01e6eb02896c59c399f72dbc0e232957
+ * structure   c10d4b1438c10e2a6d3dadc5e57d97e5
+ * checksum    7e45cd8831c43f3bba6200edca3d2db2
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_ipc.h"

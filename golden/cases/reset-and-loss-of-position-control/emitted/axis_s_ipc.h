@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  125000 ns
- * parameters  64e9b6f3b4d48f8dec59ab3b1b6ec4e4
- * structure   1a5a56ee715abf2ba8549f97fe9bd65e
- * checksum    fe3ad8f282c3a279b238f965859721d6
+ * parameters  01e6eb02896c59c399f72dbc0e232957
+ * structure   c10d4b1438c10e2a6d3dadc5e57d97e5
+ * checksum    d8a976b38aebb13c7391fcd43b09097b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_IPC_H
@@ -35,15 +35,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 36000000 [0.001 deg/s] */
 #define AXIS_S_IPC_BOUND 50955803.07236986
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_S_IPC_PARAMETERS_0 0x64e9b6f3u
-#define AXIS_S_IPC_PARAMETERS_1 0xb4d48f8du
-#define AXIS_S_IPC_PARAMETERS_2 0xec59ab3bu
-#define AXIS_S_IPC_PARAMETERS_3 0x1b6ec4e4u
+#define AXIS_S_IPC_PARAMETERS_0 0x01e6eb02u
+#define AXIS_S_IPC_PARAMETERS_1 0x896c59c3u
+#define AXIS_S_IPC_PARAMETERS_2 0x99f72dbcu
+#define AXIS_S_IPC_PARAMETERS_3 0x0e232957u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_S_IPC_STRUCTURE_0 0x1a5a56eeu
-#define AXIS_S_IPC_STRUCTURE_1 0x715abf2bu
-#define AXIS_S_IPC_STRUCTURE_2 0xa8549f97u
-#define AXIS_S_IPC_STRUCTURE_3 0xfe9bd65eu
+#define AXIS_S_IPC_STRUCTURE_0 0xc10d4b14u
+#define AXIS_S_IPC_STRUCTURE_1 0x38c10e2au
+#define AXIS_S_IPC_STRUCTURE_2 0x6d3dadc5u
+#define AXIS_S_IPC_STRUCTURE_3 0xe57d97e5u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_S_IPC_INPUTS_SIZE 24u
 #define AXIS_S_IPC_OUTPUTS_SIZE 24u

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   float
  * cycle time  2000000 ns
- * parameters  5b7004ccd3a2dab8a39f52a6bf036932
- * structure   2b03f6b7ed4bcb0ff168b4fa0a953bf4
- * checksum    654c010a919750188a739b13d333dd96
+ * parameters  e1f780f3962f4d82bdd4f2c5209ad1a5
+ * structure   8060977ac4e5cf5626126941444daeba
+ * checksum    754f86e49207628afecfb00a85a5a54b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   float
  * cycle time  2000000 ns
- * parameters  5b7004ccd3a2dab8a39f52a6bf036932
- * structure   2b03f6b7ed4bcb0ff168b4fa0a953bf4
- * checksum    d2ea5df01f24824a75471d52ebdf023d
+ * parameters  e1f780f3962f4d82bdd4f2c5209ad1a5
+ * structure   8060977ac4e5cf5626126941444daeba
+ * checksum    41623a05e61a012a7603852e939aa2bc
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -38,15 +38,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 500000 [um/s] */
 #define AXIS_X_IPC_BOUND 890525.75f
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_IPC_PARAMETERS_0 0x5b7004ccu
-#define AXIS_X_IPC_PARAMETERS_1 0xd3a2dab8u
-#define AXIS_X_IPC_PARAMETERS_2 0xa39f52a6u
-#define AXIS_X_IPC_PARAMETERS_3 0xbf036932u
+#define AXIS_X_IPC_PARAMETERS_0 0xe1f780f3u
+#define AXIS_X_IPC_PARAMETERS_1 0x962f4d82u
+#define AXIS_X_IPC_PARAMETERS_2 0xbdd4f2c5u
+#define AXIS_X_IPC_PARAMETERS_3 0x209ad1a5u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x2b03f6b7u
-#define AXIS_X_IPC_STRUCTURE_1 0xed4bcb0fu
-#define AXIS_X_IPC_STRUCTURE_2 0xf168b4fau
-#define AXIS_X_IPC_STRUCTURE_3 0x0a953bf4u
+#define AXIS_X_IPC_STRUCTURE_0 0x8060977au
+#define AXIS_X_IPC_STRUCTURE_1 0xc4e5cf56u
+#define AXIS_X_IPC_STRUCTURE_2 0x26126941u
+#define AXIS_X_IPC_STRUCTURE_3 0x444daebau
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 16u
 #define AXIS_X_IPC_OUTPUTS_SIZE 16u

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   float
  * cycle time  62500 ns
- * parameters  20e027df3704d73c1a87b018e7aae45e
- * structure   56064b1d1e238c3f7b9c226fbeeabae9
- * checksum    db075501c0fded41ed8036b9152740d4
+ * parameters  3ded08af76ecf576262a5ba0ab2f33f9
+ * structure   fb2ac103ef89e43f41e61ae6276ef16b
+ * checksum    e13eb0112bc08c859d1d6831ffd3a7f0
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   float
  * cycle time  62500 ns
- * parameters  20e027df3704d73c1a87b018e7aae45e
- * structure   56064b1d1e238c3f7b9c226fbeeabae9
- * checksum    5768bb49f6aaf65cfc30b076bc561e80
+ * parameters  3ded08af76ecf576262a5ba0ab2f33f9
+ * structure   fb2ac103ef89e43f41e61ae6276ef16b
+ * checksum    4b8a10732cc3c06992c47313f9cd752d
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -38,15 +38,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 500000 [um/s] */
 #define AXIS_X_IPC_BOUND 43803140.0f
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_IPC_PARAMETERS_0 0x20e027dfu
-#define AXIS_X_IPC_PARAMETERS_1 0x3704d73cu
-#define AXIS_X_IPC_PARAMETERS_2 0x1a87b018u
-#define AXIS_X_IPC_PARAMETERS_3 0xe7aae45eu
+#define AXIS_X_IPC_PARAMETERS_0 0x3ded08afu
+#define AXIS_X_IPC_PARAMETERS_1 0x76ecf576u
+#define AXIS_X_IPC_PARAMETERS_2 0x262a5ba0u
+#define AXIS_X_IPC_PARAMETERS_3 0xab2f33f9u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x56064b1du
-#define AXIS_X_IPC_STRUCTURE_1 0x1e238c3fu
-#define AXIS_X_IPC_STRUCTURE_2 0x7b9c226fu
-#define AXIS_X_IPC_STRUCTURE_3 0xbeeabae9u
+#define AXIS_X_IPC_STRUCTURE_0 0xfb2ac103u
+#define AXIS_X_IPC_STRUCTURE_1 0xef89e43fu
+#define AXIS_X_IPC_STRUCTURE_2 0x41e61ae6u
+#define AXIS_X_IPC_STRUCTURE_3 0x276ef16bu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 16u
 #define AXIS_X_IPC_OUTPUTS_SIZE 16u

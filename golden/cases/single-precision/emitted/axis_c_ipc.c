@@ -4,9 +4,9 @@
  * block       ipc
  * real type   float
  * cycle time  1000000 ns
- * parameters  ae2712c64f1c384ef24212d510257896
- * structure   90b53bdca6af7d51339a6d64d45a92e0
- * checksum    7c1ba443c72f379791c355bc450f63ea
+ * parameters  e2453a0975306551d54cce9dca887813
+ * structure   a1768612ef5f840404a2f5b6fe476728
+ * checksum    5096b01696fc29b3fadb7645f19ef8a7
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_c_ipc.h"

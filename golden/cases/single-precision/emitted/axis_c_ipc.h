@@ -4,9 +4,9 @@
  * block       ipc
  * real type   float
  * cycle time  1000000 ns
- * parameters  ae2712c64f1c384ef24212d510257896
- * structure   90b53bdca6af7d51339a6d64d45a92e0
- * checksum    ab71335b5431406cc196dc00796c0a65
+ * parameters  e2453a0975306551d54cce9dca887813
+ * structure   a1768612ef5f840404a2f5b6fe476728
+ * checksum    7fac4775302271731c81ff1e83190a42
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_C_IPC_H
@@ -44,15 +44,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 180000 [0.001 deg/s] */
 #define AXIS_C_IPC_BOUND 1090500.8f
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_C_IPC_PARAMETERS_0 0xae2712c6u
-#define AXIS_C_IPC_PARAMETERS_1 0x4f1c384eu
-#define AXIS_C_IPC_PARAMETERS_2 0xf24212d5u
-#define AXIS_C_IPC_PARAMETERS_3 0x10257896u
+#define AXIS_C_IPC_PARAMETERS_0 0xe2453a09u
+#define AXIS_C_IPC_PARAMETERS_1 0x75306551u
+#define AXIS_C_IPC_PARAMETERS_2 0xd54cce9du
+#define AXIS_C_IPC_PARAMETERS_3 0xca887813u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_C_IPC_STRUCTURE_0 0x90b53bdcu
-#define AXIS_C_IPC_STRUCTURE_1 0xa6af7d51u
-#define AXIS_C_IPC_STRUCTURE_2 0x339a6d64u
-#define AXIS_C_IPC_STRUCTURE_3 0xd45a92e0u
+#define AXIS_C_IPC_STRUCTURE_0 0xa1768612u
+#define AXIS_C_IPC_STRUCTURE_1 0xef5f8404u
+#define AXIS_C_IPC_STRUCTURE_2 0x04a2f5b6u
+#define AXIS_C_IPC_STRUCTURE_3 0xfe476728u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_C_IPC_INPUTS_SIZE 20u
 #define AXIS_C_IPC_OUTPUTS_SIZE 16u

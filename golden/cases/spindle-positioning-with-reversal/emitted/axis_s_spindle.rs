@@ -5,7 +5,7 @@
 // real type   f64
 // cycle time  2000000 ns
 // parameters  b92e28125bf8b73ebb5b80376f6f2970
-// checksum    1ce6d52cac225b4f9d64796cf610a4eb
+// checksum    6e7fd00c826cef28d98bd8b004ae580d
 // licence     this file belongs to the user of axgen; no licence of axgen applies to it
 
 /// Written by the caller.
@@ -1158,10 +1158,10 @@ pub fn self_test() -> u32 {
     let mut outputs = Outputs::new();
     inputs.drive_on = true;
     let mut random: u32 = 1;
-    // noise: the next number, as bits
-    let mut noise = |scale: f64| {
+    // noise: the next integer of 24 bits
+    let mut noise = || {
         random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        (f64::from(random >> 8) - 8_388_608.0) * scale
+        f64::from(random >> 8)
     };
     let not_a_number = f64::from_bits(0x7ff8_0000_0000_0000);
     let mut digest: u64 = 0;
@@ -1170,17 +1170,17 @@ pub fn self_test() -> u32 {
         // at first within every limit, so that nothing is cut off
         let scale = if sample < 42 { 1.52587890625e-5 } else { 0.125 };
         // each input is no number for one sample: a block that does not notice it goes on with other bits
-        let value = noise(scale);
+        let value = (noise() - 8_388_608.0) * scale;
         inputs.x_command = if sample == 1 { not_a_number } else { value };
-        let value = noise(scale);
+        let value = (noise() - 8_388_608.0) * scale;
         inputs.v_interpolator = if sample == 4 { not_a_number } else { value };
-        let value = noise(scale);
+        let value = (noise() - 8_388_608.0) * scale;
         inputs.x_actual = if sample == 7 { not_a_number } else { value };
-        let value = noise(scale);
+        let value = (noise() - 8_388_608.0) * scale;
         inputs.v_actual = if sample == 10 { not_a_number } else { value };
-        let value = noise(scale);
+        let value = (noise() - 8_388_608.0) * scale;
         inputs.s_word = if sample == 13 { not_a_number } else { value };
-        let value = noise(scale);
+        let value = (noise() - 8_388_608.0) * scale;
         inputs.s_position = if sample == 16 { not_a_number } else { value };
         step(&mut state, &inputs, &mut outputs);
         for bits in [

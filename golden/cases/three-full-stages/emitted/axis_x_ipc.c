@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  b2ea24ac07785b34ded970586d2c7f0d
- * structure   12682ec8e538aec016ba35284612fc39
- * checksum    e67f46ab73dfe4882cc7493a3b40e73b
+ * parameters  c8c2089743691a12a670aea6eebc23b5
+ * structure   1b0f6f2d697c404884bc77899f6c9e8d
+ * checksum    1bccbf0f0a339474c5ef6c61351ded75
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

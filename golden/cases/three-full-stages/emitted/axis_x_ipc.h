@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  b2ea24ac07785b34ded970586d2c7f0d
- * structure   12682ec8e538aec016ba35284612fc39
- * checksum    4576734f412af3de9484a5008101c80a
+ * parameters  c8c2089743691a12a670aea6eebc23b5
+ * structure   1b0f6f2d697c404884bc77899f6c9e8d
+ * checksum    a7c53d06498954b90a6135b5dafb79a9
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -42,15 +42,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 500000 [um/s] */
 #define AXIS_X_IPC_BOUND 3836785.6270133727
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_IPC_PARAMETERS_0 0xb2ea24acu
-#define AXIS_X_IPC_PARAMETERS_1 0x07785b34u
-#define AXIS_X_IPC_PARAMETERS_2 0xded97058u
-#define AXIS_X_IPC_PARAMETERS_3 0x6d2c7f0du
+#define AXIS_X_IPC_PARAMETERS_0 0xc8c20897u
+#define AXIS_X_IPC_PARAMETERS_1 0x43691a12u
+#define AXIS_X_IPC_PARAMETERS_2 0xa670aea6u
+#define AXIS_X_IPC_PARAMETERS_3 0xeebc23b5u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x12682ec8u
-#define AXIS_X_IPC_STRUCTURE_1 0xe538aec0u
-#define AXIS_X_IPC_STRUCTURE_2 0x16ba3528u
-#define AXIS_X_IPC_STRUCTURE_3 0x4612fc39u
+#define AXIS_X_IPC_STRUCTURE_0 0x1b0f6f2du
+#define AXIS_X_IPC_STRUCTURE_1 0x697c4048u
+#define AXIS_X_IPC_STRUCTURE_2 0x84bc7789u
+#define AXIS_X_IPC_STRUCTURE_3 0x9f6c9e8du
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 32u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

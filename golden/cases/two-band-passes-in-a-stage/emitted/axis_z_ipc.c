@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  125000 ns
- * parameters  0b9067d1a5292e8925a6acec6c698ad7
- * structure   ecb775cf31eb465edb46a4c5671feb48
- * checksum    bdc00e288d877fa923ec460270bc88cc
+ * parameters  8768c4a3e69a4771ad043b3e1f6ff3a7
+ * structure   b53976fa6993b742414e67305a027480
+ * checksum    c965f88c30ce314c23750065ac6f80e4
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_z_ipc.h"

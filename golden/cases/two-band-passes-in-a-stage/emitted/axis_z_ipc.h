@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  125000 ns
- * parameters  0b9067d1a5292e8925a6acec6c698ad7
- * structure   ecb775cf31eb465edb46a4c5671feb48
- * checksum    b32fabf01733cdbe27324876b0abe762
+ * parameters  8768c4a3e69a4771ad043b3e1f6ff3a7
+ * structure   b53976fa6993b742414e67305a027480
+ * checksum    7752fb6566b5674460d631dda9d32afe
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_Z_IPC_H
@@ -45,15 +45,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 300000 [um/s] */
 #define AXIS_Z_IPC_BOUND 1365422.6560584358
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_Z_IPC_PARAMETERS_0 0x0b9067d1u
-#define AXIS_Z_IPC_PARAMETERS_1 0xa5292e89u
-#define AXIS_Z_IPC_PARAMETERS_2 0x25a6acecu
-#define AXIS_Z_IPC_PARAMETERS_3 0x6c698ad7u
+#define AXIS_Z_IPC_PARAMETERS_0 0x8768c4a3u
+#define AXIS_Z_IPC_PARAMETERS_1 0xe69a4771u
+#define AXIS_Z_IPC_PARAMETERS_2 0xad043b3eu
+#define AXIS_Z_IPC_PARAMETERS_3 0x1f6ff3a7u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_Z_IPC_STRUCTURE_0 0xecb775cfu
-#define AXIS_Z_IPC_STRUCTURE_1 0x31eb465eu
-#define AXIS_Z_IPC_STRUCTURE_2 0xdb46a4c5u
-#define AXIS_Z_IPC_STRUCTURE_3 0x671feb48u
+#define AXIS_Z_IPC_STRUCTURE_0 0xb53976fau
+#define AXIS_Z_IPC_STRUCTURE_1 0x6993b742u
+#define AXIS_Z_IPC_STRUCTURE_2 0x414e6730u
+#define AXIS_Z_IPC_STRUCTURE_3 0x5a027480u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_Z_IPC_INPUTS_SIZE 32u
 #define AXIS_Z_IPC_OUTPUTS_SIZE 24u

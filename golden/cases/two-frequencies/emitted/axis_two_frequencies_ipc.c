@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  cc60750febfefdc7fb02c8bd3f4469b3
- * structure   6e662dafac3d27e10b14ab4f96191398
- * checksum    748fb3bada029e2177a621227fc6c911
+ * parameters  98ef165b1429998f7030c7689ebe1984
+ * structure   b6064186e90db0a1488863c93456856f
+ * checksum    ffe3e32337d143416d5dff8554f984ed
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_two_frequencies_ipc.h"

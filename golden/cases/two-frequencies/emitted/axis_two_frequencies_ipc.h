@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  cc60750febfefdc7fb02c8bd3f4469b3
- * structure   6e662dafac3d27e10b14ab4f96191398
- * checksum    82d1c0cde43a40f54c8d86daa5b92584
+ * parameters  98ef165b1429998f7030c7689ebe1984
+ * structure   b6064186e90db0a1488863c93456856f
+ * checksum    774ec2c41787271baa7ca4b2a20e7593
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_TWO_FREQUENCIES_IPC_H
@@ -39,15 +39,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 500000 [um/s] */
 #define AXIS_TWO_FREQUENCIES_IPC_BOUND 544377.9439517392
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_TWO_FREQUENCIES_IPC_PARAMETERS_0 0xcc60750fu
-#define AXIS_TWO_FREQUENCIES_IPC_PARAMETERS_1 0xebfefdc7u
-#define AXIS_TWO_FREQUENCIES_IPC_PARAMETERS_2 0xfb02c8bdu
-#define AXIS_TWO_FREQUENCIES_IPC_PARAMETERS_3 0x3f4469b3u
+#define AXIS_TWO_FREQUENCIES_IPC_PARAMETERS_0 0x98ef165bu
+#define AXIS_TWO_FREQUENCIES_IPC_PARAMETERS_1 0x1429998fu
+#define AXIS_TWO_FREQUENCIES_IPC_PARAMETERS_2 0x7030c768u
+#define AXIS_TWO_FREQUENCIES_IPC_PARAMETERS_3 0x9ebe1984u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_0 0x6e662dafu
-#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_1 0xac3d27e1u
-#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_2 0x0b14ab4fu
-#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_3 0x96191398u
+#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_0 0xb6064186u
+#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_1 0xe90db0a1u
+#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_2 0x488863c9u
+#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_3 0x3456856fu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_TWO_FREQUENCIES_IPC_INPUTS_SIZE 24u
 #define AXIS_TWO_FREQUENCIES_IPC_OUTPUTS_SIZE 24u

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  80d64cd14c58261d3c250ddc0b151fe9
- * structure   f5ed877ffff99a36e43b5378e0b93076
- * checksum    86d1392666307b273cf4424d982d59ed
+ * parameters  6f99155791694d13dee5cb5c76fe9e0a
+ * structure   f13ab61d4ec0a8f9b480e647c8dfb8dd
+ * checksum    5c1a144df940311dfafcb5b657896889
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  80d64cd14c58261d3c250ddc0b151fe9
- * structure   f5ed877ffff99a36e43b5378e0b93076
- * checksum    81115e8c3e6b8785e8b50438cd8e32c2
+ * parameters  6f99155791694d13dee5cb5c76fe9e0a
+ * structure   f13ab61d4ec0a8f9b480e647c8dfb8dd
+ * checksum    9cb164b147eb831861c5532303d03c0a
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -36,15 +36,15 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 500000 [um/s] */
 #define AXIS_X_IPC_BOUND 5088835.890289821
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_IPC_PARAMETERS_0 0x80d64cd1u
-#define AXIS_X_IPC_PARAMETERS_1 0x4c58261du
-#define AXIS_X_IPC_PARAMETERS_2 0x3c250ddcu
-#define AXIS_X_IPC_PARAMETERS_3 0x0b151fe9u
+#define AXIS_X_IPC_PARAMETERS_0 0x6f991557u
+#define AXIS_X_IPC_PARAMETERS_1 0x91694d13u
+#define AXIS_X_IPC_PARAMETERS_2 0xdee5cb5cu
+#define AXIS_X_IPC_PARAMETERS_3 0x76fe9e0au
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xf5ed877fu
-#define AXIS_X_IPC_STRUCTURE_1 0xfff99a36u
-#define AXIS_X_IPC_STRUCTURE_2 0xe43b5378u
-#define AXIS_X_IPC_STRUCTURE_3 0xe0b93076u
+#define AXIS_X_IPC_STRUCTURE_0 0xf13ab61du
+#define AXIS_X_IPC_STRUCTURE_1 0x4ec0a8f9u
+#define AXIS_X_IPC_STRUCTURE_2 0xb480e647u
+#define AXIS_X_IPC_STRUCTURE_3 0xc8dfb8ddu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -3,9 +3,10 @@
 //! Between its switches the block is linear: such a step shows one column of its state-space matrices. The amplitudes
 //! are powers of two, so that dividing by them rounds nothing.
 
+use crate::design::rounding::literal;
 use compiler::interp::Machine;
 use compiler::program::{Program, Variable};
-use portable::{Literal, Real, RealKind};
+use portable::{Literal, RealKind};
 
 /// What is 1 before a step; everything else is 0. Variables and inputs by their positions in the program.
 pub(crate) enum Source {
@@ -45,7 +46,10 @@ impl<'p> Probe<'p> {
             let found = variables.iter().position(|variable| variable.path == path);
             found.unwrap_or_else(|| panic!("certificate: the block has no {path}"))
         };
-        let mut inputs: Vec<_> = program.inputs.iter().map(|variable| variable.start).collect();
+        // What the caller may tune is as it is designed.
+        let start =
+            |input: &Variable| if program.is_fraction(input) { literal(1.0, program.real) } else { input.start };
+        let mut inputs: Vec<_> = program.inputs.iter().map(start).collect();
         inputs[at(&program.inputs, "mode")] = Literal::I32(reference::ipc::mode_on());
         let mut outputs = Vec::new();
         let mut machine = Machine::start(program);
@@ -92,10 +96,7 @@ impl<'p> Probe<'p> {
     }
 
     fn step(&mut self, source: &Source, amplitude: f64) {
-        let value = match self.real {
-            RealKind::F64 => Literal::F64(amplitude),
-            RealKind::F32 => Literal::F32(f32::lit(amplitude)),
-        };
+        let value = literal(amplitude, self.real);
         let (mut state, mut inputs) = (self.rest.clone(), self.inputs.clone());
         match source {
             Source::State(index) => state[*index] = value,

@@ -1,0 +1,104 @@
+//! What the caller tunes while the block acts: a factor from 0 to 1 for each stage's weight and one for the limit. Each follows its input
+//! along a ramp, so that nothing jumps.
+
+use super::signals::{Inputs, STAGES};
+use crate::stage;
+use portable::{Real, in_range, note, portable, within};
+
+/// The inputs that tune.
+pub const INPUTS: &[&str] = &["tuning_weight", "tuning_limit"];
+
+/// Coefficients.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Coeffs<R> {
+    /// whether weights and limit are inputs at all
+    pub active: bool,
+    /// start of tuning_weight
+    pub weight: [R; STAGES],
+    /// start of tuning_limit
+    pub limit: R,
+}
+
+/// A factor that follows an input.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Factor<R> {
+    /// its value in this cycle, 0 to 1
+    pub now: R,
+}
+
+/// State.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct State<R> {
+    /// of each stage's weight
+    pub weight: [Factor<R>; STAGES],
+    /// of the limit
+    pub limit: Factor<R>,
+}
+
+/// a factor below it is 0: no product with it is subnormal
+#[portable]
+pub fn least_factor<R: Real>() -> R {
+    R::lit(1.0e-6)
+}
+
+/// Moves a factor towards its input by at most `step`; `jumps`: at once, because the fade is 0. Gives whether the input is no number from 0
+/// to 1: then the factor stays.
+#[portable]
+pub fn follow<R: Real>(factor: &mut Factor<R>, wanted: R, step: R, jumps: bool) -> bool {
+    let mut is_usable = false;
+    // Mostly the input is the factor. The difference is no number where the input is none.
+    if in_range(wanted - factor.now, R::ZERO) {
+        is_usable = true;
+    } else {
+        if !in_range(factor.now, R::ONE) {
+            note("a factor has been overwritten");
+            factor.now = R::ZERO;
+        }
+        if in_range(wanted, R::ONE) {
+            if wanted >= R::ZERO {
+                is_usable = true;
+                let target = if wanted < least_factor() { R::ZERO } else { wanted };
+                let change = target - factor.now;
+                if jumps || within(change, step) {
+                    factor.now = target;
+                } else if change > R::ZERO {
+                    factor.now = factor.now + step;
+                } else {
+                    factor.now = factor.now - step;
+                }
+            }
+        }
+    }
+    !is_usable
+}
+
+/// Moves all factors; gives whether an input is held.
+#[portable]
+pub fn step<R: Real>(
+    state: &mut State<R>,
+    stages: &[stage::Coeffs<R>; STAGES],
+    fade_step: R,
+    jumps: bool,
+    inputs: &Inputs<R>,
+) -> bool {
+    let mut is_held = follow(&mut state.limit, inputs.tuning_limit, fade_step, jumps);
+    for i in 0..STAGES {
+        if stages[i].mode != stage::Mode::NotActive {
+            let is_one_held = follow(&mut state.weight[i], inputs.tuning_weight[i], fade_step, jumps);
+            is_held = is_held || is_one_held;
+        }
+    }
+    is_held
+}
+
+/// Before the first cycle: the first one takes the inputs at once, for nothing is added yet.
+#[portable]
+pub fn init<R: Real>(state: &mut State<R>) {
+    for i in 0..STAGES {
+        state.weight[i].now = R::ZERO;
+    }
+    state.limit.now = R::ZERO;
+}
