@@ -109,7 +109,12 @@ impl Subject {
         self.get("v_add")
     }
 
-    /// What went in and what came out since the start, as CSV.
+    /// What went in and came out so far is forgotten.
+    pub fn record_anew(&mut self) {
+        self.recorded.iter_mut().for_each(|samples| samples.bytes.clear());
+    }
+
+    /// What went in and what came out since then, or since the start, as CSV.
     #[must_use]
     pub fn csv(&self) -> String {
         csv::write(&[&self.recorded[0], &self.recorded[1]], Reals::Decimal)
