@@ -4,7 +4,7 @@
 mod rows;
 mod stage;
 
-use crate::axis::{Axis, Ipc};
+use crate::axis::Axis;
 use crate::blocks::{self, Designed, IPC};
 use crate::number::digits;
 use crate::target::{File, block_name, rendered, stem};
@@ -114,14 +114,14 @@ fn page(designed: &Designed, parameters: String) -> Page {
     }
 }
 
-/// The velocities that a stage looks at; what the block itself computes is not among them.
+/// The velocities that a stage looks at.
 fn signals(axis: &Axis, is_inside: bool) -> Vec<Signal> {
-    let is_read = |ipc: &Ipc, name: &str| ipc.stage.iter().flatten().any(|stage| stage.mode.source() == name);
-    let known = [
-        ("v_command", "the position controller with feedforward, before `v_add` is added"),
-        ("v_motor", "the motor encoder"),
-        ("v_direct", "the direct measuring system"),
-    ];
-    let known = known.into_iter().filter(|(name, _)| is_read(&axis.ipc, name) && !(is_inside && *name == "v_command"));
-    known.map(|(name, meaning)| Signal { name, meaning }).collect()
+    let is_read = |name: &str| axis.ipc.stage.iter().flatten().any(|stage| stage.mode.source() == name);
+    let command = match is_inside {
+        true => "the block itself",
+        false => "the position controller with feedforward, before `v_add` is added",
+    };
+    let known = [("v_command", command), ("v_motor", "the motor encoder"), ("v_direct", "the direct measuring system")];
+    let read = known.into_iter().filter(|(name, _)| is_read(name));
+    read.map(|(name, meaning)| Signal { name, meaning }).collect()
 }

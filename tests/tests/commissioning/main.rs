@@ -7,7 +7,7 @@ mod machine;
 mod page;
 
 use axgen_tests::environment;
-use axgen_tests::plant::measure::spectrum;
+use axgen_tests::plant::measure::{figures, spectrum};
 use machine::{Machine, Move, mean};
 use page::{Page, Step, Table};
 
@@ -33,6 +33,8 @@ struct Session {
 }
 
 const SENSOR: &str = "the sensor at the load (it need not show in the velocity of the motor)";
+/// What this machine needs [m].
+const FOLLOWING_ERROR: f64 = 3e-3;
 const LIMIT: &str = "lr_param.improved_position_control.v_add_max_fact";
 
 #[test]
@@ -265,6 +267,7 @@ fn weights(session: &mut Session, page: &mut Page) {
     session.growth = step.number("has not grown by more than ", " % since the row before");
     step.says("`limited` is FALSE");
     assert_eq!(step.number("", " s after the axis has come to rest"), session.quiet);
+    step.says("The following error is as small as your machine needs it");
     session.rest = step.number("`v_add` is less than ", " % of its peak");
     step.done();
 
@@ -320,6 +323,7 @@ fn one_row(session: &mut Session, how: &Step4, stage: usize, table: &Table, row:
     let run = session.make_move();
     assert!(!run.was_limited);
     session.has_gone(&run, &run.record.v_add, session.rest);
+    assert!(figures(&run.record).following_error < FOLLOWING_ERROR, "{row:?}");
     let now = session.amplitudes(&run);
     for (now, before) in now.iter().zip(&session.before) {
         assert!(*now <= before * (1.0 + session.growth / 100.0), "{row:?}: {before} -> {now}");
@@ -327,6 +331,8 @@ fn one_row(session: &mut Session, how: &Step4, stage: usize, table: &Table, row:
     let left = table.number(row, "left at best", "%") / 100.0;
     assert!(now[stage] < session.before[stage], "{row:?}: nothing has become better");
     assert!(now[stage] / session.off[stage] >= left - 0.01, "{row:?}: {}", now[stage] / session.off[stage]);
+    let part: Vec<f64> = now.iter().zip(&session.off).map(|(now, off)| now / off).collect();
+    println!("row {}: left of each stage's amplitude: {part:.2?}", row[0]);
     session.before = now;
 }
 
