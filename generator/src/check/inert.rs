@@ -49,7 +49,9 @@ fn no_effect(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     let own = [Name::Motor, Name::VelocityCommandData, Name::AdditiveVelocityData, Name::AdditiveTorqueData];
     // What a changeover does not use of these, its own rules say.
     let of_spindle = if control.spindle.is_some() { &[] } else { &KEYS[..] };
-    let own = own.into_iter().chain(of_spindle.iter().copied()).map(key);
+    let of_stages = [0, 1, 2].map(|i| (Name::TuningWeight, [i, 0]));
+    let own =
+        own.into_iter().chain(of_spindle.iter().copied()).map(key).chain([key(Name::TuningLimit)]).chain(of_stages);
     let is_controlled = !control.is_empty();
     let is_of_step = |(name, [step, _]): Key| step == gear || !name.parameter().path.starts_with("getriebe[");
     let of_lists = e

@@ -20,6 +20,7 @@ fn every_effective_parameter_in_the_order_of_the_table() {
 real f64
 fade 100ms
 ride_through 0
+tunable nothing
 kenngr.achs_typ ACHSTYP_TRANSLATOR
 getriebe[0].dynamik.vb_max 200000
 ipc.enable ON

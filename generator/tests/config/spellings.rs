@@ -3,7 +3,7 @@
 use generator::parameters::Name;
 use generator::parameters::words::{
     AddJerk, AxisType, Boolean, DirectSource, DriveType, Enable, FeedforwardWord, FilterType, LineEnd, ListEncoding,
-    Motor, OperationMode, ProcessDatum, Prototype, RealType, StageMode, TargetName, Width, Words,
+    Motor, OperationMode, ProcessDatum, Prototype, RealType, StageMode, TargetName, Tunable, Width, Words,
 };
 use std::collections::BTreeSet;
 
@@ -54,5 +54,6 @@ fn spellings_and_numbers_belong_to_one_word() {
     of_one_word::<RealType>();
     of_one_word::<StageMode>();
     of_one_word::<TargetName>();
+    of_one_word::<Tunable>();
     of_one_word::<Width>();
 }

@@ -179,7 +179,7 @@ pub fn improve<R: Real>(
     ipc::step(&mut state.ipc, &coeffs.ipc, &ipc_inputs, &mut ipc_outputs);
     if ipc_outputs.fault {
         fail(outputs, ipc_outputs.error_id);
-    } else if coeffs.ipc.tuning.active && ipc_outputs.error_id != error_none() {
+    } else if coeffs.ipc.tuning.active && ipc_outputs.error_id != error_none() && !outputs.fault {
         note("no fault: an input that tunes is held");
         outputs.error_id = ipc_outputs.error_id;
     }

@@ -25,6 +25,7 @@ use crate::signal::{error_tuning, error_v_command, error_v_direct, error_v_motor
 use crate::stage;
 use crate::sum::empty_sum;
 use portable::{Block, Enable, Fn, Real, from_u32, in_range, note, portable, within};
+use tuning::{is_followed, is_there};
 
 /// Coefficients.
 #[portable]
@@ -279,11 +280,6 @@ pub fn is_settled<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, mode: i32, v_mo
 /// One cycle. Only the inputs that a stage looks at are checked.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    let mut is_tuning_held = false;
-    if coeffs.tuning.active {
-        let jumps = state.fade == 0u32;
-        is_tuning_held = tuning::step(&mut state.tuning, &coeffs.stage, coeffs.fade_step, jumps, inputs);
-    }
     if coeffs.ride_through.active {
         let mut replaced = Inputs::<R>::default();
         outputs.held = ride_through::replace(
@@ -295,26 +291,32 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
             inputs,
             &mut replaced,
         );
-        cycle(state, coeffs, &replaced, outputs, is_tuning_held);
+        cycle(state, coeffs, &replaced, outputs);
     } else {
         outputs.held = false;
-        cycle(state, coeffs, inputs, outputs, is_tuning_held);
+        cycle(state, coeffs, inputs, outputs);
     }
 }
 
-/// One cycle with these samples. `is_tuning_held`: an input that tunes is not usable.
+/// One cycle with these samples.
 #[portable]
-pub fn cycle<R: Real>(
-    state: &mut State<R>,
-    coeffs: &Coeffs<R>,
-    inputs: &Inputs<R>,
-    outputs: &mut Outputs<R>,
-    is_tuning_held: bool,
-) {
+pub fn cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let mut runs = true;
+    let mut is_tuning_held = false;
     let mut reason = error_none();
-    // Mostly the mode is ON and the fade full: then nothing but the sections changes.
-    if !(may_act(coeffs, inputs) && inputs.mode == mode_on() && state.fade >= coeffs.fade_cycles) {
+    // Mostly the mode is ON, the fade full, and nothing is tuned: then nothing but the sections changes.
+    if !(may_act(coeffs, inputs)
+        && inputs.mode == mode_on()
+        && state.fade >= coeffs.fade_cycles
+        && is_followed(coeffs.tuning.active, inputs.tuning_limit, state.tuning.limit.now)
+        && is_followed(is_there(&coeffs.tuning, &coeffs.stage[0]), inputs.tuning_weight[0], state.tuning.weight[0].now)
+        && is_followed(is_there(&coeffs.tuning, &coeffs.stage[1]), inputs.tuning_weight[1], state.tuning.weight[1].now)
+        && is_followed(is_there(&coeffs.tuning, &coeffs.stage[2]), inputs.tuning_weight[2], state.tuning.weight[2].now))
+    {
+        if coeffs.tuning.active {
+            let jumps = state.fade == 0u32;
+            is_tuning_held = tuning::step(&mut state.tuning, &coeffs.stage, coeffs.fade_step, jumps, inputs);
+        }
         if state.disturbed {
             runs = false;
             reason = error_state();

@@ -44,6 +44,10 @@ pub fn replace<R: Real>(
     replaced.v_command = inputs.v_command;
     replaced.v_motor = inputs.v_motor;
     replaced.v_direct = inputs.v_direct;
+    for i in 0..STAGES {
+        replaced.tuning_weight[i] = inputs.tuning_weight[i];
+    }
+    replaced.tuning_limit = inputs.tuning_limit;
     replaced.mode = inputs.mode;
     replaced.position_controlled = inputs.position_controlled;
     replaced.reset = inputs.reset;

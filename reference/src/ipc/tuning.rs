@@ -44,35 +44,42 @@ pub fn least_factor<R: Real>() -> R {
     R::lit(1.0e-6)
 }
 
+/// Whether a factor, if it is there, is what its input asks for. The difference is no number where the input is none.
+#[portable]
+pub fn is_followed<R: Real>(is_there: bool, wanted: R, now: R) -> bool {
+    !is_there || in_range(wanted - now, R::ZERO)
+}
+
+/// Whether a factor of a stage is there.
+#[portable]
+pub fn is_there<R: Real>(coeffs: &Coeffs<R>, stage: &stage::Coeffs<R>) -> bool {
+    coeffs.active && stage.mode != stage::Mode::NotActive
+}
+
 /// Moves a factor towards its input by at most `step`; `jumps`: at once, because the fade is 0. Gives whether the input is no number from 0
 /// to 1: then the factor stays.
 #[portable]
 pub fn follow<R: Real>(factor: &mut Factor<R>, wanted: R, step: R, jumps: bool) -> bool {
-    let mut is_usable = false;
-    // Mostly the input is the factor. The difference is no number where the input is none.
-    if in_range(wanted - factor.now, R::ZERO) {
-        is_usable = true;
-    } else {
-        if !in_range(factor.now, R::ONE) {
-            note("a factor has been overwritten");
-            factor.now = R::ZERO;
-        }
-        if in_range(wanted, R::ONE) {
-            if wanted >= R::ZERO {
-                is_usable = true;
-                let target = if wanted < least_factor() { R::ZERO } else { wanted };
-                let change = target - factor.now;
-                if jumps || within(change, step) {
-                    factor.now = target;
-                } else if change > R::ZERO {
-                    factor.now = factor.now + step;
-                } else {
-                    factor.now = factor.now - step;
-                }
+    let mut is_held = true;
+    if !in_range(factor.now, R::ONE) {
+        note("a factor has been overwritten");
+        factor.now = R::ZERO;
+    }
+    if in_range(wanted, R::ONE) {
+        if wanted >= R::ZERO {
+            is_held = false;
+            let target = if wanted < least_factor() { R::ZERO } else { wanted };
+            let change = target - factor.now;
+            if jumps || within(change, step) {
+                factor.now = target;
+            } else if change > R::ZERO {
+                factor.now = factor.now + step;
+            } else {
+                factor.now = factor.now - step;
             }
         }
     }
-    !is_usable
+    is_held
 }
 
 /// Moves all factors; gives whether an input is held.

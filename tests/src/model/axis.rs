@@ -55,6 +55,7 @@ impl Axis {
         if acts {
             self.ipc.decide(found.is_disturbed);
         }
+        let is_tuning_held = acts && c.runs_stages && self.ipc.tune(inputs);
         let (ridden, command, held) =
             if acts && c.runs_stages { self.ipc.ride(p, c, inputs, command) } else { (*inputs, command, false) };
         let ipc_fault = match &c.slave {
@@ -68,7 +69,11 @@ impl Axis {
             _ if ipc_fault == 3 => self.ipc.fail(),
             _ if ipc_fault != 0 => self.ipc.stop(),
             Some(limit) => ipc::follow(c, limit, inputs.v_add_master),
-            None if c.runs_stages => self.ipc.cycle(c, &ridden, command, found.calculated),
+            // In OFF the calculated value is 0, whatever the sum is.
+            None if c.runs_stages => {
+                let shown = if found.calculated == 0.0 { found.v_add } else { found.calculated };
+                self.ipc.cycle(c, &ridden, command, shown)
+            }
             None => ipc::NOTHING,
         };
         let v_add = if found.v_add.is_finite() { Exact::given(found.v_add) } else { Exact::zero() };
@@ -82,6 +87,8 @@ impl Axis {
             (0, _, of_ipc) => of_ipc,
             (fault, ..) => fault,
         };
+        let is_fault = error_id != 0;
+        let error_id = if error_id == 0 && is_tuning_held { 4 } else { error_id };
         debug_assert!(c.location == Location::Cnc || controlled.v_command.is_zero());
         vec![
             ("v_command", real(&controlled.v_command, c.u)),
@@ -96,7 +103,7 @@ impl Axis {
             ("error_id", id(error_id)),
             ("limited", data_limited.into_iter().fold(added.limited, either)),
             ("held", flag(held)),
-            ("fault", flag(error_id != 0)),
+            ("fault", flag(is_fault)),
         ]
     }
 }

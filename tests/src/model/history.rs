@@ -18,6 +18,9 @@ pub struct Inputs {
     pub v_feedforward: f64,
     pub v_additive: f64,
     pub v_add: f64,
+    /// `tuning_weight`
+    pub tuning_weight: [f64; 3],
+    pub tuning_limit: f64,
     pub torque_feedforward: i32,
     pub mode: i32,
     pub feedforward_active: bool,
@@ -42,6 +45,8 @@ impl Inputs {
         v_feedforward: 0.0,
         v_additive: 0.0,
         v_add: 0.0,
+        tuning_weight: [1.0; 3],
+        tuning_limit: 1.0,
         torque_feedforward: 0,
         mode: 1,
         feedforward_active: true,
@@ -135,6 +140,11 @@ impl History {
         if self.rng.below(1000) < self.events {
             inputs.mode = *self.rng.pick(&[-1, 3, i32::MAX, i32::MIN]);
         }
+        for factor in inputs.tuning_weight.iter_mut().chain([&mut inputs.tuning_limit]) {
+            if self.rng.below(1000) < self.events / 4 {
+                *factor = *self.rng.pick(&[f64::NAN, f64::INFINITY, -0.5, 1.5, 1e30]);
+            }
+        }
         let [x_command, x_actual, v_interpolator, a_interpolator, j_interpolator, v_motor, ..] = reals;
         let [.., v_direct, v_add_master, v_feedforward, v_additive, v_add] = reals;
         Inputs {
@@ -177,6 +187,12 @@ impl History {
         // A mode lasts longer than the fade needs in some phases, and shorter in others.
         if rng.chance(40) {
             switches.mode = *rng.pick(&[0, 1, 1, 1, 2]);
+        }
+        for factor in switches.tuning_weight.iter_mut().chain([&mut switches.tuning_limit]) {
+            if rng.chance(15) {
+                let any = narrowed(uniform(rng).abs());
+                *factor = *rng.pick(&[0.0, 1.0, 0.5, any, any, 1e-7]);
+            }
         }
         if rng.chance(30) {
             switches.feedforward_active = !switches.feedforward_active;

@@ -36,6 +36,10 @@ pub struct Ipc {
     /// bad samples in a row that are replaced; how many there have been
     ride_through: u32,
     bad: u32,
+    /// whether weights and limit follow inputs; each stage's part of its weight, and that of the limit
+    tunable: bool,
+    weights: Vec<f64>,
+    part_of_limit: f64,
     /// `v_command`, `v_motor`, `v_direct` with which the stages ran last
     before: [f64; 3],
     /// a sum above this is a fault
@@ -80,10 +84,15 @@ impl Ipc {
         assert!((0.999 * own..=OF_BOUND * own).contains(&sum_limit), "sum_limit {sum_limit}, by the responses {own}");
         let (open, runs, largest, is_disturbed, disturbed) = (0, false, 0.0, false, None);
         let (ride_through, bad, before) = (p.ride_through, 0, [0.0; 3]);
+        let start = if p.tunable { 0.0 } else { 1.0 };
+        let (tunable, weights, part_of_limit) = (p.tunable, vec![start; stages.len()], start);
         Self {
             stages,
             ride_through,
             bad,
+            tunable,
+            weights,
+            part_of_limit,
             before,
             fade_cycles,
             open,
@@ -119,6 +128,27 @@ impl Ipc {
         }
     }
 
+    /// Moves the parts of weights and limit towards their inputs, by 1 / fade_cycles a cycle at most; while nothing is added, at once. Whether an
+    /// input is no number from 0 to 1, so that its part stays.
+    #[must_use]
+    pub fn tune(&mut self, inputs: &Inputs) -> bool {
+        if !self.tunable {
+            return false;
+        }
+        let step = 1.0 / f64::from(self.fade_cycles);
+        let mut is_held = false;
+        let parts = self.weights.iter_mut().zip(inputs.tuning_weight);
+        for (part, wanted) in parts.chain([(&mut self.part_of_limit, inputs.tuning_limit)]) {
+            if !(0.0..=1.0).contains(&wanted) {
+                is_held = true;
+                continue;
+            }
+            let wanted = if wanted < 1e-6 { 0.0 } else { wanted };
+            *part = if self.open == 0 { wanted } else { wanted.clamp(*part - step, *part + step) };
+        }
+        is_held
+    }
+
     /// The inputs and `v_command` with which a cycle runs, and whether the last good sample stands in the place of one of them.
     #[must_use]
     pub fn ride(&mut self, p: &Parameters, c: &Coefficients, inputs: &Inputs, v_command: f64) -> (Inputs, f64, bool) {
@@ -149,7 +179,7 @@ impl Ipc {
     }
 
     /// A cycle without a fault. `mode`: 0 OFF, 1 ON, 2 DRYRUN. Where rounding leaves open whether the sum is a fault, it is none if `found`, the
-    /// block's own `v_add_calculated`, is not 0; else the next cycle tells.
+    /// block's own `v_add_calculated` or `v_add`, is not 0; else the next cycle tells.
     pub fn cycle(&mut self, c: &Coefficients, inputs: &Inputs, v_command: f64, found: f64) -> Added {
         let x = |mode: Mode| match mode {
             Mode::SetPoint => v_command,
@@ -169,9 +199,12 @@ impl Ipc {
             return NOTHING;
         }
         self.largest = self.largest.max(here);
-        let v_sum: f64 = self.stages.iter_mut().map(|stage| stage.run(x(stage.mode))).sum();
-        let limit = c.limit.near();
-        let off = self.relative * self.largest;
+        let tuned = self.stages.iter_mut().zip(&self.weights);
+        let v_sum: f64 = tuned.map(|(stage, weight)| stage.run(x(stage.mode)) * weight).sum();
+        let limit = c.limit.near() * self.part_of_limit;
+        // A ramp adds up a rounding a cycle.
+        let of_ramp = if self.tunable { 4.0 * c.u * f64::from(self.fade_cycles) } else { 0.0 };
+        let off = (self.relative + of_ramp) * self.largest + of_ramp * c.limit.near();
         let [least, most] = [v_sum.abs() - off, v_sum.abs() + off];
         if most > self.sum_limit {
             let mut disturbed = Self { is_disturbed: true, disturbed: None, ..self.clone() };
@@ -183,8 +216,13 @@ impl Ipc {
             self.disturbed = (found == 0.0).then(|| Box::new(disturbed));
         }
         let is_open = self.disturbed.is_some();
-        let calculated =
-            if is_open { [0.0; 2] } else { [v_sum - off, v_sum + off].map(|sum| sum.clamp(-limit, limit)) };
+        let limits = [(limit - of_ramp * c.limit.near()).max(0.0), limit + of_ramp * c.limit.near()];
+        let within = |from: f64, to: f64, sum: f64| if sum < 0.0 { sum.max(-from) } else { sum.min(to) };
+        let calculated = if is_open {
+            [0.0; 2]
+        } else {
+            [within(limits[1], limits[0], v_sum - off), within(limits[0], limits[1], v_sum + off)]
+        };
         self.open = if inputs.mode == 1 { (self.open + 1).min(self.fade_cycles) } else { self.open.saturating_sub(1) };
         let fade = f64::from(self.open) / f64::from(self.fade_cycles);
         if inputs.mode == 0 && self.open == 0 {

@@ -88,6 +88,8 @@ pub struct Parameters {
     pub fade_ns: u32,
     /// `ride_through`
     pub ride_through: u32,
+    /// `tunable = "weights"`
+    pub tunable: bool,
     /// improved position control
     pub stages: Vec<Stage>,
     /// of a gantry slave
@@ -183,6 +185,9 @@ impl Parameters {
         }
         line(format!("fade = \"{}ns\"", self.fade_ns));
         line(format!("ride_through = {}", self.ride_through));
+        if self.tunable {
+            line("tunable = \"weights\"".to_owned());
+        }
         if let Some(master) = self.master {
             line("kopf.achs_nr = 5\nkenngr.gantry_ax_nr = 4".to_owned());
             line(self.gear());

@@ -91,6 +91,8 @@ fn blocks_as<R: Real>(designed: &Designed) -> [Option<Run>; 3] {
         [limited held fault],
         |inputs: &mut reference::axis::Inputs<R>, given: &Inputs| {
             inputs.mode = given.mode;
+            inputs.tuning_weight = given.tuning_weight.map(R::lit);
+            inputs.tuning_limit = R::lit(given.tuning_limit);
             inputs.feedforward_active = given.feedforward_active;
             inputs.feedforward_percentage = given.feedforward_percentage;
         }

@@ -225,11 +225,11 @@ fn dry_run(session: &mut Session, page: &mut Page) {
     let table = step.tables[0].clone();
     assert_eq!(table.rows.len(), 6);
     for row in &table.rows {
-        let [limit, fact] = [table.number(row, "limit", "um/s"), table.number(row, "`v_add_max_fact`", "")];
+        let [limit, fact] = [table.number(row, "limit [um/s]", ""), table.number(row, "`v_add_max_fact`", "")];
         assert_eq!(limit, fact * 530.0);
         assert!(!session.is_tunable || table.number(row, "`tuning_limit`", "") * 530_000.0 == limit);
     }
-    let row = table.rows.iter().find(|row| table.number(row, "limit", "um/s") > reserve * peak).unwrap();
+    let row = table.rows.iter().find(|row| table.number(row, "limit [um/s]", "") > reserve * peak).unwrap();
     session.v_add_max_fact = table.number(row, "`v_add_max_fact`", "");
     session.limit = if session.is_tunable { table.number(row, "`tuning_limit`", "") } else { session.v_add_max_fact };
     step.done();

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  776a92067fc0c97acf1358dc09f1df77
- * structure   010ffe5ed86da2b486f438483033b599
- * checksum    7dc4635bdacc2f62fde13c181b715c5c
+ * structure   18931eb9483e2298d59a2c119977ba00
+ * checksum    bdc10bb721f6dfc40554156ec07e6348
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_y_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  776a92067fc0c97acf1358dc09f1df77
- * structure   010ffe5ed86da2b486f438483033b599
- * checksum    a4bab8ebe81101829ce7d04d99b1e4c1
+ * structure   18931eb9483e2298d59a2c119977ba00
+ * checksum    0d0c6c9471ad762ce23be9e072510833
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_Y_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_Y_IPC_PARAMETERS_2 0xcf1358dcu
 #define AXIS_Y_IPC_PARAMETERS_3 0x09f1df77u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_Y_IPC_STRUCTURE_0 0x010ffe5eu
-#define AXIS_Y_IPC_STRUCTURE_1 0xd86da2b4u
-#define AXIS_Y_IPC_STRUCTURE_2 0x86f43848u
-#define AXIS_Y_IPC_STRUCTURE_3 0x3033b599u
+#define AXIS_Y_IPC_STRUCTURE_0 0x18931eb9u
+#define AXIS_Y_IPC_STRUCTURE_1 0x483e2298u
+#define AXIS_Y_IPC_STRUCTURE_2 0xd59a2c11u
+#define AXIS_Y_IPC_STRUCTURE_3 0x9977ba00u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_Y_IPC_INPUTS_SIZE 32u
 #define AXIS_Y_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  a7946ea0b07c6e724bf5e648d7f9875f
- * structure   2537528d8f69c22e43250355e11c7265
- * checksum    83e440c02d31f5bd7147071d60a74e33
+ * structure   5e37f4e5ea5e3aa3bc37517b73b0a31f
+ * checksum    3b675c218d2dca4692b9653024f1a998
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_F_AXIS_H
@@ -32,10 +32,10 @@ extern "C" {
 #define AXIS_F_AXIS_PARAMETERS_2 0x4bf5e648u
 #define AXIS_F_AXIS_PARAMETERS_3 0xd7f9875fu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_F_AXIS_STRUCTURE_0 0x2537528du
-#define AXIS_F_AXIS_STRUCTURE_1 0x8f69c22eu
-#define AXIS_F_AXIS_STRUCTURE_2 0x43250355u
-#define AXIS_F_AXIS_STRUCTURE_3 0xe11c7265u
+#define AXIS_F_AXIS_STRUCTURE_0 0x5e37f4e5u
+#define AXIS_F_AXIS_STRUCTURE_1 0xea5e3aa3u
+#define AXIS_F_AXIS_STRUCTURE_2 0xbc37517bu
+#define AXIS_F_AXIS_STRUCTURE_3 0x73b0a31fu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_F_AXIS_INPUTS_SIZE 32u
 #define AXIS_F_AXIS_OUTPUTS_SIZE 28u

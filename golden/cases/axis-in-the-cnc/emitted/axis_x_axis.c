@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  273adca5418a624708310e0a2b0a0c19
- * structure   b7a16ab520116ac62408b04027b24048
- * checksum    c5a493e396be4e9effd1b755b2c24aa0
+ * structure   c5ac50719fac19e3619276d717feba88
+ * checksum    384fbb4717258cb24f2fb75aa60a2ac7
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"

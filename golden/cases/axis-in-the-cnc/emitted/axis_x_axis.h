@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  273adca5418a624708310e0a2b0a0c19
- * structure   b7a16ab520116ac62408b04027b24048
- * checksum    faf11183c3e4142944db6bf204cb5dbe
+ * structure   c5ac50719fac19e3619276d717feba88
+ * checksum    bcc117b838b5cd16a6c4db2df128e8e6
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_AXIS_H
@@ -32,10 +32,10 @@ extern "C" {
 #define AXIS_X_AXIS_PARAMETERS_2 0x08310e0au
 #define AXIS_X_AXIS_PARAMETERS_3 0x2b0a0c19u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_AXIS_STRUCTURE_0 0xb7a16ab5u
-#define AXIS_X_AXIS_STRUCTURE_1 0x20116ac6u
-#define AXIS_X_AXIS_STRUCTURE_2 0x2408b040u
-#define AXIS_X_AXIS_STRUCTURE_3 0x27b24048u
+#define AXIS_X_AXIS_STRUCTURE_0 0xc5ac5071u
+#define AXIS_X_AXIS_STRUCTURE_1 0x9fac19e3u
+#define AXIS_X_AXIS_STRUCTURE_2 0x619276d7u
+#define AXIS_X_AXIS_STRUCTURE_3 0x17feba88u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_AXIS_INPUTS_SIZE 64u
 #define AXIS_X_AXIS_OUTPUTS_SIZE 48u

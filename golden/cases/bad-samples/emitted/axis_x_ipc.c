@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  05550f54ed225d18fecf0f48000fec37
- * structure   f74226b8c3882b07b9a36bb1405650c1
- * checksum    fc9ac5d64a5583aa5e1cfc92a7533518
+ * structure   d92e53a97ec420325e24cc8a7f3332d4
+ * checksum    bb093253eb1fbc03f29927a2369a26a8
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  05550f54ed225d18fecf0f48000fec37
- * structure   f74226b8c3882b07b9a36bb1405650c1
- * checksum    7421b1abfc44ab6034cc74c1f4e54343
+ * structure   d92e53a97ec420325e24cc8a7f3332d4
+ * checksum    b3bdf83f845eb0493b16100805b18f59
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -47,10 +47,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xfecf0f48u
 #define AXIS_X_IPC_PARAMETERS_3 0x000fec37u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xf74226b8u
-#define AXIS_X_IPC_STRUCTURE_1 0xc3882b07u
-#define AXIS_X_IPC_STRUCTURE_2 0xb9a36bb1u
-#define AXIS_X_IPC_STRUCTURE_3 0x405650c1u
+#define AXIS_X_IPC_STRUCTURE_0 0xd92e53a9u
+#define AXIS_X_IPC_STRUCTURE_1 0x7ec42032u
+#define AXIS_X_IPC_STRUCTURE_2 0x5e24cc8au
+#define AXIS_X_IPC_STRUCTURE_3 0x7f3332d4u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 40u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  d866a6f941d589509e7405f1c45ff916
- * structure   f2e6e7914dc8dba198636c3b3f3f08dc
- * checksum    69c8c7c2ac5946d0532cea6b0ebbc213
+ * structure   af488c0925164a6c518bff1d3d4c380a
+ * checksum    fdbd0ea4283943ac7a15184fdd48ecc5
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x9e7405f1u
 #define AXIS_X_IPC_PARAMETERS_3 0xc45ff916u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xf2e6e791u
-#define AXIS_X_IPC_STRUCTURE_1 0x4dc8dba1u
-#define AXIS_X_IPC_STRUCTURE_2 0x98636c3bu
-#define AXIS_X_IPC_STRUCTURE_3 0x3f3f08dcu
+#define AXIS_X_IPC_STRUCTURE_0 0xaf488c09u
+#define AXIS_X_IPC_STRUCTURE_1 0x25164a6cu
+#define AXIS_X_IPC_STRUCTURE_2 0x518bff1du
+#define AXIS_X_IPC_STRUCTURE_3 0x3d4c380au
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  899d9161a2ded0013f7b34563e3f8ca5
- * structure   b4da3fb9a820983b51d2a9062cd64eb3
- * checksum    adbe47860122395c4374e3136bf95d92
+ * structure   b3c027028793004ad19daa0d7d900a32
+ * checksum    3750e94dde8d38cdd50368c1c4420aaa
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  677de2a23211c4ed594818a9169e5c31
- * structure   39551bc676888f52a49428fc83d3e817
- * checksum    de40b3accf13d498aef02e76f1b45d32
+ * structure   9ddf24f05605f2bc7e39ba83dd092634
+ * checksum    2220ba190bae57f475f3b79cf3736f25
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  677de2a23211c4ed594818a9169e5c31
- * structure   39551bc676888f52a49428fc83d3e817
- * checksum    6cdb3486e1ae9ff581ef38a1128df2cc
+ * structure   9ddf24f05605f2bc7e39ba83dd092634
+ * checksum    8d9fdf075c26b85123d1b4c71fbb0f75
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x594818a9u
 #define AXIS_X_IPC_PARAMETERS_3 0x169e5c31u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x39551bc6u
-#define AXIS_X_IPC_STRUCTURE_1 0x76888f52u
-#define AXIS_X_IPC_STRUCTURE_2 0xa49428fcu
-#define AXIS_X_IPC_STRUCTURE_3 0x83d3e817u
+#define AXIS_X_IPC_STRUCTURE_0 0x9ddf24f0u
+#define AXIS_X_IPC_STRUCTURE_1 0x5605f2bcu
+#define AXIS_X_IPC_STRUCTURE_2 0x7e39ba83u
+#define AXIS_X_IPC_STRUCTURE_3 0xdd092634u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 32u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

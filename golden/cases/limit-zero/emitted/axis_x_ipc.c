@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  2cb36657eb5edd333340ce8cb8317bc0
- * structure   e95cc62d815e6d481b710f84c0e377f6
- * checksum    ee55dc48e18a2f40513435449c12ef1b
+ * structure   9f15e9342218f750841dd19ffe303fe9
+ * checksum    df3e503abbaa30db6ee8f32ee1853f3a
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  2cb36657eb5edd333340ce8cb8317bc0
- * structure   e95cc62d815e6d481b710f84c0e377f6
- * checksum    81db3a3ed7cdd1806af9d8f9f9d93d56
+ * structure   9f15e9342218f750841dd19ffe303fe9
+ * checksum    0a05969a12b76f5bdcd18235e21665ba
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -36,10 +36,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x3340ce8cu
 #define AXIS_X_IPC_PARAMETERS_3 0xb8317bc0u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xe95cc62du
-#define AXIS_X_IPC_STRUCTURE_1 0x815e6d48u
-#define AXIS_X_IPC_STRUCTURE_2 0x1b710f84u
-#define AXIS_X_IPC_STRUCTURE_3 0xc0e377f6u
+#define AXIS_X_IPC_STRUCTURE_0 0x9f15e934u
+#define AXIS_X_IPC_STRUCTURE_1 0x2218f750u
+#define AXIS_X_IPC_STRUCTURE_2 0x841dd19fu
+#define AXIS_X_IPC_STRUCTURE_3 0xfe303fe9u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  62500 ns
  * parameters  2ebd2317bdfdf9946197084c79fdae1d
- * structure   63d6ff7876d5ec94ea1a0f0a61c5fa1c
- * checksum    d6e08d740a57a1cc3ffb1d2b7002cc87
+ * structure   05fe2f827368fc36bd5455b9a5b0408b
+ * checksum    42fbc58468104dae6919f124acd56c76
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  097a836f6fa98f8ecb4119133f3f1eb0
- * structure   b863f4554ff2e2ee807927b5c8d4dfad
- * checksum    4bd8771fab500641dfcd4fcaca01d3aa
+ * structure   8ea467918d850a8f9497e5a443349fe8
+ * checksum    b0d0c729bce4bc035fe5ba815da99289
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_rack_and_pinion_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  01e6eb02896c59c399f72dbc0e232957
- * structure   c10d4b1438c10e2a6d3dadc5e57d97e5
- * checksum    7e45cd8831c43f3bba6200edca3d2db2
+ * structure   61197682238ec9c3af8e9756985f78f8
+ * checksum    9310ed72b24ac4a2b0dddd2c932a7563
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_ipc.h"

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  62500 ns
  * parameters  3ded08af76ecf576262a5ba0ab2f33f9
- * structure   fb2ac103ef89e43f41e61ae6276ef16b
- * checksum    e13eb0112bc08c859d1d6831ffd3a7f0
+ * structure   f0406d65fd9afe3fbe81d8fd59913d4f
+ * checksum    bca57d358360ec438bd5ebc8e3ae7c62
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

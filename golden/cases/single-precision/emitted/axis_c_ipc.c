@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  e2453a0975306551d54cce9dca887813
- * structure   a1768612ef5f840404a2f5b6fe476728
- * checksum    5096b01696fc29b3fadb7645f19ef8a7
+ * structure   2b78976abdb88db6f6111bed6c87fa58
+ * checksum    e1d72d76048f27d461f730c4965bc11a
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_c_ipc.h"

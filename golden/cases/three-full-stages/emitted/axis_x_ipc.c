@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  c8c2089743691a12a670aea6eebc23b5
- * structure   1b0f6f2d697c404884bc77899f6c9e8d
- * checksum    1bccbf0f0a339474c5ef6c61351ded75
+ * structure   068044bffd957569465ed1d0fe11ba34
+ * checksum    864f9dbdfb254d811275aaeb9bab9b76
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

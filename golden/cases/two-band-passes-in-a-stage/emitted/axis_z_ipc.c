@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  8768c4a3e69a4771ad043b3e1f6ff3a7
- * structure   b53976fa6993b742414e67305a027480
- * checksum    c965f88c30ce314c23750065ac6f80e4
+ * structure   c73a09ffc6f7acdac25bb220336240c0
+ * checksum    93ab40667645bee8b19c430e070008d6
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_z_ipc.h"

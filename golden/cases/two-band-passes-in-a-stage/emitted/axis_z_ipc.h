@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  8768c4a3e69a4771ad043b3e1f6ff3a7
- * structure   b53976fa6993b742414e67305a027480
- * checksum    7752fb6566b5674460d631dda9d32afe
+ * structure   c73a09ffc6f7acdac25bb220336240c0
+ * checksum    dbb4ef85a3fab27e703dd0557f5dad11
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_Z_IPC_H
@@ -50,10 +50,10 @@ extern "C" {
 #define AXIS_Z_IPC_PARAMETERS_2 0xad043b3eu
 #define AXIS_Z_IPC_PARAMETERS_3 0x1f6ff3a7u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_Z_IPC_STRUCTURE_0 0xb53976fau
-#define AXIS_Z_IPC_STRUCTURE_1 0x6993b742u
-#define AXIS_Z_IPC_STRUCTURE_2 0x414e6730u
-#define AXIS_Z_IPC_STRUCTURE_3 0x5a027480u
+#define AXIS_Z_IPC_STRUCTURE_0 0xc73a09ffu
+#define AXIS_Z_IPC_STRUCTURE_1 0xc6f7acdau
+#define AXIS_Z_IPC_STRUCTURE_2 0xc25bb220u
+#define AXIS_Z_IPC_STRUCTURE_3 0x336240c0u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_Z_IPC_INPUTS_SIZE 32u
 #define AXIS_Z_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  98ef165b1429998f7030c7689ebe1984
- * structure   b6064186e90db0a1488863c93456856f
- * checksum    ffe3e32337d143416d5dff8554f984ed
+ * structure   b7d182dc09abd17ad8017c499307543a
+ * checksum    623bb75e6fdbe5a00df660d8778c27aa
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_two_frequencies_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  98ef165b1429998f7030c7689ebe1984
- * structure   b6064186e90db0a1488863c93456856f
- * checksum    774ec2c41787271baa7ca4b2a20e7593
+ * structure   b7d182dc09abd17ad8017c499307543a
+ * checksum    e5851359bc8001eb7cef22bf39068ba3
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_TWO_FREQUENCIES_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_TWO_FREQUENCIES_IPC_PARAMETERS_2 0x7030c768u
 #define AXIS_TWO_FREQUENCIES_IPC_PARAMETERS_3 0x9ebe1984u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_0 0xb6064186u
-#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_1 0xe90db0a1u
-#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_2 0x488863c9u
-#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_3 0x3456856fu
+#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_0 0xb7d182dcu
+#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_1 0x09abd17au
+#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_2 0xd8017c49u
+#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_3 0x9307543au
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_TWO_FREQUENCIES_IPC_INPUTS_SIZE 24u
 #define AXIS_TWO_FREQUENCIES_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  6f99155791694d13dee5cb5c76fe9e0a
- * structure   f13ab61d4ec0a8f9b480e647c8dfb8dd
- * checksum    5c1a144df940311dfafcb5b657896889
+ * structure   fe10eebc356d0422438f7d2db0243947
+ * checksum    81bcf28e044b45777a8691c5ddcbdba2
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
