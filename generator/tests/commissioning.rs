@@ -25,8 +25,13 @@ fn of_set(set: &str) -> Vec<(String, String)> {
 
 /// A set of one axis: its keys, its improved position control.
 fn page(keys: &str, ipc: &str) -> String {
+    page_with("", keys, ipc)
+}
+
+/// The same with more parameters of its gear step.
+fn page_with(gear: &str, keys: &str, ipc: &str) -> String {
     let set = format!(
-        "cycle_time = \"500us\"\n[axis.X]\ngetriebe = [{{ dynamik.vb_max = 250000 }}]\n{keys}\n\
+        "cycle_time = \"500us\"\n[axis.X]\ngetriebe = [{{ dynamik.vb_max = 250000{gear} }}]\n{keys}\n\
          [axis.X.lr_param.improved_position_control]\n{ipc}\n"
     );
     let mut pages = of_set(&set);
@@ -137,8 +142,8 @@ fn a_filter_of_the_command_is_seen_at_the_load() {
 
 #[test]
 fn a_block_that_holds_the_others_is_the_one_to_call() {
-    let keys = "vorsteuer.vorsteuerung = \"VEL\"\nkenngr.antr_typ = 4\ngetriebe[0].kv = 3000";
-    let page = page(keys, &format!("v_add_max_fact = 10\nstage = [{{ {STAGE} }}]"));
+    let keys = "vorsteuer.vorsteuerung = \"VEL\"\nkenngr.antr_typ = 4";
+    let page = page_with(", kv = 3000", keys, &format!("v_add_max_fact = 10\nstage = [{{ {STAGE} }}]"));
     assert_says(
         &page,
         &[
