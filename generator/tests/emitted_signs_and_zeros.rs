@@ -187,7 +187,7 @@ fn a_literal_of_a_real_is_the_same_read_as_an_lreal_that_is_rounded() {
 
 /// What is assigned as a zero, in the order of the statements.
 fn zeros(code: &str) -> Vec<(String, bool)> {
-    let assignments = code.split(';').filter_map(|part| part.split_once(":="));
+    let assignments = code.split(';').filter_map(|part| part.rsplit_once(":="));
     let of = |(target, value): (&str, &str)| {
         let negative = match value.trim() {
             "0.0" => false,
