@@ -1,8 +1,6 @@
 //! Commissioning pages: which axes have one, and what a page says of an axis that is not the shipped example. Whether its steps lead anywhere is
 //! tested on a simulated machine, in the crate tests.
 
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
-
 use generator::config::ListOptions;
 use generator::digest::has_right_checksum;
 use generator::generate::pages;

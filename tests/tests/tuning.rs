@@ -2,6 +2,8 @@
 //! what the weight itself causes. A weight that jumps does.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+#![expect(clippy::float_cmp, reason = "numbers that were written, and 0, are exact")]
+#![expect(clippy::print_stdout, reason = "the documents show these figures")]
 
 use axgen_tests::plant::measure::{dwells, spectrum};
 use axgen_tests::plant::{self, Plant, Record, Sequence, subject::Subject};

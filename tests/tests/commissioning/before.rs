@@ -2,7 +2,7 @@
 
 use crate::machine::mean;
 use crate::page::Page;
-use crate::{LIMIT, SENSOR, Session};
+use crate::{SENSOR, Session};
 use axgen_tests::plant::measure::spectrum;
 
 pub fn connect(session: &mut Session, page: &mut Page) {
