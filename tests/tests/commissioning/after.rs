@@ -13,7 +13,7 @@ pub fn stop(session: &mut Session, page: &mut Page) {
     assert_eq!(of_tuning.is_some(), session.is_tunable);
     if let Some(row) = of_tuning {
         let id: f64 = row[0].rsplit(' ').next().unwrap().parse().unwrap();
-        assert!(row[1].contains("no number from 0 to 1"), "{row:?}");
+        assert!(row[1].contains("no number from 0 to 1") && row[2] == "write a number from 0 to 1", "{row:?}");
         for (value, error) in [(1.5, id), (-0.5, id), (f64::NAN, id), (1.0, 0.0)] {
             session.machine.set("tuning_weight0", value);
             session.machine.rest(0.01);
@@ -43,6 +43,7 @@ pub fn undo(session: &mut Session, page: &mut Page) {
     let mut step = page.step("6.2");
     session.write(&mut step);
     let [exactly, after] = [step.number("`v_add` is exactly ", " after "), step.number("is exactly # after ", " ms")];
+    assert_eq!(after / 1000.0, session.fade);
     session.machine.rest(after / 1000.0 + 0.001);
     assert_eq!(session.machine.get("v_add"), exactly);
     step.done();
@@ -51,7 +52,7 @@ pub fn undo(session: &mut Session, page: &mut Page) {
     session.machine.set("mode", 1.0);
     session.make_move();
     let writes = step.writes();
-    assert_eq!(writes.len(), 3, "{writes:?}");
+    assert_eq!(writes, [("reset", 1.0), ("mode", 0.0), ("reset", 0.0)].map(|(input, value)| (input.to_owned(), value)));
     let exactly = step.number("`v_add` is exactly ", " in the same cycle");
     let mut reset = 0;
     // It is written in the midst of a move.
@@ -69,7 +70,7 @@ pub fn hand_over(session: &mut Session, page: &mut Page) {
     page.section("7");
     let mut step = page.step("7.1");
     let writes = step.writes();
-    assert_eq!(writes.len(), 2, "{writes:?}");
+    assert_eq!(writes, [0.0, 1.0].map(|mode| ("mode".to_owned(), mode)));
     let wait = step.number("# for ", " ms") / 1000.0;
     assert_eq!(wait, session.fade);
     let name = step.name("Save the record as ", ",");
@@ -94,6 +95,8 @@ pub fn hand_over(session: &mut Session, page: &mut Page) {
         session.machine.done("axgen generate SET", 0);
         session.machine.load("SET");
         session.write(&mut step);
+        session.machine.rest(0.01);
+        assert_eq!(session.machine.get("error_id"), 0.0);
     } else {
         assert_eq!(step.commands, ["axgen diff SET trial/SET"]);
         let changed = session.machine.done(&step.commands[0], 1);
