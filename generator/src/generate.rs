@@ -2,7 +2,8 @@
 
 use crate::blocks::{self, Block, Designed, Part};
 use crate::target::{File, Header, Target, Unit};
-use crate::{axis::Axis, digest::digest, pipeline::Set};
+
+use crate::{axis::Axis, commissioning, digest::digest, pipeline::Set};
 use compiler::pass::Defect;
 use rayon::prelude::*;
 
@@ -27,6 +28,20 @@ pub fn files<T: Send>(
     Ok(taken.into_iter().flatten().chain(shared).collect())
 }
 
+/// Makes the commissioning pages of some axes (all, if none is named). A page belongs to an axis, not to one of its blocks and not to a
+/// target. Hands each to `take`; gives its answers, in the order of the axes.
+pub fn pages<T: Send>(set: &Set, axes: &[String], take: impl Fn(File) -> T + Sync) -> Vec<T> {
+    let chosen = set.axes.par_iter().filter(|of| axes.is_empty() || axes.contains(&of.axis.name));
+    let page = |designed: &Designed| commissioning::file(designed, parameters_digest(&designed.axis, blocks::IPC));
+    chosen.filter_map(page).map(&take).collect()
+}
+
+/// The digest of the effective parameters of a block of an axis.
+fn parameters_digest(axis: &Axis, block: &str) -> String {
+    let terms = blocks::named(block).map_or_else(String::new, |kind| kind.terms(axis));
+    digest((axis.canonical_of(block).to_owned() + &terms).as_bytes())
+}
+
 /// What a shared file may know of the axes.
 pub fn units<'s>(set: &'s Set) -> Vec<Unit<'s>> {
     let unit = |of: &'s Designed| Unit { axis: &of.axis.name, real: of.axis.real, blocks: blocks::names(&of.axis) };
@@ -37,14 +52,13 @@ pub fn units<'s>(set: &'s Set) -> Vec<Unit<'s>> {
 pub fn header(axis: &Axis, block: &Block) -> Header {
     let name = block.program.block;
     let kind = blocks::named(name);
-    let terms = kind.map_or_else(String::new, |kind| kind.terms(axis));
     Header {
         name: axis.name.clone(),
         real: axis.real,
         short_name: kind.filter(|_| axis.short_names).map(Part::short_name),
         cycle_time_ns: axis.cycle_time_ns,
         is_rotary: axis.control.is_rotary,
-        parameters_digest: digest((axis.canonical_of(name).to_owned() + &terms).as_bytes()),
+        parameters_digest: parameters_digest(axis, name),
         structure_digest: digest(format!("cycle_time_ns {}\n{}", axis.cycle_time_ns, block.structure).as_bytes()),
     }
 }

@@ -12,6 +12,7 @@ pub mod axis;
 pub mod blocks;
 mod check;
 pub mod codes;
+mod commissioning;
 pub mod config;
 mod design;
 pub mod diagnostics;

@@ -2,8 +2,9 @@
 
 use std::collections::BTreeSet;
 use std::io::Write;
+use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::Mutex;
+use std::sync::{Mutex, OnceLock};
 
 /// Whether everything is to be run (`AXGEN_EXHAUSTIVE`): all samples, all levels.
 #[must_use]
@@ -50,6 +51,29 @@ pub fn said(program: &str, option: &str) -> Option<String> {
 pub fn has_fma() -> bool {
     let cpu = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     !cfg!(target_arch = "x86_64") || cpu.split_whitespace().any(|flag| flag == "fma")
+}
+
+/// The program axgen, built as the tests are.
+///
+/// # Panics
+/// If it does not build.
+#[must_use]
+pub fn axgen() -> PathBuf {
+    static BUILT: OnceLock<PathBuf> = OnceLock::new();
+    let built = BUILT.get_or_init(|| {
+        // TARGET/PROFILE/deps/this-test
+        let test = std::env::current_exe().unwrap_or_else(|error| panic!("axgen: {error}"));
+        let folder = test.parent().and_then(Path::parent).unwrap_or_else(|| panic!("axgen: {}", test.display()));
+        let mut build = Command::new(std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned()));
+        build.args(["build", "--quiet", "--locked", "--package", "axgen", "--target-dir"]);
+        build.arg(folder.parent().unwrap_or(folder)).current_dir(env!("CARGO_MANIFEST_DIR"));
+        if folder.file_name().is_some_and(|profile| profile == "release") {
+            build.arg("--release");
+        }
+        assert!(build.status().is_ok_and(|status| status.success()), "axgen does not build");
+        folder.join("axgen")
+    });
+    built.clone()
 }
 
 fn is_set(variable: &str) -> bool {

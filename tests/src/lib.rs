@@ -7,5 +7,6 @@ pub mod environment;
 pub mod exploration;
 pub mod model;
 pub mod pictures;
+pub mod plant;
 pub mod random;
 pub mod simulation;

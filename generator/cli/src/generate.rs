@@ -56,11 +56,14 @@ pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Resul
     if let Some(show) = request.compare {
         let named = shared::named(&set, axes, &targets, out);
         let compare = |file| compare_files::difference(&file, out, show);
-        return compare_files::say(files(&named, axes, &targets, compare));
+        let blocks = files(&named, axes, &targets, compare);
+        return compare_files::say(blocks.into_iter().chain(generate::pages(&set, axes, compare)).collect());
     }
     let folder = write::open(out).map_err(refused)?;
     let named = shared::named(&set, axes, &targets, out);
-    let staged = files(&named, axes, &targets, |file| write::stage(&folder, &file));
+    let stage = |file| write::stage(&folder, &file);
+    let mut staged = files(&named, axes, &targets, stage);
+    staged.extend(generate::pages(&set, axes, stage));
     let paths: Vec<PathBuf> = staged.iter().flatten().map(|file| file.path.clone()).collect();
     let written = write::commit(folder, staged, request.force).map_err(refused)?;
     let left_out = named.iter().zip(&targets).filter_map(|(named, target)| shared::left_out(&set, named, target, out));

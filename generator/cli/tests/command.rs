@@ -74,10 +74,11 @@ fn generate_says_what_it_made() {
          generated/axis_rack_and_pinion_ipc_self_test.c\n\
          generated/axis_rack_and_pinion_ipc.st\n\
          generated/axis_rack_and_pinion_ipc_self_test.st\n\
-         1 axis: 5 files written, 0 unchanged, 0 warnings\n"
+         generated/axis_rack_and_pinion_commissioning.md\n\
+         1 axis: 6 files written, 0 unchanged, 0 warnings\n"
     );
     assert_eq!((run.code, run.err.as_str()), (0, ""));
-    assert_eq!(files(&folder.path().join("generated")).len(), 5, "and nothing else is left in the folder");
+    assert_eq!(files(&folder.path().join("generated")).len(), 6, "and nothing else is left in the folder");
 }
 
 #[test]
@@ -88,7 +89,7 @@ fn a_second_run_touches_nothing() {
     let before: Vec<_> =
         files(&folder.path().join("out")).iter().map(|file| fs::metadata(file).unwrap().modified().unwrap()).collect();
     let run = axgen(folder.path(), &arguments);
-    assert!(run.out.ends_with("3 axes: 0 files written, 9 unchanged, 0 warnings\n"), "{}", run.out);
+    assert!(run.out.ends_with("3 axes: 0 files written, 12 unchanged, 0 warnings\n"), "{}", run.out);
     let after: Vec<_> =
         files(&folder.path().join("out")).iter().map(|file| fs::metadata(file).unwrap().modified().unwrap()).collect();
     assert_eq!(before, after);
@@ -99,7 +100,7 @@ fn one_axis_alone() {
     let folder = folder();
     let run = axgen(folder.path(), &["generate", "machine.toml", "--axis", "Y", "--target", "c"]);
     assert_eq!(run.code, 0);
-    assert_eq!(files(&folder.path().join("generated")).len(), 3);
+    assert_eq!(files(&folder.path().join("generated")).len(), 4);
     let run = axgen(folder.path(), &["generate", "machine.toml", "--axis", "Q"]);
     assert_eq!((run.code, run.err.as_str()), (2, "--axis: error[AX012]: no axis `Q`\n    allowed: X, Y, C\n"));
 }
@@ -110,12 +111,12 @@ fn runners_stand_beside_the_blocks() {
     let folder = folder();
     let names = |run: &Run| run.out.lines().filter(|line| line.starts_with("generated/")).count();
     let run = axgen(folder.path(), &["generate", "machine.toml", "--runner"]);
-    assert_eq!((run.code, names(&run)), (0, 12), "{}", run.out);
+    assert_eq!((run.code, names(&run)), (0, 15), "{}", run.out);
     let runner = read(folder.path(), "generated/axis_c_ipc_runner.c");
     assert!(runner.contains("uint32_t axis_c_ipc_runner(void)\n{") && runner.contains("sample < 100000u"));
     assert_eq!(runner.matches("UINT32_C(0x").count(), 100 + 2, "digests; the factor of the digest, a NaN");
     let run = axgen(folder.path(), &["generate", "machine.toml", "--runner=1500"]);
-    assert!(run.out.ends_with("3 axes: 3 files written, 9 unchanged, 0 warnings\n"), "{}", run.out);
+    assert!(run.out.ends_with("3 axes: 3 files written, 12 unchanged, 0 warnings\n"), "{}", run.out);
     assert!(read(folder.path(), "generated/axis_c_ipc_runner.c").contains("sample < 1500u"));
     let run = axgen(folder.path(), &["generate", "machine.toml", "--runner=1500", "--check"]);
     assert_eq!(run.code, 0, "{}", run.out);
@@ -183,10 +184,10 @@ fn a_comment_changes_no_file_and_a_weight_only_its_lines() {
 
     edit(folder.path(), "machine.toml", "# A small machine", "# A machine");
     edit(folder.path(), "rack-and-pinion.lis", "TRUE", "ON  # as newer lists say it");
-    assert!(generate().out.ends_with("3 axes: 0 files written, 9 unchanged, 0 warnings\n"));
+    assert!(generate().out.ends_with("3 axes: 0 files written, 12 unchanged, 0 warnings\n"));
 
     edit(folder.path(), "machine.toml", "weight_fact_num = 120", "weight_fact_num = 121");
-    assert!(generate().out.ends_with("3 axes: 3 files written, 6 unchanged, 0 warnings\n"));
+    assert!(generate().out.ends_with("3 axes: 4 files written, 8 unchanged, 0 warnings\n"));
     let after: Vec<String> =
         files(&folder.path().join("out")).iter().map(|path| fs::read_to_string(path).unwrap()).collect();
     for (old, new) in before.iter().zip(&after) {
@@ -202,7 +203,10 @@ fn a_comment_changes_no_file_and_a_weight_only_its_lines() {
             let certified = ["range:", "designed", "measured", "before the limit", " precision"]
                 .iter()
                 .any(|word| new.contains(word));
-            assert!(weight || digest || expected || certified, "- {old}\n+ {new}");
+            // The rows of the commissioning page, and its digests.
+            let page =
+                new.starts_with("| ") || new.starts_with("This page belongs to") || new.starts_with("     checksum ");
+            assert!(weight || digest || expected || certified || page, "- {old}\n+ {new}");
         }
     }
 }

@@ -126,14 +126,28 @@ impl Mode {
         }
     }
 
-    /// Its word (P-AXIS-00753) and the velocity that it looks at: `DIRECT from v_motor`.
-    pub fn text(self) -> String {
-        let (word, source) = match self {
-            Self::Direct { source } => (StageMode::Direct, source.name()),
-            Self::Indirect { .. } => (StageMode::Indirect, DirectSource::Motor.name()),
-            Self::SetPoint { .. } => (StageMode::SetPoint, "v_command"),
+    /// Its word (P-AXIS-00753).
+    pub(crate) fn word(self) -> &'static str {
+        let word = match self {
+            Self::Direct { .. } => StageMode::Direct,
+            Self::Indirect { .. } => StageMode::Indirect,
+            Self::SetPoint { .. } => StageMode::SetPoint,
         };
-        format!("{} from {source}", word.name())
+        word.name()
+    }
+
+    /// The velocity that it looks at.
+    pub(crate) fn source(self) -> &'static str {
+        match self {
+            Self::Direct { source } => source.name(),
+            Self::Indirect { .. } => DirectSource::Motor.name(),
+            Self::SetPoint { .. } => "v_command",
+        }
+    }
+
+    /// Both: `DIRECT from v_motor`.
+    pub fn text(self) -> String {
+        format!("{} from {}", self.word(), self.source())
     }
 }
 

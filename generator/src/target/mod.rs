@@ -157,7 +157,7 @@ pub fn block_name(axis: &str, block: &str) -> String {
 }
 
 /// A file from its template, behind a mark that some readers want at the very beginning.
-fn rendered(name: &str, mark: &str, template: &impl Template) -> File {
+pub(crate) fn rendered(name: &str, mark: &str, template: &impl Template) -> File {
     let mut text = template.render().expect("target: no input can keep a template from being filled");
     text.insert_str(0, mark);
     text.push('\n');

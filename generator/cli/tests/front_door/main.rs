@@ -84,7 +84,7 @@ fn a_check_is_silent_right_after_generate_and_names_every_change() {
     // A parameter was changed.
     edit(folder.path(), "fg_f0 = 53.0", "fg_f0 = 54.0");
     let (code, out, _) = generate(&["--check"]);
-    assert_eq!((code, out.lines().count()), (1, 13), "{out}");
+    assert_eq!((code, out.lines().count()), (1, 14), "{out}");
     let (code, out, _) = generate(&["--diff"]);
     assert_eq!(code, 1);
     assert!(out.contains("--- generated/axis_x_ipc.c\n+++ generated/axis_x_ipc.c (as it would be written)\n"), "{out}");

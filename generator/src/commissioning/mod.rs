@@ -1,0 +1,127 @@
+//! The commissioning page of an axis: how somebody beside the machine brings its improved position control into operation, step by step, with the
+//! numbers of this axis. Nothing is designed here. What the page says is in its template; tests/tests/commissioning.rs follows it.
+
+mod rows;
+mod stage;
+
+use crate::axis::Axis;
+use crate::blocks::{self, Designed, IPC};
+use crate::number::digits;
+use crate::target::{File, block_name, rendered, stem};
+use askama::Template;
+use rows::{Limit, limits};
+use stage::Stage;
+
+/// A measured velocity may differ so much from the commanded one [%]: less than any wrong unit, more than a rounding or a lag.
+const AGREEMENT: f64 = 2.0;
+/// What may be left of a signal that should have gone, of its peak [%].
+const REST: f64 = 10.0;
+/// A peak of the DRYRUN, in which the loop is open, fits so many times into the limit.
+const RESERVE: u32 = 2;
+/// From one row to the next an amplitude may grow by so much [%]: no two records of a machine are the same.
+const GROWTH: f64 = 5.0;
+/// So long a position controller needs to come to rest, at the least [s].
+const LEAST_QUIET: f64 = 1.0;
+/// A mean is taken over so long, at the least [s].
+const LEAST_WINDOW: f64 = 0.5;
+
+/// What the template shows.
+#[derive(Template)]
+#[template(path = "commissioning.md")]
+struct Page {
+    axis: String,
+    /// the block to call: its name in the registry, and in files
+    kind: &'static str,
+    block: String,
+    /// the block `ipc`
+    ipc: String,
+    /// whether the block to call holds the block `ipc` among others
+    is_inside: bool,
+    is_tunable: bool,
+    /// digest of the parameters of the block `ipc`
+    parameters: String,
+    unit: &'static str,
+    cycle: String,
+    cycle_ns: u32,
+    /// [ms]
+    fade: String,
+    limit: String,
+    limit_path: &'static str,
+    limits: Vec<Limit>,
+    signals: Vec<Signal>,
+    stages: Vec<Stage>,
+    /// where the file that the weights are tried with lies
+    trial: &'static str,
+    /// [s]
+    window: String,
+    /// [s]
+    quiet: String,
+    agreement: f64,
+    rest: f64,
+    growth: f64,
+    reserve: u32,
+}
+
+/// A velocity that the block reads.
+struct Signal {
+    name: &'static str,
+    meaning: &'static str,
+}
+
+/// The page of an axis; none where improved position control does not act: no stage is active, or the axis is a gantry slave, whose master's
+/// block does. `parameters`: the digest of the parameters of its block `ipc`.
+pub(crate) fn file(designed: &Designed, parameters: String) -> Option<File> {
+    let axis = &designed.axis;
+    if !axis.ipc.is_active() || axis.control.master.is_some() {
+        return None;
+    }
+    let name = format!("{}_commissioning.md", stem(&axis.name));
+    Some(rendered(&name, "", &page(designed, parameters)))
+}
+
+fn page(designed: &Designed, parameters: String) -> Page {
+    let axis = &designed.axis;
+    // The last block of the registry that holds it.
+    let kind = blocks::names(axis).into_iter().rfind(|name| ["axis", "spindle_axis"].contains(name)).unwrap_or(IPC);
+    let is_inside = kind != IPC;
+    let is_tunable = axis.ipc.tuning.is_some();
+    let stages: Vec<Stage> = designed.stage.iter().flatten().enumerate().map(Stage::from).collect();
+    let longest = |of: fn(&Stage) -> f64, least| stages.iter().map(of).fold(least, f64::max);
+    Page {
+        axis: axis.name.clone(),
+        kind,
+        block: block_name(&axis.name, kind),
+        ipc: block_name(&axis.name, IPC),
+        is_inside,
+        is_tunable,
+        parameters,
+        unit: axis.control.velocity_unit(),
+        cycle: format!("{}us", digits(f64::from(axis.cycle_time_ns) / 1000.0)),
+        cycle_ns: axis.cycle_time_ns,
+        fade: digits(f64::from(designed.ipc.fade_cycles) * f64::from(axis.cycle_time_ns) / 1e6),
+        limit: digits(axis.ipc.limit()),
+        limit_path: "lr_param.improved_position_control.v_add_max_fact",
+        limits: limits(&axis.ipc),
+        signals: signals(axis, is_inside),
+        trial: if is_tunable { "" } else { "trial/" },
+        window: digits(longest(|stage| stage.seconds, LEAST_WINDOW)),
+        quiet: digits(longest(|stage| stage.quiet, LEAST_QUIET)),
+        stages,
+        agreement: AGREEMENT,
+        rest: REST,
+        growth: GROWTH,
+        reserve: RESERVE,
+    }
+}
+
+/// The velocities that a stage looks at.
+fn signals(axis: &Axis, is_inside: bool) -> Vec<Signal> {
+    let is_read = |name: &str| axis.ipc.stage.iter().flatten().any(|stage| stage.mode.source() == name);
+    let command = match is_inside {
+        true => "the block itself",
+        false => "the position controller with feedforward, before `v_add` is added",
+    };
+    let known = [("v_command", command), ("v_motor", "the motor encoder"), ("v_direct", "the direct measuring system")];
+    let read = known.into_iter().filter(|(name, _)| is_read(name));
+    read.map(|(name, meaning)| Signal { name, meaning }).collect()
+}

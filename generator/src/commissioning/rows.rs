@@ -1,0 +1,89 @@
+//! The rows of the commissioning page: parts of the designed weight and of the limit, as inputs and as parameters. No text.
+
+use crate::axis::{Ipc, Stage};
+use crate::number::{decimals, digits, significant};
+
+/// Parts of what was designed, one step after another [%]: small ones first, since what is wrong shows there.
+const PARTS: [u32; 6] = [10, 20, 40, 60, 80, 100];
+
+/// The largest numerator and denominator of a weight (P-AXIS-00754/00755).
+const LARGEST: u64 = 4_294_967_294;
+
+/// A step of a weight.
+pub(super) struct Row {
+    /// for the input
+    pub(super) part: String,
+    /// what acts then
+    pub(super) weight: String,
+    /// the same as parameters
+    pub(super) num: u64,
+    pub(super) denom: u64,
+    /// what an ideal drive would leave of the vibration [%]
+    pub(super) left: String,
+}
+
+/// A step of the limit.
+pub(super) struct Limit {
+    /// for the input
+    pub(super) part: String,
+    /// [um/s or 0.001 deg/s]
+    pub(super) limit: String,
+    /// the same as a parameter
+    pub(super) v_add_max_fact: u32,
+}
+
+/// The steps of a weight; `left`: the part of the vibration that an ideal drive leaves behind such a part of the weight.
+pub(super) fn rows(stage: &Stage, left: impl Fn(f64) -> f64) -> Vec<Row> {
+    let row = |percent: u32| {
+        let part = f64::from(percent) / 100.0;
+        let [num, denom] = weight(stage, percent);
+        Row {
+            part: digits(part),
+            weight: significant(stage.weight() * part, 4),
+            num,
+            denom,
+            left: decimals(left(part) * 100.0, 0),
+        }
+    };
+    PARTS.map(row).into()
+}
+
+/// A part [%] of a weight as numerator and denominator: with the denominator of the parameters where that is possible.
+fn weight(stage: &Stage, percent: u32) -> [u64; 2] {
+    let capped = stage.asked_weight() > Stage::MAX_WEIGHT;
+    let [num, denom] = if capped { [7, 1] } else { [stage.weight_fact_num.into(), stage.weight_fact_denom.into()] };
+    let percent = u64::from(percent);
+    if num * percent % 100 == 0 {
+        return [num * percent / 100, denom];
+    }
+    let divisor = gcd(num * percent, denom * 100);
+    let [num, denom] = [num * percent / divisor, denom * 100 / divisor];
+    if num <= LARGEST && denom <= LARGEST { [num, denom] } else { millionths(stage.weight() * percent as f64 / 100.0) }
+}
+
+/// The nearest millionths of a weight, at least one.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a weight is above 0 and at most 7")]
+fn millionths(weight: f64) -> [u64; 2] {
+    [(libm::round(weight * 1e6) as u64).max(1), 1_000_000]
+}
+
+fn gcd(a: u64, b: u64) -> u64 {
+    if b == 0 { a } else { gcd(b, a % b) }
+}
+
+/// The steps of the limit; none where it is 0. A tuned limit is a part of the designed one, a generated one a whole number of parts of vb_max.
+pub(super) fn limits(ipc: &Ipc) -> Vec<Limit> {
+    let row = |percent: u32| {
+        let v_add_max_fact = (ipc.v_add_max_fact * percent).div_ceil(100);
+        let part = f64::from(percent) / 100.0;
+        let limit = match ipc.tuning {
+            Some(_) => ipc.limit() * part,
+            None => Ipc { v_add_max_fact, ..ipc.clone() }.limit(),
+        };
+        Limit { part: digits(part), limit: digits(limit), v_add_max_fact }
+    };
+    let mut rows: Vec<Limit> = PARTS.map(row).into();
+    rows.dedup_by(|next, row| next.limit == row.limit);
+    rows.retain(|row| row.v_add_max_fact > 0);
+    rows
+}

@@ -1,0 +1,109 @@
+//! What the commissioning page says of a stage: where its vibration is seen, how long a record must be, its steps. No design.
+
+use super::rows::{Row, rows};
+use crate::axis::{Filter, Mode};
+use crate::blocks::ipc::stage::StageDesign;
+use crate::design::band::warped;
+use crate::design::response::{self, magnitude};
+use crate::number::{digits, significant};
+use std::f64::consts::PI;
+
+/// The sections of a weight's steps begin with this one.
+const FIRST_WEIGHT_STEP: usize = 4;
+/// The sections of reading frequencies begin with this one.
+const FIRST_READ_STEP: usize = 2;
+/// Time constants after which a section has come to rest: e^-10 is 5e-5.
+const TIME_CONSTANTS: f64 = 10.0;
+/// A record with a Hann window of so many periods of the bandwidth shows whether a peak lies within the band.
+const BANDS: f64 = 4.0;
+
+/// An active stage.
+pub(super) struct Stage {
+    pub(super) index: usize,
+    pub(super) mode: &'static str,
+    pub(super) source: &'static str,
+    /// in which record its vibration is seen
+    pub(super) seen_in: String,
+    /// [Hz]
+    pub(super) f0: String,
+    /// of its first band-pass, -3 dB [Hz]
+    pub(super) edges: [String; 2],
+    pub(super) weight: String,
+    pub(super) rows: Vec<Row>,
+    /// how long a record must be at the least [s], and the same as text
+    pub(super) seconds: f64,
+    pub(super) window: String,
+    /// after which its sections have come to rest [s]
+    pub(super) quiet: f64,
+    pub(super) f0_path: String,
+    pub(super) mode_path: String,
+    pub(super) read_step: String,
+    pub(super) weight_step: String,
+}
+
+/// The n-th active stage.
+impl From<(usize, &StageDesign)> for Stage {
+    fn from((n, design): (usize, &StageDesign)) -> Self {
+        let (stage, index) = (&design.stage, design.index);
+        let first = stage.first_bandpass();
+        let path = format!("lr_param.improved_position_control.stage[{index}]");
+        let filter = design.filter.iter().flatten().find(|filter| filter.index == first as usize);
+        let edges = filter.map_or([0.0; 2], |filter| filter.edges);
+        let seconds = tenths(BANDS / (edges[1] - edges[0]));
+        Self {
+            index,
+            mode: stage.mode.word(),
+            source: stage.mode.source(),
+            seen_in: seen_in(stage.mode),
+            f0: digits(stage.f0()),
+            edges: edges.map(|edge| significant(edge, 4)),
+            weight: significant(stage.weight(), 4),
+            rows: rows(stage, |part| left(design, part)),
+            seconds,
+            window: digits(seconds),
+            quiet: quiet(design),
+            f0_path: format!("{path}.filter[{first}].fg_f0"),
+            mode_path: format!("{path}.mode"),
+            read_step: format!("2.{}", FIRST_READ_STEP + n),
+            weight_step: format!("4.{}", FIRST_WEIGHT_STEP + n),
+        }
+    }
+}
+
+/// What is measured there shows the vibration that the stage acts on: the velocity itself, or the load, which the motor need not show.
+fn seen_in(mode: Mode) -> String {
+    match mode {
+        Mode::Direct { .. } => format!("`{}`", mode.source()),
+        Mode::Indirect { .. } | Mode::SetPoint { .. } => {
+            "the sensor at the load (it need not show in the velocity of the motor)".to_owned()
+        }
+    }
+}
+
+/// The part of a vibration at f0 that is left behind a part of the weight, if the drive does at once what it is told. A stage in the loop leaves
+/// 1 / (1 + |H|) where nothing turns the phase of its counter-motion; one that filters the command leaves |1 + H|.
+fn left(design: &StageDesign, part: f64) -> f64 {
+    let h = response::of_stage(&design.coeffs, warped(design.stage.f0(), design.cycle_time));
+    match design.stage.mode {
+        Mode::SetPoint { .. } => magnitude(response::Complex { re: 1.0 + part * h.re, im: part * h.im }),
+        Mode::Direct { .. } | Mode::Indirect { .. } => 1.0 / (1.0 + part * magnitude(h)),
+    }
+}
+
+/// Time in which the slowest part comes to rest [s]: a band-pass of bandwidth f0/Q has the time constant Q / (pi f0), each of its sections one at most
+/// as long; an oscillation 1 / (2 pi f0 D).
+fn quiet(design: &StageDesign) -> f64 {
+    let stage = &design.stage;
+    let of_filter = |filter: &Filter| {
+        let order = if let Filter::Bandpass { order, .. } = filter { *order as f64 } else { 1.0 };
+        filter.f0_and_q().map(|[f0, q_factor]| order * q_factor / (PI * f0))
+    };
+    let filters = stage.filter.iter().filter_map(of_filter);
+    let oscillation = stage.mode.osc_damping().map(|damping| 1.0 / (2.0 * PI * stage.f0() * damping));
+    tenths(TIME_CONSTANTS * filters.chain(oscillation).fold(0.0, f64::max))
+}
+
+/// A time [s], rounded up to tenths of a second.
+fn tenths(time: f64) -> f64 {
+    libm::ceil(time * 10.0) / 10.0
+}

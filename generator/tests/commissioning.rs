@@ -1,0 +1,154 @@
+//! Commissioning pages: which axes have one, and what a page says of an axis that is not the shipped example. Whether its steps lead anywhere is
+//! tested on a simulated machine, in the crate tests.
+
+use generator::config::ListOptions;
+use generator::digest::has_right_checksum;
+use generator::generate::pages;
+use generator::pipeline::read_with;
+use std::path::Path;
+
+/// The pages of a set, each with its name.
+fn of_set(set: &str) -> Vec<(String, String)> {
+    let load = |_: &Path| Ok(set.as_bytes().to_vec());
+    let (read, report) = read_with(Path::new("set.toml"), &ListOptions::default(), &load);
+    let read = read.unwrap_or_else(|| panic!("{report}"));
+    let pages = pages(&read, &[], |file| (file.name, file.text));
+    for (name, page) in &pages {
+        assert_eq!(has_right_checksum(page), Some(true), "{name}");
+        assert!(page.is_ascii() && page.ends_with('\n') && !page.contains("\n\n\n"), "{name}: {page}");
+        assert!(page.lines().all(|line| line == line.trim_end()), "{name}: {page}");
+    }
+    pages
+}
+
+/// A set of one axis: its keys, its improved position control.
+fn page(keys: &str, ipc: &str) -> String {
+    page_with("", keys, ipc)
+}
+
+/// The same with more parameters of its gear step.
+fn page_with(gear: &str, keys: &str, ipc: &str) -> String {
+    let set = format!(
+        "cycle_time = \"500us\"\n[axis.X]\ngetriebe = [{{ dynamik.vb_max = 250000{gear} }}]\n{keys}\n\
+         [axis.X.lr_param.improved_position_control]\n{ipc}\n"
+    );
+    let mut pages = of_set(&set);
+    assert_eq!(pages.len(), 1);
+    let (name, page) = pages.remove(0);
+    assert_eq!(name, "axis_x_commissioning.md");
+    page
+}
+
+fn assert_says(page: &str, texts: &[&str]) {
+    texts.iter().for_each(|text| assert!(page.contains(text), "`{text}` is not in\n{page}"));
+}
+
+const STAGE: &str = "mode = \"DIRECT\", filter = [{ order = 1, fg_f0 = 40.0, q_factor = 4.0 }]";
+
+#[test]
+fn a_page_belongs_to_an_axis_that_acts_itself() {
+    let axis = |name: &str, more: &str, stage: &str| {
+        format!(
+            "[axis.{name}]\ngetriebe = [{{ dynamik.vb_max = 250000 }}]\n{more}\n\
+             [axis.{name}.lr_param.improved_position_control]\nv_add_max_fact = 100\n{stage}\n"
+        )
+    };
+    let set = [
+        "cycle_time = \"1ms\"\n".to_owned(),
+        axis("M", "kopf.achs_nr = 1", &format!("enable = \"ON\"\nstage = [{{ {STAGE} }}]")),
+        axis("S", "kopf.achs_nr = 2\nkenngr.gantry_ax_nr = 1", &format!("stage = [{{ {STAGE} }}]")),
+        axis("N", "kopf.achs_nr = 3", ""),
+    ];
+    let names: Vec<String> = of_set(&set.concat()).into_iter().map(|(name, _)| name).collect();
+    assert_eq!(names, ["axis_m_commissioning.md"], "not the gantry slave, not the axis without a stage");
+}
+
+#[test]
+fn numbers_are_those_of_the_axis() {
+    let page = page(
+        "tunable = \"weights\"\nfade = \"250ms\"",
+        &format!("v_add_max_fact = 7\nstage = [{{}}, {{}}, {{ {STAGE} }}]"),
+    );
+    assert_says(
+        &page,
+        &[
+            "It must be 500000 ns.",
+            "add `--cycle-time 500us` to each command",
+            "`tuning_weight2` is the input for stage 2. In a recording for `axgen run` its column is `tuning_weight[2]`.",
+            "**2.2** Stage 2. Take a part of the record of at least 0.4 s",
+            "**4.4** Stage 2, 40 Hz.",
+            "The weight follows within 250 ms.",
+            "| 0.1 | 175 | 1 |",
+            "| 1 | 1750 | 7 |",
+            // 1/1 has no tenth with the same denominator.
+            "| 4.4.1 | 0.1 | 0.1 | 1 | 10 | 91 % |",
+            "| 4.4.6 | 1 | 1 | 1 | 1 | 50 % |",
+        ],
+    );
+    assert!(!page.contains("trial"), "{page}");
+}
+
+#[test]
+fn a_generated_limit_is_a_whole_parameter() {
+    let page = page("", &format!("v_add_max_fact = 7\nstage = [{{ {STAGE} }}]"));
+    // 10 % and more of 7: the next whole number.
+    assert_says(
+        &page,
+        &["| limit [um/s] | `v_add_max_fact` |\n| --- | --- |\n| 250 | 1 |\n| 500 | 2 |\n| 750 | 3 |\n| 1250 | 5 |\n"],
+    );
+}
+
+#[test]
+fn a_limit_of_0_is_told_before_anybody_waits_for_an_effect() {
+    let page = page("", &format!("stage = [{{ {STAGE} }}]"));
+    assert_says(
+        &page,
+        &["**3.3** The limit of this axis is 0, because `lr_param.improved_position_control.v_add_max_fact` is 0."],
+    );
+}
+
+#[test]
+fn a_capped_weight_is_stepped_from_what_acts() {
+    let ipc = format!("v_add_max_fact = 10\nstage = [{{ {STAGE}, weight_fact_num = 900, weight_fact_denom = 100 }}]");
+    assert_says(&page("", &ipc), &["| 4.4.1 | 0.7 | 7 | 10 |", "| 4.4.6 | 7 | 7 | 1 |"]);
+}
+
+#[test]
+fn a_weight_of_large_numbers_stays_within_the_parameters() {
+    let ipc = format!(
+        "v_add_max_fact = 10\nstage = [{{ {STAGE}, weight_fact_num = 4294967291, weight_fact_denom = 4294967294 }}]"
+    );
+    assert_says(&page("", &ipc), &["| 4.4.1 | 0.1 | 100000 | 1000000 |", "| 4.4.6 | 1 | 4294967291 | 4294967294 |"]);
+}
+
+#[test]
+fn a_filter_of_the_command_is_seen_at_the_load() {
+    let stage = "mode = \"SET_POINT\", osc_damping = 0.8, weight_fact_num = 72, weight_fact_denom = 100, \
+                 filter = [{ order = 1, fg_f0 = 20.0, q_factor = 2.0 }]";
+    let page = page("kenngr.achs_typ = \"ACHSTYP_ROTATOR\"", &format!("v_add_max_fact = 10\nstage = [{{ {stage} }}]"));
+    assert_says(
+        &page,
+        &[
+            "| 0 | SET_POINT | `v_command` | 20 Hz |",
+            "| `v_command` | the position controller with feedforward, before `v_add` is added | 0.001 deg/s |",
+            "Make the spectrum of the sensor at the load",
+            // abs(1 + w H) with H = -(1 - j / (2 D)).
+            "| 4.4.6 | 0.72 | 72 | 100 | 53 % |",
+        ],
+    );
+}
+
+#[test]
+fn a_block_that_holds_the_others_is_the_one_to_call() {
+    let keys = "vorsteuer.vorsteuerung = \"VEL\"\nkenngr.antr_typ = 4";
+    let page = page_with(", kv = 3000", keys, &format!("v_add_max_fact = 10\nstage = [{{ {STAGE} }}]"));
+    assert_says(
+        &page,
+        &[
+            "The block `axis_x_axis` holds the block `axis_x_ipc`. Call `axis_x_axis` only.",
+            "do not add `v_add` once more",
+            "`axis_x_axis_self_test`",
+            "axgen run trial/SET --axis X --block axis --engine st --compare recorded.csv",
+        ],
+    );
+}

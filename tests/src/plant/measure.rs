@@ -1,0 +1,119 @@
+//! What a record of the demonstration plant shows: amplitudes of its vibrations, ring-down, following error. By a plain Fourier sum: the
+//! frequencies that are asked for are few.
+
+use super::Record;
+use std::f64::consts::TAU;
+
+/// The columns of the table of the application example.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Figures {
+    /// amplitude of x2'' at constant speed, 50 to 56 Hz [m/s^2]
+    pub at_speed: f64,
+    /// amplitude of x2'' around the ramps, 9.5 to 12.5 Hz [m/s^2]
+    pub at_ramps: f64,
+    /// peak of x2'' behind the ramps, 7 to 18 Hz [m/s^2]
+    pub ring_down: f64,
+    /// peak of |command - q1| [m]
+    pub following_error: f64,
+}
+
+/// All of them.
+#[must_use]
+pub fn figures(record: &Record) -> Figures {
+    let errors = record.command.iter().zip(&record.q1).map(|(x, q1)| (x - q1).abs());
+    Figures {
+        at_speed: mean(dwells(record).map(|window| amplitude(&record.sensor[window], record.cycle, [50.0, 56.0]))),
+        at_ramps: mean(ramps(record).map(|window| amplitude(&record.sensor[window], record.cycle, [9.5, 12.5]))),
+        ring_down: ring_down(record),
+        following_error: errors.fold(0.0, f64::max),
+    }
+}
+
+type Window = std::ops::Range<usize>;
+
+/// Cycles of a time [s].
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousand cycles")]
+fn cycles(record: &Record, time: f64) -> usize {
+    libm::round(time / record.cycle) as usize
+}
+
+/// At constant speed: from 0.4 s behind a ramp's end to the start of the next ramp.
+pub fn dwells(record: &Record) -> impl Iterator<Item = Window> {
+    let settle = cycles(record, 0.4);
+    record.ramps.chunks(2).map(move |pair| pair[0][1] + settle..pair[1][0])
+}
+
+/// 1.0 s from 0.1 s before each ramp's start.
+pub fn ramps(record: &Record) -> impl Iterator<Item = Window> {
+    let (before, length) = (cycles(record, 0.1), cycles(record, 1.0));
+    record.ramps.iter().map(move |[start, _]| start - before..start - before + length)
+}
+
+/// The whole record through a brick wall from 7 to 18 Hz: the peak from 0.08 to 0.6 s behind each ramp's end, mean of the ramps.
+fn ring_down(record: &Record) -> f64 {
+    let filtered = brick_wall(&record.sensor, record.cycle, [7.0, 18.0]);
+    let (from, to) = (cycles(record, 0.08), cycles(record, 0.6));
+    mean(record.ramps.iter().map(|[_, end]| peak(&filtered[end + from..end + to])))
+}
+
+/// The largest magnitude.
+#[must_use]
+pub fn peak(samples: &[f64]) -> f64 {
+    samples.iter().fold(0.0, |peak, sample| sample.abs().max(peak))
+}
+
+fn mean(values: impl Iterator<Item = f64>) -> f64 {
+    let values: Vec<f64> = values.collect();
+    values.iter().sum::<f64>() / values.len() as f64
+}
+
+/// The largest amplitude within a band [Hz]: Hann window, padded with zeros to eight times the length. 1 for a sine of amplitude 1.
+#[must_use]
+pub fn amplitude(samples: &[f64], cycle: f64, band: [f64; 2]) -> f64 {
+    spectrum(samples, cycle, band).into_iter().fold(0.0, |largest, [_, amplitude]| amplitude.max(largest))
+}
+
+/// Frequency [Hz] and amplitude, line by line within a band [Hz], in the same way.
+#[must_use]
+pub fn spectrum(samples: &[f64], cycle: f64, band: [f64; 2]) -> Vec<[f64; 2]> {
+    let length = samples.len() as f64;
+    let window = |n: usize| 0.5 - 0.5 * libm::cos(TAU * n as f64 / length);
+    let windowed: Vec<f64> = samples.iter().enumerate().map(|(n, sample)| sample * window(n)).collect();
+    let line = 1.0 / (8.0 * length * cycle);
+    let lines = (0u32..).map(|k| f64::from(k) * line).skip_while(|f| *f < band[0]).take_while(|f| *f <= band[1]);
+    // The mean of the window is 1/2: the amplitude of a sine is 2 |sum| / (length / 2).
+    lines.map(|f| [f, 4.0 / length * magnitude(fourier(&windowed, TAU * f * cycle))]).collect()
+}
+
+fn magnitude([re, im]: [f64; 2]) -> f64 {
+    libm::sqrt(re * re + im * im)
+}
+
+/// Sum of x\[n\] exp(-j w n), w in rad per sample: the factor is turned from sample to sample.
+#[must_use]
+pub fn fourier(samples: &[f64], w: f64) -> [f64; 2] {
+    let (cos, sin) = (libm::cos(w), -libm::sin(w));
+    let (mut turn, mut sum) = ([1.0, 0.0], [0.0, 0.0]);
+    for sample in samples {
+        sum = [sum[0] + sample * turn[0], sum[1] + sample * turn[1]];
+        turn = [turn[0] * cos - turn[1] * sin, turn[0] * sin + turn[1] * cos];
+    }
+    sum
+}
+
+/// What of a record lies within a band [Hz], both edges with it.
+#[must_use]
+pub fn brick_wall(samples: &[f64], cycle: f64, band: [f64; 2]) -> Vec<f64> {
+    let length = samples.len() as f64;
+    let mut filtered = vec![0.0; samples.len()];
+    let lines = (1u32..).map(f64::from).skip_while(|k| k / (length * cycle) < band[0]);
+    for k in lines.take_while(|k| k / (length * cycle) <= band[1]) {
+        let w = TAU * k / length;
+        let [re, im] = fourier(samples, w);
+        for (n, filtered) in filtered.iter_mut().enumerate() {
+            let turn = w * n as f64;
+            *filtered += 2.0 / length * (re * libm::cos(turn) - im * libm::sin(turn));
+        }
+    }
+    filtered
+}

@@ -1,0 +1,143 @@
+//! Sections 1 to 3 of the page: what is done before anything is added.
+
+use crate::machine::mean;
+use crate::page::Page;
+use crate::{SENSOR, Session};
+use axgen_tests::plant::measure::spectrum;
+
+pub fn connect(session: &mut Session, page: &mut Page) {
+    page.section("1");
+    let mut step = page.step("1.1");
+    assert_eq!(step.commands, ["axgen check SET", "axgen verify SET"]);
+    session.machine.done(&step.commands[0], 0);
+    let verified = session.machine.done(&step.commands[1], 0);
+    let bits = format!("{}", step.number("must show ", " differing bits for each engine"));
+    let rows: Vec<&str> = verified.lines().filter(|line| line.starts_with("rack_and_pinion  ")).collect();
+    assert!(rows.len() > 5 && rows[1..].iter().all(|row| row.split_whitespace().last() == Some(&bits)), "{verified}");
+    step.done();
+
+    // The test golden.rs runs the self-tests; here it is there.
+    let step = page.step("1.2");
+    step.says("Run the self-test of the block");
+    assert!(session.machine.path(&format!("generated/{}.st", step.name("of the block, ", ". It must"))).exists());
+    step.done();
+
+    let mut step = page.step("1.3");
+    session.write(&mut step);
+    step.says("`fault` must be FALSE");
+    let cycle = step.number("It must be ", " ns");
+    for (written, error) in [(cycle + 1.0, 1.0), (cycle, 0.0)] {
+        session.machine.set("task_cycle_ns", written);
+        session.machine.rest(0.01);
+        assert_eq!((session.machine.get("fault"), session.machine.get("error_id")), (error, error));
+    }
+    let explained = session.machine.command("axgen explain 1").1;
+    step.says("`axgen explain` with the number of `error_id`");
+    assert!(explained.contains("task_cycle_ns"), "{explained}");
+    step.done();
+
+    let mut step = page.step("1.4");
+    step.says("Move the axis forward at a constant velocity");
+    step.says("It must be positive");
+    let window = step.number("over ", " s");
+    let agreement = step.number("within ", " %");
+    let table = step.tables[0].clone();
+    assert_eq!(table.rows.iter().map(|row| row[0].as_str()).collect::<Vec<_>>(), ["`v_motor`"]);
+    let run = session.machine.make_move(1.0);
+    let dwell = run.dwell();
+    assert!(window <= dwell.len() as f64 * run.record.cycle);
+    let v_motor = mean(run.record.signals[dwell.clone()].iter().map(|signals| signals.v_ist1));
+    let command = run.record.v_command[dwell.start] * 1e6;
+    assert!(v_motor > 0.0 && (v_motor / command - 1.0).abs() <= agreement / 100.0, "{v_motor} {command}");
+    step.done();
+
+    let mut step = page.step("1.5");
+    step.says("Add `v_add` to the velocity command behind the position controller, with the sign +");
+    let exactly = step.number("must be exactly ", " as long as `mode` is OFF");
+    assert!(run.record.v_add.iter().all(|v_add| *v_add == exactly));
+    step.done();
+}
+
+pub fn record(session: &mut Session, page: &mut Page) {
+    page.section("2");
+    let mut step = page.step("2.1");
+    session.write(&mut step);
+    session.quiet = step.number("rest for ", " s before it");
+    step.done();
+    let run = session.make_move();
+    for (n, row) in page.stages.rows.clone().into_iter().enumerate() {
+        let mut step = page.step(&format!("2.{}", n + 2));
+        let window = step.number("at least ", " s in which");
+        let f0 = step.number("highest peak around ", " Hz.");
+        let low = step.number("must lie between ", " and ");
+        let band = [low, step.number("must lie between # and ", " Hz. Note its amplitude")];
+        assert!(band[1] > band[0], "{band:?}");
+        let is_direct = row[page.stages.column("mode")] == "DIRECT";
+        step.says(if is_direct { "the spectrum of `v_motor`" } else { SENSOR });
+        for path in [step.name("write this frequency to ", ", generate"), step.name("write NOT_ACTIVE to ", ".")] {
+            assert!(path.starts_with(&format!("lr_param.improved_position_control.stage[{n}].")), "{path}");
+        }
+        let v: Vec<f64> = run.record.signals.iter().map(|signals| signals.v_ist1).collect();
+        let (signal, part) = if is_direct {
+            (v.as_slice(), run.dwell())
+        } else {
+            let [start, _] = run.record.ramps[0];
+            (run.record.sensor.as_slice(), start..start + 1000)
+        };
+        assert!(window <= part.len() as f64 * run.record.cycle);
+        let largest = highest_peak(&signal[part], run.record.cycle, [f0 / 2.0, f0 * 2.0]);
+        assert!(band[0] < largest[0] && largest[0] < band[1], "stage {n}: {largest:?}, {band:?}");
+        session.bands.push(band);
+        step.done();
+    }
+    session.off = session.amplitudes(&run);
+}
+
+/// Frequency [Hz] and amplitude of the highest peak within a band [Hz] of a spectrum. The mean is no vibration.
+fn highest_peak(signal: &[f64], cycle: f64, around: [f64; 2]) -> [f64; 2] {
+    let level = mean(signal.iter().copied());
+    let vibration: Vec<f64> = signal.iter().map(|sample| sample - level).collect();
+    let lines = spectrum(&vibration, cycle, around);
+    let peaks = lines.windows(3).filter(|three| three[0][1] < three[1][1] && three[1][1] > three[2][1]);
+    peaks.map(|three| three[1]).max_by(|a, b| a[1].total_cmp(&b[1])).unwrap()
+}
+
+pub fn dry_run(session: &mut Session, page: &mut Page) {
+    page.section("3");
+    let mut step = page.step("3.1");
+    session.write(&mut step);
+    step.done();
+    let run = session.make_move();
+
+    let mut step = page.step("3.2");
+    let exactly = step.number("`v_add` is exactly ", ".");
+    assert!(run.record.v_add.iter().all(|v_add| *v_add == exactly));
+    step.says("`limited` is FALSE");
+    assert!(!run.was_limited);
+    step.says("`v_add_calculated` has both signs");
+    let calculated = &run.v_add_calculated;
+    assert!(calculated.iter().any(|v| *v > 0.0) && calculated.iter().any(|v| *v < 0.0));
+    let [_, peak] = run.rest_and_peak(calculated);
+    let part = step.number("its mean is less than ", " % of its peak");
+    let at_speed = mean(calculated[run.dwell()].iter().copied());
+    assert!(at_speed.abs() < part / 100.0 * peak, "{at_speed} {peak}");
+    assert_eq!(step.number("", " s after the axis has come to rest"), session.quiet);
+    let part = step.number("`v_add_calculated` is less than ", " % of its peak");
+    session.has_gone(&run, calculated, part);
+    step.done();
+
+    let mut step = page.step("3.3");
+    let reserve = step.number("Take the peak of `v_add_calculated` ", " times");
+    step.says("The first limit in this table that is larger is your limit");
+    let table = step.tables[0].clone();
+    assert_eq!(table.rows.len(), 6);
+    for row in &table.rows {
+        let [limit, fact] = [table.number(row, "limit [um/s]", ""), table.number(row, "`v_add_max_fact`", "")];
+        assert_eq!(limit, fact * 530.0);
+        assert!(!session.is_tunable || table.number(row, "`tuning_limit`", "") * 530_000.0 == limit);
+    }
+    let row = table.rows.iter().find(|row| table.number(row, "limit [um/s]", "") > reserve * peak).unwrap();
+    session.v_add_max_fact = table.number(row, "`v_add_max_fact`", "");
+    session.limit = if session.is_tunable { table.number(row, "`tuning_limit`", "") } else { session.v_add_max_fact };
+    step.done();
+}
