@@ -196,7 +196,9 @@ impl Declarations<'_, '_> {
 
     /// Says what is wrong with a name by itself.
     fn name(&mut self, node: Node<'_>) {
-        if let Some((found, instead)) = names::mistake(self.dialect, said(node, self.text)) {
+        let name = said(node, self.text);
+        let allowed = self.known.is_program && names::of_library(name);
+        if let Some((found, instead)) = names::mistake(self.dialect, name).filter(|_| !allowed) {
             self.say(node, found, instead);
         }
     }

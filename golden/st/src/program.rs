@@ -113,6 +113,8 @@ impl Program {
         mut each: impl FnMut(&Self, Node<'_>, &str, (&str, &[Address]), &mut Mistakes<'_>),
     ) -> Result<(), Vec<Mistake>> {
         let (mut source, name) = twincat::declaration(file, element)?;
+        // The grammar wants a semicolon there; TwinCAT's own files have none.
+        source.text = source.text.replace("END_STRUCT\n", "END_STRUCT;");
         let addresses = addresses(&mut source.text);
         let mut mistakes = Mistakes::new(&source, file);
         let letters = lexical::check(Dialect::TwinCat, &source.text, &mut mistakes);
