@@ -79,9 +79,7 @@ fn conversion(
         return None;
     }
     match lowering.expression(*argument)? {
-        Operand::Slot { kind, slot, part } if kind == from => {
-            Some(lowering.emit(code, to, &[(kind, slot, part)]))
-        }
+        Operand::Slot { kind, slot, part } if kind == from => Some(lowering.emit(code, to, &[(kind, slot, part)])),
         Operand::Integer(value) => {
             lowering.say(*argument, format!("a conversion of `{value}`"), format!("`{value}.0`"));
             None

@@ -82,7 +82,9 @@ pub(crate) fn initial(
             None
         }
         (Kind::Bool, "boolean_literal") => Some(Value::Bool(said(node, text).eq_ignore_ascii_case("TRUE"))),
-        (Kind::Dint | Kind::Udint | Kind::Int | Kind::Uint, _) => integer(node, text).and_then(|value| word(value, kind)).map(Value::Word),
+        (Kind::Dint | Kind::Udint | Kind::Int | Kind::Uint, _) => {
+            integer(node, text).and_then(|value| word(value, kind)).map(Value::Word)
+        }
         _ => None,
     };
     if found.is_none() {

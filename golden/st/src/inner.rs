@@ -57,7 +57,8 @@ impl Lowering<'_, '_> {
         let (mut pairs, mut own) = (Vec::new(), BTreeSet::new());
         let mut missing: BTreeSet<String> = block.variables.shared().map(|(name, _)| name.to_owned()).collect();
         for &argument in given {
-            let word = |field| argument.child_by_field_name(field).map(|node| said(node, self.text).to_ascii_lowercase());
+            let word =
+                |field| argument.child_by_field_name(field).map(|node| said(node, self.text).to_ascii_lowercase());
             let (Some(name), Some(path)) = (word("name"), word("value")) else { continue };
             let Some(whole) = block.variables.whole(&name) else { continue };
             let wanted = &self.known.structures[whole.of];

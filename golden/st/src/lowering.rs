@@ -69,6 +69,8 @@ impl Lowering<'_, '_> {
         let name = shown(node, self.text);
         if self.variables.inner(said(node, self.text)).is_some() {
             self.say(node, format!("the instance {name} by itself"), "a variable, or one of its outputs");
+        } else if self.variables.whole(said(node, self.text)).is_some() {
+            self.say(node, format!("the structure {name} by itself"), "one of its parts");
         } else if self.all_declared {
             self.say(node, format!("{name}, which is not declared"), "a declared variable");
         }

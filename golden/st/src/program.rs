@@ -51,7 +51,9 @@ impl Program {
             });
             match structure {
                 Some(structure) => found.push(structure),
-                None => mistakes.push(node.start_byte(), shown(node, text), "`TYPE x : STRUCT ... END_STRUCT END_TYPE`"),
+                None => {
+                    mistakes.push(node.start_byte(), shown(node, text), "`TYPE x : STRUCT ... END_STRUCT END_TYPE`")
+                }
             }
         })?;
         self.structures.append(&mut found);

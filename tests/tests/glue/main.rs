@@ -62,10 +62,18 @@ const PLANTED: &[(&str, &str, &str)] = &[
     (FB, "acts := powered AND tests_passed AND NOT damping_tripped", "acts := powered AND NOT damping_tripped"),
     (FB, "acts := powered AND tests_passed AND NOT damping_tripped", "acts := powered AND tests_passed"),
     (FB, "acts := powered AND tests_passed AND NOT damping_tripped", "acts := tests_passed AND NOT damping_tripped"),
-    (FB, "acts := powered AND tests_passed AND NOT damping_tripped", "acts := Enable AND tests_passed AND NOT damping_tripped"),
+    (
+        FB,
+        "acts := powered AND tests_passed AND NOT damping_tripped",
+        "acts := Enable AND tests_passed AND NOT damping_tripped",
+    ),
     (FB, "    acts := FALSE;\n    damping_tripped", "    damping_tripped"),
     (FB, "power.Status AND Axis.Status.ControlLoopClosed AND drive_operates", "power.Status AND drive_operates"),
-    (FB, "power.Status AND Axis.Status.ControlLoopClosed AND drive_operates", "power.Status AND Axis.Status.ControlLoopClosed"),
+    (
+        FB,
+        "power.Status AND Axis.Status.ControlLoopClosed AND drive_operates",
+        "power.Status AND Axis.Status.ControlLoopClosed",
+    ),
     (FB, "may_have_power := Enable AND NOT axis_tripped", "may_have_power := Enable"),
     (FB, "resetting := axis_tripped AND NOT Enable", "resetting := axis_tripped"),
     (FB, "ELSIF Enable THEN", "ELSIF FALSE THEN"),
@@ -120,8 +128,11 @@ fn each_lost_statement_is_found() {
     for file in [FB, MAIN] {
         let statements = usual.statements(file);
         let count = statements.len();
-        let missed: Vec<&String> =
-            (0..count).into_par_iter().filter(|&which| is_missed(file, which)).map(|which| &statements[which]).collect();
+        let missed: Vec<&String> = (0..count)
+            .into_par_iter()
+            .filter(|&which| is_missed(file, which))
+            .map(|which| &statements[which])
+            .collect();
         assert!(missed.is_empty(), "{file}: {} of {count} can be lost: {missed:#?}", missed.len());
         println!("{file}: {count} statements taken away one by one, each one found");
     }

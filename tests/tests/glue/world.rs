@@ -1,8 +1,8 @@
 //! What surrounds the program at a machine: an NC axis, its drive, the operator. It answers one cycle late, as a bus does.
 
 use super::script::Row;
-use st::Instance;
 use portable::Literal;
+use st::Instance;
 
 /// The status word of a drive: switch on disabled, switched on, operation enabled.
 const DISABLED: u32 = 0x0250;
