@@ -108,9 +108,9 @@ impl Program {
     }
 
     /// Reads the declarations of a file.
-    fn declaration<'f>(
+    fn declaration(
         &self,
-        file: &'f str,
+        file: &str,
         element: &str,
         mut each: impl FnMut(&Self, Node<'_>, &str, (&str, &[Address]), &mut Mistakes<'_>),
     ) -> Result<(), Vec<Mistake>> {

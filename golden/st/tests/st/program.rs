@@ -1,5 +1,7 @@
 //! A program with its blocks: structures, `VAR_IN_OUT`, process data, variables of the runtime; and what is refused there.
 
+#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
 use crate::support::said;
 use portable::{Literal, RealKind};
 use st::{Block, Dialect, Mistake, Program};
