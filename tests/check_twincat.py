@@ -7,11 +7,12 @@ import tempfile
 
 from blark import parse
 
-FORMS = (".TcPOU", ".TcDUT")
-# What breaks each form: a statement, a type.
+FORMS = (".TcPOU", ".TcDUT", ".TcGVL")
+# What breaks each form: a statement, a type, a variable.
 BREAK = {
     ".TcPOU": (r"(<ST><!\[CDATA\[)", r"\1IF IF THEN;\n"),
     ".TcDUT": (r"(\nEND_TYPE)", r";) DINT\1"),
+    ".TcGVL": (r"(\nEND_VAR)", r"\n) DINT\1"),
 }
 
 

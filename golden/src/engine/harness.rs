@@ -1,4 +1,4 @@
-//! Runs an emitted block: packed samples from standard input to standard output. `layout.rs` names the block and its signals.
+//! Runs an emitted block, the only one of a program or one of many: packed samples from standard input to standard output. `layout.rs` names the block and its signals.
 //! Exit code 0: done; 2: the self-test failed, its answer is on standard error; 3: a read or a write failed.
 
 use std::io::{BufWriter, ErrorKind, Read, Result, Write, stdin, stdout};
@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 include!("layout.rs");
 
-fn main() -> ExitCode {
+pub fn main() -> ExitCode {
     let differs = block::self_test();
     if differs != 0 {
         eprintln!("{differs}");

@@ -10,6 +10,7 @@ use generator::blocks::{Block, Designed};
 use generator::target::File;
 use portable::RealKind;
 use std::fmt::Write;
+use std::path::Path;
 
 /// The host's compiler: `$RUSTC` or `rustc`.
 #[must_use]
@@ -33,16 +34,48 @@ pub(super) fn run(designed: &Designed, block: &Block, inputs: &Samples) -> Resul
 /// The compiler is not there or refuses, or the block does not pass its self-test.
 pub fn run_file(file: &File, block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
     let folder = process::folder()?;
+    write(folder.path(), file, block)?;
+    call("Rust", "RUSTC", &command(), folder.path(), &OPTIONS)?;
+    process::run(&folder.path().join("block").to_string_lossy(), &[], block, inputs)
+}
+
+/// The same of many blocks in one program, compiled once: what each answers.
+///
+/// # Errors
+/// The compiler is not there or refuses, or a block does not pass its self-test.
+pub fn run_files(many: &[(&File, &Block, &Samples)]) -> Result<Vec<Samples>, Failure> {
+    let folder = process::folder()?;
+    let (mut modules, mut arms) = (String::new(), String::new());
+    for (number, (file, block, _)) in many.iter().enumerate() {
+        let below = folder.path().join(format!("m{number}"));
+        std::fs::create_dir(&below).map_err(|error| Failure::Environment(format!("{}: {error}", below.display())))?;
+        write(&below, file, block)?;
+        writeln!(modules, "#[path = \"m{number}/harness.rs\"]\nmod m{number};")
+            .expect("engine: a string takes all text");
+        writeln!(arms, "        Some(\"{number}\") => m{number}::main(),").expect("engine: a string takes all text");
+    }
+    let main = format!(
+        "{modules}fn main() -> std::process::ExitCode {{\n    match std::env::args().nth(1).as_deref() {{\n{arms}        \
+         _ => std::process::ExitCode::from(4),\n    }}\n}}\n"
+    );
+    process::write(folder.path(), "main.rs", &main)?;
+    let options = ["--edition", "2024", "-C", "opt-level=1", "-D", "warnings", "main.rs", "-o", "blocks"];
+    call("Rust", "RUSTC", &command(), folder.path(), &options)?;
+    let program = [folder.path().join("blocks").to_string_lossy().into_owned()];
+    let run = |(number, (_, block, inputs)): (usize, &(&File, &Block, &Samples))| {
+        process::run(&number.to_string(), &program, block, inputs)
+    };
+    many.iter().enumerate().map(run).collect()
+}
+
+/// Writes a module, and what runs it.
+fn write(folder: &Path, file: &File, block: &Block) -> Result<(), Failure> {
     let texts = [
         (file.name.as_str(), file.text.as_str()),
         ("layout.rs", &layout(&file.name, block)),
         ("harness.rs", include_str!("harness.rs")),
     ];
-    for (name, text) in texts {
-        process::write(folder.path(), name, text)?;
-    }
-    call("Rust", "RUSTC", &command(), folder.path(), &OPTIONS)?;
-    process::run(&folder.path().join("block").to_string_lossy(), &[], block, inputs)
+    texts.into_iter().try_for_each(|(name, text)| process::write(folder, name, text))
 }
 
 /// What the harness has to know of the block.

@@ -61,6 +61,7 @@ fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
     let Some((code, result, swapped)) = code(&operator, a.0) else {
         let name = lowering.name(a.0);
         let instead = match (operator.as_str(), a.0) {
+            (_, Kind::Int | Kind::Uint) => "a DINT that was converted from it",
             ("AND" | "OR", _) => "BOOLs, or arithmetic",
             ("/", Kind::Udint) => "a DINT, or reals",
             ("MOD", _) => "a DINT",

@@ -24,10 +24,21 @@ fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
         children(arguments).into_iter().map(|(part, _)| part).filter(Node::is_named).collect();
     let real = lowering.name(Kind::Real);
     if name == format!("DINT_TO_{real}") {
-        return conversion(lowering, node, &arguments, (Kind::Dint, Code::RealOfDint));
+        return conversion(lowering, node, &arguments, (Kind::Dint, Code::RealOfDint, Kind::Real));
     }
     if name == format!("UDINT_TO_{real}") {
-        return conversion(lowering, node, &arguments, (Kind::Udint, Code::RealOfUdint));
+        return conversion(lowering, node, &arguments, (Kind::Udint, Code::RealOfUdint, Kind::Real));
+    }
+    if lowering.known.is_program {
+        let narrow = match name.as_str() {
+            "UINT_TO_DINT" => Some((Kind::Uint, Code::MoveWord, Kind::Dint)),
+            "INT_TO_DINT" => Some((Kind::Int, Code::MoveWord, Kind::Dint)),
+            "DINT_TO_INT" => Some((Kind::Dint, Code::Narrow, Kind::Int)),
+            _ => None,
+        };
+        if let Some(narrow) = narrow {
+            return conversion(lowering, node, &arguments, narrow);
+        }
     }
     if name == "TRUNC" {
         return truncation(lowering, node, &arguments);
@@ -56,7 +67,7 @@ fn conversion(
     lowering: &mut Lowering<'_, '_>,
     node: Node<'_>,
     arguments: &[Node<'_>],
-    (from, code): (Kind, Code),
+    (from, code, to): (Kind, Code, Kind),
 ) -> Option<Operand> {
     let name = lowering.name(from);
     let [argument] = arguments else {
@@ -68,9 +79,7 @@ fn conversion(
         return None;
     }
     match lowering.expression(*argument)? {
-        Operand::Slot { kind, slot, part } if kind == from => {
-            Some(lowering.emit(code, Kind::Real, &[(kind, slot, part)]))
-        }
+        Operand::Slot { kind, slot, part } if kind == from => Some(lowering.emit(code, to, &[(kind, slot, part)])),
         Operand::Integer(value) => {
             lowering.say(*argument, format!("a conversion of `{value}`"), format!("`{value}.0`"));
             None

@@ -82,7 +82,9 @@ pub(crate) fn initial(
             None
         }
         (Kind::Bool, "boolean_literal") => Some(Value::Bool(said(node, text).eq_ignore_ascii_case("TRUE"))),
-        (Kind::Dint | Kind::Udint, _) => integer(node, text).and_then(|value| word(value, kind)).map(Value::Word),
+        (Kind::Dint | Kind::Udint | Kind::Int | Kind::Uint, _) => {
+            integer(node, text).and_then(|value| word(value, kind)).map(Value::Word)
+        }
         _ => None,
     };
     if found.is_none() {
@@ -112,6 +114,8 @@ pub(crate) fn word(value: i64, kind: Kind) -> Option<u32> {
     match kind {
         Kind::Dint => i32::try_from(value).ok().map(i32::cast_unsigned),
         Kind::Udint => u32::try_from(value).ok(),
+        Kind::Int => i16::try_from(value).ok().map(|value| i32::from(value).cast_unsigned()),
+        Kind::Uint => u16::try_from(value).ok().map(u32::from),
         Kind::Real | Kind::Bool => None,
     }
 }

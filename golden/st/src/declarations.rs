@@ -1,11 +1,11 @@
 //! Declarations -> the variables of a block.
 
-use super::block::Block;
 use super::constant;
 use super::kind::Kind;
+use super::known::{Address, Known};
 use super::mistake::Mistakes;
 use super::syntax::{children, said, shown};
-use super::variables::{Role, Variable, Variables};
+use super::variables::{Role, Variable, Variables, Whole};
 use super::{Dialect, names};
 use tree_sitter::Node;
 
@@ -15,8 +15,12 @@ pub(crate) struct Declarations<'a, 't> {
     pub(crate) text: &'a str,
     /// which file form
     pub(crate) dialect: Dialect,
-    /// the blocks of which there may be instances
-    pub(crate) others: &'a [Block],
+    /// what other files declare
+    pub(crate) known: Known<'a>,
+    /// what stands before each name: that of a list of global variables, and a dot
+    pub(crate) prefix: &'a str,
+    /// process data of this file
+    pub(crate) addresses: &'a [Address],
     /// the variables so far
     pub(crate) all: &'a mut Variables,
     /// what is wrong
@@ -57,6 +61,11 @@ impl Declarations<'_, '_> {
                 return None;
             }
             "var_block" => Role::Local,
+            "var_global" if self.known.is_program => {
+                let is_constant = qualifier.as_ref().is_some_and(|(_, words)| words == "CONSTANT");
+                return Some(if is_constant { Role::Constant } else { Role::Local });
+            }
+            "var_in_out" if self.known.is_program => Role::Shared,
             "var_temp" if self.dialect == Dialect::Scl => Role::Temporary,
             other => {
                 let name = other.to_ascii_uppercase();
@@ -72,6 +81,8 @@ impl Declarations<'_, '_> {
 
     fn declaration(&mut self, node: Node<'_>, role: Role) {
         let Some(ty) = node.child_by_field_name("type") else { return };
+        let address = self.addresses.iter().find(|address| node.byte_range().contains(&address.at));
+        let role = address.map_or(role, |address| address.role);
         // A type of one's own is an identifier too.
         let is_name = |part: &Node<'_>| part.kind() == "identifier" && *part != ty;
         let names: Vec<Node<'_>> = children(node).into_iter().map(|(part, _)| part).filter(is_name).collect();
@@ -85,7 +96,15 @@ impl Declarations<'_, '_> {
             self.name(*name);
         }
         let word = said(ty, self.text);
-        let other = self.others.iter().position(|block| block.name.eq_ignore_ascii_case(word));
+        let structure = self.known.structures.iter().position(|of| of.name.eq_ignore_ascii_case(word));
+        if let Some(of) = structure {
+            self.whole(node, of, &names, role);
+            return;
+        }
+        if role == Role::Shared {
+            self.say(ty, format!("`VAR_IN_OUT` of {}", shown(ty, self.text)), "a structure, or an input and an output");
+        }
+        let other = self.known.blocks.iter().position(|block| block.name.eq_ignore_ascii_case(word));
         match other.filter(|_| Kind::of(word, self.all.real).is_none()) {
             Some(of) => self.instance(node, ty, of, &names, role),
             None => self.variable(node, ty, &names, role),
@@ -93,8 +112,8 @@ impl Declarations<'_, '_> {
     }
 
     fn instance(&mut self, node: Node<'_>, ty: Node<'_>, of: usize, names: &[Node<'_>], role: Role) {
-        let (block, real) = (&self.others[of], self.all.real);
-        if role != Role::Local {
+        let (block, real) = (&self.known.blocks[of], self.all.real);
+        if role != Role::Local || !self.prefix.is_empty() {
             self.say(ty, "an instance that is no variable of `VAR`", "the instance in `VAR`");
         }
         if block.variables.real != real {
@@ -113,7 +132,8 @@ impl Declarations<'_, '_> {
 
     fn variable(&mut self, node: Node<'_>, ty: Node<'_>, names: &[Node<'_>], role: Role) {
         let (dialect, real) = (self.dialect, self.all.real);
-        let kind = Kind::of(said(ty, self.text), real);
+        let of = if self.known.is_program { Kind::of_program } else { Kind::of };
+        let kind = of(said(ty, self.text), real);
         if kind.is_none() {
             let name = Kind::Real.name(real);
             self.say(ty, format!("the type {}", shown(ty, self.text)), format!("`{name}`, `BOOL`, `DINT` or `UDINT`"));
@@ -144,22 +164,50 @@ impl Declarations<'_, '_> {
                 if role == Role::Constant && kind == Kind::Real {
                     self.all.numbers.push(slot);
                 }
-                self.all.add(said(name, self.text), Variable { kind, role, slot, known });
+                self.all.add(&self.path(name), Variable { kind, role, slot, known });
             }
         }
     }
 
+    /// A structure: its parts, each a variable by its path.
+    fn whole(&mut self, node: Node<'_>, of: usize, names: &[Node<'_>], role: Role) {
+        if matches!(role, Role::Constant | Role::Temporary) {
+            self.say(node, "a structure that is no variable", "the structure in `VAR` or `VAR_IN_OUT`");
+        }
+        if let Some(start) = node.child_by_field_name("initial_value") {
+            self.say(start, "an initial value of a structure", "assignments to its parts");
+        }
+        for &name in names {
+            if self.is_new(name) {
+                let path = self.path(name);
+                for (part, kind) in &self.known.structures[of].parts {
+                    let slot = self.all.slot(*kind, None);
+                    self.all.add(&format!("{path}.{part}"), Variable { kind: *kind, role, slot, known: true });
+                }
+                self.all.add_whole(&path, Whole { of, role });
+            }
+        }
+    }
+
+    /// By which name the text refers to a variable.
+    fn path(&self, name: Node<'_>) -> String {
+        format!("{}{}", self.prefix, said(name, self.text))
+    }
+
     /// Says what is wrong with a name by itself.
     fn name(&mut self, node: Node<'_>) {
-        if let Some((found, instead)) = names::mistake(self.dialect, said(node, self.text)) {
+        let name = said(node, self.text);
+        let allowed = self.known.is_program && names::of_library(name);
+        if let Some((found, instead)) = names::mistake(self.dialect, name).filter(|_| !allowed) {
             self.say(node, found, instead);
         }
     }
 
     /// Whether a name is not declared yet; says so if it is.
     fn is_new(&mut self, node: Node<'_>) -> bool {
-        let name = said(node, self.text);
-        let declared = self.all.find(name).is_some() || self.all.inner(name).is_some();
+        let (name, path) = (said(node, self.text), self.path(node));
+        let all = &self.all;
+        let declared = all.find(&path).is_some() || all.inner(&path).is_some() || all.whole(&path).is_some();
         if declared {
             self.say(node, format!("`{name}`, which is declared already"), "another name");
         }

@@ -61,7 +61,10 @@ fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
             Some(lowering.literal(Kind::Real, Value::Real(-0.0)))
         }
         "binary_expression" => lowering.binary(node),
-        "member_access_expression" => lowering.output(node),
+        "member_access_expression" => match lowering.variables.find(said(node, text)) {
+            Some(part) => part.known.then_some(Operand::Slot { kind: part.kind, slot: part.slot, part: false }),
+            None => lowering.output(node),
+        },
         "call_expression" => lowering.call(node),
         // A string and a number with a type were said of already.
         "string_literal"

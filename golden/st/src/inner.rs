@@ -1,12 +1,20 @@
 //! Blocks inside a block: calls of instances, and their outputs.
 
 use super::block::Block;
+use super::kind::Kind;
 use super::lowering::{Lowering, Operand};
-use super::op::moved;
+use super::op::{Code, Op, moved};
 use super::syntax::{children, said, shown};
 use super::variables::{self, Inner, Role, slot_of};
 use std::collections::BTreeSet;
 use tree_sitter::Node;
+
+/// The slots of a part of a structure, in the block and in its instance.
+struct Pair {
+    kind: Kind,
+    here: u32,
+    there: u32,
+}
 
 impl Lowering<'_, '_> {
     /// Lowers a call: its arguments are assigned, then the instance has its cycle; `None`: a mistake was said.
@@ -22,14 +30,68 @@ impl Lowering<'_, '_> {
             }
             return None;
         };
-        let block = &self.others[inner.of];
+        let block = &self.known.blocks[inner.of];
         let mut before = BTreeSet::new();
-        for (argument, _) in children(arguments).into_iter().filter(|(part, _)| part.is_named()) {
+        let arguments: Vec<Node<'_>> =
+            children(arguments).into_iter().map(|(part, _)| part).filter(Node::is_named).collect();
+        let is_shared = |argument: &Node<'_>| {
+            let name = argument.child_by_field_name("name");
+            let whole = name.and_then(|name| block.variables.whole(said(name, self.text)));
+            whole.is_some_and(|whole| whole.role == Role::Shared)
+        };
+        let (given, others): (Vec<Node<'_>>, Vec<Node<'_>>) = arguments.into_iter().partition(is_shared);
+        for argument in others {
             self.argument(argument, (inner, block), &mut before);
         }
+        let shared = self.shared(function, &given, (inner, block));
+        self.copy(&shared, false);
         let first = variables::number(self.ops.len());
         self.ops.extend(block.ops.iter().map(|op| moved(*op, inner.base, first)));
+        self.copy(&shared, true);
         Some(())
+    }
+
+    /// The structures that a call gives to an instance: the slots of their parts here and there. Each is given once: then a copy
+    /// before the call and one behind it do what a reference does, because no part has a second name.
+    fn shared(&mut self, function: Node<'_>, given: &[Node<'_>], (inner, block): (Inner, &Block)) -> Vec<Pair> {
+        let (mut pairs, mut own) = (Vec::new(), BTreeSet::new());
+        let mut missing: BTreeSet<String> = block.variables.shared().map(|(name, _)| name.to_owned()).collect();
+        for &argument in given {
+            let word =
+                |field| argument.child_by_field_name(field).map(|node| said(node, self.text).to_ascii_lowercase());
+            let (Some(name), Some(path)) = (word("name"), word("value")) else { continue };
+            let Some(whole) = block.variables.whole(&name) else { continue };
+            let wanted = &self.known.structures[whole.of];
+            missing.remove(&name);
+            let found = self.variables.whole(&path).filter(|whole| whole.role != Role::Input);
+            if found.is_none_or(|whole| self.known.structures[whole.of].name != wanted.name) {
+                let instead = format!("a variable of type `{}`", wanted.name);
+                self.say(argument, shown(argument, self.text), instead);
+                continue;
+            }
+            if !own.insert(name.clone()) || !own.insert(format!("={path}")) {
+                self.say(argument, format!("{}, given a second time", shown(argument, self.text)), "each once");
+            }
+            for (part, _) in &wanted.parts {
+                let here = self.variables.find(&format!("{path}.{part}"));
+                let there = block.variables.find(&format!("{name}.{part}"));
+                if let (Some(here), Some(there)) = (here, there) {
+                    pairs.push(Pair { kind: here.kind, here: here.slot, there: slot_of(inner, there) });
+                }
+            }
+        }
+        if let Some(name) = missing.first() {
+            self.say(function, format!("a call without `{name}`"), format!("`{name} := variable`"));
+        }
+        pairs
+    }
+
+    /// Copies what is shared to an instance, or back.
+    fn copy(&mut self, shared: &[Pair], back: bool) {
+        for &Pair { kind, here, there } in shared {
+            let (to, from) = if back { (here, there) } else { (there, here) };
+            self.ops.push(Op::new(Code::moving(kind), to, [from, 0]));
+        }
     }
 
     /// Lowers an argument; `before` has the inputs of those before it.
@@ -68,7 +130,7 @@ impl Lowering<'_, '_> {
             }
             return None;
         };
-        let block = &self.others[inner.of];
+        let block = &self.known.blocks[inner.of];
         let output = block.variables.find(said(member, self.text)).filter(|variable| variable.role == Role::Output);
         let Some(variable) = output else {
             let found = format!("{}, which is no output of `{}`", shown(member, self.text), block.name);

@@ -13,6 +13,10 @@ pub(crate) enum Kind {
     Dint,
     /// UDINT
     Udint,
+    /// INT, in process data only
+    Int,
+    /// UINT, in process data only
+    Uint,
 }
 
 impl Kind {
@@ -24,6 +28,8 @@ impl Kind {
             (Self::Bool, _) => "BOOL",
             (Self::Dint, _) => "DINT",
             (Self::Udint, _) => "UDINT",
+            (Self::Int, _) => "INT",
+            (Self::Uint, _) => "UINT",
         }
     }
 
@@ -31,6 +37,13 @@ impl Kind {
         [Self::Real, Self::Bool, Self::Dint, Self::Udint]
             .into_iter()
             .find(|kind| kind.name(real).eq_ignore_ascii_case(name))
+    }
+
+    /// The same, and the types that only process data has: they are assigned and converted, and no more, because implementations
+    /// compute with them in different widths.
+    pub(crate) fn of_program(name: &str, real: RealKind) -> Option<Self> {
+        let narrow = [Self::Int, Self::Uint].into_iter().find(|kind| kind.name(real).eq_ignore_ascii_case(name));
+        Self::of(name, real).or(narrow)
     }
 }
 
@@ -41,6 +54,6 @@ pub(crate) enum Value {
     Real(f64),
     /// BOOL
     Bool(bool),
-    /// DINT or UDINT
+    /// DINT or UDINT, INT or UINT
     Word(u32),
 }

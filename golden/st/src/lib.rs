@@ -9,6 +9,7 @@
 //! variables      the variables and their slots; kind: the types and their values
 //! lower          statements -> operations on slots; choice: IF, CASE; inner: instances of other blocks; expression, binary, call:
 //!                their parts; single: how much of them a statement of REAL may hold; lowering: what they share
+//! known          what stands in other files; program: the files of a program with its blocks, read one after another
 //! block          what a block is; read: a file -> a block; changed: a block that differs from its text
 //! op             the operations; machine: what they do; run: an instance of a block, cycle by cycle
 //! mistake        what is wrong, and where
@@ -25,6 +26,7 @@ mod declarations;
 mod expression;
 mod inner;
 mod kind;
+mod known;
 mod lexical;
 mod lower;
 mod lowering;
@@ -34,6 +36,7 @@ mod names;
 mod number;
 mod op;
 mod plcopen;
+mod program;
 mod read;
 mod run;
 mod scl;
@@ -50,6 +53,7 @@ mod evaluation;
 
 pub use block::Block;
 pub use mistake::Mistake;
+pub use program::Program;
 pub use run::{Instance, Signal};
 
 /// Expressions and statements inside each other, at most: more would be no emitted text, but the end of the stack.

@@ -111,7 +111,8 @@ impl Lowering<'_, '_> {
     /// The variable that an assignment writes.
     fn target(&mut self, node: Node<'_>) -> Option<(Kind, u32)> {
         let name = said(node, self.text);
-        if node.kind() != "identifier" {
+        let is_member = node.kind() == "member_access_expression" && self.variables.find(name).is_some();
+        if node.kind() != "identifier" && !is_member {
             self.say(node, format!("{} left of `:=`", shown(node, self.text)), "a variable");
             return None;
         }
@@ -120,7 +121,7 @@ impl Lowering<'_, '_> {
             return None;
         };
         match variable.role {
-            Role::Output | Role::Local | Role::Temporary => {
+            Role::Output | Role::Local | Role::Shared | Role::Temporary => {
                 return variable.known.then_some((variable.kind, variable.slot));
             }
             Role::Input => self.say(node, format!("the input `{name}` left of `:=`"), "a variable of its own"),
@@ -144,12 +145,7 @@ impl Lowering<'_, '_> {
         match self.ops.last_mut() {
             Some(last) if part => (last.to, last.part) = (to, false),
             _ => {
-                let code = match kind {
-                    Kind::Real => Code::MoveReal,
-                    Kind::Bool => Code::MoveBool,
-                    Kind::Dint | Kind::Udint => Code::MoveWord,
-                };
-                self.ops.push(Op::new(code, to, [slot, 0]));
+                self.ops.push(Op::new(Code::moving(kind), to, [slot, 0]));
             }
         }
         Some(())

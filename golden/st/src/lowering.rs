@@ -1,8 +1,8 @@
 //! What is known of a block while it is lowered, and where the values of its expressions are.
 
-use super::block::Block;
 use super::constant::word;
 use super::kind::{Kind, Value};
+use super::known::Known;
 use super::mistake::Mistakes;
 use super::op::{Code, Op};
 use super::syntax::{said, shown};
@@ -38,8 +38,8 @@ pub(crate) struct Lowering<'a, 't> {
     pub(crate) text: &'a str,
     /// which file form
     pub(crate) dialect: Dialect,
-    /// the blocks of which there may be instances
-    pub(crate) others: &'a [Block],
+    /// what other files declare
+    pub(crate) known: Known<'a>,
     /// the variables, and the slots of numbers and of parts of expressions
     pub(crate) variables: &'a mut Variables,
     /// what is wrong
@@ -69,6 +69,8 @@ impl Lowering<'_, '_> {
         let name = shown(node, self.text);
         if self.variables.inner(said(node, self.text)).is_some() {
             self.say(node, format!("the instance {name} by itself"), "a variable, or one of its outputs");
+        } else if self.variables.whole(said(node, self.text)).is_some() {
+            self.say(node, format!("the structure {name} by itself"), "one of its parts");
         } else if self.all_declared {
             self.say(node, format!("{name}, which is not declared"), "a declared variable");
         }
@@ -120,7 +122,7 @@ impl Lowering<'_, '_> {
     pub(crate) fn typed(&mut self, operand: Operand, wanted: Kind, node: Node<'_>) -> Option<Typed> {
         match (operand, wanted) {
             (Operand::Slot { kind, slot, part }, _) => Some((kind, slot, part)),
-            (Operand::Integer(value), Kind::Dint | Kind::Udint) => {
+            (Operand::Integer(value), Kind::Dint | Kind::Udint | Kind::Int | Kind::Uint) => {
                 if let Some(word) = word(value, wanted) {
                     return Some((wanted, self.variables.slot(wanted, Some(Value::Word(word))), false));
                 }

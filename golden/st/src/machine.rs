@@ -75,6 +75,7 @@ impl<R: Real> Slots<R> {
                 Code::RealOfDint => reals[to] = kept(op, R::lit(f64::from(words[a].cast_signed()))),
                 Code::RealOfUdint => reals[to] = kept(op, R::from_u32(words[a])),
                 Code::Truncate => words[to] = truncated(reals[a]).cast_unsigned(),
+                Code::Narrow => words[to] = narrowed(words[a].cast_signed()).cast_unsigned(),
                 Code::InRange => bools[to] = in_range(reals[a], reals[b]),
                 Code::Jump => next = to,
                 Code::JumpUnless => {
@@ -105,6 +106,11 @@ fn fused<R: Real, const MIXED: bool>(op: &Op, values: [R; 3]) -> R {
 /// What the function `F_axgen_in_range` of the emitted files says.
 fn in_range<R: Real>(x: R, limit: R) -> bool {
     x.to_f64().is_finite() && -limit <= x && x <= limit
+}
+
+/// `DINT_TO_INT`. Beyond the range of an INT implementations disagree: then it is what a reference never has by chance.
+fn narrowed(value: i32) -> i32 {
+    i32::from(i16::try_from(value).unwrap_or(0x5555))
 }
 
 /// `TRUNC`. Beyond the range of a DINT implementations disagree: then it is what a reference never has by chance.

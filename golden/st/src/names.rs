@@ -32,6 +32,9 @@ const SCL: &str = "
     typeofelements uble ufill_blk umove umove_blk unlinked val_strg var_static variant variantget variantput version void
     wait wr_sys_t";
 
+/// Names of inputs in TwinCAT's motion library: its compiler takes them, and no other one reads a program with that library.
+const LIBRARY: &str = "override";
+
 /// The longest name that TIA takes.
 const LONGEST: usize = 125;
 
@@ -56,6 +59,11 @@ fn conversion(lower: &str) -> bool {
         types.split_ascii_whitespace().any(|word| word == name)
     };
     lower.split_once("_to_").is_some_and(|(from, to)| ty(from) && ty(to))
+}
+
+/// Whether a variable of a program may have the name although it is taken.
+pub(crate) fn of_library(name: &str) -> bool {
+    LIBRARY.eq_ignore_ascii_case(name)
 }
 
 /// What is wrong with a name, and what to write instead.

@@ -1,5 +1,7 @@
 //! The operations of a lowered block. What they do is elsewhere.
 
+use super::kind::Kind;
+
 /// What is done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Code {
@@ -77,12 +79,25 @@ pub(crate) enum Code {
     RealOfUdint,
     /// DINT := whole part of real
     Truncate,
+    /// INT := DINT
+    Narrow,
     /// bool := real is finite, and between -real and real
     InRange,
     /// on to operation `to`
     Jump,
     /// on to operation `to`, unless bool `a`
     JumpUnless,
+}
+
+impl Code {
+    /// What moves a value of a type.
+    pub(crate) fn moving(kind: Kind) -> Self {
+        match kind {
+            Kind::Real => Self::MoveReal,
+            Kind::Bool => Self::MoveBool,
+            Kind::Dint | Kind::Udint | Kind::Int | Kind::Uint => Self::MoveWord,
+        }
+    }
 }
 
 /// Where the slots of a block begin that was copied into another one.
@@ -167,6 +182,7 @@ fn places(code: Code) -> (Place, Place) {
         | Code::AddWord
         | Code::SubtractWord
         | Code::MultiplyWord
+        | Code::Narrow
         | Code::DivideDint
         | Code::RemainderDint
         | Code::DivideUdint

@@ -3,6 +3,7 @@
 use super::block::Block;
 use super::declarations::Declarations;
 use super::kind::Kind;
+use super::known::{Address, Known};
 use super::lowering::Lowering;
 use super::mistake::{Lines, Mistakes};
 use super::source::Source;
@@ -45,7 +46,14 @@ impl Block {
             Dialect::Codesys => plcopen::read(text)?,
             Dialect::Scl => scl::read(text)?,
         };
-        let mut mistakes = Mistakes::new(&source, text);
+        let known = Known { blocks: others, ..Known::default() };
+        Self::of_source(text, &File { source: &source, dialect, real, known, addresses: &[] }, name)
+    }
+
+    /// Reads a block of a text that was taken out of its file.
+    pub(crate) fn of_source(text: &str, file: &File<'_>, name: &str) -> Result<Self, Vec<Mistake>> {
+        let &File { source, dialect, .. } = file;
+        let mut mistakes = Mistakes::new(source, text);
         let letters = lexical::check(dialect, &source.text, &mut mistakes);
         let Some(tree) = syntax::parse(&source.text[..letters.end]) else {
             mistakes.push(0, "a text that is no Structured Text", "declarations and statements");
@@ -53,8 +61,7 @@ impl Block {
         };
         syntax::check(&tree, &source.text, &letters, &mut mistakes);
         syntax::signs(&tree, &source.text, &mut mistakes);
-        let file = File { source: &source, dialect, real, others };
-        let blocks = blocks(&tree, &file, &mut mistakes);
+        let blocks = blocks(&tree, file, &mut mistakes);
         let found = blocks.into_iter().find(|block| block.name.eq_ignore_ascii_case(name));
         let broken = tree.root_node().has_error();
         if broken && mistakes.is_empty() {
@@ -74,11 +81,17 @@ impl Block {
 }
 
 /// What is known before the text is read.
-struct File<'a> {
-    source: &'a Source,
-    dialect: Dialect,
-    real: RealKind,
-    others: &'a [Block],
+pub(crate) struct File<'a> {
+    /// its text
+    pub(crate) source: &'a Source,
+    /// its form
+    pub(crate) dialect: Dialect,
+    /// the type of its reals
+    pub(crate) real: RealKind,
+    /// what other files declare
+    pub(crate) known: Known<'a>,
+    /// its process data
+    pub(crate) addresses: &'a [Address],
 }
 
 /// All blocks of a text; their places are bytes of the text yet.
@@ -93,6 +106,7 @@ fn blocks(tree: &Tree, file: &File<'_>, mistakes: &mut Mistakes<'_>) -> Vec<Bloc
                 }
                 blocks.push(block);
             }
+            "program_declaration" if file.known.is_program => blocks.push(block(node, file, mistakes)),
             "pragma" | "ERROR" => {}
             ";" => mistakes.push(node.start_byte(), "`;` without a statement", "nothing"),
             _ => mistakes.push(node.start_byte(), shown(node, &file.source.text), "`FUNCTION_BLOCK`"),
@@ -102,9 +116,12 @@ fn blocks(tree: &Tree, file: &File<'_>, mistakes: &mut Mistakes<'_>) -> Vec<Bloc
 }
 
 fn block(node: Node<'_>, file: &File<'_>, mistakes: &mut Mistakes<'_>) -> Block {
-    let &File { source, dialect, real, others } = file;
+    let &File { source, dialect, real, known, addresses } = file;
     let text = source.text.as_str();
-    let (mut variables, mut body, mut name) = (Variables::new(real), Vec::new(), String::new());
+    // Only the program uses what is global: so a block and its caller never mean the same variable by two names.
+    let globals = known.globals.filter(|_| node.kind() == "program_declaration").cloned();
+    let (mut variables, mut body) = (globals.unwrap_or_else(|| Variables::new(real)), Vec::new());
+    let mut name = String::new();
     // So that a condition that is wrong has a slot too.
     variables.slot(Kind::Bool, None);
     let (mut place, mut all_declared) = (node, true);
@@ -131,9 +148,10 @@ fn block(node: Node<'_>, file: &File<'_>, mistakes: &mut Mistakes<'_>) -> Block 
                     mistakes.push(at, "a `VAR` block in the body", "the `VAR` block in the declaration");
                 }
                 all_declared &= !part.has_error();
-                Declarations { text, dialect, others, all: &mut variables, mistakes: &mut *mistakes }.declare(part);
+                let (all, mistakes) = (&mut variables, &mut *mistakes);
+                Declarations { text, dialect, known, prefix: "", addresses, all, mistakes }.declare(part);
             }
-            ("FUNCTION_BLOCK" | "END_FUNCTION_BLOCK", _) => {}
+            ("FUNCTION_BLOCK" | "END_FUNCTION_BLOCK" | "PROGRAM" | "END_PROGRAM", _) => {}
             ("method_declaration" | "property_declaration", _) => {
                 mistakes.push(at, shown(part, text), "one body");
             }
@@ -153,7 +171,7 @@ fn block(node: Node<'_>, file: &File<'_>, mistakes: &mut Mistakes<'_>) -> Block 
     let mut lowering = Lowering {
         text,
         dialect,
-        others,
+        known,
         variables: &mut variables,
         mistakes,
         ops: Vec::new(),

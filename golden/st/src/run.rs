@@ -84,6 +84,31 @@ impl Block {
 }
 
 impl Instance<'_> {
+    /// The value of a variable by its path, as a bus or a visualisation reads it.
+    #[must_use]
+    pub fn get(&self, path: &str) -> Option<Literal> {
+        let variable = self.block.variables.find(path)?;
+        Some(match &self.slots {
+            Memory::Double(slots) => read(slots, variable),
+            Memory::Single(slots) => read(slots, variable),
+            Memory::Mixed(slots) => in_single(read(slots, variable)),
+        })
+    }
+
+    /// Writes a variable by its path, as a bus or a visualisation does; false: there is none of this type.
+    #[must_use]
+    pub fn set(&mut self, path: &str, value: Literal) -> bool {
+        let Some(variable) = self.block.variables.find(path) else { return false };
+        let fits = self.get(path).is_some_and(|now| std::mem::discriminant(&now) == std::mem::discriminant(&value));
+        let value = if matches!(self.slots, Memory::Mixed(_)) { in_double(value) } else { value };
+        match &mut self.slots {
+            _ if !fits => {}
+            Memory::Double(slots) | Memory::Mixed(slots) => write(slots, variable, value),
+            Memory::Single(slots) => write(slots, variable, value),
+        }
+        fits
+    }
+
     /// One cycle: the values of the inputs in the order of the signals, then those of the outputs.
     pub fn cycle(&mut self, inputs: &[Literal], outputs: &mut Vec<Literal>) {
         let (own, results) = (&self.inputs, (&self.outputs[..], &mut *outputs));
@@ -128,8 +153,8 @@ fn read<R: Real>(slots: &Slots<R>, variable: Variable) -> Literal {
     match variable.kind {
         Kind::Real => literal(slots.reals[slot]),
         Kind::Bool => Literal::Bool(slots.bools[slot]),
-        Kind::Dint => Literal::I32(slots.words[slot].cast_signed()),
-        Kind::Udint => Literal::U32(slots.words[slot]),
+        Kind::Dint | Kind::Int => Literal::I32(slots.words[slot].cast_signed()),
+        Kind::Udint | Kind::Uint => Literal::U32(slots.words[slot]),
     }
 }
 

@@ -5,7 +5,7 @@ use super::mistake::Lines;
 use super::source::Source;
 use super::xml::{self, append_text, child};
 
-/// Reads the file.
+/// Reads the file of a block, or of a program.
 pub(crate) fn read(file: &str) -> Result<Source, Vec<Mistake>> {
     let lines = Lines::new(file);
     let document = xml::read(file)?;
@@ -38,6 +38,37 @@ pub(crate) fn read(file: &str) -> Result<Source, Vec<Mistake>> {
     source.make("\n", body.range().start);
     source.body = Some(source.text.len());
     append_text(body, &mut source);
-    source.make("\nEND_FUNCTION_BLOCK", body.range().start);
+    let end = if is_program(&source.text) { "\nEND_PROGRAM" } else { "\nEND_FUNCTION_BLOCK" };
+    source.make(end, body.range().start);
     Ok(source)
+}
+
+/// Reads the declaration of a `.TcDUT` or a `.TcGVL`, and the name that the file gives to it.
+pub(crate) fn declaration(file: &str, element: &str) -> Result<(Source, String), Vec<Mistake>> {
+    let lines = Lines::new(file);
+    let document = xml::read(file)?;
+    let outer = child(document.root_element(), element);
+    let name = outer.and_then(|outer| outer.attribute("Name"));
+    let (Some(declaration), Some(name)) = (outer.and_then(|outer| child(outer, "Declaration")), name) else {
+        let found = format!("no `<{element} Name=...><Declaration>`");
+        return Err(vec![lines.mistake(document.root_element().range().start, found, "the file of one object")]);
+    };
+    let mut source = Source::default();
+    append_text(declaration, &mut source);
+    Ok((source, name.to_owned()))
+}
+
+/// Whether the first word of a declaration says so.
+fn is_program(text: &str) -> bool {
+    let mut rest = text.trim_start();
+    loop {
+        let end = match rest.as_bytes() {
+            [b'(', b'*', ..] => rest.find("*)").map(|end| end + 2),
+            [b'/', b'/', ..] => rest.find('\n'),
+            [b'{', ..] => rest.find('}').map(|end| end + 1),
+            _ => return rest.split_whitespace().next() == Some("PROGRAM"),
+        };
+        let Some(end) = end else { return false };
+        rest = rest[end..].trim_start();
+    }
 }

@@ -4,7 +4,7 @@ use super::kind::{Kind, Value};
 use super::machine::Slots;
 use super::op::Base;
 use portable::RealKind;
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// Who writes a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,6 +15,8 @@ pub(crate) enum Role {
     Output,
     /// the block
     Local,
+    /// the block and its caller, who gives a variable of its own: `VAR_IN_OUT`
+    Shared,
     /// the block; the value does not outlive the cycle
     Temporary,
     /// nobody
@@ -43,6 +45,15 @@ pub(crate) struct Inner {
     pub(crate) base: Base,
 }
 
+/// A variable that is a structure.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Whole {
+    /// which one of the structures
+    pub(crate) of: usize,
+    /// who writes its parts
+    pub(crate) role: Role,
+}
+
 /// The variables of a block.
 #[derive(Clone, Debug)]
 pub(crate) struct Variables {
@@ -52,6 +63,8 @@ pub(crate) struct Variables {
     by_name: HashMap<String, Variable>,
     /// instances, by their names in lower case
     inner: HashMap<String, Inner>,
+    /// structures, by their names in lower case; each part of one is a variable by its path
+    whole: BTreeMap<String, Whole>,
     /// the slots of the real numbers of the text, apart from start values, in its order
     pub(crate) numbers: Vec<u32>,
     /// what the slots hold at the start
@@ -61,8 +74,8 @@ pub(crate) struct Variables {
 impl Variables {
     /// None yet.
     pub(crate) fn new(real: RealKind) -> Self {
-        let (by_name, inner) = (HashMap::new(), HashMap::new());
-        Self { real, by_name, inner, numbers: Vec::new(), slots: Slots::default() }
+        let (by_name, inner, whole) = (HashMap::new(), HashMap::new(), BTreeMap::new());
+        Self { real, by_name, inner, whole, numbers: Vec::new(), slots: Slots::default() }
     }
 
     /// A variable by its name.
@@ -73,6 +86,22 @@ impl Variables {
     /// An instance by its name.
     pub(crate) fn inner(&self, name: &str) -> Option<Inner> {
         self.inner.get(&name.to_ascii_lowercase()).copied()
+    }
+
+    /// A structure by its name.
+    pub(crate) fn whole(&self, name: &str) -> Option<Whole> {
+        self.whole.get(&name.to_ascii_lowercase()).copied()
+    }
+
+    /// The structures that the caller gives, by their names.
+    pub(crate) fn shared(&self) -> impl Iterator<Item = (&str, Whole)> {
+        let is_shared = |(_, whole): &(&String, &Whole)| whole.role == Role::Shared;
+        self.whole.iter().filter(is_shared).map(|(name, whole)| (name.as_str(), *whole))
+    }
+
+    /// Another structure.
+    pub(crate) fn add_whole(&mut self, name: &str, whole: Whole) {
+        self.whole.insert(name.to_ascii_lowercase(), whole);
     }
 
     /// Another variable.
@@ -106,7 +135,7 @@ impl Variables {
                 slots.bools.push(matches!(value, Some(Value::Bool(true))));
                 slots.bools.len() - 1
             }
-            Kind::Dint | Kind::Udint => {
+            Kind::Dint | Kind::Udint | Kind::Int | Kind::Uint => {
                 slots.words.push(if let Some(Value::Word(value)) = value { value } else { 0 });
                 slots.words.len() - 1
             }
@@ -120,7 +149,7 @@ pub(crate) fn slot_of(inner: Inner, variable: Variable) -> u32 {
     let base = match variable.kind {
         Kind::Real => inner.base.reals,
         Kind::Bool => inner.base.bools,
-        Kind::Dint | Kind::Udint => inner.base.words,
+        Kind::Dint | Kind::Udint | Kind::Int | Kind::Uint => inner.base.words,
     };
     base + variable.slot
 }

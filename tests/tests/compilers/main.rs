@@ -10,6 +10,7 @@ mod files;
 mod flags;
 mod matrix;
 mod random_axes;
+mod random_modules;
 mod runners;
 mod unity;
 

@@ -9,6 +9,7 @@ mod forms;
 mod garbage;
 mod instances;
 mod no_literal;
+mod program;
 mod refused;
 mod scl;
 mod semantics;

@@ -1,0 +1,164 @@
+//! A program of TwinCAT with what it consists of: structures, global variables, blocks. Its files are read one after another, each
+//! before those that use it. What a program has and an emitted block has not is allowed here only: structures, `VAR_IN_OUT`,
+//! process data, and variables of the runtime.
+
+use super::block::Block;
+use super::declarations::Declarations;
+use super::kind::Kind;
+use super::known::{Address, Known, Structure, addresses};
+use super::mistake::Mistakes;
+use super::read::File;
+use super::syntax::{children, said, shown};
+use super::variables::{Role, Variable, Variables};
+use super::{Dialect, Mistake, lexical, syntax, twincat};
+use portable::RealKind;
+use tree_sitter::Node;
+
+/// What was read of a program so far.
+#[derive(Clone, Debug)]
+pub struct Program {
+    real: RealKind,
+    structures: Vec<Structure>,
+    globals: Variables,
+    blocks: Vec<Block>,
+}
+
+impl Program {
+    /// Nothing yet; its reals are of one type.
+    #[must_use]
+    pub fn new(real: RealKind) -> Self {
+        Self { real, structures: Vec::new(), globals: Variables::new(real), blocks: Vec::new() }
+    }
+
+    /// A variable of type UDINT that the controller's runtime has: the text of its uses.
+    pub fn runtime(&mut self, text: &str) {
+        let slot = self.globals.slot(Kind::Udint, None);
+        self.globals.add(text, Variable { kind: Kind::Udint, role: Role::Input, slot, known: true });
+    }
+
+    /// A `.TcDUT` with structures.
+    ///
+    /// # Errors
+    /// It holds something else, or what implementations could disagree on.
+    pub fn structure(&mut self, file: &str) -> Result<(), Vec<Mistake>> {
+        let mut found = Vec::new();
+        self.declaration(file, "DUT", |program, node, text, _, mistakes| {
+            let definition = children(node).into_iter().find(|(part, _)| part.kind() == "type_definition");
+            let structure = definition.and_then(|(definition, _)| {
+                let fields = definition.child_by_field_name("definition")?;
+                let name = said(definition.child_by_field_name("name")?, text);
+                (fields.kind() == "structure_type_inline").then(|| program.parts(name, fields, text, mistakes))
+            });
+            match structure {
+                Some(structure) => found.push(structure),
+                None => {
+                    mistakes.push(node.start_byte(), shown(node, text), "`TYPE x : STRUCT ... END_STRUCT END_TYPE`")
+                }
+            }
+        })?;
+        self.structures.append(&mut found);
+        Ok(())
+    }
+
+    /// A `.TcGVL`: the program has its variables by the name of the list, a dot and their own.
+    ///
+    /// # Errors
+    /// It holds something else, or what implementations could disagree on.
+    pub fn globals(&mut self, file: &str) -> Result<(), Vec<Mistake>> {
+        let mut all = self.globals.clone();
+        self.declaration(file, "GVL", |program, node, text, (prefix, addresses), mistakes| {
+            let known = program.known();
+            for (part, _) in children(node).into_iter().filter(|(part, _)| part.kind() == "var_global") {
+                let dialect = Dialect::TwinCat;
+                Declarations { text, dialect, known, prefix, addresses, all: &mut all, mistakes }.declare(part);
+            }
+        })?;
+        self.globals = all;
+        Ok(())
+    }
+
+    /// The `.TcPOU` of a block.
+    ///
+    /// # Errors
+    /// It holds what implementations could disagree on.
+    pub fn block(&mut self, file: &str, name: &str) -> Result<(), Vec<Mistake>> {
+        let block = self.read(file, name)?;
+        self.add(block);
+        Ok(())
+    }
+
+    /// A block that was read already.
+    pub fn add(&mut self, block: Block) {
+        self.blocks.push(block);
+    }
+
+    /// The `.TcPOU` of the program itself: it runs like a block whose variables are those of the program and the global ones.
+    ///
+    /// # Errors
+    /// It holds what implementations could disagree on.
+    pub fn read(&self, file: &str, name: &str) -> Result<Block, Vec<Mistake>> {
+        let mut source = twincat::read(file)?;
+        let addresses = addresses(&mut source.text);
+        let (dialect, real, known) = (Dialect::TwinCat, self.real, self.known());
+        Block::of_source(file, &File { source: &source, dialect, real, known, addresses: &addresses }, name)
+    }
+
+    fn known(&self) -> Known<'_> {
+        Known { blocks: &self.blocks, structures: &self.structures, globals: Some(&self.globals), is_program: true }
+    }
+
+    /// Reads the declarations of a file.
+    fn declaration(
+        &self,
+        file: &str,
+        element: &str,
+        mut each: impl FnMut(&Self, Node<'_>, &str, (&str, &[Address]), &mut Mistakes<'_>),
+    ) -> Result<(), Vec<Mistake>> {
+        let (mut source, name) = twincat::declaration(file, element)?;
+        // The grammar wants a semicolon there; TwinCAT's own files have none.
+        source.text = source.text.replace("END_STRUCT\n", "END_STRUCT;");
+        let addresses = addresses(&mut source.text);
+        let mut mistakes = Mistakes::new(&source, file);
+        let letters = lexical::check(Dialect::TwinCat, &source.text, &mut mistakes);
+        let tree = syntax::parse(&source.text[..letters.end]);
+        if let Some(tree) = &tree {
+            syntax::check(tree, &source.text, &letters, &mut mistakes);
+            for (node, _) in children(tree.root_node()) {
+                match node.kind() {
+                    "type_declaration" | "global_var_declaration_block" => {
+                        each(self, node, &source.text, (&format!("{name}."), &addresses), &mut mistakes);
+                    }
+                    "pragma" | "ERROR" => {}
+                    _ => mistakes.push(node.start_byte(), shown(node, &source.text), "declarations"),
+                }
+            }
+        } else {
+            mistakes.push(0, "a text that is no Structured Text", "declarations");
+        }
+        let mistakes = mistakes.sorted();
+        if mistakes.is_empty() { Ok(()) } else { Err(mistakes) }
+    }
+
+    /// The parts of a structure.
+    fn parts(&self, name: &str, fields: Node<'_>, text: &str, mistakes: &mut Mistakes<'_>) -> Structure {
+        let mut parts = Vec::new();
+        for (field, _) in children(fields).into_iter().filter(|(part, _)| part.kind() == "structure_field") {
+            let (Some(own), Some(ty)) = (field.child_by_field_name("name"), field.child_by_field_name("type")) else {
+                continue;
+            };
+            let (own, word) = (said(own, text), said(ty, text));
+            let inside = self.structures.iter().find(|of| of.name.eq_ignore_ascii_case(word));
+            match (Kind::of_program(word, self.real), inside) {
+                (Some(kind), _) => parts.push((own.to_owned(), kind)),
+                (None, Some(inside)) => {
+                    parts.extend(inside.parts.iter().map(|(part, kind)| (format!("{own}.{part}"), *kind)));
+                }
+                (None, None) => {
+                    let instead = "a type of a variable, or a structure of a file before this one";
+                    mistakes.push(ty.start_byte(), format!("the type {}", shown(ty, text)), instead);
+                }
+            }
+        }
+        Structure { name: name.to_owned(), parts }
+    }
+}
