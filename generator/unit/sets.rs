@@ -66,7 +66,7 @@ pub(crate) fn axes(count: usize, real: RealKind) -> impl Iterator<Item = Axis> {
             name: "X".to_owned(),
             real,
             cycle_time_ns,
-            ipc: Ipc { enable, v_add_max_fact, v_max, fade: random.unit(), ride_through: 0, delay_cycles: None, stage },
+            ipc: Ipc { enable, v_add_max_fact, v_max, fade: random.unit(), ride_through: 0, watch: false, delay_cycles: None, stage },
             control: crate::axis::Control::default(),
             canonical: String::new(),
             canonical_of: Default::default(),

@@ -9,3 +9,4 @@ pub mod model;
 pub mod pictures;
 pub mod random;
 pub mod simulation;
+pub mod two_mass;

@@ -94,6 +94,7 @@ fn largest(mode: Mode, filter: [Filter; 2]) -> f64 {
         v_max: 500_000.0,
         fade: 0.0,
         ride_through: 0,
+        watch: false,
         delay_cycles: None,
         stage: [Some(stage), None, None],
     };

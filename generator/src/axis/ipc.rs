@@ -16,6 +16,8 @@ pub struct Ipc {
     pub fade: f64,
     /// bad samples in a row in whose place the last good one stands
     pub ride_through: u32,
+    /// whether the loop is watched
+    pub watch: bool,
     /// cycles between a command and the actual value that it caused (P-AXIS-00191), where they are given; nothing in a block is made of
     /// them
     pub delay_cycles: Option<u32>,

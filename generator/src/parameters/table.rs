@@ -131,6 +131,8 @@ table! {
     Fade: AXIS_KEY("fade", kind: Kind::Duration { from: 0, to: 1_000_000_000_000 }, unit: "ns", default: &["0.1s"])
     /// bad samples in a row in whose place improved position control takes the last good one; 0: the first one is a fault
     RideThrough: AXIS_KEY("ride_through", kind: integer(0, 10), default: &["0"])
+    /// whether improved position control watches its loop, fades out where it becomes unstable, and says so: output `tripped`
+    Watch: AXIS_KEY("watch", kind: Kind::Word(Boolean::WORDS), default: &["FALSE"])
     /// velocity command of the drive: its type in the process data; for position control in the CNC, and for a spindle whose drive changes
     /// to velocity control
     VelocityCommandData: AXIS_KEY("process_data.velocity_command", kind: Kind::Word(Width::WORDS), default: &["INT32"])

@@ -50,6 +50,7 @@ fn axis(real: RealKind, cycle_time_ns: u32, stage: [Option<Stage>; 3]) -> Axis {
             v_max: 530_000.0,
             fade: 0.1,
             ride_through: 0,
+            watch: false,
             delay_cycles: None,
             stage,
         },

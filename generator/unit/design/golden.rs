@@ -120,6 +120,7 @@ fn rack_and_pinion() -> Axis {
             v_max: 200_000.0,
             fade: 0.1,
             ride_through: 0,
+            watch: false,
             delay_cycles: None,
             stage,
         },

@@ -14,13 +14,14 @@
 pub mod ride_through;
 mod signals;
 mod sources;
+pub mod watch;
 
 pub use signals::{Inputs, Outputs};
 pub use signals::{mode_dryrun, mode_off, mode_on};
 pub use sources::STAGES;
 
 use self::sources::{are_in_range, reads_command, reads_direct, reads_motor};
-use crate::signal::{error_cycle_time, error_gantry_slave, error_mode, error_none, error_state};
+use crate::signal::{error_cycle_time, error_gantry_slave, error_mode, error_none, error_state, error_unstable};
 use crate::signal::{error_v_command, error_v_direct, error_v_motor, sample_limit};
 use crate::stage;
 use crate::sum::empty_sum;
@@ -52,6 +53,8 @@ pub struct Coeffs<R> {
     pub fade_step: R,
     /// bad samples in a row
     pub ride_through: ride_through::Coeffs,
+    /// the watch over the loop
+    pub watch: watch::Coeffs<R>,
 }
 
 /// State.
@@ -66,6 +69,8 @@ pub struct State<R> {
     pub disturbed: bool,
     /// bad samples in a row
     pub ride_through: ride_through::State,
+    /// the watch over the loop
+    pub watch: watch::State<R>,
     /// the velocities of the cycle before
     pub source: sources::State<R>,
     /// the sections of each stage
@@ -164,6 +169,7 @@ pub fn clear<R: Real>(outputs: &mut Outputs<R>, error_id: u32) {
 pub fn init<R: Real>(state: &mut State<R>) {
     state.disturbed = false;
     ride_through::init(&mut state.ride_through);
+    watch::init(&mut state.watch);
     stop(state);
 }
 
@@ -184,6 +190,18 @@ pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>
             if state.fade > 0u32 { v_limited * (from_u32::<R>(state.fade) * coeffs.fade_step) } else { R::ZERO };
         outputs.v_add_calculated = if inputs.mode == mode_off() { R::ZERO } else { v_limited };
     }
+    // Only what acts can make a loop unstable. A sum that is a fault is no vibration.
+    if coeffs.watch.active && inputs.mode == mode_on() && !state.watch.tripped && !state.disturbed {
+        watch::step(&mut state.watch, &coeffs.watch, v_sum, coeffs.limit, coeffs.lower_limit);
+    }
+}
+
+/// The watch is ready again where the mode is not ON, and with a reset.
+#[portable]
+pub fn rearm<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, mode: i32, reset: bool) {
+    if coeffs.watch.active && (mode != mode_on() || reset) {
+        watch::init(&mut state.watch);
+    }
 }
 
 /// Moves the fade, or begins: whether the sections run in this cycle. In the first one they are preset to the steady state of
@@ -192,12 +210,20 @@ pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>
 pub fn prepare<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     let mut runs = true;
     if state.preset {
-        move_fade(state, coeffs, inputs.mode);
+        // What has tripped is where DRYRUN would be.
+        if coeffs.watch.active && state.watch.tripped {
+            move_fade(state, coeffs, mode_dryrun());
+        } else {
+            move_fade(state, coeffs, inputs.mode);
+        }
     } else {
         runs = false;
         if inputs.mode != mode_off() {
             preset(state, coeffs, inputs);
             state.preset = true;
+            if coeffs.watch.active {
+                watch::restart(&mut state.watch);
+            }
         }
     }
     runs
@@ -259,6 +285,7 @@ pub fn is_settled<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, mode: i32, v_mo
 /// One cycle. Only the inputs that a stage looks at are checked.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    rearm(state, coeffs, inputs.mode, inputs.reset);
     if coeffs.ride_through.active {
         let mut replaced = Inputs::<R>::default();
         outputs.held = ride_through::replace(
@@ -283,7 +310,11 @@ pub fn cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
     let mut runs = true;
     let mut reason = error_none();
     // Mostly the mode is ON and the fade full: then nothing but the sections changes.
-    if !(may_act(coeffs, inputs) && inputs.mode == mode_on() && state.fade >= coeffs.fade_cycles) {
+    if !(may_act(coeffs, inputs)
+        && inputs.mode == mode_on()
+        && state.fade >= coeffs.fade_cycles
+        && !(coeffs.watch.active && state.watch.tripped))
+    {
         if state.disturbed {
             runs = false;
             reason = error_state();
@@ -300,6 +331,10 @@ pub fn cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
         act(state, coeffs, inputs, outputs);
     } else {
         clear(outputs, reason);
+    }
+    outputs.tripped = coeffs.watch.active && state.watch.tripped;
+    if coeffs.watch.active && state.watch.tripped && !outputs.fault {
+        outputs.error_id = error_unstable();
     }
 }
 

@@ -31,6 +31,8 @@ pub struct Found {
     pub calculated: f64,
     /// whether its error id is 3: the sum of the cycle before was a fault
     pub is_disturbed: bool,
+    /// its `tripped` of this cycle
+    pub is_tripped: bool,
 }
 
 impl Axis {
@@ -55,6 +57,7 @@ impl Axis {
         if acts {
             self.ipc.decide(found.is_disturbed);
         }
+        self.ipc.rearm(inputs);
         let (ridden, command, held) =
             if acts && c.runs_stages { self.ipc.ride(p, c, inputs, command) } else { (*inputs, command, false) };
         let ipc_fault = match &c.slave {
@@ -68,7 +71,7 @@ impl Axis {
             _ if ipc_fault == 3 => self.ipc.fail(),
             _ if ipc_fault != 0 => self.ipc.stop(),
             Some(limit) => ipc::follow(c, limit, inputs.v_add_master),
-            None if c.runs_stages => self.ipc.cycle(c, &ridden, command, found.calculated),
+            None if c.runs_stages => self.ipc.cycle(c, &ridden, command, found.calculated, found.is_tripped),
             None => ipc::NOTHING,
         };
         let v_add = if found.v_add.is_finite() { Exact::given(found.v_add) } else { Exact::zero() };
@@ -82,6 +85,7 @@ impl Axis {
             (0, _, of_ipc) => of_ipc,
             (fault, ..) => fault,
         };
+        let is_tripped = self.ipc.is_tripped();
         debug_assert!(c.location == Location::Cnc || controlled.v_command.is_zero());
         vec![
             ("v_command", real(&controlled.v_command, c.u)),
@@ -93,9 +97,10 @@ impl Axis {
             ("xerr", sent.xerr.value),
             ("additive_torque", torque.value),
             ("additive_velocity", sent.velocity.value),
-            ("error_id", id(error_id)),
+            ("error_id", id(if error_id == 0 && is_tripped { 5 } else { error_id })),
             ("limited", data_limited.into_iter().fold(added.limited, either)),
             ("held", flag(held)),
+            ("tripped", flag(is_tripped)),
             ("fault", flag(error_id != 0)),
         ]
     }

@@ -88,6 +88,8 @@ pub struct Parameters {
     pub fade_ns: u32,
     /// `ride_through`
     pub ride_through: u32,
+    /// `watch`
+    pub watch: bool,
     /// improved position control
     pub stages: Vec<Stage>,
     /// of a gantry slave
@@ -183,6 +185,7 @@ impl Parameters {
         }
         line(format!("fade = \"{}ns\"", self.fade_ns));
         line(format!("ride_through = {}", self.ride_through));
+        line(format!("watch = {}", self.watch));
         if let Some(master) = self.master {
             line("kopf.achs_nr = 5\nkenngr.gantry_ax_nr = 4".to_owned());
             line(self.gear());

@@ -30,6 +30,10 @@ pub(crate) fn differences(old: &Designed, new: &Designed) -> Vec<String> {
     if rides[0] != rides[1] {
         lines.push(format!("rides through {} -> {} bad samples in a row", rides[0], rides[1]));
     }
+    let watches = [old, new].map(|of| of.axis.ipc.watch);
+    if watches[0] != watches[1] {
+        lines.push(format!("{} its loop", if watches[1] { "watches" } else { "no longer watches" }));
+    }
     for (index, (old, new)) in old.stage.iter().zip(&new.stage).enumerate() {
         let line = of_stages(old.as_ref(), new.as_ref());
         lines.extend(line.map(|line| format!("stage[{index}]: {line}")));
