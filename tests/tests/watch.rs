@@ -13,7 +13,7 @@ const LOOPS: usize = 100;
 /// A swing grows, or decays, by e in less than so long [s]: what lies between is neither.
 const GROWS: f64 = 1.0;
 const DECAYS: f64 = -3.0;
-/// |v_add| may be at its limit for so long before it is faded out [s].
+/// |v_add| may be at its limit for so long in one spell before it is faded out [s]. What a move does before the loop has grown counts for itself.
 const ALLOWED: f64 = 0.2;
 /// Runs of unstable and of stable loops [s], and how long after the trip [s].
 const UNSTABLE: f64 = 30.0;
@@ -85,16 +85,21 @@ fn unstable_loops_are_faded_out_and_stable_ones_are_not() {
             RealKind::F64 => [watched::<f64>(&unstable, kind, UNSTABLE), watched::<f64>(&stable, kind, STABLE)],
             RealKind::F32 => [watched::<f32>(&unstable, kind, UNSTABLE), watched::<f32>(&stable, kind, STABLE)],
         };
-        let is_in_time = |run: &Run| run.faded_out.is_some() && run.at_limit < ALLOWED;
+        let is_in_time = |run: &Run| run.faded_out.is_some() && run.spell < ALLOWED;
         let in_time = runs.iter().filter(|run| is_in_time(run)).count();
-        let at_limit = sorted(runs.iter().map(|run| run.at_limit * 1e3));
+        let at_limit = sorted(runs.iter().map(|run| run.spell * 1e3));
+        let all_in_all = runs.iter().filter(|run| run.faded_out.is_some() && run.at_limit < ALLOWED).count();
         let without = runs.iter().filter(|run| run.tripped.is_none()).count();
         let tripped = calm.iter().filter(|run| run.tripped.is_some()).count();
         let limited = calm.iter().filter(|run| run.at_limit > 0.0).count();
         eprintln!(
-            "{kind:?}: of {} unstable loops {in_time} are faded out in time, {without} never; ms at the limit: median {:.0}, 95 % {:.0}, \
+            "{kind:?}: of {} unstable loops {in_time} are faded out in time ({all_in_all}, all spells added up), {without} never; ms at the limit: median {:.0}, 95 % {:.0}, \
              largest {:.0}; of {} stable ones {tripped} trip, {limited} reach their limit",
-            runs.len(), at(&at_limit, 50), at(&at_limit, 95), at(&at_limit, 100), calm.len()
+            runs.len(),
+            at(&at_limit, 50),
+            at(&at_limit, 95),
+            at(&at_limit, 100),
+            calm.len()
         );
         for ((of, rate, _), run) in unstable.iter().zip(&runs).filter(|(_, run)| !is_in_time(run)) {
             eprintln!("  late: {:?} growth {rate:.1}, f0 {:.1?}, {run:.3?}", of.cause, of.frequencies());
@@ -108,15 +113,16 @@ fn unstable_loops_are_faded_out_and_stable_ones_are_not() {
     }
 }
 
-/// One by one what a stable loop must bear: a whole move, a move of ten times the acceleration that its stages can bear without the limit, a blow,
-/// a burst of chatter that decays.
+/// One by one what a stable loop must bear: a whole move, one with three times the acceleration, whose ramps reach the limit,
+/// a force that comes at once, a burst of chatter that decays.
 #[test]
 fn what_decays_trips_no_stable_loop() {
     let [_, stable] = loops(LOOPS);
     let scenes: [(&str, fn(&Loop, &mut Stimulus)); 4] = [
         ("move", |of, stimulus| stimulus.one_move(of, 0.5, 3.0)),
         ("hard move", |of, stimulus| {
-            let fast = Loop { acceleration: 3.0 * of.acceleration, ..of.clone() };
+            let mut fast = of.clone();
+            fast.acceleration *= 3.0;
             stimulus.one_move(&fast, 0.5, 3.0);
         }),
         ("blow", |of, stimulus| stimulus.blow(of, 0.5, 1.0)),
@@ -135,7 +141,12 @@ fn what_decays_trips_no_stable_loop() {
         let all: Vec<_> = stable.par_iter().map(one).collect();
         let limited = all.iter().filter(|(run, ..)| run.at_limit > 0.0).count();
         let tripped: Vec<_> = all.iter().filter(|(run, ..)| run.tripped.is_some()).collect();
-        eprintln!("{name}: of {} stable loops {limited} reach their limit, {} trip {tripped:.3?}", all.len(), tripped.len());
-        assert!(limited > 0 && tripped.is_empty(), "{name}");
+        eprintln!(
+            "{name}: of {} stable loops {limited} reach their limit, {} trip {tripped:.3?}",
+            all.len(),
+            tripped.len()
+        );
+        assert!(tripped.is_empty(), "{name}");
+        assert!(limited > 0 || name == "blow", "{name}: no loop shows the limit");
     }
 }

@@ -222,7 +222,9 @@ fn run_gives_the_same_in_every_engine() {
     };
     let reference = engine("reference", &["--hex"]);
     assert_eq!(reference.code, 0, "{}", reference.err);
-    assert!(reference.out.starts_with("v_add,v_add_calculated,limited,held,tripped,fault,error_id\n0x0000000000000000,"));
+    assert!(
+        reference.out.starts_with("v_add,v_add_calculated,limited,held,tripped,fault,error_id\n0x0000000000000000,")
+    );
     assert_eq!(reference.out.lines().count(), 201);
     for other in ["program", "c"] {
         assert_eq!(engine(other, &["--hex"]).out, reference.out, "{other}");

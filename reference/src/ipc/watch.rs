@@ -18,7 +18,7 @@ use portable::{Real, portable};
 pub struct Coeffs<R> {
     /// whether the loop is watched at all
     pub active: bool,
-    /// cycles of a block: three quarters of a period of the lowest f0, at least 30 ms
+    /// cycles of a block: 0.6 periods of the lowest f0, at least 30 ms
     pub block_cycles: u32,
     /// score that trips: 2 for each block in which the sum reaches both limits and does not die away, 1 for each in which it grows
     pub alarm: u32,

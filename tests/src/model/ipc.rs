@@ -202,7 +202,11 @@ impl Ipc {
         let is_open = self.disturbed.is_some();
         let calculated =
             if is_open { [0.0; 2] } else { [v_sum - off, v_sum + off].map(|sum| sum.clamp(-limit, limit)) };
-        self.open = if inputs.mode == 1 && !self.is_tripped() { (self.open + 1).min(self.fade_cycles) } else { self.open.saturating_sub(1) };
+        self.open = if inputs.mode == 1 && !self.is_tripped() {
+            (self.open + 1).min(self.fade_cycles)
+        } else {
+            self.open.saturating_sub(1)
+        };
         let fade = f64::from(self.open) / f64::from(self.fade_cycles);
         if inputs.mode == 0 && self.open == 0 {
             self.runs = false;

@@ -33,7 +33,7 @@ impl Watch {
         let ts = f64::from(p.cycle_ns) * 1e-9;
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few thousand")]
         let up = |quotient: f64| (quotient - 1e-9 * quotient).ceil() as u32;
-        let length = up((0.75 / lowest).max(0.03) / ts).max(8);
+        let length = up((0.6 / lowest).max(0.03) / ts).max(8);
         let alarm = 2 * up(0.15 / (f64::from(length) * ts)).max(3);
         let (cycles, sums, before, score, tripped) = (0, [0.0; 2], 0.0, [0; 2], false);
         Some(Self { length, alarm, limit, cycles, sums, before, score, tripped })
@@ -69,7 +69,8 @@ impl Watch {
         let off = 4.0 * off + 1e-6 * self.limit;
         let is_above = |excess: f64| [excess > off, excess > -off];
         let all = |of: &[[bool; 2]]| [of.iter().all(|of| of[0]), of.iter().all(|of| of[1])];
-        let fills = all(&[is_above(high - self.limit), is_above(-self.limit - low), is_above(span - 0.9 * self.before)]);
+        let fills =
+            all(&[is_above(high - self.limit), is_above(-self.limit - low), is_above(span - 0.9 * self.before)]);
         let grows = all(&[is_above(self.before - self.limit / 50.0), is_above(span - 1.1 * self.before)]);
         let [least, most] = self.score;
         let least = match (fills, grows) {

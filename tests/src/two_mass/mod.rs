@@ -22,11 +22,16 @@ pub struct Run {
     pub tripped: Option<f64>,
     /// when `v_add` was 0 for good [s]
     pub faded_out: Option<f64>,
-    /// how long `v_add` stood at its limit before that [s]
+    /// how long `v_add` stood at its limit, all in all [s]
     pub at_limit: f64,
+    /// the same of the longest spell: one begins anew where `v_add` was off its limit for [`CALM`]
+    pub spell: f64,
     /// largest |v_add| in the half second before the end, as a part of the limit
     pub left: f64,
 }
+
+/// Off the limit for so long [s], the loop has come back from what pushed it there.
+const CALM: f64 = 0.1;
 
 /// The coefficients that the generator designs for the block of a loop.
 ///
@@ -118,7 +123,7 @@ pub fn run<R: Real>(of: &Loop, coeffs: Coeffs<R>, stimulus: &mut Stimulus, after
     let limit = coeffs.limit.to_f64();
     let mut running = Running::new(of, coeffs);
     let mut shown = Run::default();
-    let mut x = 0.0;
+    let (mut x, mut spell, mut touched) = (0.0, 0.0, f64::NEG_INFINITY);
     for cycle in 0..stimulus.velocity.len() {
         let time = cycle as f64 * of.cycle();
         let v = stimulus.velocity[cycle];
@@ -127,7 +132,11 @@ pub fn run<R: Real>(of: &Loop, coeffs: Coeffs<R>, stimulus: &mut Stimulus, after
         let forces = stimulus.forces(cycle);
         running.cycle(of, measured, x, v, forces);
         let (outputs, v_add) = (&running.outputs, running.outputs.v_add.to_f64().abs());
-        assert!(!outputs.fault && outputs.error_id == if outputs.tripped { 5 } else { 0 }, "{time} s: {}", outputs.error_id);
+        assert!(
+            !outputs.fault && outputs.error_id == if outputs.tripped { 5 } else { 0 },
+            "{time} s: {}",
+            outputs.error_id
+        );
         if outputs.tripped {
             shown.tripped.get_or_insert(time);
             if v_add > 0.0 {
@@ -138,6 +147,9 @@ pub fn run<R: Real>(of: &Loop, coeffs: Coeffs<R>, stimulus: &mut Stimulus, after
         }
         if v_add >= limit {
             shown.at_limit += of.cycle();
+            spell = of.cycle() + if time - touched > CALM { 0.0 } else { spell };
+            shown.spell = shown.spell.max(spell);
+            touched = time;
         }
         if shown.tripped.is_some_and(|tripped| time > tripped + after) {
             break;

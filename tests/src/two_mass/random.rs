@@ -75,7 +75,7 @@ impl Loop {
         let (total, ratio) = (between(rng, 100.0, 3000.0), between(rng, 0.3, 3.0));
         let mass = [total / (1.0 + ratio), total * ratio / (1.0 + ratio)];
         // Of the load with a locked motor, and of both masses against each other.
-        let locked = between(rng, 10.0, 80.0);
+        let locked = between(rng, 12.0, 80.0);
         let free = locked * (1.0 + mass[1] / mass[0]).sqrt();
         let stiffness = (TAU * locked).powi(2) * mass[1];
         let damping = 2.0 * between(rng, 0.01, 0.08) * (stiffness * mass[1]).sqrt();
@@ -83,7 +83,8 @@ impl Loop {
         let drive = Drive::new(mass, [stiffness, damping], [gain, gain / between(rng, 0.015, 0.05)]);
         let mut stages: Vec<Stage> = Vec::new();
         for resonance in [locked, free].into_iter().take(rng.between(1, 2)) {
-            let off = if cause == Cause::Frequency && stages.is_empty() { *rng.pick(&[0.6, 0.7, 1.5, 1.8]) } else { 1.0 };
+            let off =
+                if cause == Cause::Frequency && stages.is_empty() { *rng.pick(&[0.6, 0.7, 1.5, 1.8]) } else { 1.0 };
             let f0 = (off * resonance * between(rng, 0.9, 1.1)).min(0.3e9 / f64::from(cycle_ns));
             // Stages that overlap are another matter.
             if stages.iter().all(|other| (other.f0 / f0).ln().abs() > 0.4) {

@@ -37,9 +37,9 @@ pub(crate) fn design(axis: &Axis) -> ([Option<StageDesign>; STAGES], Coeffs<f64>
     (stages, coeffs)
 }
 
-/// A block of the watch lasts three quarters of a period of the lowest f0: it holds a whole swing of every loop that swings at 1.3 f0 or
-/// faster, and most of a slower one. Below 30 ms the blocks of a burst that decays in 0.3 s would look alike.
-const BLOCK_PERIODS: f64 = 0.75;
+/// A block of the watch lasts 0.6 periods of the lowest f0: delay makes a loop swing above its f0, mostly at 1.2 to 2 f0, so that a block holds
+/// both crests. Below 30 ms the blocks of a burst that decays in 0.3 s would look alike.
+const BLOCK_PERIODS: f64 = 0.6;
 const SHORTEST_BLOCK: f64 = 0.03;
 /// Cycles of a block, so that it finds the crests of what it looks at.
 const FEWEST_CYCLES: f64 = 8.0;
