@@ -198,9 +198,16 @@ pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>
 
 /// The watch is ready again where the mode is not ON, and with a reset.
 #[portable]
+#[expect(
+    clippy::collapsible_if,
+    reason = "the first condition is decided for each axis, and takes the second one away"
+)]
 pub fn rearm<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, mode: i32, reset: bool) {
-    if coeffs.watch.active && (mode != mode_on() || reset) {
-        watch::init(&mut state.watch);
+    // Asked for first of all, so that a block without a watch keeps the order of its constants.
+    if coeffs.watch.active {
+        if mode != mode_on() || reset {
+            watch::init(&mut state.watch);
+        }
     }
 }
 
