@@ -21,6 +21,7 @@ static ERROR_IDS: &[&Fn] = &[
     &signal::error_mode::Ir::<f64>::IR,
     &signal::error_state::Ir::<f64>::IR,
     &signal::error_tuning::Ir::<f64>::IR,
+    &signal::error_unstable::Ir::<f64>::IR,
     &signal::error_v_command::Ir::<f64>::IR,
     &signal::error_v_motor::Ir::<f64>::IR,
     &signal::error_v_direct::Ir::<f64>::IR,

@@ -34,6 +34,12 @@ pub fn error_tuning() -> u32 {
     4u32
 }
 
+/// error_id: the loop was found unstable and is faded out (key watch): no fault; stays until the mode is not ON, or reset
+#[portable]
+pub fn error_unstable() -> u32 {
+    5u32
+}
+
 /// error_id: v_command is not within the sample limit
 #[portable]
 pub fn error_v_command() -> u32 {

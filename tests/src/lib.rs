@@ -10,3 +10,4 @@ pub mod pictures;
 pub mod plant;
 pub mod random;
 pub mod simulation;
+pub mod two_mass;

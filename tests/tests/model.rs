@@ -27,6 +27,7 @@ fn the_reference_agrees_with_the_model_on_1000_random_sets_of_1000_cycles() {
     assert!(tally.choices * 500 < tally.integers, "{tally:?}");
     assert!(tally.choices_in_single * 20 < tally.integers_in_single, "{tally:?}");
     assert!(tally.runs > 2 * sets as u64, "{tally:?}");
+    assert!(tally.trips * 500 > sets as u64, "{tally:?}");
 }
 
 /// Histories of the changeover, and cycles of each.

@@ -226,7 +226,9 @@ fn run_gives_the_same_in_every_engine() {
     };
     let reference = engine("reference", &["--hex"]);
     assert_eq!(reference.code, 0, "{}", reference.err);
-    assert!(reference.out.starts_with("v_add,v_add_calculated,limited,held,fault,error_id\n0x0000000000000000,"));
+    assert!(
+        reference.out.starts_with("v_add,v_add_calculated,limited,held,tripped,fault,error_id\n0x0000000000000000,")
+    );
     assert_eq!(reference.out.lines().count(), 201);
     for other in ["program", "c"] {
         assert_eq!(engine(other, &["--hex"]).out, reference.out, "{other}");
@@ -301,7 +303,7 @@ fn a_recording_is_compared_through_any_engine() {
     for engine in ["reference", "program", "c", "rust", "st", "twincat", "codesys", "scl"] {
         let run = axgen(folder.path(), &[&RACK[..], &["--engine", engine, "--compare", "recorded.csv"]].concat());
         let expected = format!(
-            "v_add, v_add_calculated, limited, held, fault, error_id against engine {engine}, 400 samples: 0 differing bits\n"
+            "v_add, v_add_calculated, limited, held, tripped, fault, error_id against engine {engine}, 400 samples: 0 differing bits\n"
         );
         assert_eq!((run.code, run.err.as_str(), run.out), (0, "", expected));
     }

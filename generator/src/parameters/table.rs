@@ -136,6 +136,8 @@ table! {
     Tunable: AXIS_KEY("tunable", kind: Kind::Word(Tunable::WORDS), default: &["nothing"])
     /// start of the input tuning_limit: the part of the limit (P-AXIS-00757) that holds
     TuningLimit: AXIS_KEY("tuning_limit", kind: FRACTION, default: &["1"])
+    /// whether improved position control watches its loop, fades out where it becomes unstable, and says so: output `tripped`
+    Watch: AXIS_KEY("watch", kind: Kind::Word(Boolean::WORDS), default: &["FALSE"])
     /// velocity command of the drive: its type in the process data; for position control in the CNC, and for a spindle whose drive changes
     /// to velocity control
     VelocityCommandData: AXIS_KEY("process_data.velocity_command", kind: Kind::Word(Width::WORDS), default: &["INT32"])

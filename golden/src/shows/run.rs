@@ -25,6 +25,7 @@ struct Cycle {
     v_add: f64,
     v_add_calculated: f64,
     limited: bool,
+    tripped: bool,
     fault: bool,
     error_id: u32,
 }
@@ -56,7 +57,13 @@ struct Watch {
 
 impl Watch {
     fn see(&mut self, now: Cycle) {
-        let words = [of_limit(&now), of_samples(&now), of_task_cycle(&now), of_fade(&now, &self.last)];
+        let words = [
+            of_limit(&now),
+            of_samples(&now),
+            of_task_cycle(&now),
+            of_fade(&now, &self.last),
+            of_watch(&now, &self.last),
+        ];
         self.shown.extend(words.into_iter().flatten().map(str::to_owned));
         if now.v_add == 0.0 {
             self.stops.extend(of_stop(&now, self.last.v_add != 0.0));
@@ -108,6 +115,16 @@ fn of_fade(now: &Cycle, last: &Cycle) -> Option<&'static str> {
     }
 }
 
+fn of_watch(now: &Cycle, last: &Cycle) -> Option<&'static str> {
+    match (last.tripped, now.tripped) {
+        (false, true) => Some("tripped"),
+        (true, true) if now.v_add == 0.0 && now.v_add_calculated != 0.0 => Some("tripped and faded out"),
+        (true, false) if now.reset => Some("armed again by reset"),
+        (true, false) => Some("armed again by mode"),
+        _ => None,
+    }
+}
+
 /// Why a block that has just acted does not act.
 fn of_stop(now: &Cycle, acted: bool) -> Vec<String> {
     let reasons = [(now.reset, "reset"), (!now.position_controlled, "loss of position control")];
@@ -155,6 +172,7 @@ fn cycle(sample: usize, inputs: &Samples, outputs: &Samples) -> Option<Cycle> {
         v_add: real("v_add")?,
         v_add_calculated: real("v_add_calculated")?,
         limited: bool("limited")?,
+        tripped: bool("tripped")?,
         fault: bool("fault")?,
         error_id: u32("error_id")?,
     })

@@ -15,7 +15,7 @@ mod signals;
 
 pub use signals::{Inputs, Outputs};
 
-use crate::signal::{error_cycle_time, error_none, error_v_add_master, error_x_command, sample_limit};
+use crate::signal::{error_cycle_time, error_none, error_unstable, error_v_add_master, error_x_command, sample_limit};
 use crate::{feedforward, ipc, position_control};
 use portable::{Block, Enable, Fn, Real, in_range, note, portable, within};
 use position_control::Location;
@@ -300,6 +300,7 @@ pub fn act<R: Real>(
     if control_outputs.limited {
         outputs.limited = true;
     }
+    tell_trip(state, coeffs, outputs);
 }
 
 /// A cycle in which the axis must not act, and its command position is a number in range.
@@ -322,6 +323,7 @@ pub fn follow<R: Real>(
         error_id,
     );
     rest(state, outputs, &control_outputs);
+    tell_trip(state, coeffs, outputs);
 }
 
 /// A cycle without a command position in range.
@@ -330,11 +332,22 @@ pub fn hold<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, outputs: &mut Out
     let mut control_outputs = position_control::Outputs::<R>::default();
     position_control::hold(&mut state.position_control, &coeffs.position_control, &mut control_outputs, error_id);
     rest(state, outputs, &control_outputs);
+    tell_trip(state, coeffs, outputs);
+}
+
+/// Whether the watch over the loop has tripped; its id stands where there is no fault.
+#[portable]
+pub fn tell_trip<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &mut Outputs<R>) {
+    outputs.tripped = coeffs.ipc.watch.active && state.ipc.watch.tripped;
+    if coeffs.ipc.watch.active && state.ipc.watch.tripped && !outputs.fault {
+        outputs.error_id = error_unstable();
+    }
 }
 
 /// One cycle. Only the inputs that the axis uses are checked.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    ipc::rearm(&mut state.ipc, &coeffs.ipc, inputs.mode, inputs.reset);
     if !position_control::is_command_in_range(&coeffs.position_control, inputs.x_command) {
         hold(state, coeffs, outputs, error_x_command());
     } else if inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns {

@@ -71,6 +71,8 @@ pub struct Outputs<R> {
     pub limited: bool,
     /// a velocity that improved position control reads is bad, the last good one stands in its place (key ride_through)
     pub held: bool,
+    /// improved position control found the loop unstable: v_add fades out and stays 0 until mode is not ON, or reset (key watch)
+    pub tripped: bool,
     /// a part of the block cannot act in this cycle, the id says why
     pub fault: bool,
 }

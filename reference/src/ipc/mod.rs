@@ -15,12 +15,13 @@ pub mod ride_through;
 mod signals;
 mod sources;
 pub mod tuning;
+pub mod watch;
 
 pub use signals::{Inputs, Outputs, STAGES};
 pub use signals::{mode_dryrun, mode_off, mode_on};
 
 use self::sources::{are_in_range, reads_command, reads_direct, reads_motor};
-use crate::signal::{error_cycle_time, error_gantry_slave, error_mode, error_none, error_state};
+use crate::signal::{error_cycle_time, error_gantry_slave, error_mode, error_none, error_state, error_unstable};
 use crate::signal::{error_tuning, error_v_command, error_v_direct, error_v_motor, sample_limit};
 use crate::stage;
 use crate::sum::empty_sum;
@@ -55,6 +56,8 @@ pub struct Coeffs<R> {
     pub ride_through: ride_through::Coeffs,
     /// what the caller tunes
     pub tuning: tuning::Coeffs<R>,
+    /// the watch over the loop
+    pub watch: watch::Coeffs<R>,
 }
 
 /// State.
@@ -71,6 +74,8 @@ pub struct State<R> {
     pub ride_through: ride_through::State,
     /// what the caller tunes
     pub tuning: tuning::State<R>,
+    /// the watch over the loop
+    pub watch: watch::State<R>,
     /// the velocities of the cycle before
     pub source: sources::State<R>,
     /// the sections of each stage
@@ -137,21 +142,29 @@ pub fn stop<R: Real>(state: &mut State<R>) {
     state.fade = 0u32;
 }
 
+/// The largest sum that acts; `part`: of the limit, as it is tuned.
+#[portable]
+pub fn tuned_limit<R: Real>(coeffs: &Coeffs<R>, part: R) -> R {
+    if coeffs.tuning.active { coeffs.limit * part } else { coeffs.limit }
+}
+
+/// The lowest one.
+#[portable]
+pub fn tuned_lower_limit<R: Real>(coeffs: &Coeffs<R>, part: R) -> R {
+    // Not lower_limit * part: 0 stays +0.
+    if coeffs.tuning.active { R::ZERO - coeffs.limit * part } else { coeffs.lower_limit }
+}
+
 /// The sum within +-limit; exactly 0 where its magnitude is not above `rest`. A sum that no velocity of this axis leads to is a fault: a
 /// state has been overwritten.
 #[portable]
 pub fn limit<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, coeffs: &Coeffs<R>, v_sum: R) -> R {
-    let mut limit = coeffs.limit;
-    let mut lower_limit = coeffs.lower_limit;
-    if coeffs.tuning.active {
-        limit = coeffs.limit * state.tuning.limit.now;
-        lower_limit = R::ZERO - limit;
-    }
-    if within(v_sum, limit) {
+    let upper = tuned_limit(coeffs, state.tuning.limit.now);
+    if within(v_sum, upper) {
         if within(v_sum, coeffs.rest) { R::ZERO } else { v_sum }
     } else if within(v_sum, coeffs.sum_limit) {
         outputs.limited = true;
-        if v_sum > R::ZERO { limit } else { lower_limit }
+        if v_sum > R::ZERO { upper } else { tuned_lower_limit(coeffs, state.tuning.limit.now) }
     } else {
         note(
             "a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle, then everything starts anew",
@@ -179,6 +192,7 @@ pub fn init<R: Real>(state: &mut State<R>) {
     state.disturbed = false;
     ride_through::init(&mut state.ride_through);
     tuning::init(&mut state.tuning);
+    watch::init(&mut state.watch);
     stop(state);
 }
 
@@ -205,6 +219,27 @@ pub fn act<R: Real>(
             if state.fade > 0u32 { v_limited * (from_u32::<R>(state.fade) * coeffs.fade_step) } else { R::ZERO };
         outputs.v_add_calculated = if inputs.mode == mode_off() { R::ZERO } else { v_limited };
     }
+    // Only what acts can make a loop unstable. A sum that is a fault is no vibration.
+    if coeffs.watch.active && inputs.mode == mode_on() && !state.watch.tripped && !state.disturbed {
+        let upper = tuned_limit(coeffs, state.tuning.limit.now);
+        let lower = tuned_lower_limit(coeffs, state.tuning.limit.now);
+        watch::step(&mut state.watch, &coeffs.watch, v_sum, upper, lower);
+    }
+}
+
+/// The watch is ready again where the mode is not ON, and with a reset.
+#[portable]
+#[expect(
+    clippy::collapsible_if,
+    reason = "the first condition is decided for each axis, and takes the second one away"
+)]
+pub fn rearm<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, mode: i32, reset: bool) {
+    // Asked for first of all, so that a block without a watch keeps the order of its constants.
+    if coeffs.watch.active {
+        if mode != mode_on() || reset {
+            watch::init(&mut state.watch);
+        }
+    }
 }
 
 /// Moves the fade, or begins: whether the sections run in this cycle. In the first one they are preset to the steady state of
@@ -213,12 +248,20 @@ pub fn act<R: Real>(
 pub fn prepare<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     let mut runs = true;
     if state.preset {
-        move_fade(state, coeffs, inputs.mode);
+        // What has tripped is where DRYRUN would be.
+        if coeffs.watch.active && state.watch.tripped {
+            move_fade(state, coeffs, mode_dryrun());
+        } else {
+            move_fade(state, coeffs, inputs.mode);
+        }
     } else {
         runs = false;
         if inputs.mode != mode_off() {
             preset(state, coeffs, inputs);
             state.preset = true;
+            if coeffs.watch.active {
+                watch::restart(&mut state.watch);
+            }
         }
     }
     runs
@@ -280,6 +323,7 @@ pub fn is_settled<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, mode: i32, v_mo
 /// One cycle. Only the inputs that a stage looks at are checked.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    rearm(state, coeffs, inputs.mode, inputs.reset);
     if coeffs.ride_through.active {
         let mut replaced = Inputs::<R>::default();
         outputs.held = ride_through::replace(
@@ -308,6 +352,7 @@ pub fn cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
     if !(may_act(coeffs, inputs)
         && inputs.mode == mode_on()
         && state.fade >= coeffs.fade_cycles
+        && !(coeffs.watch.active && state.watch.tripped)
         && is_followed(coeffs.tuning.active, inputs.tuning_limit, state.tuning.limit.now)
         && is_followed(is_there(&coeffs.tuning, &coeffs.stage[0]), inputs.tuning_weight[0], state.tuning.weight[0].now)
         && is_followed(is_there(&coeffs.tuning, &coeffs.stage[1]), inputs.tuning_weight[1], state.tuning.weight[1].now)
@@ -336,6 +381,10 @@ pub fn cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
         if is_tuning_held && reason == error_none() {
             outputs.error_id = error_tuning();
         }
+    }
+    outputs.tripped = coeffs.watch.active && state.watch.tripped;
+    if coeffs.watch.active && state.watch.tripped && !outputs.fault {
+        outputs.error_id = error_unstable();
     }
 }
 

@@ -41,6 +41,8 @@ pub struct Outputs<R> {
     pub limited: bool,
     /// a sample is bad, the last good one stands in its place (key ride_through)
     pub held: bool,
+    /// the loop was found unstable: v_add fades out and stays 0 until mode is not ON, or reset (key watch)
+    pub tripped: bool,
     /// the block cannot act in this cycle, the id says why
     pub fault: bool,
     /// 0 none

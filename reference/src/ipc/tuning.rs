@@ -1,5 +1,6 @@
 //! What the caller tunes while the block acts: a factor from 0 to 1 for each stage's weight and one for the limit. Each follows its input
 //! along a ramp, so that nothing jumps.
+#![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
 
 use super::signals::{Inputs, STAGES};
 use crate::stage;
@@ -59,6 +60,10 @@ pub fn is_there<R: Real>(coeffs: &Coeffs<R>, stage: &stage::Coeffs<R>) -> bool {
 /// Moves a factor towards its input by at most `step`; `jumps`: at once, because the fade is 0. Gives whether the input is no number from 0
 /// to 1: then the factor stays.
 #[portable]
+#[expect(
+    clippy::collapsible_if,
+    reason = "Structured Text evaluates both sides of an AND, and a NaN must not be compared"
+)]
 pub fn follow<R: Real>(factor: &mut Factor<R>, wanted: R, step: R, jumps: bool) -> bool {
     let mut is_held = true;
     if !in_range(factor.now, R::ONE) {

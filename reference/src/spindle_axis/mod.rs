@@ -16,7 +16,7 @@ pub use signals::{Inputs, Outputs};
 
 use crate::angle::{position_limit, shortest};
 use crate::position_control::Location;
-use crate::signal::{error_none, error_x_actual};
+use crate::signal::{error_none, error_unstable, error_x_actual};
 use crate::spindle::SpindleState;
 use crate::{axis, ipc, position_control, process_data, spindle};
 use portable::{Block, Enable, Fn, Real, in_range, note, portable};
@@ -139,8 +139,17 @@ pub fn put_out<R: Real>(
     outputs.additive_torque = axis_outputs.additive_torque;
     outputs.additive_velocity = axis_outputs.additive_velocity;
     outputs.held = axis_outputs.held;
+    outputs.tripped = axis_outputs.tripped;
     outputs.limited =
         if coeffs.spindle.in_drive { spindle_outputs.limited || axis_outputs.limited } else { axis_outputs.limited };
+}
+
+/// The id of the watch over the loop, which has tripped, stands where there is no fault.
+#[portable]
+pub fn tell_trip<R: Real>(coeffs: &Coeffs<R>, axis_outputs: &axis::Outputs<R>, outputs: &mut Outputs<R>) {
+    if coeffs.axis.ipc.watch.active && axis_outputs.tripped && !outputs.fault {
+        outputs.error_id = error_unstable();
+    }
 }
 
 /// The drive gets the velocity alone.
@@ -166,6 +175,7 @@ pub fn open<R: Real>(
     put_out(coeffs, spindle_outputs, &axis_outputs, outputs);
     outputs.error_id = spindle_outputs.error_id;
     outputs.fault = spindle_outputs.fault;
+    tell_trip(coeffs, &axis_outputs, outputs);
     outputs.loop_closed = spindle_outputs.loop_closed;
 }
 
@@ -188,6 +198,7 @@ pub fn close<R: Real>(
         note("no fault: an input that tunes is held");
         outputs.error_id = axis_outputs.error_id;
     }
+    tell_trip(coeffs, &axis_outputs, outputs);
     outputs.loop_closed = spindle_outputs.loop_closed;
 }
 
@@ -222,6 +233,7 @@ pub fn any_cycle<R: Real>(
 /// One cycle.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    ipc::rearm(&mut state.axis.ipc, &coeffs.axis.ipc, inputs.mode, inputs.reset);
     let mut spindle_inputs = spindle::Inputs::<R>::default();
     read(&mut spindle_inputs, inputs);
     let reads_actual = position_control::reads_actual(&coeffs.axis.position_control);

@@ -16,6 +16,8 @@ use std::ops::AddAssign;
 pub struct Tally {
     /// block runs
     pub runs: u64,
+    /// loops that the watch found unstable
+    pub trips: u64,
     /// integers, flags and ids in double precision
     pub integers: u64,
     /// those of them with a choice: the exact value lies within rounding of a tie or of a limit
@@ -29,6 +31,7 @@ pub struct Tally {
 impl AddAssign for Tally {
     fn add_assign(&mut self, other: Self) {
         self.runs += other.runs;
+        self.trips += other.trips;
         self.integers += other.integers;
         self.choices += other.choices;
         self.integers_in_single += other.integers_in_single;
@@ -92,7 +95,7 @@ fn one(
 ) -> Result<(), String> {
     let mut outputs = Vec::new();
     let mut held = 0.0;
-    let mut before = None;
+    let (mut before, mut was_tripped) = (None, false);
     tally.runs += 1;
     for cycle in 0..cycles {
         let inputs = history.advance();
@@ -104,6 +107,7 @@ fn one(
             v_add: output("v_add"),
             calculated: output("v_add_calculated"),
             is_disturbed: output("error_id").to_bits() == 3f64.to_bits(),
+            is_tripped: output("tripped") > 0.0,
         };
         for (signal, [from, to]) in model(&inputs, found) {
             let value = output(signal);
@@ -124,6 +128,8 @@ fn one(
             }
         }
         held = output("x_drive");
+        tally.trips += u64::from(found.is_tripped && !was_tripped);
+        was_tripped = found.is_tripped;
         before = Some(inputs);
     }
     Ok(())

@@ -31,6 +31,8 @@ pub struct Found {
     pub calculated: f64,
     /// whether its error id is 3: the sum of the cycle before was a fault
     pub is_disturbed: bool,
+    /// its `tripped` of this cycle
+    pub is_tripped: bool,
 }
 
 impl Axis {
@@ -56,6 +58,7 @@ impl Axis {
             self.ipc.decide(found.is_disturbed);
         }
         let is_tuning_held = acts && c.runs_stages && self.ipc.tune(inputs);
+        self.ipc.rearm(inputs);
         let (ridden, command, held) =
             if acts && c.runs_stages { self.ipc.ride(p, c, inputs, command) } else { (*inputs, command, false) };
         let ipc_fault = match &c.slave {
@@ -72,7 +75,7 @@ impl Axis {
             // In OFF the calculated value is 0, whatever the sum is.
             None if c.runs_stages => {
                 let shown = if found.calculated == 0.0 { found.v_add } else { found.calculated };
-                self.ipc.cycle(c, &ridden, command, shown)
+                self.ipc.cycle(c, &ridden, command, shown, found.is_tripped)
             }
             None => ipc::NOTHING,
         };
@@ -89,6 +92,7 @@ impl Axis {
         };
         let is_fault = error_id != 0;
         let error_id = if error_id == 0 && is_tuning_held { 4 } else { error_id };
+        let is_tripped = self.ipc.is_tripped();
         debug_assert!(c.location == Location::Cnc || controlled.v_command.is_zero());
         vec![
             ("v_command", real(&controlled.v_command, c.u)),
@@ -100,9 +104,10 @@ impl Axis {
             ("xerr", sent.xerr.value),
             ("additive_torque", torque.value),
             ("additive_velocity", sent.velocity.value),
-            ("error_id", id(error_id)),
+            ("error_id", id(if !is_fault && is_tripped { 5 } else { error_id })),
             ("limited", data_limited.into_iter().fold(added.limited, either)),
             ("held", flag(held)),
+            ("tripped", flag(is_tripped)),
             ("fault", flag(is_fault)),
         ]
     }

@@ -8,6 +8,7 @@ use super::history::Inputs;
 use super::parameters::{Location, Mode, Parameters, Stage};
 use super::rounding::{Interval, flags};
 use super::sections::Filters;
+use super::watch::Watch;
 
 /// Relative to the largest input since the stages were preset: two realisations of one filter round differently.
 const OF_DOUBLES: f64 = 1e-10;
@@ -48,6 +49,7 @@ pub struct Ipc {
     is_disturbed: bool,
     /// what it is if that was a fault, where only the next cycle tells
     disturbed: Option<Box<Self>>,
+    watch: Option<Watch>,
 }
 
 /// What it puts out.
@@ -103,6 +105,7 @@ impl Ipc {
             sum_limit,
             is_disturbed,
             disturbed,
+            watch: Watch::new(p, c.limit.near()),
         }
     }
 
@@ -166,6 +169,19 @@ impl Ipc {
         (Inputs { v_motor, v_direct, ..*inputs }, v_command, is_held)
     }
 
+    /// The watch is ready again where the mode is not ON, and with a reset, whatever else the cycle does.
+    pub fn rearm(&mut self, inputs: &Inputs) {
+        if inputs.mode != 1 || inputs.reset {
+            self.watch.iter_mut().for_each(Watch::rearm);
+        }
+    }
+
+    /// Whether the watch has tripped.
+    #[must_use]
+    pub fn is_tripped(&self) -> bool {
+        self.watch.as_ref().is_some_and(|watch| watch.tripped)
+    }
+
     /// At once to 0; the stages are preset again afterwards.
     pub fn stop(&mut self) -> Added {
         (self.open, self.runs) = (0, false);
@@ -179,8 +195,8 @@ impl Ipc {
     }
 
     /// A cycle without a fault. `mode`: 0 OFF, 1 ON, 2 DRYRUN. Where rounding leaves open whether the sum is a fault, it is none if `found`, the
-    /// block's own `v_add_calculated` or `v_add`, is not 0; else the next cycle tells.
-    pub fn cycle(&mut self, c: &Coefficients, inputs: &Inputs, v_command: f64, found: f64) -> Added {
+    /// block's own `v_add_calculated` or `v_add`, is not 0; else the next cycle tells. `trips`: the block's own `tripped`.
+    pub fn cycle(&mut self, c: &Coefficients, inputs: &Inputs, v_command: f64, found: f64, trips: bool) -> Added {
         let x = |mode: Mode| match mode {
             Mode::SetPoint => v_command,
             Mode::Indirect | Mode::DirectMotor => inputs.v_motor,
@@ -196,6 +212,7 @@ impl Ipc {
             }
             self.stages.iter_mut().for_each(|stage| stage.preset(x(stage.mode)));
             (self.runs, self.largest) = (true, here);
+            self.watch.iter_mut().for_each(Watch::restart);
             return NOTHING;
         }
         self.largest = self.largest.max(here);
@@ -223,10 +240,17 @@ impl Ipc {
         } else {
             [within(limits[1], limits[0], v_sum - off), within(limits[0], limits[1], v_sum + off)]
         };
-        self.open = if inputs.mode == 1 { (self.open + 1).min(self.fade_cycles) } else { self.open.saturating_sub(1) };
+        self.open = if inputs.mode == 1 && !self.is_tripped() {
+            (self.open + 1).min(self.fade_cycles)
+        } else {
+            self.open.saturating_sub(1)
+        };
         let fade = f64::from(self.open) / f64::from(self.fade_cycles);
         if inputs.mode == 0 && self.open == 0 {
             self.runs = false;
+        }
+        if inputs.mode == 1 && !is_open {
+            self.watch.iter_mut().for_each(|watch| watch.cycle(v_sum, off, limit, trips));
         }
         // Rounding of the limit, of the fade and of their product.
         let rounded = |[from, to]: Interval| [from - 4.0 * c.u * from.abs(), to + 4.0 * c.u * to.abs()];

@@ -90,6 +90,8 @@ pub struct Parameters {
     pub ride_through: u32,
     /// `tunable = "weights"`
     pub tunable: bool,
+    /// `watch`
+    pub watch: bool,
     /// improved position control
     pub stages: Vec<Stage>,
     /// of a gantry slave
@@ -188,6 +190,7 @@ impl Parameters {
         if self.tunable {
             line("tunable = \"weights\"".to_owned());
         }
+        line(format!("watch = {}", self.watch));
         if let Some(master) = self.master {
             line("kopf.achs_nr = 5\nkenngr.gantry_ax_nr = 4".to_owned());
             line(self.gear());

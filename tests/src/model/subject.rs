@@ -88,7 +88,7 @@ fn blocks_as<R: Real>(designed: &Designed) -> [Option<Run>; 3] {
         [x_command x_actual following_error v_interpolator a_interpolator j_interpolator v_motor v_direct v_add_master],
         [v_command v_feedforward v_add v_add_calculated x_drive],
         [manipulated_variable xerr additive_torque additive_velocity error_id],
-        [limited held fault],
+        [limited held tripped fault],
         |inputs: &mut reference::axis::Inputs<R>, given: &Inputs| {
             inputs.mode = given.mode;
             inputs.tuning_weight = given.tuning_weight.map(R::lit);

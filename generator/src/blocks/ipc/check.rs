@@ -1,7 +1,7 @@
 //! The rules of improved position control that are errors: a block that breaks one must not act on a machine.
 
 use crate::axis::{Filter, Ipc, Mode, Stage, Tuning};
-use crate::parameters::words::{Enable, FilterType, Prototype, StageMode, Tunable, Words};
+use crate::parameters::words::{Boolean, Enable, FilterType, Prototype, StageMode, Tunable, Words};
 use crate::parameters::{Name, Value, path_with, real_text, time_text};
 use crate::rules::effective::{Effective, as_written};
 use crate::{codes, config::values::key, number::rounded};
@@ -20,6 +20,7 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option
     let fade = e.duration(key(Name::Fade));
     let ride_through = e.integer(key(Name::RideThrough));
     let tuning = tuning(e);
+    let watch = watch(e);
     // Every stage is checked, so that all errors of all stages are told.
     let stages = [0, 1, 2].map(|i| stage(e, i, cycle_time));
     let is_active = stages.iter().any(|stage| !matches!(stage, Some(None)));
@@ -28,7 +29,17 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option
     let fade = fade? as f64 / 1e9;
     let stage = [first?, second?, third?];
     let (v_add_max_fact, v_max, ride_through) = (v_add_max_fact?, v_max?, ride_through?);
-    let ipc = Ipc { enable: enable?, v_add_max_fact, v_max, fade, ride_through, tuning: tuning?, delay_cycles, stage };
+    let ipc = Ipc {
+        enable: enable?,
+        v_add_max_fact,
+        v_max,
+        fade,
+        ride_through,
+        tuning: tuning?,
+        watch: watch?,
+        delay_cycles,
+        stage,
+    };
     fade_cycles(e, &ipc, cycle_time)?;
     Some(ipc)
 }
@@ -41,6 +52,15 @@ fn tuning(e: &mut Effective<'_>) -> Option<Option<Tuning>> {
     let limit = e.real(key(Name::TuningLimit));
     let [first, second, third] = [0, 1, 2].map(|i| e.real((Name::TuningWeight, [i, 0])));
     Some(Some(Tuning { limit: limit?, weight: [first?, second?, third?] }))
+}
+
+/// Whether the loop is watched. Only where it is, the digest of the parameters covers the key: other blocks stay what they were.
+fn watch(e: &mut Effective<'_>) -> Option<bool> {
+    let is_watched = e.validated_word::<Boolean>(key(Name::Watch))? == Boolean::True;
+    if is_watched {
+        e.word::<Boolean>(key(Name::Watch))?;
+    }
+    Some(is_watched)
 }
 
 /// Cycles between a command and the actual value that it caused (P-AXIS-00191), where they are given. They tell how much of the

@@ -2,9 +2,9 @@
 
 use super::stage::{StageDesign, stage};
 use super::sum_limit::sum_limit;
-use crate::axis::{Axis, Ipc};
+use crate::axis::{Axis, Ipc, Stage};
 use portable::RealKind;
-use reference::ipc::{Coeffs, STAGES, ride_through, tuning};
+use reference::ipc::{Coeffs, STAGES, ride_through, tuning, watch};
 
 /// Designs improved position control of an axis; an inactive stage is `None`. The coefficients are in double precision; single
 /// precision rounds each of them once. A section has the coefficients of both real types, of which a block uses its own.
@@ -14,6 +14,7 @@ use reference::ipc::{Coeffs, STAGES, ride_through, tuning};
 /// - rest = v_max * 2^-60 in double, v_max * 2^-40 in single precision: far below one increment, far above what a
 ///   section at rest decays to.
 /// - fade: [`fade_cycles`].
+/// - watch: [`watch`].
 pub(crate) fn design(axis: &Axis) -> ([Option<StageDesign>; STAGES], Coeffs<f64>) {
     let ipc = &axis.ipc;
     let (limit, fade_cycles) = (ipc.limit(), fade_cycles(axis));
@@ -36,8 +37,34 @@ pub(crate) fn design(axis: &Axis) -> ([Option<StageDesign>; STAGES], Coeffs<f64>
             limit: start.limit,
         }),
         ride_through: ride_through::Coeffs { active: ipc.ride_through > 0, cycles: ipc.ride_through },
+        watch: watch(axis),
     };
     (stages, coeffs)
+}
+
+/// A block of the watch lasts 0.6 periods of the lowest f0: delay makes a loop swing above its f0, mostly at 1.2 to 2 f0, so that a block holds
+/// both crests. Below 30 ms the blocks of a burst that decays in 0.3 s would look alike.
+const BLOCK_PERIODS: f64 = 0.6;
+const SHORTEST_BLOCK: f64 = 0.03;
+/// Cycles of a block, so that it finds the crests of what it looks at.
+const FEWEST_CYCLES: f64 = 8.0;
+/// The vibration must fill the limit for so long [s], and for so many blocks: what a blow leaves is quieter by then.
+const ALARM_TIME: f64 = 0.15;
+const FEWEST_BLOCKS: f64 = 3.0;
+
+/// The watch over the loop. With the limit 0, and on a gantry slave, there is nothing to watch.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole numbers, at most 2^24")]
+fn watch(axis: &Axis) -> watch::Coeffs<f64> {
+    let (ipc, limit) = (&axis.ipc, axis.ipc.limit());
+    let lowest = ipc.stage.iter().flatten().map(Stage::f0).min_by(f64::total_cmp);
+    let acts = limit > 0.0 && axis.control.master.is_none();
+    let Some(f0) = lowest.filter(|_| ipc.watch && acts) else { return watch::Coeffs::default() };
+    // A quotient that is a whole number but for its rounding is that number.
+    let whole = |quotient: f64| libm::ceil(quotient * (1.0 - 1e-9));
+    let block = whole((BLOCK_PERIODS / f0).max(SHORTEST_BLOCK) / axis.cycle_time()).max(FEWEST_CYCLES);
+    let blocks = whole(ALARM_TIME / (block * axis.cycle_time())).max(FEWEST_BLOCKS);
+    let (block_cycles, alarm) = (block as u32, 2 * blocks as u32);
+    watch::Coeffs { active: true, block_cycles, alarm, quiet: limit / 50.0 }
 }
 
 /// The part of v_max below which a sum counts as 0, as a power of 2.

@@ -36,6 +36,10 @@ pub(crate) fn differences(old: &Designed, new: &Designed) -> Vec<String> {
         let [old, new] = tunes.map(|of| of.map_or_else(|| "nothing".to_owned(), started));
         lines.push(format!("the caller tunes {old} -> {new}"));
     }
+    let watches = [old, new].map(|of| of.axis.ipc.watch);
+    if watches[0] != watches[1] {
+        lines.push(format!("{} its loop", if watches[1] { "watches" } else { "no longer watches" }));
+    }
     for (index, (old, new)) in old.stage.iter().zip(&new.stage).enumerate() {
         let line = of_stages(old.as_ref(), new.as_ref());
         lines.extend(line.map(|line| format!("stage[{index}]: {line}")));

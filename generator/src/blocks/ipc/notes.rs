@@ -29,6 +29,14 @@ pub(crate) fn notes(designed: &Designed) -> Vec<(String, String)> {
         let of_ride = "key ride_through: each of so many bad samples in a row is the last good one";
         notes.push(note("ride_through", of_ride.to_owned()));
     }
+    let watch = &designed.ipc.watch;
+    if watch.active {
+        let milliseconds = digits(f64::from(watch.block_cycles) * axis.cycle_time() * 1e3);
+        let of_block = format!("key watch: a block of the watch over the loop lasts {milliseconds} ms");
+        notes.push(note("watch.block_cycles", of_block));
+        let of_alarm = format!("{} blocks in which the sum reaches both limits and does not die away", watch.alarm / 2);
+        notes.push(note("watch.alarm", of_alarm));
+    }
     notes
 }
 

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  776a92067fc0c97acf1358dc09f1df77
- * structure   18931eb9483e2298d59a2c119977ba00
- * checksum    bdc10bb721f6dfc40554156ec07e6348
+ * structure   9b09dacfdfeddbb6a83c093bc87dcd8a
+ * checksum    324fc3c467be0335333a223b9cfb7cf9
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_y_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  776a92067fc0c97acf1358dc09f1df77
- * structure   18931eb9483e2298d59a2c119977ba00
- * checksum    0d0c6c9471ad762ce23be9e072510833
+ * structure   9b09dacfdfeddbb6a83c093bc87dcd8a
+ * checksum    eb3a3d3532fb0b3d9b70db344c9403fd
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_Y_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_Y_IPC_PARAMETERS_2 0xcf1358dcu
 #define AXIS_Y_IPC_PARAMETERS_3 0x09f1df77u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_Y_IPC_STRUCTURE_0 0x18931eb9u
-#define AXIS_Y_IPC_STRUCTURE_1 0x483e2298u
-#define AXIS_Y_IPC_STRUCTURE_2 0xd59a2c11u
-#define AXIS_Y_IPC_STRUCTURE_3 0x9977ba00u
+#define AXIS_Y_IPC_STRUCTURE_0 0x9b09dacfu
+#define AXIS_Y_IPC_STRUCTURE_1 0xdfeddbb6u
+#define AXIS_Y_IPC_STRUCTURE_2 0xa83c093bu
+#define AXIS_Y_IPC_STRUCTURE_3 0xc87dcd8au
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_Y_IPC_INPUTS_SIZE 32u
 #define AXIS_Y_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  5de621ebeb52c01d0f5b0eb8d906051a
- * structure   a6cae0bd4f9e15aaa908c1748b31a717
- * checksum    938aecbd5e1b4144ee02b7d8d1596289
+ * structure   caca3d07a21f719bc5779d599ef26f4c
+ * checksum    d8d9784afabb3940a30a76da3e90eee2
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_p_axis.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9014b604dd12f8224fb4d7d97b6b93de
- * structure   7420c7958d0c4373be06d866a38f1866
- * checksum    801bf9b0948d109bd0f8d01cb843cb72
+ * structure   f222e4863abde4948d646143f8a84a1c
+ * checksum    8e4c882f2100c62afc54adfbb56737e2
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"

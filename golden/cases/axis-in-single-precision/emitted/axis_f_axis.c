@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  a7946ea0b07c6e724bf5e648d7f9875f
- * structure   5e37f4e5ea5e3aa3bc37517b73b0a31f
- * checksum    108515fc60ed501ebcdaebc9f1964e9b
+ * structure   a95a21772247712c97a63fcfe538c4d6
+ * checksum    de2d85cc40277597b994dc47bc7fc7e4
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_f_axis.h"

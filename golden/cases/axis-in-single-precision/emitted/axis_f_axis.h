@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  a7946ea0b07c6e724bf5e648d7f9875f
- * structure   5e37f4e5ea5e3aa3bc37517b73b0a31f
- * checksum    3b675c218d2dca4692b9653024f1a998
+ * structure   a95a21772247712c97a63fcfe538c4d6
+ * checksum    0e750b33003732ea514fc78d1ddcb336
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_F_AXIS_H
@@ -32,10 +32,10 @@ extern "C" {
 #define AXIS_F_AXIS_PARAMETERS_2 0x4bf5e648u
 #define AXIS_F_AXIS_PARAMETERS_3 0xd7f9875fu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_F_AXIS_STRUCTURE_0 0x5e37f4e5u
-#define AXIS_F_AXIS_STRUCTURE_1 0xea5e3aa3u
-#define AXIS_F_AXIS_STRUCTURE_2 0xbc37517bu
-#define AXIS_F_AXIS_STRUCTURE_3 0x73b0a31fu
+#define AXIS_F_AXIS_STRUCTURE_0 0xa95a2177u
+#define AXIS_F_AXIS_STRUCTURE_1 0x2247712cu
+#define AXIS_F_AXIS_STRUCTURE_2 0x97a63fcfu
+#define AXIS_F_AXIS_STRUCTURE_3 0xe538c4d6u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_F_AXIS_INPUTS_SIZE 32u
 #define AXIS_F_AXIS_OUTPUTS_SIZE 28u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  2db12b55d2534ca103a8883bcea9d407
- * structure   5aed8e2bb9631b4108d87264a7e44bc8
- * checksum    7bcca4a49c44e6266758a70c7ad823c9
+ * structure   056fe7b14a6febfc519fa115674f03c5
+ * checksum    e012398b83bc11317ca86c0cf3417175
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_y2_axis.h"

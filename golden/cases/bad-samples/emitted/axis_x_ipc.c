@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  05550f54ed225d18fecf0f48000fec37
- * structure   d92e53a97ec420325e24cc8a7f3332d4
- * checksum    bb093253eb1fbc03f29927a2369a26a8
+ * structure   80d4b882cc058e201decd0e9c4a1805e
+ * checksum    c88d1c6e73ec544517967f92fabb6835
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

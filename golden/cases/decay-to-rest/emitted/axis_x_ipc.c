@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  d866a6f941d589509e7405f1c45ff916
- * structure   af488c0925164a6c518bff1d3d4c380a
- * checksum    b5c588be521d89b45d6f5bc6283665e8
+ * structure   8a862beeb54b90467c476826ef583dd9
+ * checksum    fbe5e7395bd2a2a87e4650d84c684acd
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

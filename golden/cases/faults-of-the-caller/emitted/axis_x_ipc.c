@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  899d9161a2ded0013f7b34563e3f8ca5
- * structure   b3c027028793004ad19daa0d7d900a32
- * checksum    3750e94dde8d38cdd50368c1c4420aaa
+ * structure   bb9215fc5ddbe76b13e351024d33aaff
+ * checksum    13522b407192d6f77b9e4498273380bc
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

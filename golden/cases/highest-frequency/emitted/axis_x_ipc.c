@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  677de2a23211c4ed594818a9169e5c31
- * structure   9ddf24f05605f2bc7e39ba83dd092634
- * checksum    2220ba190bae57f475f3b79cf3736f25
+ * structure   95776def6788894ea1257762fb0f6917
+ * checksum    04365b46ccb950a01ef0792bbf2f5a21
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

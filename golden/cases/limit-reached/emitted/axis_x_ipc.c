@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  035a2ceba1d4549378e201e9e82370a6
- * structure   6b0eb37c98b6088271aa08e9b94cb9b7
- * checksum    bd52bcf58193fd0595e775804f90ea90
+ * structure   1bf079a66e239c016084c45a7fd13f0f
+ * checksum    bf465369109f973d8325b6d875def84c
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  035a2ceba1d4549378e201e9e82370a6
- * structure   6b0eb37c98b6088271aa08e9b94cb9b7
- * checksum    898e4349461ea20a5b72d49ea5b25d4f
+ * structure   1bf079a66e239c016084c45a7fd13f0f
+ * checksum    bebe508392db2cf7fd28380b53686d04
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -40,10 +40,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x78e201e9u
 #define AXIS_X_IPC_PARAMETERS_3 0xe82370a6u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x6b0eb37cu
-#define AXIS_X_IPC_STRUCTURE_1 0x98b60882u
-#define AXIS_X_IPC_STRUCTURE_2 0x71aa08e9u
-#define AXIS_X_IPC_STRUCTURE_3 0xb94cb9b7u
+#define AXIS_X_IPC_STRUCTURE_0 0x1bf079a6u
+#define AXIS_X_IPC_STRUCTURE_1 0x6e239c01u
+#define AXIS_X_IPC_STRUCTURE_2 0x6084c45au
+#define AXIS_X_IPC_STRUCTURE_3 0x7fd13f0fu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

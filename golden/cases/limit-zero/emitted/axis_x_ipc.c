@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  2cb36657eb5edd333340ce8cb8317bc0
- * structure   9f15e9342218f750841dd19ffe303fe9
- * checksum    df3e503abbaa30db6ee8f32ee1853f3a
+ * structure   f45f2ed2912ec5f19b3090e0f3d59a0e
+ * checksum    9b6b2d6d43a24b2a9c1a06cdec7f9088
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

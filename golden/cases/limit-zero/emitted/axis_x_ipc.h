@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  2cb36657eb5edd333340ce8cb8317bc0
- * structure   9f15e9342218f750841dd19ffe303fe9
- * checksum    0a05969a12b76f5bdcd18235e21665ba
+ * structure   f45f2ed2912ec5f19b3090e0f3d59a0e
+ * checksum    721263d79d40db9d32f02f20fcc6fbc2
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -36,10 +36,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x3340ce8cu
 #define AXIS_X_IPC_PARAMETERS_3 0xb8317bc0u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x9f15e934u
-#define AXIS_X_IPC_STRUCTURE_1 0x2218f750u
-#define AXIS_X_IPC_STRUCTURE_2 0x841dd19fu
-#define AXIS_X_IPC_STRUCTURE_3 0xfe303fe9u
+#define AXIS_X_IPC_STRUCTURE_0 0xf45f2ed2u
+#define AXIS_X_IPC_STRUCTURE_1 0x912ec5f1u
+#define AXIS_X_IPC_STRUCTURE_2 0x9b3090e0u
+#define AXIS_X_IPC_STRUCTURE_3 0xf3d59a0eu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

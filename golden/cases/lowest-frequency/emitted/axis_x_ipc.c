@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  62500 ns
  * parameters  2ebd2317bdfdf9946197084c79fdae1d
- * structure   05fe2f827368fc36bd5455b9a5b0408b
- * checksum    42fbc58468104dae6919f124acd56c76
+ * structure   c1e5f3c3c821a057f47afda6ddf0a027
+ * checksum    60e48a70fe0bb70a3def4aa7391e6c1c
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

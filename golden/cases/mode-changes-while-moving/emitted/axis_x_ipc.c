@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  310bc9f2d370ffdb55eb325b34f7ea20
- * structure   457d90e3bb3578619f96455893af5c47
- * checksum    5cbeefad91bf6c76f4fdcac9e79f6f2f
+ * structure   c92067999aa5755042a13b3b480b633b
+ * checksum    ab03df4d4d6b1a3d1a6c648093552b04
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  097a836f6fa98f8ecb4119133f3f1eb0
- * structure   8ea467918d850a8f9497e5a443349fe8
- * checksum    b0d0c729bce4bc035fe5ba815da99289
+ * structure   caed4d3858a473235dbd8ddff1443a93
+ * checksum    61c353e60519edf7e24a279ae433a5b6
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_rack_and_pinion_ipc.h"

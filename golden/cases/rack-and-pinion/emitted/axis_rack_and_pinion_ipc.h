@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  097a836f6fa98f8ecb4119133f3f1eb0
- * structure   8ea467918d850a8f9497e5a443349fe8
- * checksum    756d3896c98961467165635501d2bef5
+ * structure   caed4d3858a473235dbd8ddff1443a93
+ * checksum    f7b0224eda913e7c577d74b9637b6779
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_RACK_AND_PINION_IPC_H
@@ -43,10 +43,10 @@ extern "C" {
 #define AXIS_RACK_AND_PINION_IPC_PARAMETERS_2 0xcb411913u
 #define AXIS_RACK_AND_PINION_IPC_PARAMETERS_3 0x3f3f1eb0u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_0 0x8ea46791u
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_1 0x8d850a8fu
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_2 0x9497e5a4u
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_3 0x43349fe8u
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_0 0xcaed4d38u
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_1 0x58a47323u
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_2 0x5dbd8ddfu
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_3 0xf1443a93u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_RACK_AND_PINION_IPC_INPUTS_SIZE 24u
 #define AXIS_RACK_AND_PINION_IPC_OUTPUTS_SIZE 24u

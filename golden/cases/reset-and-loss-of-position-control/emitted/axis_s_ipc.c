@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  01e6eb02896c59c399f72dbc0e232957
- * structure   61197682238ec9c3af8e9756985f78f8
- * checksum    9310ed72b24ac4a2b0dddd2c932a7563
+ * structure   b76ccc277105eb0ac957a842c3ba5d15
+ * checksum    cdc9b8cfdff2f6c939ff1a5f0baa6c66
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_ipc.h"

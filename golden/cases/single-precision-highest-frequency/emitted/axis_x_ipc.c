@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  e1f780f3962f4d82bdd4f2c5209ad1a5
- * structure   e0fdeecc2dfcda2031a018a31a9f39ca
- * checksum    98cd1e39a9e41c58bca94bd578104798
+ * structure   743ac81a68be26ab6a310c9dc7c6f300
+ * checksum    9de011992a528d44cc25fe3df40c0835
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

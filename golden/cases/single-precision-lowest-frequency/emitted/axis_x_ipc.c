@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  62500 ns
  * parameters  3ded08af76ecf576262a5ba0ab2f33f9
- * structure   f0406d65fd9afe3fbe81d8fd59913d4f
- * checksum    bca57d358360ec438bd5ebc8e3ae7c62
+ * structure   921e931a34b41a90cdd084a181553137
+ * checksum    6ef2605d5553c03cc8c8f2657520b38c
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

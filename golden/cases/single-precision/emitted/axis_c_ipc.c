@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  e2453a0975306551d54cce9dca887813
- * structure   2b78976abdb88db6f6111bed6c87fa58
- * checksum    e1d72d76048f27d461f730c4965bc11a
+ * structure   9906422d53f2de0927dcab8d06007f29
+ * checksum    905b1286756664784d758592ad391ca2
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_c_ipc.h"

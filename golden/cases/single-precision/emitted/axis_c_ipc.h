@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  e2453a0975306551d54cce9dca887813
- * structure   2b78976abdb88db6f6111bed6c87fa58
- * checksum    050399cc3d1e839c460b6c10e759e48f
+ * structure   9906422d53f2de0927dcab8d06007f29
+ * checksum    977744513ba7635c1548b3b1a438c588
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_C_IPC_H
@@ -49,10 +49,10 @@ extern "C" {
 #define AXIS_C_IPC_PARAMETERS_2 0xd54cce9du
 #define AXIS_C_IPC_PARAMETERS_3 0xca887813u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_C_IPC_STRUCTURE_0 0x2b78976au
-#define AXIS_C_IPC_STRUCTURE_1 0xbdb88db6u
-#define AXIS_C_IPC_STRUCTURE_2 0xf6111bedu
-#define AXIS_C_IPC_STRUCTURE_3 0x6c87fa58u
+#define AXIS_C_IPC_STRUCTURE_0 0x9906422du
+#define AXIS_C_IPC_STRUCTURE_1 0x53f2de09u
+#define AXIS_C_IPC_STRUCTURE_2 0x27dcab8du
+#define AXIS_C_IPC_STRUCTURE_3 0x06007f29u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_C_IPC_INPUTS_SIZE 20u
 #define AXIS_C_IPC_OUTPUTS_SIZE 16u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  8a7064fb968187846a28b8bae1b95ecb
- * structure   5b68732ca347546b3acf928467edc01b
- * checksum    07952cba0e70a3dfc96cd9dff9e78989
+ * structure   8241f50cbe232e3eb8c29b5388737580
+ * checksum    0934d677b62546e860d5486c1433a749
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -368,10 +368,10 @@ void axis_x_ipc_step(
         const double v_stage1 = stage1_gain * stage1_filter0_section2_y;
         const double v_stage1_next = v_stage1 * state->tuning_weight1_now;
         const double v_sum1 = v_stage0_next + v_stage1_next;
-        const double limit_next = limit * state->tuning_limit_now;
-        const double lower_limit = 0.0 - limit_next;
+        const double part = state->tuning_limit_now;
+        const double upper = limit * part;
         double v_limited;
-        if (axis_x_ipc_magnitude(v_sum1) <= limit_next) {
+        if (axis_x_ipc_magnitude(v_sum1) <= upper) {
             outputs->limited = false;
             if (axis_x_ipc_magnitude(v_sum1) <= rest) {
                 v_limited = 0.0;
@@ -381,9 +381,10 @@ void axis_x_ipc_step(
         } else if (axis_x_ipc_magnitude(v_sum1) <= sum_limit) {
             outputs->limited = true;
             if (v_sum1 > 0.0) {
-                v_limited = limit_next;
+                v_limited = upper;
             } else {
-                v_limited = lower_limit;
+                const double part_next = state->tuning_limit_now;
+                v_limited = 0.0 - limit * part_next;
             }
         } else {
             /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,

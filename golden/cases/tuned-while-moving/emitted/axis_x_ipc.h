@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  8a7064fb968187846a28b8bae1b95ecb
- * structure   5b68732ca347546b3acf928467edc01b
- * checksum    a9c34ae5c9722d281857cf771ac15588
+ * structure   8241f50cbe232e3eb8c29b5388737580
+ * checksum    1349b850324500135e8e165cdea2f92d
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -43,10 +43,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x6a28b8bau
 #define AXIS_X_IPC_PARAMETERS_3 0xe1b95ecbu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x5b68732cu
-#define AXIS_X_IPC_STRUCTURE_1 0xa347546bu
-#define AXIS_X_IPC_STRUCTURE_2 0x3acf9284u
-#define AXIS_X_IPC_STRUCTURE_3 0x67edc01bu
+#define AXIS_X_IPC_STRUCTURE_0 0x8241f50cu
+#define AXIS_X_IPC_STRUCTURE_1 0xbe232e3eu
+#define AXIS_X_IPC_STRUCTURE_2 0xb8c29b53u
+#define AXIS_X_IPC_STRUCTURE_3 0x88737580u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 48u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -5,7 +5,7 @@
 // real type   f64
 // cycle time  1000000 ns
 // parameters  8a7064fb968187846a28b8bae1b95ecb
-// checksum    6e31739b911c00f308df20580a4bb87c
+// checksum    0740ebc0dc9b045a96808413c2009591
 // licence     this file belongs to the user of axgen; no licence of axgen applies to it
 
 // range: |v| <= 500000 gives |v_add| <= 2126135 before the limit and no |state| above 963217.5; for |v| <= 1e15:
@@ -514,10 +514,10 @@ pub fn step(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
         let v_stage1: f64 = STAGE1_GAIN * stage1_filter0_section2_y;
         let v_stage1_next: f64 = v_stage1 * state.tuning_weight1_now;
         let v_sum1: f64 = v_stage0_next + v_stage1_next;
-        let limit_next: f64 = LIMIT * state.tuning_limit_now;
-        let lower_limit: f64 = 0.0 - limit_next;
+        let part: f64 = state.tuning_limit_now;
+        let upper: f64 = LIMIT * part;
         let v_limited: f64;
-        if v_sum1.abs() <= limit_next {
+        if v_sum1.abs() <= upper {
             outputs.limited = false;
             if v_sum1.abs() <= REST {
                 v_limited = 0.0;
@@ -527,9 +527,10 @@ pub fn step(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
         } else if v_sum1.abs() <= SUM_LIMIT {
             outputs.limited = true;
             if v_sum1 > 0.0 {
-                v_limited = limit_next;
+                v_limited = upper;
             } else {
-                v_limited = lower_limit;
+                let part_next: f64 = state.tuning_limit_now;
+                v_limited = 0.0 - LIMIT * part_next;
             }
         } else {
             // a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,

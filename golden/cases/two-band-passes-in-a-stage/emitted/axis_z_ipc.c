@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  8768c4a3e69a4771ad043b3e1f6ff3a7
- * structure   c73a09ffc6f7acdac25bb220336240c0
- * checksum    93ab40667645bee8b19c430e070008d6
+ * structure   c3eb12ed032f7fe770454857e655ae6d
+ * checksum    dc49ef77c9c243254d3e8ab5a005108a
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_z_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  98ef165b1429998f7030c7689ebe1984
- * structure   b7d182dc09abd17ad8017c499307543a
- * checksum    623bb75e6fdbe5a00df660d8778c27aa
+ * structure   608b983f76bcea994490d2e4285f9013
+ * checksum    e8764ee18997576d80b1d4e40dc916b2
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_two_frequencies_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  6f99155791694d13dee5cb5c76fe9e0a
- * structure   fe10eebc356d0422438f7d2db0243947
- * checksum    81bcf28e044b45777a8691c5ddcbdba2
+ * structure   5b67c33ac66c95a0e55e8a6b4349261b
+ * checksum    a99d83609051256c7ccc2637878e47d7
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
