@@ -4,11 +4,13 @@
 //! span = highest - lowest v_sum of a block of block_cycles cycles
 //! both limits reached, and span > 0.9 span of the block before:            score + 2
 //! else span > 1.1 span of the block before, which was not quiet:           score + 1
+//! else both limits reached:                                                score - 1, at least 0
 //! else:                                                                    score = 0
 //! score >= alarm and span > 2 limit:                                       tripped
 //! ```
 //!
-//! What a move, a blow or a burst of chatter leaves behind dies away: a block that is quieter than the one before begins anew.
+//! What a move, a blow or a burst of chatter leaves behind dies away: a block that is quieter than the one before counts back, and begins anew where it no
+//! longer fills the limits.
 
 use portable::{Real, portable};
 
@@ -85,12 +87,15 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, v_sum: R, limit: 
     state.cycles += 1u32;
     if state.cycles >= coeffs.block_cycles {
         let span = state.high - state.low;
-        if state.high > limit && state.low < lower_limit && span > decay::<R>() * state.before {
+        let fills = state.high > limit && state.low < lower_limit;
+        if fills && span > decay::<R>() * state.before {
             state.score += 2u32;
         } else if state.before > coeffs.quiet && span > growth::<R>() * state.before {
             state.score += 1u32;
-        } else {
+        } else if !fills {
             state.score = 0u32;
+        } else if state.score > 0u32 {
+            state.score -= 1u32;
         }
         if state.score >= coeffs.alarm && span > limit - lower_limit {
             state.tripped = true;

@@ -71,17 +71,21 @@ impl Watch {
         let off = 4.0 * off + 1e-6 * 50.0 * self.quiet;
         let is_above = |excess: f64| [excess > off, excess > -off];
         let all = |of: &[[bool; 2]]| [of.iter().all(|of| of[0]), of.iter().all(|of| of[1])];
-        let fills = all(&[is_above(high - limit), is_above(-limit - low), is_above(span - 0.9 * self.before)]);
+        let beyond = [is_above(high - limit), is_above(-limit - low)];
+        let fills = all(&[beyond[0], beyond[1], is_above(span - 0.9 * self.before)]);
+        let beyond = all(&beyond);
         let grows = all(&[is_above(self.before - self.quiet), is_above(span - 1.1 * self.before)]);
         let [least, most] = self.score;
         let least = match (fills, grows) {
             ([true, _], _) => least + 2,
             (_, [true, _]) => least + 1,
+            _ if beyond[0] => least.saturating_sub(1),
             _ => 0,
         };
         let most = match (fills, grows) {
             ([_, true], _) => most + 2,
             (_, [_, true]) => most + 1,
+            _ if beyond[1] => most.saturating_sub(1),
             _ => 0,
         };
         let wide = is_above(span - 2.0 * limit);

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  f263fa87836b2d39df1dbe42692c0b05
- * structure   8019c5bd32a47f1c5f7748c43abd2e6b
- * checksum    0172f97d846b4314937c3b15a2cf0aa3
+ * structure   8fe0f5c163919881fab590eb6eea2ba1
+ * checksum    4179538d6ac49a887b0a702784da1a86
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -262,13 +262,17 @@ void axis_x_ipc_step(
             if (state->watch_cycles >= watch_block_cycles) {
                 state->watch_cycles = 0u;
                 const double watch_span = state->watch_high - state->watch_low;
-                if (state->watch_high > limit && state->watch_low < lower_limit
-                        && watch_span > decay * state->watch_before) {
+                const bool watch_fills = state->watch_high > limit && state->watch_low < lower_limit;
+                if (watch_fills && watch_span > decay * state->watch_before) {
                     state->watch_score = state->watch_score + 2u;
                 } else if (state->watch_before > watch_quiet && watch_span > growth * state->watch_before) {
                     state->watch_score = state->watch_score + 1u;
-                } else {
+                } else if (!watch_fills) {
                     state->watch_score = 0u;
+                } else if (state->watch_score > 0u) {
+                    state->watch_score = state->watch_score - 1u;
+                } else {
+                    /* nothing else is to be done */
                 }
                 state->watch_before = watch_span;
                 if (state->watch_score >= watch_alarm && watch_span > limit - lower_limit) {
