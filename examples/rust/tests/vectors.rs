@@ -35,6 +35,7 @@ fn shown(outputs: &Outputs, name: &str) -> String {
         "v_add_calculated" => format!("0x{:016x}", outputs.v_add_calculated.to_bits()),
         "limited" => u8::from(outputs.limited).to_string(),
         "held" => "0".to_owned(), // this axis rides through nothing
+        "tripped" => "0".to_owned(), // and watches nothing
         "fault" => u8::from(outputs.fault).to_string(),
         "error_id" => outputs.error_id.to_string(),
         _ => panic!("{name} is no output"),

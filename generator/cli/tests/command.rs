@@ -258,7 +258,8 @@ fn a_bad_stimulus_is_told_with_its_place() {
     );
     fs::write(folder.path().join("in.csv"), "v_motor,speed,v_motor\n").unwrap();
     let run = axgen(folder.path(), &["run", "machine.toml", "--axis", "X", "--stimulus", "in.csv"]);
-    let inputs = "v_command, v_motor, v_direct, mode, position_controlled, reset, task_cycle_ns";
+    let inputs = "v_command, v_motor, v_direct, tuning_weight[0], tuning_weight[1], tuning_weight[2], tuning_limit, mode, \
+                  position_controlled, reset, task_cycle_ns";
     assert_eq!(
         run.err,
         format!(
@@ -430,7 +431,7 @@ fn what_a_recording_may_lack() {
         };
         rows.iter().map(row).collect()
     };
-    fs::write(folder.path().join("outputs.csv"), only(&[2, 6])).unwrap();
+    fs::write(folder.path().join("outputs.csv"), only(&[2, 7])).unwrap();
     let run = axgen(folder.path(), &[&RACK[..], &["--stimulus", "in.csv", "--compare", "outputs.csv"]].concat());
     assert_eq!(run.out, "v_add, fault against engine reference, 400 samples: 0 differing bits\n");
     let run = axgen(folder.path(), &[&RACK[..], &["--compare", "in.csv"]].concat());
