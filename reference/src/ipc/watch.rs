@@ -22,7 +22,7 @@ pub struct Coeffs<R> {
     pub active: bool,
     /// cycles of a block: 0.6 periods of the lowest f0, at least 30 ms
     pub block_cycles: u32,
-    /// score that trips: 2 for each block in which the sum reaches both limits and does not die away, 1 for each in which it grows
+    /// score that trips: 2 for a block at both limits that does not die away, 1 for one that grows
     pub alarm: u32,
     /// growth counts from a block on that spans more than this: limit / 50, so that the begin of a move is no growth
     pub quiet: R,

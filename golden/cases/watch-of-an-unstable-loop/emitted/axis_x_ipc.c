@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  f263fa87836b2d39df1dbe42692c0b05
  * structure   8fe0f5c163919881fab590eb6eea2ba1
- * checksum    4179538d6ac49a887b0a702784da1a86
+ * checksum    a596fb5dd12fa2985f947c43054d5c67
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -103,8 +103,7 @@ void axis_x_ipc_step(
     static const uint32_t watch_block_cycles = 30u; /* cycles of a block: 0.6 periods of the lowest f0, at least 30 ms */
 
     /* 5 blocks in which the sum reaches both limits and does not die away */
-    /* score that trips: 2 for each block in which the sum reaches both limits and does not die away, 1 for each in
-     * which it grows */
+    /* score that trips: 2 for a block at both limits that does not die away, 1 for one that grows */
     static const uint32_t watch_alarm = 10u;
     /* growth counts from a block on that spans more than this: limit / 50, so that the begin of a move is no growth */
     static const double watch_quiet = 200.0;
