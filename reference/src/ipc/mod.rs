@@ -151,8 +151,8 @@ pub fn tuned_limit<R: Real>(coeffs: &Coeffs<R>, part: R) -> R {
 /// The lowest one.
 #[portable]
 pub fn tuned_lower_limit<R: Real>(coeffs: &Coeffs<R>, part: R) -> R {
-    // Not lower_limit * part: 0 stays +0.
-    if coeffs.tuning.active { R::ZERO - coeffs.limit * part } else { coeffs.lower_limit }
+    // A product, and no difference from 0: compilers that are told to forget the sign of a 0 must not find one to forget.
+    if coeffs.tuning.active { coeffs.lower_limit * part } else { coeffs.lower_limit }
 }
 
 /// The sum within +-limit; exactly 0 where its magnitude is not above `rest`. A sum that no velocity of this axis leads to is a fault: a

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  8a7064fb968187846a28b8bae1b95ecb
- * structure   8241f50cbe232e3eb8c29b5388737580
- * checksum    0934d677b62546e860d5486c1433a749
+ * structure   601499d5814d90f733eaed08691a7444
+ * checksum    5c246a87f1853a0f6d4b041414d4663e
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -125,6 +125,7 @@ void axis_x_ipc_step(
 
     /* largest |v_add| = 500000: 1000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
     static const double limit = 500000.0; /* largest |v_add| */
+    static const double lower_limit = -500000.0; /* -limit */
 
     /* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
     static const double sum_limit = 4252269.945627425; /* largest magnitude of a sum of stages that is not a fault */
@@ -384,7 +385,7 @@ void axis_x_ipc_step(
                 v_limited = upper;
             } else {
                 const double part_next = state->tuning_limit_now;
-                v_limited = 0.0 - limit * part_next;
+                v_limited = lower_limit * part_next;
             }
         } else {
             /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,

@@ -5,7 +5,7 @@
 // real type   f64
 // cycle time  1000000 ns
 // parameters  8a7064fb968187846a28b8bae1b95ecb
-// checksum    0740ebc0dc9b045a96808413c2009591
+// checksum    abb730174e781f05582a3a4b039f0fc7
 // licence     this file belongs to the user of axgen; no licence of axgen applies to it
 
 // range: |v| <= 500000 gives |v_add| <= 2126135 before the limit and no |state| above 963217.5; for |v| <= 1e15:
@@ -247,6 +247,8 @@ const STAGE1_GAIN: f64 = -1.5;
 // largest |v_add| = 500000: 1000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212)
 /// largest |v_add|
 const LIMIT: f64 = 500000.0;
+/// -limit
+const LOWER_LIMIT: f64 = -500000.0;
 
 // 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit
 /// largest magnitude of a sum of stages that is not a fault
@@ -530,7 +532,7 @@ pub fn step(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
                 v_limited = upper;
             } else {
                 let part_next: f64 = state.tuning_limit_now;
-                v_limited = 0.0 - LIMIT * part_next;
+                v_limited = LOWER_LIMIT * part_next;
             }
         } else {
             // a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
