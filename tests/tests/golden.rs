@@ -15,7 +15,7 @@ use rayon::prelude::*;
 use std::collections::BTreeSet;
 
 /// What the cases have to show, all of them together.
-const ALL_SHOWN: [&str; 122] = [
+const ALL_SHOWN: [&str; 126] = [
     "DIRECT from v_motor",
     "DIRECT from v_direct",
     "INDIRECT",
@@ -117,7 +117,11 @@ const ALL_SHOWN: [&str; 122] = [
     "position control in the drive",
     "torque acceleration",
     "torque jerk",
+    "armed again by mode",
+    "armed again by reset",
     "error 4",
+    "tripped",
+    "tripped and faded out",
     "weight 0.75",
     "weight 1.2",
     "xerr is put out",
