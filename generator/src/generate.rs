@@ -2,7 +2,6 @@
 
 use crate::blocks::{self, Block, Designed, Part};
 use crate::target::{File, Header, Target, Unit};
-
 use crate::{axis::Axis, commissioning, digest::digest, pipeline::Set};
 use compiler::pass::Defect;
 use rayon::prelude::*;
@@ -20,8 +19,7 @@ pub fn files<T: Send>(
     targets: &[Target],
     take: impl Fn(File) -> T + Sync,
 ) -> Result<Vec<T>, Defect> {
-    let chosen = set.axes.par_iter().filter(|of| axes.is_empty() || axes.contains(&of.axis.name));
-    let taken = chosen.map(|designed| Ok(axis_files(designed, targets)?.into_iter().map(&take).collect()));
+    let taken = chosen(set, axes).map(|designed| Ok(axis_files(designed, targets)?.into_iter().map(&take).collect()));
     let taken: Vec<Vec<T>> = taken.collect::<Result<_, Defect>>()?;
     let units = units(set);
     let shared = targets.iter().flat_map(|target| (target.shared)(&units)).map(&take);
@@ -31,9 +29,13 @@ pub fn files<T: Send>(
 /// Makes the commissioning pages of some axes (all, if none is named). A page belongs to an axis, not to one of its blocks and not to a
 /// target. Hands each to `take`; gives its answers, in the order of the axes.
 pub fn pages<T: Send>(set: &Set, axes: &[String], take: impl Fn(File) -> T + Sync) -> Vec<T> {
-    let chosen = set.axes.par_iter().filter(|of| axes.is_empty() || axes.contains(&of.axis.name));
     let page = |designed: &Designed| commissioning::file(designed, parameters_digest(&designed.axis, blocks::IPC));
-    chosen.filter_map(page).map(&take).collect()
+    chosen(set, axes).filter_map(page).map(&take).collect()
+}
+
+/// The axes of these names, or all, if none is named.
+fn chosen<'s>(set: &'s Set, axes: &'s [String]) -> impl ParallelIterator<Item = &'s Designed> {
+    set.axes.par_iter().filter(|of| axes.is_empty() || axes.contains(&of.axis.name))
 }
 
 /// The digest of the effective parameters of a block of an axis.

@@ -2,6 +2,7 @@
 
 use axgen_tests::environment::is_exhaustive;
 use axgen_tests::model::subject;
+use axgen_tests::plant::{Signals, subject::Subject};
 use axgen_tests::random::rng::Rng;
 use compiler::program::Type;
 use generator::blocks::{Designed, blocks};
@@ -161,38 +162,15 @@ lr_param.improved_position_control = {{ enable = 'ON', v_add_max_fact = 2000, st
             ))
         };
         let runs = ["nothing", "weights"].map(|tunable| {
-            let designed = set(tunable);
-            let block = blocks(&designed).unwrap().into_iter().find(|block| block.program.block == "ipc").unwrap();
-            let shape = Shape::of(&block.program.inputs, kind);
             let mut rng = Rng::new(3);
-            let mut inputs = Samples::with_capacity(shape, RUN);
-            for cycle in 0..RUN {
+            let mut block = Subject::new(&set(tunable));
+            let cycle = |cycle: usize| {
                 let any = rng.below(1000) as f64 / 999.0;
-                let values: Vec<Literal> = inputs
-                    .shape
-                    .signals
-                    .iter()
-                    .map(|signal| match signal.name.as_str() {
-                        // The limit stays: where it acts, it is what cuts.
-                        "tuning_weight[0]" => real(if cycle % 7 == 0 { f64::NAN } else { any.round() }, kind),
-                        "v_motor" => real(1e4 * (cycle as f64 * 0.333).sin(), kind),
-                        _ => signal.start,
-                    })
-                    .collect();
-                inputs.push(&values);
-            }
-            let outputs = engine::run(Engine::Reference, &designed, &block, &inputs).unwrap();
-            let at = outputs.shape.signals.iter().position(|of| of.name == "v_add").unwrap();
-            let mut values = Vec::new();
-            let v_add = (0..outputs.len()).map(|sample| {
-                outputs.read(sample, &mut values);
-                match values[at] {
-                    Literal::F64(value) => value,
-                    Literal::F32(value) => f64::from(value),
-                    other => panic!("{other:?}"),
-                }
-            });
-            v_add.collect::<Vec<f64>>()
+                // The limit stays: where it acts, it is what cuts.
+                block.set("tuning_weight[0]", if cycle.is_multiple_of(7) { f64::NAN } else { any.round() });
+                block.step(&Signals { v_ist1: 1e4 * (cycle as f64 * 0.333).sin(), ..Signals::default() })
+            };
+            (0..RUN).map(cycle).collect::<Vec<f64>>()
         });
         let [constant, tuned] = &runs;
         let of_rounding = if kind == RealKind::F64 { 1e-9 } else { 1e-2 };

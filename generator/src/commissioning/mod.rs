@@ -7,6 +7,7 @@ mod stage;
 use crate::axis::Axis;
 use crate::blocks::{self, Designed, IPC};
 use crate::number::digits;
+use crate::parameters::Name;
 use crate::target::{File, block_name, rendered, stem};
 use askama::Template;
 use rows::{Limit, limits};
@@ -47,6 +48,7 @@ struct Page {
     fade: String,
     limit: String,
     limit_path: &'static str,
+    enable_path: &'static str,
     limits: Vec<Limit>,
     signals: Vec<Signal>,
     stages: Vec<Stage>,
@@ -100,7 +102,8 @@ fn page(designed: &Designed, parameters: String) -> Page {
         cycle_ns: axis.cycle_time_ns,
         fade: digits(f64::from(designed.ipc.fade_cycles) * f64::from(axis.cycle_time_ns) / 1e6),
         limit: digits(axis.ipc.limit()),
-        limit_path: "lr_param.improved_position_control.v_add_max_fact",
+        limit_path: Name::VAddMaxFact.parameter().path,
+        enable_path: Name::Enable.parameter().path,
         limits: limits(&axis.ipc),
         signals: signals(axis, is_inside),
         trial: if is_tunable { "" } else { "trial/" },

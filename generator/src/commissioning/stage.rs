@@ -6,6 +6,7 @@ use crate::blocks::ipc::stage::StageDesign;
 use crate::design::band::warped;
 use crate::design::response::{self, magnitude};
 use crate::number::{digits, significant};
+use crate::parameters::{Name, path_with};
 use std::f64::consts::PI;
 
 /// The sections of a weight's steps begin with this one.
@@ -46,7 +47,8 @@ impl From<(usize, &StageDesign)> for Stage {
     fn from((n, design): (usize, &StageDesign)) -> Self {
         let (stage, index) = (&design.stage, design.index);
         let first = stage.first_bandpass();
-        let path = format!("lr_param.improved_position_control.stage[{index}]");
+        let number = u32::try_from(index).expect("design: there are three stages");
+        let path = |name: Name| path_with(name.parameter().path, [number, first]);
         let filter = design.filter.iter().flatten().find(|filter| filter.index == first as usize);
         let edges = filter.map_or([0.0; 2], |filter| filter.edges);
         let seconds = tenths(BANDS / (edges[1] - edges[0]));
@@ -62,8 +64,8 @@ impl From<(usize, &StageDesign)> for Stage {
             seconds,
             window: digits(seconds),
             quiet: quiet(design),
-            f0_path: format!("{path}.filter[{first}].fg_f0"),
-            mode_path: format!("{path}.mode"),
+            f0_path: path(Name::FilterF0),
+            mode_path: path(Name::Mode),
             read_step: format!("2.{}", FIRST_READ_STEP + n),
             weight_step: format!("4.{}", FIRST_WEIGHT_STEP + n),
         }

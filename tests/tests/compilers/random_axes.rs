@@ -14,11 +14,20 @@ const SAMPLES: usize = 1000;
 /// Axes of a program.
 const BATCH: usize = 10;
 
+/// The numbers of so many axes as `AXGEN_RANDOM_AXES` says, or as are usual.
+pub fn numbers(usual: usize) -> Vec<usize> {
+    let named = std::env::var("AXGEN_RANDOM_AXES").ok().and_then(|text| text.parse().ok());
+    (0..named.unwrap_or(usual)).collect()
+}
+
+/// The axis of a set, with its number in its name: in the sets all are called X.
+pub fn numbered(index: usize, set: &str) -> Designed {
+    Designed::from(Axis { name: format!("X{index}"), ..subject::read(set).axis })
+}
+
 /// The runner of the block of a random axis that contains its other blocks; none: the axis has no block.
 fn emitted(index: usize) -> Option<Emitted> {
-    let axis = subject::read(&random::parameters(&mut Rng::numbered(SEED, index)).set()).axis;
-    // All are called X.
-    let designed = Designed::from(Axis { name: format!("X{index}"), ..axis });
+    let designed = numbered(index, &random::parameters(&mut Rng::numbered(SEED, index)).set());
     let blocks = blocks::blocks(&designed).unwrap_or_else(|defect| panic!("axis {index}: {defect}"));
     Some(Emitted::of(&designed, blocks.last()?, SAMPLES))
 }
@@ -26,9 +35,7 @@ fn emitted(index: usize) -> Option<Emitted> {
 #[test]
 #[expect(clippy::print_stdout, reason = "a figure of the acceptance")]
 fn random_axes_have_the_bits_of_the_reference() {
-    let usual = if is_exhaustive() { 200 } else { 30 };
-    let named = std::env::var("AXGEN_RANDOM_AXES").ok().and_then(|text| text.parse().ok());
-    let axes: Vec<usize> = (0..named.unwrap_or(usual)).collect();
+    let axes = numbers(if is_exhaustive() { 200 } else { 30 });
     let batch = |batch: &[usize]| {
         let emitted: Vec<Emitted> = batch.iter().filter_map(|index| emitted(*index)).collect();
         let said = run_here(&emitted.iter().collect::<Vec<_>>());

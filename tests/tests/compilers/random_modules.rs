@@ -1,10 +1,10 @@
 //! Random axes and spindles: the emitted Rust, many modules in one crate, gives the bits of the reference. `AXGEN_RANDOM_AXES` is
 //! another number of them, as of the C.
 
+use crate::random_axes::{numbered, numbers};
 use axgen_tests::environment::is_exhaustive;
-use axgen_tests::model::{random, subject};
+use axgen_tests::model::random;
 use axgen_tests::random::rng::Rng;
-use generator::axis::Axis;
 use generator::blocks::{self, Block, Designed};
 use generator::generate::header;
 use generator::target::{self, File};
@@ -33,8 +33,7 @@ struct Emitted {
 fn emitted(index: usize) -> Option<Emitted> {
     let rng = &mut Rng::numbered(SEED, index);
     let set = if index.is_multiple_of(SPINDLES) { spindle(rng) } else { random::parameters(rng).set() };
-    let axis = subject::read(&set).axis;
-    let designed = Designed::from(Axis { name: format!("X{index}"), ..axis });
+    let designed = numbered(index, &set);
     let block = blocks::blocks(&designed).unwrap_or_else(|defect| panic!("axis {index}: {defect}")).pop()?;
     let target = target::named("rust").expect("there is a target for Rust");
     let file = target.files(&header(&designed.axis, &block), &block).expect("Rust prints every block").remove(0);
@@ -132,9 +131,7 @@ fn wrong(batch: &[Emitted]) -> Vec<&str> {
 #[test]
 #[expect(clippy::print_stdout, reason = "a figure of the acceptance")]
 fn random_modules_have_the_bits_of_the_reference() {
-    let usual = if is_exhaustive() { 200 } else { 32 };
-    let named = std::env::var("AXGEN_RANDOM_AXES").ok().and_then(|text| text.parse().ok());
-    let axes: Vec<usize> = (0..named.unwrap_or(usual)).collect();
+    let axes = numbers(if is_exhaustive() { 200 } else { 32 });
     let batch = |batch: &[usize]| {
         let emitted: Vec<Emitted> = batch.iter().filter_map(|index| emitted(*index)).collect();
         let spindles = emitted.iter().filter(|of| of.block.program.block.starts_with("spindle")).count();
