@@ -80,8 +80,8 @@ pub(crate) fn record<R: Real, B: Block<R>>(
     samples: usize,
 ) -> Runner {
     let (usual, period) = (exercised::<R, B>(&coeffs), Period::of(samples));
-    let reals = own.reals();
-    let is_other = |at: &usize| reals.iter().all(|real| real.own != *at);
+    let (reals, signals) = (own.reals(), own.signals());
+    let is_other = |at: &usize| reals.iter().all(|real| real.own != *at) && signals.contains(&own.inputs[*at]);
     let others_there: Vec<usize> = (0..own.inputs.len()).filter(is_other).collect();
     let turns = others_there.iter().flat_map(|at| others(usual[own.inputs[*at]]).into_iter().map(|value| (*at, value)));
     let own_place = |path: &str| {

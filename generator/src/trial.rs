@@ -132,7 +132,7 @@ pub(crate) fn recording<R: Real, B: Block<R>>(
     start: usize,
     drill: &[Drill],
 ) -> Recording {
-    let (inputs, reals) = (own.inputs.clone(), own.reals());
+    let (inputs, reals) = (own.signals(), own.reals());
     let position = |path: &str| program.inputs.iter().position(|input| input.path == path);
     let drill: Vec<(usize, Set, Range<usize>)> = drill
         .iter()

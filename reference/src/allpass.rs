@@ -4,9 +4,11 @@
 //! H(z) = (a2 + a1 z^-1 + z^-2) / (1 + a1 z^-1 + a2 z^-2). Gain 1 everywhere; phase 0 at DC, -180 degrees at the centre
 //! frequency, -360 degrees at the Nyquist frequency.
 
-use crate::section::{State, anti_denormal, is_driven_by_change};
+use crate::check_sum::{Place, Sums, add};
+use crate::section::{State, anti_denormal, is_driven_by_change, is_stable_biquad, is_stable_trapezoidal};
+use crate::signal::sample_limit;
 use crate::trapezoidal;
-use portable::{Real, portable};
+use portable::{Real, in_range, portable};
 
 /// Coefficients, with a0 = 1 and the signs of `y = a2 x + s1; s1 = a1 x - a1 y + s2; s2 = x - a2 y`.
 ///
@@ -59,4 +61,42 @@ pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
         state.s2 = s;
     }
     x
+}
+
+/// Takes the numbers of another section over.
+#[portable]
+pub fn take<R: Real>(coeffs: &mut Coeffs<R>, offered: &Coeffs<R>) {
+    if is_driven_by_change::<R>() {
+        coeffs.a = offered.a;
+        coeffs.b = offered.b;
+        coeffs.c = offered.c;
+    } else {
+        coeffs.a1 = offered.a1;
+        coeffs.a2 = offered.a2;
+        coeffs.preset = offered.preset;
+    }
+}
+
+/// Whether every number is one, and the section is stable.
+#[portable]
+pub fn is_sound<R: Real>(coeffs: &Coeffs<R>) -> bool {
+    if is_driven_by_change::<R>() {
+        is_stable_trapezoidal(coeffs.a, coeffs.b, coeffs.c)
+    } else {
+        in_range(coeffs.preset, sample_limit()) && is_stable_biquad(coeffs.a1, coeffs.a2)
+    }
+}
+
+/// Adds the numbers to the check sums.
+#[portable]
+pub fn add_up<R: Real>(sums: &mut Sums<R>, place: &mut Place<R>, coeffs: &Coeffs<R>) {
+    if is_driven_by_change::<R>() {
+        add(sums, place, coeffs.a);
+        add(sums, place, coeffs.b);
+        add(sums, place, coeffs.c);
+    } else {
+        add(sums, place, coeffs.a1);
+        add(sums, place, coeffs.a2);
+        add(sums, place, coeffs.preset);
+    }
 }

@@ -3,9 +3,11 @@
 //!
 //! H(z) = b0 (1 - z^-2) / (1 + a1 z^-1 + a2 z^-2). Zeros at DC and at the Nyquist frequency.
 
-use crate::section::{State, anti_denormal, is_driven_by_change};
+use crate::check_sum::{Place, Sums, add};
+use crate::section::{State, anti_denormal, is_driven_by_change, is_stable_biquad, is_stable_trapezoidal};
+use crate::signal::sample_limit;
 use crate::trapezoidal;
-use portable::{Real, portable};
+use portable::{Real, in_range, portable};
 
 /// Coefficients, with a0 = 1, b0 = -b2 and the signs of `y = -b2 x + s1; s1 = s2 - a1 y; s2 = b2 x - a2 y`.
 ///
@@ -86,4 +88,42 @@ pub fn preset_biquad<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) {
     let s = coeffs.b2 * x;
     state.s1 = s;
     state.s2 = s;
+}
+
+/// Takes the numbers of another section over.
+#[portable]
+pub fn take<R: Real>(coeffs: &mut Coeffs<R>, offered: &Coeffs<R>) {
+    if is_driven_by_change::<R>() {
+        coeffs.a = offered.a;
+        coeffs.b = offered.b;
+        coeffs.c = offered.c;
+    } else {
+        coeffs.b2 = offered.b2;
+        coeffs.a1 = offered.a1;
+        coeffs.a2 = offered.a2;
+    }
+}
+
+/// Whether every number is one, and the section is stable.
+#[portable]
+pub fn is_sound<R: Real>(coeffs: &Coeffs<R>) -> bool {
+    if is_driven_by_change::<R>() {
+        is_stable_trapezoidal(coeffs.a, coeffs.b, coeffs.c)
+    } else {
+        in_range(coeffs.b2, sample_limit()) && is_stable_biquad(coeffs.a1, coeffs.a2)
+    }
+}
+
+/// Adds the numbers to the check sums.
+#[portable]
+pub fn add_up<R: Real>(sums: &mut Sums<R>, place: &mut Place<R>, coeffs: &Coeffs<R>) {
+    if is_driven_by_change::<R>() {
+        add(sums, place, coeffs.a);
+        add(sums, place, coeffs.b);
+        add(sums, place, coeffs.c);
+    } else {
+        add(sums, place, coeffs.b2);
+        add(sums, place, coeffs.a1);
+        add(sums, place, coeffs.a2);
+    }
 }

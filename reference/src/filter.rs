@@ -1,5 +1,6 @@
 //! One filter of a stage: nothing, a band-pass of order 1 to 3, or an all-pass.
 
+use crate::check_sum::{Place, Sums};
 use crate::{allpass, bandpass, change, section};
 use portable::{Real, portable};
 
@@ -27,6 +28,16 @@ pub struct Coeffs<R> {
     pub kind: Type,
     /// number of band-pass sections
     pub order: usize,
+    /// the band-pass sections, in the order of their execution
+    pub bandpass: [bandpass::Coeffs<R>; MAX_ORDER],
+    /// the all-pass section
+    pub allpass: allpass::Coeffs<R>,
+}
+
+/// The numbers of a filter: all of its coefficients that are no structure.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Numbers<R> {
     /// the band-pass sections, in the order of their execution
     pub bandpass: [bandpass::Coeffs<R>; MAX_ORDER],
     /// the all-pass section
@@ -96,4 +107,57 @@ pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, is_behind
         }
     }
     y
+}
+
+/// Takes the numbers of another filter of the same structure over.
+#[portable]
+pub fn take<R: Real>(now: &mut Numbers<R>, structure: &Coeffs<R>, offered: &Numbers<R>) {
+    match structure.kind {
+        Type::NoFilter => {}
+        Type::Bandpass => {
+            for i in 0..MAX_ORDER {
+                if i < structure.order {
+                    bandpass::take(&mut now.bandpass[i], &offered.bandpass[i]);
+                }
+            }
+        }
+        Type::Allpass => allpass::take(&mut now.allpass, &offered.allpass),
+    }
+}
+
+/// Whether every number is one, and each section is stable.
+#[portable]
+pub fn is_sound<R: Real>(structure: &Coeffs<R>, offered: &Numbers<R>) -> bool {
+    let mut is_sound_so_far = true;
+    match structure.kind {
+        Type::NoFilter => {}
+        Type::Bandpass => {
+            for i in 0..MAX_ORDER {
+                if i < structure.order {
+                    let is_section_sound = bandpass::is_sound(&offered.bandpass[i]);
+                    is_sound_so_far = is_sound_so_far && is_section_sound;
+                }
+            }
+        }
+        Type::Allpass => {
+            is_sound_so_far = allpass::is_sound(&offered.allpass);
+        }
+    }
+    is_sound_so_far
+}
+
+/// Adds the numbers to the check sums.
+#[portable]
+pub fn add_up<R: Real>(sums: &mut Sums<R>, place: &mut Place<R>, structure: &Coeffs<R>, offered: &Numbers<R>) {
+    match structure.kind {
+        Type::NoFilter => {}
+        Type::Bandpass => {
+            for i in 0..MAX_ORDER {
+                if i < structure.order {
+                    bandpass::add_up(sums, place, &offered.bandpass[i]);
+                }
+            }
+        }
+        Type::Allpass => allpass::add_up(sums, place, &offered.allpass),
+    }
 }

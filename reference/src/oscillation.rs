@@ -20,9 +20,11 @@
 //! y  = x - q
 //! ```
 
-use crate::section::{State, anti_denormal, is_driven_by_change};
+use crate::check_sum::{Place, Sums, add};
+use crate::section::{State, anti_denormal, is_driven_by_change, is_stable_biquad, is_stable_trapezoidal};
+use crate::signal::sample_limit;
 use crate::trapezoidal;
-use portable::{Real, portable};
+use portable::{Real, in_range, portable};
 
 /// Coefficients, with a0 = 1 and the signs of `y = b0 x + s1; s1 = b1 x - a1 y + s2; s2 = b2 x - a2 y`.
 ///
@@ -91,4 +93,61 @@ pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
         state.s2 = coeffs.preset_s2 * x;
     }
     x
+}
+
+/// Takes the numbers of another section over.
+#[portable]
+pub fn take<R: Real>(coeffs: &mut Coeffs<R>, offered: &Coeffs<R>) {
+    if is_driven_by_change::<R>() {
+        coeffs.h = offered.h;
+        coeffs.r = offered.r;
+        coeffs.g = offered.g;
+        coeffs.g2 = offered.g2;
+    } else {
+        coeffs.b0 = offered.b0;
+        coeffs.b1 = offered.b1;
+        coeffs.b2 = offered.b2;
+        coeffs.a1 = offered.a1;
+        coeffs.a2 = offered.a2;
+        coeffs.preset_s1 = offered.preset_s1;
+        coeffs.preset_s2 = offered.preset_s2;
+    }
+}
+
+/// Whether every number is one, and the section is stable.
+#[portable]
+pub fn is_sound<R: Real>(coeffs: &Coeffs<R>) -> bool {
+    if is_driven_by_change::<R>() {
+        let mut is_sound = false;
+        if in_range(coeffs.h, sample_limit()) && in_range(coeffs.r, sample_limit()) && in_range(coeffs.g, sample_limit()) {
+            is_sound = is_stable_trapezoidal(coeffs.g * coeffs.h, coeffs.g * coeffs.r, coeffs.g2);
+        }
+        is_sound
+    } else {
+        in_range(coeffs.b0, sample_limit())
+            && in_range(coeffs.b1, sample_limit())
+            && in_range(coeffs.b2, sample_limit())
+            && in_range(coeffs.preset_s1, sample_limit())
+            && in_range(coeffs.preset_s2, sample_limit())
+            && is_stable_biquad(coeffs.a1, coeffs.a2)
+    }
+}
+
+/// Adds the numbers to the check sums.
+#[portable]
+pub fn add_up<R: Real>(sums: &mut Sums<R>, place: &mut Place<R>, coeffs: &Coeffs<R>) {
+    if is_driven_by_change::<R>() {
+        add(sums, place, coeffs.h);
+        add(sums, place, coeffs.r);
+        add(sums, place, coeffs.g);
+        add(sums, place, coeffs.g2);
+    } else {
+        add(sums, place, coeffs.b0);
+        add(sums, place, coeffs.b1);
+        add(sums, place, coeffs.b2);
+        add(sums, place, coeffs.a1);
+        add(sums, place, coeffs.a2);
+        add(sums, place, coeffs.preset_s1);
+        add(sums, place, coeffs.preset_s2);
+    }
 }

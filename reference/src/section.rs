@@ -1,7 +1,8 @@
 //! What all second-order sections share: their state, which form they have, the constants that keep them out of the subnormal range.
 
 use crate::precision::is_single;
-use portable::{Real, portable};
+use crate::signal::sample_limit;
+use portable::{Real, in_range, portable};
 
 /// State of a second-order section: s1 and s2 of a biquad; in single precision s1 and p, or s1 and low.
 #[portable]
@@ -42,4 +43,26 @@ pub fn anti_denormal<R: Real>() -> R {
 #[portable]
 pub fn least_change<R: Real>() -> R {
     R::lit(1.0e-18)
+}
+
+/// Whether the poles of a biquad lie inside the unit circle: |a2| < 1 and |a1| < 1 + a2. False of what is no number.
+#[portable]
+pub fn is_stable_biquad<R: Real>(a1: R, a2: R) -> bool {
+    let mut is_stable = false;
+    if in_range(a1, R::lit(2.0)) && in_range(a2, R::ONE) {
+        let edge = a2 + R::ONE;
+        is_stable = a2 < R::ONE && a1 < edge && -edge < a1;
+    }
+    is_stable
+}
+
+/// Whether those of a trapezoidal section do: 0 < A C < 2 B and B < 1. False of what is no number.
+#[portable]
+pub fn is_stable_trapezoidal<R: Real>(a: R, b: R, c: R) -> bool {
+    let mut is_stable = false;
+    if in_range(a, sample_limit()) && in_range(b, R::ONE) && in_range(c, sample_limit()) {
+        let product = a * c;
+        is_stable = R::ZERO < product && product < b + b && b < R::ONE;
+    }
+    is_stable
 }

@@ -40,6 +40,24 @@ pub fn error_unstable() -> u32 {
     5u32
 }
 
+/// error_id: a parameter set is for another structure, or none: the set in use goes on; a fault only where there is none
+#[portable]
+pub fn error_set_structure() -> u32 {
+    6u32
+}
+
+/// error_id: a parameter set has a number that is none, an unstable section or a limit above the block's: the set in use goes on
+#[portable]
+pub fn error_set_unsound() -> u32 {
+    7u32
+}
+
+/// error_id: a parameter set does not have its check sums, its contents were changed: the set in use goes on
+#[portable]
+pub fn error_set_damaged() -> u32 {
+    8u32
+}
+
 /// error_id: v_command is not within the sample limit
 #[portable]
 pub fn error_v_command() -> u32 {

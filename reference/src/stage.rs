@@ -1,7 +1,8 @@
 //! One stage: the source that its mode names, the simulated oscillation, two filters, the gain.
 
+use crate::check_sum::{Place, Sums, add};
 use crate::{change, filter, oscillation, section};
-use portable::{Real, portable};
+use portable::{Real, in_range, portable};
 
 /// Filters in a stage.
 pub const FILTERS: usize = 2;
@@ -44,6 +45,18 @@ pub struct Coeffs<R> {
     pub oscillation: oscillation::Coeffs<R>,
     /// the filters, in the order of their execution
     pub filter: [filter::Coeffs<R>; FILTERS],
+    /// -weight: negative, because the stage moves the motor against the vibration
+    pub gain: R,
+}
+
+/// The numbers of a stage: all of its coefficients that are no structure.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Numbers<R> {
+    /// the simulated oscillation of INDIRECT and SET_POINT
+    pub oscillation: oscillation::Coeffs<R>,
+    /// the filters, in the order of their execution
+    pub filter: [filter::Numbers<R>; FILTERS],
     /// -weight: negative, because the stage moves the motor against the vibration
     pub gain: R,
 }
@@ -145,4 +158,49 @@ pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) {
         }
         y = filter::preset(&mut state.filter[k], &coeffs.filter[k], y, is_behind_bandpass(coeffs, k));
     }
+}
+
+/// largest |weight| (P-AXIS-00754/00755)
+#[portable]
+pub fn weight_limit<R: Real>() -> R {
+    R::lit(7.0)
+}
+
+/// Takes the numbers of another stage of the same structure over.
+#[portable]
+pub fn take<R: Real>(now: &mut Numbers<R>, structure: &Coeffs<R>, offered: &Numbers<R>) {
+    if structure.mode != Mode::Direct {
+        oscillation::take(&mut now.oscillation, &offered.oscillation);
+    }
+    for k in 0..FILTERS {
+        filter::take(&mut now.filter[k], &structure.filter[k], &offered.filter[k]);
+    }
+    now.gain = offered.gain;
+}
+
+/// Whether every number is one and in its range, and each section is stable.
+#[portable]
+pub fn is_sound<R: Real>(structure: &Coeffs<R>, offered: &Numbers<R>) -> bool {
+    let mut is_sound_so_far = in_range(offered.gain, weight_limit());
+    if structure.mode != Mode::Direct {
+        let is_section_sound = oscillation::is_sound(&offered.oscillation);
+        is_sound_so_far = is_sound_so_far && is_section_sound;
+    }
+    for k in 0..FILTERS {
+        let is_filter_sound = filter::is_sound(&structure.filter[k], &offered.filter[k]);
+        is_sound_so_far = is_sound_so_far && is_filter_sound;
+    }
+    is_sound_so_far
+}
+
+/// Adds the numbers to the check sums.
+#[portable]
+pub fn add_up<R: Real>(sums: &mut Sums<R>, place: &mut Place<R>, structure: &Coeffs<R>, offered: &Numbers<R>) {
+    if structure.mode != Mode::Direct {
+        oscillation::add_up(sums, place, &offered.oscillation);
+    }
+    for k in 0..FILTERS {
+        filter::add_up(sums, place, &structure.filter[k], &offered.filter[k]);
+    }
+    add(sums, place, offered.gain);
 }

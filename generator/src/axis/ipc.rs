@@ -18,6 +18,8 @@ pub struct Ipc {
     pub ride_through: u32,
     /// what the caller may tune; none: nothing
     pub tuning: Option<Tuning>,
+    /// whether all numbers come from parameter sets
+    pub takes_sets: bool,
     /// whether the loop is watched
     pub watch: bool,
     /// cycles between a command and the actual value that it caused (P-AXIS-00191), where they are given; nothing in a block is made of

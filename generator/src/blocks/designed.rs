@@ -5,6 +5,7 @@ use super::feedforward::design as feedforward;
 use super::ipc::{design as ipc, stage::StageDesign};
 use super::position_control::design as position_control;
 use super::spindle::design as spindle;
+use super::tunable_ipc;
 use crate::axis::Axis;
 use reference::ipc::STAGES;
 
@@ -15,6 +16,8 @@ pub struct Designed {
     /// the stages of improved position control; an inactive one is `None`
     pub(crate) stage: [Option<StageDesign>; STAGES],
     pub ipc: reference::ipc::Coeffs<f64>,
+    /// what its parameter sets are told by: their structure and this one's number; 0 where it takes none
+    pub sets: [u32; 2],
     /// all 0 where there is none
     pub feedforward: reference::feedforward::Coeffs<f64>,
     /// all 0 where there is none
@@ -36,6 +39,7 @@ impl From<Axis> for Designed {
         let feedforward = feedforward::coefficients(&axis);
         let position_control = position_control::coefficients(&axis);
         let spindle = spindle::coefficients(&axis);
-        Self { axis, stage, ipc, feedforward, position_control, spindle }
+        let sets = if axis.ipc.takes_sets { tunable_ipc::sets(&axis, &ipc) } else { [0; 2] };
+        Self { axis, stage, ipc, sets, feedforward, position_control, spindle }
     }
 }

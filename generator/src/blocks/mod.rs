@@ -16,6 +16,7 @@ mod kind;
 pub(crate) mod position_control;
 pub(crate) mod spindle;
 mod spindle_axis;
+pub mod tunable_ipc;
 mod values;
 
 pub use crate::trial::Drill;
@@ -29,8 +30,9 @@ use compiler::pass::Defect;
 use portable::Block as Reference;
 
 /// All blocks, in the order in which an axis needs them.
-pub(crate) const BLOCKS: [&dyn Kind; 6] = [
+pub(crate) const BLOCKS: [&dyn Kind; 7] = [
     &reference::ipc::Ipc,
+    &reference::tunable_ipc::TunableIpc,
     &reference::feedforward::Feedforward,
     &reference::position_control::PositionControl,
     &reference::spindle::Spindle,
@@ -53,8 +55,14 @@ pub fn names(axis: &Axis) -> Vec<&'static str> {
     of_axis(axis).map(Kind::name).collect()
 }
 
+/// The block of that name, with its own numbers.
 pub fn named(name: &str) -> Option<&'static dyn Kind> {
     BLOCKS.into_iter().find(|kind| kind.name() == name)
+}
+
+/// The block of that name that an axis has: with parameter sets `ipc` is another one.
+pub fn of_name(axis: &Axis, name: &str) -> Option<&'static dyn Kind> {
+    of_axis(axis).find(|kind| kind.name() == name)
 }
 
 /// The blocks of an axis, ready to be printed.

@@ -132,7 +132,8 @@ table! {
     Fade: AXIS_KEY("fade", kind: Kind::Duration { from: 0, to: 1_000_000_000_000 }, unit: "ns", default: &["0.1s"])
     /// bad samples in a row in whose place improved position control takes the last good one; 0: the first one is a fault
     RideThrough: AXIS_KEY("ride_through", kind: integer(0, 10), default: &["0"])
-    /// what the caller may tune while improved position control acts: nothing, or each stage's weight and the limit
+    /// what the caller may tune while improved position control acts: nothing; each stage's weight and the limit; or all numbers, which
+    /// come from parameter sets
     Tunable: AXIS_KEY("tunable", kind: Kind::Word(Tunable::WORDS), default: &["nothing"])
     /// start of the input tuning_limit: the part of the limit (P-AXIS-00757) that holds
     TuningLimit: AXIS_KEY("tuning_limit", kind: FRACTION, default: &["1"])

@@ -32,6 +32,8 @@ pub trait Block<R: Real> {
     const USUAL_FIRST: bool = false;
     /// The real inputs that are no samples of a signal but parts of something, from 0 to 1.
     const FRACTIONS: &'static [&'static str] = &[];
+    /// The struct among the inputs that is a parameter set: it stays until another one is offered.
+    const SET: Option<&'static str> = None;
     /// `init(state)`: before the first cycle.
     const INIT: Fn;
     /// `step(state, coeffs, inputs, outputs)`: one cycle.

@@ -1,6 +1,6 @@
 //! Operations that each target prints in its own way. They are called like any portable function.
 
-use crate::Real;
+use crate::{Literal, Portable, Real, Ty};
 
 /// Whether `x` is a number in range: `-limit <= x <= limit`. With a finite limit this is false for a NaN and for an
 /// infinity, neither of which need be named.
@@ -51,6 +51,50 @@ pub fn nearest<R: Real>(x: R) -> i32 {
 #[must_use]
 pub fn nearly_half<R: Real>() -> R {
     R::per_kind(0.499_999_999_999_999_94, 0.499_999_97)
+}
+
+/// The value `structure` with every scalar that `numbers` has, too, taken from there: what stands at the same path. It stands as an argument:
+/// `&with_numbers(&structure, &numbers)`. What `structure` alone says is known when a block is specialised, so that it decides branches; the
+/// numbers are read where they are.
+#[must_use]
+pub fn with_numbers<T: Portable, N: Portable>(structure: &T, numbers: &N) -> T {
+    let (mut fixed, mut other) = ([None; LARGEST], [None; LARGEST]);
+    scalars(structure, &mut fixed);
+    scalars(numbers, &mut other);
+    overlaid(&T::TY, &N::TY, &mut |at, from| fixed[at] = other[from]);
+    let mut leaves = fixed.into_iter().flatten();
+    T::build(&mut || leaves.next().expect("with_numbers: all scalars of the type"))
+}
+
+/// The most scalars that [`with_numbers`] takes: without the standard library there is no vector.
+const LARGEST: usize = 256;
+
+fn scalars<T: Portable>(value: &T, scalars: &mut [Option<Literal>; LARGEST]) {
+    let mut next = 0;
+    value.visit(&mut |leaf| {
+        scalars[next] = Some(leaf);
+        next += 1;
+    });
+}
+
+/// Tells of each scalar of a type that another type has at the same path, where it is in the one and in the other.
+pub fn overlaid(ty: &Ty, other: &Ty, tell: &mut dyn FnMut(usize, usize)) {
+    match (ty, other) {
+        (Ty::Struct { def }, Ty::Struct { def: of_other }) => {
+            for theirs in of_other.fields {
+                let same = def.fields.iter().find(|ours| ours.name == theirs.name);
+                let ours = same.expect("with_numbers: the structure has every field that the numbers have");
+                overlaid(&ours.ty, &theirs.ty, &mut |at, from| tell(ours.first + at, theirs.first + from));
+            }
+        }
+        (Ty::Array { element, len }, Ty::Array { element: of_other, .. }) => {
+            for index in 0..*len {
+                let (first, first_of_other) = (index * element.leaves(), index * of_other.leaves());
+                overlaid(element, of_other, &mut |at, from| tell(first + at, first_of_other + from));
+            }
+        }
+        _ => tell(0, 0),
+    }
 }
 
 macro_rules! intrinsic {

@@ -216,6 +216,13 @@ pub enum Argument {
         /// the place
         place: Place,
     },
+    /// `&with_numbers(&structure, &numbers)`: a struct, with everything that another one has, too, taken from there
+    Numbers {
+        /// the struct
+        structure: Place,
+        /// some of its scalars, at the same paths
+        numbers: Place,
+    },
 }
 
 /// A local or a parameter, or a part of one.

@@ -11,6 +11,7 @@
 //! DRYRUN or OFF. It falls to 0 at once with a fault, a reset and the loss of position control. Where the fade starts
 //! again the sections start from the steady state of the present input, so that nothing jumps.
 
+pub mod numbers;
 pub mod ride_through;
 mod signals;
 mod sources;

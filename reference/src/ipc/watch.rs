@@ -28,6 +28,14 @@ pub struct Coeffs<R> {
     pub quiet: R,
 }
 
+/// Its number that is no structure.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Numbers<R> {
+    /// growth counts from a block on that spans more than this: limit / 50, so that the begin of a move is no growth
+    pub quiet: R,
+}
+
 /// State.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]

@@ -15,9 +15,16 @@ pub struct Own {
 }
 
 impl Own {
-    /// Its real inputs.
+    /// Its inputs that are no parameter set, by their position among all.
+    pub fn signals(&self) -> Vec<usize> {
+        let places = self.program.inputs.iter().zip(&self.inputs);
+        places.filter(|(input, _)| self.program.in_set(input).is_none()).map(|(_, position)| *position).collect()
+    }
+
+    /// Its real inputs that are no parameter set.
     pub fn reals(&self) -> Vec<RealInput> {
-        let reals = self.program.inputs.iter().enumerate().filter(|(_, input)| input.ty == Type::Real);
+        let is_wanted = |input: &Variable| input.ty == Type::Real && self.program.in_set(input).is_none();
+        let reals = self.program.inputs.iter().enumerate().filter(|(_, input)| is_wanted(input));
         reals
             .map(|(own, input)| RealInput {
                 position: self.inputs[own],

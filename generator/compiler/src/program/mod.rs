@@ -25,6 +25,8 @@ pub struct Program {
     pub usual_first: bool,
     /// the names of real inputs that are parts of something, from 0 to 1
     pub fractions: &'static [&'static str],
+    /// the beginning of the paths of inputs that are a parameter set, which stays until another one is offered
+    pub set: Option<&'static str>,
     /// what [`Type::Real`] is
     pub real: RealKind,
     /// written by the caller
@@ -221,6 +223,11 @@ impl Program {
     pub fn is_fraction(&self, input: &Variable) -> bool {
         let name = input.path.split('[').next();
         self.fractions.iter().any(|fraction| name == Some(fraction))
+    }
+
+    /// The path of an input within the parameter set; `None`: it is no part of one.
+    pub fn in_set<'v>(&self, input: &'v Variable) -> Option<&'v str> {
+        input.path.strip_prefix(self.set?)?.strip_prefix('.')
     }
 
     /// Whether it asks for one of these operations.

@@ -4,7 +4,7 @@ use super::part::{Named, Part};
 use super::{Frame, Specialiser};
 use crate::arithmetic;
 use crate::program::{Expr, Statement};
-use portable::{Argument, Fn, Intrinsic, Literal, Mode};
+use portable::{Argument, Fn, Intrinsic, Literal, Mode, Place, overlaid};
 use std::rc::Rc;
 
 impl Specialiser<'_> {
@@ -28,6 +28,7 @@ impl Specialiser<'_> {
                     let is_changed = param.mode == Mode::Mutable && part.cell().is_none();
                     (part, if is_changed { self.path(place) } else { None })
                 }
+                Argument::Numbers { structure, numbers } => (self.with_numbers(structure, numbers), None),
                 Argument::Value { .. } => {
                     let value = self.value_argument(argument, function);
                     (self.bind(param.name, value), None)
@@ -69,6 +70,14 @@ impl Specialiser<'_> {
             }
             _ => Expr::Intrinsic(intrinsic, operands),
         }
+    }
+
+    /// A struct, with everything that another one has, too, taken from there.
+    fn with_numbers(&mut self, structure: &'static Place, numbers: &'static Place) -> Part {
+        let (structure, numbers) = (self.place(structure), self.place(numbers));
+        let mut cells = self.cells[structure.first..structure.first + structure.ty.leaves()].to_vec();
+        overlaid(&structure.ty, &numbers.ty, &mut |at, from| cells[at] = self.cells[numbers.first + from]);
+        self.enter(structure.ty, cells.into_iter())
     }
 
     fn value_argument(&mut self, argument: &'static Argument, function: &Fn) -> Expr {

@@ -11,7 +11,8 @@ use reference::ipc::Ipc;
 
 impl Part for Axis {
     fn is_asked_for(&self, axis: &crate::axis::Axis) -> bool {
-        axis.control.position_control.is_some() && axis.control.spindle.is_none()
+        // What takes parameter sets stands by itself.
+        axis.control.position_control.is_some() && axis.control.spindle.is_none() && !axis.ipc.takes_sets
     }
 
     fn short_name(&self) -> &'static str {

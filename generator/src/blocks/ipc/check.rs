@@ -19,7 +19,7 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option
     let v_max = v_max(e, real);
     let fade = e.duration(key(Name::Fade));
     let ride_through = e.integer(key(Name::RideThrough));
-    let tuning = tuning(e);
+    let tunable = tunable(e);
     let watch = watch(e);
     // Every stage is checked, so that all errors of all stages are told.
     let stages = [0, 1, 2].map(|i| stage(e, i, cycle_time));
@@ -28,6 +28,7 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option
     let [first, second, third] = stages;
     let fade = fade? as f64 / 1e9;
     let stage = [first?, second?, third?];
+    let (tuning, takes_sets) = tunable?;
     let (v_add_max_fact, v_max, ride_through) = (v_add_max_fact?, v_max?, ride_through?);
     let ipc = Ipc {
         enable: enable?,
@@ -35,7 +36,8 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option
         v_max,
         fade,
         ride_through,
-        tuning: tuning?,
+        tuning,
+        takes_sets,
         watch: watch?,
         delay_cycles,
         stage,
@@ -44,14 +46,17 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option
     Some(ipc)
 }
 
-/// What the caller may tune; outer none: an error, which has been said; inner none: nothing.
-fn tuning(e: &mut Effective<'_>) -> Option<Option<Tuning>> {
-    if e.word::<Tunable>(key(Name::Tunable))? == Tunable::Nothing {
-        return Some(None);
+/// The inputs that tune, and whether all numbers come from parameter sets; none: an error, which has been said.
+fn tunable(e: &mut Effective<'_>) -> Option<(Option<Tuning>, bool)> {
+    match e.word::<Tunable>(key(Name::Tunable))? {
+        Tunable::Nothing => Some((None, false)),
+        Tunable::All => Some((None, true)),
+        Tunable::Weights => {
+            let limit = e.real(key(Name::TuningLimit));
+            let [first, second, third] = [0, 1, 2].map(|i| e.real((Name::TuningWeight, [i, 0])));
+            Some((Some(Tuning { limit: limit?, weight: [first?, second?, third?] }), false))
+        }
     }
-    let limit = e.real(key(Name::TuningLimit));
-    let [first, second, third] = [0, 1, 2].map(|i| e.real((Name::TuningWeight, [i, 0])));
-    Some(Some(Tuning { limit: limit?, weight: [first?, second?, third?] }))
 }
 
 /// Whether the loop is watched. Only where it is, the digest of the parameters covers the key: other blocks stay what they were.

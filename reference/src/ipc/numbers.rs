@@ -1,0 +1,116 @@
+//! The numbers of a parameter set, taken over, judged and added up: those that the stages of a structure use, and the limits.
+#![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
+
+use super::signals::STAGES;
+use super::{Coeffs, watch};
+use crate::check_sum::{Place, Sums, add, limit_scale};
+use crate::signal::sample_limit;
+use crate::stage;
+use portable::{Real, in_range, portable};
+
+/// The numbers of the set in use.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Numbers<R> {
+    /// largest |v_add|
+    pub limit: R,
+    /// -limit
+    pub lower_limit: R,
+    /// largest magnitude of a sum of stages that is not a fault
+    pub sum_limit: R,
+    /// the watch over the loop
+    pub watch: watch::Numbers<R>,
+    /// the stages
+    pub stage: [stage::Numbers<R>; STAGES],
+}
+
+/// A parameter set: every number of a structure, with what it is checked by.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Params<R> {
+    /// the structure that the set is for: stages, modes, filters, real type, cycle time, fade
+    pub structure: u32,
+    /// the number of the set, not 0: another number than that of the set in use offers this set
+    pub set: u32,
+    /// what the block forms anew from the numbers
+    pub check: Sums<R>,
+    /// largest |v_add|; not above the one that the block was generated with
+    pub limit: R,
+    /// -limit
+    pub lower_limit: R,
+    /// largest magnitude of a sum of stages that is not a fault
+    pub sum_limit: R,
+    /// the watch over the loop
+    pub watch: watch::Numbers<R>,
+    /// the stages
+    pub stage: [stage::Numbers<R>; STAGES],
+}
+
+/// Takes the numbers over.
+#[portable]
+pub fn take<R: Real>(now: &mut Numbers<R>, structure: &Coeffs<R>, offered: &Params<R>) {
+    now.limit = offered.limit;
+    now.lower_limit = offered.lower_limit;
+    now.sum_limit = offered.sum_limit;
+    if structure.watch.active {
+        now.watch.quiet = offered.watch.quiet;
+    }
+    for i in 0..STAGES {
+        if structure.stage[i].mode != stage::Mode::NotActive {
+            stage::take(&mut now.stage[i], &structure.stage[i], &offered.stage[i]);
+        }
+    }
+}
+
+/// Whether every number is one, each section is stable, and the limit is not above the one of `structure`.
+#[portable]
+pub fn are_sound<R: Real>(structure: &Coeffs<R>, offered: &Params<R>) -> bool {
+    let mut are_sound_so_far = are_limits_sound(structure, offered);
+    for i in 0..STAGES {
+        if structure.stage[i].mode != stage::Mode::NotActive {
+            let is_stage_sound = stage::is_sound(&structure.stage[i], &offered.stage[i]);
+            are_sound_so_far = are_sound_so_far && is_stage_sound;
+        }
+    }
+    are_sound_so_far
+}
+
+/// Whether 0 <= limit <= the limit of `structure`, lower_limit = -limit and sum_limit >= limit.
+#[portable]
+pub fn are_limits_sound<R: Real>(structure: &Coeffs<R>, offered: &Params<R>) -> bool {
+    let mut are_sound_so_far = false;
+    if in_range(offered.limit, structure.limit)
+        && in_range(offered.lower_limit, structure.limit)
+        && in_range(offered.sum_limit, largest_sum_limit())
+    {
+        are_sound_so_far = offered.limit >= R::ZERO
+            && in_range(offered.lower_limit + offered.limit, R::ZERO)
+            && offered.sum_limit >= offered.limit;
+    }
+    if structure.watch.active {
+        are_sound_so_far = are_sound_so_far && in_range(offered.watch.quiet, sample_limit());
+    }
+    are_sound_so_far
+}
+
+/// largest sum_limit of a parameter set
+#[portable]
+pub fn largest_sum_limit<R: Real>() -> R {
+    R::per_kind(1.0e18, 1.0e18)
+}
+
+/// Adds all numbers to the check sums.
+#[portable]
+pub fn add_up<R: Real>(sums: &mut Sums<R>, place: &mut Place<R>, structure: &Coeffs<R>, offered: &Params<R>) {
+    add(sums, place, offered.limit * limit_scale());
+    add(sums, place, offered.lower_limit * limit_scale());
+    add(sums, place, offered.sum_limit * limit_scale());
+    if structure.watch.active {
+        add(sums, place, offered.watch.quiet * limit_scale());
+    }
+    for i in 0..STAGES {
+        if structure.stage[i].mode != stage::Mode::NotActive {
+            stage::add_up(sums, place, &structure.stage[i], &offered.stage[i]);
+        }
+    }
+}

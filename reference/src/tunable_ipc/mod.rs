@@ -1,0 +1,237 @@
+//! Improved position control whose numbers come from parameter sets: the block `ipc` of an axis with `tunable = "all"`.
+//!
+//! The cycle is that of [`crate::ipc`]; its structure (stages, modes, filters, cycle time) is known, its numbers are those of the set in
+//! use, which the state keeps. An offered set, which is one with another number, is taken over through the fade:
+//!
+//! ```text
+//! offered         checked; refused: its id is told, and the set in use goes on
+//! fade out        as in DRYRUN
+//! fade at 0       checked again, taken over, all within one cycle; the sections start from the steady state of the present input
+//! fade in         as mode says
+//! ```
+//!
+//! A refused set is looked at again after fade_cycles cycles: what another task was just writing is whole by then. Before the first set
+//! is taken over nothing is added, and a refused one is a fault.
+
+#![expect(clippy::field_reassign_with_default, reason = "portable Rust makes a struct by its default alone")]
+
+mod signals;
+
+pub use signals::{Inputs, Outputs};
+
+use crate::check_sum::{Place, Sums, add, are_same};
+use crate::ipc::numbers::{self, Numbers, Params};
+use crate::ipc::{self, watch};
+use crate::{filter, stage};
+use crate::signal::{error_none, error_set_damaged, error_set_structure, error_set_unsound};
+use portable::{Block, Enable, Fn, Real, from_u32, portable, with_numbers};
+
+/// Coefficients.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Coeffs<R> {
+    /// the structure: a parameter set for another one is refused
+    pub structure: u32,
+    /// the number of the set that the block was generated with
+    pub set: u32,
+    /// the block whose numbers come from sets, with its own
+    pub ipc: ipc::Coeffs<R>,
+}
+
+/// State.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct State<R> {
+    /// the number of the set in use; 0: there is none
+    pub set: u32,
+    /// whether the block fades out for a set, or has none
+    pub withdrawn: bool,
+    /// cycles until a refused set is looked at again
+    pub wait: u32,
+    /// why the last set was refused
+    pub refused: u32,
+    /// the numbers of the set in use
+    pub now: Numbers<R>,
+    /// the cycle
+    pub ipc: ipc::State<R>,
+}
+
+/// Adds an integer to the check sums, in two halves: they are exact in every real type.
+#[portable]
+pub fn add_integer<R: Real>(sums: &mut Sums<R>, place: &mut Place<R>, integer: u32) {
+    let low = from_u32::<R>(integer % 65_536u32);
+    let high = from_u32::<R>(integer / 65_536u32);
+    add(sums, place, low);
+    add(sums, place, high);
+}
+
+/// The check sums of a set.
+#[portable]
+pub fn add_up<R: Real>(sums: &mut Sums<R>, structure: &ipc::Coeffs<R>, params: &Params<R>) {
+    let mut place = Place::<R>::default();
+    numbers::add_up(sums, &mut place, structure, params);
+    add_integer(sums, &mut place, params.structure);
+    add_integer(sums, &mut place, params.set);
+}
+
+/// Why a set must not be taken over; none: it may be.
+#[portable]
+pub fn error_of<R: Real>(coeffs: &Coeffs<R>, params: &Params<R>) -> u32 {
+    let mut error = error_set_structure();
+    if params.structure == coeffs.structure && params.set != 0u32 {
+        error = error_set_unsound();
+        let are_sound = numbers::are_sound(&coeffs.ipc, params);
+        if are_sound {
+            let mut formed = Sums::<R>::default();
+            add_up(&mut formed, &coeffs.ipc, params);
+            error = if are_same(&params.check, &formed) { error_none() } else { error_set_damaged() };
+        }
+    }
+    error
+}
+
+/// Whether the fade is on its way to 0, because of a set or of the watch.
+#[portable]
+pub fn is_leaving<R: Real>(coeffs: &Coeffs<R>, fade: u32, withdrawn: bool, tripped: bool) -> bool {
+    fade > 0u32 && (withdrawn || coeffs.ipc.watch.active && tripped)
+}
+
+/// A set is offered. Gives why it is refused; none: it is not.
+#[portable]
+pub fn offer<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Params<R>) -> u32 {
+    let mut refused = error_none();
+    if params.set == state.set && state.set != 0u32 {
+        state.withdrawn = false;
+    } else if state.wait > 0u32 {
+        state.wait -= 1u32;
+        refused = state.refused;
+    } else if !is_leaving(coeffs, state.ipc.fade, state.withdrawn, state.ipc.watch.tripped) {
+        refused = error_of(coeffs, params);
+        if refused != error_none() {
+            state.refused = refused;
+            state.wait = coeffs.ipc.fade_cycles;
+            state.withdrawn = state.set == 0u32;
+        } else if state.ipc.fade == 0u32 {
+            numbers::take(&mut state.now, &coeffs.ipc, params);
+            state.set = params.set;
+            state.withdrawn = false;
+            state.ipc.preset = false;
+        } else {
+            state.withdrawn = true;
+        }
+    }
+    refused
+}
+
+/// Before the first cycle: no set was taken over.
+#[portable]
+pub fn init<R: Real>(state: &mut State<R>) {
+    state.set = 0u32;
+    state.withdrawn = true;
+    state.wait = 0u32;
+    ipc::init(&mut state.ipc);
+}
+
+/// One cycle.
+#[portable]
+pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    let mut mode = inputs.mode;
+    let mut refused = error_none();
+    // Mostly the set in use is the one that is offered.
+    if inputs.params.set != state.set || state.withdrawn {
+        refused = offer(state, coeffs, &inputs.params);
+        if state.withdrawn && mode == ipc::mode_on() {
+            mode = ipc::mode_dryrun();
+        }
+    }
+    let mut ipc_inputs = ipc::Inputs::<R>::default();
+    ipc_inputs.v_command = inputs.v_command;
+    ipc_inputs.v_motor = inputs.v_motor;
+    ipc_inputs.v_direct = inputs.v_direct;
+    ipc_inputs.mode = mode;
+    ipc_inputs.position_controlled = inputs.position_controlled;
+    ipc_inputs.reset = inputs.reset;
+    ipc_inputs.task_cycle_ns = inputs.task_cycle_ns;
+    let mut ipc_outputs = ipc::Outputs::<R>::default();
+    ipc::step(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.now), &ipc_inputs, &mut ipc_outputs);
+    outputs.v_add = ipc_outputs.v_add;
+    outputs.v_add_calculated = ipc_outputs.v_add_calculated;
+    outputs.limited = ipc_outputs.limited;
+    outputs.held = ipc_outputs.held;
+    outputs.tripped = ipc_outputs.tripped;
+    outputs.fault = ipc_outputs.fault;
+    outputs.error_id = ipc_outputs.error_id;
+    if refused != error_none() && !ipc_outputs.fault {
+        outputs.fault = state.set == 0u32;
+        outputs.error_id = refused;
+    }
+    outputs.active_set = state.set;
+}
+
+/// The set that the numbers of a block make.
+pub fn params<R: Real>(coeffs: &Coeffs<R>) -> Params<R> {
+    let Coeffs { structure, set, ipc } = coeffs;
+    let of_filter = |filter: &filter::Coeffs<R>| filter::Numbers { bandpass: filter.bandpass, allpass: filter.allpass };
+    let of_stage = |stage: &stage::Coeffs<R>| stage::Numbers {
+        oscillation: stage.oscillation,
+        filter: stage.filter.each_ref().map(of_filter),
+        gain: stage.gain,
+    };
+    let mut params = Params {
+        structure: *structure,
+        set: *set,
+        check: Sums::default(),
+        limit: ipc.limit,
+        lower_limit: ipc.lower_limit,
+        sum_limit: ipc.sum_limit,
+        watch: watch::Numbers { quiet: ipc.watch.quiet },
+        stage: ipc.stage.each_ref().map(of_stage),
+    };
+    let mut check = Sums::default();
+    add_up(&mut check, ipc, &params);
+    params.check = check;
+    params
+}
+
+/// The block.
+#[derive(Clone, Copy, Debug)]
+pub struct TunableIpc;
+
+impl<R: Real> Block<R> for TunableIpc {
+    type Coeffs = Coeffs<R>;
+    type State = State<R>;
+    type Inputs = Inputs<R>;
+    type Outputs = Outputs<R>;
+
+    const NAME: &'static str = <ipc::Ipc as Block<R>>::NAME;
+    const ENABLE: Option<Enable> =
+        Some(Enable { input: "mode", mode: Some((&ipc::mode_off::Ir::<R>::IR, "ipc.preset")) });
+    const SET: Option<&'static str> = Some("params");
+    const INIT: Fn = init::Ir::<R>::IR;
+    const STEP: Fn = step::Ir::<R>::IR;
+
+    fn state() -> State<R> {
+        State::default()
+    }
+
+    fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {
+        Inputs {
+            mode: coeffs.ipc.enable,
+            position_controlled: true,
+            params: params(coeffs),
+            ..Inputs::default()
+        }
+    }
+
+    fn exercise(inputs: &mut Inputs<R>, _: &Coeffs<R>) {
+        inputs.mode = ipc::mode_on();
+    }
+
+    fn outputs() -> Outputs<R> {
+        Outputs::default()
+    }
+
+    fn step(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+        step(state, coeffs, inputs, outputs);
+    }
+}

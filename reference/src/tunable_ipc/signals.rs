@@ -1,0 +1,48 @@
+//! What goes into the block `ipc` whose numbers come from parameter sets, and what comes out. Nothing is computed here.
+
+use crate::ipc::numbers::Params;
+use portable::portable;
+
+/// Inputs. Velocities are in um/s for a translatory axis, in 0.001 deg/s for a rotary axis or a spindle.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Inputs<R> {
+    /// output of the position controller with feedforward, before v_add is added [um/s or 0.001 deg/s]; input of SET_POINT (P-AXIS-00753)
+    pub v_command: R,
+    /// velocity of the motor encoder, v_ist1 [um/s or 0.001 deg/s]; input of DIRECT and INDIRECT (P-AXIS-00753)
+    pub v_motor: R,
+    /// velocity of the direct measuring system, v_ist2 [um/s or 0.001 deg/s]; input of DIRECT (P-AXIS-00753) by the key direct_source
+    pub v_direct: R,
+    /// 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758)
+    pub mode: i32,
+    /// FALSE: the axis is not in position control, the output is 0 at once
+    pub position_controlled: bool,
+    /// while TRUE the output is 0 and the states follow the input
+    pub reset: bool,
+    /// the caller's cycle [ns], 0: unchecked; another value than designed for is a fault
+    pub task_cycle_ns: u32,
+    /// the parameter set
+    pub params: Params<R>,
+}
+
+/// Outputs.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Outputs<R> {
+    /// velocity to add to the manipulated variable [um/s or 0.001 deg/s]
+    pub v_add: R,
+    /// the same after the limit (P-AXIS-00757) and before the fade; 0 in OFF [um/s or 0.001 deg/s]
+    pub v_add_calculated: R,
+    /// the limit of the parameter set acts in this cycle
+    pub limited: bool,
+    /// a sample is bad, the last good one stands in its place (key ride_through)
+    pub held: bool,
+    /// the loop was found unstable: v_add fades out and stays 0 until mode is not ON, or reset (key watch)
+    pub tripped: bool,
+    /// the block cannot act in this cycle, the id says why
+    pub fault: bool,
+    /// 0 none
+    pub error_id: u32,
+    /// the number of the parameter set in use; 0: none was taken over
+    pub active_set: u32,
+}
