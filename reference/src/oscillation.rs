@@ -119,7 +119,10 @@ pub fn take<R: Real>(coeffs: &mut Coeffs<R>, offered: &Coeffs<R>) {
 pub fn is_sound<R: Real>(coeffs: &Coeffs<R>) -> bool {
     if is_driven_by_change::<R>() {
         let mut is_sound = false;
-        if in_range(coeffs.h, sample_limit()) && in_range(coeffs.r, sample_limit()) && in_range(coeffs.g, sample_limit()) {
+        if in_range(coeffs.h, sample_limit())
+            && in_range(coeffs.r, sample_limit())
+            && in_range(coeffs.g, sample_limit())
+        {
             is_sound = is_stable_trapezoidal(coeffs.g * coeffs.h, coeffs.g * coeffs.r, coeffs.g2);
         }
         is_sound

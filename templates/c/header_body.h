@@ -43,6 +43,18 @@ enum {
 {%- endfor %}
 };
 {% endfor %}
+{%- if !block.set.is_empty() %}
+/* A parameter set: what `axgen params-of` writes, and what the block checks before it takes it over. Its contents stay as they are while
+ * step may look at them: in ROM, or in memory that another task writes before it hands the pointer over. */
+typedef struct {
+{%- for member in block.set %}
+{%- include "c/member.h" %}
+{%- endfor %}
+} {{ block.prefix }}_params;
+
+/* The set that the block was generated with. */
+extern const {{ block.prefix }}_params {{ block.prefix }}_designed;
+{% endif %}
 /* Written by the caller. {{ block.prefix }}_inputs_init fills in what is said to be the start. */
 typedef struct {
 {%- for member in block.inputs %}
@@ -54,6 +66,9 @@ typedef struct {
     {{ member.ty }} {{ member.name }}; /* {{ member.doc }}; start {{ member.value }} */
 {%- endmatch %}
 {%- endfor %}
+{%- if !block.set.is_empty() %}
+    const {{ block.prefix }}_params *params; /* the parameter set, never NULL; start &{{ block.prefix }}_designed */
+{%- endif %}
 } {{ block.prefix }}_inputs;
 
 /* Written by {{ block.prefix }}_step. */

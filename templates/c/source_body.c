@@ -28,6 +28,13 @@ static int32_t {{ block.prefix }}_nearest({{ real }} value)
 {%- endif %}
 {% let (margin, next_line, constants) = ("", "\n * ", &block.shared) -%}
 {% include "c/constants.c" %}
+{%- if !block.set.is_empty() %}
+const {{ block.prefix }}_params {{ block.prefix }}_designed = {
+{%- for member in block.set %}
+    {{ member.value }}{% if !loop.last %},{% endif %} /* {{ member.name }} */
+{%- endfor %}
+};
+{% endif %}
 void {{ block.prefix }}_init({{ block.prefix }}_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
@@ -42,6 +49,9 @@ void {{ block.prefix }}_inputs_init({{ block.prefix }}_inputs *inputs)
 {%- for member in block.inputs %}
     inputs->{{ member.name }} = {{ member.value }};
 {%- endfor %}
+{%- if !block.set.is_empty() %}
+    inputs->params = &{{ block.prefix }}_designed;
+{%- endif %}
 }
 
 {% if !block.any_cycle.is_empty() -%}

@@ -12,6 +12,18 @@
 // {{ certificate }}
 
 {% endif -%}
+{% if !set.is_empty() -%}
+/// A parameter set: what `axgen params-of` writes, and what the block checks before it takes it over.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(rustdoc::broken_intra_doc_links)] // in brackets stand units
+pub struct Params {
+{%- for member in set %}
+    /// {{ member.lines("\n    /// ") }}
+    pub {{ member.name }}: {{ member.ty }},
+{%- endfor %}
+}
+
+{% endif -%}
 /// Written by the caller.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(rustdoc::broken_intra_doc_links)] // in brackets stand units

@@ -1,7 +1,7 @@
 //! The block `ipc` of an axis whose numbers come from parameter sets: what such a set is told by, and the block, which does what `ipc` does.
 
 use super::ipc::notes::note;
-use super::{Certified, Part, Summary};
+use super::{Certified, Kind, Part, Summary};
 use crate::axis::Axis;
 use crate::blocks::designed::Designed;
 use crate::design::rounding::rounded;
@@ -29,7 +29,10 @@ impl Part for TunableIpc {
     fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
         let [structure, set] = designed.sets;
         let own = [
-            note("structure", format!("parameter sets for the structure {structure} = 16#{structure:08X} are taken over")),
+            note(
+                "structure",
+                format!("parameter sets for the structure {structure} = 16#{structure:08X} are taken over"),
+            ),
             note("set", format!("the set that the block was generated with has the number {set} = 16#{set:08X}")),
         ];
         let of_ipc = Ipc.notes(designed).into_iter().map(|(path, text)| (format!("ipc.{path}"), text));
@@ -55,8 +58,13 @@ impl Part for TunableIpc {
         Ipc.verdict(designed)
     }
 
-    fn certificate(&self, designed: &Designed, program: &Program) -> Certified {
-        Ipc.certificate(designed, program)
+    /// That of the block with constants, whose program does the same with the set that the block was generated with.
+    fn certificate(&self, designed: &Designed, _: &Program) -> Certified {
+        let program = Kind::program(&Ipc, designed, Some("verified"))
+            .expect("tunable_ipc: the block with constants has no defect");
+        let mut certified = Ipc.certificate(designed, &program);
+        certified.lines.insert(0, "Of the parameter set that the block was generated with:".to_owned());
+        certified
     }
 }
 

@@ -54,8 +54,20 @@ pub(super) struct Outline<'l> {
 }
 
 impl Outline<'_> {
+    /// The inputs but for the parameter set, which is the last one.
     pub(super) fn inputs(&self) -> Vec<Member> {
-        self.members(&self.block.program.inputs, &self.printer.names().inputs)
+        self.inputs_where(&|input| self.block.program.in_set(input).is_none())
+    }
+
+    /// The parts of the parameter set; none: the block takes no sets.
+    pub(super) fn set(&self) -> Vec<Member> {
+        self.inputs_where(&|input| self.block.program.in_set(input).is_some())
+    }
+
+    fn inputs_where(&self, is_wanted: &dyn Fn(&Variable) -> bool) -> Vec<Member> {
+        let inputs = &self.block.program.inputs;
+        let members = self.members(inputs, &self.printer.names().inputs);
+        members.into_iter().zip(inputs).filter(|(_, input)| is_wanted(input)).map(|(member, _)| member).collect()
     }
 
     /// The outputs; the id of a fault says which there are.

@@ -19,6 +19,8 @@ struct RustFile<'a> {
     real: &'a str,
     bits: usize,
     inputs: Vec<Member>,
+    /// the parameter set, if it takes one
+    set: Vec<Member>,
     outputs: Vec<Member>,
     state: Vec<Member>,
     constants: Vec<Group>,
@@ -43,12 +45,15 @@ struct RustFile<'a> {
 
 impl RustFile<'_> {
     /// Each struct with what its start is, and its members.
-    fn starts(&self) -> [(&str, &str, &[Member]); 3] {
-        [
+    fn starts(&self) -> Vec<(&str, &str, &[Member])> {
+        let set = ("Params", "The set that the block was generated with.", self.set.as_slice());
+        let all = [
+            set,
             ("Inputs", "Every input with the value that it has until the caller writes it.", &self.inputs),
             ("Outputs", "The outputs before the first cycle.", &self.outputs),
             ("State", "The state before the first cycle.", &self.state),
-        ]
+        ];
+        all.into_iter().filter(|(name, _, members)| *name != "Params" || !members.is_empty()).collect()
     }
 }
 
@@ -63,6 +68,15 @@ pub(super) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
         RealKind::F64 => (64, Literal::F64(portable::nearly_half())),
         RealKind::F32 => (32, Literal::F32(portable::nearly_half())),
     };
+    let (mut inputs, set) = (outline.inputs(), outline.set());
+    if !set.is_empty() {
+        inputs.push(Member {
+            ty: "Params".into(),
+            name: "params".to_owned(),
+            doc: "the parameter set".to_owned(),
+            value: "Params::new()".to_owned(),
+        });
+    }
     let state = outline.state().into_iter().zip(starts(program, &names.constants));
     let state = state.map(|(member, value)| Member { value, ..member }).collect();
     let watched = |of: &'static str, variables: &[Variable], names: &[String]| -> Vec<String> {
@@ -79,7 +93,8 @@ pub(super) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
         block: program.block,
         real: LANGUAGE.ty(Type::Real, axis.real),
         bits,
-        inputs: outline.inputs(),
+        inputs,
+        set,
         outputs: outline.outputs(),
         state,
         constants: outline.groups(Appearance::Declared),

@@ -62,7 +62,13 @@ impl Harness {
 fn layout(stem: &str, block: &Block) -> String {
     let program = &block.own.program;
     let real = program.real;
-    let [inputs, outputs] = signals(program, &LANGUAGE);
+    let [mut inputs, outputs] = signals(program, &LANGUAGE);
+    // The parameter set is a struct of the harness, to which the inputs point.
+    for (name, input) in inputs.iter_mut().zip(&program.inputs) {
+        if program.in_set(input).is_none() {
+            name.insert_str(0, "inputs.");
+        }
+    }
     let access = |verb: &str, variables: &[Variable], names: &[String]| {
         variables.iter().zip(names).fold(String::new(), |mut text, (variable, name)| {
             let written = match variable.ty {
@@ -75,10 +81,11 @@ fn layout(stem: &str, block: &Block) -> String {
     };
     format!(
         "#include \"{stem}.h\"\n#define BLOCK(name) {stem}_##name\n#define IN_FRAME {}\n#define OUT_FRAME {}\n\
-         #define GET_INPUTS{}\n#define PUT_OUTPUTS{}\n",
+         #define GET_INPUTS{}\n#define PUT_OUTPUTS{}\n{}",
         process::frame(&program.inputs, real),
         process::frame(&program.outputs, real),
         access("GET", &program.inputs, &inputs),
         access("PUT", &program.outputs, &outputs),
+        if program.has_set() { "#define HAS_SET\n" } else { "" },
     )
 }

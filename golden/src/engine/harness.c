@@ -8,10 +8,10 @@
         union { type value; unsigned char bytes[sizeof(type)]; } view; \
         size_t i; \
         for (i = 0; i < sizeof(type); i++) view.bytes[i] = in[at + i]; \
-        inputs.member = view.value; \
+        member = view.value; \
         at += sizeof(type); \
     }
-#define GET_BOOL(member) inputs.member = in[at++] != 0;
+#define GET_BOOL(member) member = in[at++] != 0;
 #define PUT(type, member) \
     { \
         union { type value; unsigned char bytes[sizeof(type)]; } view; \
@@ -27,6 +27,9 @@ int main(void)
     static BLOCK(state) state;
     static BLOCK(inputs) inputs;
     static BLOCK(outputs) outputs;
+#ifdef HAS_SET
+    static BLOCK(params) params;
+#endif
     unsigned char in[IN_FRAME], out[OUT_FRAME];
     uint32_t differs = BLOCK(self_test)();
     if (differs != 0u) {
@@ -35,6 +38,9 @@ int main(void)
     }
     BLOCK(init)(&state);
     BLOCK(inputs_init)(&inputs);
+#ifdef HAS_SET
+    inputs.params = &params;
+#endif
     while (fread(in, 1, IN_FRAME, stdin) == IN_FRAME) {
         size_t at = 0;
         GET_INPUTS

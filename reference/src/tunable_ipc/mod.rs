@@ -22,8 +22,8 @@ pub use signals::{Inputs, Outputs};
 use crate::check_sum::{Place, Sums, add, are_same};
 use crate::ipc::numbers::{self, Numbers, Params};
 use crate::ipc::{self, watch};
-use crate::{filter, stage};
 use crate::signal::{error_none, error_set_damaged, error_set_structure, error_set_unsound};
+use crate::{filter, stage};
 use portable::{Block, Enable, Fn, Real, from_u32, portable, with_numbers};
 
 /// Coefficients.
@@ -215,12 +215,7 @@ impl<R: Real> Block<R> for TunableIpc {
     }
 
     fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {
-        Inputs {
-            mode: coeffs.ipc.enable,
-            position_controlled: true,
-            params: params(coeffs),
-            ..Inputs::default()
-        }
+        Inputs { mode: coeffs.ipc.enable, position_controlled: true, params: params(coeffs), ..Inputs::default() }
     }
 
     fn exercise(inputs: &mut Inputs<R>, _: &Coeffs<R>) {

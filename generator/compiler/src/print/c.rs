@@ -24,6 +24,7 @@ pub static LANGUAGE: Language = Language {
     form,
     appearances,
     before: ["inputs->", "outputs->", "state->", "", ""],
+    inside: "->",
     has_structs: true,
     has_capitals: false,
     locals: Some(["const {1} {0}", "{1} {0};"]),

@@ -44,6 +44,8 @@ pub struct Language {
     pub(super) appearances: fn(&Program) -> Vec<Appearance>,
     /// what stands before the name of an input, an output, a state, a constant and a local in a statement
     pub(super) before: [&'static str; 5],
+    /// between the name of a parameter set and that of its part
+    pub(super) inside: &'static str,
     /// whether inputs, outputs and state are three structs, each with names of its own, instead of one scope
     pub(super) has_structs: bool,
     /// whether the names of constants are in capitals

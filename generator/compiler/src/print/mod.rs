@@ -45,10 +45,32 @@ pub struct Printer<'p> {
 /// A text for each variable of a program.
 pub type Scope = Table<String>;
 
-/// The names of the inputs and of the outputs of a program.
+/// What a caller writes for the inputs and for the outputs of a program.
 pub fn signals(program: &Program, language: &Language) -> [Vec<String>; 2] {
     let mut names = Names::new(language);
-    [&program.inputs, &program.outputs].map(|variables| members(variables, language, &mut names))
+    let mut inputs = inputs(program, language, &mut names);
+    for (name, variable) in inputs.iter_mut().zip(&program.inputs) {
+        if let (Some(_), Some(set)) = (program.in_set(variable), program.set) {
+            *name = format!("{set}.{name}");
+        }
+    }
+    [inputs, members(&program.outputs, language, &mut names)]
+}
+
+/// The names of the inputs. A parameter set is one input, with names of its own inside.
+fn inputs(program: &Program, language: &Language, names: &mut Names) -> Vec<String> {
+    let is_outside = |input: &&Variable| program.in_set(input).is_none();
+    let outside: Vec<Variable> = program.inputs.iter().filter(is_outside).cloned().collect();
+    let mut outside = members(&outside, language, names).into_iter();
+    if program.has_set() && !language.has_structs {
+        program.set.map(|set| names.take(set));
+    }
+    let mut inside = Names::new(language);
+    let name = |input| match program.in_set(input) {
+        Some(path) => inside.take(path),
+        None => outside.next().expect("print: each input has its name"),
+    };
+    program.inputs.iter().map(name).collect()
 }
 
 /// The names of variables that the caller sees: in one scope with all others, or in a struct.
@@ -76,13 +98,18 @@ impl<'p> Printer<'p> {
             if is_capital { name.to_ascii_uppercase() } else { name }
         };
         let names = Scope {
-            inputs: members(&program.inputs, language, &mut names),
+            inputs: inputs(program, language, &mut names),
             outputs: members(&program.outputs, language, &mut names),
             state: members(&program.state, language, &mut names),
             constants: program.constants.iter().zip(&appearances).map(|it| constant(it, &mut names)).collect(),
             locals: program.locals.iter().map(|local| names.take(&local.path)).collect(),
         };
         let mut texts = names.clone();
+        for (text, variable) in texts.inputs.iter_mut().zip(&program.inputs) {
+            if let (Some(_), Some(set)) = (program.in_set(variable), program.set) {
+                *text = format!("{set}{}{text}", language.inside);
+            }
+        }
         let Scope { inputs, outputs, state, constants, locals } = &mut texts;
         for (before, list) in language.before.into_iter().zip([inputs, outputs, state, constants, locals]) {
             list.iter_mut().for_each(|name| name.insert_str(0, before));

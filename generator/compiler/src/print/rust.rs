@@ -25,6 +25,7 @@ pub static LANGUAGE: Language = Language {
     form,
     appearances: |program| vec![Appearance::Declared; program.constants.len()],
     before: ["inputs.", "outputs.", "state.", "", ""],
+    inside: ".",
     has_structs: true,
     // A `let` of a name that a constant has would be a pattern and no new name.
     has_capitals: true,

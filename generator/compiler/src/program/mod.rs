@@ -230,6 +230,11 @@ impl Program {
         input.path.strip_prefix(self.set?)?.strip_prefix('.')
     }
 
+    /// Whether it has a parameter set.
+    pub fn has_set(&self) -> bool {
+        self.inputs.iter().any(|input| self.in_set(input).is_some())
+    }
+
     /// Whether it asks for one of these operations.
     pub fn asks_for(&self, wanted: &[Intrinsic]) -> bool {
         let mut found = false;

@@ -76,6 +76,8 @@ struct CBlock {
     /// what the names that its caller sees begin with
     prefix: String,
     inputs: Vec<Member>,
+    /// the parameter set, if it takes one
+    set: Vec<Member>,
     outputs: Vec<Member>,
     state: Vec<Member>,
     /// the constants that both functions of a cycle read
@@ -153,6 +155,7 @@ fn listed(outline: &Outline<'_>, prefix: &str) -> CBlock {
     CBlock {
         prefix: prefix.to_owned(),
         inputs: outline.inputs(),
+        set: outline.set(),
         outputs: outline.outputs(),
         state: outline.state(),
         shared: outline.groups(Appearance::Shared),

@@ -122,7 +122,10 @@ fn numbers(call: &syn::ExprCall, is_mutable: bool, scope: &mut Scope, rejections
         }
         _ => {
             drop(arguments);
-            rejections.push(call, "the value of a call is not borrowed; write a place, or `&with_numbers(&structure, &numbers)`");
+            rejections.push(
+                call,
+                "the value of a call is not borrowed; write a place, or `&with_numbers(&structure, &numbers)`",
+            );
             quote!(::portable::Argument::Borrow { place: ::portable::Place { root: "", projections: &[] } })
         }
     }

@@ -24,6 +24,7 @@ pub static PLAIN: Language = Language {
     form,
     appearances: among_statements,
     before: [""; 5],
+    inside: ".",
     has_structs: false,
     has_capitals: false,
     locals: None,
