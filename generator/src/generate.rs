@@ -46,7 +46,12 @@ fn parameters_digest(axis: &Axis, block: &str) -> String {
 
 /// What a shared file may know of the axes.
 pub fn units<'s>(set: &'s Set) -> Vec<Unit<'s>> {
-    let unit = |of: &'s Designed| Unit { axis: &of.axis.name, real: of.axis.real, blocks: blocks::names(&of.axis) };
+    let unit = |of: &'s Designed| Unit {
+        axis: &of.axis.name,
+        real: of.axis.real,
+        blocks: blocks::names(&of.axis),
+        takes_sets: of.axis.ipc.takes_sets.then_some(blocks::IPC),
+    };
     set.axes.iter().map(unit).collect()
 }
 

@@ -22,8 +22,8 @@ impl Part for TunableIpc {
     }
 
     fn design(designed: &Designed) -> Coeffs<f64> {
-        let [structure, set] = designed.sets;
-        Coeffs { structure, set, ipc: designed.ipc }
+        let [structure, set_id] = designed.sets;
+        Coeffs { structure, set_id, ipc: designed.ipc }
     }
 
     fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
@@ -33,7 +33,7 @@ impl Part for TunableIpc {
                 "structure",
                 format!("parameter sets for the structure {structure} = 16#{structure:08X} are taken over"),
             ),
-            note("set", format!("the set that the block was generated with has the number {set} = 16#{set:08X}")),
+            note("set_id", format!("the set that the block was generated with has the number {set} = 16#{set:08X}")),
         ];
         let of_ipc = Ipc.notes(designed).into_iter().map(|(path, text)| (format!("ipc.{path}"), text));
         own.into_iter().chain(of_ipc).collect()
@@ -85,10 +85,10 @@ fn structure(axis: &Axis, ipc: &IpcCoeffs<f64>) -> u32 {
 /// What a set is told by: a number made of all its numbers, rounded to the real type.
 fn set(axis: &Axis, ipc: &IpcCoeffs<f64>) -> u32 {
     let all = match axis.real {
-        RealKind::F64 => leaves(&reference::tunable_ipc::params(&Coeffs { structure: 0, set: 0, ipc: *ipc })),
+        RealKind::F64 => leaves(&reference::tunable_ipc::params(&Coeffs { structure: 0, set_id: 0, ipc: *ipc })),
         RealKind::F32 => {
             let ipc: IpcCoeffs<f32> = rounded(ipc, axis.real);
-            leaves(&reference::tunable_ipc::params(&Coeffs { structure: 0, set: 0, ipc }))
+            leaves(&reference::tunable_ipc::params(&Coeffs { structure: 0, set_id: 0, ipc }))
         }
     };
     number(all.into_iter().fold(String::new(), |text, leaf| match leaf {

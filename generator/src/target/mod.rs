@@ -136,6 +136,8 @@ pub struct Unit<'a> {
     pub real: RealKind,
     /// the names of its blocks
     pub blocks: Vec<&'static str>,
+    /// the block that takes parameter sets, whose type is a file of its own in TwinCAT
+    pub takes_sets: Option<&'static str>,
 }
 
 /// A file that was made, with its name below the output folder.

@@ -34,8 +34,22 @@ pub fn files(dialect: Dialect, designed: &Designed, block: &Block) -> Result<[Fi
 /// # Errors
 /// The text holds what implementations could disagree on.
 pub fn read(dialect: Dialect, file: &File, designed: &Designed, block: &Block) -> Result<st::Block, Failure> {
-    let name = type_name(dialect, designed, block);
-    st::Block::read(dialect, &file.text, &name, block.program.real).map_err(|mistakes| broken(&file.name, &mistakes))
+    let (name, real) = (type_name(dialect, designed, block), block.program.real);
+    let types = if dialect == Dialect::TwinCat { types(designed, block)? } else { None };
+    let read = match types {
+        Some(types) => st::Block::read_typed(&file.text, &types.text, &name, real),
+        None => st::Block::read(dialect, &file.text, &name, real),
+    };
+    read.map_err(|mistakes| broken(&file.name, &mistakes))
+}
+
+/// The file with the type of the parameter sets of a block, which TwinCAT has apart; none: it takes no sets.
+fn types(designed: &Designed, block: &Block) -> Result<Option<File>, Failure> {
+    if !block.own.program.has_set() {
+        return Ok(None);
+    }
+    let files = super::files(target(name(Dialect::TwinCat)), designed, block)?;
+    Ok(files.into_iter().find(|file| file.name.ends_with(".TcDUT")))
 }
 
 /// Runs a self-test to its end, or until it has had enough time; gives whether it says that it is done, and how many values it

@@ -1,6 +1,7 @@
 //! A function block, checked and lowered: plain data. What reads, runs or changes it is elsewhere.
 
 use super::op::Op;
+use super::structure::Structure;
 use super::variables::Variables;
 use std::ops::Range;
 
@@ -11,6 +12,8 @@ pub struct Block {
     pub(crate) name: String,
     /// its variables, and the slots
     pub(crate) variables: Variables,
+    /// the types of its structures
+    pub(crate) structures: Vec<Structure>,
     /// a cycle
     pub(crate) ops: Vec<Op>,
     /// which of them are those of each assignment, in the order of the text

@@ -4,6 +4,7 @@ use super::constant;
 use super::kind::Kind;
 use super::known::{Address, Known};
 use super::mistake::Mistakes;
+use super::structure::Part;
 use super::syntax::{children, said, shown};
 use super::variables::{Role, Variable, Variables, Whole};
 use super::{Dialect, names};
@@ -171,7 +172,7 @@ impl Declarations<'_, '_> {
 
     /// A structure: its parts, each a variable by its path.
     fn whole(&mut self, node: Node<'_>, of: usize, names: &[Node<'_>], role: Role) {
-        if matches!(role, Role::Constant | Role::Temporary) {
+        if matches!(role, Role::Constant | Role::Temporary | Role::Output) {
             self.say(node, "a structure that is no variable", "the structure in `VAR` or `VAR_IN_OUT`");
         }
         if let Some(start) = node.child_by_field_name("initial_value") {
@@ -180,9 +181,9 @@ impl Declarations<'_, '_> {
         for &name in names {
             if self.is_new(name) {
                 let path = self.path(name);
-                for (part, kind) in &self.known.structures[of].parts {
-                    let slot = self.all.slot(*kind, None);
-                    self.all.add(&format!("{path}.{part}"), Variable { kind: *kind, role, slot, known: true });
+                for &Part { path: ref part, kind, start } in &self.known.structures[of].parts {
+                    let slot = self.all.slot(kind, start);
+                    self.all.add(&format!("{path}.{part}"), Variable { kind, role, slot, known: true });
                 }
                 self.all.add_whole(&path, Whole { of, role });
             }

@@ -5,7 +5,7 @@ use super::kind::Kind;
 use super::lowering::{Lowering, Operand};
 use super::op::{Code, Op, moved};
 use super::syntax::{children, said, shown};
-use super::variables::{self, Inner, Role, slot_of};
+use super::variables::{self, Inner, Role, Whole, slot_of};
 use std::collections::BTreeSet;
 use tree_sitter::Node;
 
@@ -72,9 +72,9 @@ impl Lowering<'_, '_> {
             if !own.insert(name.clone()) || !own.insert(format!("={path}")) {
                 self.say(argument, format!("{}, given a second time", shown(argument, self.text)), "each once");
             }
-            for (part, _) in &wanted.parts {
-                let here = self.variables.find(&format!("{path}.{part}"));
-                let there = block.variables.find(&format!("{name}.{part}"));
+            for part in &wanted.parts {
+                let here = self.variables.find(&format!("{path}.{}", part.path));
+                let there = block.variables.find(&format!("{name}.{}", part.path));
                 if let (Some(here), Some(there)) = (here, there) {
                     pairs.push(Pair { kind: here.kind, here: here.slot, there: slot_of(inner, there) });
                 }
@@ -110,6 +110,9 @@ impl Lowering<'_, '_> {
             return None;
         }
         let word = said(name, self.text).to_ascii_lowercase();
+        if let Some(whole) = block.variables.whole(&word) {
+            return self.whole_argument(node, (inner, block, whole), before);
+        }
         let input = block.variables.find(&word).filter(|variable| variable.role == Role::Input);
         if input.is_none() {
             let found = format!("{}, which is no input of `{}`", shown(name, self.text), block.name);
@@ -119,6 +122,33 @@ impl Lowering<'_, '_> {
         }
         let target = input.map(|variable| (variable.kind, slot_of(inner, variable)));
         self.assign(target, node.child_by_field_name("value")?)
+    }
+
+    /// Lowers a structure that an input takes over part by part.
+    fn whole_argument(
+        &mut self,
+        node: Node<'_>,
+        (inner, block, whole): (Inner, &Block, Whole),
+        before: &mut BTreeSet<String>,
+    ) -> Option<()> {
+        let word = |field| Some(said(node.child_by_field_name(field)?, self.text).to_ascii_lowercase());
+        let (name, path) = (word("name")?, word("value")?);
+        let wanted = &block.structures[whole.of];
+        let found = self.variables.whole(&path);
+        if found.is_none_or(|found| self.known.structures[found.of].name != wanted.name) {
+            let instead = format!("a variable of type `{}`", wanted.name);
+            self.say(node, shown(node, self.text), instead);
+            return None;
+        }
+        if !before.insert(name.clone()) {
+            self.say(node, format!("{} a second time", shown(node, self.text)), "each input once");
+        }
+        for part in &wanted.parts {
+            let here = self.variables.find(&format!("{path}.{}", part.path))?;
+            let there = slot_of(inner, block.variables.find(&format!("{name}.{}", part.path))?);
+            self.ops.push(Op::new(Code::moving(here.kind), there, [here.slot, 0]));
+        }
+        Some(())
     }
 
     /// Lowers an output of an instance; `None`: a mistake was said.

@@ -1,7 +1,7 @@
 //! What a file may refer to that stands in others, and what of it no grammar takes: addresses of process data. No file is read here.
 
 use super::block::Block;
-use super::kind::Kind;
+use super::structure::Structure;
 use super::variables::{Role, Variables};
 
 /// What other files declare.
@@ -13,17 +13,8 @@ pub(crate) struct Known<'a> {
     pub(crate) structures: &'a [Structure],
     /// the variables that every file of a program sees; only the program itself uses them
     pub(crate) globals: Option<&'a Variables>,
-    /// whether it is a program with its blocks; what is emitted for every compiler has neither structures nor process data
+    /// whether it is a program with its blocks; what is emitted for every compiler has no process data, and structures as inputs only
     pub(crate) is_program: bool,
-}
-
-/// A structure: its parts, those of structures inside it too.
-#[derive(Clone, Debug)]
-pub(crate) struct Structure {
-    /// its name
-    pub(crate) name: String,
-    /// the path of each part, and its type
-    pub(crate) parts: Vec<(String, Kind)>,
 }
 
 /// `AT %I*` or `AT %Q*`

@@ -42,8 +42,10 @@ mod run;
 mod scl;
 mod single;
 mod source;
+mod structure;
 mod syntax;
 mod twincat;
+mod types;
 mod variables;
 mod xml;
 

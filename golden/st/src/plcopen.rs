@@ -18,6 +18,9 @@ pub(crate) fn read(file: &str) -> Result<Source, Vec<Mistake>> {
         return Err(vec![lines.mistake(root.range().start, found, format!("`<project xmlns=\"{SPACE}\">`"))]);
     }
     let (mut source, mut mistakes) = (Source::default(), Vec::new());
+    for of_type in root.descendants().filter(|node| node.tag_name().name() == "dataType") {
+        structure(of_type, &mut source, &lines, &mut mistakes);
+    }
     for pou in root.descendants().filter(|node| node.tag_name().name() == "pou") {
         // A function that comes along is known by its name, and not read.
         if pou.attribute("pouType") != Some("function") {
@@ -25,6 +28,21 @@ pub(crate) fn read(file: &str) -> Result<Source, Vec<Mistake>> {
         }
     }
     if mistakes.is_empty() { Ok(source) } else { Err(mistakes) }
+}
+
+/// A data type that is a structure.
+fn structure(of_type: Node<'_, '_>, source: &mut Source, lines: &Lines<'_>, mistakes: &mut Vec<Mistake>) {
+    let at = of_type.range().start;
+    let Some(parts) = child(of_type, "baseType").and_then(|base| child(base, "struct")) else {
+        mistakes.push(lines.mistake(at, "a `<dataType>` of another kind", "`<baseType><struct>`"));
+        return;
+    };
+    let name = word(of_type, of_type.attribute("name"), lines, mistakes);
+    source.make(&format!("TYPE {name} :\nSTRUCT\n"), at);
+    for variable in parts.children().filter(|child| child.tag_name().name() == "variable") {
+        declaration(variable, source, lines, mistakes);
+    }
+    source.make("END_STRUCT;\nEND_TYPE\n", at);
 }
 
 fn block(pou: Node<'_, '_>, source: &mut Source, lines: &Lines<'_>, mistakes: &mut Vec<Mistake>) {

@@ -5,10 +5,12 @@
 use super::block::Block;
 use super::declarations::Declarations;
 use super::kind::Kind;
-use super::known::{Address, Known, Structure, addresses};
+use super::known::{Address, Known, addresses};
 use super::mistake::Mistakes;
 use super::read::File;
-use super::syntax::{children, said, shown};
+use super::structure::Structure;
+use super::syntax::{children, shown};
+use super::types::Place;
 use super::variables::{Role, Variable, Variables};
 use super::{Dialect, Mistake, lexical, syntax, twincat};
 use portable::RealKind;
@@ -43,18 +45,8 @@ impl Program {
     pub fn structure(&mut self, file: &str) -> Result<(), Vec<Mistake>> {
         let mut found = Vec::new();
         self.declaration(file, "DUT", |program, node, text, _, mistakes| {
-            let definition = children(node).into_iter().find(|(part, _)| part.kind() == "type_definition");
-            let structure = definition.and_then(|(definition, _)| {
-                let fields = definition.child_by_field_name("definition")?;
-                let name = said(definition.child_by_field_name("name")?, text);
-                (fields.kind() == "structure_type_inline").then(|| program.parts(name, fields, text, mistakes))
-            });
-            match structure {
-                Some(structure) => found.push(structure),
-                None => {
-                    mistakes.push(node.start_byte(), shown(node, text), "`TYPE x : STRUCT ... END_STRUCT END_TYPE`")
-                }
-            }
+            let place = Place { text, dialect: Dialect::TwinCat, real: program.real, known: program.known() };
+            found.extend(place.structure(node, mistakes));
         })?;
         self.structures.append(&mut found);
         Ok(())
@@ -138,27 +130,19 @@ impl Program {
         let mistakes = mistakes.sorted();
         if mistakes.is_empty() { Ok(()) } else { Err(mistakes) }
     }
+}
 
-    /// The parts of a structure.
-    fn parts(&self, name: &str, fields: Node<'_>, text: &str, mistakes: &mut Mistakes<'_>) -> Structure {
-        let mut parts = Vec::new();
-        for (field, _) in children(fields).into_iter().filter(|(part, _)| part.kind() == "structure_field") {
-            let (Some(own), Some(ty)) = (field.child_by_field_name("name"), field.child_by_field_name("type")) else {
-                continue;
-            };
-            let (own, word) = (said(own, text), said(ty, text));
-            let inside = self.structures.iter().find(|of| of.name.eq_ignore_ascii_case(word));
-            match (Kind::of_program(word, self.real), inside) {
-                (Some(kind), _) => parts.push((own.to_owned(), kind)),
-                (None, Some(inside)) => {
-                    parts.extend(inside.parts.iter().map(|(part, kind)| (format!("{own}.{part}"), *kind)));
-                }
-                (None, None) => {
-                    let instead = "a type of a variable, or a structure of a file before this one";
-                    mistakes.push(ty.start_byte(), format!("the type {}", shown(ty, text)), instead);
-                }
-            }
-        }
-        Structure { name: name.to_owned(), parts }
+impl Block {
+    /// Reads the block of a `.TcPOU` that has an input of a type which a `.TcDUT` declares.
+    ///
+    /// # Errors
+    /// A file holds what is outside the portable subset, or there is no such block.
+    pub fn read_typed(text: &str, types: &str, name: &str, real: RealKind) -> Result<Self, Vec<Mistake>> {
+        let mut program = Program::new(real);
+        program.structure(types)?;
+        let source = twincat::read(text)?;
+        let known = Known { structures: &program.structures, ..Known::default() };
+        let file = File { source: &source, dialect: Dialect::TwinCat, real, known, addresses: &[] };
+        Self::of_source(text, &file, name)
     }
 }

@@ -7,7 +7,9 @@ use super::known::{Address, Known};
 use super::lowering::Lowering;
 use super::mistake::{Lines, Mistakes};
 use super::source::Source;
+use super::structure::Structure;
 use super::syntax::{children, said, shown};
+use super::types::Place;
 use super::variables::Variables;
 use super::{Dialect, Mistake, lexical, names, plcopen, scl, syntax, twincat};
 use portable::RealKind;
@@ -46,7 +48,9 @@ impl Block {
             Dialect::Codesys => plcopen::read(text)?,
             Dialect::Scl => scl::read(text)?,
         };
-        let known = Known { blocks: others, ..Known::default() };
+        // An instance gets structures of the types that its own file declares.
+        let structures: Vec<Structure> = others.iter().flat_map(|other| other.structures.clone()).collect();
+        let known = Known { blocks: others, structures: &structures, ..Known::default() };
         Self::of_source(text, &File { source: &source, dialect, real, known, addresses: &[] }, name)
     }
 
@@ -97,8 +101,16 @@ pub(crate) struct File<'a> {
 /// All blocks of a text; their places are bytes of the text yet.
 fn blocks(tree: &Tree, file: &File<'_>, mistakes: &mut Mistakes<'_>) -> Vec<Block> {
     let mut blocks: Vec<Block> = Vec::new();
+    let mut structures = file.known.structures.to_vec();
     for (node, _) in children(tree.root_node()) {
+        let known = Known { structures: &structures, ..file.known };
+        let file = &File { known, ..*file };
         match node.kind() {
+            "type_declaration" if !file.known.is_program => {
+                let &File { source, dialect, real, known, .. } = file;
+                let found = Place { text: &source.text, dialect, real, known }.structure(node, mistakes);
+                structures.extend(found);
+            }
             "function_block_declaration" => {
                 let block = block(node, file, mistakes);
                 if blocks.iter().any(|other| other.name.eq_ignore_ascii_case(&block.name)) {
@@ -183,5 +195,5 @@ fn block(node: Node<'_>, file: &File<'_>, mistakes: &mut Mistakes<'_>) -> Block 
     };
     lowering.statements(&body, place, "a body");
     let (ops, assignments) = (lowering.ops, lowering.assignments);
-    Block { name, variables, ops, assignments, place: (place.start_byte(), 0) }
+    Block { name, variables, structures: known.structures.to_vec(), ops, assignments, place: (place.start_byte(), 0) }
 }

@@ -17,7 +17,8 @@ pub(crate) fn read(file: &str) -> Result<Source, Vec<Mistake>> {
     let mut reading = Reading { file, tokens: tokens(file), next: 0, blank: &mut blank };
     let mut mistake = None;
     while mistake.is_none() && reading.next < reading.tokens.len() {
-        mistake = reading.block().err();
+        let is_type = reading.peek().1 == "TYPE";
+        mistake = if is_type { reading.structure().err() } else { reading.block().err() };
     }
     if let Some((at, found, instead)) = mistake {
         return Err(vec![Lines::new(file).mistake(at, found, instead)]);
@@ -97,14 +98,42 @@ impl<'f> Reading<'f, '_> {
         (at, shown, format!("`{wanted}`"))
     }
 
-    fn block(&mut self) -> Result<(), Found> {
-        self.take("FUNCTION_BLOCK")?;
+    /// The name of what is declared, in quotes.
+    fn name(&mut self) -> Result<(), Found> {
         let (at, name) = self.peek();
         if in_quotes(name).is_none() {
             return Err(self.wrong("\"name\""));
         }
         self.next += 1;
         self.blank.extend([at, at + name.len() - 1]);
+        Ok(())
+    }
+
+    /// The type of a structure. The colon of its version stands where the grammar has one.
+    fn structure(&mut self) -> Result<(), Found> {
+        self.take("TYPE")?;
+        self.name()?;
+        for (wanted, stays) in [("VERSION", false), (":", true), ("0.1", false)] {
+            let at = self.take(wanted)?;
+            self.blank.extend((at..at + wanted.len()).filter(|_| !stays));
+        }
+        self.take("STRUCT")?;
+        let mut before = "";
+        while self.peek().1 != "END_STRUCT" {
+            if before == ":" {
+                self.ty()?;
+            }
+            before = self.any("END_STRUCT")?;
+        }
+        for wanted in ["END_STRUCT", ";", "END_TYPE"] {
+            self.take(wanted)?;
+        }
+        Ok(())
+    }
+
+    fn block(&mut self) -> Result<(), Found> {
+        self.take("FUNCTION_BLOCK")?;
+        self.name()?;
         for wanted in HEADER {
             let at = self.take(wanted)?;
             self.blank.extend(at..at + wanted.len());

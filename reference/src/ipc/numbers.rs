@@ -31,7 +31,7 @@ pub struct Params<R> {
     /// the structure that the set is for: stages, modes, filters, real type, cycle time, fade
     pub structure: u32,
     /// the number of the set, not 0: another number than that of the set in use offers this set
-    pub set: u32,
+    pub set_id: u32,
     /// what the block forms anew from the numbers
     pub check: Sums<R>,
     /// largest |v_add|; not above the one that the block was generated with

@@ -33,7 +33,7 @@ pub struct Coeffs<R> {
     /// the structure: a parameter set for another one is refused
     pub structure: u32,
     /// the number of the set that the block was generated with
-    pub set: u32,
+    pub set_id: u32,
     /// the block whose numbers come from sets, with its own
     pub ipc: ipc::Coeffs<R>,
 }
@@ -43,11 +43,11 @@ pub struct Coeffs<R> {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// the number of the set in use; 0: there is none
-    pub set: u32,
+    pub set_id: u32,
     /// whether the block fades out for a set, or has none
     pub withdrawn: bool,
     /// cycles until a refused set is looked at again
-    pub wait: u32,
+    pub pause: u32,
     /// why the last set was refused
     pub refused: u32,
     /// the numbers of the set in use
@@ -71,14 +71,14 @@ pub fn add_up<R: Real>(sums: &mut Sums<R>, structure: &ipc::Coeffs<R>, params: &
     let mut place = Place::<R>::default();
     numbers::add_up(sums, &mut place, structure, params);
     add_integer(sums, &mut place, params.structure);
-    add_integer(sums, &mut place, params.set);
+    add_integer(sums, &mut place, params.set_id);
 }
 
 /// Why a set must not be taken over; none: it may be.
 #[portable]
 pub fn error_of<R: Real>(coeffs: &Coeffs<R>, params: &Params<R>) -> u32 {
     let mut error = error_set_structure();
-    if params.structure == coeffs.structure && params.set != 0u32 {
+    if params.structure == coeffs.structure && params.set_id != 0u32 {
         error = error_set_unsound();
         let are_sound = numbers::are_sound(&coeffs.ipc, params);
         if are_sound {
@@ -100,20 +100,20 @@ pub fn is_leaving<R: Real>(coeffs: &Coeffs<R>, fade: u32, withdrawn: bool, tripp
 #[portable]
 pub fn offer<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Params<R>) -> u32 {
     let mut refused = error_none();
-    if params.set == state.set && state.set != 0u32 {
+    if params.set_id == state.set_id && state.set_id != 0u32 {
         state.withdrawn = false;
-    } else if state.wait > 0u32 {
-        state.wait -= 1u32;
+    } else if state.pause > 0u32 {
+        state.pause -= 1u32;
         refused = state.refused;
     } else if !is_leaving(coeffs, state.ipc.fade, state.withdrawn, state.ipc.watch.tripped) {
         refused = error_of(coeffs, params);
         if refused != error_none() {
             state.refused = refused;
-            state.wait = coeffs.ipc.fade_cycles;
-            state.withdrawn = state.set == 0u32;
+            state.pause = coeffs.ipc.fade_cycles;
+            state.withdrawn = state.set_id == 0u32;
         } else if state.ipc.fade == 0u32 {
             numbers::take(&mut state.now, &coeffs.ipc, params);
-            state.set = params.set;
+            state.set_id = params.set_id;
             state.withdrawn = false;
             state.ipc.preset = false;
         } else {
@@ -126,9 +126,9 @@ pub fn offer<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Params<
 /// Before the first cycle: no set was taken over.
 #[portable]
 pub fn init<R: Real>(state: &mut State<R>) {
-    state.set = 0u32;
+    state.set_id = 0u32;
     state.withdrawn = true;
-    state.wait = 0u32;
+    state.pause = 0u32;
     ipc::init(&mut state.ipc);
 }
 
@@ -138,7 +138,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     let mut mode = inputs.mode;
     let mut refused = error_none();
     // Mostly the set in use is the one that is offered.
-    if inputs.params.set != state.set || state.withdrawn {
+    if inputs.params.set_id != state.set_id || state.withdrawn {
         refused = offer(state, coeffs, &inputs.params);
         if state.withdrawn && mode == ipc::mode_on() {
             mode = ipc::mode_dryrun();
@@ -162,15 +162,15 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     outputs.fault = ipc_outputs.fault;
     outputs.error_id = ipc_outputs.error_id;
     if refused != error_none() && !ipc_outputs.fault {
-        outputs.fault = state.set == 0u32;
+        outputs.fault = state.set_id == 0u32;
         outputs.error_id = refused;
     }
-    outputs.active_set = state.set;
+    outputs.active_set = state.set_id;
 }
 
 /// The set that the numbers of a block make.
 pub fn params<R: Real>(coeffs: &Coeffs<R>) -> Params<R> {
-    let Coeffs { structure, set, ipc } = coeffs;
+    let Coeffs { structure, set_id, ipc } = coeffs;
     let of_filter = |filter: &filter::Coeffs<R>| filter::Numbers { bandpass: filter.bandpass, allpass: filter.allpass };
     let of_stage = |stage: &stage::Coeffs<R>| stage::Numbers {
         oscillation: stage.oscillation,
@@ -179,7 +179,7 @@ pub fn params<R: Real>(coeffs: &Coeffs<R>) -> Params<R> {
     };
     let mut params = Params {
         structure: *structure,
-        set: *set,
+        set_id: *set_id,
         check: Sums::default(),
         limit: ipc.limit,
         lower_limit: ipc.lower_limit,

@@ -7,6 +7,9 @@ use askama::Template;
 use compiler::print::{Appearance, Printer, comment, signals};
 use compiler::program::Type;
 
+/// The input that is a parameter set.
+pub(super) const SET: &str = "params";
+
 /// The comment at the top of a file.
 #[derive(Template)]
 #[template(path = "st/origin.st")]
@@ -26,7 +29,11 @@ pub(super) struct Origin<'a> {
 /// A block: declarations, numbers, statements.
 pub(super) struct Listing {
     pub(super) name: String,
+    /// around the names of types that are none of the language's
+    pub(super) quote: &'static str,
     pub(super) inputs: Vec<Member>,
+    /// the type of its parameter set, if it takes one; of a self-test only the name of it
+    pub(super) set: Option<SetType>,
     pub(super) outputs: Vec<Member>,
     pub(super) state: Vec<Member>,
     pub(super) locals: Vec<Member>,
@@ -39,7 +46,31 @@ pub(super) struct Listing {
     pub(super) body: String,
 }
 
+/// The structure that a parameter set is.
+pub(super) struct SetType {
+    pub(super) name: String,
+    pub(super) parts: Vec<Member>,
+}
+
+/// The name of the type of the parameter sets of a block of an axis.
+pub(super) fn set_name(axis: &str, block: &str) -> String {
+    format!("ST_{}_params", block_name(axis, block))
+}
+
+/// The type of the parameter sets of a block, if it takes any.
+pub(super) fn set_type(axis: &Header, block: &Legal<'_>, dialect: &Dialect) -> Option<SetType> {
+    let printer = &Printer::new(&block.program, dialect.language, "");
+    let outline = Outline { axis, block, language: dialect.language, printer, next_line: "\n       " };
+    let name = set_name(&axis.name, block.program.block);
+    block.program.has_set().then(|| SetType { name, parts: outline.set() })
+}
+
 impl Listing {
+    /// The name of the type of its set, as a declaration has it.
+    pub(super) fn set_name(&self, set: &SetType) -> String {
+        format!("{0}{1}{0}", self.quote, set.name)
+    }
+
     /// Whether a variable is an instance of another block.
     pub(super) fn is_block(&self, member: &Member) -> bool {
         !["BOOL", "DINT", "UDINT", "REAL", "LREAL"].contains(&&*member.ty)
@@ -56,7 +87,9 @@ pub(super) fn listing(axis: &Header, block: &Legal<'_>, dialect: &Dialect) -> Li
     let outline = Outline { axis, block, language: dialect.language, printer, next_line: "\n       " };
     Listing {
         name: name(&axis.name, block.program.block, dialect),
+        quote: dialect.quote,
         inputs: outline.inputs(),
+        set: set_type(axis, block, dialect),
         outputs: outline.outputs(),
         state: outline.state(),
         locals: outline.locals(),
@@ -89,14 +122,18 @@ impl Origin<'_> {
             "Enable" => format!("{input} := TRUE"),
             "mode" => format!("{input} := {mode}"),
             "task_cycle_ns" => format!("{input} := {cycle}"),
+            // The parts of the set are given together.
+            part if part.contains('.') => format!("{0} := {1}{0}", SET, dialect.mark),
             other => format!("{input} := {}{other}", dialect.mark),
         };
+        let mut arguments: Vec<String> = inputs.iter().map(argument).collect();
+        arguments.dedup();
         let instance = format!("{}_{}", self.axis.name.to_ascii_lowercase(), self.block);
         let ty = format!("{0}{1}{0}", dialect.quote, name(&self.axis.name, self.block, dialect));
         Self {
             certificate: comment::wrapped(&block.block.certificate.lines, COMMENT_WIDTH, "\n   "),
             instance: [format!("{}{instance}", dialect.mark), format!("{instance} : {ty}")],
-            arguments: inputs.iter().map(argument).collect(),
+            arguments,
             ..self
         }
     }

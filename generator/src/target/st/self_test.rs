@@ -2,7 +2,7 @@
 //! reference.
 
 use super::dialect::Dialect;
-use super::listing::{self, Listing};
+use super::listing::{self, Listing, SET, SetType, set_type};
 use crate::target::outline::Member;
 use crate::target::{Header, Legal};
 use crate::trial::{Answer, Noise, Trial, Turn};
@@ -42,7 +42,9 @@ struct Body<'a> {
     jumps: Vec<(usize, &'a str, String)>,
     /// a number, and its rounded square
     contraction: [String; 2],
-    inputs: &'a [String],
+    inputs: Vec<&'a str>,
+    /// the parameter set, part by part: some compilers drop the starts of a structure
+    set: Vec<(&'a str, String)>,
     outputs: &'a [String],
     /// what is expected from a sample on: names and values
     steps: Vec<(usize, Vec<(&'a str, String)>)>,
@@ -63,7 +65,9 @@ pub(super) fn listing(axis: &Header, block: &Legal<'_>, dialect: &Dialect) -> Li
     let tested = listing::name(&axis.name, program.block, dialect);
     let body = body(block, dialect, trial, [inputs, outputs]);
     let variable = |ty: Type, name: String, doc: &str| member(language.ty(ty, axis.real).into(), name, doc);
-    let of_inputs = program.inputs.iter().zip(inputs);
+    let is_signal = |(input, _): &(&Variable, &String)| program.in_set(input).is_none();
+    let of_inputs = program.inputs.iter().zip(inputs).filter(is_signal);
+    let set = set_type(axis, block, dialect);
     let of_outputs = program.outputs.iter().zip(outputs);
     let mut state = vec![
         member(format!("{0}{tested}{0}", dialect.quote).into(), "block".to_owned(), "the block under test"),
@@ -90,8 +94,13 @@ pub(super) fn listing(axis: &Header, block: &Legal<'_>, dialect: &Dialect) -> Li
     state.extend(
         of_outputs.map(|(output, name)| variable(output.ty, format!("expected_{name}"), "the reference's answer")),
     );
+    if let Some(SetType { name, .. }) = &set {
+        state.push(member(format!("{0}{name}{0}", dialect.quote).into(), SET.to_owned(), "the parameter set"));
+    }
     Listing {
         name: name(&tested),
+        quote: dialect.quote,
+        set: None,
         inputs: Vec::new(),
         outputs: vec![
             variable(Type::Bool, "done".to_owned(), "all samples have run"),
@@ -127,7 +136,9 @@ fn body(block: &Legal<'_>, dialect: &Dialect, trial: &Trial, [inputs, outputs]: 
         let own = program.inputs.iter().position(|input| input.path == *path);
         own.map_or("", |own| inputs[own].as_str())
     };
-    let switches = program.inputs.iter().zip(inputs).filter(|(input, _)| input.ty != Type::Real);
+    let is_part = |input: &Variable| program.in_set(input).is_some();
+    let parts = program.inputs.iter().zip(inputs).filter(|(input, _)| is_part(input));
+    let switches = program.inputs.iter().zip(inputs).filter(|(input, _)| input.ty != Type::Real && !is_part(input));
     let switches = switches.map(|(input, name)| match position(input) {
         None => Switch {
             name,
@@ -163,7 +174,14 @@ fn body(block: &Legal<'_>, dialect: &Dialect, trial: &Trial, [inputs, outputs]: 
         switches: switches.collect(),
         jumps: trial.jumps.iter().map(|(at, input, value)| (*at, name_of(*input), literal(*value))).collect(),
         contraction: [factor, square].map(|value| literal(real(value))),
-        inputs,
+        inputs: program
+            .inputs
+            .iter()
+            .zip(inputs)
+            .filter(|(input, _)| !is_part(input))
+            .map(|(_, name)| name.as_str())
+            .collect(),
+        set: parts.map(|(part, name)| (name.as_str(), literal(part.start))).collect(),
         outputs,
         steps: steps(block, dialect, trial, outputs),
     };

@@ -6,7 +6,7 @@ mod suite;
 pub(crate) use project::shared;
 
 use super::dialect::Dialect;
-use super::listing::{self, Listing, Origin, listing, origin};
+use super::listing::{self, Listing, Origin, SetType, listing, origin, set_type};
 use super::{TcInRange, self_test};
 use crate::target::{self, File, Header, Legal};
 use askama::Template;
@@ -50,7 +50,16 @@ struct TcPou<'a> {
     block: Listing,
 }
 
-/// The files of a block: the function block, its self-test, and a suite that runs that.
+/// The type of the parameter sets of a block.
+#[derive(Template)]
+#[template(path = "twincat/params.TcDUT")]
+struct TcParams<'a> {
+    origin: Origin<'a>,
+    id: String,
+    set: &'a SetType,
+}
+
+/// The files of a block: the function block, its self-test, a suite that runs that, and the type of its parameter sets, if it takes any.
 pub(crate) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
     let pou = |folder: &str, listing: Listing, is_test: bool| {
         let file = format!("{}.TcPOU", listing.name);
@@ -58,11 +67,17 @@ pub(crate) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
         let origin = if is_test { origin } else { origin.with_call(block, &TWINCAT) };
         rendered(folder, &file, &TcPou { origin, id: guid("POU", &listing.name), block: listing })
     };
-    vec![
+    let set = set_type(axis, block, &TWINCAT).map(|set| {
+        let file = format!("{}.TcDUT", set.name);
+        let template = TcParams { origin: origin(axis, &file, block, &TWINCAT), id: guid("DUT", &set.name), set: &set };
+        rendered(DUTS, &file, &template)
+    });
+    let files = [
         pou(POUS, listing(axis, block, &TWINCAT), false),
         pou(TESTS, self_test::listing(axis, block, &TWINCAT), true),
         suite::file(axis, block),
-    ]
+    ];
+    files.into_iter().chain(set).collect()
 }
 
 /// The name of the function block of a block of an axis.

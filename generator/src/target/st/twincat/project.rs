@@ -1,7 +1,7 @@
 //! What all axes of a set share in TwinCAT: the function, the type of the modes, the test program, the project's entries, the guide.
 
 use super::{DUTS, FOLDER, POUS, TESTS, block_name, guid, in_range, rendered, suite};
-use crate::target::st::{real_types, self_test};
+use crate::target::st::{listing::set_name, real_types, self_test};
 use crate::target::{self, File, Unit};
 use askama::Template;
 
@@ -49,19 +49,21 @@ pub(crate) fn shared(units: &[Unit<'_>]) -> Vec<File> {
     let suites = blocks.iter().map(|block| suite::suite_name(block)).collect();
     let program = TcProgram { id: guid("POU", "PRG_axgen_tests"), suites };
     files.push(rendered(TESTS, "PRG_axgen_tests.TcPOU", &program));
-    let project = project(&files, &blocks);
+    let params = units.iter().filter_map(|unit| unit.takes_sets.map(|block| set_name(unit.axis, block)));
+    let project = project(&files, &blocks, params);
     files.extend([project, target::rendered(&format!("{FOLDER}/IMPORT.md"), "", &TcGuide)]);
     files
 }
 
 /// What the project file has to name: the shared files, and those of every block.
-fn project(shared: &[File], blocks: &[String]) -> File {
+fn project(shared: &[File], blocks: &[String], params: impl Iterator<Item = String>) -> File {
     let of_block = |block: &String| {
         let (suite, test) = (suite::suite_name(block), self_test::name(block));
         [format!("{POUS}\\{block}.TcPOU"), format!("{TESTS}\\{suite}.TcPOU"), format!("{TESTS}\\{test}.TcPOU")]
     };
     let shared = shared.iter().map(|file| file.name[FOLDER.len() + 1..].replace('/', "\\"));
-    let mut entries: Vec<String> = shared.chain(blocks.iter().flat_map(of_block)).collect();
+    let params = params.map(|name| format!("{DUTS}\\{name}.TcDUT"));
+    let mut entries: Vec<String> = shared.chain(params).chain(blocks.iter().flat_map(of_block)).collect();
     entries.sort();
     let (tests, objects) = entries.into_iter().partition(|entry| entry.starts_with(TESTS));
     target::rendered(&format!("{FOLDER}/axgen.plcproj-fragment"), "", &TcProject { objects, tests })
