@@ -4,9 +4,8 @@
 //! H(z) = (a2 + a1 z^-1 + z^-2) / (1 + a1 z^-1 + a2 z^-2). Gain 1 everywhere; phase 0 at DC, -180 degrees at the centre
 //! frequency, -360 degrees at the Nyquist frequency.
 
-use crate::check_sum::{Place, Sums, add};
+use crate::check_word::{Forming, add, largest_number};
 use crate::section::{State, anti_denormal, is_driven_by_change, is_stable_biquad, is_stable_trapezoidal};
-use crate::signal::sample_limit;
 use crate::trapezoidal;
 use portable::{Real, in_range, portable};
 
@@ -83,20 +82,20 @@ pub fn is_sound<R: Real>(coeffs: &Coeffs<R>) -> bool {
     if is_driven_by_change::<R>() {
         is_stable_trapezoidal(coeffs.a, coeffs.b, coeffs.c)
     } else {
-        in_range(coeffs.preset, sample_limit()) && is_stable_biquad(coeffs.a1, coeffs.a2)
+        in_range(coeffs.preset, largest_number()) && is_stable_biquad(coeffs.a1, coeffs.a2)
     }
 }
 
-/// Adds the numbers to the check sums.
+/// Adds the numbers to the check word.
 #[portable]
-pub fn add_up<R: Real>(sums: &mut Sums<R>, place: &mut Place<R>, coeffs: &Coeffs<R>) {
+pub fn add_up<R: Real>(forming: &mut Forming, coeffs: &Coeffs<R>) {
     if is_driven_by_change::<R>() {
-        add(sums, place, coeffs.a);
-        add(sums, place, coeffs.b);
-        add(sums, place, coeffs.c);
+        add(forming, coeffs.a);
+        add(forming, coeffs.b);
+        add(forming, coeffs.c);
     } else {
-        add(sums, place, coeffs.a1);
-        add(sums, place, coeffs.a2);
-        add(sums, place, coeffs.preset);
+        add(forming, coeffs.a1);
+        add(forming, coeffs.a2);
+        add(forming, coeffs.preset);
     }
 }

@@ -1,6 +1,6 @@
 //! One filter of a stage: nothing, a band-pass of order 1 to 3, or an all-pass.
 
-use crate::check_sum::{Place, Sums};
+use crate::check_word::Forming;
 use crate::{allpass, bandpass, change, section};
 use portable::{Real, portable};
 
@@ -146,18 +146,18 @@ pub fn is_sound<R: Real>(structure: &Coeffs<R>, offered: &Numbers<R>) -> bool {
     is_sound_so_far
 }
 
-/// Adds the numbers to the check sums.
+/// Adds the numbers to the check word.
 #[portable]
-pub fn add_up<R: Real>(sums: &mut Sums<R>, place: &mut Place<R>, structure: &Coeffs<R>, offered: &Numbers<R>) {
+pub fn add_up<R: Real>(forming: &mut Forming, structure: &Coeffs<R>, offered: &Numbers<R>) {
     match structure.kind {
         Type::NoFilter => {}
         Type::Bandpass => {
             for i in 0..MAX_ORDER {
                 if i < structure.order {
-                    bandpass::add_up(sums, place, &offered.bandpass[i]);
+                    bandpass::add_up(forming, &offered.bandpass[i]);
                 }
             }
         }
-        Type::Allpass => allpass::add_up(sums, place, &offered.allpass),
+        Type::Allpass => allpass::add_up(forming, &offered.allpass),
     }
 }

@@ -12,7 +12,7 @@ pub mod angle;
 pub mod axis;
 pub mod bandpass;
 pub mod change;
-pub mod check_sum;
+pub mod check_word;
 pub mod delay;
 pub mod feedforward;
 pub mod filter;

@@ -20,9 +20,8 @@
 //! y  = x - q
 //! ```
 
-use crate::check_sum::{Place, Sums, add};
+use crate::check_word::{Forming, add, largest_number};
 use crate::section::{State, anti_denormal, is_driven_by_change, is_stable_biquad, is_stable_trapezoidal};
-use crate::signal::sample_limit;
 use crate::trapezoidal;
 use portable::{Real, in_range, portable};
 
@@ -119,38 +118,38 @@ pub fn take<R: Real>(coeffs: &mut Coeffs<R>, offered: &Coeffs<R>) {
 pub fn is_sound<R: Real>(coeffs: &Coeffs<R>) -> bool {
     if is_driven_by_change::<R>() {
         let mut is_sound = false;
-        if in_range(coeffs.h, sample_limit())
-            && in_range(coeffs.r, sample_limit())
-            && in_range(coeffs.g, sample_limit())
+        if in_range(coeffs.h, largest_number())
+            && in_range(coeffs.r, largest_number())
+            && in_range(coeffs.g, largest_number())
         {
             is_sound = is_stable_trapezoidal(coeffs.g * coeffs.h, coeffs.g * coeffs.r, coeffs.g2);
         }
         is_sound
     } else {
-        in_range(coeffs.b0, sample_limit())
-            && in_range(coeffs.b1, sample_limit())
-            && in_range(coeffs.b2, sample_limit())
-            && in_range(coeffs.preset_s1, sample_limit())
-            && in_range(coeffs.preset_s2, sample_limit())
+        in_range(coeffs.b0, largest_number())
+            && in_range(coeffs.b1, largest_number())
+            && in_range(coeffs.b2, largest_number())
+            && in_range(coeffs.preset_s1, largest_number())
+            && in_range(coeffs.preset_s2, largest_number())
             && is_stable_biquad(coeffs.a1, coeffs.a2)
     }
 }
 
-/// Adds the numbers to the check sums.
+/// Adds the numbers to the check word.
 #[portable]
-pub fn add_up<R: Real>(sums: &mut Sums<R>, place: &mut Place<R>, coeffs: &Coeffs<R>) {
+pub fn add_up<R: Real>(forming: &mut Forming, coeffs: &Coeffs<R>) {
     if is_driven_by_change::<R>() {
-        add(sums, place, coeffs.h);
-        add(sums, place, coeffs.r);
-        add(sums, place, coeffs.g);
-        add(sums, place, coeffs.g2);
+        add(forming, coeffs.h);
+        add(forming, coeffs.r);
+        add(forming, coeffs.g);
+        add(forming, coeffs.g2);
     } else {
-        add(sums, place, coeffs.b0);
-        add(sums, place, coeffs.b1);
-        add(sums, place, coeffs.b2);
-        add(sums, place, coeffs.a1);
-        add(sums, place, coeffs.a2);
-        add(sums, place, coeffs.preset_s1);
-        add(sums, place, coeffs.preset_s2);
+        add(forming, coeffs.b0);
+        add(forming, coeffs.b1);
+        add(forming, coeffs.b2);
+        add(forming, coeffs.a1);
+        add(forming, coeffs.a2);
+        add(forming, coeffs.preset_s1);
+        add(forming, coeffs.preset_s2);
     }
 }

@@ -1,7 +1,7 @@
 //! What all second-order sections share: their state, which form they have, the constants that keep them out of the subnormal range.
 
+use crate::check_word::largest_number;
 use crate::precision::is_single;
-use crate::signal::sample_limit;
 use portable::{Real, in_range, portable};
 
 /// State of a second-order section: s1 and s2 of a biquad; in single precision s1 and p, or s1 and low.
@@ -60,7 +60,7 @@ pub fn is_stable_biquad<R: Real>(a1: R, a2: R) -> bool {
 #[portable]
 pub fn is_stable_trapezoidal<R: Real>(a: R, b: R, c: R) -> bool {
     let mut is_stable = false;
-    if in_range(a, sample_limit()) && in_range(b, R::ONE) && in_range(c, sample_limit()) {
+    if in_range(a, largest_number()) && in_range(b, R::ONE) && in_range(c, largest_number()) {
         let product = a * c;
         is_stable = R::ZERO < product && product < b + b && b < R::ONE;
     }

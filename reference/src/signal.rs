@@ -52,7 +52,7 @@ pub fn error_set_unsound() -> u32 {
     7u32
 }
 
-/// error_id: a parameter set does not have its check sums, its contents were changed: the set in use goes on
+/// error_id: a parameter set does not have its check word: its contents were changed: the set in use goes on
 #[portable]
 pub fn error_set_damaged() -> u32 {
     8u32

@@ -1,6 +1,6 @@
 //! One stage: the source that its mode names, the simulated oscillation, two filters, the gain.
 
-use crate::check_sum::{Place, Sums, add};
+use crate::check_word::{Forming, add};
 use crate::{change, filter, oscillation, section};
 use portable::{Real, in_range, portable};
 
@@ -193,14 +193,14 @@ pub fn is_sound<R: Real>(structure: &Coeffs<R>, offered: &Numbers<R>) -> bool {
     is_sound_so_far
 }
 
-/// Adds the numbers to the check sums.
+/// Adds the numbers to the check word.
 #[portable]
-pub fn add_up<R: Real>(sums: &mut Sums<R>, place: &mut Place<R>, structure: &Coeffs<R>, offered: &Numbers<R>) {
+pub fn add_up<R: Real>(forming: &mut Forming, structure: &Coeffs<R>, offered: &Numbers<R>) {
     if structure.mode != Mode::Direct {
-        oscillation::add_up(sums, place, &offered.oscillation);
+        oscillation::add_up(forming, &offered.oscillation);
     }
     for k in 0..FILTERS {
-        filter::add_up(sums, place, &structure.filter[k], &offered.filter[k]);
+        filter::add_up(forming, &structure.filter[k], &offered.filter[k]);
     }
-    add(sums, place, offered.gain);
+    add(forming, offered.gain);
 }

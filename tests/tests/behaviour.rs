@@ -95,6 +95,7 @@ fn largest(mode: Mode, filter: [Filter; 2]) -> f64 {
         fade: 0.0,
         ride_through: 0,
         tuning: None,
+        takes_sets: false,
         watch: false,
         delay_cycles: None,
         stage: [Some(stage), None, None],

@@ -3,8 +3,7 @@
 
 use super::signals::STAGES;
 use super::{Coeffs, watch};
-use crate::check_sum::{Place, Sums, add, limit_scale};
-use crate::signal::sample_limit;
+use crate::check_word::{Forming, Word, add, largest_number, limit_scale};
 use crate::stage;
 use portable::{Real, in_range, portable};
 
@@ -33,7 +32,7 @@ pub struct Params<R> {
     /// the number of the set, not 0: another number than that of the set in use offers this set
     pub set_id: u32,
     /// what the block forms anew from the numbers
-    pub check: Sums<R>,
+    pub check: Word,
     /// largest |v_add|; not above the one that the block was generated with
     pub limit: R,
     /// -limit
@@ -81,36 +80,30 @@ pub fn are_limits_sound<R: Real>(structure: &Coeffs<R>, offered: &Params<R>) -> 
     let mut are_sound_so_far = false;
     if in_range(offered.limit, structure.limit)
         && in_range(offered.lower_limit, structure.limit)
-        && in_range(offered.sum_limit, largest_sum_limit())
+        && in_range(offered.sum_limit * limit_scale(), largest_number())
     {
         are_sound_so_far = offered.limit >= R::ZERO
             && in_range(offered.lower_limit + offered.limit, R::ZERO)
             && offered.sum_limit >= offered.limit;
     }
     if structure.watch.active {
-        are_sound_so_far = are_sound_so_far && in_range(offered.watch.quiet, sample_limit());
+        are_sound_so_far = are_sound_so_far && in_range(offered.watch.quiet, structure.limit);
     }
     are_sound_so_far
 }
 
-/// largest sum_limit of a parameter set
+/// Adds all numbers to the check word.
 #[portable]
-pub fn largest_sum_limit<R: Real>() -> R {
-    R::per_kind(1.0e18, 1.0e18)
-}
-
-/// Adds all numbers to the check sums.
-#[portable]
-pub fn add_up<R: Real>(sums: &mut Sums<R>, place: &mut Place<R>, structure: &Coeffs<R>, offered: &Params<R>) {
-    add(sums, place, offered.limit * limit_scale());
-    add(sums, place, offered.lower_limit * limit_scale());
-    add(sums, place, offered.sum_limit * limit_scale());
+pub fn add_up<R: Real>(forming: &mut Forming, structure: &Coeffs<R>, offered: &Params<R>) {
+    add(forming, offered.limit * limit_scale());
+    add(forming, offered.lower_limit * limit_scale());
+    add(forming, offered.sum_limit * limit_scale());
     if structure.watch.active {
-        add(sums, place, offered.watch.quiet * limit_scale());
+        add(forming, offered.watch.quiet * limit_scale());
     }
     for i in 0..STAGES {
         if structure.stage[i].mode != stage::Mode::NotActive {
-            stage::add_up(sums, place, &structure.stage[i], &offered.stage[i]);
+            stage::add_up(forming, &structure.stage[i], &offered.stage[i]);
         }
     }
 }

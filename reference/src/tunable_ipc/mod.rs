@@ -19,7 +19,7 @@ mod signals;
 
 pub use signals::{Inputs, Outputs};
 
-use crate::check_sum::{Place, Sums, add, are_same};
+use crate::check_word::{Forming, Word, add};
 use crate::ipc::numbers::{self, Numbers, Params};
 use crate::ipc::{self, watch};
 use crate::signal::{error_none, error_set_damaged, error_set_structure, error_set_unsound};
@@ -56,22 +56,27 @@ pub struct State<R> {
     pub ipc: ipc::State<R>,
 }
 
-/// Adds an integer to the check sums, in two halves: they are exact in every real type.
+/// Adds an integer to the check word, in two halves: they are exact in every real type.
 #[portable]
-pub fn add_integer<R: Real>(sums: &mut Sums<R>, place: &mut Place<R>, integer: u32) {
+pub fn add_integer<R: Real>(forming: &mut Forming, integer: u32) {
     let low = from_u32::<R>(integer % 65_536u32);
     let high = from_u32::<R>(integer / 65_536u32);
-    add(sums, place, low);
-    add(sums, place, high);
+    add(forming, low * half());
+    add(forming, high * half());
 }
 
-/// The check sums of a set.
+/// 1/2: half a word of 32 bits becomes a number that can be cut
 #[portable]
-pub fn add_up<R: Real>(sums: &mut Sums<R>, structure: &ipc::Coeffs<R>, params: &Params<R>) {
-    let mut place = Place::<R>::default();
-    numbers::add_up(sums, &mut place, structure, params);
-    add_integer(sums, &mut place, params.structure);
-    add_integer(sums, &mut place, params.set_id);
+pub fn half<R: Real>() -> R {
+    R::lit(0.5)
+}
+
+/// Forms the check word of a set.
+#[portable]
+pub fn add_up<R: Real>(forming: &mut Forming, structure: &ipc::Coeffs<R>, params: &Params<R>) {
+    numbers::add_up(forming, structure, params);
+    add_integer::<R>(forming, params.structure);
+    add_integer::<R>(forming, params.set_id);
 }
 
 /// Why a set must not be taken over; none: it may be.
@@ -82,9 +87,10 @@ pub fn error_of<R: Real>(coeffs: &Coeffs<R>, params: &Params<R>) -> u32 {
         error = error_set_unsound();
         let are_sound = numbers::are_sound(&coeffs.ipc, params);
         if are_sound {
-            let mut formed = Sums::<R>::default();
+            let mut formed = Forming::default();
             add_up(&mut formed, &coeffs.ipc, params);
-            error = if are_same(&params.check, &formed) { error_none() } else { error_set_damaged() };
+            let is_same = params.check.first == formed.word.first && params.check.second == formed.word.second;
+            error = if is_same && !formed.is_left_over { error_none() } else { error_set_damaged() };
         }
     }
     error
@@ -180,16 +186,16 @@ pub fn params<R: Real>(coeffs: &Coeffs<R>) -> Params<R> {
     let mut params = Params {
         structure: *structure,
         set_id: *set_id,
-        check: Sums::default(),
+        check: Word::default(),
         limit: ipc.limit,
         lower_limit: ipc.lower_limit,
         sum_limit: ipc.sum_limit,
         watch: watch::Numbers { quiet: ipc.watch.quiet },
         stage: ipc.stage.each_ref().map(of_stage),
     };
-    let mut check = Sums::default();
-    add_up(&mut check, ipc, &params);
-    params.check = check;
+    let mut formed = Forming::default();
+    add_up(&mut formed, ipc, &params);
+    params.check = formed.word;
     params
 }
 

@@ -1,0 +1,253 @@
+//! The block `ipc` whose numbers come from parameter sets: sets that are offered at any moment, whole, torn and corrupted, through every
+//! engine; what is never taken over; how far the output may step.
+
+mod axes;
+mod corrupted;
+
+use axes::{FACT, STRUCTURES, block, other, set, sets};
+use axgen_tests::environment::is_exhaustive;
+use axgen_tests::random::rng::Rng;
+use compiler::leaves;
+use compiler::program::Type;
+use corrupted::{Set, are_same, corrupted, real};
+use generator::blocks::{Block, Designed};
+use golden::compare::{Difference, compare};
+use golden::engine::{self, ENGINES, Engine};
+use golden::samples::{Samples, Shape};
+use portable::{Literal, Portable, Real, RealKind};
+use rayon::prelude::*;
+use reference::check_word::Forming;
+use reference::ipc::numbers::Params;
+use reference::tunable_ipc::{self, Coeffs, TunableIpc};
+
+/// Cycles of a run.
+const RUN: usize = 20_000;
+/// Sets that are offered in turn.
+const SETS: usize = 6;
+const KINDS: [RealKind; 2] = [RealKind::F64, RealKind::F32];
+
+/// A block, sets of its structure, one of another structure, and one whose limit is above the block's.
+struct Bench {
+    designed: Designed,
+    block: Block,
+    sets: Vec<Set>,
+    foreign: Set,
+    beyond: Set,
+}
+
+fn bench(structure: usize, kind: RealKind) -> Bench {
+    let mut rng = Rng::new(7 + structure as u64);
+    let designed = other(structure, kind, &mut rng, FACT);
+    let block = block(&designed);
+    let mut sets = sets(structure, kind, &mut rng, SETS);
+    sets.push(set(&block));
+    let foreign = set(&axes::block(&other((structure + 1) % STRUCTURES, kind, &mut rng, FACT)));
+    let beyond = set(&axes::block(&other(structure, kind, &mut rng, FACT + 1)));
+    Bench { designed, block, sets, foreign, beyond }
+}
+
+/// Vibrations, modes and disturbances, and sets that are offered, torn, corrupted, taken back.
+fn samples(bench: &Bench, seed: u64) -> Samples {
+    let program = &bench.block.program;
+    let mut rng = Rng::new(seed);
+    let mut uniform = Rng::new(seed + 1);
+    let mut uniform = move || (uniform.word() >> 11) as f64 / 2f64.powi(53);
+    let shape = Shape::of(&program.inputs, program.real);
+    let mut samples = Samples::with_capacity(shape, RUN);
+    let mut values: Vec<Literal> = program.inputs.iter().map(|input| input.start).collect();
+    // Before the first whole set some are refused.
+    let mut offered = corrupted(&bench.sets[0], &bench.sets, &bench.foreign, &mut rng);
+    let mut mode = 1;
+    for cycle in 0..RUN {
+        let whole = &bench.sets[rng.below(bench.sets.len())];
+        match uniform() {
+            of if of < 0.004 => offered = whole.clone(),
+            of if of < 0.006 => offered = corrupted(whole, &bench.sets, &bench.foreign, &mut rng),
+            of if of < 0.0065 => offered = bench.foreign.clone(),
+            of if of < 0.007 => offered = bench.beyond.clone(),
+            _ => {}
+        }
+        if uniform() < 0.002 {
+            mode = *rng.pick(&[0, 1, 1, 1, 2, 3]);
+        }
+        for (at, value) in &offered {
+            if std::mem::discriminant(&values[*at]) == std::mem::discriminant(value) {
+                values[*at] = *value;
+            }
+        }
+        let vibration = 4e4 * (cycle as f64 * 0.31).sin() + 2e4 * uniform();
+        for (input, value) in program.inputs.iter().zip(&mut values) {
+            *value = match (input.path.as_str(), input.ty) {
+                _ if program.in_set(input).is_some() => *value,
+                ("mode", _) => Literal::I32(mode),
+                ("reset", _) => Literal::Bool(uniform() < 0.001),
+                ("position_controlled", _) => Literal::Bool(uniform() > 0.001),
+                (_, Type::Real) if uniform() < 0.0005 => real(f64::NAN, program.real),
+                (_, Type::Real) => real(vibration * (1.0 + 0.1 * uniform()), program.real),
+                _ => input.start,
+            };
+        }
+        samples.push(&values);
+    }
+    samples
+}
+
+#[test]
+fn sets_at_any_moment_give_the_same_bits_in_every_engine() {
+    let runs = if is_exhaustive() { 9 } else { 1 };
+    let cases: Vec<(usize, RealKind)> =
+        (0..STRUCTURES).flat_map(|structure| KINDS.map(|kind| (structure, kind))).collect();
+    let cycles: usize = cases
+        .par_iter()
+        .map(|(structure, kind)| {
+            let bench = bench(*structure, *kind);
+            for run in 0..runs {
+                let inputs = samples(&bench, run);
+                let expected = engine::run(Engine::Reference, &bench.designed, &bench.block, &inputs).unwrap();
+                takes_over_at_rest(&inputs, &expected, &bench);
+                // Rust in the first run only: it is compiled anew for each.
+                for engine in ENGINES.into_iter().filter(|engine| run == 0 || *engine != Engine::Rust) {
+                    let found = engine::run(engine, &bench.designed, &bench.block, &inputs).unwrap();
+                    let name = format!("structure {structure} in {kind:?}, {engine}, run {run}");
+                    assert_eq!(compare(&expected, &found), Difference { bits: 0, first: None }, "{name}");
+                }
+            }
+            RUN * runs as usize
+        })
+        .sum();
+    eprintln!("{cycles} cycles with sets at any moment in {} engines: 0 differing bits", ENGINES.len());
+    assert!(cycles >= if is_exhaustive() { 1_000_000 } else { 100_000 });
+}
+
+/// A value of an output, reals in double precision.
+fn value(values: &[Literal], shape: &Shape, name: &str) -> f64 {
+    let at = shape.signals.iter().position(|signal| signal.name == name);
+    match values[at.unwrap_or_else(|| panic!("no `{name}`"))] {
+        Literal::F64(value) => value,
+        Literal::F32(value) => value.into(),
+        Literal::U32(value) => value.into(),
+        Literal::I32(value) => value.into(),
+        Literal::Bool(value) => f64::from(u8::from(value)),
+        other => panic!("{other:?}"),
+    }
+}
+
+/// Where the set in use changes nothing is added, in that cycle and in the one before; only whole sets are ever in use; all of them are
+/// at some time, and refusals of every kind; the output steps by no more than its own motion and a step of the fade.
+fn takes_over_at_rest(inputs: &Samples, outputs: &Samples, bench: &Bench) {
+    let ids: Vec<Literal> = bench.sets.iter().map(|set| set[1].1).collect();
+    let fade_cycles = f64::from(bench.designed.ipc.fade_cycles);
+    let [mut now, mut before, mut given] = [const { Vec::new() }; 3];
+    let (mut used, mut told, mut changes) = (Vec::new(), Vec::new(), 0);
+    let of = |values: &[Literal], name: &str| value(values, &outputs.shape, name);
+    for sample in 0..outputs.len() {
+        outputs.read(sample, &mut now);
+        inputs.read(sample, &mut given);
+        let id = of(&now, "active_set");
+        if sample > 0 {
+            let steps = (of(&now, "v_add") - of(&before, "v_add")).abs();
+            if id != of(&before, "active_set") {
+                changes += 1;
+                assert!(steps == 0.0 && of(&now, "v_add") == 0.0, "sample {sample}: a set is taken over in motion");
+            }
+            let is_cut = of(&now, "fault") == 1.0 || value(&given, &inputs.shape, "reset") == 1.0;
+            let is_cut = is_cut || value(&given, &inputs.shape, "position_controlled") == 0.0;
+            let is_off = value(&given, &inputs.shape, "mode") == 0.0;
+            let was_off = sample > 0 && of(&before, "v_add_calculated") == 0.0;
+            if !is_cut && !is_off && !was_off {
+                let own = (of(&now, "v_add_calculated") - of(&before, "v_add_calculated")).abs();
+                let bound = own + bench.designed.ipc.limit / fade_cycles * (1.0 + 1e-5);
+                assert!(steps <= bound, "sample {sample}: v_add steps by {steps}, bound {bound}");
+            }
+        }
+        if !used.contains(&id) {
+            used.push(id);
+        }
+        let error = of(&now, "error_id");
+        if !told.contains(&error) {
+            told.push(error);
+        }
+        std::mem::swap(&mut now, &mut before);
+    }
+    let is_whole = |id: &f64| *id == 0.0 || ids.contains(&Literal::U32(*id as u32));
+    assert!(used.iter().all(is_whole), "only whole sets are taken over: {used:?}");
+    assert!(used.len() > SETS && changes > 20, "{} sets in use, {changes} changes", used.len());
+    assert!([6.0, 7.0, 8.0].iter().all(|id| told.contains(id)), "every refusal is told: {told:?}");
+}
+
+/// Of so many corrupted sets of a block, how many a block takes over although they are other numbers than those of a whole set.
+fn taken_over<R: Real>(structure: usize, count: usize) -> (usize, usize)
+where
+    TunableIpc: portable::Block<R, Coeffs = Coeffs<R>>,
+{
+    let bench = bench(structure, R::KIND);
+    let kind = generator::blocks::of_name(&bench.designed.axis, "ipc").unwrap();
+    let mut coefficients = kind.coefficients(&bench.designed).into_iter();
+    let coeffs = Coeffs::<R>::build(&mut || coefficients.next().unwrap());
+    let usual = leaves(&tunable_ipc::params(&coeffs));
+    let first = bench.sets[0][0].0;
+    let mut rng = Rng::new(11);
+    let (mut taken, mut changed) = (0, 0);
+    for _ in 0..count {
+        let whole = &bench.sets[rng.below(bench.sets.len())];
+        let offered = corrupted(whole, &bench.sets, &bench.foreign, &mut rng);
+        let mut leaves = usual.clone();
+        offered.iter().zip(whole).for_each(|((_, value), (at, _))| leaves[at - first] = *value);
+        let mut leaves = leaves.into_iter();
+        let params = Params::<R>::build(&mut || leaves.next().unwrap());
+        if bench.sets.iter().all(|set| !are_same(&offered, set)) {
+            changed += 1;
+            taken += usize::from(tunable_ipc::error_of(&coeffs, &params) == 0);
+        }
+    }
+    (taken, changed)
+}
+
+#[test]
+fn no_corrupted_set_is_taken_over() {
+    let count = if is_exhaustive() { 40_000 } else { 4_000 };
+    let counts: Vec<(usize, usize)> = (0..STRUCTURES)
+        .into_par_iter()
+        .flat_map_iter(|structure| [taken_over::<f64>(structure, count), taken_over::<f32>(structure, count)])
+        .collect();
+    let taken: usize = counts.iter().map(|(taken, _)| taken).sum();
+    let changed: usize = counts.iter().map(|(_, changed)| changed).sum();
+    eprintln!("{taken} of {changed} corrupted sets were taken over");
+    assert_eq!(taken, 0);
+    assert!(changed > count * 5, "{changed} of {} were changed", count * 6);
+}
+
+/// A whole set, and the same once more with the number of a part changed so that only one rule is broken.
+#[test]
+fn every_refusal_has_its_id() {
+    let bench = bench(0, RealKind::F64);
+    let mut coefficients =
+        generator::blocks::of_name(&bench.designed.axis, "ipc").unwrap().coefficients(&bench.designed).into_iter();
+    let coeffs = Coeffs::<f64>::build(&mut || coefficients.next().unwrap());
+    let whole = tunable_ipc::params(&coeffs);
+    let after = |change: &dyn Fn(&mut Params<f64>)| {
+        let mut params = whole;
+        change(&mut params);
+        // The check word fits, so that nothing but the rule refuses it.
+        let mut formed = Forming::default();
+        tunable_ipc::add_up(&mut formed, &coeffs.ipc, &params);
+        params.check = formed.word;
+        tunable_ipc::error_of(&coeffs, &params)
+    };
+    assert_eq!(after(&|_| ()), 0);
+    assert_eq!(after(&|params| params.structure += 1), 6);
+    assert_eq!(after(&|params| params.set_id = 0), 6);
+    assert_eq!(after(&|params| params.limit = coeffs.ipc.limit * 0.5), 7, "lower_limit is not -limit");
+    let halve =
+        |params: &mut Params<f64>| (params.limit, params.lower_limit) = (params.limit / 2.0, -params.limit / 2.0);
+    assert_eq!(after(&halve), 0);
+    let raise =
+        |params: &mut Params<f64>| (params.limit, params.lower_limit) = (params.limit * 1.1, -params.limit * 1.1);
+    assert_eq!(after(&raise), 7, "the limit is above the block's");
+    assert_eq!(after(&|params| params.stage[0].gain = -7.1), 7);
+    assert_eq!(after(&|params| params.stage[0].filter[0].bandpass[0].a2 = 1.0), 7, "a pole on the unit circle");
+    assert_eq!(after(&|params| params.stage[0].filter[0].bandpass[0].a1 = -2.0), 7);
+    let mut damaged = whole;
+    damaged.stage[0].gain *= 0.5;
+    assert_eq!(tunable_ipc::error_of(&coeffs, &damaged), 8);
+}
