@@ -138,19 +138,9 @@ pub fn init<R: Real>(state: &mut State<R>) {
     ipc::init(&mut state.ipc);
 }
 
-/// One cycle.
+/// What the cycle of [`crate::ipc`] gets.
 #[portable]
-pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    let mut mode = inputs.mode;
-    let mut refused = error_none();
-    // Mostly the set in use is the one that is offered.
-    if inputs.params.set_id != state.set_id || state.withdrawn {
-        refused = offer(state, coeffs, &inputs.params);
-        if state.withdrawn && mode == ipc::mode_on() {
-            mode = ipc::mode_dryrun();
-        }
-    }
-    let mut ipc_inputs = ipc::Inputs::<R>::default();
+pub fn hand_over<R: Real>(inputs: &Inputs<R>, mode: i32, ipc_inputs: &mut ipc::Inputs<R>) {
     ipc_inputs.v_command = inputs.v_command;
     ipc_inputs.v_motor = inputs.v_motor;
     ipc_inputs.v_direct = inputs.v_direct;
@@ -158,8 +148,11 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     ipc_inputs.position_controlled = inputs.position_controlled;
     ipc_inputs.reset = inputs.reset;
     ipc_inputs.task_cycle_ns = inputs.task_cycle_ns;
-    let mut ipc_outputs = ipc::Outputs::<R>::default();
-    ipc::step(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.now), &ipc_inputs, &mut ipc_outputs);
+}
+
+/// Puts out what that cycle gives; `refused`: why an offered set is.
+#[portable]
+pub fn put_out<R: Real>(set_id: u32, ipc_outputs: &ipc::Outputs<R>, refused: u32, outputs: &mut Outputs<R>) {
     outputs.v_add = ipc_outputs.v_add;
     outputs.v_add_calculated = ipc_outputs.v_add_calculated;
     outputs.limited = ipc_outputs.limited;
@@ -168,10 +161,53 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     outputs.fault = ipc_outputs.fault;
     outputs.error_id = ipc_outputs.error_id;
     if refused != error_none() && !ipc_outputs.fault {
-        outputs.fault = state.set_id == 0u32;
+        outputs.fault = set_id == 0u32;
         outputs.error_id = refused;
     }
-    outputs.active_set = state.set_id;
+    outputs.active_set = set_id;
+}
+
+/// Whether the set in use is the one that is offered, as mostly.
+#[portable]
+pub fn is_in_use<R: Real>(state: &State<R>, set_id: u32) -> bool {
+    set_id == state.set_id && !state.withdrawn
+}
+
+/// Any cycle.
+#[portable]
+pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    let mut mode = inputs.mode;
+    let mut refused = error_none();
+    let is_offered_in_use = is_in_use(state, inputs.params.set_id);
+    if !is_offered_in_use {
+        refused = offer(state, coeffs, &inputs.params);
+        if state.withdrawn && mode == ipc::mode_on() {
+            mode = ipc::mode_dryrun();
+        }
+    }
+    let mut ipc_inputs = ipc::Inputs::<R>::default();
+    hand_over(inputs, mode, &mut ipc_inputs);
+    let mut ipc_outputs = ipc::Outputs::<R>::default();
+    ipc::step(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.now), &ipc_inputs, &mut ipc_outputs);
+    put_out(state.set_id, &ipc_outputs, refused, outputs);
+}
+
+/// One cycle. It begins with the usual one, in which the set in use is the one that is offered and nothing but the sections changes: it does what
+/// `any_cycle` does there, and asks for less.
+#[portable]
+pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    let mut ipc_inputs = ipc::Inputs::<R>::default();
+    hand_over(inputs, inputs.mode, &mut ipc_inputs);
+    let is_offered_in_use = is_in_use(state, inputs.params.set_id);
+    let is_usual = ipc::is_usual(&state.ipc, &coeffs.ipc, &ipc_inputs);
+    if is_offered_in_use && is_usual && state.ipc.ride_through.bad == 0u32 {
+        let mut ipc_outputs = ipc::Outputs::<R>::default();
+        ipc::act(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.now), &ipc_inputs, &mut ipc_outputs, false);
+        ipc::tell_trip(&state.ipc, &coeffs.ipc, &mut ipc_outputs);
+        put_out(state.set_id, &ipc_outputs, error_none(), outputs);
+    } else {
+        any_cycle(state, coeffs, inputs, outputs);
+    }
 }
 
 /// The set that the numbers of a block make.
@@ -212,6 +248,7 @@ impl<R: Real> Block<R> for TunableIpc {
     const NAME: &'static str = <ipc::Ipc as Block<R>>::NAME;
     const ENABLE: Option<Enable> =
         Some(Enable { input: "mode", mode: Some((&ipc::mode_off::Ir::<R>::IR, "ipc.preset")) });
+    const USUAL_FIRST: bool = true;
     const SET: Option<&'static str> = Some("params");
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
