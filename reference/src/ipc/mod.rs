@@ -343,27 +343,22 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     }
 }
 
-/// Whether the mode is ON, the fade full, and nothing is tuned, as mostly: then nothing but the sections changes.
-#[portable]
-pub fn is_usual<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
-    may_act(coeffs, inputs)
-        && inputs.mode == mode_on()
-        && state.fade >= coeffs.fade_cycles
-        && !(coeffs.watch.active && state.watch.tripped)
-        && is_followed(coeffs.tuning.active, inputs.tuning_limit, state.tuning.limit.now)
-        && is_followed(is_there(&coeffs.tuning, &coeffs.stage[0]), inputs.tuning_weight[0], state.tuning.weight[0].now)
-        && is_followed(is_there(&coeffs.tuning, &coeffs.stage[1]), inputs.tuning_weight[1], state.tuning.weight[1].now)
-        && is_followed(is_there(&coeffs.tuning, &coeffs.stage[2]), inputs.tuning_weight[2], state.tuning.weight[2].now)
-}
-
 /// One cycle with these samples.
 #[portable]
 pub fn cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let mut runs = true;
     let mut is_tuning_held = false;
     let mut reason = error_none();
-    let is_usual_cycle = is_usual(state, coeffs, inputs);
-    if !is_usual_cycle {
+    // Mostly the mode is ON, the fade full, and nothing is tuned: then nothing but the sections changes.
+    if !(may_act(coeffs, inputs)
+        && inputs.mode == mode_on()
+        && state.fade >= coeffs.fade_cycles
+        && !(coeffs.watch.active && state.watch.tripped)
+        && is_followed(coeffs.tuning.active, inputs.tuning_limit, state.tuning.limit.now)
+        && is_followed(is_there(&coeffs.tuning, &coeffs.stage[0]), inputs.tuning_weight[0], state.tuning.weight[0].now)
+        && is_followed(is_there(&coeffs.tuning, &coeffs.stage[1]), inputs.tuning_weight[1], state.tuning.weight[1].now)
+        && is_followed(is_there(&coeffs.tuning, &coeffs.stage[2]), inputs.tuning_weight[2], state.tuning.weight[2].now))
+    {
         if coeffs.tuning.active {
             let jumps = state.fade == 0u32;
             is_tuning_held = tuning::step(&mut state.tuning, &coeffs.stage, coeffs.fade_step, jumps, inputs);

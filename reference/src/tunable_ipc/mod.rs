@@ -167,10 +167,14 @@ pub fn put_out<R: Real>(set_id: u32, ipc_outputs: &ipc::Outputs<R>, refused: u32
     outputs.active_set = set_id;
 }
 
-/// Whether the set in use is the one that is offered, as mostly.
+/// Whether nothing is asked for but what the block does, and it acts in full.
 #[portable]
-pub fn is_in_use<R: Real>(state: &State<R>, set_id: u32) -> bool {
-    set_id == state.set_id && !state.withdrawn
+pub fn is_usual<R: Real>(coeffs: &ipc::Coeffs<R>, ipc_inputs: &ipc::Inputs<R>, state: &ipc::State<R>) -> bool {
+    ipc::may_act(coeffs, ipc_inputs)
+        && ipc_inputs.mode == ipc::mode_on()
+        && state.fade >= coeffs.fade_cycles
+        && !(coeffs.watch.active && state.watch.tripped)
+        && (!coeffs.ride_through.active || state.ride_through.bad == 0u32)
 }
 
 /// Any cycle.
@@ -178,8 +182,7 @@ pub fn is_in_use<R: Real>(state: &State<R>, set_id: u32) -> bool {
 pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let mut mode = inputs.mode;
     let mut refused = error_none();
-    let is_offered_in_use = is_in_use(state, inputs.params.set_id);
-    if !is_offered_in_use {
+    if inputs.params.set_id != state.set_id || state.withdrawn {
         refused = offer(state, coeffs, &inputs.params);
         if state.withdrawn && mode == ipc::mode_on() {
             mode = ipc::mode_dryrun();
@@ -198,9 +201,8 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let mut ipc_inputs = ipc::Inputs::<R>::default();
     hand_over(inputs, inputs.mode, &mut ipc_inputs);
-    let is_offered_in_use = is_in_use(state, inputs.params.set_id);
-    let is_usual = ipc::is_usual(&state.ipc, &coeffs.ipc, &ipc_inputs);
-    if is_offered_in_use && is_usual && state.ipc.ride_through.bad == 0u32 {
+    let is_usual_cycle = is_usual(&coeffs.ipc, &ipc_inputs, &state.ipc);
+    if inputs.params.set_id == state.set_id && !state.withdrawn && is_usual_cycle {
         let mut ipc_outputs = ipc::Outputs::<R>::default();
         ipc::act(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.now), &ipc_inputs, &mut ipc_outputs, false);
         ipc::tell_trip(&state.ipc, &coeffs.ipc, &mut ipc_outputs);
