@@ -23,6 +23,8 @@ const RESERVE: u32 = 2;
 const GROWTH: f64 = 5.0;
 /// So long a position controller needs to come to rest, at the least [s].
 const LEAST_QUIET: f64 = 1.0;
+/// Denominator of a weight of a stage that must be there and add nothing.
+const NO_WEIGHT: u32 = 1_000_000;
 /// A mean is taken over so long, at the least [s].
 const LEAST_WINDOW: f64 = 0.5;
 
@@ -39,6 +41,9 @@ struct Page {
     /// whether the block to call holds the block `ipc` among others
     is_inside: bool,
     is_tunable: bool,
+    takes_sets: bool,
+    /// the denominator of a weight that adds nothing
+    no_weight: u32,
     /// digest of the parameters of the block `ipc`
     parameters: String,
     unit: &'static str,
@@ -96,6 +101,8 @@ fn page(designed: &Designed, parameters: String) -> Page {
         ipc: block_name(&axis.name, IPC),
         is_inside,
         is_tunable,
+        takes_sets: axis.ipc.takes_sets,
+        no_weight: NO_WEIGHT,
         parameters,
         unit: axis.control.velocity_unit(),
         cycle: format!("{}us", digits(f64::from(axis.cycle_time_ns) / 1000.0)),

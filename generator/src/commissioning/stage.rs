@@ -38,6 +38,8 @@ pub(super) struct Stage {
     pub(super) quiet: f64,
     pub(super) f0_path: String,
     pub(super) mode_path: String,
+    pub(super) num_path: String,
+    pub(super) denom_path: String,
     pub(super) read_step: String,
     pub(super) weight_step: String,
 }
@@ -66,6 +68,8 @@ impl From<(usize, &StageDesign)> for Stage {
             quiet: quiet(design),
             f0_path: path(Name::FilterF0),
             mode_path: path(Name::Mode),
+            num_path: path(Name::WeightFactNum),
+            denom_path: path(Name::WeightFactDenom),
             read_step: format!("2.{}", FIRST_READ_STEP + n),
             weight_step: format!("4.{}", FIRST_WEIGHT_STEP + n),
         }
