@@ -217,6 +217,61 @@ fn no_corrupted_set_is_taken_over() {
     assert!(changed > count * 5, "{changed} of {} were changed", count * 6);
 }
 
+/// The block with constants, which an independent model is held against, gives the bits that the block gives whose set has these numbers: the
+/// one that it was generated with, or one that another block was generated with.
+#[test]
+fn a_set_is_the_block_with_its_constants() {
+    let runs: usize = (0..STRUCTURES)
+        .flat_map(|structure| KINDS.map(|kind| (structure, kind)))
+        .map(|(structure, kind)| {
+            let numbers = |tunable| {
+                axgen_tests::model::subject::read(&axes::text(structure, kind, &mut Rng::new(3), FACT, tunable))
+            };
+            let constants = numbers("nothing");
+            let constant_block = block(&constants);
+            let mut rng = Rng::new(4);
+            let host = other(structure, kind, &mut rng, FACT);
+            let host_block = block(&host);
+            let set = set(&block(&numbers("all")));
+            let bench = Bench {
+                designed: host,
+                block: host_block,
+                sets: vec![set.clone()],
+                foreign: set.clone(),
+                beyond: set.clone(),
+            };
+            let inputs = samples(&bench, 5);
+            let mut values = Vec::new();
+            let mut whole = Samples::with_capacity(inputs.shape.clone(), RUN);
+            let mut plain = Samples::with_capacity(Shape::of(&constant_block.program.inputs, kind), RUN);
+            for sample in 0..inputs.len() {
+                inputs.read(sample, &mut values);
+                set.iter().for_each(|(at, value)| values[*at] = *value);
+                whole.push(&values);
+                let of_name = |name: &str| inputs.shape.signals.iter().position(|signal| signal.name == name);
+                let of_plain: Vec<Literal> = plain
+                    .shape
+                    .signals
+                    .iter()
+                    .map(|signal| of_name(&signal.name).map_or(signal.start, |at| values[at]))
+                    .collect();
+                plain.push(&of_plain);
+            }
+            let found = engine::run(Engine::Reference, &bench.designed, &bench.block, &whole).unwrap();
+            let expected = engine::run(Engine::Reference, &constants, &constant_block, &plain).unwrap();
+            let (mut a, mut b) = (Vec::new(), Vec::new());
+            for sample in 0..RUN {
+                found.read(sample, &mut a);
+                expected.read(sample, &mut b);
+                // The last output is the number of the set.
+                assert_eq!(a[..b.len()], b[..], "structure {structure} in {kind:?}, sample {sample}");
+            }
+            RUN
+        })
+        .sum();
+    eprintln!("{runs} cycles with a set as with its constants: 0 differing bits");
+}
+
 /// A whole set, and the same once more with the number of a part changed so that only one rule is broken.
 #[test]
 fn every_refusal_has_its_id() {
