@@ -1,6 +1,7 @@
 //! The block `ipc` of an axis whose numbers come from parameter sets: what such a set is told by, and the block, which does what `ipc` does.
 
 use super::ipc::notes::note;
+use super::values::{Value, Values};
 use super::{Certified, Kind, Part, Summary};
 use crate::axis::Axis;
 use crate::blocks::designed::Designed;
@@ -56,6 +57,12 @@ impl Part for TunableIpc {
 
     fn verdict(&self, designed: &Designed) -> Vec<String> {
         Ipc.verdict(designed)
+    }
+
+    /// That it takes sets; what the set says, the block with constants tells.
+    fn values(&self, designed: &Designed) -> Values {
+        let takes = designed.axis.ipc.takes_sets.then(|| Value::Words("taken over".to_owned()));
+        takes.map(|value| ("parameter sets".to_owned(), value)).into_iter().collect()
     }
 
     /// That of the block with constants, whose program does the same with the set that the block was generated with.
