@@ -191,7 +191,7 @@ fn listed<'a>(
     let [structure, set] = designed.sets.map(|number| format!("{number:08x}"));
     Listed {
         axis,
-        file: format!("{prefix}_set_{set}.{extension}"),
+        file: if extension == "c" { format!("{name}.c") } else { format!("{prefix}_set_{set}.{extension}") },
         block: prefix,
         name,
         structure,
