@@ -6,8 +6,9 @@ use generator::config::ListOptions;
 use generator::params_of;
 use generator::pipeline::read_with;
 use generator::set_change::{Refusal, judge};
-use portable::{Literal, RealKind};
-use reference::tunable_ipc::{Coeffs, Inputs, Outputs, State, init, params, step};
+use portable::{Literal, Portable, Real, RealKind};
+use reference::tunable_ipc::{Coeffs, Inputs, Outputs, State, error_of, init, params, step};
+use std::collections::BTreeSet;
 use std::path::Path;
 
 const SET: &str = include_str!("data/tunable.toml");
@@ -165,4 +166,59 @@ fn the_values_are_those_of_the_reference() {
     assert_eq!(value("stage1_filter1_allpass_a2"), Some(Literal::F64(set.stage[1].filter[1].allpass.a2)));
     assert_eq!(value("watch_quiet"), Some(Literal::F64(set.watch.quiet)));
     assert_eq!(value("stage2_gain"), None, "the stage is not there");
+}
+
+/// Whatever bit of a number of the set is another one, the block refuses it, but for the sign of a 0: what docs/parameter-sets.md says.
+#[test]
+fn no_changed_bit_escapes() {
+    let (of, of_single) = (axis(&[]), axis(&[SINGLE]));
+    assert_eq!(escapes::<f64>(&of), ["-0 of 0"]);
+    assert_eq!(escapes::<f32>(&of_single), ["-0 of 0"]);
+}
+
+/// What a single changed bit makes of a number of the set, where the block does not see it.
+fn escapes<R: Real>(of: &Designed) -> Vec<String> {
+    let wide = Coeffs { structure: of.sets[0], set: of.sets[1], ipc: of.ipc };
+    let coeffs: Coeffs<R> = build(leaves(&wide).into_iter().map(|leaf| match leaf {
+        Literal::F64(value) => real::<R>(R::lit(value).to_f64()),
+        other => other,
+    }));
+    let set = leaves(&params(&coeffs));
+    let error = |at: usize, leaf: Literal| {
+        let mut changed = set.clone();
+        changed[at] = leaf;
+        error_of(&coeffs, &build(changed.into_iter()))
+    };
+    assert_eq!(error(0, set[0]), 0, "as it is, the set is taken over");
+    let mut found = BTreeSet::new();
+    for (at, leaf) in set.iter().enumerate() {
+        // What the structure does not use is not looked at.
+        let is_used = matches!(leaf, Literal::U32(_)) || error(at, real::<R>(f64::NAN)) != 0;
+        for bit in 0..if R::KIND == RealKind::F64 { 64 } else { 32 } {
+            let changed = match *leaf {
+                Literal::F64(value) => Literal::F64(f64::from_bits(value.to_bits() ^ 1 << bit)),
+                Literal::F32(value) => Literal::F32(f32::from_bits(value.to_bits() ^ 1 << bit)),
+                Literal::U32(value) if bit < 32 => Literal::U32(value ^ 1 << bit),
+                _ => continue,
+            };
+            if is_used && error(at, changed) == 0 {
+                let text = |literal| match literal {
+                    Literal::F64(value) => value.to_string(),
+                    Literal::F32(value) => value.to_string(),
+                    other => format!("{other:?}"),
+                };
+                found.insert(format!("{} of {}", text(changed), text(*leaf)));
+            }
+        }
+    }
+    found.into_iter().collect()
+}
+
+fn real<R: Real>(value: f64) -> Literal {
+    #[expect(clippy::cast_possible_truncation, reason = "a number of that type")]
+    if R::KIND == RealKind::F64 { Literal::F64(value) } else { Literal::F32(value as f32) }
+}
+
+fn build<T: Portable>(mut leaves: impl Iterator<Item = Literal>) -> T {
+    T::build(&mut || leaves.next().unwrap_or_else(|| panic!("all scalars of the type")))
 }

@@ -12,7 +12,7 @@
  */
 #include "{{ of.block }}.h"
 
-/* Write this line where the set is offered: inputs.params = &{{ of.name }}; */
+/* Where the set is offered, declare it with this line, and write inputs.params = &{{ of.name }}; */
 extern const {{ of.block }}_params {{ of.name }};
 
 const {{ of.block }}_params {{ of.name }} = {
