@@ -9,7 +9,7 @@ use reference::tunable_ipc::{Coeffs, params};
 use xxhash_rust::xxh3::xxh3_64;
 
 /// What the sets of an axis are told by: their structure, and the number of the one that its parameters make.
-pub fn sets(axis: &Axis, ipc: &IpcCoeffs<f64>) -> [u32; 2] {
+pub(super) fn sets(axis: &Axis, ipc: &IpcCoeffs<f64>) -> [u32; 2] {
     [structure(axis, ipc), set(axis, ipc)]
 }
 
