@@ -22,6 +22,9 @@ static ERROR_IDS: &[&Fn] = &[
     &signal::error_state::Ir::<f64>::IR,
     &signal::error_tuning::Ir::<f64>::IR,
     &signal::error_unstable::Ir::<f64>::IR,
+    &signal::error_set_structure::Ir::<f64>::IR,
+    &signal::error_set_unsound::Ir::<f64>::IR,
+    &signal::error_set_damaged::Ir::<f64>::IR,
     &signal::error_v_command::Ir::<f64>::IR,
     &signal::error_v_motor::Ir::<f64>::IR,
     &signal::error_v_direct::Ir::<f64>::IR,
@@ -127,6 +130,15 @@ codes! {
     NC_PROGRAM = "AX019", "a mistake in an NC program",
         "A scenario is an NC program of the words that docs/scenarios.md lists, run on one axis: a spindle, or a path axis named X, Y or Z. \
          Every block must be over at some time, and no error of the generated block may occur.";
+    NO_SETS = "AX020", "an axis that takes no parameter sets",
+        "A parameter set is for the block of an axis with the key `tunable = \"all\"`. The set of parameters that the block on the machine was \
+         generated from has the key, and the new one too.";
+    OTHER_STRUCTURE = "AX021", "a parameter set for another block",
+        "The real type, the cycle time, the fade in cycles, the stages, their modes and filters and the cycles of the watch are the structure of a block: it \
+         refuses a set of another structure with error_id 6. Generate the block anew.";
+    SET_REFUSED = "AX022", "a parameter set that the block refuses",
+        "The block on the machine takes no limit above the one that it was generated with, and no number beyond its ranges: it refuses the set with \
+         error_id 7. Take a smaller limit, or generate the block anew.";
 
     LINE = "AX101", "no line of an axis list",
         "A line is `path value`, with blanks or tabs between and no `=`; `#`, `(`, `/*`, `;` or `//` begins a comment, to the end of \
@@ -413,4 +425,7 @@ codes! {
     TWO_WEIGHTS = "AX446", "two weights of the drive's feedforward",
         "P-AXIS-00833 replaces P-AXIS-00766. Both are given, and differ: the new one holds. Write what the drive has (SERCOS \
          S-0-0296, CANopen 3062h).";
+    NOT_IN_SET = "AX447", "a change that no parameter set carries",
+        "The set is taken over, and the block goes on with what it was generated with: its mode at start, the velocity below which a sum counts as 0, \
+         the other blocks of the axis. Generate the blocks anew where they are to follow.";
 }

@@ -6,6 +6,7 @@
 use crate::axis::Stage;
 use crate::blocks::{self, BLOCKS, Designed, Value};
 use crate::number::significant;
+use crate::set_change::judge;
 use portable::Literal;
 
 /// What became of each axis, in words, ASCII: those of the old set in its order, then those that were added; and whether some
@@ -40,7 +41,19 @@ fn differences(old: &Designed, new: &Designed) -> Vec<String> {
     if lines.is_empty() {
         lines.push("the coefficients differ by no more than their rounding".to_owned());
     }
+    lines.extend(by_set(old, new));
     lines
+}
+
+/// Whether a parameter set brings the change to the block on the machine, where both versions take sets and differ in one.
+fn by_set(old: &Designed, new: &Designed) -> Option<String> {
+    let both_take_sets = [old, new].iter().all(|of| of.axis.ipc.takes_sets);
+    let reasons = both_take_sets.then(|| judge(old, new).reasons())?;
+    match reasons.as_slice() {
+        [] if old.sets == new.sets => None,
+        [] => Some(format!("a parameter set is enough: axgen params-of NEW --axis {} --on OLD", new.axis.name)),
+        reasons => Some(format!("new code is needed, a parameter set is not enough: {}", reasons.join("; "))),
+    }
 }
 
 /// What is true of the axis itself, and which blocks it has.

@@ -17,6 +17,7 @@ fn program(locals: usize, step: Vec<Statement>) -> Program {
         switch: None,
         usual_first: false,
         fractions: &[],
+        set: None,
         real: RealKind::F64,
         inputs: vec![variable("x", Type::Real, Literal::F64(0.0)), variable("on", Type::Bool, Literal::Bool(false))],
         outputs: vec![variable("y", Type::Real, Literal::F64(0.0))],

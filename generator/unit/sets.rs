@@ -73,6 +73,7 @@ pub(crate) fn axes(count: usize, real: RealKind) -> impl Iterator<Item = Axis> {
                 fade: random.unit(),
                 ride_through: 0,
                 tuning: None,
+                takes_sets: false,
                 watch: false,
                 delay_cycles: None,
                 stage,

@@ -185,6 +185,22 @@ pub enum Command {
         #[arg(long, conflicts_with = "parameter")]
         markdown: bool,
     },
+    /// Writes the parameter set of an axis with `tunable = "all"`, for the block that was generated from OLD
+    ParamsOf {
+        #[command(flatten)]
+        set: SetArguments,
+        /// The axis; optional if the set has only one
+        #[arg(long, value_name = "X")]
+        axis: Option<String>,
+        /// The set that the block on the machine was generated from
+        #[arg(long, value_name = "OLD")]
+        on: PathBuf,
+        /// The form: c, rust, st, scl, csv or bin
+        #[arg(long = "as", value_name = "FORM", default_value = "c")]
+        form: String,
+        #[command(flatten)]
+        to: ToFile,
+    },
     /// Explains the code of a message, an error of the controller or an error_id of a block, and what to do
     Explain {
         /// The code (AX304), the error (70350, P-ERR-70350) or the error_id (12) [default: all codes]
@@ -260,6 +276,17 @@ pub struct OneFile {
     /// The file to write, `-`: standard output
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
+    /// Replace the file if it exists
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// The same with a short option.
+#[derive(Args)]
+pub struct ToFile {
+    /// The file to write, `-`: standard output
+    #[arg(short, long, visible_alias = "out", value_name = "FILE")]
+    pub output: Option<PathBuf>,
     /// Replace the file if it exists
     #[arg(long)]
     pub force: bool,

@@ -12,16 +12,7 @@ use std::path::Path;
 /// Runs the command. `options` are for the axis lists among the two; two lists are versions of one axis, whatever the files'
 /// names.
 pub fn run(old: &Path, new: &Path, options: &ListOptions, format: Format) -> Result<Exit, Exit> {
-    let some_list = !is_set(old) || !is_set(new);
-    let load = |path: &Path, are_warnings_said| {
-        let none = ListOptions::default();
-        read(path, if is_set(path) && some_list { &none } else { options }, format, are_warnings_said)
-    };
-    // Both are read, so that the mistakes of both are said; warnings are of interest for the axes that are to run.
-    let (mut before, after) = match (load(old, false), load(new, true)) {
-        (Ok(before), Ok(after)) => (before, after),
-        (Err(exit), _) | (_, Err(exit)) => return Err(exit),
-    };
+    let (mut before, after) = both(old, new, options, format)?;
     if let ([before], [after], false, false) =
         (before.axes.as_mut_slice(), after.axes.as_slice(), is_set(old), is_set(new))
     {
@@ -32,6 +23,20 @@ pub fn run(old: &Path, new: &Path, options: &ListOptions, format: Format) -> Res
         output::line(line)?;
     }
     Ok(if differ { Exit::Different } else { Exit::Done })
+}
+
+/// Reads two versions of axes. `options` are for the lists among the two.
+pub fn both(old: &Path, new: &Path, options: &ListOptions, format: Format) -> Result<(Set, Set), Exit> {
+    let some_list = !is_set(old) || !is_set(new);
+    let load = |path: &Path, are_warnings_said| {
+        let none = ListOptions::default();
+        read(path, if is_set(path) && some_list { &none } else { options }, format, are_warnings_said)
+    };
+    // Both are read, so that the mistakes of both are said; warnings are of interest for the axes that are to run.
+    match (load(old, false), load(new, true)) {
+        (Ok(before), Ok(after)) => Ok((before, after)),
+        (Err(exit), _) | (_, Err(exit)) => Err(exit),
+    }
 }
 
 fn read(path: &Path, options: &ListOptions, format: Format, are_warnings_said: bool) -> Result<Set, Exit> {

@@ -21,6 +21,7 @@ mod messages;
 mod one_file;
 mod output;
 mod params;
+mod params_of;
 mod results;
 mod run;
 mod scenario;
@@ -29,7 +30,7 @@ mod shared;
 mod shell;
 mod verify;
 
-use arguments::{Cli, Command, Golden, OneFile};
+use arguments::{Cli, Command, Golden, OneFile, ToFile};
 use compare_files::Show;
 use exit::Exit;
 use generator::config::ListOptions;
@@ -80,6 +81,9 @@ fn run(command: Command, format: Format) -> Result<Exit, Exit> {
         }
         Command::Export { set, axis, to } => export::run(&set, axis.as_deref(), to.out.as_deref(), to.force, format),
         Command::Params { parameter, markdown } => params::run(parameter.as_deref(), markdown),
+        Command::ParamsOf { set, axis, on, form, to: ToFile { output, force } } => {
+            params_of::run(&set, format, &params_of::Request { axis, on, form, out: output, force })
+        }
         Command::Explain { code } => explain::run(code.as_deref()),
         Command::Init { file } => init::run(&file),
         Command::Schema => schema::run(),

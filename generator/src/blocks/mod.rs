@@ -14,9 +14,10 @@ pub(crate) mod feedforward;
 pub(crate) mod ipc;
 mod kind;
 pub(crate) mod position_control;
+mod sets;
 pub(crate) mod spindle;
 mod spindle_axis;
-pub mod tunable_ipc;
+mod tunable_ipc;
 mod values;
 
 pub use crate::trial::Drill;

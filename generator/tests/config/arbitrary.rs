@@ -205,6 +205,7 @@ fn every_code_has_a_test() {
         include_str!("../real_files/mistakes.txt"),
         include_str!("../real_files/projects.rs"),
         include_str!("../../cli/tests/front_door/messages.rs"),
+        include_str!("../../cli/tests/params_of.rs"),
         include_str!("../../cli/tests/scenario.rs"),
     ];
     for code in CODES {

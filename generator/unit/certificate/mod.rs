@@ -51,6 +51,7 @@ fn axis(real: RealKind, cycle_time_ns: u32, stage: [Option<Stage>; 3]) -> Axis {
             fade: 0.1,
             ride_through: 0,
             tuning: None,
+            takes_sets: false,
             watch: false,
             delay_cycles: None,
             stage,

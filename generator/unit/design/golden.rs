@@ -121,6 +121,7 @@ fn rack_and_pinion() -> Axis {
             fade: 0.1,
             ride_through: 0,
             tuning: None,
+            takes_sets: false,
             watch: false,
             delay_cycles: None,
             stage,

@@ -50,6 +50,8 @@ pub struct State<R> {
     pub pause: u32,
     /// why the last set was refused
     pub refused: u32,
+    /// the number of the last set that was refused
+    pub refused_set: u32,
     /// the numbers of the set in use
     pub now: Numbers<R>,
     /// the cycle
@@ -108,13 +110,14 @@ pub fn offer<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Params<
     let mut refused = error_none();
     if params.set_id == state.set_id && state.set_id != 0u32 {
         state.withdrawn = false;
-    } else if state.pause > 0u32 {
+    } else if state.pause > 0u32 && params.set_id == state.refused_set {
         state.pause -= 1u32;
         refused = state.refused;
     } else if !is_leaving(coeffs, state.ipc.fade, state.withdrawn, state.ipc.watch.tripped) {
         refused = error_of(coeffs, params);
         if refused != error_none() {
             state.refused = refused;
+            state.refused_set = params.set_id;
             state.pause = coeffs.ipc.fade_cycles;
             state.withdrawn = state.set_id == 0u32;
         } else if state.ipc.fade == 0u32 {

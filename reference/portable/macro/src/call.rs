@@ -90,7 +90,9 @@ fn describe_argument(
     rejections: &mut Rejections,
 ) -> TokenStream {
     if let Expr::Reference(reference) = argument {
-        if let Expr::Call(call) = &*reference.expr {
+        if let Expr::Call(call) = &*reference.expr
+            && matches!(&*call.func, Expr::Path(path) if path.path.is_ident("with_numbers"))
+        {
             return numbers(call, reference.mutability.is_some(), scope, rejections);
         }
         *mutates |= reference.mutability.is_some();
@@ -108,25 +110,23 @@ fn describe_argument(
 
 /// `&with_numbers(&structure, &numbers)`, the only call whose value is borrowed.
 fn numbers(call: &syn::ExprCall, is_mutable: bool, scope: &mut Scope, rejections: &mut Rejections) -> TokenStream {
-    let is_named = matches!(&*call.func, Expr::Path(path) if path.path.is_ident("with_numbers"));
-    let mut arguments = call.args.iter().map(|argument| match argument {
+    let mut places = call.args.iter().map(|argument| match argument {
         Expr::Reference(reference) if reference.mutability.is_none() => {
             Some(place::describe(&reference.expr, scope, rejections))
         }
-        argument => borrowed(argument, scope)
-            .map(|(name, _)| quote!(::portable::Place { root: stringify!(#name), projections: &[] })),
+        argument => {
+            let (name, _) = borrowed(argument, scope)?;
+            Some(quote!(::portable::Place { root: stringify!(#name), projections: &[] }))
+        }
     });
-    match (arguments.next().flatten(), arguments.next().flatten(), arguments.next()) {
-        (Some(structure), Some(numbers), None) if is_named && !is_mutable => {
+    let places: Option<Vec<TokenStream>> = places.by_ref().collect();
+    match places.as_deref() {
+        Some([structure, numbers]) if !is_mutable => {
             quote!(::portable::Argument::Numbers { structure: #structure, numbers: #numbers })
         }
         _ => {
-            drop(arguments);
-            rejections.push(
-                call,
-                "the value of a call is not borrowed; write a place, or `&with_numbers(&structure, &numbers)`",
-            );
-            quote!(::portable::Argument::Borrow { place: ::portable::Place { root: "", projections: &[] } })
+            rejections.push(call, "two structs become one; write `&with_numbers(&structure, &numbers)`");
+            TokenStream::new()
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Calls: where they stand, what is passed, and whose function is meant.
 
 use crate::text;
-use portable::{Real, from_u32, in_range, portable, within};
+use portable::{Real, from_u32, in_range, portable, with_numbers, within};
 
 #[portable]
 struct Section<R> {
@@ -70,6 +70,21 @@ fn step<R: Real>(state: &mut State<R>, x: R) -> R {
 }
 
 #[portable]
+struct Number<R> {
+    s1: R,
+}
+
+#[portable]
+struct Numbers<R> {
+    section: [Number<R>; 2],
+}
+
+#[portable]
+fn overlaid<R: Real>(state: &State<R>, numbers: &Numbers<R>) -> R {
+    look(&with_numbers(state, numbers))
+}
+
+#[portable]
 fn intrinsics<R: Real>(state: &State<R>, x: R) -> bool {
     let share = from_u32::<R>(state.section[0].count) * x;
     in_range(x, portable_limit()) && within(share, R::ONE)
@@ -100,6 +115,19 @@ fn intrinsics_are_calls() {
                     (in_range(x, portable_limit()) && within(share, 1.0f32)) }";
     assert_eq!(text::function(&intrinsics::Ir::<f32>::IR), expected);
     assert_eq!(text::function(&portable_limit::Ir::<f32>::IR), "portable_limit() -> f32 { 1000000000.0f32 }");
+}
+
+#[test]
+fn numbers_lie_over_a_structure() {
+    let expected = "overlaid(state: &State, numbers: &Numbers) -> f64 { look(&with_numbers(&state, &numbers)) }";
+    assert_eq!(text::function(&overlaid::Ir::<f64>::IR), expected);
+    let section = |s1, count| Section { s1, count };
+    let state = State { section: [section(1.0, 7), section(2.0, 8)] };
+    let numbers = Numbers { section: [Number { s1: 3.0 }, Number { s1: 4.0 }] };
+    let both: State<f64> = with_numbers(&state, &numbers);
+    let all = both.section.map(|section| (section.s1.to_bits(), section.count));
+    assert_eq!(all, [(3.0_f64.to_bits(), 7), (4.0_f64.to_bits(), 8)]);
+    assert_eq!(overlaid(&state, &numbers).to_bits(), 3.0_f64.to_bits());
 }
 
 #[test]

@@ -86,6 +86,9 @@ fn argument(of: &Argument) -> String {
     match of {
         Argument::Value { value } => expr(value),
         Argument::Borrow { place: borrowed } => format!("&{}", place(borrowed)),
+        Argument::Numbers { structure, numbers } => {
+            format!("&with_numbers(&{}, &{})", place(structure), place(numbers))
+        }
     }
 }
 

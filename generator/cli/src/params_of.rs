@@ -1,0 +1,54 @@
+//! `axgen params-of`: the parameter set of an axis for the block that is on the machine.
+
+use crate::arguments::SetArguments;
+use crate::diff;
+use crate::exit::Exit;
+use crate::input::{self, said};
+use crate::messages::Format;
+use crate::one_file::{self, Rule};
+use generator::codes;
+use generator::config::ListOptions;
+use generator::diagnostics::{Diagnostic, Place, Slashes};
+use generator::params_of::{self, Form};
+use std::path::PathBuf;
+
+/// What the command takes, beside the set.
+pub struct Request {
+    /// the axis; none: the only one
+    pub axis: Option<String>,
+    /// what the block on the machine was generated from
+    pub on: PathBuf,
+    /// the name of the form
+    pub form: String,
+    /// the file to write; none, or `-`: standard output
+    pub out: Option<PathBuf>,
+    /// whether a file that is there may be replaced
+    pub force: bool,
+}
+
+/// Runs the command.
+pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Result<Exit, Exit> {
+    let Request { axis, on, form, out, force } = request;
+    let form =
+        Form::named(form).ok_or_else(|| Exit::no_such("--as", "form", form, &Form::ALL.map(|(name, _)| name)))?;
+    if let Some(out) = out {
+        one_file::kept_apart(out, [arguments.set.as_path(), on.as_path()].into_iter())?;
+    }
+    let options = ListOptions { cycle_time: arguments.cycle_time.clone(), name: arguments.name.clone() };
+    let (before, after) = diff::both(on, &arguments.set, &options, format)?;
+    let new = input::axis(&after, axis.as_deref())?;
+    let old = before.axes.iter().find(|of| of.axis.name == new.axis.name).ok_or_else(|| {
+        let names: Vec<&str> = before.axes.iter().map(|of| of.axis.name.as_str()).collect();
+        let missing = Diagnostic::error(
+            codes::NO_SUCH,
+            Place::whole(on.slashes()),
+            format!("no axis `{}`", new.axis.name.escape_default()),
+        );
+        Exit::Input(missing.allowed(names.join(", ")).into())
+    })?;
+    let report = params_of::check(new, old, [&arguments.set.slashes(), &on.slashes()]);
+    said((!report.has_errors()).then_some(()), &report, format)?;
+    let bytes = params_of::bytes(new, form).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
+    one_file::write(out.as_deref(), &bytes, Rule::by_force(*force))?;
+    Ok(Exit::Done)
+}

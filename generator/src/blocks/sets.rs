@@ -1,0 +1,45 @@
+//! What the parameter sets of an axis are told by. The block that takes them is elsewhere.
+
+use crate::axis::Axis;
+use crate::design::rounding::rounded;
+use compiler::leaves;
+use portable::{Literal, RealKind};
+use reference::ipc::Coeffs as IpcCoeffs;
+use reference::tunable_ipc::{Coeffs, params};
+use xxhash_rust::xxh3::xxh3_64;
+
+/// What the sets of an axis are told by: their structure, and the number of the one that its parameters make.
+pub(super) fn sets(axis: &Axis, ipc: &IpcCoeffs<f64>) -> [u32; 2] {
+    [structure(axis, ipc), set(axis, ipc)]
+}
+
+/// What a structure is told by: a number made of the real type and of every coefficient that is no real, but for the mode at start. Sets of
+/// the same structure fit the same block.
+fn structure(axis: &Axis, ipc: &IpcCoeffs<f64>) -> u32 {
+    let fixed = IpcCoeffs { enable: 0, ..*ipc };
+    let kept = leaves(&fixed).into_iter().filter(|leaf| !matches!(leaf, Literal::F64(_)));
+    let real = if axis.real == RealKind::F64 { "f64" } else { "f32" };
+    number(kept.fold(format!("ipc 1 {real}"), |text, leaf| format!("{text} {:?}", leaf.at_run_time())))
+}
+
+/// What a set is told by: a number made of all its numbers, rounded to the real type.
+fn set(axis: &Axis, ipc: &IpcCoeffs<f64>) -> u32 {
+    let all = match axis.real {
+        RealKind::F64 => leaves(&params(&Coeffs { structure: 0, set_id: 0, ipc: *ipc })),
+        RealKind::F32 => {
+            let ipc: IpcCoeffs<f32> = rounded(ipc, axis.real);
+            leaves(&params(&Coeffs { structure: 0, set_id: 0, ipc }))
+        }
+    };
+    number(all.into_iter().fold(String::new(), |text, leaf| match leaf {
+        Literal::F64(value) => format!("{text} {:016x}", value.to_bits()),
+        Literal::F32(value) => format!("{text} {:08x}", value.to_bits()),
+        other => format!("{text} {other:?}"),
+    }))
+}
+
+/// A number of 32 bits, not 0, made of a text.
+#[expect(clippy::cast_possible_truncation, reason = "the low half of a digest is one, too")]
+fn number(text: String) -> u32 {
+    (xxh3_64(text.as_bytes()) as u32).max(1)
+}

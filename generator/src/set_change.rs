@@ -1,0 +1,172 @@
+//! Whether a change of an axis is one of a parameter set: the one judgement that `params-of` and the semantic diff share. Nothing is
+//! printed here.
+
+use crate::axis::{Filter, Stage};
+use crate::blocks::{self, Designed, IPC, Part, Value, differences};
+use crate::design::rounding::rounded;
+use crate::number::pair;
+use crate::parameters::words::{StageMode, Words};
+use compiler::leaves;
+use portable::{Literal, Real, RealKind, with_numbers};
+use reference::ipc::Coeffs as IpcCoeffs;
+use reference::ipc::numbers::Numbers;
+use reference::tunable_ipc::{self, Coeffs, TunableIpc};
+
+/// What a parameter set of the new version does on the machine, whose block was generated from the old one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Judgement {
+    /// why the block does not take it over; none: it does
+    pub refused: Option<Refusal>,
+    /// what the new version changes beside the numbers of a set, in words: the block goes on without it
+    pub left: Vec<String>,
+}
+
+/// Why a block does not take a parameter set over.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Refusal {
+    /// the old version takes no sets
+    NoSetsBefore,
+    /// the new version has none
+    NoSetsAfter,
+    /// what differs in the structure, in words; the block says error id 6
+    Structure(Vec<String>),
+    /// the limit of the block and the one of the set [um/s or 0.001 deg/s], which is larger; the block says error id 7
+    Limit([f64; 2]),
+    /// a number is beyond what the block takes; the error id that it says
+    Numbers(u32),
+}
+
+impl Judgement {
+    /// Whether the set, on the old block, does all that the new version asks for.
+    pub fn is_enough(&self) -> bool {
+        self.refused.is_none() && self.left.is_empty()
+    }
+
+    /// Why new code is needed, in words; empty: it is not.
+    pub fn reasons(&self) -> Vec<String> {
+        let mut reasons = match &self.refused {
+            None => Vec::new(),
+            Some(Refusal::NoSetsBefore | Refusal::NoSetsAfter) => {
+                vec!["one of the versions takes no parameter sets".to_owned()]
+            }
+            Some(Refusal::Structure(lines)) => lines.clone(),
+            Some(Refusal::Limit([old, new])) => vec![format!("limit {}", pair(*old, *new, 7))],
+            Some(Refusal::Numbers(id)) => vec![format!("numbers that the block refuses with error_id {id}")],
+        };
+        reasons.extend(self.left.iter().cloned());
+        reasons
+    }
+}
+
+/// Judges the change from one version of an axis to another.
+pub fn judge(old: &Designed, new: &Designed) -> Judgement {
+    match old.axis.real {
+        RealKind::F64 => judge_in::<f64>(old, new),
+        RealKind::F32 => judge_in::<f32>(old, new),
+    }
+}
+
+/// The same in the real type of the block on the machine.
+fn judge_in<R: Real>(old: &Designed, new: &Designed) -> Judgement {
+    let refused = match (old.axis.ipc.takes_sets, new.axis.ipc.takes_sets) {
+        (false, _) => Some(Refusal::NoSetsBefore),
+        (true, false) => Some(Refusal::NoSetsAfter),
+        (true, true) => refusal::<R>(old, new),
+    };
+    let mut left = differences(&beside(old), &beside(new));
+    left.extend(other_blocks(old, new));
+    // Nothing may be left unsaid: the old block with the new numbers is the new block, but for what was named.
+    if left.is_empty() && refused.is_none() && !is_new::<R>(old, new) {
+        left.push("coefficients that are no part of a parameter set".to_owned());
+    }
+    Judgement { refused, left }
+}
+
+/// What the block on the machine has against the set, its structure first, as the block asks.
+fn refusal<R: Real>(old: &Designed, new: &Designed) -> Option<Refusal> {
+    let mut lines = differences(&structure(old), &structure(new));
+    if lines.is_empty() && old.sets[0] != new.sets[0] {
+        lines.push("structure".to_owned());
+    }
+    if !lines.is_empty() {
+        return Some(Refusal::Structure(lines));
+    }
+    let [block, set] = [old, new].map(coeffs::<R>);
+    if set.ipc.limit > block.ipc.limit {
+        return Some(Refusal::Limit([old, new].map(|of| of.ipc.limit)));
+    }
+    // The very check of the block.
+    let error = tunable_ipc::error_of(&block, &tunable_ipc::params(&set));
+    (error != reference::signal::error_none()).then_some(Refusal::Numbers(error))
+}
+
+/// Whether the old block with the new numbers has the coefficients of the new block.
+fn is_new<R: Real>(old: &Designed, new: &Designed) -> bool {
+    let [block, set] = [old, new].map(coeffs::<R>);
+    let params = tunable_ipc::params(&set);
+    let numbers = Numbers {
+        limit: params.limit,
+        lower_limit: params.lower_limit,
+        sum_limit: params.sum_limit,
+        watch: params.watch,
+        stage: params.stage,
+    };
+    let then: IpcCoeffs<R> = with_numbers(&block.ipc, &numbers);
+    leaves(&then) == leaves(&set.ipc)
+}
+
+fn coeffs<R: Real>(of: &Designed) -> Coeffs<R> {
+    rounded(&TunableIpc::design(of), R::KIND)
+}
+
+/// What the structure word covers, in the words of the semantic diff.
+fn structure(of: &Designed) -> Vec<(String, Value)> {
+    let (axis, ipc) = (&of.axis, &of.ipc);
+    let watch = match ipc.watch.active {
+        true => format!("in blocks of {} cycles, alarm {}", ipc.watch.block_cycles, ipc.watch.alarm),
+        false => "none".to_owned(),
+    };
+    let mut values = vec![
+        ("cycle time".to_owned(), Value::Number(f64::from(axis.cycle_time_ns) / 1e3, " us")),
+        ("real type".to_owned(), Value::Words(axis.real_name().to_owned())),
+        ("fade".to_owned(), Value::Number(f64::from(ipc.fade_cycles), " cycles")),
+        ("rides through".to_owned(), Value::Number(f64::from(ipc.ride_through.cycles), " bad samples in a row")),
+        ("watch".to_owned(), Value::Words(watch)),
+        ("gantry slave".to_owned(), Value::Words(if ipc.slave { "yes" } else { "no" }.to_owned())),
+    ];
+    values.extend(axis.ipc.stage.iter().enumerate().map(|(index, stage)| {
+        let text = stage.as_ref().map_or_else(|| StageMode::NotActive.name().to_owned(), parts);
+        (format!("stage[{index}]"), Value::Words(text))
+    }));
+    values
+}
+
+/// The source of a stage and its sections, without their numbers.
+fn parts(stage: &Stage) -> String {
+    let filter = |filter: &Filter| match filter {
+        Filter::Bandpass { order, .. } => format!(", {} order {order}", filter.kind().name()),
+        Filter::NoFilter | Filter::Allpass { .. } => format!(", {}", filter.kind().name()),
+    };
+    stage.mode.text() + &stage.filter.iter().map(filter).collect::<String>()
+}
+
+/// What a block has beside its structure and the numbers of a set.
+fn beside(of: &Designed) -> Vec<(String, Value)> {
+    let ipc = &of.axis.ipc;
+    vec![
+        ("starts".to_owned(), Value::Words(ipc.enable.name().to_owned())),
+        ("v_max".to_owned(), Value::Number(ipc.v_max, "")),
+    ]
+}
+
+/// The other blocks of the axis that differ, each in words.
+fn other_blocks(old: &Designed, new: &Designed) -> Vec<String> {
+    let others = |of: &Designed| -> Vec<(&'static str, Vec<Literal>)> {
+        let kinds = blocks::of_axis(&of.axis).filter(|kind| kind.name() != IPC);
+        kinds.map(|kind| (kind.name(), kind.coefficients(of))).collect()
+    };
+    let (before, after) = (others(old), others(new));
+    let changed = before.iter().filter(|of| !after.contains(of)).map(|(name, _)| *name);
+    let added = after.iter().filter(|(name, _)| before.iter().all(|(other, _)| other != name)).map(|(name, _)| *name);
+    changed.chain(added).map(|name| format!("the block {name} differs")).collect()
+}
