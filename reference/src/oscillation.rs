@@ -20,6 +20,8 @@
 //! y  = x - q
 //! ```
 
+#![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
+
 use crate::check_word::{Forming, add, largest_number};
 use crate::section::{State, anti_denormal, is_driven_by_change, is_stable_biquad, is_stable_trapezoidal};
 use crate::trapezoidal;
@@ -139,17 +141,14 @@ pub fn is_sound<R: Real>(coeffs: &Coeffs<R>) -> bool {
 #[portable]
 pub fn add_up<R: Real>(forming: &mut Forming, coeffs: &Coeffs<R>) {
     if is_driven_by_change::<R>() {
-        add(forming, coeffs.h);
-        add(forming, coeffs.r);
-        add(forming, coeffs.g);
-        add(forming, coeffs.g2);
+        let numbers = [coeffs.h, coeffs.r, coeffs.g, coeffs.g2];
+        for i in 0..4 {
+            add(forming, numbers[i]);
+        }
     } else {
-        add(forming, coeffs.b0);
-        add(forming, coeffs.b1);
-        add(forming, coeffs.b2);
-        add(forming, coeffs.a1);
-        add(forming, coeffs.a2);
-        add(forming, coeffs.preset_s1);
-        add(forming, coeffs.preset_s2);
+        let numbers = [coeffs.b0, coeffs.b1, coeffs.b2, coeffs.a1, coeffs.a2, coeffs.preset_s1, coeffs.preset_s2];
+        for i in 0..7 {
+            add(forming, numbers[i]);
+        }
     }
 }

@@ -40,19 +40,19 @@ pub fn error_unstable() -> u32 {
     5u32
 }
 
-/// error_id: a parameter set is for another structure, or none: the set in use goes on; a fault only where there is none
+/// error_id: a parameter set for another structure is refused; no fault while a set is in use
 #[portable]
 pub fn error_set_structure() -> u32 {
     6u32
 }
 
-/// error_id: a parameter set has a number that is none, an unstable section or a limit above the block's: the set in use goes on
+/// error_id: a parameter set with an unusable number, an unstable section or too large a limit is refused
 #[portable]
 pub fn error_set_unsound() -> u32 {
     7u32
 }
 
-/// error_id: a parameter set does not have its check word: its contents were changed: the set in use goes on
+/// error_id: a damaged parameter set is refused: it does not have its check word
 #[portable]
 pub fn error_set_damaged() -> u32 {
     8u32

@@ -27,6 +27,7 @@ fn a_name_is_given_once() {
         switch: None,
         usual_first: false,
         fractions: &[],
+        set: None,
         real: RealKind::F64,
         inputs: Vec::new(),
         outputs: Vec::new(),

@@ -16,7 +16,7 @@ const VARIABLES: Inside = Elements(&[(&["variable"], Any)]);
 const FORMATTED: Inside = Elements(&[(&["xhtml"], Once)]);
 
 /// The schema's elements that are used here, in the schema's order (which has `addData` before each `documentation`).
-const RULES: [Rule; 45] = [
+const RULES: [Rule; 46] = [
     rule(
         "project",
         &[("xmlns", |value| value == "http://www.plcopen.org/xml/tc6_0200")],
@@ -69,7 +69,8 @@ const RULES: [Rule; 45] = [
     rule("simpleValue", &[("value", |value| !value.is_empty())], Nothing),
     rule("documentation", &[], FORMATTED),
     rule("pointer", &[], Elements(&[(&["baseType"], Once)])),
-    rule("baseType", &[], Elements(&[(&["DWORD", "LWORD", "DINT", "enum"], Once)])),
+    rule("baseType", &[], Elements(&[(&["DWORD", "LWORD", "DINT", "enum", "struct"], Once)])),
+    rule("struct", &[], VARIABLES),
     rule("body", &[], Elements(&[(&["ST"], Once)])),
     rule("ST", &[], FORMATTED),
     rule("xhtml", &[("xmlns", |value| value == "http://www.w3.org/1999/xhtml")], Text),

@@ -121,7 +121,7 @@ fn a_declaration_does_not_end_its_object() {
             for declaration in [object.at("Declaration")].into_iter().chain(methods) {
                 let code = code(&declaration.text);
                 let ends: Vec<&str> = code.split_ascii_whitespace().filter(|word| word.starts_with("END_")).collect();
-                let allowed = ["END_VAR", "END_TYPE"];
+                let allowed = ["END_VAR", "END_STRUCT", "END_TYPE"];
                 assert!(ends.iter().all(|end| allowed.contains(&end.trim_end_matches(';'))), "{file}: {ends:?}");
                 assert_eq!(ends.contains(&"END_TYPE"), object.name == "DUT", "{file}");
                 assert_eq!(code.matches("VAR").count() % 2, 0, "{file}: every VAR has its END_VAR");

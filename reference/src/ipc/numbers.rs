@@ -94,11 +94,11 @@ pub fn are_limits_sound<R: Real>(structure: &Coeffs<R>, offered: &Params<R>) -> 
 /// Adds all numbers to the check word.
 #[portable]
 pub fn add_up<R: Real>(forming: &mut Forming, structure: &Coeffs<R>, offered: &Params<R>) {
-    add(forming, offered.limit * limit_scale());
-    add(forming, offered.lower_limit * limit_scale());
-    add(forming, offered.sum_limit * limit_scale());
-    if structure.watch.active {
-        add(forming, offered.watch.quiet * limit_scale());
+    let limits = [offered.limit, offered.lower_limit, offered.sum_limit, offered.watch.quiet];
+    for i in 0..4 {
+        if i < 3usize || structure.watch.active {
+            add(forming, limits[i] * limit_scale());
+        }
     }
     for i in 0..STAGES {
         if structure.stage[i].mode != stage::Mode::NotActive {

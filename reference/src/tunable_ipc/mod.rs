@@ -58,15 +58,6 @@ pub struct State<R> {
     pub ipc: ipc::State<R>,
 }
 
-/// Adds an integer to the check word, in two halves: they are exact in every real type.
-#[portable]
-pub fn add_integer<R: Real>(forming: &mut Forming, integer: u32) {
-    let low = from_u32::<R>(integer % 65_536u32);
-    let high = from_u32::<R>(integer / 65_536u32);
-    add(forming, low * half());
-    add(forming, high * half());
-}
-
 /// 1/2: half a word of 32 bits becomes a number that can be cut
 #[portable]
 pub fn half<R: Real>() -> R {
@@ -77,8 +68,16 @@ pub fn half<R: Real>() -> R {
 #[portable]
 pub fn add_up<R: Real>(forming: &mut Forming, structure: &ipc::Coeffs<R>, params: &Params<R>) {
     numbers::add_up(forming, structure, params);
-    add_integer::<R>(forming, params.structure);
-    add_integer::<R>(forming, params.set_id);
+    // An integer in two halves, which are exact in every real type.
+    let integers = [params.structure, params.set_id];
+    for i in 0..2 {
+        let low = from_u32::<R>(integers[i] % 65_536u32);
+        let high = from_u32::<R>(integers[i] / 65_536u32);
+        let halves = [low, high];
+        for k in 0..2 {
+            add(forming, halves[k] * half());
+        }
+    }
 }
 
 /// Why a set must not be taken over; none: it may be.

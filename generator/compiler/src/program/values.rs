@@ -92,14 +92,17 @@ fn of_expression(expr: &Expr, reaching: &Table<Values>) -> Values {
     }
 }
 
-/// What an input is compared with, if nothing else is done with it.
+/// What an input is compared with, if nothing else is done with it; in its place stands a local that takes it over or is a named number.
 fn compared(program: &Program, input: usize, reaching: &Table<Values>) -> Values {
     let input = Var::Input(input);
-    let is_input = |expr: &Expr| matches!(expr, Expr::Var(var) if *var == input);
+    let stand_ins = stand_ins(program, input);
+    let is_meant = |var: Var| var == input || stand_ins.contains(&var);
+    let is_input = |expr: &Expr| matches!(expr, Expr::Var(var) if is_meant(*var));
     let mut values = Values::default();
     let (mut mentioned, mut asked) = (0, 0);
     for statement in program.statements() {
-        statement.reads(&mut |var| mentioned += usize::from(var == input));
+        statement.reads(&mut |var| mentioned += usize::from(is_meant(var)));
+        statement.assignments(&mut |target, value| asked += usize::from(is_meant(target) && is_input(value)));
         statement.expressions(&mut |expr| {
             expr.parts(&mut |part| {
                 if let Expr::Binary(Binary::Equal | Binary::NotEqual, left, right) = part {
@@ -121,4 +124,17 @@ fn compared(program: &Program, input: usize, reaching: &Table<Values>) -> Values
     }
     values.others |= asked != mentioned;
     values
+}
+
+/// The locals that are what an input is, or a named number.
+fn stand_ins(program: &Program, input: Var) -> BTreeSet<Var> {
+    let (mut takes_over, mut others) = (BTreeSet::new(), BTreeSet::new());
+    for statement in program.statements() {
+        statement.assignments(&mut |target, value| match value {
+            Expr::Var(var) if *var == input => drop(takes_over.insert(target)),
+            Expr::Var(Var::Constant(_)) => {}
+            _ => drop(others.insert(target)),
+        });
+    }
+    takes_over.into_iter().filter(|var| matches!(var, Var::Local(_)) && !others.contains(var)).collect()
 }

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   ab6a435afbed9ce6e4e5f786808b835d
- * checksum    ecbd85fc00d881ab2da566e0453d1559
+ * structure   69572d141d57f983f029b1d48e6bdd3b
+ * checksum    e37a84e9600d70c65dcd30861fc5d12f
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -51,8 +51,6 @@ static const uint32_t axis_x_ipc_ipc_fade_cycles = 50u; /* cycles that the fade 
 static const float axis_x_ipc_ipc_fade_step = 0.02f; /* 1 / fade_cycles */
 
 /* the same for every axis */
-static const int32_t axis_x_ipc_mode_on = 1; /* mode: the block acts */
-static const int32_t axis_x_ipc_mode_off = 0; /* mode: the block is off */
 /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const float axis_x_ipc_sample_limit = 1000000000.0f;
 /* added to every change and to low, so that a section at rest never decays into subnormal numbers */
@@ -122,7 +120,6 @@ static void axis_x_ipc_any_cycle(
     static const float ipc_limit = 8000.0f; /* largest |v_add| */
 
     /* the same for every axis */
-    static const int32_t mode_dryrun = 2; /* mode: the block calculates and does not act */
     static const float limit_scale = 9.536743e-7f; /* 2^-20: factor of a limit before it is cut */
     static const float largest_number = 32768.0f; /* largest magnitude of a number of a parameter set, limits scaled */
     static const float weight_limit = 7.0f; /* largest |weight| (P-AXIS-00754/00755) */
@@ -175,155 +172,13 @@ static void axis_x_ipc_any_cycle(
                     const bool is_sound_so_far00 = is_sound_so_far0 && is_stable000;
                     const bool are_sound_so_far0 = are_sound_so_far && is_sound_so_far00;
                     if (are_sound_so_far0) {
-                        const float number = inputs->params->limit * limit_scale;
-                        const float rest = number * first_cut;
-                        const int32_t piece0 = (int32_t)rest;
-                        const int32_t part0 = piece0 % 46337;
-                        const int32_t first0 = ((int32_t)((uint32_t)0 + (uint32_t)part0)) % 46337;
-                        const int32_t second0 = ((int32_t)((uint32_t)0 + (uint32_t)part0)) % 46337;
-                        const float rest0 = (rest - (float)piece0) * next_cut;
-                        const int32_t piece1 = (int32_t)rest0;
-                        const int32_t part1 = piece1 % 46337;
-                        const int32_t first1 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first0 * (uint32_t)31337)) + (uint32_t)part1)) % 46337;
-                        const int32_t second1 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second0 * (uint32_t)17389)) + (uint32_t)part1)) % 46337;
-                        const float rest1 = (rest0 - (float)piece1) * next_cut;
-                        const int32_t piece2 = (int32_t)rest1;
-                        const int32_t part2 = piece2 % 46337;
-                        const int32_t first2 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first1 * (uint32_t)31337)) + (uint32_t)part2)) % 46337;
-                        const int32_t second2 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second1 * (uint32_t)17389)) + (uint32_t)part2)) % 46337;
-                        const float rest2 = (rest1 - (float)piece2) * next_cut;
-                        const bool is_left_over = !(axis_x_ipc_magnitude(rest2) <= 0.0f);
-                        const float number_next = inputs->params->lower_limit * limit_scale;
-                        const float rest_next = number_next * first_cut;
-                        const int32_t piece0_next = (int32_t)rest_next;
-                        const int32_t part0_next = piece0_next % 46337;
-                        const int32_t first0_next =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first2 * (uint32_t)31337)) + (uint32_t)part0_next)) % 46337;
-                        const int32_t second0_next =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second2 * (uint32_t)17389)) + (uint32_t)part0_next)) % 46337;
-                        const float rest0_next = (rest_next - (float)piece0_next) * next_cut;
-                        const int32_t piece1_next = (int32_t)rest0_next;
-                        const int32_t part1_next = piece1_next % 46337;
-                        const int32_t first1_next =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first0_next * (uint32_t)31337)) + (uint32_t)part1_next)) % 46337;
-                        const int32_t second1_next =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second0_next * (uint32_t)17389)) + (uint32_t)part1_next)) % 46337;
-                        const float rest1_next = (rest0_next - (float)piece1_next) * next_cut;
-                        const int32_t piece2_next = (int32_t)rest1_next;
-                        const int32_t part2_next = piece2_next % 46337;
-                        const int32_t first2_next =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first1_next * (uint32_t)31337)) + (uint32_t)part2_next)) % 46337;
-                        const int32_t second2_next =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second1_next * (uint32_t)17389)) + (uint32_t)part2_next)) % 46337;
-                        const float rest2_next = (rest1_next - (float)piece2_next) * next_cut;
-                        const bool is_left_over_next = is_left_over || !(axis_x_ipc_magnitude(rest2_next) <= 0.0f);
-                        const float number_last = inputs->params->sum_limit * limit_scale;
-                        const float rest_last = number_last * first_cut;
-                        const int32_t piece0_last = (int32_t)rest_last;
-                        const int32_t part0_last = piece0_last % 46337;
-                        const int32_t first0_last =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first2_next * (uint32_t)31337)) + (uint32_t)part0_last)) % 46337;
-                        const int32_t second0_last =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second2_next * (uint32_t)17389)) + (uint32_t)part0_last)) % 46337;
-                        const float rest0_last = (rest_last - (float)piece0_last) * next_cut;
-                        const int32_t piece1_last = (int32_t)rest0_last;
-                        const int32_t part1_last = piece1_last % 46337;
-                        const int32_t first1_last =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first0_last * (uint32_t)31337)) + (uint32_t)part1_last)) % 46337;
-                        const int32_t second1_last =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second0_last * (uint32_t)17389)) + (uint32_t)part1_last)) % 46337;
-                        const float rest1_last = (rest0_last - (float)piece1_last) * next_cut;
-                        const int32_t piece2_last = (int32_t)rest1_last;
-                        const int32_t part2_last = piece2_last % 46337;
-                        const int32_t first2_last =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first1_last * (uint32_t)31337)) + (uint32_t)part2_last)) % 46337;
-                        const int32_t second2_last =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second1_last * (uint32_t)17389)) + (uint32_t)part2_last)) % 46337;
-                        const float rest2_last = (rest1_last - (float)piece2_last) * next_cut;
-                        const bool is_left_over_last = is_left_over_next || !(axis_x_ipc_magnitude(rest2_last) <= 0.0f);
-                        const float rest000 = inputs->params->stage0_filter0_bandpass0_a * first_cut;
-                        const int32_t piece0000 = (int32_t)rest000;
-                        const int32_t part0000 = piece0000 % 46337;
-                        const int32_t first0000 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first2_last * (uint32_t)31337)) + (uint32_t)part0000)) % 46337;
-                        const int32_t second0000 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second2_last * (uint32_t)17389)) + (uint32_t)part0000)) % 46337;
-                        const float rest0000 = (rest000 - (float)piece0000) * next_cut;
-                        const int32_t piece0001 = (int32_t)rest0000;
-                        const int32_t part0001 = piece0001 % 46337;
-                        const int32_t first0001 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first0000 * (uint32_t)31337)) + (uint32_t)part0001)) % 46337;
-                        const int32_t second0001 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second0000 * (uint32_t)17389)) + (uint32_t)part0001)) % 46337;
-                        const float rest0001 = (rest0000 - (float)piece0001) * next_cut;
-                        const int32_t piece0002 = (int32_t)rest0001;
-                        const int32_t part0002 = piece0002 % 46337;
-                        const int32_t first0002 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first0001 * (uint32_t)31337)) + (uint32_t)part0002)) % 46337;
-                        const int32_t second0002 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second0001 * (uint32_t)17389)) + (uint32_t)part0002)) % 46337;
-                        const float rest0002 = (rest0001 - (float)piece0002) * next_cut;
-                        const bool is_left_over000 = is_left_over_last || !(axis_x_ipc_magnitude(rest0002) <= 0.0f);
-                        const float rest000_next = inputs->params->stage0_filter0_bandpass0_b * first_cut;
-                        const int32_t piece0000_next = (int32_t)rest000_next;
-                        const int32_t part0000_next = piece0000_next % 46337;
-                        const int32_t first0000_next =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first0002 * (uint32_t)31337)) + (uint32_t)part0000_next)) % 46337;
-                        const int32_t second0000_next =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second0002 * (uint32_t)17389)) + (uint32_t)part0000_next)) % 46337;
-                        const float rest0000_next = (rest000_next - (float)piece0000_next) * next_cut;
-                        const int32_t piece0001_next = (int32_t)rest0000_next;
-                        const int32_t part0001_next = piece0001_next % 46337;
-                        const int32_t first0001_next =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first0000_next * (uint32_t)31337)) + (uint32_t)part0001_next)) % 46337;
-                        const int32_t second0001_next =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second0000_next * (uint32_t)17389)) + (uint32_t)part0001_next)) % 46337;
-                        const float rest0001_next = (rest0000_next - (float)piece0001_next) * next_cut;
-                        const int32_t piece0002_next = (int32_t)rest0001_next;
-                        const int32_t part0002_next = piece0002_next % 46337;
-                        const int32_t first0002_next =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first0001_next * (uint32_t)31337)) + (uint32_t)part0002_next)) % 46337;
-                        const int32_t second0002_next =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second0001_next * (uint32_t)17389)) + (uint32_t)part0002_next)) % 46337;
-                        const float rest0002_next = (rest0001_next - (float)piece0002_next) * next_cut;
-                        const bool is_left_over000_next =
-                            is_left_over000 || !(axis_x_ipc_magnitude(rest0002_next) <= 0.0f);
-                        const float rest000_last = inputs->params->stage0_filter0_bandpass0_c * first_cut;
-                        const int32_t piece0000_last = (int32_t)rest000_last;
-                        const int32_t part0000_last = piece0000_last % 46337;
-                        const int32_t first0000_last =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first0002_next * (uint32_t)31337)) + (uint32_t)part0000_last)) % 46337;
-                        const int32_t second0000_last =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second0002_next * (uint32_t)17389)) + (uint32_t)part0000_last)) % 46337;
-                        const float rest0000_last = (rest000_last - (float)piece0000_last) * next_cut;
-                        const int32_t piece0001_last = (int32_t)rest0000_last;
-                        const int32_t part0001_last = piece0001_last % 46337;
-                        const int32_t first0001_last =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first0000_last * (uint32_t)31337)) + (uint32_t)part0001_last)) % 46337;
-                        const int32_t second0001_last =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second0000_last * (uint32_t)17389)) + (uint32_t)part0001_last)) % 46337;
-                        const float rest0001_last = (rest0000_last - (float)piece0001_last) * next_cut;
-                        const int32_t piece0002_last = (int32_t)rest0001_last;
-                        const int32_t part0002_last = piece0002_last % 46337;
-                        const int32_t first0002_last =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first0001_last * (uint32_t)31337)) + (uint32_t)part0002_last)) % 46337;
-                        const int32_t second0002_last =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second0001_last * (uint32_t)17389)) + (uint32_t)part0002_last)) % 46337;
-                        const float rest0002_last = (rest0001_last - (float)piece0002_last) * next_cut;
-                        const bool is_left_over000_last =
-                            is_left_over000_next || !(axis_x_ipc_magnitude(rest0002_last) <= 0.0f);
-                        const float rest0_2 = inputs->params->stage0_gain * first_cut;
-                        const int32_t piece00 = (int32_t)rest0_2;
+                        const float number0 = inputs->params->limit * limit_scale;
+                        const float rest0 = number0 * first_cut;
+                        const int32_t piece00 = (int32_t)rest0;
                         const int32_t part00 = piece00 % 46337;
-                        const int32_t first00 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first0002_last * (uint32_t)31337)) + (uint32_t)part00)) % 46337;
-                        const int32_t second00 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second0002_last * (uint32_t)17389)) + (uint32_t)part00)) % 46337;
-                        const float rest00 = (rest0_2 - (float)piece00) * next_cut;
+                        const int32_t first00 = ((int32_t)((uint32_t)0 + (uint32_t)part00)) % 46337;
+                        const int32_t second00 = ((int32_t)((uint32_t)0 + (uint32_t)part00)) % 46337;
+                        const float rest00 = (rest0 - (float)piece00) * next_cut;
                         const int32_t piece01 = (int32_t)rest00;
                         const int32_t part01 = piece01 % 46337;
                         const int32_t first01 =
@@ -338,110 +193,251 @@ static void axis_x_ipc_any_cycle(
                         const int32_t second02 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second01 * (uint32_t)17389)) + (uint32_t)part02)) % 46337;
                         const float rest02 = (rest01 - (float)piece02) * next_cut;
-                        const bool is_left_over0 = is_left_over000_last || !(axis_x_ipc_magnitude(rest02) <= 0.0f);
-                        const float low = (float)(inputs->params->structure % 65536u);
-                        const float high = (float)(inputs->params->structure / 65536u);
-                        const float number_2 = low * half;
-                        const float rest_2 = number_2 * first_cut;
-                        const int32_t piece0_2 = (int32_t)rest_2;
-                        const int32_t part0_2 = piece0_2 % 46337;
-                        const int32_t first0_2 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first02 * (uint32_t)31337)) + (uint32_t)part0_2)) % 46337;
-                        const int32_t second0_2 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second02 * (uint32_t)17389)) + (uint32_t)part0_2)) % 46337;
-                        const float rest0_3 = (rest_2 - (float)piece0_2) * next_cut;
-                        const int32_t piece1_2 = (int32_t)rest0_3;
-                        const int32_t part1_2 = piece1_2 % 46337;
-                        const int32_t first1_2 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first0_2 * (uint32_t)31337)) + (uint32_t)part1_2)) % 46337;
-                        const int32_t second1_2 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second0_2 * (uint32_t)17389)) + (uint32_t)part1_2)) % 46337;
-                        const float rest1_2 = (rest0_3 - (float)piece1_2) * next_cut;
-                        const int32_t piece2_2 = (int32_t)rest1_2;
-                        const int32_t part2_2 = piece2_2 % 46337;
-                        const int32_t first2_2 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first1_2 * (uint32_t)31337)) + (uint32_t)part2_2)) % 46337;
-                        const int32_t second2_2 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second1_2 * (uint32_t)17389)) + (uint32_t)part2_2)) % 46337;
-                        const float rest2_2 = (rest1_2 - (float)piece2_2) * next_cut;
-                        const bool is_left_over_2 = is_left_over0 || !(axis_x_ipc_magnitude(rest2_2) <= 0.0f);
-                        const float number_3 = high * half;
-                        const float rest_3 = number_3 * first_cut;
-                        const int32_t piece0_3 = (int32_t)rest_3;
-                        const int32_t part0_3 = piece0_3 % 46337;
-                        const int32_t first0_3 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first2_2 * (uint32_t)31337)) + (uint32_t)part0_3)) % 46337;
-                        const int32_t second0_3 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second2_2 * (uint32_t)17389)) + (uint32_t)part0_3)) % 46337;
-                        const float rest0_4 = (rest_3 - (float)piece0_3) * next_cut;
-                        const int32_t piece1_3 = (int32_t)rest0_4;
-                        const int32_t part1_3 = piece1_3 % 46337;
-                        const int32_t first1_3 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first0_3 * (uint32_t)31337)) + (uint32_t)part1_3)) % 46337;
-                        const int32_t second1_3 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second0_3 * (uint32_t)17389)) + (uint32_t)part1_3)) % 46337;
-                        const float rest1_3 = (rest0_4 - (float)piece1_3) * next_cut;
-                        const int32_t piece2_3 = (int32_t)rest1_3;
-                        const int32_t part2_3 = piece2_3 % 46337;
-                        const int32_t first2_3 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first1_3 * (uint32_t)31337)) + (uint32_t)part2_3)) % 46337;
-                        const int32_t second2_3 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second1_3 * (uint32_t)17389)) + (uint32_t)part2_3)) % 46337;
-                        const float rest2_3 = (rest1_3 - (float)piece2_3) * next_cut;
-                        const bool is_left_over_3 = is_left_over_2 || !(axis_x_ipc_magnitude(rest2_3) <= 0.0f);
-                        const float low_next = (float)(inputs->params->set_id % 65536u);
-                        const float high_next = (float)(inputs->params->set_id / 65536u);
-                        const float number_4 = low_next * half;
-                        const float rest_4 = number_4 * first_cut;
-                        const int32_t piece0_4 = (int32_t)rest_4;
-                        const int32_t part0_4 = piece0_4 % 46337;
-                        const int32_t first0_4 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first2_3 * (uint32_t)31337)) + (uint32_t)part0_4)) % 46337;
-                        const int32_t second0_4 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second2_3 * (uint32_t)17389)) + (uint32_t)part0_4)) % 46337;
-                        const float rest0_5 = (rest_4 - (float)piece0_4) * next_cut;
-                        const int32_t piece1_4 = (int32_t)rest0_5;
-                        const int32_t part1_4 = piece1_4 % 46337;
-                        const int32_t first1_4 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first0_4 * (uint32_t)31337)) + (uint32_t)part1_4)) % 46337;
-                        const int32_t second1_4 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second0_4 * (uint32_t)17389)) + (uint32_t)part1_4)) % 46337;
-                        const float rest1_4 = (rest0_5 - (float)piece1_4) * next_cut;
-                        const int32_t piece2_4 = (int32_t)rest1_4;
-                        const int32_t part2_4 = piece2_4 % 46337;
-                        const int32_t first2_4 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first1_4 * (uint32_t)31337)) + (uint32_t)part2_4)) % 46337;
-                        const int32_t second2_4 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second1_4 * (uint32_t)17389)) + (uint32_t)part2_4)) % 46337;
-                        const float rest2_4 = (rest1_4 - (float)piece2_4) * next_cut;
-                        const bool is_left_over_4 = is_left_over_3 || !(axis_x_ipc_magnitude(rest2_4) <= 0.0f);
-                        const float number_5 = high_next * half;
-                        const float rest_5 = number_5 * first_cut;
-                        const int32_t piece0_5 = (int32_t)rest_5;
-                        const int32_t part0_5 = piece0_5 % 46337;
-                        const int32_t first0_5 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first2_4 * (uint32_t)31337)) + (uint32_t)part0_5)) % 46337;
-                        const int32_t second0_5 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second2_4 * (uint32_t)17389)) + (uint32_t)part0_5)) % 46337;
-                        const float rest0_6 = (rest_5 - (float)piece0_5) * next_cut;
-                        const int32_t piece1_5 = (int32_t)rest0_6;
-                        const int32_t part1_5 = piece1_5 % 46337;
-                        const int32_t first1_5 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first0_5 * (uint32_t)31337)) + (uint32_t)part1_5)) % 46337;
-                        const int32_t second1_5 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second0_5 * (uint32_t)17389)) + (uint32_t)part1_5)) % 46337;
-                        const float rest1_5 = (rest0_6 - (float)piece1_5) * next_cut;
-                        const int32_t piece2_5 = (int32_t)rest1_5;
-                        const int32_t part2_5 = piece2_5 % 46337;
-                        const int32_t first2_5 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first1_5 * (uint32_t)31337)) + (uint32_t)part2_5)) % 46337;
-                        const int32_t second2_5 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second1_5 * (uint32_t)17389)) + (uint32_t)part2_5)) % 46337;
-                        const float rest2_5 = (rest1_5 - (float)piece2_5) * next_cut;
-                        const bool is_left_over_5 = is_left_over_4 || !(axis_x_ipc_magnitude(rest2_5) <= 0.0f);
+                        const bool is_left_over0 = !(axis_x_ipc_magnitude(rest02) <= 0.0f);
+                        const float number1 = inputs->params->lower_limit * limit_scale;
+                        const float rest1 = number1 * first_cut;
+                        const int32_t piece10 = (int32_t)rest1;
+                        const int32_t part10 = piece10 % 46337;
+                        const int32_t first10 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first02 * (uint32_t)31337)) + (uint32_t)part10)) % 46337;
+                        const int32_t second10 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second02 * (uint32_t)17389)) + (uint32_t)part10)) % 46337;
+                        const float rest10 = (rest1 - (float)piece10) * next_cut;
+                        const int32_t piece11 = (int32_t)rest10;
+                        const int32_t part11 = piece11 % 46337;
+                        const int32_t first11 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first10 * (uint32_t)31337)) + (uint32_t)part11)) % 46337;
+                        const int32_t second11 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second10 * (uint32_t)17389)) + (uint32_t)part11)) % 46337;
+                        const float rest11 = (rest10 - (float)piece11) * next_cut;
+                        const int32_t piece12 = (int32_t)rest11;
+                        const int32_t part12 = piece12 % 46337;
+                        const int32_t first12 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first11 * (uint32_t)31337)) + (uint32_t)part12)) % 46337;
+                        const int32_t second12 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second11 * (uint32_t)17389)) + (uint32_t)part12)) % 46337;
+                        const float rest12 = (rest11 - (float)piece12) * next_cut;
+                        const bool is_left_over1 = is_left_over0 || !(axis_x_ipc_magnitude(rest12) <= 0.0f);
+                        const float number2 = inputs->params->sum_limit * limit_scale;
+                        const float rest2 = number2 * first_cut;
+                        const int32_t piece20 = (int32_t)rest2;
+                        const int32_t part20 = piece20 % 46337;
+                        const int32_t first20 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first12 * (uint32_t)31337)) + (uint32_t)part20)) % 46337;
+                        const int32_t second20 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second12 * (uint32_t)17389)) + (uint32_t)part20)) % 46337;
+                        const float rest20 = (rest2 - (float)piece20) * next_cut;
+                        const int32_t piece21 = (int32_t)rest20;
+                        const int32_t part21 = piece21 % 46337;
+                        const int32_t first21 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first20 * (uint32_t)31337)) + (uint32_t)part21)) % 46337;
+                        const int32_t second21 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second20 * (uint32_t)17389)) + (uint32_t)part21)) % 46337;
+                        const float rest21 = (rest20 - (float)piece21) * next_cut;
+                        const int32_t piece22 = (int32_t)rest21;
+                        const int32_t part22 = piece22 % 46337;
+                        const int32_t first22 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first21 * (uint32_t)31337)) + (uint32_t)part22)) % 46337;
+                        const int32_t second22 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second21 * (uint32_t)17389)) + (uint32_t)part22)) % 46337;
+                        const float rest22 = (rest21 - (float)piece22) * next_cut;
+                        const bool is_left_over2 = is_left_over1 || !(axis_x_ipc_magnitude(rest22) <= 0.0f);
+                        const float rest0000 = inputs->params->stage0_filter0_bandpass0_a * first_cut;
+                        const int32_t piece00000 = (int32_t)rest0000;
+                        const int32_t part00000 = piece00000 % 46337;
+                        const int32_t first00000 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first22 * (uint32_t)31337)) + (uint32_t)part00000)) % 46337;
+                        const int32_t second00000 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second22 * (uint32_t)17389)) + (uint32_t)part00000)) % 46337;
+                        const float rest00000 = (rest0000 - (float)piece00000) * next_cut;
+                        const int32_t piece00001 = (int32_t)rest00000;
+                        const int32_t part00001 = piece00001 % 46337;
+                        const int32_t first00001 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first00000 * (uint32_t)31337)) + (uint32_t)part00001)) % 46337;
+                        const int32_t second00001 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second00000 * (uint32_t)17389)) + (uint32_t)part00001)) % 46337;
+                        const float rest00001 = (rest00000 - (float)piece00001) * next_cut;
+                        const int32_t piece00002 = (int32_t)rest00001;
+                        const int32_t part00002 = piece00002 % 46337;
+                        const int32_t first00002 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first00001 * (uint32_t)31337)) + (uint32_t)part00002)) % 46337;
+                        const int32_t second00002 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second00001 * (uint32_t)17389)) + (uint32_t)part00002)) % 46337;
+                        const float rest00002 = (rest00001 - (float)piece00002) * next_cut;
+                        const bool is_left_over0000 = is_left_over2 || !(axis_x_ipc_magnitude(rest00002) <= 0.0f);
+                        const float rest0001 = inputs->params->stage0_filter0_bandpass0_b * first_cut;
+                        const int32_t piece00010 = (int32_t)rest0001;
+                        const int32_t part00010 = piece00010 % 46337;
+                        const int32_t first00010 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first00002 * (uint32_t)31337)) + (uint32_t)part00010)) % 46337;
+                        const int32_t second00010 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second00002 * (uint32_t)17389)) + (uint32_t)part00010)) % 46337;
+                        const float rest00010 = (rest0001 - (float)piece00010) * next_cut;
+                        const int32_t piece00011 = (int32_t)rest00010;
+                        const int32_t part00011 = piece00011 % 46337;
+                        const int32_t first00011 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first00010 * (uint32_t)31337)) + (uint32_t)part00011)) % 46337;
+                        const int32_t second00011 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second00010 * (uint32_t)17389)) + (uint32_t)part00011)) % 46337;
+                        const float rest00011 = (rest00010 - (float)piece00011) * next_cut;
+                        const int32_t piece00012 = (int32_t)rest00011;
+                        const int32_t part00012 = piece00012 % 46337;
+                        const int32_t first00012 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first00011 * (uint32_t)31337)) + (uint32_t)part00012)) % 46337;
+                        const int32_t second00012 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second00011 * (uint32_t)17389)) + (uint32_t)part00012)) % 46337;
+                        const float rest00012 = (rest00011 - (float)piece00012) * next_cut;
+                        const bool is_left_over0001 = is_left_over0000 || !(axis_x_ipc_magnitude(rest00012) <= 0.0f);
+                        const float rest0002 = inputs->params->stage0_filter0_bandpass0_c * first_cut;
+                        const int32_t piece00020 = (int32_t)rest0002;
+                        const int32_t part00020 = piece00020 % 46337;
+                        const int32_t first00020 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first00012 * (uint32_t)31337)) + (uint32_t)part00020)) % 46337;
+                        const int32_t second00020 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second00012 * (uint32_t)17389)) + (uint32_t)part00020)) % 46337;
+                        const float rest00020 = (rest0002 - (float)piece00020) * next_cut;
+                        const int32_t piece00021 = (int32_t)rest00020;
+                        const int32_t part00021 = piece00021 % 46337;
+                        const int32_t first00021 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first00020 * (uint32_t)31337)) + (uint32_t)part00021)) % 46337;
+                        const int32_t second00021 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second00020 * (uint32_t)17389)) + (uint32_t)part00021)) % 46337;
+                        const float rest00021 = (rest00020 - (float)piece00021) * next_cut;
+                        const int32_t piece00022 = (int32_t)rest00021;
+                        const int32_t part00022 = piece00022 % 46337;
+                        const int32_t first00022 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first00021 * (uint32_t)31337)) + (uint32_t)part00022)) % 46337;
+                        const int32_t second00022 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second00021 * (uint32_t)17389)) + (uint32_t)part00022)) % 46337;
+                        const float rest00022 = (rest00021 - (float)piece00022) * next_cut;
+                        const bool is_left_over0002 = is_left_over0001 || !(axis_x_ipc_magnitude(rest00022) <= 0.0f);
+                        const float rest0_next = inputs->params->stage0_gain * first_cut;
+                        const int32_t piece00_next = (int32_t)rest0_next;
+                        const int32_t part00_next = piece00_next % 46337;
+                        const int32_t first00_next =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first00022 * (uint32_t)31337)) + (uint32_t)part00_next)) % 46337;
+                        const int32_t second00_next =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second00022 * (uint32_t)17389)) + (uint32_t)part00_next)) % 46337;
+                        const float rest00_next = (rest0_next - (float)piece00_next) * next_cut;
+                        const int32_t piece01_next = (int32_t)rest00_next;
+                        const int32_t part01_next = piece01_next % 46337;
+                        const int32_t first01_next =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first00_next * (uint32_t)31337)) + (uint32_t)part01_next)) % 46337;
+                        const int32_t second01_next =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second00_next * (uint32_t)17389)) + (uint32_t)part01_next)) % 46337;
+                        const float rest01_next = (rest00_next - (float)piece01_next) * next_cut;
+                        const int32_t piece02_next = (int32_t)rest01_next;
+                        const int32_t part02_next = piece02_next % 46337;
+                        const int32_t first02_next =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first01_next * (uint32_t)31337)) + (uint32_t)part02_next)) % 46337;
+                        const int32_t second02_next =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second01_next * (uint32_t)17389)) + (uint32_t)part02_next)) % 46337;
+                        const float rest02_next = (rest01_next - (float)piece02_next) * next_cut;
+                        const bool is_left_over0_next =
+                            is_left_over0002 || !(axis_x_ipc_magnitude(rest02_next) <= 0.0f);
+                        const float low0 = (float)(inputs->params->structure % 65536u);
+                        const float high0 = (float)(inputs->params->structure / 65536u);
+                        const float number00 = low0 * half;
+                        const float rest00_last = number00 * first_cut;
+                        const int32_t piece000 = (int32_t)rest00_last;
+                        const int32_t part000 = piece000 % 46337;
+                        const int32_t first000 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first02_next * (uint32_t)31337)) + (uint32_t)part000)) % 46337;
+                        const int32_t second000 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second02_next * (uint32_t)17389)) + (uint32_t)part000)) % 46337;
+                        const float rest000 = (rest00_last - (float)piece000) * next_cut;
+                        const int32_t piece001 = (int32_t)rest000;
+                        const int32_t part001 = piece001 % 46337;
+                        const int32_t first001 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first000 * (uint32_t)31337)) + (uint32_t)part001)) % 46337;
+                        const int32_t second001 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second000 * (uint32_t)17389)) + (uint32_t)part001)) % 46337;
+                        const float rest001 = (rest000 - (float)piece001) * next_cut;
+                        const int32_t piece002 = (int32_t)rest001;
+                        const int32_t part002 = piece002 % 46337;
+                        const int32_t first002 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first001 * (uint32_t)31337)) + (uint32_t)part002)) % 46337;
+                        const int32_t second002 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second001 * (uint32_t)17389)) + (uint32_t)part002)) % 46337;
+                        const float rest002 = (rest001 - (float)piece002) * next_cut;
+                        const bool is_left_over00 = is_left_over0_next || !(axis_x_ipc_magnitude(rest002) <= 0.0f);
+                        const float number01 = high0 * half;
+                        const float rest01_last = number01 * first_cut;
+                        const int32_t piece010 = (int32_t)rest01_last;
+                        const int32_t part010 = piece010 % 46337;
+                        const int32_t first010 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first002 * (uint32_t)31337)) + (uint32_t)part010)) % 46337;
+                        const int32_t second010 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second002 * (uint32_t)17389)) + (uint32_t)part010)) % 46337;
+                        const float rest010 = (rest01_last - (float)piece010) * next_cut;
+                        const int32_t piece011 = (int32_t)rest010;
+                        const int32_t part011 = piece011 % 46337;
+                        const int32_t first011 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first010 * (uint32_t)31337)) + (uint32_t)part011)) % 46337;
+                        const int32_t second011 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second010 * (uint32_t)17389)) + (uint32_t)part011)) % 46337;
+                        const float rest011 = (rest010 - (float)piece011) * next_cut;
+                        const int32_t piece012 = (int32_t)rest011;
+                        const int32_t part012 = piece012 % 46337;
+                        const int32_t first012 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first011 * (uint32_t)31337)) + (uint32_t)part012)) % 46337;
+                        const int32_t second012 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second011 * (uint32_t)17389)) + (uint32_t)part012)) % 46337;
+                        const float rest012 = (rest011 - (float)piece012) * next_cut;
+                        const bool is_left_over01 = is_left_over00 || !(axis_x_ipc_magnitude(rest012) <= 0.0f);
+                        const float low1 = (float)(inputs->params->set_id % 65536u);
+                        const float high1 = (float)(inputs->params->set_id / 65536u);
+                        const float number10 = low1 * half;
+                        const float rest10_next = number10 * first_cut;
+                        const int32_t piece100 = (int32_t)rest10_next;
+                        const int32_t part100 = piece100 % 46337;
+                        const int32_t first100 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first012 * (uint32_t)31337)) + (uint32_t)part100)) % 46337;
+                        const int32_t second100 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second012 * (uint32_t)17389)) + (uint32_t)part100)) % 46337;
+                        const float rest100 = (rest10_next - (float)piece100) * next_cut;
+                        const int32_t piece101 = (int32_t)rest100;
+                        const int32_t part101 = piece101 % 46337;
+                        const int32_t first101 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first100 * (uint32_t)31337)) + (uint32_t)part101)) % 46337;
+                        const int32_t second101 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second100 * (uint32_t)17389)) + (uint32_t)part101)) % 46337;
+                        const float rest101 = (rest100 - (float)piece101) * next_cut;
+                        const int32_t piece102 = (int32_t)rest101;
+                        const int32_t part102 = piece102 % 46337;
+                        const int32_t first102 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first101 * (uint32_t)31337)) + (uint32_t)part102)) % 46337;
+                        const int32_t second102 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second101 * (uint32_t)17389)) + (uint32_t)part102)) % 46337;
+                        const float rest102 = (rest101 - (float)piece102) * next_cut;
+                        const bool is_left_over10 = is_left_over01 || !(axis_x_ipc_magnitude(rest102) <= 0.0f);
+                        const float number11 = high1 * half;
+                        const float rest11_next = number11 * first_cut;
+                        const int32_t piece110 = (int32_t)rest11_next;
+                        const int32_t part110 = piece110 % 46337;
+                        const int32_t first110 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first102 * (uint32_t)31337)) + (uint32_t)part110)) % 46337;
+                        const int32_t second110 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second102 * (uint32_t)17389)) + (uint32_t)part110)) % 46337;
+                        const float rest110 = (rest11_next - (float)piece110) * next_cut;
+                        const int32_t piece111 = (int32_t)rest110;
+                        const int32_t part111 = piece111 % 46337;
+                        const int32_t first111 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first110 * (uint32_t)31337)) + (uint32_t)part111)) % 46337;
+                        const int32_t second111 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second110 * (uint32_t)17389)) + (uint32_t)part111)) % 46337;
+                        const float rest111 = (rest110 - (float)piece111) * next_cut;
+                        const int32_t piece112 = (int32_t)rest111;
+                        const int32_t part112 = piece112 % 46337;
+                        const int32_t first112 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first111 * (uint32_t)31337)) + (uint32_t)part112)) % 46337;
+                        const int32_t second112 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second111 * (uint32_t)17389)) + (uint32_t)part112)) % 46337;
+                        const float rest112 = (rest111 - (float)piece112) * next_cut;
+                        const bool is_left_over11 = is_left_over10 || !(axis_x_ipc_magnitude(rest112) <= 0.0f);
                         const bool is_same =
-                            inputs->params->check_first == first2_5 && inputs->params->check_second == second2_5;
-                        if (is_same && !is_left_over_5) {
+                            inputs->params->check_first == first112 && inputs->params->check_second == second112;
+                        if (is_same && !is_left_over11) {
                             refused = AXIS_X_IPC_ERROR_NONE;
                         } else {
                             refused = AXIS_X_IPC_ERROR_SET_DAMAGED;
@@ -473,8 +469,8 @@ static void axis_x_ipc_any_cycle(
                 }
             }
         }
-        if (state->withdrawn && inputs->mode == axis_x_ipc_mode_on) {
-            mode = mode_dryrun;
+        if (state->withdrawn && inputs->mode == AXIS_X_IPC_MODE_ON) {
+            mode = AXIS_X_IPC_MODE_DRYRUN;
         } else {
             mode = inputs->mode;
         }
@@ -486,7 +482,7 @@ static void axis_x_ipc_any_cycle(
     uint32_t ipc_reason;
     if (axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_ipc_cycle_time_ns)
-            && inputs->position_controlled && !inputs->reset && mode == axis_x_ipc_mode_on
+            && inputs->position_controlled && !inputs->reset && mode == AXIS_X_IPC_MODE_ON
             && state->ipc_fade >= axis_x_ipc_ipc_fade_cycles) {
         ipc_runs = true;
         ipc_reason = AXIS_X_IPC_ERROR_NONE;
@@ -494,12 +490,12 @@ static void axis_x_ipc_any_cycle(
         state->ipc_disturbed = false;
         ipc_runs = false;
         ipc_reason = AXIS_X_IPC_ERROR_STATE;
-    } else if ((mode == axis_x_ipc_mode_on || mode == axis_x_ipc_mode_off || mode == mode_dryrun)
+    } else if ((mode == AXIS_X_IPC_MODE_ON || mode == AXIS_X_IPC_MODE_OFF || mode == AXIS_X_IPC_MODE_DRYRUN)
             && axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_ipc_cycle_time_ns)
             && inputs->position_controlled && !inputs->reset) {
         if (state->ipc_preset) {
-            if (mode == axis_x_ipc_mode_on) {
+            if (mode == AXIS_X_IPC_MODE_ON) {
                 state->ipc_fade = state->ipc_fade + 1u;
             } else {
                 if (state->ipc_fade > axis_x_ipc_ipc_fade_cycles) {
@@ -509,13 +505,13 @@ static void axis_x_ipc_any_cycle(
                 if (state->ipc_fade > 0u) {
                     state->ipc_fade = state->ipc_fade - 1u;
                 }
-                if (mode == axis_x_ipc_mode_off && state->ipc_fade == 0u) {
+                if (mode == AXIS_X_IPC_MODE_OFF && state->ipc_fade == 0u) {
                     state->ipc_preset = false;
                 }
             }
             ipc_runs = true;
         } else {
-            if (mode != axis_x_ipc_mode_off) {
+            if (mode != AXIS_X_IPC_MODE_OFF) {
                 state->ipc_source_v_motor_before = inputs->v_motor;
                 /* DIRECT (P-AXIS-00753) from v_motor, weight 3/1 = 3 (P-AXIS-00754/00755) */
                 /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz (P-AXIS-00751),
@@ -532,7 +528,7 @@ static void axis_x_ipc_any_cycle(
         state->ipc_preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_ipc_cycle_time_ns)) {
             ipc_reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
-        } else if (!(mode == axis_x_ipc_mode_on || mode == axis_x_ipc_mode_off || mode == mode_dryrun)) {
+        } else if (!(mode == AXIS_X_IPC_MODE_ON || mode == AXIS_X_IPC_MODE_OFF || mode == AXIS_X_IPC_MODE_DRYRUN)) {
             ipc_reason = AXIS_X_IPC_ERROR_MODE;
         } else if (axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit) {
             ipc_reason = AXIS_X_IPC_ERROR_NONE;
@@ -600,7 +596,7 @@ static void axis_x_ipc_any_cycle(
             } else {
                 outputs->v_add = 0.0f;
             }
-            if (mode == axis_x_ipc_mode_off) {
+            if (mode == AXIS_X_IPC_MODE_OFF) {
                 outputs->v_add_calculated = 0.0f;
             } else {
                 outputs->v_add_calculated = ipc_v_limited_next;
@@ -634,7 +630,7 @@ void axis_x_ipc_step(
     const bool is_usual_cycle =
         axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_ipc_cycle_time_ns)
-            && inputs->position_controlled && !inputs->reset && inputs->mode == axis_x_ipc_mode_on
+            && inputs->position_controlled && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON
             && state->ipc_fade >= axis_x_ipc_ipc_fade_cycles;
     if (inputs->params->set_id == state->set_id && !state->withdrawn && is_usual_cycle) {
         outputs->error_id = AXIS_X_IPC_ERROR_NONE;
@@ -693,7 +689,7 @@ void axis_x_ipc_step(
             } else {
                 outputs->v_add = 0.0f;
             }
-            if (inputs->mode == axis_x_ipc_mode_off) {
+            if (inputs->mode == AXIS_X_IPC_MODE_OFF) {
                 outputs->v_add_calculated = 0.0f;
             } else {
                 outputs->v_add_calculated = ipc_v_limited;

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   ab6a435afbed9ce6e4e5f786808b835d
- * checksum    500e70f01ec930d891106542dcf98e32
+ * structure   69572d141d57f983f029b1d48e6bdd3b
+ * checksum    88ae998da7efa5d95a088c8462fe2419
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -43,10 +43,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xb4447d55u
 #define AXIS_X_IPC_PARAMETERS_3 0x4f36617au
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xab6a435au
-#define AXIS_X_IPC_STRUCTURE_1 0xfbed9ce6u
-#define AXIS_X_IPC_STRUCTURE_2 0xe4e5f786u
-#define AXIS_X_IPC_STRUCTURE_3 0x808b835du
+#define AXIS_X_IPC_STRUCTURE_0 0x69572d14u
+#define AXIS_X_IPC_STRUCTURE_1 0x1d57f983u
+#define AXIS_X_IPC_STRUCTURE_2 0xf029b1d4u
+#define AXIS_X_IPC_STRUCTURE_3 0x8e6bdd3bu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 60u
 #define AXIS_X_IPC_OUTPUTS_SIZE 20u
@@ -62,6 +62,13 @@ _Static_assert(sizeof(float) == sizeof(uint32_t), "float must have 32 bits");
 typedef char axis_x_ipc_real_has_32_bits[sizeof(float) == sizeof(uint32_t) ? 1 : -1];
 #endif
 
+/* values of the input mode */
+enum {
+    AXIS_X_IPC_MODE_OFF = 0, /* the block is off */
+    AXIS_X_IPC_MODE_ON = 1, /* the block acts */
+    AXIS_X_IPC_MODE_DRYRUN = 2 /* the block calculates and does not act */
+};
+
 /* values of the output error_id */
 enum {
     AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
@@ -69,13 +76,11 @@ enum {
     AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
     /* a state of the block is no number, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_X_IPC_ERROR_STATE = 3,
-    /* a parameter set is for another structure, or none: the set in use goes on; a fault only where there is none */
+    /* a parameter set for another structure is refused; no fault while a set is in use */
     AXIS_X_IPC_ERROR_SET_STRUCTURE = 6,
-    /* a parameter set has a number that is none, an unstable section or a limit above the block's: the set in use
-     * goes on */
+    /* a parameter set with an unusable number, an unstable section or too large a limit is refused */
     AXIS_X_IPC_ERROR_SET_UNSOUND = 7,
-    /* a parameter set does not have its check word: its contents were changed: the set in use goes on */
-    AXIS_X_IPC_ERROR_SET_DAMAGED = 8,
+    AXIS_X_IPC_ERROR_SET_DAMAGED = 8, /* a damaged parameter set is refused: it does not have its check word */
     AXIS_X_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */
 };
 
