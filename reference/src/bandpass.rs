@@ -117,7 +117,7 @@ pub fn is_sound<R: Real>(coeffs: &Coeffs<R>) -> bool {
 
 /// Adds the numbers to the check word.
 #[portable]
-pub fn add_up<R: Real>(forming: &mut Forming, coeffs: &Coeffs<R>) {
+pub fn add_up<R: Real>(forming: &mut Forming<R>, coeffs: &Coeffs<R>) {
     if is_driven_by_change::<R>() {
         let numbers = [coeffs.a, coeffs.b, coeffs.c];
         for i in 0..3 {

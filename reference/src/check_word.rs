@@ -14,7 +14,7 @@
 //! one among them, one in 2e9 does not. 46337 is the largest prime whose square an `i32` holds.
 
 use crate::precision::is_single;
-use portable::{Real, from_i32, in_range, portable, truncate};
+use portable::{Real, from_i32, portable, truncate};
 
 /// The check word.
 #[portable]
@@ -29,11 +29,11 @@ pub struct Word {
 /// A check word that is being formed.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Forming {
+pub struct Forming<R> {
     /// so far
     pub word: Word,
-    /// whether something was left over of a number, which is smaller than any coefficient
-    pub is_left_over: bool,
+    /// what was left over of all numbers: 0, unless one is smaller than any coefficient
+    pub left_over: R,
 }
 
 /// Integers that a number is cut into, at most.
@@ -73,7 +73,7 @@ pub fn add_piece(word: &mut Word, piece: i32) {
 
 /// Adds a number of at most [`largest_number`].
 #[portable]
-pub fn add<R: Real>(forming: &mut Forming, number: R) {
+pub fn add<R: Real>(forming: &mut Forming<R>, number: R) {
     let mut rest = number * first_cut();
     for i in 0..PIECES {
         if i < 3usize || !is_single::<R>() {
@@ -82,5 +82,5 @@ pub fn add<R: Real>(forming: &mut Forming, number: R) {
             rest = (rest - from_i32::<R>(piece)) * next_cut();
         }
     }
-    forming.is_left_over = forming.is_left_over || !in_range(rest, R::ZERO);
+    forming.left_over = forming.left_over + rest;
 }

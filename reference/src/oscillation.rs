@@ -23,7 +23,7 @@
 #![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
 
 use crate::check_word::{Forming, add, largest_number};
-use crate::section::{State, anti_denormal, is_driven_by_change, is_stable_biquad, is_stable_trapezoidal};
+use crate::section::{State, anti_denormal, are_poles_inside, is_driven_by_change, is_stable_biquad};
 use crate::trapezoidal;
 use portable::{Real, in_range, portable};
 
@@ -123,8 +123,9 @@ pub fn is_sound<R: Real>(coeffs: &Coeffs<R>) -> bool {
         if in_range(coeffs.h, largest_number())
             && in_range(coeffs.r, largest_number())
             && in_range(coeffs.g, largest_number())
+            && in_range(coeffs.g2, largest_number())
         {
-            is_sound = is_stable_trapezoidal(coeffs.g * coeffs.h, coeffs.g * coeffs.r, coeffs.g2);
+            is_sound = are_poles_inside(coeffs.g * coeffs.h, coeffs.g * coeffs.r, coeffs.g2);
         }
         is_sound
     } else {
@@ -139,7 +140,7 @@ pub fn is_sound<R: Real>(coeffs: &Coeffs<R>) -> bool {
 
 /// Adds the numbers to the check word.
 #[portable]
-pub fn add_up<R: Real>(forming: &mut Forming, coeffs: &Coeffs<R>) {
+pub fn add_up<R: Real>(forming: &mut Forming<R>, coeffs: &Coeffs<R>) {
     if is_driven_by_change::<R>() {
         let numbers = [coeffs.h, coeffs.r, coeffs.g, coeffs.g2];
         for i in 0..4 {

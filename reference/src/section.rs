@@ -61,8 +61,14 @@ pub fn is_stable_biquad<R: Real>(a1: R, a2: R) -> bool {
 pub fn is_stable_trapezoidal<R: Real>(a: R, b: R, c: R) -> bool {
     let mut is_stable = false;
     if in_range(a, largest_number()) && in_range(b, R::ONE) && in_range(c, largest_number()) {
-        let product = a * c;
-        is_stable = R::ZERO < product && product < b + b && b < R::ONE;
+        is_stable = are_poles_inside(a, b, c);
     }
     is_stable
+}
+
+/// The same of numbers.
+#[portable]
+pub fn are_poles_inside<R: Real>(a: R, b: R, c: R) -> bool {
+    let product = a * c;
+    R::ZERO < product && product < b + b && b < R::ONE
 }

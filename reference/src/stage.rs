@@ -195,7 +195,7 @@ pub fn is_sound<R: Real>(structure: &Coeffs<R>, offered: &Numbers<R>) -> bool {
 
 /// Adds the numbers to the check word.
 #[portable]
-pub fn add_up<R: Real>(forming: &mut Forming, structure: &Coeffs<R>, offered: &Numbers<R>) {
+pub fn add_up<R: Real>(forming: &mut Forming<R>, structure: &Coeffs<R>, offered: &Numbers<R>) {
     if structure.mode != Mode::Direct {
         oscillation::add_up(forming, &offered.oscillation);
     }

@@ -55,7 +55,7 @@ fn no_state_of_a_golden_case_is_ever_subnormal_or_no_number() {
 fn assert_states_normal(case: &Case) {
     let count = if is_exhaustive() { 200_000 } else { 50_000 };
     let samples = case::inputs(case, count).unwrap_or_else(|mistake| panic!("{mistake}"));
-    let kind = blocks::named(case.block.program.block).expect("the registry has the block");
+    let kind = blocks::of_name(&case.axis.axis, case.block.program.block).expect("the axis has the block");
     let (mut reference, mut values, mut outputs) = (kind.start(&case.axis), Vec::new(), Vec::new());
     for sample in 0..samples.len() {
         samples.read(sample, &mut values);

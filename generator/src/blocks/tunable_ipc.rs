@@ -32,7 +32,11 @@ impl Part for TunableIpc {
             ),
             note("set_id", format!("the set that the block was generated with has the number {set} = 16#{set:08X}")),
         ];
-        let of_ipc = Ipc.notes(designed).into_iter().map(|(path, text)| (format!("ipc.{path}"), text));
+        // Of a stage another set has other numbers.
+        let of_ipc = Ipc.notes(designed).into_iter().map(|(path, text)| {
+            let text = if path.starts_with("stage") { format!("as generated: {text}") } else { text };
+            (format!("ipc.{path}"), text)
+        });
         own.into_iter().chain(of_ipc).collect()
     }
 

@@ -228,6 +228,21 @@ pub fn act<R: Real>(
     }
 }
 
+/// The same of a cycle in which the mode is ON and the fade full, and nothing is tuned.
+#[portable]
+pub fn act_in_full<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    outputs.limited = false;
+    outputs.fault = false;
+    outputs.error_id = error_none();
+    let v_sum = sum_of_stages(state, coeffs, inputs);
+    let v_limited = limit(state, outputs, coeffs, v_sum);
+    outputs.v_add = v_limited;
+    outputs.v_add_calculated = v_limited;
+    if coeffs.watch.active && !state.disturbed {
+        watch::step(&mut state.watch, &coeffs.watch, v_sum, coeffs.limit, coeffs.lower_limit);
+    }
+}
+
 /// The watch is ready again where the mode is not ON, and with a reset.
 #[portable]
 #[expect(

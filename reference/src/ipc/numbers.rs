@@ -93,7 +93,7 @@ pub fn are_limits_sound<R: Real>(structure: &Coeffs<R>, offered: &Params<R>) -> 
 
 /// Adds all numbers to the check word.
 #[portable]
-pub fn add_up<R: Real>(forming: &mut Forming, structure: &Coeffs<R>, offered: &Params<R>) {
+pub fn add_up<R: Real>(forming: &mut Forming<R>, structure: &Coeffs<R>, offered: &Params<R>) {
     let limits = [offered.limit, offered.lower_limit, offered.sum_limit, offered.watch.quiet];
     for i in 0..4 {
         if i < 3usize || structure.watch.active {

@@ -24,7 +24,7 @@ use crate::ipc::numbers::{self, Numbers, Params};
 use crate::ipc::{self, watch};
 use crate::signal::{error_none, error_set_damaged, error_set_structure, error_set_unsound};
 use crate::{filter, stage};
-use portable::{Block, Enable, Fn, Real, from_u32, portable, with_numbers};
+use portable::{Block, Enable, Fn, Real, from_u32, in_range, portable, with_numbers};
 
 /// Coefficients.
 #[portable]
@@ -66,7 +66,7 @@ pub fn half<R: Real>() -> R {
 
 /// Forms the check word of a set.
 #[portable]
-pub fn add_up<R: Real>(forming: &mut Forming, structure: &ipc::Coeffs<R>, params: &Params<R>) {
+pub fn add_up<R: Real>(forming: &mut Forming<R>, structure: &ipc::Coeffs<R>, params: &Params<R>) {
     numbers::add_up(forming, structure, params);
     // An integer in two halves, which are exact in every real type.
     let integers = [params.structure, params.set_id];
@@ -88,10 +88,10 @@ pub fn error_of<R: Real>(coeffs: &Coeffs<R>, params: &Params<R>) -> u32 {
         error = error_set_unsound();
         let are_sound = numbers::are_sound(&coeffs.ipc, params);
         if are_sound {
-            let mut formed = Forming::default();
+            let mut formed = Forming::<R>::default();
             add_up(&mut formed, &coeffs.ipc, params);
             let is_same = params.check.first == formed.word.first && params.check.second == formed.word.second;
-            error = if is_same && !formed.is_left_over { error_none() } else { error_set_damaged() };
+            error = if in_range(formed.left_over, R::ZERO) && is_same { error_none() } else { error_set_damaged() };
         }
     }
     error
@@ -169,16 +169,6 @@ pub fn put_out<R: Real>(set_id: u32, ipc_outputs: &ipc::Outputs<R>, refused: u32
     outputs.active_set = set_id;
 }
 
-/// Whether nothing is asked for but what the block does, and it acts in full.
-#[portable]
-pub fn is_usual<R: Real>(coeffs: &ipc::Coeffs<R>, ipc_inputs: &ipc::Inputs<R>, state: &ipc::State<R>) -> bool {
-    ipc::may_act(coeffs, ipc_inputs)
-        && ipc_inputs.mode == ipc::mode_on()
-        && state.fade >= coeffs.fade_cycles
-        && !(coeffs.watch.active && state.watch.tripped)
-        && (!coeffs.ride_through.active || state.ride_through.bad == 0u32)
-}
-
 /// Any cycle.
 #[portable]
 pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
@@ -203,10 +193,16 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let mut ipc_inputs = ipc::Inputs::<R>::default();
     hand_over(inputs, inputs.mode, &mut ipc_inputs);
-    let is_usual_cycle = is_usual(&coeffs.ipc, &ipc_inputs, &state.ipc);
-    if inputs.params.set_id == state.set_id && !state.withdrawn && is_usual_cycle {
+    if inputs.params.set_id == state.set_id
+        && !state.withdrawn
+        && ipc::may_act(&coeffs.ipc, &ipc_inputs)
+        && inputs.mode == ipc::mode_on()
+        && state.ipc.fade >= coeffs.ipc.fade_cycles
+        && !(coeffs.ipc.watch.active && state.ipc.watch.tripped)
+        && (!coeffs.ipc.ride_through.active || state.ipc.ride_through.bad == 0u32)
+    {
         let mut ipc_outputs = ipc::Outputs::<R>::default();
-        ipc::act(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.now), &ipc_inputs, &mut ipc_outputs, false);
+        ipc::act_in_full(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.now), &ipc_inputs, &mut ipc_outputs);
         ipc::tell_trip(&state.ipc, &coeffs.ipc, &mut ipc_outputs);
         put_out(state.set_id, &ipc_outputs, error_none(), outputs);
     } else {
@@ -233,7 +229,7 @@ pub fn params<R: Real>(coeffs: &Coeffs<R>) -> Params<R> {
         watch: watch::Numbers { quiet: ipc.watch.quiet },
         stage: ipc.stage.each_ref().map(of_stage),
     };
-    let mut formed = Forming::default();
+    let mut formed = Forming::<R>::default();
     add_up(&mut formed, ipc, &params);
     params.check = formed.word;
     params

@@ -284,7 +284,7 @@ fn every_refusal_has_its_id() {
         let mut params = whole;
         change(&mut params);
         // The check word fits, so that nothing but the rule refuses it.
-        let mut formed = Forming::default();
+        let mut formed = Forming::<f64>::default();
         tunable_ipc::add_up(&mut formed, &coeffs.ipc, &params);
         params.check = formed.word;
         tunable_ipc::error_of(&coeffs, &params)

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   69572d141d57f983f029b1d48e6bdd3b
- * checksum    e37a84e9600d70c65dcd30861fc5d12f
+ * structure   60373727511fda52ac3b517ec1289061
+ * checksum    44fa5f9f17aa67579de6caa205595643
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -48,7 +48,6 @@ static const float axis_x_ipc_ipc_rest = 3.6379788e-7f;
 
 /* OFF to ON takes 0.05 s (key fade), in cycles */
 static const uint32_t axis_x_ipc_ipc_fade_cycles = 50u; /* cycles that the fade takes from 0 to 1 */
-static const float axis_x_ipc_ipc_fade_step = 0.02f; /* 1 / fade_cycles */
 
 /* the same for every axis */
 /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
@@ -118,6 +117,9 @@ static void axis_x_ipc_any_cycle(
 
     /* largest |v_add| = 8000: 20 * 0.1 % (P-AXIS-00757) of 400000 (P-AXIS-00212) */
     static const float ipc_limit = 8000.0f; /* largest |v_add| */
+
+    /* OFF to ON takes 0.05 s (key fade), in cycles */
+    static const float ipc_fade_step = 0.02f; /* 1 / fade_cycles */
 
     /* the same for every axis */
     static const float limit_scale = 9.536743e-7f; /* 2^-20: factor of a limit before it is cut */
@@ -193,7 +195,7 @@ static void axis_x_ipc_any_cycle(
                         const int32_t second02 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second01 * (uint32_t)17389)) + (uint32_t)part02)) % 46337;
                         const float rest02 = (rest01 - (float)piece02) * next_cut;
-                        const bool is_left_over0 = !(axis_x_ipc_magnitude(rest02) <= 0.0f);
+                        const float left_over0 = 0.0f + rest02;
                         const float number1 = inputs->params->lower_limit * limit_scale;
                         const float rest1 = number1 * first_cut;
                         const int32_t piece10 = (int32_t)rest1;
@@ -217,7 +219,7 @@ static void axis_x_ipc_any_cycle(
                         const int32_t second12 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second11 * (uint32_t)17389)) + (uint32_t)part12)) % 46337;
                         const float rest12 = (rest11 - (float)piece12) * next_cut;
-                        const bool is_left_over1 = is_left_over0 || !(axis_x_ipc_magnitude(rest12) <= 0.0f);
+                        const float left_over1 = left_over0 + rest12;
                         const float number2 = inputs->params->sum_limit * limit_scale;
                         const float rest2 = number2 * first_cut;
                         const int32_t piece20 = (int32_t)rest2;
@@ -241,7 +243,7 @@ static void axis_x_ipc_any_cycle(
                         const int32_t second22 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second21 * (uint32_t)17389)) + (uint32_t)part22)) % 46337;
                         const float rest22 = (rest21 - (float)piece22) * next_cut;
-                        const bool is_left_over2 = is_left_over1 || !(axis_x_ipc_magnitude(rest22) <= 0.0f);
+                        const float left_over2 = left_over1 + rest22;
                         const float rest0000 = inputs->params->stage0_filter0_bandpass0_a * first_cut;
                         const int32_t piece00000 = (int32_t)rest0000;
                         const int32_t part00000 = piece00000 % 46337;
@@ -264,7 +266,7 @@ static void axis_x_ipc_any_cycle(
                         const int32_t second00002 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second00001 * (uint32_t)17389)) + (uint32_t)part00002)) % 46337;
                         const float rest00002 = (rest00001 - (float)piece00002) * next_cut;
-                        const bool is_left_over0000 = is_left_over2 || !(axis_x_ipc_magnitude(rest00002) <= 0.0f);
+                        const float left_over0000 = left_over2 + rest00002;
                         const float rest0001 = inputs->params->stage0_filter0_bandpass0_b * first_cut;
                         const int32_t piece00010 = (int32_t)rest0001;
                         const int32_t part00010 = piece00010 % 46337;
@@ -287,7 +289,7 @@ static void axis_x_ipc_any_cycle(
                         const int32_t second00012 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second00011 * (uint32_t)17389)) + (uint32_t)part00012)) % 46337;
                         const float rest00012 = (rest00011 - (float)piece00012) * next_cut;
-                        const bool is_left_over0001 = is_left_over0000 || !(axis_x_ipc_magnitude(rest00012) <= 0.0f);
+                        const float left_over0001 = left_over0000 + rest00012;
                         const float rest0002 = inputs->params->stage0_filter0_bandpass0_c * first_cut;
                         const int32_t piece00020 = (int32_t)rest0002;
                         const int32_t part00020 = piece00020 % 46337;
@@ -310,7 +312,7 @@ static void axis_x_ipc_any_cycle(
                         const int32_t second00022 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second00021 * (uint32_t)17389)) + (uint32_t)part00022)) % 46337;
                         const float rest00022 = (rest00021 - (float)piece00022) * next_cut;
-                        const bool is_left_over0002 = is_left_over0001 || !(axis_x_ipc_magnitude(rest00022) <= 0.0f);
+                        const float left_over0002 = left_over0001 + rest00022;
                         const float rest0_next = inputs->params->stage0_gain * first_cut;
                         const int32_t piece00_next = (int32_t)rest0_next;
                         const int32_t part00_next = piece00_next % 46337;
@@ -333,8 +335,7 @@ static void axis_x_ipc_any_cycle(
                         const int32_t second02_next =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second01_next * (uint32_t)17389)) + (uint32_t)part02_next)) % 46337;
                         const float rest02_next = (rest01_next - (float)piece02_next) * next_cut;
-                        const bool is_left_over0_next =
-                            is_left_over0002 || !(axis_x_ipc_magnitude(rest02_next) <= 0.0f);
+                        const float left_over0_next = left_over0002 + rest02_next;
                         const float low0 = (float)(inputs->params->structure % 65536u);
                         const float high0 = (float)(inputs->params->structure / 65536u);
                         const float number00 = low0 * half;
@@ -360,7 +361,7 @@ static void axis_x_ipc_any_cycle(
                         const int32_t second002 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second001 * (uint32_t)17389)) + (uint32_t)part002)) % 46337;
                         const float rest002 = (rest001 - (float)piece002) * next_cut;
-                        const bool is_left_over00 = is_left_over0_next || !(axis_x_ipc_magnitude(rest002) <= 0.0f);
+                        const float left_over00 = left_over0_next + rest002;
                         const float number01 = high0 * half;
                         const float rest01_last = number01 * first_cut;
                         const int32_t piece010 = (int32_t)rest01_last;
@@ -384,7 +385,7 @@ static void axis_x_ipc_any_cycle(
                         const int32_t second012 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second011 * (uint32_t)17389)) + (uint32_t)part012)) % 46337;
                         const float rest012 = (rest011 - (float)piece012) * next_cut;
-                        const bool is_left_over01 = is_left_over00 || !(axis_x_ipc_magnitude(rest012) <= 0.0f);
+                        const float left_over01 = left_over00 + rest012;
                         const float low1 = (float)(inputs->params->set_id % 65536u);
                         const float high1 = (float)(inputs->params->set_id / 65536u);
                         const float number10 = low1 * half;
@@ -410,7 +411,7 @@ static void axis_x_ipc_any_cycle(
                         const int32_t second102 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second101 * (uint32_t)17389)) + (uint32_t)part102)) % 46337;
                         const float rest102 = (rest101 - (float)piece102) * next_cut;
-                        const bool is_left_over10 = is_left_over01 || !(axis_x_ipc_magnitude(rest102) <= 0.0f);
+                        const float left_over10 = left_over01 + rest102;
                         const float number11 = high1 * half;
                         const float rest11_next = number11 * first_cut;
                         const int32_t piece110 = (int32_t)rest11_next;
@@ -434,10 +435,10 @@ static void axis_x_ipc_any_cycle(
                         const int32_t second112 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second111 * (uint32_t)17389)) + (uint32_t)part112)) % 46337;
                         const float rest112 = (rest111 - (float)piece112) * next_cut;
-                        const bool is_left_over11 = is_left_over10 || !(axis_x_ipc_magnitude(rest112) <= 0.0f);
+                        const float left_over11 = left_over10 + rest112;
                         const bool is_same =
                             inputs->params->check_first == first112 && inputs->params->check_second == second112;
-                        if (is_same && !is_left_over11) {
+                        if (axis_x_ipc_magnitude(left_over11) <= 0.0f && is_same) {
                             refused = AXIS_X_IPC_ERROR_NONE;
                         } else {
                             refused = AXIS_X_IPC_ERROR_SET_DAMAGED;
@@ -513,9 +514,9 @@ static void axis_x_ipc_any_cycle(
         } else {
             if (mode != AXIS_X_IPC_MODE_OFF) {
                 state->ipc_source_v_motor_before = inputs->v_motor;
-                /* DIRECT (P-AXIS-00753) from v_motor, weight 3/1 = 3 (P-AXIS-00754/00755) */
-                /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz (P-AXIS-00751),
-                 * quality factor 5 (P-AXIS-00752), -3 dB at 36.19529 and 44.19529 Hz */
+                /* as generated: DIRECT (P-AXIS-00753) from v_motor, weight 3/1 = 3 (P-AXIS-00754/00755) */
+                /* as generated: BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz
+                 * (P-AXIS-00751), quality factor 5 (P-AXIS-00752), -3 dB at 36.19529 and 44.19529 Hz */
                 state->ipc_stage0_filter0_section0_s1 = 0.0f;
                 state->ipc_stage0_filter0_section0_p = 0.0f;
                 state->ipc_preset = true;
@@ -543,9 +544,9 @@ static void axis_x_ipc_any_cycle(
         const float ipc_source_v_motor_change_next = inputs->v_motor - state->ipc_source_v_motor_before;
         state->ipc_source_v_motor_before = inputs->v_motor;
         const float ipc_source_v_motor_next = ipc_source_v_motor_change_next + axis_x_ipc_least_change;
-        /* DIRECT (P-AXIS-00753) from v_motor, weight 3/1 = 3 (P-AXIS-00754/00755) */
-        /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz (P-AXIS-00751),
-         * quality factor 5 (P-AXIS-00752), -3 dB at 36.19529 and 44.19529 Hz */
+        /* as generated: DIRECT (P-AXIS-00753) from v_motor, weight 3/1 = 3 (P-AXIS-00754/00755) */
+        /* as generated: BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz
+         * (P-AXIS-00751), quality factor 5 (P-AXIS-00752), -3 dB at 36.19529 and 44.19529 Hz */
         const float ipc_stage0_filter0_section0_a_next = state->now_stage0_filter0_bandpass0_a;
         const float ipc_stage0_filter0_section0_b_next = state->now_stage0_filter0_bandpass0_b;
         const float ipc_stage0_filter0_section0_c_next = state->now_stage0_filter0_bandpass0_c;
@@ -592,7 +593,7 @@ static void axis_x_ipc_any_cycle(
             outputs->v_add_calculated = ipc_v_limited_next;
         } else {
             if (state->ipc_fade > 0u) {
-                outputs->v_add = ipc_v_limited_next * ((float)state->ipc_fade * axis_x_ipc_ipc_fade_step);
+                outputs->v_add = ipc_v_limited_next * ((float)state->ipc_fade * ipc_fade_step);
             } else {
                 outputs->v_add = 0.0f;
             }
@@ -627,20 +628,19 @@ void axis_x_ipc_step(
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
-    const bool is_usual_cycle =
-        axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit
+    if (inputs->params->set_id == state->set_id && !state->withdrawn
+            && axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_ipc_cycle_time_ns)
             && inputs->position_controlled && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON
-            && state->ipc_fade >= axis_x_ipc_ipc_fade_cycles;
-    if (inputs->params->set_id == state->set_id && !state->withdrawn && is_usual_cycle) {
+            && state->ipc_fade >= axis_x_ipc_ipc_fade_cycles) {
         outputs->error_id = AXIS_X_IPC_ERROR_NONE;
         outputs->fault = false;
         const float ipc_source_v_motor_change = inputs->v_motor - state->ipc_source_v_motor_before;
         state->ipc_source_v_motor_before = inputs->v_motor;
         const float ipc_source_v_motor = ipc_source_v_motor_change + axis_x_ipc_least_change;
-        /* DIRECT (P-AXIS-00753) from v_motor, weight 3/1 = 3 (P-AXIS-00754/00755) */
-        /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz (P-AXIS-00751),
-         * quality factor 5 (P-AXIS-00752), -3 dB at 36.19529 and 44.19529 Hz */
+        /* as generated: DIRECT (P-AXIS-00753) from v_motor, weight 3/1 = 3 (P-AXIS-00754/00755) */
+        /* as generated: BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz
+         * (P-AXIS-00751), quality factor 5 (P-AXIS-00752), -3 dB at 36.19529 and 44.19529 Hz */
         const float ipc_stage0_filter0_section0_a = state->now_stage0_filter0_bandpass0_a;
         const float ipc_stage0_filter0_section0_b = state->now_stage0_filter0_bandpass0_b;
         const float ipc_stage0_filter0_section0_c = state->now_stage0_filter0_bandpass0_c;
@@ -680,22 +680,9 @@ void axis_x_ipc_step(
                 ipc_v_limited = 0.0f;
             }
         }
-        if (state->ipc_fade >= axis_x_ipc_ipc_fade_cycles) {
-            outputs->v_add = ipc_v_limited;
-            outputs->v_add_calculated = ipc_v_limited;
-        } else {
-            if (state->ipc_fade > 0u) {
-                outputs->v_add = ipc_v_limited * ((float)state->ipc_fade * axis_x_ipc_ipc_fade_step);
-            } else {
-                outputs->v_add = 0.0f;
-            }
-            if (inputs->mode == AXIS_X_IPC_MODE_OFF) {
-                outputs->v_add_calculated = 0.0f;
-            } else {
-                outputs->v_add_calculated = ipc_v_limited;
-            }
-        }
         outputs->active_set = state->set_id;
+        outputs->v_add = ipc_v_limited;
+        outputs->v_add_calculated = ipc_v_limited;
     } else {
         axis_x_ipc_any_cycle(state, inputs, outputs);
     }
