@@ -15,7 +15,7 @@ use rayon::prelude::*;
 use std::collections::BTreeSet;
 
 /// What the cases have to show, all of them together.
-const ALL_SHOWN: [&str; 126] = [
+const ALL_SHOWN: [&str; 129] = [
     "DIRECT from v_motor",
     "DIRECT from v_direct",
     "INDIRECT",
@@ -120,6 +120,9 @@ const ALL_SHOWN: [&str; 126] = [
     "armed again by mode",
     "armed again by reset",
     "error 4",
+    "error 6",
+    "error 7",
+    "error 8",
     "tripped",
     "tripped and faded out",
     "weight 0.75",
@@ -257,7 +260,8 @@ fn a_coefficient_that_is_off_by_one_bit_is_found() {
         let mut case = case.clone();
         let constants = &mut case.block.program.constants;
         // One that reaches an output that is a real number: a part of a filter, else a weight, else a gain.
-        let wanted = ["stage[", "velocity_delay.before", "weight_per_percent", "kv", "lag"];
+        // With parameter sets the fade is all that is left of it.
+        let wanted = ["stage[", "velocity_delay.before", "weight_per_percent", "kv", "lag", "ipc.fade_step"];
         let found = wanted.iter().find_map(|part| constants.iter().position(|constant| constant.path.contains(part)));
         // Of a spindle the turn, by which its position is wrapped: rounding hides a bit of what is added in a cycle.
         let found = found.or_else(|| constants.iter().position(|constant| constant.path == "full_turn"));
