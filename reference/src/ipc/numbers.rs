@@ -1,4 +1,5 @@
 //! The numbers of a parameter set, taken over, judged and added up: those that the stages of a structure use, and the limits.
+#![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
 
 use super::signals::STAGES;
 use super::{Coeffs, watch};

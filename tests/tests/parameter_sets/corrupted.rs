@@ -24,7 +24,6 @@ pub fn corrupted(set: &Set, others: &[Set], foreign: &Set, rng: &mut Rng) -> Set
             let value = any[rng.below(any.len())];
             changed[at].1 = match changed[at].1 {
                 Literal::F64(_) => Literal::F64(value),
-                #[expect(clippy::cast_possible_truncation, reason = "a number of single precision")]
                 Literal::F32(_) => Literal::F32(value as f32),
                 Literal::I32(_) => Literal::I32(rng.below(1 << 30) as i32),
                 _ => Literal::U32(rng.below(1 << 30) as u32),
@@ -85,7 +84,6 @@ pub fn are_same(one: &Set, two: &Set) -> bool {
 pub fn real(value: f64, kind: RealKind) -> Literal {
     match kind {
         RealKind::F64 => Literal::F64(value),
-        #[expect(clippy::cast_possible_truncation, reason = "a number of single precision")]
         RealKind::F32 => Literal::F32(value as f32),
     }
 }

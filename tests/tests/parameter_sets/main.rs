@@ -1,5 +1,13 @@
 //! The block `ipc` whose numbers come from parameter sets: sets that are offered at any moment, whole, torn and corrupted, through every
 //! engine; what is never taken over; how far the output may step.
+#![expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    clippy::float_cmp,
+    clippy::unwrap_used,
+    reason = "small random numbers, bits and a test that stops at the first mistake"
+)]
 
 mod axes;
 mod corrupted;
