@@ -5,6 +5,7 @@ use generator::config::ListOptions;
 use generator::digest::has_right_checksum;
 use generator::generate::pages;
 use generator::pipeline::read_with;
+use generator::set_change::judge;
 use std::path::Path;
 
 /// The pages of a set, each with its name.
@@ -151,4 +152,43 @@ fn a_block_that_holds_the_others_is_the_one_to_call() {
             "axgen run trial/SET --axis X --block axis --engine st --compare recorded.csv",
         ],
     );
+}
+
+/// With parameter sets each row of a weight, written to the copy of the set as the page says, is a set that the block takes over.
+#[test]
+fn each_row_of_a_page_is_a_parameter_set_for_its_block() {
+    let other = "mode = \"INDIRECT\", osc_damping = 0.3, filter = [{ order = 2, fg_f0 = 60.0, q_factor = 3.0 }]";
+    let of_weights = |weights: [[&str; 2]; 2], fact: &str| {
+        let [first, second] =
+            weights.map(|[num, denom]| format!("weight_fact_num = {num}, weight_fact_denom = {denom}"));
+        format!(
+            "cycle_time = \"500us\"\n[axis.X]\ntunable = \"all\"\ngetriebe = [{{ dynamik.vb_max = 250000 }}]\n\
+             [axis.X.lr_param.improved_position_control]\nenable = \"OFF\"\nv_add_max_fact = {fact}\n\
+             stage = [{{ {STAGE}, {first} }}, {{ {other}, {second} }}]\n"
+        )
+    };
+    let designed = |set: &str| {
+        let load = |_: &Path| Ok(set.as_bytes().to_vec());
+        let (read, report) = read_with(Path::new("set.toml"), &ListOptions::default(), &load);
+        read.unwrap_or_else(|| panic!("{report}")).axes.remove(0)
+    };
+    let old = of_weights([["3", "1"], ["5", "2"]], "100");
+    let (_, page) = of_set(&old).remove(0);
+    let path = "lr_param.improved_position_control.stage[1]";
+    let nothing = format!("1 to `{path}.weight_fact_num` and 1000000 to `{path}.weight_fact_denom`");
+    assert_says(&page, &["axgen params-of trial/SET --axis X --on SET", &nothing, "`error_id` is 6, 7 or 8"]);
+    let row = |line: &str, number: &str| -> Option<Vec<String>> {
+        line.starts_with(number).then(|| line.split('|').map(|cell| cell.trim().to_owned()).collect())
+    };
+    let rows = |number: &str| -> Vec<Vec<String>> { page.lines().filter_map(|line| row(line, number)).collect() };
+    let (first, second) = (rows("| 4.4."), rows("| 4.5."));
+    assert!(first.len() > 3 && second.len() > 3, "{page}");
+    let last = first.last().expect("there are some");
+    // Row, weight, numerator, denominator, what is left.
+    let of_first = first.iter().map(|row| [[row[3].as_str(), &row[4]], ["1", "1000000"]]);
+    let of_second = second.iter().map(|row| [[last[3].as_str(), &last[4]], [row[3].as_str(), &row[4]]]);
+    for weights in of_first.chain(of_second) {
+        let judgement = judge(&designed(&old), &designed(&of_weights(weights, "40")));
+        assert!(judgement.is_enough(), "{weights:?}: {:?}", judgement.reasons());
+    }
 }

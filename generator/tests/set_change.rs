@@ -223,3 +223,18 @@ fn real<R: Real>(value: f64) -> Literal {
 fn build<T: Portable>(mut leaves: impl Iterator<Item = Literal>) -> T {
     T::build(&mut || leaves.next().unwrap_or_else(|| panic!("all scalars of the type")))
 }
+
+/// The block that takes sets stands by itself: no block of a whole axis has its numbers as constants. What never acts takes none.
+#[test]
+fn a_block_that_takes_sets_stands_by_itself() {
+    let of = |changes: &[(&str, &str)]| generator::blocks::names(&axis(changes).axis);
+    let loops = ("getriebe = [{ dynamik", "getriebe = [{ kv = 2000, dynamik");
+    let feedforward = ("watch = true", "vorsteuer.vorsteuerung = \"VEL\"");
+    let constants = ("tunable = \"all\"", "tunable = \"nothing\"");
+    assert_eq!(of(&[]), ["ipc"]);
+    assert_eq!(of(&[loops, feedforward, constants]), ["ipc", "feedforward", "position_control", "axis"]);
+    assert_eq!(of(&[loops, feedforward]), ["ipc", "feedforward", "position_control"]);
+    let inactive = ("mode = \"DIRECT\"", "mode = \"NOT_ACTIVE\"");
+    let other = ("mode = \"SET_POINT\"", "mode = \"NOT_ACTIVE\"");
+    assert_eq!(of(&[loops, feedforward, inactive, other]), ["feedforward", "position_control", "axis"]);
+}

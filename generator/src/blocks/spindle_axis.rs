@@ -11,7 +11,8 @@ use reference::spindle_axis::{Coeffs, SpindleAxis};
 
 impl Part for SpindleAxis {
     fn is_asked_for(&self, axis: &crate::axis::Axis) -> bool {
-        axis.control.spindle.is_some()
+        // What takes parameter sets stands by itself.
+        axis.control.spindle.is_some() && !axis.ipc.takes_sets
     }
 
     fn short_name(&self) -> &'static str {

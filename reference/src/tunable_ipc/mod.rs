@@ -10,6 +10,7 @@
 //! fade in         as mode says
 //! ```
 //!
+//! The numbers in use stand in the state: behind a state that was overwritten (error 3) the offered set is checked and taken over anew.
 //! A refused set is looked at again after fade_cycles cycles: what another task was just writing is whole by then. Before the first set
 //! is taken over nothing is added, and a refused one is a fault.
 
@@ -107,7 +108,7 @@ pub fn is_leaving<R: Real>(coeffs: &Coeffs<R>, fade: u32, withdrawn: bool, tripp
 #[portable]
 pub fn offer<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Params<R>) -> u32 {
     let mut refused = error_none();
-    if params.set_id == state.set_id && state.set_id != 0u32 {
+    if params.set_id == state.set_id && state.set_id != 0u32 && !state.ipc.disturbed {
         state.withdrawn = false;
     } else if state.pause > 0u32 && params.set_id == state.refused_set {
         state.pause -= 1u32;
@@ -174,7 +175,8 @@ pub fn put_out<R: Real>(set_id: u32, ipc_outputs: &ipc::Outputs<R>, refused: u32
 pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let mut mode = inputs.mode;
     let mut refused = error_none();
-    if inputs.params.set_id != state.set_id || state.withdrawn {
+    // Behind a state that was overwritten the numbers in use are taken over anew: they may have been, too.
+    if inputs.params.set_id != state.set_id || state.withdrawn || state.ipc.disturbed {
         refused = offer(state, coeffs, &inputs.params);
         if state.withdrawn && mode == ipc::mode_on() {
             mode = ipc::mode_dryrun();

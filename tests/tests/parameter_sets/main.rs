@@ -280,6 +280,33 @@ fn a_set_is_the_block_with_its_constants() {
     eprintln!("{runs} cycles with a set as with its constants: 0 differing bits");
 }
 
+/// A number in use that was overwritten: the loop of the section grows, which is a fault, and the block takes the set over anew.
+#[test]
+fn numbers_that_were_overwritten_are_taken_over_anew() {
+    let bench = bench(0, RealKind::F64);
+    let kind = generator::blocks::of_name(&bench.designed.axis, "ipc").unwrap();
+    let mut coefficients = kind.coefficients(&bench.designed).into_iter();
+    let coeffs = Coeffs::<f64>::build(&mut || coefficients.next().unwrap());
+    let mut inputs = <TunableIpc as portable::Block<f64>>::inputs(&coeffs);
+    let [mut state, mut sound] = [tunable_ipc::State::<f64>::default(); 2];
+    let [mut outputs, mut expected] = [tunable_ipc::Outputs::<f64>::default(); 2];
+    [&mut state, &mut sound].into_iter().for_each(tunable_ipc::init);
+    let mut faults = 0;
+    for cycle in 0..20_000 {
+        inputs.v_motor = 1000.0 * (f64::from(cycle) * 0.3).sin();
+        if cycle == 1000 {
+            state.now.stage[0].filter[0].bandpass[0].a2 = 3.0;
+        }
+        tunable_ipc::step(&mut state, &coeffs, &inputs, &mut outputs);
+        tunable_ipc::step(&mut sound, &coeffs, &inputs, &mut expected);
+        faults += u32::from(outputs.fault && outputs.error_id == 3);
+    }
+    assert_eq!(faults, 1);
+    assert_eq!((outputs.active_set, outputs.fault), (expected.active_set, false));
+    // Ten time constants later both sections have forgotten it, but for rounding.
+    assert!((outputs.v_add - expected.v_add).abs() < 1e-9, "{} in the place of {}", outputs.v_add, expected.v_add);
+}
+
 /// A whole set, and the same once more with the number of a part changed so that only one rule is broken.
 #[test]
 fn every_refusal_has_its_id() {

@@ -37,7 +37,8 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option
         fade,
         ride_through,
         tuning,
-        takes_sets,
+        // What never acts needs no sets.
+        takes_sets: takes_sets && is_active && master(e).is_none(),
         watch: watch?,
         delay_cycles,
         stage,

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   60373727511fda52ac3b517ec1289061
- * checksum    44fa5f9f17aa67579de6caa205595643
+ * structure   7755395ba81ebe1763b051a5ab74f46a
+ * checksum    01261ac4ed49d76f153623a8df3524fc
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -131,8 +131,8 @@ static void axis_x_ipc_any_cycle(
 
     uint32_t refused;
     int32_t mode;
-    if (inputs->params->set_id != state->set_id || state->withdrawn) {
-        if (inputs->params->set_id == state->set_id && state->set_id != 0u) {
+    if (inputs->params->set_id != state->set_id || state->withdrawn || state->ipc_disturbed) {
+        if (inputs->params->set_id == state->set_id && state->set_id != 0u && !state->ipc_disturbed) {
             state->withdrawn = false;
             refused = AXIS_X_IPC_ERROR_NONE;
         } else if (state->pause > 0u && inputs->params->set_id == state->refused_set) {
