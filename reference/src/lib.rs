@@ -29,3 +29,4 @@ pub mod stage;
 pub mod sum;
 pub mod trapezoidal;
 pub mod tunable_ipc;
+pub mod tuned_ipc;

@@ -116,6 +116,9 @@ fn random_tuning_in_every_cycle_gives_the_same_bits_in_every_engine() {
                     if run == 0 {
                         has_held_and_acted(&expected);
                     }
+                    if block.program.block == "ipc" {
+                        is_what_the_other_block_does(designed, &inputs, &expected);
+                    }
                     // Rust in the first run only: it is compiled anew for each.
                     for engine in ENGINES.into_iter().filter(|engine| run == 0 || *engine != Engine::Rust) {
                         let found = engine::run(engine, designed, block, &inputs).unwrap();
@@ -130,6 +133,18 @@ fn random_tuning_in_every_cycle_gives_the_same_bits_in_every_engine() {
         .sum();
     eprintln!("{cycles} cycles with random tuning in {} engines: 0 differing bits", ENGINES.len());
     assert!(cycles >= if is_exhaustive() { 1_000_000 } else { 100_000 });
+}
+
+/// The block that begins with the usual cycle does what the one does that others contain.
+fn is_what_the_other_block_does(designed: &Designed, inputs: &Samples, expected: &Samples) {
+    let mut other = generator::blocks::named("ipc").expect("the registry has it").start(designed);
+    let [mut given, mut found, mut wanted] = [const { Vec::new() }; 3];
+    for sample in 0..inputs.len() {
+        inputs.read(sample, &mut given);
+        expected.read(sample, &mut wanted);
+        other.step(&given, &mut found);
+        assert_eq!(found, wanted, "{:?}, sample {sample}", designed.axis.real);
+    }
 }
 
 /// Held inputs are told, and are no fault; the block acts in most cycles.

@@ -18,6 +18,7 @@ mod sets;
 pub(crate) mod spindle;
 mod spindle_axis;
 mod tunable_ipc;
+mod tuned_ipc;
 mod values;
 
 pub use crate::trial::Drill;
@@ -31,8 +32,9 @@ use compiler::pass::Defect;
 use portable::Block as Reference;
 
 /// All blocks, in the order in which an axis needs them.
-pub(crate) const BLOCKS: [&dyn Kind; 7] = [
+pub(crate) const BLOCKS: [&dyn Kind; 8] = [
     &reference::ipc::Ipc,
+    &reference::tuned_ipc::TunedIpc,
     &reference::tunable_ipc::TunableIpc,
     &reference::feedforward::Feedforward,
     &reference::position_control::PositionControl,

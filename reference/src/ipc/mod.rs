@@ -228,7 +228,7 @@ pub fn act<R: Real>(
     }
 }
 
-/// The same of a cycle in which the mode is ON and the fade full, and nothing is tuned.
+/// The same of a cycle in which the mode is ON and the fade full, and every part is what its input asks for.
 #[portable]
 pub fn act_in_full<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     outputs.limited = false;
@@ -239,7 +239,9 @@ pub fn act_in_full<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &I
     outputs.v_add = v_limited;
     outputs.v_add_calculated = v_limited;
     if coeffs.watch.active && !state.disturbed {
-        watch::step(&mut state.watch, &coeffs.watch, v_sum, coeffs.limit, coeffs.lower_limit);
+        let upper = tuned_limit(coeffs, state.tuning.limit.now);
+        let lower = tuned_lower_limit(coeffs, state.tuning.limit.now);
+        watch::step(&mut state.watch, &coeffs.watch, v_sum, upper, lower);
     }
 }
 

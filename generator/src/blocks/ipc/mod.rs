@@ -24,7 +24,7 @@ use reference::ipc::{Coeffs, Ipc};
 impl Part for Ipc {
     fn is_asked_for(&self, axis: &Axis) -> bool {
         // An axis of which nothing is asked gets a block that puts out 0, and a warning.
-        (axis.ipc.is_active() || axis.control.is_empty()) && !axis.ipc.takes_sets
+        (axis.ipc.is_active() || axis.control.is_empty()) && !axis.ipc.takes_sets && axis.ipc.tuning.is_none()
     }
 
     fn short_name(&self) -> &'static str {

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  8a7064fb968187846a28b8bae1b95ecb
- * structure   601499d5814d90f733eaed08691a7444
- * checksum    5c246a87f1853a0f6d4b041414d4663e
+ * structure   b31b82b9044ac2635d7703b07d0c62d4
+ * checksum    08638b9b8fda876f7dd72de27c3b890d
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -38,6 +38,73 @@ static double axis_x_ipc_magnitude(double value)
     return value < 0.0 ? -value : value;
 #endif
 }
+
+/* cycle time 1000 us, the coefficients hold for no other */
+static const uint32_t axis_x_ipc_cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
+
+/* DIRECT (P-AXIS-00753) from v_motor, weight 200/100 = 2 (P-AXIS-00754/00755)
+ * BANDPASS BUTTERWORTH order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz (P-AXIS-00751), quality
+ * factor 4 (P-AXIS-00752), -3 dB at 35.30473 and 45.30473 Hz
+ * section 1 of 1: centre frequency 40 Hz, quality factor 3.95672, gain 1 there and 1 at 40 Hz */
+/* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+static const double axis_x_ipc_stage0_filter0_bandpass0_b2 = -0.030468747091253825;
+static const double axis_x_ipc_stage0_filter0_bandpass0_a1 = -1.8781432915107115; /* denominator: s1 = s2 - a1 y */
+static const double axis_x_ipc_stage0_filter0_bandpass0_a2 = 0.9390625058174924; /* denominator: s2 = b2 x - a2 y */
+
+/* -weight, against the vibration; at 40 Hz the stage adds 2 times its source at 180 deg */
+static const double axis_x_ipc_stage0_gain = -2.0; /* -weight: negative, because the stage moves the motor against the vibration */
+
+/* INDIRECT (P-AXIS-00753) from v_motor, weight 150/100 = 1.5 (P-AXIS-00754/00755)
+ * simulated oscillation of the load, f0 of the first BANDPASS 20 Hz (P-AXIS-00751), damping ratio 0.7
+ * (P-AXIS-00850): gain 1 at DC, 1.228904 and -35.53768 deg at f0 */
+static const double axis_x_ipc_stage1_oscillation_b0 = 0.08428161196726552; /* numerator: y = b0 x + s1 */
+static const double axis_x_ipc_stage1_oscillation_b1 = 0.007249294427372564; /* numerator: s1 = b1 x - a1 y + s2 */
+static const double axis_x_ipc_stage1_oscillation_b2 = -0.07703231753989295; /* numerator: s2 = b2 x - a2 y */
+static const double axis_x_ipc_stage1_oscillation_a1 = -1.8241874816380963; /* denominator: s1 = b1 x - a1 y + s2 */
+static const double axis_x_ipc_stage1_oscillation_a2 = 0.8386860704928415; /* denominator: s2 = b2 x - a2 y */
+
+/* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 20 Hz (P-AXIS-00751), quality factor 3
+ * (P-AXIS-00752), -3 dB at 16.9411 and 23.60776 Hz
+ * section 1 of 3: centre frequency 20 Hz, quality factor 2.261834, gain 1 there and 1 at 20 Hz */
+/* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+static const double axis_x_ipc_stage1_filter0_bandpass0_b2 = -0.026959174566359042;
+static const double axis_x_ipc_stage1_filter0_bandpass0_a1 = -1.9307362157837793; /* denominator: s1 = s2 - a1 y */
+static const double axis_x_ipc_stage1_filter0_bandpass0_a2 = 0.9460816508672819; /* denominator: s2 = b2 x - a2 y */
+
+/* section 2 of 3: centre frequency 16.90077 Hz, quality factor 2.897025, gain 1.401819 there and 1 at 20 Hz */
+/* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+static const double axis_x_ipc_stage1_filter0_bandpass1_b2 = -0.025182950485730823;
+static const double axis_x_ipc_stage1_filter0_bandpass1_a1 = -1.9530075487270584; /* denominator: s1 = s2 - a1 y */
+static const double axis_x_ipc_stage1_filter0_bandpass1_a2 = 0.9640710285611096; /* denominator: s2 = b2 x - a2 y */
+
+/* section 3 of 3: centre frequency 23.664 Hz, quality factor 2.897025, gain 1.401819 there and 1 at 20 Hz */
+/* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
+static const double axis_x_ipc_stage1_filter0_bandpass2_b2 = -0.034947171017398526;
+static const double axis_x_ipc_stage1_filter0_bandpass2_a1 = -1.928623744397893; /* denominator: s1 = s2 - a1 y */
+static const double axis_x_ipc_stage1_filter0_bandpass2_a2 = 0.9501402383304695; /* denominator: s2 = b2 x - a2 y */
+
+/* -weight, against the vibration; at 20 Hz the stage adds 1.843355 times its source at 144.4623 deg */
+static const double axis_x_ipc_stage1_gain = -1.5; /* -weight: negative, because the stage moves the motor against the vibration */
+
+/* largest |v_add| = 500000: 1000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
+static const double axis_x_ipc_limit = 500000.0; /* largest |v_add| */
+static const double axis_x_ipc_lower_limit = -500000.0; /* -limit */
+
+/* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
+static const double axis_x_ipc_sum_limit = 4252269.945627425; /* largest magnitude of a sum of stages that is not a fault */
+
+/* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
+/* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
+static const double axis_x_ipc_rest = 4.3368086899420177e-13;
+
+/* OFF to ON takes 0.06 s (key fade), in cycles */
+static const uint32_t axis_x_ipc_fade_cycles = 60u; /* cycles that the fade takes from 0 to 1 */
+
+/* the same for every axis */
+/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+static const double axis_x_ipc_sample_limit = 1000000000000000.0;
+/* added in every update of s2, so that a section at rest never decays into subnormal numbers */
+static const double axis_x_ipc_anti_denormal = 1.0e-30;
 
 void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
@@ -73,90 +140,39 @@ void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_x_ipc_step(
+/* any cycle that is not a usual one; in a function of its own, so that a usual cycle saves no registers */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static void axis_x_ipc_any_cycle(
     axis_x_ipc_state *restrict state,
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
-    /* cycle time 1000 us, the coefficients hold for no other */
-    static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
-
-    /* DIRECT (P-AXIS-00753) from v_motor, weight 200/100 = 2 (P-AXIS-00754/00755)
-     * BANDPASS BUTTERWORTH order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz (P-AXIS-00751), quality
-     * factor 4 (P-AXIS-00752), -3 dB at 35.30473 and 45.30473 Hz
-     * section 1 of 1: centre frequency 40 Hz, quality factor 3.95672, gain 1 there and 1 at 40 Hz */
-    static const double stage0_filter0_bandpass0_b2 = -0.030468747091253825; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-    static const double stage0_filter0_bandpass0_a1 = -1.8781432915107115; /* denominator: s1 = s2 - a1 y */
-    static const double stage0_filter0_bandpass0_a2 = 0.9390625058174924; /* denominator: s2 = b2 x - a2 y */
-
-    /* -weight, against the vibration; at 40 Hz the stage adds 2 times its source at 180 deg */
-    static const double stage0_gain = -2.0; /* -weight: negative, because the stage moves the motor against the vibration */
-
     /* INDIRECT (P-AXIS-00753) from v_motor, weight 150/100 = 1.5 (P-AXIS-00754/00755)
      * simulated oscillation of the load, f0 of the first BANDPASS 20 Hz (P-AXIS-00751), damping ratio 0.7
      * (P-AXIS-00850): gain 1 at DC, 1.228904 and -35.53768 deg at f0 */
-    static const double stage1_oscillation_b0 = 0.08428161196726552; /* numerator: y = b0 x + s1 */
-    static const double stage1_oscillation_b1 = 0.007249294427372564; /* numerator: s1 = b1 x - a1 y + s2 */
-    static const double stage1_oscillation_b2 = -0.07703231753989295; /* numerator: s2 = b2 x - a2 y */
-    static const double stage1_oscillation_a1 = -1.8241874816380963; /* denominator: s1 = b1 x - a1 y + s2 */
-    static const double stage1_oscillation_a2 = 0.8386860704928415; /* denominator: s2 = b2 x - a2 y */
     static const double stage1_oscillation_preset_s1 = 0.9157183880327344; /* 1 - b0: steady s1 for a constant input of 1 */
     static const double stage1_oscillation_preset_s2 = -0.9157183880327344; /* b2 - a2: steady s2 for a constant input of 1 */
 
-    /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 20 Hz (P-AXIS-00751), quality factor 3
-     * (P-AXIS-00752), -3 dB at 16.9411 and 23.60776 Hz
-     * section 1 of 3: centre frequency 20 Hz, quality factor 2.261834, gain 1 there and 1 at 20 Hz */
-    static const double stage1_filter0_bandpass0_b2 = -0.026959174566359042; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-    static const double stage1_filter0_bandpass0_a1 = -1.9307362157837793; /* denominator: s1 = s2 - a1 y */
-    static const double stage1_filter0_bandpass0_a2 = 0.9460816508672819; /* denominator: s2 = b2 x - a2 y */
-
-    /* section 2 of 3: centre frequency 16.90077 Hz, quality factor 2.897025, gain 1.401819 there and 1 at 20 Hz */
-    static const double stage1_filter0_bandpass1_b2 = -0.025182950485730823; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-    static const double stage1_filter0_bandpass1_a1 = -1.9530075487270584; /* denominator: s1 = s2 - a1 y */
-    static const double stage1_filter0_bandpass1_a2 = 0.9640710285611096; /* denominator: s2 = b2 x - a2 y */
-
-    /* section 3 of 3: centre frequency 23.664 Hz, quality factor 2.897025, gain 1.401819 there and 1 at 20 Hz */
-    static const double stage1_filter0_bandpass2_b2 = -0.034947171017398526; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
-    static const double stage1_filter0_bandpass2_a1 = -1.928623744397893; /* denominator: s1 = s2 - a1 y */
-    static const double stage1_filter0_bandpass2_a2 = 0.9501402383304695; /* denominator: s2 = b2 x - a2 y */
-
-    /* -weight, against the vibration; at 20 Hz the stage adds 1.843355 times its source at 144.4623 deg */
-    static const double stage1_gain = -1.5; /* -weight: negative, because the stage moves the motor against the vibration */
-
-    /* largest |v_add| = 500000: 1000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
-    static const double limit = 500000.0; /* largest |v_add| */
-    static const double lower_limit = -500000.0; /* -limit */
-
-    /* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
-    static const double sum_limit = 4252269.945627425; /* largest magnitude of a sum of stages that is not a fault */
-
-    /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
-    /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
-    static const double rest = 4.3368086899420177e-13;
-
     /* OFF to ON takes 0.06 s (key fade), in cycles */
-    static const uint32_t fade_cycles = 60u; /* cycles that the fade takes from 0 to 1 */
     static const double fade_step = 0.016666666666666666; /* 1 / fade_cycles */
 
     /* the same for every axis */
-    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-    static const double sample_limit = 1000000000000000.0;
     static const double least_factor = 1.0e-6; /* a factor below it is 0: no product with it is subnormal */
-    /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
-    static const double anti_denormal = 1.0e-30;
 
-    const double now = state->tuning_limit_now;
-    const double now_next = state->tuning_weight0_now;
-    const double now_last = state->tuning_weight1_now;
+    const double now_2 = state->tuning_limit_now;
+    const double now_3 = state->tuning_weight0_now;
+    const double now_4 = state->tuning_weight1_now;
     bool runs;
     bool is_tuning_held;
     uint32_t reason;
-    if (axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON && state->fade >= fade_cycles
-            && axis_x_ipc_magnitude(inputs->tuning_limit - now) <= 0.0
-            && axis_x_ipc_magnitude(inputs->tuning_weight0 - now_next) <= 0.0
-            && axis_x_ipc_magnitude(inputs->tuning_weight1 - now_last) <= 0.0) {
+    if (axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit
+            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_cycle_time_ns)
+            && inputs->position_controlled && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON
+            && state->fade >= axis_x_ipc_fade_cycles && axis_x_ipc_magnitude(inputs->tuning_limit - now_2) <= 0.0
+            && axis_x_ipc_magnitude(inputs->tuning_weight0 - now_3) <= 0.0
+            && axis_x_ipc_magnitude(inputs->tuning_weight1 - now_4) <= 0.0) {
         runs = true;
         is_tuning_held = false;
         reason = AXIS_X_IPC_ERROR_NONE;
@@ -253,18 +269,19 @@ void axis_x_ipc_step(
             runs = false;
             reason = AXIS_X_IPC_ERROR_STATE;
         } else if ((inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
-                    || inputs->mode == AXIS_X_IPC_MODE_DRYRUN) && axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
-                && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)
+                    || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)
+                && axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit
+                && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_cycle_time_ns)
                 && inputs->position_controlled && !inputs->reset) {
             if (state->preset) {
                 if (inputs->mode == AXIS_X_IPC_MODE_ON) {
-                    if (state->fade < fade_cycles) {
+                    if (state->fade < axis_x_ipc_fade_cycles) {
                         state->fade = state->fade + 1u;
                     }
                 } else {
-                    if (state->fade > fade_cycles) {
+                    if (state->fade > axis_x_ipc_fade_cycles) {
                         /* fade has been overwritten: it must not take longer than a whole fade */
-                        state->fade = fade_cycles;
+                        state->fade = axis_x_ipc_fade_cycles;
                     }
                     if (state->fade > 0u) {
                         state->fade = state->fade - 1u;
@@ -279,7 +296,7 @@ void axis_x_ipc_step(
                     /* DIRECT (P-AXIS-00753) from v_motor, weight 200/100 = 2 (P-AXIS-00754/00755) */
                     /* BANDPASS BUTTERWORTH order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz (P-AXIS-00751),
                      * quality factor 4 (P-AXIS-00752), -3 dB at 35.30473 and 45.30473 Hz */
-                    const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_motor;
+                    const double stage0_filter0_section0_s = axis_x_ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
                     state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
                     state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
                     /* INDIRECT (P-AXIS-00753) from v_motor, weight 150/100 = 1.5 (P-AXIS-00754/00755) */
@@ -289,7 +306,7 @@ void axis_x_ipc_step(
                     state->stage1_oscillation_s2 = stage1_oscillation_preset_s2 * inputs->v_motor;
                     /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 20 Hz (P-AXIS-00751), quality
                      * factor 3 (P-AXIS-00752), -3 dB at 16.9411 and 23.60776 Hz */
-                    const double stage1_filter0_section0_s = stage1_filter0_bandpass0_b2 * inputs->v_motor;
+                    const double stage1_filter0_section0_s = axis_x_ipc_stage1_filter0_bandpass0_b2 * inputs->v_motor;
                     state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
                     state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
                     const double stage1_filter0_section1_s = -0.0;
@@ -306,12 +323,12 @@ void axis_x_ipc_step(
         } else {
             state->fade = 0u;
             state->preset = false;
-            if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
+            if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_cycle_time_ns)) {
                 reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
             } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
                     || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)) {
                 reason = AXIS_X_IPC_ERROR_MODE;
-            } else if (axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit) {
+            } else if (axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit) {
                 reason = AXIS_X_IPC_ERROR_NONE;
             } else {
                 reason = AXIS_X_IPC_ERROR_V_MOTOR;
@@ -329,63 +346,76 @@ void axis_x_ipc_step(
         /* DIRECT (P-AXIS-00753) from v_motor, weight 200/100 = 2 (P-AXIS-00754/00755) */
         /* BANDPASS BUTTERWORTH order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz (P-AXIS-00751),
          * quality factor 4 (P-AXIS-00752), -3 dB at 35.30473 and 45.30473 Hz */
-        const double stage0_filter0_section0_t = stage0_filter0_bandpass0_b2 * inputs->v_motor;
-        const double stage0_filter0_section0_y = state->stage0_filter0_section0_s1 - stage0_filter0_section0_t;
+        const double stage0_filter0_section0_t_next = axis_x_ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
+        const double stage0_filter0_section0_y_next =
+            state->stage0_filter0_section0_s1 - stage0_filter0_section0_t_next;
         state->stage0_filter0_section0_s1 =
-            state->stage0_filter0_section0_s2 - stage0_filter0_bandpass0_a1 * stage0_filter0_section0_y;
+            state->stage0_filter0_section0_s2 - axis_x_ipc_stage0_filter0_bandpass0_a1 * stage0_filter0_section0_y_next;
         state->stage0_filter0_section0_s2 =
-            stage0_filter0_section0_t + anti_denormal - stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
-        const double v_stage0 = stage0_gain * stage0_filter0_section0_y;
-        const double v_stage0_next = v_stage0 * state->tuning_weight0_now;
+            stage0_filter0_section0_t_next + axis_x_ipc_anti_denormal
+                - axis_x_ipc_stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y_next;
+        const double v_stage0_last = axis_x_ipc_stage0_gain * stage0_filter0_section0_y_next;
+        const double v_stage0_2 = v_stage0_last * state->tuning_weight0_now;
         /* INDIRECT (P-AXIS-00753) from v_motor, weight 150/100 = 1.5 (P-AXIS-00754/00755) */
         /* simulated oscillation of the load, f0 of the first BANDPASS 20 Hz (P-AXIS-00751), damping ratio 0.7
          * (P-AXIS-00850): gain 1 at DC, 1.228904 and -35.53768 deg at f0 */
-        const double stage1_oscillation_y = stage1_oscillation_b0 * inputs->v_motor + state->stage1_oscillation_s1;
+        const double stage1_oscillation_y_next =
+            axis_x_ipc_stage1_oscillation_b0 * inputs->v_motor + state->stage1_oscillation_s1;
         state->stage1_oscillation_s1 =
-            stage1_oscillation_b1 * inputs->v_motor - stage1_oscillation_a1 * stage1_oscillation_y
-                + state->stage1_oscillation_s2;
+            axis_x_ipc_stage1_oscillation_b1 * inputs->v_motor
+                - axis_x_ipc_stage1_oscillation_a1 * stage1_oscillation_y_next + state->stage1_oscillation_s2;
         state->stage1_oscillation_s2 =
-            stage1_oscillation_b2 * inputs->v_motor + anti_denormal - stage1_oscillation_a2 * stage1_oscillation_y;
+            axis_x_ipc_stage1_oscillation_b2 * inputs->v_motor + axis_x_ipc_anti_denormal
+                - axis_x_ipc_stage1_oscillation_a2 * stage1_oscillation_y_next;
         /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 20 Hz (P-AXIS-00751), quality
          * factor 3 (P-AXIS-00752), -3 dB at 16.9411 and 23.60776 Hz */
-        const double stage1_filter0_section0_t = stage1_filter0_bandpass0_b2 * stage1_oscillation_y;
-        const double stage1_filter0_section0_y = state->stage1_filter0_section0_s1 - stage1_filter0_section0_t;
+        const double stage1_filter0_section0_t_next =
+            axis_x_ipc_stage1_filter0_bandpass0_b2 * stage1_oscillation_y_next;
+        const double stage1_filter0_section0_y_next =
+            state->stage1_filter0_section0_s1 - stage1_filter0_section0_t_next;
         state->stage1_filter0_section0_s1 =
-            state->stage1_filter0_section0_s2 - stage1_filter0_bandpass0_a1 * stage1_filter0_section0_y;
+            state->stage1_filter0_section0_s2 - axis_x_ipc_stage1_filter0_bandpass0_a1 * stage1_filter0_section0_y_next;
         state->stage1_filter0_section0_s2 =
-            stage1_filter0_section0_t + anti_denormal - stage1_filter0_bandpass0_a2 * stage1_filter0_section0_y;
-        const double stage1_filter0_section1_t = stage1_filter0_bandpass1_b2 * stage1_filter0_section0_y;
-        const double stage1_filter0_section1_y = state->stage1_filter0_section1_s1 - stage1_filter0_section1_t;
+            stage1_filter0_section0_t_next + axis_x_ipc_anti_denormal
+                - axis_x_ipc_stage1_filter0_bandpass0_a2 * stage1_filter0_section0_y_next;
+        const double stage1_filter0_section1_t_next =
+            axis_x_ipc_stage1_filter0_bandpass1_b2 * stage1_filter0_section0_y_next;
+        const double stage1_filter0_section1_y_next =
+            state->stage1_filter0_section1_s1 - stage1_filter0_section1_t_next;
         state->stage1_filter0_section1_s1 =
-            state->stage1_filter0_section1_s2 - stage1_filter0_bandpass1_a1 * stage1_filter0_section1_y;
+            state->stage1_filter0_section1_s2 - axis_x_ipc_stage1_filter0_bandpass1_a1 * stage1_filter0_section1_y_next;
         state->stage1_filter0_section1_s2 =
-            stage1_filter0_section1_t + anti_denormal - stage1_filter0_bandpass1_a2 * stage1_filter0_section1_y;
-        const double stage1_filter0_section2_t = stage1_filter0_bandpass2_b2 * stage1_filter0_section1_y;
-        const double stage1_filter0_section2_y = state->stage1_filter0_section2_s1 - stage1_filter0_section2_t;
+            stage1_filter0_section1_t_next + axis_x_ipc_anti_denormal
+                - axis_x_ipc_stage1_filter0_bandpass1_a2 * stage1_filter0_section1_y_next;
+        const double stage1_filter0_section2_t_next =
+            axis_x_ipc_stage1_filter0_bandpass2_b2 * stage1_filter0_section1_y_next;
+        const double stage1_filter0_section2_y_next =
+            state->stage1_filter0_section2_s1 - stage1_filter0_section2_t_next;
         state->stage1_filter0_section2_s1 =
-            state->stage1_filter0_section2_s2 - stage1_filter0_bandpass2_a1 * stage1_filter0_section2_y;
+            state->stage1_filter0_section2_s2 - axis_x_ipc_stage1_filter0_bandpass2_a1 * stage1_filter0_section2_y_next;
         state->stage1_filter0_section2_s2 =
-            stage1_filter0_section2_t + anti_denormal - stage1_filter0_bandpass2_a2 * stage1_filter0_section2_y;
-        const double v_stage1 = stage1_gain * stage1_filter0_section2_y;
-        const double v_stage1_next = v_stage1 * state->tuning_weight1_now;
-        const double v_sum1 = v_stage0_next + v_stage1_next;
-        const double part = state->tuning_limit_now;
-        const double upper = limit * part;
-        double v_limited;
-        if (axis_x_ipc_magnitude(v_sum1) <= upper) {
+            stage1_filter0_section2_t_next + axis_x_ipc_anti_denormal
+                - axis_x_ipc_stage1_filter0_bandpass2_a2 * stage1_filter0_section2_y_next;
+        const double v_stage1_last = axis_x_ipc_stage1_gain * stage1_filter0_section2_y_next;
+        const double v_stage1_2 = v_stage1_last * state->tuning_weight1_now;
+        const double v_sum1_next = v_stage0_2 + v_stage1_2;
+        const double part_last = state->tuning_limit_now;
+        const double upper_next = axis_x_ipc_limit * part_last;
+        double v_limited_next;
+        if (axis_x_ipc_magnitude(v_sum1_next) <= upper_next) {
             outputs->limited = false;
-            if (axis_x_ipc_magnitude(v_sum1) <= rest) {
-                v_limited = 0.0;
+            if (axis_x_ipc_magnitude(v_sum1_next) <= axis_x_ipc_rest) {
+                v_limited_next = 0.0;
             } else {
-                v_limited = v_sum1;
+                v_limited_next = v_sum1_next;
             }
-        } else if (axis_x_ipc_magnitude(v_sum1) <= sum_limit) {
+        } else if (axis_x_ipc_magnitude(v_sum1_next) <= axis_x_ipc_sum_limit) {
             outputs->limited = true;
-            if (v_sum1 > 0.0) {
-                v_limited = upper;
+            if (v_sum1_next > 0.0) {
+                v_limited_next = upper_next;
             } else {
-                const double part_next = state->tuning_limit_now;
-                v_limited = lower_limit * part_next;
+                const double part_2 = state->tuning_limit_now;
+                v_limited_next = axis_x_ipc_lower_limit * part_2;
             }
         } else {
             /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
@@ -394,21 +424,21 @@ void axis_x_ipc_step(
             state->disturbed = true;
             state->preset = false;
             state->fade = 0u;
-            v_limited = 0.0;
+            v_limited_next = 0.0;
         }
-        if (state->fade >= fade_cycles) {
-            outputs->v_add = v_limited;
-            outputs->v_add_calculated = v_limited;
+        if (state->fade >= axis_x_ipc_fade_cycles) {
+            outputs->v_add = v_limited_next;
+            outputs->v_add_calculated = v_limited_next;
         } else {
             if (state->fade > 0u) {
-                outputs->v_add = v_limited * ((double)state->fade * fade_step);
+                outputs->v_add = v_limited_next * ((double)state->fade * fade_step);
             } else {
                 outputs->v_add = 0.0;
             }
             if (inputs->mode == AXIS_X_IPC_MODE_OFF) {
                 outputs->v_add_calculated = 0.0;
             } else {
-                outputs->v_add_calculated = v_limited;
+                outputs->v_add_calculated = v_limited_next;
             }
         }
     } else {
@@ -421,5 +451,104 @@ void axis_x_ipc_step(
         } else {
             outputs->error_id = reason;
         }
+    }
+}
+
+void axis_x_ipc_step(
+    axis_x_ipc_state *restrict state,
+    const axis_x_ipc_inputs *restrict inputs,
+    axis_x_ipc_outputs *restrict outputs)
+{
+    const double now = state->tuning_limit_now;
+    const double now_next = state->tuning_weight0_now;
+    const double now_last = state->tuning_weight1_now;
+    if (axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit
+            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_cycle_time_ns)
+            && inputs->position_controlled && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON
+            && state->fade >= axis_x_ipc_fade_cycles && axis_x_ipc_magnitude(inputs->tuning_limit - now) <= 0.0
+            && axis_x_ipc_magnitude(inputs->tuning_weight0 - now_next) <= 0.0
+            && axis_x_ipc_magnitude(inputs->tuning_weight1 - now_last) <= 0.0) {
+        outputs->fault = false;
+        outputs->error_id = AXIS_X_IPC_ERROR_NONE;
+        /* DIRECT (P-AXIS-00753) from v_motor, weight 200/100 = 2 (P-AXIS-00754/00755) */
+        /* BANDPASS BUTTERWORTH order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz (P-AXIS-00751),
+         * quality factor 4 (P-AXIS-00752), -3 dB at 35.30473 and 45.30473 Hz */
+        const double stage0_filter0_section0_t = axis_x_ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
+        const double stage0_filter0_section0_y = state->stage0_filter0_section0_s1 - stage0_filter0_section0_t;
+        state->stage0_filter0_section0_s1 =
+            state->stage0_filter0_section0_s2 - axis_x_ipc_stage0_filter0_bandpass0_a1 * stage0_filter0_section0_y;
+        state->stage0_filter0_section0_s2 =
+            stage0_filter0_section0_t + axis_x_ipc_anti_denormal
+                - axis_x_ipc_stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
+        const double v_stage0 = axis_x_ipc_stage0_gain * stage0_filter0_section0_y;
+        const double v_stage0_next = v_stage0 * state->tuning_weight0_now;
+        /* INDIRECT (P-AXIS-00753) from v_motor, weight 150/100 = 1.5 (P-AXIS-00754/00755) */
+        /* simulated oscillation of the load, f0 of the first BANDPASS 20 Hz (P-AXIS-00751), damping ratio 0.7
+         * (P-AXIS-00850): gain 1 at DC, 1.228904 and -35.53768 deg at f0 */
+        const double stage1_oscillation_y =
+            axis_x_ipc_stage1_oscillation_b0 * inputs->v_motor + state->stage1_oscillation_s1;
+        state->stage1_oscillation_s1 =
+            axis_x_ipc_stage1_oscillation_b1 * inputs->v_motor - axis_x_ipc_stage1_oscillation_a1 * stage1_oscillation_y
+                + state->stage1_oscillation_s2;
+        state->stage1_oscillation_s2 =
+            axis_x_ipc_stage1_oscillation_b2 * inputs->v_motor + axis_x_ipc_anti_denormal
+                - axis_x_ipc_stage1_oscillation_a2 * stage1_oscillation_y;
+        /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 20 Hz (P-AXIS-00751), quality
+         * factor 3 (P-AXIS-00752), -3 dB at 16.9411 and 23.60776 Hz */
+        const double stage1_filter0_section0_t = axis_x_ipc_stage1_filter0_bandpass0_b2 * stage1_oscillation_y;
+        const double stage1_filter0_section0_y = state->stage1_filter0_section0_s1 - stage1_filter0_section0_t;
+        state->stage1_filter0_section0_s1 =
+            state->stage1_filter0_section0_s2 - axis_x_ipc_stage1_filter0_bandpass0_a1 * stage1_filter0_section0_y;
+        state->stage1_filter0_section0_s2 =
+            stage1_filter0_section0_t + axis_x_ipc_anti_denormal
+                - axis_x_ipc_stage1_filter0_bandpass0_a2 * stage1_filter0_section0_y;
+        const double stage1_filter0_section1_t = axis_x_ipc_stage1_filter0_bandpass1_b2 * stage1_filter0_section0_y;
+        const double stage1_filter0_section1_y = state->stage1_filter0_section1_s1 - stage1_filter0_section1_t;
+        state->stage1_filter0_section1_s1 =
+            state->stage1_filter0_section1_s2 - axis_x_ipc_stage1_filter0_bandpass1_a1 * stage1_filter0_section1_y;
+        state->stage1_filter0_section1_s2 =
+            stage1_filter0_section1_t + axis_x_ipc_anti_denormal
+                - axis_x_ipc_stage1_filter0_bandpass1_a2 * stage1_filter0_section1_y;
+        const double stage1_filter0_section2_t = axis_x_ipc_stage1_filter0_bandpass2_b2 * stage1_filter0_section1_y;
+        const double stage1_filter0_section2_y = state->stage1_filter0_section2_s1 - stage1_filter0_section2_t;
+        state->stage1_filter0_section2_s1 =
+            state->stage1_filter0_section2_s2 - axis_x_ipc_stage1_filter0_bandpass2_a1 * stage1_filter0_section2_y;
+        state->stage1_filter0_section2_s2 =
+            stage1_filter0_section2_t + axis_x_ipc_anti_denormal
+                - axis_x_ipc_stage1_filter0_bandpass2_a2 * stage1_filter0_section2_y;
+        const double v_stage1 = axis_x_ipc_stage1_gain * stage1_filter0_section2_y;
+        const double v_stage1_next = v_stage1 * state->tuning_weight1_now;
+        const double v_sum1 = v_stage0_next + v_stage1_next;
+        const double part = state->tuning_limit_now;
+        const double upper = axis_x_ipc_limit * part;
+        double v_limited;
+        if (axis_x_ipc_magnitude(v_sum1) <= upper) {
+            outputs->limited = false;
+            if (axis_x_ipc_magnitude(v_sum1) <= axis_x_ipc_rest) {
+                v_limited = 0.0;
+            } else {
+                v_limited = v_sum1;
+            }
+        } else if (axis_x_ipc_magnitude(v_sum1) <= axis_x_ipc_sum_limit) {
+            outputs->limited = true;
+            if (v_sum1 > 0.0) {
+                v_limited = upper;
+            } else {
+                const double part_next = state->tuning_limit_now;
+                v_limited = axis_x_ipc_lower_limit * part_next;
+            }
+        } else {
+            /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
+             * then everything starts anew */
+            outputs->limited = true;
+            state->disturbed = true;
+            state->preset = false;
+            state->fade = 0u;
+            v_limited = 0.0;
+        }
+        outputs->v_add = v_limited;
+        outputs->v_add_calculated = v_limited;
+    } else {
+        axis_x_ipc_any_cycle(state, inputs, outputs);
     }
 }

@@ -1,0 +1,46 @@
+//! The block `ipc` of an axis whose weights and limit the caller tunes: all that is said of it is said of `ipc`.
+
+use super::{Certified, Part, Summary};
+use crate::axis::Axis;
+use crate::blocks::designed::Designed;
+use compiler::program::Program;
+use reference::ipc::{Coeffs, Ipc};
+use reference::tuned_ipc::TunedIpc;
+
+impl Part for TunedIpc {
+    fn is_asked_for(&self, axis: &Axis) -> bool {
+        (axis.ipc.is_active() || axis.control.is_empty()) && axis.ipc.tuning.is_some()
+    }
+
+    fn short_name(&self) -> &'static str {
+        Ipc.short_name()
+    }
+
+    fn design(designed: &Designed) -> Coeffs<f64> {
+        designed.ipc
+    }
+
+    fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
+        Ipc.notes(designed)
+    }
+
+    fn ranges(&self, designed: &Designed) -> [f64; 2] {
+        Ipc.ranges(designed)
+    }
+
+    fn start_cycles(&self, designed: &Designed) -> usize {
+        Ipc.start_cycles(designed)
+    }
+
+    fn summary(&self, designed: &Designed) -> Summary {
+        Ipc.summary(designed)
+    }
+
+    fn verdict(&self, designed: &Designed) -> Vec<String> {
+        Ipc.verdict(designed)
+    }
+
+    fn certificate(&self, designed: &Designed, program: &Program) -> Certified {
+        Ipc.certificate(designed, program)
+    }
+}
