@@ -105,11 +105,13 @@ pub fn sum_of_stages<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: 
         if coeffs.stage[i].mode != stage::Mode::NotActive {
             let x = stage::source(&coeffs.stage[i], inputs.v_command, inputs.v_motor, inputs.v_direct);
             let change = stage::source(&coeffs.stage[i], changes.v_command, changes.v_motor, changes.v_direct);
-            let mut v_stage = stage::step(&mut state.stage[i], &coeffs.stage[i], x, change);
+            let v_stage = stage::step(&mut state.stage[i], &coeffs.stage[i], x, change);
             if coeffs.tuning.active {
-                v_stage = v_stage * state.tuning.weight[i].now;
+                let v_tuned = v_stage * state.tuning.weight[i].now;
+                v_sum = v_sum + v_tuned;
+            } else {
+                v_sum = v_sum + v_stage;
             }
-            v_sum = v_sum + v_stage;
         }
     }
     v_sum
@@ -143,29 +145,29 @@ pub fn stop<R: Real>(state: &mut State<R>) {
     state.fade = 0u32;
 }
 
-/// The largest sum that acts; `part`: of the limit, as it is tuned.
+/// The largest sum that acts: the part of the limit that is tuned.
 #[portable]
-pub fn tuned_limit<R: Real>(coeffs: &Coeffs<R>, part: R) -> R {
-    if coeffs.tuning.active { coeffs.limit * part } else { coeffs.limit }
+pub fn tuned_limit<R: Real>(coeffs: &Coeffs<R>, tuning: &tuning::State<R>) -> R {
+    if coeffs.tuning.active { coeffs.limit * tuning.limit.now } else { coeffs.limit }
 }
 
 /// The lowest one.
 #[portable]
-pub fn tuned_lower_limit<R: Real>(coeffs: &Coeffs<R>, part: R) -> R {
+pub fn tuned_lower_limit<R: Real>(coeffs: &Coeffs<R>, tuning: &tuning::State<R>) -> R {
     // A product, and no difference from 0: compilers that are told to forget the sign of a 0 must not find one to forget.
-    if coeffs.tuning.active { coeffs.lower_limit * part } else { coeffs.lower_limit }
+    if coeffs.tuning.active { coeffs.lower_limit * tuning.limit.now } else { coeffs.lower_limit }
 }
 
 /// The sum within +-limit; exactly 0 where its magnitude is not above `rest`. A sum that no velocity of this axis leads to is a fault: a
 /// state has been overwritten.
 #[portable]
 pub fn limit<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, coeffs: &Coeffs<R>, v_sum: R) -> R {
-    let upper = tuned_limit(coeffs, state.tuning.limit.now);
+    let upper = tuned_limit(coeffs, &state.tuning);
     if within(v_sum, upper) {
         if within(v_sum, coeffs.rest) { R::ZERO } else { v_sum }
     } else if within(v_sum, coeffs.sum_limit) {
         outputs.limited = true;
-        if v_sum > R::ZERO { upper } else { tuned_lower_limit(coeffs, state.tuning.limit.now) }
+        if v_sum > R::ZERO { upper } else { tuned_lower_limit(coeffs, &state.tuning) }
     } else {
         note(
             "a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle, then everything starts anew",
@@ -222,8 +224,8 @@ pub fn act<R: Real>(
     }
     // Only what acts can make a loop unstable. A sum that is a fault is no vibration.
     if coeffs.watch.active && inputs.mode == mode_on() && !state.watch.tripped && !state.disturbed {
-        let upper = tuned_limit(coeffs, state.tuning.limit.now);
-        let lower = tuned_lower_limit(coeffs, state.tuning.limit.now);
+        let upper = tuned_limit(coeffs, &state.tuning);
+        let lower = tuned_lower_limit(coeffs, &state.tuning);
         watch::step(&mut state.watch, &coeffs.watch, v_sum, upper, lower);
     }
 }
@@ -239,8 +241,8 @@ pub fn act_in_full<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &I
     outputs.v_add = v_limited;
     outputs.v_add_calculated = v_limited;
     if coeffs.watch.active && !state.disturbed {
-        let upper = tuned_limit(coeffs, state.tuning.limit.now);
-        let lower = tuned_lower_limit(coeffs, state.tuning.limit.now);
+        let upper = tuned_limit(coeffs, &state.tuning);
+        let lower = tuned_lower_limit(coeffs, &state.tuning);
         watch::step(&mut state.watch, &coeffs.watch, v_sum, upper, lower);
     }
 }

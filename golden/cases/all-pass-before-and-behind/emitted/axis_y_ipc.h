@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  776a92067fc0c97acf1358dc09f1df77
- * structure   9b09dacfdfeddbb6a83c093bc87dcd8a
- * checksum    eb3a3d3532fb0b3d9b70db344c9403fd
+ * structure   e025d40e7582e180bb3f4df82eb82296
+ * checksum    fbac6596f4219ffd27d06aa65b2a4ddf
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_Y_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_Y_IPC_PARAMETERS_2 0xcf1358dcu
 #define AXIS_Y_IPC_PARAMETERS_3 0x09f1df77u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_Y_IPC_STRUCTURE_0 0x9b09dacfu
-#define AXIS_Y_IPC_STRUCTURE_1 0xdfeddbb6u
-#define AXIS_Y_IPC_STRUCTURE_2 0xa83c093bu
-#define AXIS_Y_IPC_STRUCTURE_3 0xc87dcd8au
+#define AXIS_Y_IPC_STRUCTURE_0 0xe025d40eu
+#define AXIS_Y_IPC_STRUCTURE_1 0x7582e180u
+#define AXIS_Y_IPC_STRUCTURE_2 0xbb3f4df8u
+#define AXIS_Y_IPC_STRUCTURE_3 0x2eb82296u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_Y_IPC_INPUTS_SIZE 32u
 #define AXIS_Y_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9014b604dd12f8224fb4d7d97b6b93de
- * structure   f222e4863abde4948d646143f8a84a1c
- * checksum    8e4c882f2100c62afc54adfbb56737e2
+ * structure   6c7ecd81d89a37ef74039347840872d4
+ * checksum    ea066d62b43ec137542e0a46920d903e
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9014b604dd12f8224fb4d7d97b6b93de
- * structure   f222e4863abde4948d646143f8a84a1c
- * checksum    367dee18bf99253c9dd1114d82486425
+ * structure   6c7ecd81d89a37ef74039347840872d4
+ * checksum    859b49cd8ba1ebd4675a098411fd909c
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_AXIS_H
@@ -32,10 +32,10 @@ extern "C" {
 #define AXIS_X_AXIS_PARAMETERS_2 0x4fb4d7d9u
 #define AXIS_X_AXIS_PARAMETERS_3 0x7b6b93deu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_AXIS_STRUCTURE_0 0xf222e486u
-#define AXIS_X_AXIS_STRUCTURE_1 0x3abde494u
-#define AXIS_X_AXIS_STRUCTURE_2 0x8d646143u
-#define AXIS_X_AXIS_STRUCTURE_3 0xf8a84a1cu
+#define AXIS_X_AXIS_STRUCTURE_0 0x6c7ecd81u
+#define AXIS_X_AXIS_STRUCTURE_1 0xd89a37efu
+#define AXIS_X_AXIS_STRUCTURE_2 0x74039347u
+#define AXIS_X_AXIS_STRUCTURE_3 0x840872d4u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_AXIS_INPUTS_SIZE 48u
 #define AXIS_X_AXIS_OUTPUTS_SIZE 40u

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  a7946ea0b07c6e724bf5e648d7f9875f
- * structure   a95a21772247712c97a63fcfe538c4d6
- * checksum    de2d85cc40277597b994dc47bc7fc7e4
+ * structure   1aa18fac5d2aa00b86f3c5cea0780e29
+ * checksum    2a90b2560703077a61dbc3097d935e9b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_f_axis.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  d866a6f941d589509e7405f1c45ff916
- * structure   8a862beeb54b90467c476826ef583dd9
- * checksum    0d170e4b760d4190949a8b4b7ee526eb
+ * structure   f720f393ef9e1345a4aec1d821f1c31d
+ * checksum    c3d1ef5865b1f1ddd2e72888e5b793a0
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x9e7405f1u
 #define AXIS_X_IPC_PARAMETERS_3 0xc45ff916u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x8a862beeu
-#define AXIS_X_IPC_STRUCTURE_1 0xb54b9046u
-#define AXIS_X_IPC_STRUCTURE_2 0x7c476826u
-#define AXIS_X_IPC_STRUCTURE_3 0xef583dd9u
+#define AXIS_X_IPC_STRUCTURE_0 0xf720f393u
+#define AXIS_X_IPC_STRUCTURE_1 0xef9e1345u
+#define AXIS_X_IPC_STRUCTURE_2 0xa4aec1d8u
+#define AXIS_X_IPC_STRUCTURE_3 0x21f1c31du
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  035a2ceba1d4549378e201e9e82370a6
- * structure   1bf079a66e239c016084c45a7fd13f0f
- * checksum    bf465369109f973d8325b6d875def84c
+ * structure   509934ed923641ede503200b486ceaf1
+ * checksum    1b957cbe875c09ea75ca368d05798611
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  2cb36657eb5edd333340ce8cb8317bc0
- * structure   f45f2ed2912ec5f19b3090e0f3d59a0e
- * checksum    9b6b2d6d43a24b2a9c1a06cdec7f9088
+ * structure   b415ca31ab5e378186cdbd2e91a66e37
+ * checksum    1b06916bd5c92b4e130f445ce50b5abb
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

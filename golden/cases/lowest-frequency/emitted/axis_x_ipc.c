@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  62500 ns
  * parameters  2ebd2317bdfdf9946197084c79fdae1d
- * structure   c1e5f3c3c821a057f47afda6ddf0a027
- * checksum    60e48a70fe0bb70a3def4aa7391e6c1c
+ * structure   a66ba0ebceda4c4427c3eb0b94d624a1
+ * checksum    5509a3e67c981b4d3bfb1a4fc5463d78
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  310bc9f2d370ffdb55eb325b34f7ea20
- * structure   c92067999aa5755042a13b3b480b633b
- * checksum    ab03df4d4d6b1a3d1a6c648093552b04
+ * structure   acdc5a2a4a05c035f86a07032adb4c7d
+ * checksum    79dc4fe68d2c7a18c57713aad14b497e
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   7755395ba81ebe1763b051a5ab74f46a
- * checksum    01261ac4ed49d76f153623a8df3524fc
+ * structure   401931acb674737cdbbe697c69cc2803
+ * checksum    4cc6b13514ce61a0a114f31ff8bcb822
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

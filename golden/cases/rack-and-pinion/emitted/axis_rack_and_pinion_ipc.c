@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  097a836f6fa98f8ecb4119133f3f1eb0
- * structure   caed4d3858a473235dbd8ddff1443a93
- * checksum    61c353e60519edf7e24a279ae433a5b6
+ * structure   a9ff5bb0b98cc57e2047895c317bf5d6
+ * checksum    922538653cc25e40922405bf294f777f
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_rack_and_pinion_ipc.h"

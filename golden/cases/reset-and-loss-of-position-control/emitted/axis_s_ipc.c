@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  01e6eb02896c59c399f72dbc0e232957
- * structure   b76ccc277105eb0ac957a842c3ba5d15
- * checksum    cdc9b8cfdff2f6c939ff1a5f0baa6c66
+ * structure   8ef12dbed11bade7755c00d224493653
+ * checksum    6cd4383070b1dac9751dc13a7497b96c
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  01e6eb02896c59c399f72dbc0e232957
- * structure   b76ccc277105eb0ac957a842c3ba5d15
- * checksum    c6b58da9b9c9494027e097a3a150a6a4
+ * structure   8ef12dbed11bade7755c00d224493653
+ * checksum    243b1a3a0889fe31e83a1928e3abbefb
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_IPC_H
@@ -40,10 +40,10 @@ extern "C" {
 #define AXIS_S_IPC_PARAMETERS_2 0x99f72dbcu
 #define AXIS_S_IPC_PARAMETERS_3 0x0e232957u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_S_IPC_STRUCTURE_0 0xb76ccc27u
-#define AXIS_S_IPC_STRUCTURE_1 0x7105eb0au
-#define AXIS_S_IPC_STRUCTURE_2 0xc957a842u
-#define AXIS_S_IPC_STRUCTURE_3 0xc3ba5d15u
+#define AXIS_S_IPC_STRUCTURE_0 0x8ef12dbeu
+#define AXIS_S_IPC_STRUCTURE_1 0xd11bade7u
+#define AXIS_S_IPC_STRUCTURE_2 0x755c00d2u
+#define AXIS_S_IPC_STRUCTURE_3 0x24493653u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_S_IPC_INPUTS_SIZE 24u
 #define AXIS_S_IPC_OUTPUTS_SIZE 24u

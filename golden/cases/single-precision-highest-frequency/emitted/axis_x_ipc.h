@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  e1f780f3962f4d82bdd4f2c5209ad1a5
- * structure   743ac81a68be26ab6a310c9dc7c6f300
- * checksum    069f9ac5dd8e92c43cf8b53c9f36f530
+ * structure   556598115d66ddb6e16be4fb8b48857e
+ * checksum    2eae25bd377c694851ec0ea58809f8e3
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -43,10 +43,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xbdd4f2c5u
 #define AXIS_X_IPC_PARAMETERS_3 0x209ad1a5u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x743ac81au
-#define AXIS_X_IPC_STRUCTURE_1 0x68be26abu
-#define AXIS_X_IPC_STRUCTURE_2 0x6a310c9du
-#define AXIS_X_IPC_STRUCTURE_3 0xc7c6f300u
+#define AXIS_X_IPC_STRUCTURE_0 0x55659811u
+#define AXIS_X_IPC_STRUCTURE_1 0x5d66ddb6u
+#define AXIS_X_IPC_STRUCTURE_2 0xe16be4fbu
+#define AXIS_X_IPC_STRUCTURE_3 0x8b48857eu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 16u
 #define AXIS_X_IPC_OUTPUTS_SIZE 16u

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  62500 ns
  * parameters  3ded08af76ecf576262a5ba0ab2f33f9
- * structure   921e931a34b41a90cdd084a181553137
- * checksum    6ef2605d5553c03cc8c8f2657520b38c
+ * structure   b1126660cfd0295c0c0a5de903ef5e32
+ * checksum    5a23154341ef4ee76390ca4762261306
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  62500 ns
  * parameters  3ded08af76ecf576262a5ba0ab2f33f9
- * structure   921e931a34b41a90cdd084a181553137
- * checksum    7d7c493290146a5210bd25e1313b1818
+ * structure   b1126660cfd0295c0c0a5de903ef5e32
+ * checksum    bd48ad63bb7d172519f9c521ec558c62
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -43,10 +43,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x262a5ba0u
 #define AXIS_X_IPC_PARAMETERS_3 0xab2f33f9u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x921e931au
-#define AXIS_X_IPC_STRUCTURE_1 0x34b41a90u
-#define AXIS_X_IPC_STRUCTURE_2 0xcdd084a1u
-#define AXIS_X_IPC_STRUCTURE_3 0x81553137u
+#define AXIS_X_IPC_STRUCTURE_0 0xb1126660u
+#define AXIS_X_IPC_STRUCTURE_1 0xcfd0295cu
+#define AXIS_X_IPC_STRUCTURE_2 0x0c0a5de9u
+#define AXIS_X_IPC_STRUCTURE_3 0x03ef5e32u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 16u
 #define AXIS_X_IPC_OUTPUTS_SIZE 16u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  c8c2089743691a12a670aea6eebc23b5
- * structure   8e6375463955947d66dde7c44f24b0d4
- * checksum    f84abcdf42a5d685b87183294652c95b
+ * structure   dcf62edaa118ca8f165dc17c1a6bf7b8
+ * checksum    56c0aa0813951ca19321045a9a5a46ce
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  c8c2089743691a12a670aea6eebc23b5
- * structure   8e6375463955947d66dde7c44f24b0d4
- * checksum    5afe69a203e74c8b8c65e0da8edf2eaa
+ * structure   dcf62edaa118ca8f165dc17c1a6bf7b8
+ * checksum    482e1fdc426f248525917d8503eb2660
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -47,10 +47,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xa670aea6u
 #define AXIS_X_IPC_PARAMETERS_3 0xeebc23b5u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x8e637546u
-#define AXIS_X_IPC_STRUCTURE_1 0x3955947du
-#define AXIS_X_IPC_STRUCTURE_2 0x66dde7c4u
-#define AXIS_X_IPC_STRUCTURE_3 0x4f24b0d4u
+#define AXIS_X_IPC_STRUCTURE_0 0xdcf62edau
+#define AXIS_X_IPC_STRUCTURE_1 0xa118ca8fu
+#define AXIS_X_IPC_STRUCTURE_2 0x165dc17cu
+#define AXIS_X_IPC_STRUCTURE_3 0x1a6bf7b8u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 32u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  8a7064fb968187846a28b8bae1b95ecb
- * structure   b31b82b9044ac2635d7703b07d0c62d4
- * checksum    08638b9b8fda876f7dd72de27c3b890d
+ * structure   8c61f087c7f48e2155e99565ec1ce0a5
+ * checksum    8f41eb3879b799e50095db2f0f9a6616
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -161,18 +161,18 @@ static void axis_x_ipc_any_cycle(
     /* the same for every axis */
     static const double least_factor = 1.0e-6; /* a factor below it is 0: no product with it is subnormal */
 
-    const double now_2 = state->tuning_limit_now;
-    const double now_3 = state->tuning_weight0_now;
-    const double now_4 = state->tuning_weight1_now;
+    const double now = state->tuning_limit_now;
+    const double now_next = state->tuning_weight0_now;
+    const double now_last = state->tuning_weight1_now;
     bool runs;
     bool is_tuning_held;
     uint32_t reason;
     if (axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_cycle_time_ns)
             && inputs->position_controlled && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON
-            && state->fade >= axis_x_ipc_fade_cycles && axis_x_ipc_magnitude(inputs->tuning_limit - now_2) <= 0.0
-            && axis_x_ipc_magnitude(inputs->tuning_weight0 - now_3) <= 0.0
-            && axis_x_ipc_magnitude(inputs->tuning_weight1 - now_4) <= 0.0) {
+            && state->fade >= axis_x_ipc_fade_cycles && axis_x_ipc_magnitude(inputs->tuning_limit - now) <= 0.0
+            && axis_x_ipc_magnitude(inputs->tuning_weight0 - now_next) <= 0.0
+            && axis_x_ipc_magnitude(inputs->tuning_weight1 - now_last) <= 0.0) {
         runs = true;
         is_tuning_held = false;
         reason = AXIS_X_IPC_ERROR_NONE;
@@ -354,8 +354,8 @@ static void axis_x_ipc_any_cycle(
         state->stage0_filter0_section0_s2 =
             stage0_filter0_section0_t_next + axis_x_ipc_anti_denormal
                 - axis_x_ipc_stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y_next;
-        const double v_stage0_last = axis_x_ipc_stage0_gain * stage0_filter0_section0_y_next;
-        const double v_stage0_2 = v_stage0_last * state->tuning_weight0_now;
+        const double v_stage0_next = axis_x_ipc_stage0_gain * stage0_filter0_section0_y_next;
+        const double v_tuned0_next = v_stage0_next * state->tuning_weight0_now;
         /* INDIRECT (P-AXIS-00753) from v_motor, weight 150/100 = 1.5 (P-AXIS-00754/00755) */
         /* simulated oscillation of the load, f0 of the first BANDPASS 20 Hz (P-AXIS-00751), damping ratio 0.7
          * (P-AXIS-00850): gain 1 at DC, 1.228904 and -35.53768 deg at f0 */
@@ -396,11 +396,10 @@ static void axis_x_ipc_any_cycle(
         state->stage1_filter0_section2_s2 =
             stage1_filter0_section2_t_next + axis_x_ipc_anti_denormal
                 - axis_x_ipc_stage1_filter0_bandpass2_a2 * stage1_filter0_section2_y_next;
-        const double v_stage1_last = axis_x_ipc_stage1_gain * stage1_filter0_section2_y_next;
-        const double v_stage1_2 = v_stage1_last * state->tuning_weight1_now;
-        const double v_sum1_next = v_stage0_2 + v_stage1_2;
-        const double part_last = state->tuning_limit_now;
-        const double upper_next = axis_x_ipc_limit * part_last;
+        const double v_stage1_next = axis_x_ipc_stage1_gain * stage1_filter0_section2_y_next;
+        const double v_tuned1_next = v_stage1_next * state->tuning_weight1_now;
+        const double v_sum1_next = v_tuned0_next + v_tuned1_next;
+        const double upper_next = axis_x_ipc_limit * state->tuning_limit_now;
         double v_limited_next;
         if (axis_x_ipc_magnitude(v_sum1_next) <= upper_next) {
             outputs->limited = false;
@@ -414,8 +413,7 @@ static void axis_x_ipc_any_cycle(
             if (v_sum1_next > 0.0) {
                 v_limited_next = upper_next;
             } else {
-                const double part_2 = state->tuning_limit_now;
-                v_limited_next = axis_x_ipc_lower_limit * part_2;
+                v_limited_next = axis_x_ipc_lower_limit * state->tuning_limit_now;
             }
         } else {
             /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
@@ -459,15 +457,13 @@ void axis_x_ipc_step(
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
-    const double now = state->tuning_limit_now;
-    const double now_next = state->tuning_weight0_now;
-    const double now_last = state->tuning_weight1_now;
     if (axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_cycle_time_ns)
             && inputs->position_controlled && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON
-            && state->fade >= axis_x_ipc_fade_cycles && axis_x_ipc_magnitude(inputs->tuning_limit - now) <= 0.0
-            && axis_x_ipc_magnitude(inputs->tuning_weight0 - now_next) <= 0.0
-            && axis_x_ipc_magnitude(inputs->tuning_weight1 - now_last) <= 0.0) {
+            && state->fade >= axis_x_ipc_fade_cycles
+            && axis_x_ipc_magnitude(inputs->tuning_limit - state->tuning_limit_now) <= 0.0
+            && axis_x_ipc_magnitude(inputs->tuning_weight0 - state->tuning_weight0_now) <= 0.0
+            && axis_x_ipc_magnitude(inputs->tuning_weight1 - state->tuning_weight1_now) <= 0.0) {
         outputs->fault = false;
         outputs->error_id = AXIS_X_IPC_ERROR_NONE;
         /* DIRECT (P-AXIS-00753) from v_motor, weight 200/100 = 2 (P-AXIS-00754/00755) */
@@ -481,7 +477,7 @@ void axis_x_ipc_step(
             stage0_filter0_section0_t + axis_x_ipc_anti_denormal
                 - axis_x_ipc_stage0_filter0_bandpass0_a2 * stage0_filter0_section0_y;
         const double v_stage0 = axis_x_ipc_stage0_gain * stage0_filter0_section0_y;
-        const double v_stage0_next = v_stage0 * state->tuning_weight0_now;
+        const double v_tuned0 = v_stage0 * state->tuning_weight0_now;
         /* INDIRECT (P-AXIS-00753) from v_motor, weight 150/100 = 1.5 (P-AXIS-00754/00755) */
         /* simulated oscillation of the load, f0 of the first BANDPASS 20 Hz (P-AXIS-00751), damping ratio 0.7
          * (P-AXIS-00850): gain 1 at DC, 1.228904 and -35.53768 deg at f0 */
@@ -517,10 +513,9 @@ void axis_x_ipc_step(
             stage1_filter0_section2_t + axis_x_ipc_anti_denormal
                 - axis_x_ipc_stage1_filter0_bandpass2_a2 * stage1_filter0_section2_y;
         const double v_stage1 = axis_x_ipc_stage1_gain * stage1_filter0_section2_y;
-        const double v_stage1_next = v_stage1 * state->tuning_weight1_now;
-        const double v_sum1 = v_stage0_next + v_stage1_next;
-        const double part = state->tuning_limit_now;
-        const double upper = axis_x_ipc_limit * part;
+        const double v_tuned1 = v_stage1 * state->tuning_weight1_now;
+        const double v_sum1 = v_tuned0 + v_tuned1;
+        const double upper = axis_x_ipc_limit * state->tuning_limit_now;
         double v_limited;
         if (axis_x_ipc_magnitude(v_sum1) <= upper) {
             outputs->limited = false;
@@ -534,8 +529,7 @@ void axis_x_ipc_step(
             if (v_sum1 > 0.0) {
                 v_limited = upper;
             } else {
-                const double part_next = state->tuning_limit_now;
-                v_limited = axis_x_ipc_lower_limit * part_next;
+                v_limited = axis_x_ipc_lower_limit * state->tuning_limit_now;
             }
         } else {
             /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,

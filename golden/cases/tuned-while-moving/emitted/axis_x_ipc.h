@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  8a7064fb968187846a28b8bae1b95ecb
- * structure   b31b82b9044ac2635d7703b07d0c62d4
- * checksum    345bf335961e3cfce8f1436c83efb8bc
+ * structure   8c61f087c7f48e2155e99565ec1ce0a5
+ * checksum    290ab23aa6cc123fa8bec9d7147e4152
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -43,10 +43,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x6a28b8bau
 #define AXIS_X_IPC_PARAMETERS_3 0xe1b95ecbu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xb31b82b9u
-#define AXIS_X_IPC_STRUCTURE_1 0x044ac263u
-#define AXIS_X_IPC_STRUCTURE_2 0x5d7703b0u
-#define AXIS_X_IPC_STRUCTURE_3 0x7d0c62d4u
+#define AXIS_X_IPC_STRUCTURE_0 0x8c61f087u
+#define AXIS_X_IPC_STRUCTURE_1 0xc7f48e21u
+#define AXIS_X_IPC_STRUCTURE_2 0x55e99565u
+#define AXIS_X_IPC_STRUCTURE_3 0xec1ce0a5u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 48u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

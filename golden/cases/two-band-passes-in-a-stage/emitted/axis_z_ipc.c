@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  8768c4a3e69a4771ad043b3e1f6ff3a7
- * structure   c3eb12ed032f7fe770454857e655ae6d
- * checksum    dc49ef77c9c243254d3e8ab5a005108a
+ * structure   cfc5e4e13a3e3760f61d2c41df480dfc
+ * checksum    c0683eb8b857d2238a8d5b10f4fa2eb6
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_z_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  8768c4a3e69a4771ad043b3e1f6ff3a7
- * structure   c3eb12ed032f7fe770454857e655ae6d
- * checksum    46690014b8d71bbb13f5cff532f55e7a
+ * structure   cfc5e4e13a3e3760f61d2c41df480dfc
+ * checksum    fd8ee22e80f871d83d684fbfbbed7322
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_Z_IPC_H
@@ -50,10 +50,10 @@ extern "C" {
 #define AXIS_Z_IPC_PARAMETERS_2 0xad043b3eu
 #define AXIS_Z_IPC_PARAMETERS_3 0x1f6ff3a7u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_Z_IPC_STRUCTURE_0 0xc3eb12edu
-#define AXIS_Z_IPC_STRUCTURE_1 0x032f7fe7u
-#define AXIS_Z_IPC_STRUCTURE_2 0x70454857u
-#define AXIS_Z_IPC_STRUCTURE_3 0xe655ae6du
+#define AXIS_Z_IPC_STRUCTURE_0 0xcfc5e4e1u
+#define AXIS_Z_IPC_STRUCTURE_1 0x3a3e3760u
+#define AXIS_Z_IPC_STRUCTURE_2 0xf61d2c41u
+#define AXIS_Z_IPC_STRUCTURE_3 0xdf480dfcu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_Z_IPC_INPUTS_SIZE 32u
 #define AXIS_Z_IPC_OUTPUTS_SIZE 24u

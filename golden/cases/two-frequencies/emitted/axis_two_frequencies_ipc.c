@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  98ef165b1429998f7030c7689ebe1984
- * structure   608b983f76bcea994490d2e4285f9013
- * checksum    e8764ee18997576d80b1d4e40dc916b2
+ * structure   f9145f9ceb0a7196eb749504346e6c70
+ * checksum    60e6dd0e247b71ecb351eb0cc1f72aa3
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_two_frequencies_ipc.h"

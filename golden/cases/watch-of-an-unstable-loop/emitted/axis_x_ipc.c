@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  f263fa87836b2d39df1dbe42692c0b05
- * structure   8fe0f5c163919881fab590eb6eea2ba1
- * checksum    a596fb5dd12fa2985f947c43054d5c67
+ * structure   34cc8f11e68afdc62aa4f4e23e8eb935
+ * checksum    876ae3320c23dc84786771a75fa292ec
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
