@@ -232,10 +232,11 @@ impl Trial {
             let mut inputs = self.usual.clone();
             for real in &self.reals {
                 let integer = noise.next();
-                inputs[real.position] = if real.is_fraction {
-                    scaled(integer + Noise::HALF, self.part, 1.0)
-                } else {
-                    scaled(integer, scale, if noise.is_small() { Noise::SMALL } else { 1.0 })
+                inputs[real.position] = match real.is_fraction {
+                    // At first a part stays, so that the block has usual cycles.
+                    true if sample < self.scaled_from[0] => self.usual[real.position],
+                    true => scaled(integer + Noise::HALF, self.part, 1.0),
+                    false => scaled(integer, scale, if noise.is_small() { Noise::SMALL } else { 1.0 }),
                 };
             }
             for turn in self.turns.iter().filter(|turn| turn.holds(sample)) {

@@ -7,6 +7,7 @@ use crate::target::outline::Member;
 use crate::target::{Header, Legal};
 use crate::trial::{Answer, Noise, Trial, Turn};
 use askama::Template;
+use compiler::legalise::RealInput;
 use compiler::print::signals;
 use compiler::program::{Type, Variable};
 use portable::{Literal, Real, RealKind};
@@ -31,8 +32,8 @@ struct Body<'a> {
     is_single: bool,
     scales: [String; 3],
     small: String,
-    /// names of the inputs that get noise, and whether it is a part from 0 to 1
-    noise: Vec<(&'a str, bool)>,
+    /// names of the inputs that get noise; of a part from 0 to 1 what it is at first
+    noise: Vec<(&'a str, Option<String>)>,
     has_parts: bool,
     /// the factor of noise that is such a part
     part: String,
@@ -161,6 +162,10 @@ fn body(block: &Legal<'_>, dialect: &Dialect, trial: &Trial, [inputs, outputs]: 
     });
     let factor = if is_single { 1.0 + libm::exp2(-15.0) } else { 1.0 + libm::exp2(-30.0) };
     let square = if is_single { 1.0 + libm::exp2(-14.0) } else { factor * factor };
+    let noise = |of: &RealInput| {
+        let usual = of.is_fraction.then(|| literal(trial.usual[of.position]));
+        (name_of(of.position), usual)
+    };
     let body = Body {
         mark: dialect.mark,
         trial,
@@ -168,7 +173,7 @@ fn body(block: &Legal<'_>, dialect: &Dialect, trial: &Trial, [inputs, outputs]: 
         is_single,
         scales: trial.scales.map(literal),
         small: literal(real(Noise::SMALL.into())),
-        noise: trial.reals.iter().map(|real| (name_of(real.position), real.is_fraction)).collect(),
+        noise: trial.reals.iter().map(noise).collect(),
         has_parts: trial.has_parts(),
         part: literal(trial.part),
         switches: switches.collect(),
