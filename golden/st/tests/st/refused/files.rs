@@ -63,7 +63,16 @@ fn files() {
             part: Part::Whole,
             real: RealKind::F64,
             text: "TYPE\n    t : LREAL;\nEND_TYPE\nFUNCTION_BLOCK probe\nVAR_INPUT\n    x : LREAL;\n    i : DINT;\n    u : UDINT;\n    p : BOOL;\nEND_VAR\nVAR_OUTPUT\n    y : LREAL;\n    j : DINT;\n    v : UDINT;\n    q : BOOL;\nEND_VAR\ny := x;\nEND_FUNCTION_BLOCK\n",
-            said: &["1:1: found `TYPE...`; write `FUNCTION_BLOCK`"],
+            said: &["1:1: found `TYPE...`; write `TYPE x : STRUCT ... END_STRUCT END_TYPE`"],
+        },
+        Row {
+            rule: "a part of a structure that has another type",
+            part: Part::Whole,
+            real: RealKind::F64,
+            text: "TYPE ST_probe :\nSTRUCT\n    t : LREAL;\n    w : STRING;\nEND_STRUCT;\nEND_TYPE\nFUNCTION_BLOCK probe\nVAR_INPUT\n    x : LREAL;\n    i : DINT;\n    u : UDINT;\n    p : BOOL;\nEND_VAR\nVAR_OUTPUT\n    y : LREAL;\n    j : DINT;\n    v : UDINT;\n    q : BOOL;\nEND_VAR\ny := x;\nEND_FUNCTION_BLOCK\n",
+            said: &[
+                "4:9: found the type `STRING`; write a type of a variable, or a structure of a file before this one",
+            ],
         },
         Row {
             rule: "a method",
