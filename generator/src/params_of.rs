@@ -7,7 +7,7 @@ use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::generate;
 use crate::number::digits;
 use crate::set_change::{Refusal, judge};
-use crate::target::{self, Header, block_name, rendered};
+use crate::target::{Header, block_name, c_prefix, rendered, st_set_name};
 use askama::Template;
 use compiler::pass::Defect;
 use compiler::print::{Language, c, rust, signals, st};
@@ -122,7 +122,7 @@ pub fn bytes(designed: &Designed, form: Form) -> Result<Vec<u8>, Defect> {
     let axis = generate::header(&designed.axis, &block);
     Ok(match form {
         Form::C => {
-            let of = listed(designed, &axis, &block, &c::LANGUAGE, names_in_c(&axis, &block, designed.sets[1])?, "c");
+            let of = listed(designed, &axis, &block, &c::LANGUAGE, names_in_c(&axis, &block, designed.sets[1]), "c");
             rendered(&of.file, "", &CSet { of: &of }).text.into_bytes()
         }
         Form::Rust => {
@@ -132,9 +132,10 @@ pub fn bytes(designed: &Designed, form: Form) -> Result<Vec<u8>, Defect> {
         }
         Form::St | Form::Scl => {
             let stem = in_all(&axis, &block);
+            let ty = st_set_name(&stem);
             let (variable, kind, ty, end) = match form {
-                Form::Scl => ("\"params\"", "data block", format!("\"ST_{stem}_params\""), "scl"),
-                _ => ("params", "variable", format!("ST_{stem}_params"), "st"),
+                Form::Scl => ("\"params\"", "data block", format!("\"{ty}\""), "scl"),
+                _ => ("params", "variable", ty, "st"),
             };
             let of = listed(designed, &axis, &block, &st::PLAIN, [stem, ty], end);
             rendered(&of.file, "", &StSet { of: &of, variable, kind }).text.into_bytes()
@@ -222,12 +223,11 @@ fn in_all(axis: &Header, block: &Block) -> String {
 
 /// What the names of the block begin with in C, which its header is called by, and the name of the set. With short names it has at most
 /// 31 characters.
-fn names_in_c(axis: &Header, block: &Block, set: u32) -> Result<[String; 2], Defect> {
-    let files = target::named("c").expect("params_of: C is a target").files(axis, block)?;
-    let header = files.iter().find_map(|file| file.name.strip_suffix(".h")).unwrap_or_default().to_owned();
+fn names_in_c(axis: &Header, block: &Block, set: u32) -> [String; 2] {
+    let header = c_prefix(axis, block.program.block);
     let between = if axis.short_name.is_some() { "set" } else { "set_" };
     let name = format!("{header}_{between}{set:08x}");
-    Ok([header, name])
+    [header, name]
 }
 
 /// A line of a CSV file. The digits read back to the same bits.

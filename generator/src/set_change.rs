@@ -9,7 +9,6 @@ use crate::parameters::words::{StageMode, Words};
 use compiler::leaves;
 use portable::{Literal, Real, RealKind, with_numbers};
 use reference::ipc::Coeffs as IpcCoeffs;
-use reference::ipc::numbers::Numbers;
 use reference::tunable_ipc::{self, Coeffs, TunableIpc};
 
 /// What a parameter set of the new version does on the machine, whose block was generated from the old one.
@@ -103,15 +102,7 @@ fn refusal<R: Real>(old: &Designed, new: &Designed) -> Option<Refusal> {
 /// Whether the old block with the new numbers has the coefficients of the new block.
 fn is_new<R: Real>(old: &Designed, new: &Designed) -> bool {
     let [block, set] = [old, new].map(coeffs::<R>);
-    let params = tunable_ipc::params(&set);
-    let numbers = Numbers {
-        limit: params.limit,
-        lower_limit: params.lower_limit,
-        sum_limit: params.sum_limit,
-        watch: params.watch,
-        stage: params.stage,
-    };
-    let then: IpcCoeffs<R> = with_numbers(&block.ipc, &numbers);
+    let then: IpcCoeffs<R> = with_numbers(&block.ipc, &tunable_ipc::numbers_of(&set.ipc));
     leaves(&then) == leaves(&set.ipc)
 }
 

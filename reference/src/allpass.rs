@@ -4,9 +4,7 @@
 //! H(z) = (a2 + a1 z^-1 + z^-2) / (1 + a1 z^-1 + a2 z^-2). Gain 1 everywhere; phase 0 at DC, -180 degrees at the centre
 //! frequency, -360 degrees at the Nyquist frequency.
 
-#![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
-
-use crate::check_word::{Forming, add, largest_number};
+use crate::check_word::{Forming, add_three, largest_number};
 use crate::section::{State, anti_denormal, is_driven_by_change, is_stable_biquad, is_stable_trapezoidal};
 use crate::trapezoidal;
 use portable::{Real, in_range, portable};
@@ -93,13 +91,9 @@ pub fn is_sound<R: Real>(coeffs: &Coeffs<R>) -> bool {
 pub fn add_up<R: Real>(forming: &mut Forming<R>, coeffs: &Coeffs<R>) {
     if is_driven_by_change::<R>() {
         let numbers = [coeffs.a, coeffs.b, coeffs.c];
-        for i in 0..3 {
-            add(forming, numbers[i]);
-        }
+        add_three(forming, &numbers);
     } else {
         let numbers = [coeffs.a1, coeffs.a2, coeffs.preset];
-        for i in 0..3 {
-            add(forming, numbers[i]);
-        }
+        add_three(forming, &numbers);
     }
 }

@@ -13,6 +13,8 @@
 //! A number that has changed always changes the word, unless it is 0 and only its sign has. Of other changes, numbers of several sets in
 //! one among them, one in 2e9 does not. 46337 is the largest prime whose square an `i32` holds.
 
+#![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
+
 use crate::precision::is_single;
 use portable::{Real, from_i32, portable, truncate};
 
@@ -83,4 +85,12 @@ pub fn add<R: Real>(forming: &mut Forming<R>, number: R) {
         }
     }
     forming.left_over = forming.left_over + rest;
+}
+
+/// Adds three numbers.
+#[portable]
+pub fn add_three<R: Real>(forming: &mut Forming<R>, numbers: &[R; 3]) {
+    for i in 0..3 {
+        add(forming, numbers[i]);
+    }
 }

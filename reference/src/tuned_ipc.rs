@@ -1,9 +1,9 @@
 //! Improved position control with parts that the caller tunes: the block `ipc` of an axis with `tunable = "weights"`. It does what
 //! [`crate::ipc`] does, and begins with the usual cycle.
 
-use crate::ipc::{self, Coeffs, Inputs, Ipc, Outputs, State, tuning};
-use crate::stage::Mode;
-use portable::{Block, Enable, Fn, Real, in_range, portable};
+use crate::ipc::tuning::{self, are_followed};
+use crate::ipc::{self, Coeffs, Inputs, Ipc, Outputs, State};
+use portable::{Block, Enable, Fn, Real, portable};
 
 /// One cycle. In a usual one the mode is ON, the fade full, and every part is what its input asks for: nothing but the sections changes.
 #[portable]
@@ -13,13 +13,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
         && state.fade >= coeffs.fade_cycles
         && !(coeffs.watch.active && state.watch.tripped)
         && (!coeffs.ride_through.active || state.ride_through.bad == 0u32)
-        && in_range(inputs.tuning_limit - state.tuning.limit.now, R::ZERO)
-        && (coeffs.stage[0].mode == Mode::NotActive
-            || in_range(inputs.tuning_weight[0] - state.tuning.weight[0].now, R::ZERO))
-        && (coeffs.stage[1].mode == Mode::NotActive
-            || in_range(inputs.tuning_weight[1] - state.tuning.weight[1].now, R::ZERO))
-        && (coeffs.stage[2].mode == Mode::NotActive
-            || in_range(inputs.tuning_weight[2] - state.tuning.weight[2].now, R::ZERO))
+        && are_followed(&state.tuning, &coeffs.tuning, &coeffs.stage, inputs)
     {
         outputs.held = false;
         ipc::act_in_full(state, coeffs, inputs, outputs);

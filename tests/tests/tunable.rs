@@ -15,6 +15,11 @@ use rayon::prelude::*;
 /// Cycles of a run.
 const RUN: usize = 20_000;
 
+/// Cycles of a run through all engines.
+fn cycles() -> usize {
+    if is_exhaustive() { 13 * RUN } else { RUN }
+}
+
 /// An axis with three stages and everything that ipc may have, and one with a whole axis around it.
 fn axis(real: RealKind, more: &str) -> Designed {
     let real = if real == RealKind::F64 { "f64" } else { "f32" };
@@ -51,10 +56,10 @@ fn samples(shape: Shape, seed: u64) -> Samples {
     let mut modes = Rng::new(seed + 1);
     let mut uniform = move || (rng.word() >> 11) as f64 / 2f64.powi(53);
     let kind = shape.real;
-    let mut samples = Samples::with_capacity(shape, RUN);
+    let mut samples = Samples::with_capacity(shape, cycles());
     let mut tuned = [0.0; 4];
     let mut mode = 1;
-    for cycle in 0..RUN {
+    for cycle in 0..cycles() {
         // A stretch in which every input moves each cycle, one in which they seldom do.
         let often = if cycle / 1000 % 2 == 0 { 1.0 } else { 0.02 };
         for part in &mut tuned {
@@ -100,7 +105,6 @@ fn samples(shape: Shape, seed: u64) -> Samples {
 
 #[test]
 fn random_tuning_in_every_cycle_gives_the_same_bits_in_every_engine() {
-    let runs = if is_exhaustive() { 13 } else { 1 };
     let whole = "ride_through = 2\nvorsteuer.vorsteuerung = 'VEL'\n";
     let kinds = [RealKind::F64, RealKind::F32];
     let axes: Vec<Designed> = ["", whole].iter().flat_map(|more| kinds.map(|real| axis(real, more))).collect();
@@ -110,23 +114,18 @@ fn random_tuning_in_every_cycle_gives_the_same_bits_in_every_engine() {
             let mut cycles = 0;
             let is_tuned = |name: &str| name == "ipc" || name == "axis";
             for block in blocks(designed).unwrap().iter().filter(|block| is_tuned(block.program.block)) {
-                for run in 0..runs {
-                    let inputs = samples(Shape::of(&block.program.inputs, block.program.real), run);
-                    let expected = engine::run(Engine::Reference, designed, block, &inputs).unwrap();
-                    if run == 0 {
-                        has_held_and_acted(&expected);
-                    }
-                    if block.program.block == "ipc" {
-                        is_what_the_other_block_does(designed, &inputs, &expected);
-                    }
-                    // Rust in the first run only: it is compiled anew for each.
-                    for engine in ENGINES.into_iter().filter(|engine| run == 0 || *engine != Engine::Rust) {
-                        let found = engine::run(engine, designed, block, &inputs).unwrap();
-                        let name = format!("{} in {:?}, {engine}, run {run}", block.program.block, block.program.real);
-                        assert_eq!(compare(&expected, &found), Difference { bits: 0, first: None }, "{name}");
-                    }
-                    cycles += inputs.len();
+                let inputs = samples(Shape::of(&block.program.inputs, block.program.real), 0);
+                let expected = engine::run(Engine::Reference, designed, block, &inputs).unwrap();
+                has_held_and_acted(&expected);
+                if block.program.block == "ipc" {
+                    is_what_the_other_block_does(designed, &inputs, &expected);
                 }
+                for engine in ENGINES {
+                    let found = engine::run(engine, designed, block, &inputs).unwrap();
+                    let name = format!("{} in {:?}, {engine}", block.program.block, block.program.real);
+                    assert_eq!(compare(&expected, &found), Difference { bits: 0, first: None }, "{name}");
+                }
+                cycles += inputs.len();
             }
             cycles
         })
@@ -161,7 +160,8 @@ fn has_held_and_acted(outputs: &Samples) {
             "a held input is no fault"
         );
     }
-    assert!(held > RUN / 20 && acted > RUN / 4, "{held} held, {acted} acted of {}", outputs.len());
+    let all = outputs.len();
+    assert!(held > all / 20 && acted > all / 4, "{held} held, {acted} acted of {all}");
 }
 
 /// v_stage moves by at most |v_stage| / fade_cycles beside its own motion, whatever the input does (docs/improved-position-control.md).

@@ -1,5 +1,6 @@
 //! The block `ipc` of an axis whose weights and limit the caller tunes: all that is said of it is said of `ipc`.
 
+use super::ipc::is_there;
 use super::{Certified, Part, Summary};
 use crate::axis::Axis;
 use crate::blocks::designed::Designed;
@@ -9,7 +10,7 @@ use reference::tuned_ipc::TunedIpc;
 
 impl Part for TunedIpc {
     fn is_asked_for(&self, axis: &Axis) -> bool {
-        (axis.ipc.is_active() || axis.control.is_empty()) && axis.ipc.tuning.is_some()
+        is_there(axis) && axis.ipc.tuning.is_some()
     }
 
     fn short_name(&self) -> &'static str {

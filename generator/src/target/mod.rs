@@ -6,6 +6,8 @@ mod rust;
 mod st;
 mod unit;
 
+pub(crate) use c::names::prefix as c_prefix;
+pub(crate) use st::listing::set_name as st_set_name;
 pub(crate) use st::twincat::Cdata;
 
 use crate::blocks::Block;

@@ -47,13 +47,12 @@ impl RustFile<'_> {
     /// Each struct with what its start is, and its members.
     fn starts(&self) -> Vec<(&str, &str, &[Member])> {
         let set = ("Params", "The set that the block was generated with.", self.set.as_slice());
-        let all = [
-            set,
+        let always: [(_, _, &[Member]); 3] = [
             ("Inputs", "Every input with the value that it has until the caller writes it.", &self.inputs),
             ("Outputs", "The outputs before the first cycle.", &self.outputs),
             ("State", "The state before the first cycle.", &self.state),
         ];
-        all.into_iter().filter(|(name, _, members)| *name != "Params" || !members.is_empty()).collect()
+        (!self.set.is_empty()).then_some(set).into_iter().chain(always).collect()
     }
 }
 

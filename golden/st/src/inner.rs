@@ -4,6 +4,7 @@ use super::block::Block;
 use super::kind::Kind;
 use super::lowering::{Lowering, Operand};
 use super::op::{Code, Op, moved};
+use super::structure::Structure;
 use super::syntax::{children, said, shown};
 use super::variables::{self, Inner, Role, Whole, slot_of};
 use std::collections::BTreeSet;
@@ -72,18 +73,22 @@ impl Lowering<'_, '_> {
             if !own.insert(name.clone()) || !own.insert(format!("={path}")) {
                 self.say(argument, format!("{}, given a second time", shown(argument, self.text)), "each once");
             }
-            for part in &wanted.parts {
-                let here = self.variables.find(&format!("{path}.{}", part.path));
-                let there = block.variables.find(&format!("{name}.{}", part.path));
-                if let (Some(here), Some(there)) = (here, there) {
-                    pairs.push(Pair { kind: here.kind, here: here.slot, there: slot_of(inner, there) });
-                }
-            }
+            pairs.extend(self.pairs([&path, &name], wanted, (inner, block)));
         }
         if let Some(name) = missing.first() {
             self.say(function, format!("a call without `{name}`"), format!("`{name} := variable`"));
         }
         pairs
+    }
+
+    /// The parts of two variables of a type: the first one here, the second one in an instance.
+    fn pairs(&self, [here, there]: [&str; 2], ty: &Structure, (inner, block): (Inner, &Block)) -> Vec<Pair> {
+        let pair = |path: &str| {
+            let here = self.variables.find(&format!("{here}.{path}"))?;
+            let there = slot_of(inner, block.variables.find(&format!("{there}.{path}"))?);
+            Some(Pair { kind: here.kind, here: here.slot, there })
+        };
+        ty.parts.iter().filter_map(|part| pair(&part.path)).collect()
     }
 
     /// Copies what is shared to an instance, or back.
@@ -143,11 +148,8 @@ impl Lowering<'_, '_> {
         if !before.insert(name.clone()) {
             self.say(node, format!("{} a second time", shown(node, self.text)), "each input once");
         }
-        for part in &wanted.parts {
-            let here = self.variables.find(&format!("{path}.{}", part.path))?;
-            let there = slot_of(inner, block.variables.find(&format!("{name}.{}", part.path))?);
-            self.ops.push(Op::new(Code::moving(here.kind), there, [here.slot, 0]));
-        }
+        let parts = self.pairs([&path, &name], wanted, (inner, block));
+        self.copy(&parts, false);
         Some(())
     }
 

@@ -27,7 +27,7 @@ use crate::signal::{error_tuning, error_v_command, error_v_direct, error_v_motor
 use crate::stage;
 use crate::sum::empty_sum;
 use portable::{Block, Enable, Fn, Real, from_u32, in_range, note, portable, within};
-use tuning::{is_followed, is_there};
+use tuning::are_followed;
 
 /// Coefficients.
 #[portable]
@@ -224,10 +224,16 @@ pub fn act<R: Real>(
     }
     // Only what acts can make a loop unstable. A sum that is a fault is no vibration.
     if coeffs.watch.active && inputs.mode == mode_on() && !state.watch.tripped && !state.disturbed {
-        let upper = tuned_limit(coeffs, &state.tuning);
-        let lower = tuned_lower_limit(coeffs, &state.tuning);
-        watch::step(&mut state.watch, &coeffs.watch, v_sum, upper, lower);
+        look_after(state, coeffs, v_sum);
     }
+}
+
+/// Shows the watch a sum that acts, and the limits that hold.
+#[portable]
+pub fn look_after<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, v_sum: R) {
+    let upper = tuned_limit(coeffs, &state.tuning);
+    let lower = tuned_lower_limit(coeffs, &state.tuning);
+    watch::step(&mut state.watch, &coeffs.watch, v_sum, upper, lower);
 }
 
 /// The same of a cycle in which the mode is ON and the fade full, and every part is what its input asks for.
@@ -241,9 +247,7 @@ pub fn act_in_full<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &I
     outputs.v_add = v_limited;
     outputs.v_add_calculated = v_limited;
     if coeffs.watch.active && !state.disturbed {
-        let upper = tuned_limit(coeffs, &state.tuning);
-        let lower = tuned_lower_limit(coeffs, &state.tuning);
-        watch::step(&mut state.watch, &coeffs.watch, v_sum, upper, lower);
+        look_after(state, coeffs, v_sum);
     }
 }
 
@@ -373,10 +377,7 @@ pub fn cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
         && inputs.mode == mode_on()
         && state.fade >= coeffs.fade_cycles
         && !(coeffs.watch.active && state.watch.tripped)
-        && is_followed(coeffs.tuning.active, inputs.tuning_limit, state.tuning.limit.now)
-        && is_followed(is_there(&coeffs.tuning, &coeffs.stage[0]), inputs.tuning_weight[0], state.tuning.weight[0].now)
-        && is_followed(is_there(&coeffs.tuning, &coeffs.stage[1]), inputs.tuning_weight[1], state.tuning.weight[1].now)
-        && is_followed(is_there(&coeffs.tuning, &coeffs.stage[2]), inputs.tuning_weight[2], state.tuning.weight[2].now))
+        && are_followed(&state.tuning, &coeffs.tuning, &coeffs.stage, inputs))
     {
         if coeffs.tuning.active {
             let jumps = state.fade == 0u32;

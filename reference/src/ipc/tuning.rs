@@ -47,14 +47,28 @@ pub fn least_factor<R: Real>() -> R {
 
 /// Whether a factor, if it is there, is what its input asks for. The difference is no number where the input is none.
 #[portable]
-pub fn is_followed<R: Real>(is_there: bool, wanted: R, now: R) -> bool {
-    !is_there || in_range(wanted - now, R::ZERO)
+pub fn is_followed<R: Real>(factor: &Factor<R>, is_there: bool, wanted: R) -> bool {
+    !is_there || in_range(wanted - factor.now, R::ZERO)
 }
 
 /// Whether a factor of a stage is there.
 #[portable]
 pub fn is_there<R: Real>(coeffs: &Coeffs<R>, stage: &stage::Coeffs<R>) -> bool {
     coeffs.active && stage.mode != stage::Mode::NotActive
+}
+
+/// Whether every factor is what its input asks for.
+#[portable]
+pub fn are_followed<R: Real>(
+    state: &State<R>,
+    coeffs: &Coeffs<R>,
+    stages: &[stage::Coeffs<R>; STAGES],
+    inputs: &Inputs<R>,
+) -> bool {
+    is_followed(&state.limit, coeffs.active, inputs.tuning_limit)
+        && is_followed(&state.weight[0], is_there(coeffs, &stages[0]), inputs.tuning_weight[0])
+        && is_followed(&state.weight[1], is_there(coeffs, &stages[1]), inputs.tuning_weight[1])
+        && is_followed(&state.weight[2], is_there(coeffs, &stages[2]), inputs.tuning_weight[2])
 }
 
 /// Moves a factor towards its input by at most `step`; `jumps`: at once, because the fade is 0. Gives whether the input is no number from 0

@@ -212,25 +212,29 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     }
 }
 
-/// The set that the numbers of a block make.
-pub fn params<R: Real>(coeffs: &Coeffs<R>) -> Params<R> {
-    let Coeffs { structure, set_id, ipc } = coeffs;
+/// The numbers of a block.
+pub fn numbers_of<R: Real>(ipc: &ipc::Coeffs<R>) -> Numbers<R> {
     let of_filter = |filter: &filter::Coeffs<R>| filter::Numbers { bandpass: filter.bandpass, allpass: filter.allpass };
     let of_stage = |stage: &stage::Coeffs<R>| stage::Numbers {
         oscillation: stage.oscillation,
         filter: stage.filter.each_ref().map(of_filter),
         gain: stage.gain,
     };
-    let mut params = Params {
-        structure: *structure,
-        set_id: *set_id,
-        check: Word::default(),
+    Numbers {
         limit: ipc.limit,
         lower_limit: ipc.lower_limit,
         sum_limit: ipc.sum_limit,
         watch: watch::Numbers { quiet: ipc.watch.quiet },
         stage: ipc.stage.each_ref().map(of_stage),
-    };
+    }
+}
+
+/// The set that the numbers of a block make.
+pub fn params<R: Real>(coeffs: &Coeffs<R>) -> Params<R> {
+    let Coeffs { structure, set_id, ipc } = coeffs;
+    let Numbers { limit, lower_limit, sum_limit, watch, stage } = numbers_of(ipc);
+    let (structure, set_id, check) = (*structure, *set_id, Word::default());
+    let mut params = Params { structure, set_id, check, limit, lower_limit, sum_limit, watch, stage };
     let mut formed = Forming::<R>::default();
     add_up(&mut formed, ipc, &params);
     params.check = formed.word;

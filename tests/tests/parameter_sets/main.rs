@@ -43,6 +43,18 @@ struct Bench {
     beyond: Set,
 }
 
+impl Bench {
+    /// The coefficients of the block.
+    fn coeffs<R: Real>(&self) -> Coeffs<R>
+    where
+        TunableIpc: portable::Block<R, Coeffs = Coeffs<R>>,
+    {
+        let kind = generator::blocks::of_name(&self.designed.axis, "ipc").unwrap();
+        let mut coefficients = kind.coefficients(&self.designed).into_iter();
+        Coeffs::build(&mut || coefficients.next().unwrap())
+    }
+}
+
 fn bench(structure: usize, kind: RealKind) -> Bench {
     let mut rng = Rng::new(7 + structure as u64);
     let designed = other(structure, kind, &mut rng, FACT);
@@ -55,18 +67,18 @@ fn bench(structure: usize, kind: RealKind) -> Bench {
 }
 
 /// Vibrations, modes and disturbances, and sets that are offered, torn, corrupted, taken back.
-fn samples(bench: &Bench, seed: u64) -> Samples {
+fn samples(bench: &Bench, length: usize) -> Samples {
     let program = &bench.block.program;
-    let mut rng = Rng::new(seed);
-    let mut uniform = Rng::new(seed + 1);
+    let mut rng = Rng::new(5);
+    let mut uniform = Rng::new(6);
     let mut uniform = move || (uniform.word() >> 11) as f64 / 2f64.powi(53);
     let shape = Shape::of(&program.inputs, program.real);
-    let mut samples = Samples::with_capacity(shape, RUN);
+    let mut samples = Samples::with_capacity(shape, length);
     let mut values: Vec<Literal> = program.inputs.iter().map(|input| input.start).collect();
     // Before the first whole set some are refused.
     let mut offered = corrupted(&bench.sets[0], &bench.sets, &bench.foreign, &mut rng);
     let mut mode = 1;
-    for cycle in 0..RUN {
+    for cycle in 0..length {
         let whole = &bench.sets[rng.below(bench.sets.len())];
         match uniform() {
             of if of < 0.004 => offered = whole.clone(),
@@ -102,25 +114,22 @@ fn samples(bench: &Bench, seed: u64) -> Samples {
 
 #[test]
 fn sets_at_any_moment_give_the_same_bits_in_every_engine() {
-    let runs = if is_exhaustive() { 9 } else { 1 };
+    let length = if is_exhaustive() { 9 * RUN } else { RUN };
     let cases: Vec<(usize, RealKind)> =
         (0..STRUCTURES).flat_map(|structure| KINDS.map(|kind| (structure, kind))).collect();
     let cycles: usize = cases
         .par_iter()
         .map(|(structure, kind)| {
             let bench = bench(*structure, *kind);
-            for run in 0..runs {
-                let inputs = samples(&bench, run);
-                let expected = engine::run(Engine::Reference, &bench.designed, &bench.block, &inputs).unwrap();
-                takes_over_at_rest(&inputs, &expected, &bench);
-                // Rust in the first run only: it is compiled anew for each.
-                for engine in ENGINES.into_iter().filter(|engine| run == 0 || *engine != Engine::Rust) {
-                    let found = engine::run(engine, &bench.designed, &bench.block, &inputs).unwrap();
-                    let name = format!("structure {structure} in {kind:?}, {engine}, run {run}");
-                    assert_eq!(compare(&expected, &found), Difference { bits: 0, first: None }, "{name}");
-                }
+            let inputs = samples(&bench, length);
+            let expected = engine::run(Engine::Reference, &bench.designed, &bench.block, &inputs).unwrap();
+            takes_over_at_rest(&inputs, &expected, &bench);
+            for engine in ENGINES {
+                let found = engine::run(engine, &bench.designed, &bench.block, &inputs).unwrap();
+                let name = format!("structure {structure} in {kind:?}, {engine}");
+                assert_eq!(compare(&expected, &found), Difference { bits: 0, first: None }, "{name}");
             }
-            RUN * runs as usize
+            length
         })
         .sum();
     eprintln!("{cycles} cycles with sets at any moment in {} engines: 0 differing bits", ENGINES.len());
@@ -189,9 +198,7 @@ where
     TunableIpc: portable::Block<R, Coeffs = Coeffs<R>>,
 {
     let bench = bench(structure, R::KIND);
-    let kind = generator::blocks::of_name(&bench.designed.axis, "ipc").unwrap();
-    let mut coefficients = kind.coefficients(&bench.designed).into_iter();
-    let coeffs = Coeffs::<R>::build(&mut || coefficients.next().unwrap());
+    let coeffs = bench.coeffs::<R>();
     let usual = leaves(&tunable_ipc::params(&coeffs));
     let first = bench.sets[0][0].0;
     let mut rng = Rng::new(11);
@@ -248,7 +255,7 @@ fn a_set_is_the_block_with_its_constants() {
                 foreign: set.clone(),
                 beyond: set.clone(),
             };
-            let inputs = samples(&bench, 5);
+            let inputs = samples(&bench, RUN);
             let mut values = Vec::new();
             let mut whole = Samples::with_capacity(inputs.shape.clone(), RUN);
             let mut plain = Samples::with_capacity(Shape::of(&constant_block.program.inputs, kind), RUN);
@@ -284,9 +291,7 @@ fn a_set_is_the_block_with_its_constants() {
 #[test]
 fn numbers_that_were_overwritten_are_taken_over_anew() {
     let bench = bench(0, RealKind::F64);
-    let kind = generator::blocks::of_name(&bench.designed.axis, "ipc").unwrap();
-    let mut coefficients = kind.coefficients(&bench.designed).into_iter();
-    let coeffs = Coeffs::<f64>::build(&mut || coefficients.next().unwrap());
+    let coeffs = bench.coeffs::<f64>();
     let mut inputs = <TunableIpc as portable::Block<f64>>::inputs(&coeffs);
     let [mut state, mut sound] = [tunable_ipc::State::<f64>::default(); 2];
     let [mut outputs, mut expected] = [tunable_ipc::Outputs::<f64>::default(); 2];
@@ -311,9 +316,7 @@ fn numbers_that_were_overwritten_are_taken_over_anew() {
 #[test]
 fn every_refusal_has_its_id() {
     let bench = bench(0, RealKind::F64);
-    let mut coefficients =
-        generator::blocks::of_name(&bench.designed.axis, "ipc").unwrap().coefficients(&bench.designed).into_iter();
-    let coeffs = Coeffs::<f64>::build(&mut || coefficients.next().unwrap());
+    let coeffs = bench.coeffs::<f64>();
     let whole = tunable_ipc::params(&coeffs);
     let after = |change: &dyn Fn(&mut Params<f64>)| {
         let mut params = whole;

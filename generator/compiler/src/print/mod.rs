@@ -49,19 +49,22 @@ pub type Scope = Table<String>;
 pub fn signals(program: &Program, language: &Language) -> [Vec<String>; 2] {
     let mut names = Names::new(language);
     let mut inputs = inputs(program, language, &mut names);
-    for (name, variable) in inputs.iter_mut().zip(&program.inputs) {
-        if let (Some(_), Some(set)) = (program.in_set(variable), program.set) {
-            *name = format!("{set}.{name}");
-        }
-    }
+    put_inside(&mut inputs, program, ".");
     [inputs, members(&program.outputs, language, &mut names)]
+}
+
+/// Puts the name of the parameter set before the names of its parts.
+fn put_inside(inputs: &mut [String], program: &Program, inside: &str) {
+    let Some(set) = program.set else { return };
+    for (name, _) in inputs.iter_mut().zip(&program.inputs).filter(|(_, input)| program.in_set(input).is_some()) {
+        name.insert_str(0, &format!("{set}{inside}"));
+    }
 }
 
 /// The names of the inputs. A parameter set is one input, with names of its own inside.
 fn inputs(program: &Program, language: &Language, names: &mut Names) -> Vec<String> {
     let is_outside = |input: &&Variable| program.in_set(input).is_none();
-    let outside: Vec<Variable> = program.inputs.iter().filter(is_outside).cloned().collect();
-    let mut outside = members(&outside, language, names).into_iter();
+    let mut outside = members(program.inputs.iter().filter(is_outside), language, names).into_iter();
     if program.has_set() && !language.has_structs {
         program.set.map(|set| names.take(set));
     }
@@ -74,14 +77,18 @@ fn inputs(program: &Program, language: &Language, names: &mut Names) -> Vec<Stri
 }
 
 /// The names of variables that the caller sees: in one scope with all others, or in a struct.
-fn members(variables: &[Variable], language: &Language, names: &mut Names) -> Vec<String> {
+fn members<'v>(
+    variables: impl IntoIterator<Item = &'v Variable>,
+    language: &Language,
+    names: &mut Names,
+) -> Vec<String> {
     let mut own = language.has_structs.then(|| Names::new(language));
     let names = own.as_mut().unwrap_or(names);
     let name = |variable: &Variable| match variable.path.as_str() {
         path if language.kept.contains(&path) => path.to_owned(),
         path => names.take(path),
     };
-    variables.iter().map(name).collect()
+    variables.into_iter().map(name).collect()
 }
 
 impl<'p> Printer<'p> {
@@ -105,11 +112,7 @@ impl<'p> Printer<'p> {
             locals: program.locals.iter().map(|local| names.take(&local.path)).collect(),
         };
         let mut texts = names.clone();
-        for (text, variable) in texts.inputs.iter_mut().zip(&program.inputs) {
-            if let (Some(_), Some(set)) = (program.in_set(variable), program.set) {
-                *text = format!("{set}{}{text}", language.inside);
-            }
-        }
+        put_inside(&mut texts.inputs, program, language.inside);
         let Scope { inputs, outputs, state, constants, locals } = &mut texts;
         for (before, list) in language.before.into_iter().zip([inputs, outputs, state, constants, locals]) {
             list.iter_mut().for_each(|name| name.insert_str(0, before));

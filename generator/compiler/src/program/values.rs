@@ -16,10 +16,15 @@ pub struct Signal {
 /// The signals for which that is so: outputs that nothing but named numbers reach, and inputs that are only compared with such.
 pub fn of_signals(program: &Program) -> Vec<Signal> {
     let reaching = reaching(program);
-    let inputs = (0..program.inputs.len()).map(|index| (Var::Input(index), compared(program, index, &reaching)));
-    let outputs = (0..program.outputs.len()).map(|index| (Var::Output(index), reaching.outputs[index].clone()));
-    let signals = inputs.chain(outputs).filter(|(var, _)| matches!(program.ty(*var), Some(Type::I32 | Type::U32)));
-    let named = signals.filter_map(|(var, values)| Some(Signal { var, constants: values.named(program)? }));
+    let inputs = (0..program.inputs.len()).map(Var::Input);
+    let signals = inputs.chain((0..program.outputs.len()).map(Var::Output));
+    let integers = signals.filter(|var| matches!(program.ty(*var), Some(Type::I32 | Type::U32)));
+    let values = |var| match var {
+        Var::Input(index) => compared(program, index, &reaching),
+        Var::Output(index) => reaching.outputs[index].clone(),
+        _ => Values::others(),
+    };
+    let named = integers.filter_map(|var| Some(Signal { var, constants: values(var).named(program)? }));
     named.filter(|signal| !signal.constants.is_empty()).collect()
 }
 

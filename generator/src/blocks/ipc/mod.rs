@@ -21,10 +21,14 @@ use crate::parameters::words::{StageMode, Words};
 use compiler::program::Program;
 use reference::ipc::{Coeffs, Ipc};
 
+/// Whether an axis has the block. One of which nothing is asked gets a block that puts out 0, and a warning.
+pub(super) fn is_there(axis: &Axis) -> bool {
+    axis.ipc.is_active() || axis.control.is_empty()
+}
+
 impl Part for Ipc {
     fn is_asked_for(&self, axis: &Axis) -> bool {
-        // An axis of which nothing is asked gets a block that puts out 0, and a warning.
-        (axis.ipc.is_active() || axis.control.is_empty()) && !axis.ipc.takes_sets && axis.ipc.tuning.is_none()
+        is_there(axis) && !axis.ipc.takes_sets && axis.ipc.tuning.is_none()
     }
 
     fn short_name(&self) -> &'static str {

@@ -1,7 +1,7 @@
 //! The three files of a block in C: its header, its source, its self-test.
 
 mod header;
-mod names;
+pub(super) mod names;
 pub(super) mod runner;
 
 use super::outline::{COMMENT_WIDTH, Group, Member, Outline};

@@ -32,7 +32,7 @@ pub(super) struct Listing {
     /// around the names of types that are none of the language's
     pub(super) quote: &'static str,
     pub(super) inputs: Vec<Member>,
-    /// the type of its parameter set, if it takes one; of a self-test only the name of it
+    /// the type of its parameter set, if it takes one
     pub(super) set: Option<SetType>,
     pub(super) outputs: Vec<Member>,
     pub(super) state: Vec<Member>,
@@ -52,17 +52,9 @@ pub(super) struct SetType {
     pub(super) parts: Vec<Member>,
 }
 
-/// The name of the type of the parameter sets of a block of an axis.
-pub(super) fn set_name(axis: &str, block: &str) -> String {
-    format!("ST_{}_params", block_name(axis, block))
-}
-
-/// The type of the parameter sets of a block, if it takes any.
-pub(super) fn set_type(axis: &Header, block: &Legal<'_>, dialect: &Dialect) -> Option<SetType> {
-    let printer = &Printer::new(&block.program, dialect.language, "");
-    let outline = Outline { axis, block, language: dialect.language, printer, next_line: "\n       " };
-    let name = set_name(&axis.name, block.program.block);
-    block.program.has_set().then(|| SetType { name, parts: outline.set() })
+/// The name of the type of the parameter sets of a block with that name.
+pub(crate) fn set_name(block: &str) -> String {
+    format!("ST_{block}_params")
 }
 
 impl Listing {
@@ -89,7 +81,10 @@ pub(super) fn listing(axis: &Header, block: &Legal<'_>, dialect: &Dialect) -> Li
         name: name(&axis.name, block.program.block, dialect),
         quote: dialect.quote,
         inputs: outline.inputs(),
-        set: set_type(axis, block, dialect),
+        set: block
+            .program
+            .has_set()
+            .then(|| SetType { name: set_name(&block_name(&axis.name, block.program.block)), parts: outline.set() }),
         outputs: outline.outputs(),
         state: outline.state(),
         locals: outline.locals(),

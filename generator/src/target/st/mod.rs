@@ -5,7 +5,7 @@
 
 pub(super) mod codesys;
 mod dialect;
-mod listing;
+pub(super) mod listing;
 mod self_test;
 pub(super) mod twincat;
 

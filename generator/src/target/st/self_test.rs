@@ -2,9 +2,9 @@
 //! reference.
 
 use super::dialect::Dialect;
-use super::listing::{self, Listing, SET, SetType, set_type};
+use super::listing::{self, Listing, SET, set_name};
 use crate::target::outline::Member;
-use crate::target::{Header, Legal};
+use crate::target::{Header, Legal, block_name};
 use crate::trial::{Answer, Noise, Trial, Turn};
 use askama::Template;
 use compiler::legalise::RealInput;
@@ -68,7 +68,6 @@ pub(super) fn listing(axis: &Header, block: &Legal<'_>, dialect: &Dialect) -> Li
     let variable = |ty: Type, name: String, doc: &str| member(language.ty(ty, axis.real).into(), name, doc);
     let is_signal = |(input, _): &(&Variable, &String)| program.in_set(input).is_none();
     let of_inputs = program.inputs.iter().zip(inputs).filter(is_signal);
-    let set = set_type(axis, block, dialect);
     let of_outputs = program.outputs.iter().zip(outputs);
     let mut state = vec![
         member(format!("{0}{tested}{0}", dialect.quote).into(), "block".to_owned(), "the block under test"),
@@ -95,7 +94,8 @@ pub(super) fn listing(axis: &Header, block: &Legal<'_>, dialect: &Dialect) -> Li
     state.extend(
         of_outputs.map(|(output, name)| variable(output.ty, format!("expected_{name}"), "the reference's answer")),
     );
-    if let Some(SetType { name, .. }) = &set {
+    if program.has_set() {
+        let name = set_name(&block_name(&axis.name, program.block));
         state.push(member(format!("{0}{name}{0}", dialect.quote).into(), SET.to_owned(), "the parameter set"));
     }
     Listing {
@@ -137,9 +137,9 @@ fn body(block: &Legal<'_>, dialect: &Dialect, trial: &Trial, [inputs, outputs]: 
         let own = program.inputs.iter().position(|input| input.path == *path);
         own.map_or("", |own| inputs[own].as_str())
     };
-    let is_part = |input: &Variable| program.in_set(input).is_some();
-    let parts = program.inputs.iter().zip(inputs).filter(|(input, _)| is_part(input));
-    let switches = program.inputs.iter().zip(inputs).filter(|(input, _)| input.ty != Type::Real && !is_part(input));
+    let named = program.inputs.iter().zip(inputs);
+    let (parts, signals): (Vec<_>, Vec<_>) = named.partition(|(input, _)| program.in_set(input).is_some());
+    let switches = signals.iter().filter(|(input, _)| input.ty != Type::Real);
     let switches = switches.map(|(input, name)| match position(input) {
         None => Switch {
             name,
@@ -179,14 +179,8 @@ fn body(block: &Legal<'_>, dialect: &Dialect, trial: &Trial, [inputs, outputs]: 
         switches: switches.collect(),
         jumps: trial.jumps.iter().map(|(at, input, value)| (*at, name_of(*input), literal(*value))).collect(),
         contraction: [factor, square].map(|value| literal(real(value))),
-        inputs: program
-            .inputs
-            .iter()
-            .zip(inputs)
-            .filter(|(input, _)| !is_part(input))
-            .map(|(_, name)| name.as_str())
-            .collect(),
-        set: parts.map(|(part, name)| (name.as_str(), literal(part.start))).collect(),
+        inputs: signals.iter().map(|(_, name)| name.as_str()).collect(),
+        set: parts.iter().map(|(part, name)| (name.as_str(), literal(part.start))).collect(),
         outputs,
         steps: steps(block, dialect, trial, outputs),
     };

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  776a92067fc0c97acf1358dc09f1df77
- * structure   e025d40e7582e180bb3f4df82eb82296
- * checksum    d3cbf5fd19b36d7f1cbdbc8aa2de6557
+ * structure   323e1000d659bd859c0b5e07074e715e
+ * checksum    6cfab0a081dc83c55709f86668764a02
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_y_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  776a92067fc0c97acf1358dc09f1df77
- * structure   e025d40e7582e180bb3f4df82eb82296
- * checksum    fbac6596f4219ffd27d06aa65b2a4ddf
+ * structure   323e1000d659bd859c0b5e07074e715e
+ * checksum    6dbac0edb01649a06ffd01fd8a2b1d8f
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_Y_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_Y_IPC_PARAMETERS_2 0xcf1358dcu
 #define AXIS_Y_IPC_PARAMETERS_3 0x09f1df77u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_Y_IPC_STRUCTURE_0 0xe025d40eu
-#define AXIS_Y_IPC_STRUCTURE_1 0x7582e180u
-#define AXIS_Y_IPC_STRUCTURE_2 0xbb3f4df8u
-#define AXIS_Y_IPC_STRUCTURE_3 0x2eb82296u
+#define AXIS_Y_IPC_STRUCTURE_0 0x323e1000u
+#define AXIS_Y_IPC_STRUCTURE_1 0xd659bd85u
+#define AXIS_Y_IPC_STRUCTURE_2 0x9c0b5e07u
+#define AXIS_Y_IPC_STRUCTURE_3 0x074e715eu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_Y_IPC_INPUTS_SIZE 32u
 #define AXIS_Y_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9014b604dd12f8224fb4d7d97b6b93de
- * structure   6c7ecd81d89a37ef74039347840872d4
- * checksum    ea066d62b43ec137542e0a46920d903e
+ * structure   e6e29293d1784cd34a461dbe6a859d51
+ * checksum    31c91560da6f3211390649c24a78b3a8
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  a7946ea0b07c6e724bf5e648d7f9875f
- * structure   1aa18fac5d2aa00b86f3c5cea0780e29
- * checksum    2a90b2560703077a61dbc3097d935e9b
+ * structure   1032fe3278e43636b9828cce30bb6240
+ * checksum    1efb7e59aaee4cea401b79cd0292df8f
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_f_axis.h"

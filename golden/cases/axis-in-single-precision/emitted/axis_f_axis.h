@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  a7946ea0b07c6e724bf5e648d7f9875f
- * structure   1aa18fac5d2aa00b86f3c5cea0780e29
- * checksum    280f522578f6ca63329161ba4c4ec7c9
+ * structure   1032fe3278e43636b9828cce30bb6240
+ * checksum    8fa7fe5a32a656c232bdf4f0e6994f5b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_F_AXIS_H
@@ -32,10 +32,10 @@ extern "C" {
 #define AXIS_F_AXIS_PARAMETERS_2 0x4bf5e648u
 #define AXIS_F_AXIS_PARAMETERS_3 0xd7f9875fu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_F_AXIS_STRUCTURE_0 0x1aa18facu
-#define AXIS_F_AXIS_STRUCTURE_1 0x5d2aa00bu
-#define AXIS_F_AXIS_STRUCTURE_2 0x86f3c5ceu
-#define AXIS_F_AXIS_STRUCTURE_3 0xa0780e29u
+#define AXIS_F_AXIS_STRUCTURE_0 0x1032fe32u
+#define AXIS_F_AXIS_STRUCTURE_1 0x78e43636u
+#define AXIS_F_AXIS_STRUCTURE_2 0xb9828cceu
+#define AXIS_F_AXIS_STRUCTURE_3 0x30bb6240u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_F_AXIS_INPUTS_SIZE 32u
 #define AXIS_F_AXIS_OUTPUTS_SIZE 28u

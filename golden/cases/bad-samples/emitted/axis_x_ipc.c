@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  05550f54ed225d18fecf0f48000fec37
- * structure   d54b9e0af0a5ee54bd5a56f376bb9092
- * checksum    2874d03407bf517d737857b9625b6e15
+ * structure   be69d90f1bfdcf5e62bcdfeb32ca1c82
+ * checksum    cc5d6b745a8485ba0596ecbcd4e5bf4b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

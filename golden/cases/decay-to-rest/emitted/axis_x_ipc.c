@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  d866a6f941d589509e7405f1c45ff916
- * structure   f720f393ef9e1345a4aec1d821f1c31d
- * checksum    47d3c6983fd0316d2761369375db9da7
+ * structure   c56041751800749d8a8d99099909a475
+ * checksum    37dedc2dc813c53bc0dfe34a410571e9
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  899d9161a2ded0013f7b34563e3f8ca5
- * structure   f8998cc4a01db2c2b51fa11b64f6ee44
- * checksum    82122d507b2860b2c8b5f654c4afa993
+ * structure   ee04e7bb6ca9c038f9e3d0d0c646512e
+ * checksum    cf192fa0d5ddad43f5f1a2ec09c0e499
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  677de2a23211c4ed594818a9169e5c31
- * structure   9957fa0e81caf6510d319dbbe48d19c2
- * checksum    26c01a2ba73d1108c1278097d4ed0f11
+ * structure   b9318f29f6426f830d723820008122ce
+ * checksum    2416c16af3fbd9c46fa8667f2137af44
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

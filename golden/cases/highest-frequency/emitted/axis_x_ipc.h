@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  677de2a23211c4ed594818a9169e5c31
- * structure   9957fa0e81caf6510d319dbbe48d19c2
- * checksum    6224c44ec1475d36b55fca1b9f0ecc7d
+ * structure   b9318f29f6426f830d723820008122ce
+ * checksum    e4731aaa0189b2fab814263a6ca01135
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x594818a9u
 #define AXIS_X_IPC_PARAMETERS_3 0x169e5c31u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x9957fa0eu
-#define AXIS_X_IPC_STRUCTURE_1 0x81caf651u
-#define AXIS_X_IPC_STRUCTURE_2 0x0d319dbbu
-#define AXIS_X_IPC_STRUCTURE_3 0xe48d19c2u
+#define AXIS_X_IPC_STRUCTURE_0 0xb9318f29u
+#define AXIS_X_IPC_STRUCTURE_1 0xf6426f83u
+#define AXIS_X_IPC_STRUCTURE_2 0x0d723820u
+#define AXIS_X_IPC_STRUCTURE_3 0x008122ceu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 32u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  035a2ceba1d4549378e201e9e82370a6
- * structure   509934ed923641ede503200b486ceaf1
- * checksum    1b957cbe875c09ea75ca368d05798611
+ * structure   24ed78cb9fe76000c866a0dd3d29dfcc
+ * checksum    2126a7e8548a7332aa508ec25a528e57
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

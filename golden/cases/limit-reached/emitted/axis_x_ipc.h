@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  035a2ceba1d4549378e201e9e82370a6
- * structure   509934ed923641ede503200b486ceaf1
- * checksum    45a345cd2e7277784c14f3f6c3aed45e
+ * structure   24ed78cb9fe76000c866a0dd3d29dfcc
+ * checksum    ef9b7e9ba0ad8e9c09fa53e1ffdbfebd
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -40,10 +40,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x78e201e9u
 #define AXIS_X_IPC_PARAMETERS_3 0xe82370a6u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x509934edu
-#define AXIS_X_IPC_STRUCTURE_1 0x923641edu
-#define AXIS_X_IPC_STRUCTURE_2 0xe503200bu
-#define AXIS_X_IPC_STRUCTURE_3 0x486ceaf1u
+#define AXIS_X_IPC_STRUCTURE_0 0x24ed78cbu
+#define AXIS_X_IPC_STRUCTURE_1 0x9fe76000u
+#define AXIS_X_IPC_STRUCTURE_2 0xc866a0ddu
+#define AXIS_X_IPC_STRUCTURE_3 0x3d29dfccu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  2cb36657eb5edd333340ce8cb8317bc0
- * structure   b415ca31ab5e378186cdbd2e91a66e37
- * checksum    1b06916bd5c92b4e130f445ce50b5abb
+ * structure   4905189282ea6c2dd7ba268c444139b3
+ * checksum    59d51df0adec89610481fea875b71844
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

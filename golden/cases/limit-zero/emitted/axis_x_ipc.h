@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  2cb36657eb5edd333340ce8cb8317bc0
- * structure   b415ca31ab5e378186cdbd2e91a66e37
- * checksum    770a3b9562031dcb0de7be0402075ea8
+ * structure   4905189282ea6c2dd7ba268c444139b3
+ * checksum    9aff11c7b43d9d9712bfe08e578beea1
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -36,10 +36,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x3340ce8cu
 #define AXIS_X_IPC_PARAMETERS_3 0xb8317bc0u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xb415ca31u
-#define AXIS_X_IPC_STRUCTURE_1 0xab5e3781u
-#define AXIS_X_IPC_STRUCTURE_2 0x86cdbd2eu
-#define AXIS_X_IPC_STRUCTURE_3 0x91a66e37u
+#define AXIS_X_IPC_STRUCTURE_0 0x49051892u
+#define AXIS_X_IPC_STRUCTURE_1 0x82ea6c2du
+#define AXIS_X_IPC_STRUCTURE_2 0xd7ba268cu
+#define AXIS_X_IPC_STRUCTURE_3 0x444139b3u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  62500 ns
  * parameters  2ebd2317bdfdf9946197084c79fdae1d
- * structure   a66ba0ebceda4c4427c3eb0b94d624a1
- * checksum    5509a3e67c981b4d3bfb1a4fc5463d78
+ * structure   1c6e463a984b5c1d7e251c58361f5bb0
+ * checksum    f7313fcb5237c891b9373ae60911f1bd
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

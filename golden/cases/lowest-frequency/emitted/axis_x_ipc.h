@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  62500 ns
  * parameters  2ebd2317bdfdf9946197084c79fdae1d
- * structure   a66ba0ebceda4c4427c3eb0b94d624a1
- * checksum    8350c135addefd8c54c7d0cd6266cf12
+ * structure   1c6e463a984b5c1d7e251c58361f5bb0
+ * checksum    dd1b1af0c2186841c38c81893a2f3eb9
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x6197084cu
 #define AXIS_X_IPC_PARAMETERS_3 0x79fdae1du
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xa66ba0ebu
-#define AXIS_X_IPC_STRUCTURE_1 0xceda4c44u
-#define AXIS_X_IPC_STRUCTURE_2 0x27c3eb0bu
-#define AXIS_X_IPC_STRUCTURE_3 0x94d624a1u
+#define AXIS_X_IPC_STRUCTURE_0 0x1c6e463au
+#define AXIS_X_IPC_STRUCTURE_1 0x984b5c1du
+#define AXIS_X_IPC_STRUCTURE_2 0x7e251c58u
+#define AXIS_X_IPC_STRUCTURE_3 0x361f5bb0u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

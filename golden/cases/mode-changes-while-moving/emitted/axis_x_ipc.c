@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  310bc9f2d370ffdb55eb325b34f7ea20
- * structure   acdc5a2a4a05c035f86a07032adb4c7d
- * checksum    79dc4fe68d2c7a18c57713aad14b497e
+ * structure   aefced6597fdebabce15543cf17ddbca
+ * checksum    2e83c85550d94cda3c035b734f63da07
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  310bc9f2d370ffdb55eb325b34f7ea20
- * structure   acdc5a2a4a05c035f86a07032adb4c7d
- * checksum    160ace10d418bda37a45f4a76ee7232f
+ * structure   aefced6597fdebabce15543cf17ddbca
+ * checksum    017d57791214f0757e045217f0f26ffd
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -43,10 +43,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x55eb325bu
 #define AXIS_X_IPC_PARAMETERS_3 0x34f7ea20u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xacdc5a2au
-#define AXIS_X_IPC_STRUCTURE_1 0x4a05c035u
-#define AXIS_X_IPC_STRUCTURE_2 0xf86a0703u
-#define AXIS_X_IPC_STRUCTURE_3 0x2adb4c7du
+#define AXIS_X_IPC_STRUCTURE_0 0xaefced65u
+#define AXIS_X_IPC_STRUCTURE_1 0x97fdebabu
+#define AXIS_X_IPC_STRUCTURE_2 0xce15543cu
+#define AXIS_X_IPC_STRUCTURE_3 0xf17ddbcau
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

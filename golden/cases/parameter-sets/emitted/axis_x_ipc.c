@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   401931acb674737cdbbe697c69cc2803
- * checksum    4cc6b13514ce61a0a114f31ff8bcb822
+ * structure   a0416e47ac46fb105e6ffd7f22bef7b6
+ * checksum    77be843f8b0b731d649adb80df050188
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   401931acb674737cdbbe697c69cc2803
- * checksum    664b2bc55f6bbe7c3ab8461c100ff29a
+ * structure   a0416e47ac46fb105e6ffd7f22bef7b6
+ * checksum    af141cd8b064abee573a3d565f67dacd
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -43,10 +43,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xb4447d55u
 #define AXIS_X_IPC_PARAMETERS_3 0x4f36617au
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x401931acu
-#define AXIS_X_IPC_STRUCTURE_1 0xb674737cu
-#define AXIS_X_IPC_STRUCTURE_2 0xdbbe697cu
-#define AXIS_X_IPC_STRUCTURE_3 0x69cc2803u
+#define AXIS_X_IPC_STRUCTURE_0 0xa0416e47u
+#define AXIS_X_IPC_STRUCTURE_1 0xac46fb10u
+#define AXIS_X_IPC_STRUCTURE_2 0x5e6ffd7fu
+#define AXIS_X_IPC_STRUCTURE_3 0x22bef7b6u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 60u
 #define AXIS_X_IPC_OUTPUTS_SIZE 20u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  097a836f6fa98f8ecb4119133f3f1eb0
- * structure   a9ff5bb0b98cc57e2047895c317bf5d6
- * checksum    922538653cc25e40922405bf294f777f
+ * structure   29697603583b5f0fdfc92a7613e65b82
+ * checksum    df172f2e095a3273de33ea1e9c55b73f
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_rack_and_pinion_ipc.h"

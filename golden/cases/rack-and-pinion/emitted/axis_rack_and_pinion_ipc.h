@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  097a836f6fa98f8ecb4119133f3f1eb0
- * structure   a9ff5bb0b98cc57e2047895c317bf5d6
- * checksum    60196b93183d0c6ed7b4281db9a4bcb7
+ * structure   29697603583b5f0fdfc92a7613e65b82
+ * checksum    7dda3aaf51ae9fb83e8784de53e90fce
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_RACK_AND_PINION_IPC_H
@@ -43,10 +43,10 @@ extern "C" {
 #define AXIS_RACK_AND_PINION_IPC_PARAMETERS_2 0xcb411913u
 #define AXIS_RACK_AND_PINION_IPC_PARAMETERS_3 0x3f3f1eb0u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_0 0xa9ff5bb0u
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_1 0xb98cc57eu
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_2 0x2047895cu
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_3 0x317bf5d6u
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_0 0x29697603u
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_1 0x583b5f0fu
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_2 0xdfc92a76u
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_3 0x13e65b82u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_RACK_AND_PINION_IPC_INPUTS_SIZE 24u
 #define AXIS_RACK_AND_PINION_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  01e6eb02896c59c399f72dbc0e232957
- * structure   8ef12dbed11bade7755c00d224493653
- * checksum    6cd4383070b1dac9751dc13a7497b96c
+ * structure   98f3bb272139ad1ebf2c75a850dee11b
+ * checksum    099c8eabcf9781b3428a993aa44f4018
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_ipc.h"

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  e1f780f3962f4d82bdd4f2c5209ad1a5
- * structure   556598115d66ddb6e16be4fb8b48857e
- * checksum    d8e2691888947ad8d4575d99ecc330a8
+ * structure   f02e451a3941a29a97df0134eafd6fe8
+ * checksum    09e71ddf5b6bdaa315bcdb06c5280b61
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

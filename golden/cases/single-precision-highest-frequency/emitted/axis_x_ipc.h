@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  e1f780f3962f4d82bdd4f2c5209ad1a5
- * structure   556598115d66ddb6e16be4fb8b48857e
- * checksum    2eae25bd377c694851ec0ea58809f8e3
+ * structure   f02e451a3941a29a97df0134eafd6fe8
+ * checksum    fa02ec9850abd2da4dbd41fbbaa84246
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -43,10 +43,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xbdd4f2c5u
 #define AXIS_X_IPC_PARAMETERS_3 0x209ad1a5u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x55659811u
-#define AXIS_X_IPC_STRUCTURE_1 0x5d66ddb6u
-#define AXIS_X_IPC_STRUCTURE_2 0xe16be4fbu
-#define AXIS_X_IPC_STRUCTURE_3 0x8b48857eu
+#define AXIS_X_IPC_STRUCTURE_0 0xf02e451au
+#define AXIS_X_IPC_STRUCTURE_1 0x3941a29au
+#define AXIS_X_IPC_STRUCTURE_2 0x97df0134u
+#define AXIS_X_IPC_STRUCTURE_3 0xeafd6fe8u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 16u
 #define AXIS_X_IPC_OUTPUTS_SIZE 16u

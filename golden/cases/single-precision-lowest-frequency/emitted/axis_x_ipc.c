@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  62500 ns
  * parameters  3ded08af76ecf576262a5ba0ab2f33f9
- * structure   b1126660cfd0295c0c0a5de903ef5e32
- * checksum    5a23154341ef4ee76390ca4762261306
+ * structure   46aafc1c06a4abc59aa2ef1e23fe17be
+ * checksum    cf1d3b5a705cc62592d3e1eb8943e4ed
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

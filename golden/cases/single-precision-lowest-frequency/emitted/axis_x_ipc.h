@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  62500 ns
  * parameters  3ded08af76ecf576262a5ba0ab2f33f9
- * structure   b1126660cfd0295c0c0a5de903ef5e32
- * checksum    bd48ad63bb7d172519f9c521ec558c62
+ * structure   46aafc1c06a4abc59aa2ef1e23fe17be
+ * checksum    09c7135e799f46e53efbc285ccb134ab
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -43,10 +43,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x262a5ba0u
 #define AXIS_X_IPC_PARAMETERS_3 0xab2f33f9u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xb1126660u
-#define AXIS_X_IPC_STRUCTURE_1 0xcfd0295cu
-#define AXIS_X_IPC_STRUCTURE_2 0x0c0a5de9u
-#define AXIS_X_IPC_STRUCTURE_3 0x03ef5e32u
+#define AXIS_X_IPC_STRUCTURE_0 0x46aafc1cu
+#define AXIS_X_IPC_STRUCTURE_1 0x06a4abc5u
+#define AXIS_X_IPC_STRUCTURE_2 0x9aa2ef1eu
+#define AXIS_X_IPC_STRUCTURE_3 0x23fe17beu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 16u
 #define AXIS_X_IPC_OUTPUTS_SIZE 16u

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  e2453a0975306551d54cce9dca887813
- * structure   9914d423284a12fdc91d247f2fc584ac
- * checksum    3115d731b37764e37fa26036196d1877
+ * structure   a6df270e5c4987f05f21582470bb7a76
+ * checksum    7d772aed7f022ff662a76f366a6fbf94
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_c_ipc.h"

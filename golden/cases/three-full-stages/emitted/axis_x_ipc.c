@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  c8c2089743691a12a670aea6eebc23b5
- * structure   dcf62edaa118ca8f165dc17c1a6bf7b8
- * checksum    56c0aa0813951ca19321045a9a5a46ce
+ * structure   ba34aaed70c433768d540e0557e0fe38
+ * checksum    d6ed7b6bc1b79b2e5ba9d6bcfbf57a66
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  8a7064fb968187846a28b8bae1b95ecb
- * structure   8c61f087c7f48e2155e99565ec1ce0a5
- * checksum    8f41eb3879b799e50095db2f0f9a6616
+ * structure   68bdfb4a982762b16c48c5c718c741b9
+ * checksum    eaa8a284cd778599cf008ebb2061ea38
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -161,180 +161,165 @@ static void axis_x_ipc_any_cycle(
     /* the same for every axis */
     static const double least_factor = 1.0e-6; /* a factor below it is 0: no product with it is subnormal */
 
-    const double now = state->tuning_limit_now;
-    const double now_next = state->tuning_weight0_now;
-    const double now_last = state->tuning_weight1_now;
-    bool runs;
-    bool is_tuning_held;
-    uint32_t reason;
-    if (axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_cycle_time_ns)
-            && inputs->position_controlled && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON
-            && state->fade >= axis_x_ipc_fade_cycles && axis_x_ipc_magnitude(inputs->tuning_limit - now) <= 0.0
-            && axis_x_ipc_magnitude(inputs->tuning_weight0 - now_next) <= 0.0
-            && axis_x_ipc_magnitude(inputs->tuning_weight1 - now_last) <= 0.0) {
-        runs = true;
-        is_tuning_held = false;
-        reason = AXIS_X_IPC_ERROR_NONE;
-    } else {
-        const bool jumps = state->fade == 0u;
-        if (!(axis_x_ipc_magnitude(state->tuning_limit_now) <= 1.0)) {
-            /* a factor has been overwritten */
-            state->tuning_limit_now = 0.0;
-        }
-        bool tuning_limit_is_held;
-        if (axis_x_ipc_magnitude(inputs->tuning_limit) <= 1.0) {
-            if (inputs->tuning_limit >= 0.0) {
-                double tuning_limit_target;
-                if (inputs->tuning_limit < least_factor) {
-                    tuning_limit_target = 0.0;
-                } else {
-                    tuning_limit_target = inputs->tuning_limit;
-                }
-                const double tuning_limit_change = tuning_limit_target - state->tuning_limit_now;
-                if (jumps || axis_x_ipc_magnitude(tuning_limit_change) <= fade_step) {
-                    state->tuning_limit_now = tuning_limit_target;
-                } else if (tuning_limit_change > 0.0) {
-                    state->tuning_limit_now = state->tuning_limit_now + fade_step;
-                } else {
-                    state->tuning_limit_now = state->tuning_limit_now - fade_step;
-                }
-                tuning_limit_is_held = false;
+    const bool jumps = state->fade == 0u;
+    if (!(axis_x_ipc_magnitude(state->tuning_limit_now) <= 1.0)) {
+        /* a factor has been overwritten */
+        state->tuning_limit_now = 0.0;
+    }
+    bool tuning_limit_is_held;
+    if (axis_x_ipc_magnitude(inputs->tuning_limit) <= 1.0) {
+        if (inputs->tuning_limit >= 0.0) {
+            double tuning_limit_target;
+            if (inputs->tuning_limit < least_factor) {
+                tuning_limit_target = 0.0;
             } else {
-                tuning_limit_is_held = true;
+                tuning_limit_target = inputs->tuning_limit;
             }
+            const double tuning_limit_change = tuning_limit_target - state->tuning_limit_now;
+            if (jumps || axis_x_ipc_magnitude(tuning_limit_change) <= fade_step) {
+                state->tuning_limit_now = tuning_limit_target;
+            } else if (tuning_limit_change > 0.0) {
+                state->tuning_limit_now = state->tuning_limit_now + fade_step;
+            } else {
+                state->tuning_limit_now = state->tuning_limit_now - fade_step;
+            }
+            tuning_limit_is_held = false;
         } else {
             tuning_limit_is_held = true;
         }
-        if (!(axis_x_ipc_magnitude(state->tuning_weight0_now) <= 1.0)) {
-            /* a factor has been overwritten */
-            state->tuning_weight0_now = 0.0;
-        }
-        bool tuning_weight0_is_held;
-        if (axis_x_ipc_magnitude(inputs->tuning_weight0) <= 1.0) {
-            if (inputs->tuning_weight0 >= 0.0) {
-                double tuning_weight0_target;
-                if (inputs->tuning_weight0 < least_factor) {
-                    tuning_weight0_target = 0.0;
-                } else {
-                    tuning_weight0_target = inputs->tuning_weight0;
-                }
-                const double tuning_weight0_change = tuning_weight0_target - state->tuning_weight0_now;
-                if (jumps || axis_x_ipc_magnitude(tuning_weight0_change) <= fade_step) {
-                    state->tuning_weight0_now = tuning_weight0_target;
-                } else if (tuning_weight0_change > 0.0) {
-                    state->tuning_weight0_now = state->tuning_weight0_now + fade_step;
-                } else {
-                    state->tuning_weight0_now = state->tuning_weight0_now - fade_step;
-                }
-                tuning_weight0_is_held = false;
+    } else {
+        tuning_limit_is_held = true;
+    }
+    if (!(axis_x_ipc_magnitude(state->tuning_weight0_now) <= 1.0)) {
+        /* a factor has been overwritten */
+        state->tuning_weight0_now = 0.0;
+    }
+    bool tuning_weight0_is_held;
+    if (axis_x_ipc_magnitude(inputs->tuning_weight0) <= 1.0) {
+        if (inputs->tuning_weight0 >= 0.0) {
+            double tuning_weight0_target;
+            if (inputs->tuning_weight0 < least_factor) {
+                tuning_weight0_target = 0.0;
             } else {
-                tuning_weight0_is_held = true;
+                tuning_weight0_target = inputs->tuning_weight0;
             }
+            const double tuning_weight0_change = tuning_weight0_target - state->tuning_weight0_now;
+            if (jumps || axis_x_ipc_magnitude(tuning_weight0_change) <= fade_step) {
+                state->tuning_weight0_now = tuning_weight0_target;
+            } else if (tuning_weight0_change > 0.0) {
+                state->tuning_weight0_now = state->tuning_weight0_now + fade_step;
+            } else {
+                state->tuning_weight0_now = state->tuning_weight0_now - fade_step;
+            }
+            tuning_weight0_is_held = false;
         } else {
             tuning_weight0_is_held = true;
         }
-        const bool tuning_is_held0 = tuning_limit_is_held || tuning_weight0_is_held;
-        if (!(axis_x_ipc_magnitude(state->tuning_weight1_now) <= 1.0)) {
-            /* a factor has been overwritten */
-            state->tuning_weight1_now = 0.0;
-        }
-        bool tuning_weight1_is_held;
-        if (axis_x_ipc_magnitude(inputs->tuning_weight1) <= 1.0) {
-            if (inputs->tuning_weight1 >= 0.0) {
-                double tuning_weight1_target;
-                if (inputs->tuning_weight1 < least_factor) {
-                    tuning_weight1_target = 0.0;
-                } else {
-                    tuning_weight1_target = inputs->tuning_weight1;
-                }
-                const double tuning_weight1_change = tuning_weight1_target - state->tuning_weight1_now;
-                if (jumps || axis_x_ipc_magnitude(tuning_weight1_change) <= fade_step) {
-                    state->tuning_weight1_now = tuning_weight1_target;
-                } else if (tuning_weight1_change > 0.0) {
-                    state->tuning_weight1_now = state->tuning_weight1_now + fade_step;
-                } else {
-                    state->tuning_weight1_now = state->tuning_weight1_now - fade_step;
-                }
-                tuning_weight1_is_held = false;
+    } else {
+        tuning_weight0_is_held = true;
+    }
+    const bool tuning_is_held0 = tuning_limit_is_held || tuning_weight0_is_held;
+    if (!(axis_x_ipc_magnitude(state->tuning_weight1_now) <= 1.0)) {
+        /* a factor has been overwritten */
+        state->tuning_weight1_now = 0.0;
+    }
+    bool tuning_weight1_is_held;
+    if (axis_x_ipc_magnitude(inputs->tuning_weight1) <= 1.0) {
+        if (inputs->tuning_weight1 >= 0.0) {
+            double tuning_weight1_target;
+            if (inputs->tuning_weight1 < least_factor) {
+                tuning_weight1_target = 0.0;
             } else {
-                tuning_weight1_is_held = true;
+                tuning_weight1_target = inputs->tuning_weight1;
             }
+            const double tuning_weight1_change = tuning_weight1_target - state->tuning_weight1_now;
+            if (jumps || axis_x_ipc_magnitude(tuning_weight1_change) <= fade_step) {
+                state->tuning_weight1_now = tuning_weight1_target;
+            } else if (tuning_weight1_change > 0.0) {
+                state->tuning_weight1_now = state->tuning_weight1_now + fade_step;
+            } else {
+                state->tuning_weight1_now = state->tuning_weight1_now - fade_step;
+            }
+            tuning_weight1_is_held = false;
         } else {
             tuning_weight1_is_held = true;
         }
-        is_tuning_held = tuning_is_held0 || tuning_weight1_is_held;
-        if (state->disturbed) {
-            state->disturbed = false;
-            runs = false;
-            reason = AXIS_X_IPC_ERROR_STATE;
-        } else if ((inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
-                    || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)
-                && axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit
-                && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_cycle_time_ns)
-                && inputs->position_controlled && !inputs->reset) {
-            if (state->preset) {
-                if (inputs->mode == AXIS_X_IPC_MODE_ON) {
-                    if (state->fade < axis_x_ipc_fade_cycles) {
-                        state->fade = state->fade + 1u;
-                    }
-                } else {
-                    if (state->fade > axis_x_ipc_fade_cycles) {
-                        /* fade has been overwritten: it must not take longer than a whole fade */
-                        state->fade = axis_x_ipc_fade_cycles;
-                    }
-                    if (state->fade > 0u) {
-                        state->fade = state->fade - 1u;
-                    }
-                    if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
-                        state->preset = false;
-                    }
+    } else {
+        tuning_weight1_is_held = true;
+    }
+    const bool is_tuning_held = tuning_is_held0 || tuning_weight1_is_held;
+    bool runs;
+    uint32_t reason;
+    if (state->disturbed) {
+        state->disturbed = false;
+        runs = false;
+        reason = AXIS_X_IPC_ERROR_STATE;
+    } else if ((inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)
+            && axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit
+            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_cycle_time_ns)
+            && inputs->position_controlled && !inputs->reset) {
+        if (state->preset) {
+            if (inputs->mode == AXIS_X_IPC_MODE_ON) {
+                if (state->fade < axis_x_ipc_fade_cycles) {
+                    state->fade = state->fade + 1u;
                 }
-                runs = true;
             } else {
-                if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
-                    /* DIRECT (P-AXIS-00753) from v_motor, weight 200/100 = 2 (P-AXIS-00754/00755) */
-                    /* BANDPASS BUTTERWORTH order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz (P-AXIS-00751),
-                     * quality factor 4 (P-AXIS-00752), -3 dB at 35.30473 and 45.30473 Hz */
-                    const double stage0_filter0_section0_s = axis_x_ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                    state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
-                    state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
-                    /* INDIRECT (P-AXIS-00753) from v_motor, weight 150/100 = 1.5 (P-AXIS-00754/00755) */
-                    /* simulated oscillation of the load, f0 of the first BANDPASS 20 Hz (P-AXIS-00751), damping ratio 0.7
-                     * (P-AXIS-00850): gain 1 at DC, 1.228904 and -35.53768 deg at f0 */
-                    state->stage1_oscillation_s1 = stage1_oscillation_preset_s1 * inputs->v_motor;
-                    state->stage1_oscillation_s2 = stage1_oscillation_preset_s2 * inputs->v_motor;
-                    /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 20 Hz (P-AXIS-00751), quality
-                     * factor 3 (P-AXIS-00752), -3 dB at 16.9411 and 23.60776 Hz */
-                    const double stage1_filter0_section0_s = axis_x_ipc_stage1_filter0_bandpass0_b2 * inputs->v_motor;
-                    state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
-                    state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
-                    const double stage1_filter0_section1_s = -0.0;
-                    state->stage1_filter0_section1_s1 = stage1_filter0_section1_s;
-                    state->stage1_filter0_section1_s2 = stage1_filter0_section1_s;
-                    const double stage1_filter0_section2_s = -0.0;
-                    state->stage1_filter0_section2_s1 = stage1_filter0_section2_s;
-                    state->stage1_filter0_section2_s2 = stage1_filter0_section2_s;
-                    state->preset = true;
+                if (state->fade > axis_x_ipc_fade_cycles) {
+                    /* fade has been overwritten: it must not take longer than a whole fade */
+                    state->fade = axis_x_ipc_fade_cycles;
                 }
-                runs = false;
+                if (state->fade > 0u) {
+                    state->fade = state->fade - 1u;
+                }
+                if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
+                    state->preset = false;
+                }
             }
-            reason = AXIS_X_IPC_ERROR_NONE;
+            runs = true;
         } else {
-            state->fade = 0u;
-            state->preset = false;
-            if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_cycle_time_ns)) {
-                reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
-            } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
-                    || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)) {
-                reason = AXIS_X_IPC_ERROR_MODE;
-            } else if (axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit) {
-                reason = AXIS_X_IPC_ERROR_NONE;
-            } else {
-                reason = AXIS_X_IPC_ERROR_V_MOTOR;
+            if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
+                /* DIRECT (P-AXIS-00753) from v_motor, weight 200/100 = 2 (P-AXIS-00754/00755) */
+                /* BANDPASS BUTTERWORTH order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz (P-AXIS-00751),
+                 * quality factor 4 (P-AXIS-00752), -3 dB at 35.30473 and 45.30473 Hz */
+                const double stage0_filter0_section0_s = axis_x_ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
+                state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
+                state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
+                /* INDIRECT (P-AXIS-00753) from v_motor, weight 150/100 = 1.5 (P-AXIS-00754/00755) */
+                /* simulated oscillation of the load, f0 of the first BANDPASS 20 Hz (P-AXIS-00751), damping ratio 0.7
+                 * (P-AXIS-00850): gain 1 at DC, 1.228904 and -35.53768 deg at f0 */
+                state->stage1_oscillation_s1 = stage1_oscillation_preset_s1 * inputs->v_motor;
+                state->stage1_oscillation_s2 = stage1_oscillation_preset_s2 * inputs->v_motor;
+                /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 20 Hz (P-AXIS-00751), quality
+                 * factor 3 (P-AXIS-00752), -3 dB at 16.9411 and 23.60776 Hz */
+                const double stage1_filter0_section0_s = axis_x_ipc_stage1_filter0_bandpass0_b2 * inputs->v_motor;
+                state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
+                state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
+                const double stage1_filter0_section1_s = -0.0;
+                state->stage1_filter0_section1_s1 = stage1_filter0_section1_s;
+                state->stage1_filter0_section1_s2 = stage1_filter0_section1_s;
+                const double stage1_filter0_section2_s = -0.0;
+                state->stage1_filter0_section2_s1 = stage1_filter0_section2_s;
+                state->stage1_filter0_section2_s2 = stage1_filter0_section2_s;
+                state->preset = true;
             }
             runs = false;
         }
+        reason = AXIS_X_IPC_ERROR_NONE;
+    } else {
+        state->fade = 0u;
+        state->preset = false;
+        if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_cycle_time_ns)) {
+            reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
+        } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)) {
+            reason = AXIS_X_IPC_ERROR_MODE;
+        } else if (axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit) {
+            reason = AXIS_X_IPC_ERROR_NONE;
+        } else {
+            reason = AXIS_X_IPC_ERROR_V_MOTOR;
+        }
+        runs = false;
     }
     if (runs) {
         outputs->fault = false;

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  8768c4a3e69a4771ad043b3e1f6ff3a7
- * structure   cfc5e4e13a3e3760f61d2c41df480dfc
- * checksum    c0683eb8b857d2238a8d5b10f4fa2eb6
+ * structure   01148df0aff355a28f00c7200cd863fe
+ * checksum    568a97ab76b8a57c0aca8c19c938f945
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_z_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  98ef165b1429998f7030c7689ebe1984
- * structure   f9145f9ceb0a7196eb749504346e6c70
- * checksum    60e6dd0e247b71ecb351eb0cc1f72aa3
+ * structure   24370d71735c2f94d7f5e4bce73bea15
+ * checksum    09b52b22a1c6395cbf05edb4c6fe5736
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_two_frequencies_ipc.h"

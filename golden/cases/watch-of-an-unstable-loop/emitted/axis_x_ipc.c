@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  f263fa87836b2d39df1dbe42692c0b05
- * structure   34cc8f11e68afdc62aa4f4e23e8eb935
- * checksum    876ae3320c23dc84786771a75fa292ec
+ * structure   5d5cc2bbe2f55101defcf027f48fb3f4
+ * checksum    856317b9ca0f8ea01e4698e3744a92c1
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  6f99155791694d13dee5cb5c76fe9e0a
- * structure   b3f1ea0cd23ec03880c3d0a4135e0520
- * checksum    d5b8c9cabf2d78a04915e473ce8aa5ad
+ * structure   ec63f112ae72da2dee0dc74193837d4e
+ * checksum    f9b083678b68d8b597706a79c85bf81d
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -6,7 +6,7 @@ mod suite;
 pub(crate) use project::shared;
 
 use super::dialect::Dialect;
-use super::listing::{self, Listing, Origin, SetType, listing, origin, set_type};
+use super::listing::{self, Listing, Origin, SetType, listing, origin};
 use super::{TcInRange, self_test};
 use crate::target::{self, File, Header, Legal};
 use askama::Template;
@@ -67,16 +67,14 @@ pub(crate) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
         let origin = if is_test { origin } else { origin.with_call(block, &TWINCAT) };
         rendered(folder, &file, &TcPou { origin, id: guid("POU", &listing.name), block: listing })
     };
-    let set = set_type(axis, block, &TWINCAT).map(|set| {
+    let listing = listing(axis, block, &TWINCAT);
+    let set = listing.set.as_ref().map(|set| {
         let file = format!("{}.TcDUT", set.name);
-        let template = TcParams { origin: origin(axis, &file, block, &TWINCAT), id: guid("DUT", &set.name), set: &set };
+        let template = TcParams { origin: origin(axis, &file, block, &TWINCAT), id: guid("DUT", &set.name), set };
         rendered(DUTS, &file, &template)
     });
-    let files = [
-        pou(POUS, listing(axis, block, &TWINCAT), false),
-        pou(TESTS, self_test::listing(axis, block, &TWINCAT), true),
-        suite::file(axis, block),
-    ];
+    let test = self_test::listing(axis, block, &TWINCAT);
+    let files = [pou(POUS, listing, false), pou(TESTS, test, true), suite::file(axis, block)];
     files.into_iter().chain(set).collect()
 }
 
