@@ -121,7 +121,8 @@ pub fn sum_of_stages<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: 
 #[portable]
 pub fn move_fade<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, mode: i32) {
     if mode == mode_on() {
-        if state.fade < coeffs.fade_cycles {
+        // Where nothing is tuned the fade is not full here: that is the usual cycle.
+        if !coeffs.tuning.active || state.fade < coeffs.fade_cycles {
             state.fade += 1u32;
         }
     } else {
@@ -387,12 +388,14 @@ pub fn cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
             runs = false;
             reason = error_state();
             state.disturbed = false;
-        } else if may_act(coeffs, inputs) {
-            runs = prepare(state, coeffs, inputs);
         } else {
-            runs = false;
             reason = error_of(coeffs, inputs);
-            stop(state);
+            if reason == error_none() && inputs.position_controlled && !inputs.reset {
+                runs = prepare(state, coeffs, inputs);
+            } else {
+                runs = false;
+                stop(state);
+            }
         }
     }
     if runs {

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  776a92067fc0c97acf1358dc09f1df77
- * structure   323e1000d659bd859c0b5e07074e715e
- * checksum    6cfab0a081dc83c55709f86668764a02
+ * structure   8f97e0d6949f1cbcb15d9cd5e15ea9cc
+ * checksum    bbd26590a86d5be5c08f57640b7af75d
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_y_ipc.h"
@@ -166,70 +166,7 @@ void axis_y_ipc_step(
         state->disturbed = false;
         runs = false;
         reason = AXIS_Y_IPC_ERROR_STATE;
-    } else if ((inputs->mode == AXIS_Y_IPC_MODE_ON || inputs->mode == AXIS_Y_IPC_MODE_OFF
-                || inputs->mode == AXIS_Y_IPC_MODE_DRYRUN)
-            && axis_y_ipc_magnitude(inputs->v_command) <= sample_limit
-            && axis_y_ipc_magnitude(inputs->v_direct) <= sample_limit
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset) {
-        if (state->preset) {
-            if (inputs->mode == AXIS_Y_IPC_MODE_ON) {
-                state->fade = state->fade + 1u;
-            } else {
-                if (state->fade > fade_cycles) {
-                    /* fade has been overwritten: it must not take longer than a whole fade */
-                    state->fade = fade_cycles;
-                }
-                if (state->fade > 0u) {
-                    state->fade = state->fade - 1u;
-                }
-                if (inputs->mode == AXIS_Y_IPC_MODE_OFF && state->fade == 0u) {
-                    state->preset = false;
-                }
-            }
-            runs = true;
-        } else {
-            if (inputs->mode != AXIS_Y_IPC_MODE_OFF) {
-                /* DIRECT (P-AXIS-00753) from v_direct, weight 80/100 = 0.8 (P-AXIS-00754/00755) */
-                /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 36 Hz (P-AXIS-00751),
-                 * quality factor 4 (P-AXIS-00752), -3 dB at 31.76085 and 40.76085 Hz */
-                const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_direct;
-                state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
-                state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
-                const double stage0_filter0_section1_s = -0.0;
-                state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
-                state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
-                /* ALLPASS (P-AXIS-00849): -180 deg at 28.1 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg
-                 * at 21.90407 and -270 deg at 35.95407 Hz */
-                const double stage0_filter1_section0_s = 0.0;
-                state->stage0_filter1_section0_s1 = stage0_filter1_section0_s;
-                state->stage0_filter1_section0_s2 = stage0_filter1_section0_s;
-                /* SET_POINT (P-AXIS-00753) from v_command, weight 45/100 = 0.45 (P-AXIS-00754/00755) */
-                /* simulated oscillation of the load, f0 of the first BANDPASS 18 Hz (P-AXIS-00751), damping ratio 0.5
-                 * (P-AXIS-00850): gain 1 at DC, 1.414214 and -45 deg at f0 */
-                state->stage1_oscillation_s1 = stage1_oscillation_preset_s1 * inputs->v_command;
-                state->stage1_oscillation_s2 = stage1_oscillation_preset_s2 * inputs->v_command;
-                /* ALLPASS (P-AXIS-00849): -180 deg at 12 Hz (P-AXIS-00751), quality factor 1 (P-AXIS-00752), -90 deg
-                 * at 7.406215 and -270 deg at 19.40622 Hz */
-                const double stage1_filter0_section0_s = stage1_filter0_allpass_preset * inputs->v_command;
-                state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
-                state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
-                /* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 18 Hz (P-AXIS-00751), quality
-                 * factor 3 (P-AXIS-00752), -3 dB at 15.24407 and 21.24407 Hz */
-                const double stage1_filter1_section0_s = stage1_filter1_bandpass0_b2 * inputs->v_command;
-                state->stage1_filter1_section0_s1 = stage1_filter1_section0_s;
-                state->stage1_filter1_section0_s2 = stage1_filter1_section0_s;
-                const double stage1_filter1_section1_s = -0.0;
-                state->stage1_filter1_section1_s1 = stage1_filter1_section1_s;
-                state->stage1_filter1_section1_s2 = stage1_filter1_section1_s;
-                state->preset = true;
-            }
-            runs = false;
-        }
-        reason = AXIS_Y_IPC_ERROR_NONE;
     } else {
-        state->fade = 0u;
-        state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
             reason = AXIS_Y_IPC_ERROR_CYCLE_TIME;
         } else if (!(inputs->mode == AXIS_Y_IPC_MODE_ON || inputs->mode == AXIS_Y_IPC_MODE_OFF
@@ -242,7 +179,66 @@ void axis_y_ipc_step(
         } else {
             reason = AXIS_Y_IPC_ERROR_V_DIRECT;
         }
-        runs = false;
+        if (reason == AXIS_Y_IPC_ERROR_NONE && inputs->position_controlled && !inputs->reset) {
+            if (state->preset) {
+                if (inputs->mode == AXIS_Y_IPC_MODE_ON) {
+                    state->fade = state->fade + 1u;
+                } else {
+                    if (state->fade > fade_cycles) {
+                        /* fade has been overwritten: it must not take longer than a whole fade */
+                        state->fade = fade_cycles;
+                    }
+                    if (state->fade > 0u) {
+                        state->fade = state->fade - 1u;
+                    }
+                    if (inputs->mode == AXIS_Y_IPC_MODE_OFF && state->fade == 0u) {
+                        state->preset = false;
+                    }
+                }
+                runs = true;
+            } else {
+                if (inputs->mode != AXIS_Y_IPC_MODE_OFF) {
+                    /* DIRECT (P-AXIS-00753) from v_direct, weight 80/100 = 0.8 (P-AXIS-00754/00755) */
+                    /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 36 Hz (P-AXIS-00751),
+                     * quality factor 4 (P-AXIS-00752), -3 dB at 31.76085 and 40.76085 Hz */
+                    const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_direct;
+                    state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
+                    state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
+                    const double stage0_filter0_section1_s = -0.0;
+                    state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
+                    state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
+                    /* ALLPASS (P-AXIS-00849): -180 deg at 28.1 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg
+                     * at 21.90407 and -270 deg at 35.95407 Hz */
+                    const double stage0_filter1_section0_s = 0.0;
+                    state->stage0_filter1_section0_s1 = stage0_filter1_section0_s;
+                    state->stage0_filter1_section0_s2 = stage0_filter1_section0_s;
+                    /* SET_POINT (P-AXIS-00753) from v_command, weight 45/100 = 0.45 (P-AXIS-00754/00755) */
+                    /* simulated oscillation of the load, f0 of the first BANDPASS 18 Hz (P-AXIS-00751), damping ratio 0.5
+                     * (P-AXIS-00850): gain 1 at DC, 1.414214 and -45 deg at f0 */
+                    state->stage1_oscillation_s1 = stage1_oscillation_preset_s1 * inputs->v_command;
+                    state->stage1_oscillation_s2 = stage1_oscillation_preset_s2 * inputs->v_command;
+                    /* ALLPASS (P-AXIS-00849): -180 deg at 12 Hz (P-AXIS-00751), quality factor 1 (P-AXIS-00752), -90 deg
+                     * at 7.406215 and -270 deg at 19.40622 Hz */
+                    const double stage1_filter0_section0_s = stage1_filter0_allpass_preset * inputs->v_command;
+                    state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
+                    state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
+                    /* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 18 Hz (P-AXIS-00751), quality
+                     * factor 3 (P-AXIS-00752), -3 dB at 15.24407 and 21.24407 Hz */
+                    const double stage1_filter1_section0_s = stage1_filter1_bandpass0_b2 * inputs->v_command;
+                    state->stage1_filter1_section0_s1 = stage1_filter1_section0_s;
+                    state->stage1_filter1_section0_s2 = stage1_filter1_section0_s;
+                    const double stage1_filter1_section1_s = -0.0;
+                    state->stage1_filter1_section1_s1 = stage1_filter1_section1_s;
+                    state->stage1_filter1_section1_s2 = stage1_filter1_section1_s;
+                    state->preset = true;
+                }
+                runs = false;
+            }
+        } else {
+            state->preset = false;
+            state->fade = 0u;
+            runs = false;
+        }
     }
     if (runs) {
         outputs->fault = false;

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  776a92067fc0c97acf1358dc09f1df77
- * structure   323e1000d659bd859c0b5e07074e715e
- * checksum    6dbac0edb01649a06ffd01fd8a2b1d8f
+ * structure   8f97e0d6949f1cbcb15d9cd5e15ea9cc
+ * checksum    afafdd2a31bef400de5a6b8d5389e106
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_Y_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_Y_IPC_PARAMETERS_2 0xcf1358dcu
 #define AXIS_Y_IPC_PARAMETERS_3 0x09f1df77u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_Y_IPC_STRUCTURE_0 0x323e1000u
-#define AXIS_Y_IPC_STRUCTURE_1 0xd659bd85u
-#define AXIS_Y_IPC_STRUCTURE_2 0x9c0b5e07u
-#define AXIS_Y_IPC_STRUCTURE_3 0x074e715eu
+#define AXIS_Y_IPC_STRUCTURE_0 0x8f97e0d6u
+#define AXIS_Y_IPC_STRUCTURE_1 0x949f1cbcu
+#define AXIS_Y_IPC_STRUCTURE_2 0xb15d9cd5u
+#define AXIS_Y_IPC_STRUCTURE_3 0xe15ea9ccu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_Y_IPC_INPUTS_SIZE 32u
 #define AXIS_Y_IPC_OUTPUTS_SIZE 24u

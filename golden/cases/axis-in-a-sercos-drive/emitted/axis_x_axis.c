@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9014b604dd12f8224fb4d7d97b6b93de
- * structure   e6e29293d1784cd34a461dbe6a859d51
- * checksum    31c91560da6f3211390649c24a78b3a8
+ * structure   c9d0873bbd4a3825ac3bb09049c4a673
+ * checksum    cbeb880617ebd2845c2d0a4883e28756
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"
@@ -297,53 +297,54 @@ void axis_x_axis_step(
             state->ipc_disturbed = false;
             ipc_runs = false;
             ipc_reason = AXIS_X_AXIS_ERROR_STATE;
-        } else if ((inputs->mode == AXIS_X_AXIS_MODE_ON || inputs->mode == AXIS_X_AXIS_MODE_OFF
-                    || inputs->mode == AXIS_X_AXIS_MODE_DRYRUN)
-                && axis_x_axis_magnitude(inputs->v_interpolator) <= sample_limit) {
-            if (state->ipc_preset) {
-                if (inputs->mode == AXIS_X_AXIS_MODE_ON) {
-                    state->ipc_fade = state->ipc_fade + 1u;
-                } else {
-                    if (state->ipc_fade > ipc_fade_cycles) {
-                        /* fade has been overwritten: it must not take longer than a whole fade */
-                        state->ipc_fade = ipc_fade_cycles;
-                    }
-                    if (state->ipc_fade > 0u) {
-                        state->ipc_fade = state->ipc_fade - 1u;
-                    }
-                    if (inputs->mode == AXIS_X_AXIS_MODE_OFF && state->ipc_fade == 0u) {
-                        state->ipc_preset = false;
-                    }
-                }
-                ipc_runs = true;
+        } else {
+            if (!(inputs->mode == AXIS_X_AXIS_MODE_ON || inputs->mode == AXIS_X_AXIS_MODE_OFF
+                    || inputs->mode == AXIS_X_AXIS_MODE_DRYRUN)) {
+                ipc_reason = AXIS_X_AXIS_ERROR_MODE;
+            } else if (axis_x_axis_magnitude(inputs->v_interpolator) <= sample_limit) {
+                ipc_reason = AXIS_X_AXIS_ERROR_NONE;
             } else {
-                if (inputs->mode != AXIS_X_AXIS_MODE_OFF) {
-                    /* SET_POINT (P-AXIS-00753) from v_command, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
-                    /* simulated oscillation of the load, f0 of the first BANDPASS 14 Hz (P-AXIS-00751), damping ratio 0.6
-                     * (P-AXIS-00850): gain 1 at DC, 1.301708 and -39.80557 deg at f0 */
-                    state->ipc_stage0_oscillation_s1 = ipc_stage0_oscillation_preset_s1 * inputs->v_interpolator;
-                    state->ipc_stage0_oscillation_s2 = ipc_stage0_oscillation_preset_s2 * inputs->v_interpolator;
-                    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 14 Hz (P-AXIS-00751),
-                     * quality factor 2 (P-AXIS-00752), -3 dB at 10.92977 and 17.92977 Hz */
-                    const double ipc_stage0_filter0_section0_s =
-                        ipc_stage0_filter0_bandpass0_b2 * inputs->v_interpolator;
-                    state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_s;
-                    state->ipc_stage0_filter0_section0_s2 = ipc_stage0_filter0_section0_s;
-                    state->ipc_preset = true;
+                ipc_reason = AXIS_X_AXIS_ERROR_V_COMMAND;
+            }
+            if (ipc_reason == AXIS_X_AXIS_ERROR_NONE) {
+                if (state->ipc_preset) {
+                    if (inputs->mode == AXIS_X_AXIS_MODE_ON) {
+                        state->ipc_fade = state->ipc_fade + 1u;
+                    } else {
+                        if (state->ipc_fade > ipc_fade_cycles) {
+                            /* fade has been overwritten: it must not take longer than a whole fade */
+                            state->ipc_fade = ipc_fade_cycles;
+                        }
+                        if (state->ipc_fade > 0u) {
+                            state->ipc_fade = state->ipc_fade - 1u;
+                        }
+                        if (inputs->mode == AXIS_X_AXIS_MODE_OFF && state->ipc_fade == 0u) {
+                            state->ipc_preset = false;
+                        }
+                    }
+                    ipc_runs = true;
+                } else {
+                    if (inputs->mode != AXIS_X_AXIS_MODE_OFF) {
+                        /* SET_POINT (P-AXIS-00753) from v_command, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
+                        /* simulated oscillation of the load, f0 of the first BANDPASS 14 Hz (P-AXIS-00751), damping ratio 0.6
+                         * (P-AXIS-00850): gain 1 at DC, 1.301708 and -39.80557 deg at f0 */
+                        state->ipc_stage0_oscillation_s1 = ipc_stage0_oscillation_preset_s1 * inputs->v_interpolator;
+                        state->ipc_stage0_oscillation_s2 = ipc_stage0_oscillation_preset_s2 * inputs->v_interpolator;
+                        /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 14 Hz (P-AXIS-00751),
+                         * quality factor 2 (P-AXIS-00752), -3 dB at 10.92977 and 17.92977 Hz */
+                        const double ipc_stage0_filter0_section0_s =
+                            ipc_stage0_filter0_bandpass0_b2 * inputs->v_interpolator;
+                        state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_s;
+                        state->ipc_stage0_filter0_section0_s2 = ipc_stage0_filter0_section0_s;
+                        state->ipc_preset = true;
+                    }
+                    ipc_runs = false;
                 }
+            } else {
+                state->ipc_preset = false;
+                state->ipc_fade = 0u;
                 ipc_runs = false;
             }
-            ipc_reason = AXIS_X_AXIS_ERROR_NONE;
-        } else {
-            state->ipc_fade = 0u;
-            state->ipc_preset = false;
-            if (inputs->mode == AXIS_X_AXIS_MODE_ON || inputs->mode == AXIS_X_AXIS_MODE_OFF
-                    || inputs->mode == AXIS_X_AXIS_MODE_DRYRUN) {
-                ipc_reason = AXIS_X_AXIS_ERROR_V_COMMAND;
-            } else {
-                ipc_reason = AXIS_X_AXIS_ERROR_MODE;
-            }
-            ipc_runs = false;
         }
         bool limited_until_now;
         double ipc_v_add;

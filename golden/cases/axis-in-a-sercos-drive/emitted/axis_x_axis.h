@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9014b604dd12f8224fb4d7d97b6b93de
- * structure   e6e29293d1784cd34a461dbe6a859d51
- * checksum    2b14602ceb3b142b62ad2770db74a82d
+ * structure   c9d0873bbd4a3825ac3bb09049c4a673
+ * checksum    c863d59e03126c82ecd32fb73c847273
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_AXIS_H
@@ -32,10 +32,10 @@ extern "C" {
 #define AXIS_X_AXIS_PARAMETERS_2 0x4fb4d7d9u
 #define AXIS_X_AXIS_PARAMETERS_3 0x7b6b93deu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_AXIS_STRUCTURE_0 0xe6e29293u
-#define AXIS_X_AXIS_STRUCTURE_1 0xd1784cd3u
-#define AXIS_X_AXIS_STRUCTURE_2 0x4a461dbeu
-#define AXIS_X_AXIS_STRUCTURE_3 0x6a859d51u
+#define AXIS_X_AXIS_STRUCTURE_0 0xc9d0873bu
+#define AXIS_X_AXIS_STRUCTURE_1 0xbd4a3825u
+#define AXIS_X_AXIS_STRUCTURE_2 0xac3bb090u
+#define AXIS_X_AXIS_STRUCTURE_3 0x49c4a673u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_AXIS_INPUTS_SIZE 48u
 #define AXIS_X_AXIS_OUTPUTS_SIZE 40u

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  a7946ea0b07c6e724bf5e648d7f9875f
- * structure   1032fe3278e43636b9828cce30bb6240
- * checksum    1efb7e59aaee4cea401b79cd0292df8f
+ * structure   d476ce0026f0b86045e863f86111013c
+ * checksum    ef505cbce284bbbfdc3ecdf42b50da20
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_f_axis.h"
@@ -202,48 +202,49 @@ void axis_f_axis_step(
             state->ipc_disturbed = false;
             ipc_runs = false;
             ipc_reason = AXIS_F_AXIS_ERROR_STATE;
-        } else if ((inputs->mode == AXIS_F_AXIS_MODE_ON || inputs->mode == AXIS_F_AXIS_MODE_OFF
-                    || inputs->mode == AXIS_F_AXIS_MODE_DRYRUN)
-                && axis_f_axis_magnitude(inputs->v_motor) <= sample_limit) {
-            if (state->ipc_preset) {
-                if (inputs->mode == AXIS_F_AXIS_MODE_ON) {
-                    state->ipc_fade = state->ipc_fade + 1u;
-                } else {
-                    if (state->ipc_fade > ipc_fade_cycles) {
-                        /* fade has been overwritten: it must not take longer than a whole fade */
-                        state->ipc_fade = ipc_fade_cycles;
-                    }
-                    if (state->ipc_fade > 0u) {
-                        state->ipc_fade = state->ipc_fade - 1u;
-                    }
-                    if (inputs->mode == AXIS_F_AXIS_MODE_OFF && state->ipc_fade == 0u) {
-                        state->ipc_preset = false;
-                    }
-                }
-                ipc_runs = true;
+        } else {
+            if (!(inputs->mode == AXIS_F_AXIS_MODE_ON || inputs->mode == AXIS_F_AXIS_MODE_OFF
+                    || inputs->mode == AXIS_F_AXIS_MODE_DRYRUN)) {
+                ipc_reason = AXIS_F_AXIS_ERROR_MODE;
+            } else if (axis_f_axis_magnitude(inputs->v_motor) <= sample_limit) {
+                ipc_reason = AXIS_F_AXIS_ERROR_NONE;
             } else {
-                if (inputs->mode != AXIS_F_AXIS_MODE_OFF) {
-                    state->ipc_source_v_motor_before = inputs->v_motor;
-                    /* DIRECT (P-AXIS-00753) from v_motor, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
-                    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 24 Hz (P-AXIS-00751),
-                     * quality factor 4 (P-AXIS-00752), -3 dB at 21.1811 and 27.1811 Hz */
-                    state->ipc_stage0_filter0_section0_s1 = 0.0f;
-                    state->ipc_stage0_filter0_section0_p = 0.0f;
-                    state->ipc_preset = true;
+                ipc_reason = AXIS_F_AXIS_ERROR_V_MOTOR;
+            }
+            if (ipc_reason == AXIS_F_AXIS_ERROR_NONE) {
+                if (state->ipc_preset) {
+                    if (inputs->mode == AXIS_F_AXIS_MODE_ON) {
+                        state->ipc_fade = state->ipc_fade + 1u;
+                    } else {
+                        if (state->ipc_fade > ipc_fade_cycles) {
+                            /* fade has been overwritten: it must not take longer than a whole fade */
+                            state->ipc_fade = ipc_fade_cycles;
+                        }
+                        if (state->ipc_fade > 0u) {
+                            state->ipc_fade = state->ipc_fade - 1u;
+                        }
+                        if (inputs->mode == AXIS_F_AXIS_MODE_OFF && state->ipc_fade == 0u) {
+                            state->ipc_preset = false;
+                        }
+                    }
+                    ipc_runs = true;
+                } else {
+                    if (inputs->mode != AXIS_F_AXIS_MODE_OFF) {
+                        state->ipc_source_v_motor_before = inputs->v_motor;
+                        /* DIRECT (P-AXIS-00753) from v_motor, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
+                        /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 24 Hz (P-AXIS-00751),
+                         * quality factor 4 (P-AXIS-00752), -3 dB at 21.1811 and 27.1811 Hz */
+                        state->ipc_stage0_filter0_section0_s1 = 0.0f;
+                        state->ipc_stage0_filter0_section0_p = 0.0f;
+                        state->ipc_preset = true;
+                    }
+                    ipc_runs = false;
                 }
+            } else {
+                state->ipc_preset = false;
+                state->ipc_fade = 0u;
                 ipc_runs = false;
             }
-            ipc_reason = AXIS_F_AXIS_ERROR_NONE;
-        } else {
-            state->ipc_fade = 0u;
-            state->ipc_preset = false;
-            if (inputs->mode == AXIS_F_AXIS_MODE_ON || inputs->mode == AXIS_F_AXIS_MODE_OFF
-                    || inputs->mode == AXIS_F_AXIS_MODE_DRYRUN) {
-                ipc_reason = AXIS_F_AXIS_ERROR_V_MOTOR;
-            } else {
-                ipc_reason = AXIS_F_AXIS_ERROR_MODE;
-            }
-            ipc_runs = false;
         }
         bool limited_so_far;
         float ipc_v_add;

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  a7946ea0b07c6e724bf5e648d7f9875f
- * structure   1032fe3278e43636b9828cce30bb6240
- * checksum    8fa7fe5a32a656c232bdf4f0e6994f5b
+ * structure   d476ce0026f0b86045e863f86111013c
+ * checksum    8f77b318c2c76c34092a6df091f50cb7
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_F_AXIS_H
@@ -32,10 +32,10 @@ extern "C" {
 #define AXIS_F_AXIS_PARAMETERS_2 0x4bf5e648u
 #define AXIS_F_AXIS_PARAMETERS_3 0xd7f9875fu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_F_AXIS_STRUCTURE_0 0x1032fe32u
-#define AXIS_F_AXIS_STRUCTURE_1 0x78e43636u
-#define AXIS_F_AXIS_STRUCTURE_2 0xb9828cceu
-#define AXIS_F_AXIS_STRUCTURE_3 0x30bb6240u
+#define AXIS_F_AXIS_STRUCTURE_0 0xd476ce00u
+#define AXIS_F_AXIS_STRUCTURE_1 0x26f0b860u
+#define AXIS_F_AXIS_STRUCTURE_2 0x45e863f8u
+#define AXIS_F_AXIS_STRUCTURE_3 0x6111013cu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_F_AXIS_INPUTS_SIZE 32u
 #define AXIS_F_AXIS_OUTPUTS_SIZE 28u

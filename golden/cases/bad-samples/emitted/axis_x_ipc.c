@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  05550f54ed225d18fecf0f48000fec37
- * structure   be69d90f1bfdcf5e62bcdfeb32ca1c82
- * checksum    cc5d6b745a8485ba0596ecbcd4e5bf4b
+ * structure   e1fcf4eb8bacfeab0f0753e9bfba2e74
+ * checksum    cb895159596a8e158c085e5bf2d5ea4c
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -203,68 +203,7 @@ void axis_x_ipc_step(
         state->disturbed = false;
         runs = false;
         reason = AXIS_X_IPC_ERROR_STATE;
-    } else if ((inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
-                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)
-            && axis_x_ipc_magnitude(ride_through_v_command) <= sample_limit
-            && axis_x_ipc_magnitude(ride_through_v_motor) <= sample_limit
-            && axis_x_ipc_magnitude(ride_through_v_direct) <= sample_limit
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset) {
-        if (state->preset) {
-            if (inputs->mode == AXIS_X_IPC_MODE_ON) {
-                state->fade = state->fade + 1u;
-            } else {
-                if (state->fade > fade_cycles) {
-                    /* fade has been overwritten: it must not take longer than a whole fade */
-                    state->fade = fade_cycles;
-                }
-                if (state->fade > 0u) {
-                    state->fade = state->fade - 1u;
-                }
-                if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
-                    state->preset = false;
-                }
-            }
-            runs = true;
-        } else {
-            if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
-                state->source_v_command_before = ride_through_v_command;
-                state->source_v_motor_before = ride_through_v_motor;
-                state->source_v_direct_before = ride_through_v_direct;
-                /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755) */
-                /* simulated oscillation of the load, f0 of the first BANDPASS 60 Hz (P-AXIS-00751), damping ratio 0.8
-                 * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-                state->stage0_oscillation_s1 = stage0_oscillation_preset_s1 * ride_through_v_command;
-                state->stage0_oscillation_s2 = stage0_oscillation_preset_s2 * ride_through_v_command;
-                /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 60 Hz (P-AXIS-00751),
-                 * quality factor 5 (P-AXIS-00752), -3 dB at 54.28497 and 66.28497 Hz */
-                const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * ride_through_v_command;
-                state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
-                state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
-                /* INDIRECT (P-AXIS-00753) from v_motor, weight 100/100 = 1 (P-AXIS-00754/00755) */
-                /* simulated oscillation of the load, f0 of the first BANDPASS 70 Hz (P-AXIS-00751), damping ratio 0.8
-                 * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-                state->stage1_oscillation_s1 = stage1_oscillation_preset_s1 * ride_through_v_motor;
-                state->stage1_oscillation_s2 = stage1_oscillation_preset_s2 * ride_through_v_motor;
-                /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 70 Hz (P-AXIS-00751),
-                 * quality factor 5 (P-AXIS-00752), -3 dB at 63.32637 and 77.32637 Hz */
-                const double stage1_filter0_section0_s = stage1_filter0_bandpass0_b2 * ride_through_v_motor;
-                state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
-                state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
-                /* DIRECT (P-AXIS-00753) from v_direct, weight 100/100 = 1 (P-AXIS-00754/00755) */
-                /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 80 Hz (P-AXIS-00751),
-                 * quality factor 5 (P-AXIS-00752), -3 dB at 72.36489 and 88.36489 Hz */
-                const double stage2_filter0_section0_s = stage2_filter0_bandpass0_b2 * ride_through_v_direct;
-                state->stage2_filter0_section0_s1 = stage2_filter0_section0_s;
-                state->stage2_filter0_section0_s2 = stage2_filter0_section0_s;
-                state->preset = true;
-            }
-            runs = false;
-        }
-        reason = AXIS_X_IPC_ERROR_NONE;
     } else {
-        state->fade = 0u;
-        state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
             reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
         } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
@@ -279,7 +218,63 @@ void axis_x_ipc_step(
         } else {
             reason = AXIS_X_IPC_ERROR_V_DIRECT;
         }
-        runs = false;
+        if (reason == AXIS_X_IPC_ERROR_NONE && inputs->position_controlled && !inputs->reset) {
+            if (state->preset) {
+                if (inputs->mode == AXIS_X_IPC_MODE_ON) {
+                    state->fade = state->fade + 1u;
+                } else {
+                    if (state->fade > fade_cycles) {
+                        /* fade has been overwritten: it must not take longer than a whole fade */
+                        state->fade = fade_cycles;
+                    }
+                    if (state->fade > 0u) {
+                        state->fade = state->fade - 1u;
+                    }
+                    if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
+                        state->preset = false;
+                    }
+                }
+                runs = true;
+            } else {
+                if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
+                    state->source_v_command_before = ride_through_v_command;
+                    state->source_v_motor_before = ride_through_v_motor;
+                    state->source_v_direct_before = ride_through_v_direct;
+                    /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755) */
+                    /* simulated oscillation of the load, f0 of the first BANDPASS 60 Hz (P-AXIS-00751), damping ratio 0.8
+                     * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
+                    state->stage0_oscillation_s1 = stage0_oscillation_preset_s1 * ride_through_v_command;
+                    state->stage0_oscillation_s2 = stage0_oscillation_preset_s2 * ride_through_v_command;
+                    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 60 Hz (P-AXIS-00751),
+                     * quality factor 5 (P-AXIS-00752), -3 dB at 54.28497 and 66.28497 Hz */
+                    const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * ride_through_v_command;
+                    state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
+                    state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
+                    /* INDIRECT (P-AXIS-00753) from v_motor, weight 100/100 = 1 (P-AXIS-00754/00755) */
+                    /* simulated oscillation of the load, f0 of the first BANDPASS 70 Hz (P-AXIS-00751), damping ratio 0.8
+                     * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
+                    state->stage1_oscillation_s1 = stage1_oscillation_preset_s1 * ride_through_v_motor;
+                    state->stage1_oscillation_s2 = stage1_oscillation_preset_s2 * ride_through_v_motor;
+                    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 70 Hz (P-AXIS-00751),
+                     * quality factor 5 (P-AXIS-00752), -3 dB at 63.32637 and 77.32637 Hz */
+                    const double stage1_filter0_section0_s = stage1_filter0_bandpass0_b2 * ride_through_v_motor;
+                    state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
+                    state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
+                    /* DIRECT (P-AXIS-00753) from v_direct, weight 100/100 = 1 (P-AXIS-00754/00755) */
+                    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 80 Hz (P-AXIS-00751),
+                     * quality factor 5 (P-AXIS-00752), -3 dB at 72.36489 and 88.36489 Hz */
+                    const double stage2_filter0_section0_s = stage2_filter0_bandpass0_b2 * ride_through_v_direct;
+                    state->stage2_filter0_section0_s1 = stage2_filter0_section0_s;
+                    state->stage2_filter0_section0_s2 = stage2_filter0_section0_s;
+                    state->preset = true;
+                }
+                runs = false;
+            }
+        } else {
+            state->preset = false;
+            state->fade = 0u;
+            runs = false;
+        }
     }
     if (runs) {
         outputs->fault = false;

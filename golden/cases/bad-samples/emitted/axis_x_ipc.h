@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  05550f54ed225d18fecf0f48000fec37
- * structure   be69d90f1bfdcf5e62bcdfeb32ca1c82
- * checksum    0eea23bb9b33a479eb3810a6f0cc2d62
+ * structure   e1fcf4eb8bacfeab0f0753e9bfba2e74
+ * checksum    af31ef142dbb177b554306f3e397b266
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -47,10 +47,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xfecf0f48u
 #define AXIS_X_IPC_PARAMETERS_3 0x000fec37u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xbe69d90fu
-#define AXIS_X_IPC_STRUCTURE_1 0x1bfdcf5eu
-#define AXIS_X_IPC_STRUCTURE_2 0x62bcdfebu
-#define AXIS_X_IPC_STRUCTURE_3 0x32ca1c82u
+#define AXIS_X_IPC_STRUCTURE_0 0xe1fcf4ebu
+#define AXIS_X_IPC_STRUCTURE_1 0x8bacfeabu
+#define AXIS_X_IPC_STRUCTURE_2 0x0f0753e9u
+#define AXIS_X_IPC_STRUCTURE_3 0xbfba2e74u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 40u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  d866a6f941d589509e7405f1c45ff916
- * structure   c56041751800749d8a8d99099909a475
- * checksum    37dedc2dc813c53bc0dfe34a410571e9
+ * structure   a84c3e592cdf7c45bbd5c01ed572df84
+ * checksum    ebea2c3932b0bfcf09d5df875e44a2bc
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -149,60 +149,7 @@ void axis_x_ipc_step(
         state->disturbed = false;
         runs = false;
         reason = AXIS_X_IPC_ERROR_STATE;
-    } else if ((inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
-                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN) && axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset) {
-        if (state->preset) {
-            if (inputs->mode == AXIS_X_IPC_MODE_ON) {
-                state->fade = state->fade + 1u;
-            } else {
-                if (state->fade > fade_cycles) {
-                    /* fade has been overwritten: it must not take longer than a whole fade */
-                    state->fade = fade_cycles;
-                }
-                if (state->fade > 0u) {
-                    state->fade = state->fade - 1u;
-                }
-                if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
-                    state->preset = false;
-                }
-            }
-            runs = true;
-        } else {
-            if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
-                /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755) */
-                /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
-                 * quality factor 2 (P-AXIS-00752), -3 dB at 41.32125 and 67.82125 Hz */
-                const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
-                state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
-                const double stage0_filter0_section1_s = -0.0;
-                state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
-                state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
-                /* ALLPASS (P-AXIS-00849): -180 deg at 41.4 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg
-                 * at 32.29569 and -270 deg at 52.99569 Hz */
-                const double stage0_filter1_section0_s = 0.0;
-                state->stage0_filter1_section0_s1 = stage0_filter1_section0_s;
-                state->stage0_filter1_section0_s2 = stage0_filter1_section0_s;
-                /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755) */
-                /* simulated oscillation of the load, f0 of the first BANDPASS 25 Hz (P-AXIS-00751), damping ratio 0.8
-                 * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-                state->stage1_oscillation_s1 = stage1_oscillation_preset_s1 * inputs->v_motor;
-                state->stage1_oscillation_s2 = stage1_oscillation_preset_s2 * inputs->v_motor;
-                /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 25 Hz (P-AXIS-00751),
-                 * quality factor 2 (P-AXIS-00752), -3 dB at 19.51316 and 32.01316 Hz */
-                const double stage1_filter0_section0_s = stage1_filter0_bandpass0_b2 * inputs->v_motor;
-                state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
-                state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
-                state->preset = true;
-            }
-            runs = false;
-        }
-        reason = AXIS_X_IPC_ERROR_NONE;
     } else {
-        state->fade = 0u;
-        state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
             reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
         } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
@@ -213,7 +160,58 @@ void axis_x_ipc_step(
         } else {
             reason = AXIS_X_IPC_ERROR_V_MOTOR;
         }
-        runs = false;
+        if (reason == AXIS_X_IPC_ERROR_NONE && inputs->position_controlled && !inputs->reset) {
+            if (state->preset) {
+                if (inputs->mode == AXIS_X_IPC_MODE_ON) {
+                    state->fade = state->fade + 1u;
+                } else {
+                    if (state->fade > fade_cycles) {
+                        /* fade has been overwritten: it must not take longer than a whole fade */
+                        state->fade = fade_cycles;
+                    }
+                    if (state->fade > 0u) {
+                        state->fade = state->fade - 1u;
+                    }
+                    if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
+                        state->preset = false;
+                    }
+                }
+                runs = true;
+            } else {
+                if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
+                    /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755) */
+                    /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
+                     * quality factor 2 (P-AXIS-00752), -3 dB at 41.32125 and 67.82125 Hz */
+                    const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_motor;
+                    state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
+                    state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
+                    const double stage0_filter0_section1_s = -0.0;
+                    state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
+                    state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
+                    /* ALLPASS (P-AXIS-00849): -180 deg at 41.4 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg
+                     * at 32.29569 and -270 deg at 52.99569 Hz */
+                    const double stage0_filter1_section0_s = 0.0;
+                    state->stage0_filter1_section0_s1 = stage0_filter1_section0_s;
+                    state->stage0_filter1_section0_s2 = stage0_filter1_section0_s;
+                    /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755) */
+                    /* simulated oscillation of the load, f0 of the first BANDPASS 25 Hz (P-AXIS-00751), damping ratio 0.8
+                     * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
+                    state->stage1_oscillation_s1 = stage1_oscillation_preset_s1 * inputs->v_motor;
+                    state->stage1_oscillation_s2 = stage1_oscillation_preset_s2 * inputs->v_motor;
+                    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 25 Hz (P-AXIS-00751),
+                     * quality factor 2 (P-AXIS-00752), -3 dB at 19.51316 and 32.01316 Hz */
+                    const double stage1_filter0_section0_s = stage1_filter0_bandpass0_b2 * inputs->v_motor;
+                    state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
+                    state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
+                    state->preset = true;
+                }
+                runs = false;
+            }
+        } else {
+            state->preset = false;
+            state->fade = 0u;
+            runs = false;
+        }
     }
     if (runs) {
         outputs->fault = false;

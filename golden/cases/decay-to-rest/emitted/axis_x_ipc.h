@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  d866a6f941d589509e7405f1c45ff916
- * structure   c56041751800749d8a8d99099909a475
- * checksum    c050c2b2f226811f95a528c94d017447
+ * structure   a84c3e592cdf7c45bbd5c01ed572df84
+ * checksum    29fe55986736ba7c81475d521bbfa343
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x9e7405f1u
 #define AXIS_X_IPC_PARAMETERS_3 0xc45ff916u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xc5604175u
-#define AXIS_X_IPC_STRUCTURE_1 0x1800749du
-#define AXIS_X_IPC_STRUCTURE_2 0x8a8d9909u
-#define AXIS_X_IPC_STRUCTURE_3 0x9909a475u
+#define AXIS_X_IPC_STRUCTURE_0 0xa84c3e59u
+#define AXIS_X_IPC_STRUCTURE_1 0x2cdf7c45u
+#define AXIS_X_IPC_STRUCTURE_2 0xbbd5c01eu
+#define AXIS_X_IPC_STRUCTURE_3 0xd572df84u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  899d9161a2ded0013f7b34563e3f8ca5
- * structure   ee04e7bb6ca9c038f9e3d0d0c646512e
- * checksum    cf192fa0d5ddad43f5f1a2ec09c0e499
+ * structure   941b082a6e99f505a2223b38738473df
+ * checksum    f3754bca7b3545a7a9f7467b99713f1a
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -136,52 +136,7 @@ void axis_x_ipc_step(
         state->disturbed = false;
         runs = false;
         reason = AXIS_X_IPC_ERROR_STATE;
-    } else if ((inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
-                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN) && axis_x_ipc_magnitude(inputs->v_command) <= sample_limit
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset) {
-        if (state->preset) {
-            if (inputs->mode == AXIS_X_IPC_MODE_ON) {
-                state->fade = state->fade + 1u;
-            } else {
-                if (state->fade > fade_cycles) {
-                    /* fade has been overwritten: it must not take longer than a whole fade */
-                    state->fade = fade_cycles;
-                }
-                if (state->fade > 0u) {
-                    state->fade = state->fade - 1u;
-                }
-                if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
-                    state->preset = false;
-                }
-            }
-            runs = true;
-        } else {
-            if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
-                /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755) */
-                /* simulated oscillation of the load, f0 of the first BANDPASS 15 Hz (P-AXIS-00751), damping ratio 0.8
-                 * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-                state->stage0_oscillation_s1 = stage0_oscillation_preset_s1 * inputs->v_command;
-                state->stage0_oscillation_s2 = stage0_oscillation_preset_s2 * inputs->v_command;
-                /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 15 Hz (P-AXIS-00751),
-                 * quality factor 1 (P-AXIS-00752), -3 dB at 9.189921 and 24.18992 Hz */
-                const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_command;
-                state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
-                state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
-                const double stage0_filter0_section1_s = -0.0;
-                state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
-                state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
-                const double stage0_filter0_section2_s = -0.0;
-                state->stage0_filter0_section2_s1 = stage0_filter0_section2_s;
-                state->stage0_filter0_section2_s2 = stage0_filter0_section2_s;
-                state->preset = true;
-            }
-            runs = false;
-        }
-        reason = AXIS_X_IPC_ERROR_NONE;
     } else {
-        state->fade = 0u;
-        state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
             reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
         } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
@@ -192,7 +147,50 @@ void axis_x_ipc_step(
         } else {
             reason = AXIS_X_IPC_ERROR_V_COMMAND;
         }
-        runs = false;
+        if (reason == AXIS_X_IPC_ERROR_NONE && inputs->position_controlled && !inputs->reset) {
+            if (state->preset) {
+                if (inputs->mode == AXIS_X_IPC_MODE_ON) {
+                    state->fade = state->fade + 1u;
+                } else {
+                    if (state->fade > fade_cycles) {
+                        /* fade has been overwritten: it must not take longer than a whole fade */
+                        state->fade = fade_cycles;
+                    }
+                    if (state->fade > 0u) {
+                        state->fade = state->fade - 1u;
+                    }
+                    if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
+                        state->preset = false;
+                    }
+                }
+                runs = true;
+            } else {
+                if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
+                    /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755) */
+                    /* simulated oscillation of the load, f0 of the first BANDPASS 15 Hz (P-AXIS-00751), damping ratio 0.8
+                     * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
+                    state->stage0_oscillation_s1 = stage0_oscillation_preset_s1 * inputs->v_command;
+                    state->stage0_oscillation_s2 = stage0_oscillation_preset_s2 * inputs->v_command;
+                    /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 15 Hz (P-AXIS-00751),
+                     * quality factor 1 (P-AXIS-00752), -3 dB at 9.189921 and 24.18992 Hz */
+                    const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_command;
+                    state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
+                    state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
+                    const double stage0_filter0_section1_s = -0.0;
+                    state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
+                    state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
+                    const double stage0_filter0_section2_s = -0.0;
+                    state->stage0_filter0_section2_s1 = stage0_filter0_section2_s;
+                    state->stage0_filter0_section2_s2 = stage0_filter0_section2_s;
+                    state->preset = true;
+                }
+                runs = false;
+            }
+        } else {
+            state->preset = false;
+            state->fade = 0u;
+            runs = false;
+        }
     }
     if (runs) {
         outputs->fault = false;

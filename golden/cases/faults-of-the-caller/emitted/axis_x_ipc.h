@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  899d9161a2ded0013f7b34563e3f8ca5
- * structure   ee04e7bb6ca9c038f9e3d0d0c646512e
- * checksum    1c66bc372454dc727ec562952d672305
+ * structure   941b082a6e99f505a2223b38738473df
+ * checksum    e7f5f127c527eb18ea0b835a074f47f2
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -41,10 +41,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x3f7b3456u
 #define AXIS_X_IPC_PARAMETERS_3 0x3e3f8ca5u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xee04e7bbu
-#define AXIS_X_IPC_STRUCTURE_1 0x6ca9c038u
-#define AXIS_X_IPC_STRUCTURE_2 0xf9e3d0d0u
-#define AXIS_X_IPC_STRUCTURE_3 0xc646512eu
+#define AXIS_X_IPC_STRUCTURE_0 0x941b082au
+#define AXIS_X_IPC_STRUCTURE_1 0x6e99f505u
+#define AXIS_X_IPC_STRUCTURE_2 0xa2223b38u
+#define AXIS_X_IPC_STRUCTURE_3 0x738473dfu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  677de2a23211c4ed594818a9169e5c31
- * structure   b9318f29f6426f830d723820008122ce
- * checksum    2416c16af3fbd9c46fa8667f2137af44
+ * structure   6970f0bba5bd79ecb0960f9d389dd5f9
+ * checksum    6eb95c94a2a8bc86681e5982593d7ad9
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -168,71 +168,7 @@ void axis_x_ipc_step(
         state->disturbed = false;
         runs = false;
         reason = AXIS_X_IPC_ERROR_STATE;
-    } else if ((inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
-                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)
-            && axis_x_ipc_magnitude(inputs->v_command) <= sample_limit
-            && axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset) {
-        if (state->preset) {
-            if (inputs->mode == AXIS_X_IPC_MODE_ON) {
-                state->fade = state->fade + 1u;
-            } else {
-                if (state->fade > fade_cycles) {
-                    /* fade has been overwritten: it must not take longer than a whole fade */
-                    state->fade = fade_cycles;
-                }
-                if (state->fade > 0u) {
-                    state->fade = state->fade - 1u;
-                }
-                if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
-                    state->preset = false;
-                }
-            }
-            runs = true;
-        } else {
-            if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
-                /* DIRECT (P-AXIS-00753) from v_motor, weight 100/100 = 1 (P-AXIS-00754/00755) */
-                /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 112.5 Hz (P-AXIS-00751),
-                 * quality factor 1 (P-AXIS-00752), -3 dB at 12.19175 and 124.6917 Hz */
-                const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
-                state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
-                const double stage0_filter0_section1_s = -0.0;
-                state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
-                state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
-                const double stage0_filter0_section2_s = -0.0;
-                state->stage0_filter0_section2_s1 = stage0_filter0_section2_s;
-                state->stage0_filter0_section2_s2 = stage0_filter0_section2_s;
-                /* ALLPASS (P-AXIS-00849): -180 deg at 112.5 Hz (P-AXIS-00751), quality factor 10 (P-AXIS-00752), -90
-                 * deg at 105.706 and -270 deg at 116.956 Hz */
-                const double stage0_filter1_section0_s = 0.0;
-                state->stage0_filter1_section0_s1 = stage0_filter1_section0_s;
-                state->stage0_filter1_section0_s2 = stage0_filter1_section0_s;
-                /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755) */
-                /* simulated oscillation of the load, f0 of the first BANDPASS 112.5 Hz (P-AXIS-00751), damping ratio
-                 * 0.9 (P-AXIS-00850): gain 1 at DC, 1.143959 and -29.0546 deg at f0 */
-                state->stage1_oscillation_s1 = stage1_oscillation_preset_s1 * inputs->v_command;
-                state->stage1_oscillation_s2 = stage1_oscillation_preset_s2 * inputs->v_command;
-                /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 112.5 Hz (P-AXIS-00751),
-                 * quality factor 10 (P-AXIS-00752), -3 dB at 105.706 and 116.956 Hz */
-                const double stage1_filter0_section0_s = stage1_filter0_bandpass0_b2 * inputs->v_command;
-                state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
-                state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
-                const double stage1_filter0_section1_s = -0.0;
-                state->stage1_filter0_section1_s1 = stage1_filter0_section1_s;
-                state->stage1_filter0_section1_s2 = stage1_filter0_section1_s;
-                const double stage1_filter0_section2_s = -0.0;
-                state->stage1_filter0_section2_s1 = stage1_filter0_section2_s;
-                state->stage1_filter0_section2_s2 = stage1_filter0_section2_s;
-                state->preset = true;
-            }
-            runs = false;
-        }
-        reason = AXIS_X_IPC_ERROR_NONE;
     } else {
-        state->fade = 0u;
-        state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
             reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
         } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
@@ -245,7 +181,67 @@ void axis_x_ipc_step(
         } else {
             reason = AXIS_X_IPC_ERROR_V_MOTOR;
         }
-        runs = false;
+        if (reason == AXIS_X_IPC_ERROR_NONE && inputs->position_controlled && !inputs->reset) {
+            if (state->preset) {
+                if (inputs->mode == AXIS_X_IPC_MODE_ON) {
+                    state->fade = state->fade + 1u;
+                } else {
+                    if (state->fade > fade_cycles) {
+                        /* fade has been overwritten: it must not take longer than a whole fade */
+                        state->fade = fade_cycles;
+                    }
+                    if (state->fade > 0u) {
+                        state->fade = state->fade - 1u;
+                    }
+                    if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
+                        state->preset = false;
+                    }
+                }
+                runs = true;
+            } else {
+                if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
+                    /* DIRECT (P-AXIS-00753) from v_motor, weight 100/100 = 1 (P-AXIS-00754/00755) */
+                    /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 112.5 Hz (P-AXIS-00751),
+                     * quality factor 1 (P-AXIS-00752), -3 dB at 12.19175 and 124.6917 Hz */
+                    const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_motor;
+                    state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
+                    state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
+                    const double stage0_filter0_section1_s = -0.0;
+                    state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
+                    state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
+                    const double stage0_filter0_section2_s = -0.0;
+                    state->stage0_filter0_section2_s1 = stage0_filter0_section2_s;
+                    state->stage0_filter0_section2_s2 = stage0_filter0_section2_s;
+                    /* ALLPASS (P-AXIS-00849): -180 deg at 112.5 Hz (P-AXIS-00751), quality factor 10 (P-AXIS-00752), -90
+                     * deg at 105.706 and -270 deg at 116.956 Hz */
+                    const double stage0_filter1_section0_s = 0.0;
+                    state->stage0_filter1_section0_s1 = stage0_filter1_section0_s;
+                    state->stage0_filter1_section0_s2 = stage0_filter1_section0_s;
+                    /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755) */
+                    /* simulated oscillation of the load, f0 of the first BANDPASS 112.5 Hz (P-AXIS-00751), damping ratio
+                     * 0.9 (P-AXIS-00850): gain 1 at DC, 1.143959 and -29.0546 deg at f0 */
+                    state->stage1_oscillation_s1 = stage1_oscillation_preset_s1 * inputs->v_command;
+                    state->stage1_oscillation_s2 = stage1_oscillation_preset_s2 * inputs->v_command;
+                    /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 112.5 Hz (P-AXIS-00751),
+                     * quality factor 10 (P-AXIS-00752), -3 dB at 105.706 and 116.956 Hz */
+                    const double stage1_filter0_section0_s = stage1_filter0_bandpass0_b2 * inputs->v_command;
+                    state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
+                    state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
+                    const double stage1_filter0_section1_s = -0.0;
+                    state->stage1_filter0_section1_s1 = stage1_filter0_section1_s;
+                    state->stage1_filter0_section1_s2 = stage1_filter0_section1_s;
+                    const double stage1_filter0_section2_s = -0.0;
+                    state->stage1_filter0_section2_s1 = stage1_filter0_section2_s;
+                    state->stage1_filter0_section2_s2 = stage1_filter0_section2_s;
+                    state->preset = true;
+                }
+                runs = false;
+            }
+        } else {
+            state->preset = false;
+            state->fade = 0u;
+            runs = false;
+        }
     }
     if (runs) {
         outputs->fault = false;

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  677de2a23211c4ed594818a9169e5c31
- * structure   b9318f29f6426f830d723820008122ce
- * checksum    e4731aaa0189b2fab814263a6ca01135
+ * structure   6970f0bba5bd79ecb0960f9d389dd5f9
+ * checksum    76abd3ed36bd81ef381ea373e39d782c
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x594818a9u
 #define AXIS_X_IPC_PARAMETERS_3 0x169e5c31u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xb9318f29u
-#define AXIS_X_IPC_STRUCTURE_1 0xf6426f83u
-#define AXIS_X_IPC_STRUCTURE_2 0x0d723820u
-#define AXIS_X_IPC_STRUCTURE_3 0x008122ceu
+#define AXIS_X_IPC_STRUCTURE_0 0x6970f0bbu
+#define AXIS_X_IPC_STRUCTURE_1 0xa5bd79ecu
+#define AXIS_X_IPC_STRUCTURE_2 0xb0960f9du
+#define AXIS_X_IPC_STRUCTURE_3 0x389dd5f9u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 32u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  035a2ceba1d4549378e201e9e82370a6
- * structure   24ed78cb9fe76000c866a0dd3d29dfcc
- * checksum    ef9b7e9ba0ad8e9c09fa53e1ffdbfebd
+ * structure   9ebe61abbb972e000f03c59344cb7bd3
+ * checksum    b0b5030a1829a018c3d1dc75451021b1
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -40,10 +40,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x78e201e9u
 #define AXIS_X_IPC_PARAMETERS_3 0xe82370a6u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x24ed78cbu
-#define AXIS_X_IPC_STRUCTURE_1 0x9fe76000u
-#define AXIS_X_IPC_STRUCTURE_2 0xc866a0ddu
-#define AXIS_X_IPC_STRUCTURE_3 0x3d29dfccu
+#define AXIS_X_IPC_STRUCTURE_0 0x9ebe61abu
+#define AXIS_X_IPC_STRUCTURE_1 0xbb972e00u
+#define AXIS_X_IPC_STRUCTURE_2 0x0f03c593u
+#define AXIS_X_IPC_STRUCTURE_3 0x44cb7bd3u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  2cb36657eb5edd333340ce8cb8317bc0
- * structure   4905189282ea6c2dd7ba268c444139b3
- * checksum    9aff11c7b43d9d9712bfe08e578beea1
+ * structure   fb58f43d2db9892df8cc6541812c5826
+ * checksum    122d81b1942a7ab7e03d1c0e121ac1d8
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -36,10 +36,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x3340ce8cu
 #define AXIS_X_IPC_PARAMETERS_3 0xb8317bc0u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x49051892u
-#define AXIS_X_IPC_STRUCTURE_1 0x82ea6c2du
-#define AXIS_X_IPC_STRUCTURE_2 0xd7ba268cu
-#define AXIS_X_IPC_STRUCTURE_3 0x444139b3u
+#define AXIS_X_IPC_STRUCTURE_0 0xfb58f43du
+#define AXIS_X_IPC_STRUCTURE_1 0x2db9892du
+#define AXIS_X_IPC_STRUCTURE_2 0xf8cc6541u
+#define AXIS_X_IPC_STRUCTURE_3 0x812c5826u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  62500 ns
  * parameters  2ebd2317bdfdf9946197084c79fdae1d
- * structure   1c6e463a984b5c1d7e251c58361f5bb0
- * checksum    f7313fcb5237c891b9373ae60911f1bd
+ * structure   c49d9044727288cd6c3b5d34b5762213
+ * checksum    82584e6289e6e73dd330d5c5e8b32ffc
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -144,55 +144,7 @@ void axis_x_ipc_step(
         state->disturbed = false;
         runs = false;
         reason = AXIS_X_IPC_ERROR_STATE;
-    } else if ((inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
-                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN) && axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset) {
-        if (state->preset) {
-            if (inputs->mode == AXIS_X_IPC_MODE_ON) {
-                state->fade = state->fade + 1u;
-            } else {
-                if (state->fade > fade_cycles) {
-                    /* fade has been overwritten: it must not take longer than a whole fade */
-                    state->fade = fade_cycles;
-                }
-                if (state->fade > 0u) {
-                    state->fade = state->fade - 1u;
-                }
-                if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
-                    state->preset = false;
-                }
-            }
-            runs = true;
-        } else {
-            if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
-                /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755) */
-                /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 0.016 Hz
-                 * (P-AXIS-00751), quality factor 1 (P-AXIS-00752), -3 dB at 0.009888544 and 0.02588854 Hz */
-                const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
-                state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
-                /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755) */
-                /* simulated oscillation of the load, f0 of the first BANDPASS 0.016 Hz (P-AXIS-00751), damping ratio
-                 * 0.8 (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-                state->stage1_oscillation_s1 = stage1_oscillation_preset_s1 * inputs->v_motor;
-                state->stage1_oscillation_s2 = stage1_oscillation_preset_s2 * inputs->v_motor;
-                /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 0.016 Hz (P-AXIS-00751),
-                 * quality factor 2 (P-AXIS-00752), -3 dB at 0.01249242 and 0.02049242 Hz */
-                const double stage1_filter0_section0_s = stage1_filter0_bandpass0_b2 * inputs->v_motor;
-                state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
-                state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
-                const double stage1_filter0_section1_s = -0.0;
-                state->stage1_filter0_section1_s1 = stage1_filter0_section1_s;
-                state->stage1_filter0_section1_s2 = stage1_filter0_section1_s;
-                state->preset = true;
-            }
-            runs = false;
-        }
-        reason = AXIS_X_IPC_ERROR_NONE;
     } else {
-        state->fade = 0u;
-        state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
             reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
         } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
@@ -203,7 +155,53 @@ void axis_x_ipc_step(
         } else {
             reason = AXIS_X_IPC_ERROR_V_MOTOR;
         }
-        runs = false;
+        if (reason == AXIS_X_IPC_ERROR_NONE && inputs->position_controlled && !inputs->reset) {
+            if (state->preset) {
+                if (inputs->mode == AXIS_X_IPC_MODE_ON) {
+                    state->fade = state->fade + 1u;
+                } else {
+                    if (state->fade > fade_cycles) {
+                        /* fade has been overwritten: it must not take longer than a whole fade */
+                        state->fade = fade_cycles;
+                    }
+                    if (state->fade > 0u) {
+                        state->fade = state->fade - 1u;
+                    }
+                    if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
+                        state->preset = false;
+                    }
+                }
+                runs = true;
+            } else {
+                if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
+                    /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755) */
+                    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 0.016 Hz
+                     * (P-AXIS-00751), quality factor 1 (P-AXIS-00752), -3 dB at 0.009888544 and 0.02588854 Hz */
+                    const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_motor;
+                    state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
+                    state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
+                    /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755) */
+                    /* simulated oscillation of the load, f0 of the first BANDPASS 0.016 Hz (P-AXIS-00751), damping ratio
+                     * 0.8 (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
+                    state->stage1_oscillation_s1 = stage1_oscillation_preset_s1 * inputs->v_motor;
+                    state->stage1_oscillation_s2 = stage1_oscillation_preset_s2 * inputs->v_motor;
+                    /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 0.016 Hz (P-AXIS-00751),
+                     * quality factor 2 (P-AXIS-00752), -3 dB at 0.01249242 and 0.02049242 Hz */
+                    const double stage1_filter0_section0_s = stage1_filter0_bandpass0_b2 * inputs->v_motor;
+                    state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
+                    state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
+                    const double stage1_filter0_section1_s = -0.0;
+                    state->stage1_filter0_section1_s1 = stage1_filter0_section1_s;
+                    state->stage1_filter0_section1_s2 = stage1_filter0_section1_s;
+                    state->preset = true;
+                }
+                runs = false;
+            }
+        } else {
+            state->preset = false;
+            state->fade = 0u;
+            runs = false;
+        }
     }
     if (runs) {
         outputs->fault = false;

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  62500 ns
  * parameters  2ebd2317bdfdf9946197084c79fdae1d
- * structure   1c6e463a984b5c1d7e251c58361f5bb0
- * checksum    dd1b1af0c2186841c38c81893a2f3eb9
+ * structure   c49d9044727288cd6c3b5d34b5762213
+ * checksum    07afb2b7bd7ccd5ca819e450a379847b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x6197084cu
 #define AXIS_X_IPC_PARAMETERS_3 0x79fdae1du
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x1c6e463au
-#define AXIS_X_IPC_STRUCTURE_1 0x984b5c1du
-#define AXIS_X_IPC_STRUCTURE_2 0x7e251c58u
-#define AXIS_X_IPC_STRUCTURE_3 0x361f5bb0u
+#define AXIS_X_IPC_STRUCTURE_0 0xc49d9044u
+#define AXIS_X_IPC_STRUCTURE_1 0x727288cdu
+#define AXIS_X_IPC_STRUCTURE_2 0x6c3b5d34u
+#define AXIS_X_IPC_STRUCTURE_3 0xb5762213u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  310bc9f2d370ffdb55eb325b34f7ea20
- * structure   aefced6597fdebabce15543cf17ddbca
- * checksum    2e83c85550d94cda3c035b734f63da07
+ * structure   0221a2513a8494f6c150666a4aa293bd
+ * checksum    73068005a65b7f0a2fc860d7435e47c2
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -149,58 +149,7 @@ void axis_x_ipc_step(
         state->disturbed = false;
         runs = false;
         reason = AXIS_X_IPC_ERROR_STATE;
-    } else if ((inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
-                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN) && axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset) {
-        if (state->preset) {
-            if (inputs->mode == AXIS_X_IPC_MODE_ON) {
-                state->fade = state->fade + 1u;
-            } else {
-                if (state->fade > fade_cycles) {
-                    /* fade has been overwritten: it must not take longer than a whole fade */
-                    state->fade = fade_cycles;
-                }
-                if (state->fade > 0u) {
-                    state->fade = state->fade - 1u;
-                }
-                if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
-                    state->preset = false;
-                }
-            }
-            runs = true;
-        } else {
-            if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
-                /* DIRECT (P-AXIS-00753) from v_motor, weight 200/100 = 2 (P-AXIS-00754/00755) */
-                /* BANDPASS BUTTERWORTH order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz (P-AXIS-00751),
-                 * quality factor 4 (P-AXIS-00752), -3 dB at 35.30473 and 45.30473 Hz */
-                const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
-                state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
-                /* INDIRECT (P-AXIS-00753) from v_motor, weight 150/100 = 1.5 (P-AXIS-00754/00755) */
-                /* simulated oscillation of the load, f0 of the first BANDPASS 20 Hz (P-AXIS-00751), damping ratio 0.7
-                 * (P-AXIS-00850): gain 1 at DC, 1.228904 and -35.53768 deg at f0 */
-                state->stage1_oscillation_s1 = stage1_oscillation_preset_s1 * inputs->v_motor;
-                state->stage1_oscillation_s2 = stage1_oscillation_preset_s2 * inputs->v_motor;
-                /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 20 Hz (P-AXIS-00751), quality
-                 * factor 3 (P-AXIS-00752), -3 dB at 16.9411 and 23.60776 Hz */
-                const double stage1_filter0_section0_s = stage1_filter0_bandpass0_b2 * inputs->v_motor;
-                state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
-                state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
-                const double stage1_filter0_section1_s = -0.0;
-                state->stage1_filter0_section1_s1 = stage1_filter0_section1_s;
-                state->stage1_filter0_section1_s2 = stage1_filter0_section1_s;
-                const double stage1_filter0_section2_s = -0.0;
-                state->stage1_filter0_section2_s1 = stage1_filter0_section2_s;
-                state->stage1_filter0_section2_s2 = stage1_filter0_section2_s;
-                state->preset = true;
-            }
-            runs = false;
-        }
-        reason = AXIS_X_IPC_ERROR_NONE;
     } else {
-        state->fade = 0u;
-        state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
             reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
         } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
@@ -211,7 +160,56 @@ void axis_x_ipc_step(
         } else {
             reason = AXIS_X_IPC_ERROR_V_MOTOR;
         }
-        runs = false;
+        if (reason == AXIS_X_IPC_ERROR_NONE && inputs->position_controlled && !inputs->reset) {
+            if (state->preset) {
+                if (inputs->mode == AXIS_X_IPC_MODE_ON) {
+                    state->fade = state->fade + 1u;
+                } else {
+                    if (state->fade > fade_cycles) {
+                        /* fade has been overwritten: it must not take longer than a whole fade */
+                        state->fade = fade_cycles;
+                    }
+                    if (state->fade > 0u) {
+                        state->fade = state->fade - 1u;
+                    }
+                    if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
+                        state->preset = false;
+                    }
+                }
+                runs = true;
+            } else {
+                if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
+                    /* DIRECT (P-AXIS-00753) from v_motor, weight 200/100 = 2 (P-AXIS-00754/00755) */
+                    /* BANDPASS BUTTERWORTH order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz (P-AXIS-00751),
+                     * quality factor 4 (P-AXIS-00752), -3 dB at 35.30473 and 45.30473 Hz */
+                    const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_motor;
+                    state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
+                    state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
+                    /* INDIRECT (P-AXIS-00753) from v_motor, weight 150/100 = 1.5 (P-AXIS-00754/00755) */
+                    /* simulated oscillation of the load, f0 of the first BANDPASS 20 Hz (P-AXIS-00751), damping ratio 0.7
+                     * (P-AXIS-00850): gain 1 at DC, 1.228904 and -35.53768 deg at f0 */
+                    state->stage1_oscillation_s1 = stage1_oscillation_preset_s1 * inputs->v_motor;
+                    state->stage1_oscillation_s2 = stage1_oscillation_preset_s2 * inputs->v_motor;
+                    /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 20 Hz (P-AXIS-00751), quality
+                     * factor 3 (P-AXIS-00752), -3 dB at 16.9411 and 23.60776 Hz */
+                    const double stage1_filter0_section0_s = stage1_filter0_bandpass0_b2 * inputs->v_motor;
+                    state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
+                    state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
+                    const double stage1_filter0_section1_s = -0.0;
+                    state->stage1_filter0_section1_s1 = stage1_filter0_section1_s;
+                    state->stage1_filter0_section1_s2 = stage1_filter0_section1_s;
+                    const double stage1_filter0_section2_s = -0.0;
+                    state->stage1_filter0_section2_s1 = stage1_filter0_section2_s;
+                    state->stage1_filter0_section2_s2 = stage1_filter0_section2_s;
+                    state->preset = true;
+                }
+                runs = false;
+            }
+        } else {
+            state->preset = false;
+            state->fade = 0u;
+            runs = false;
+        }
     }
     if (runs) {
         outputs->fault = false;

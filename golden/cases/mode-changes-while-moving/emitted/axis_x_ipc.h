@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  310bc9f2d370ffdb55eb325b34f7ea20
- * structure   aefced6597fdebabce15543cf17ddbca
- * checksum    017d57791214f0757e045217f0f26ffd
+ * structure   0221a2513a8494f6c150666a4aa293bd
+ * checksum    bf82555dcbb92d6c90e309b06652a8b4
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -43,10 +43,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x55eb325bu
 #define AXIS_X_IPC_PARAMETERS_3 0x34f7ea20u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xaefced65u
-#define AXIS_X_IPC_STRUCTURE_1 0x97fdebabu
-#define AXIS_X_IPC_STRUCTURE_2 0xce15543cu
-#define AXIS_X_IPC_STRUCTURE_3 0xf17ddbcau
+#define AXIS_X_IPC_STRUCTURE_0 0x0221a251u
+#define AXIS_X_IPC_STRUCTURE_1 0x3a8494f6u
+#define AXIS_X_IPC_STRUCTURE_2 0xc150666au
+#define AXIS_X_IPC_STRUCTURE_3 0x4aa293bdu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   a0416e47ac46fb105e6ffd7f22bef7b6
- * checksum    77be843f8b0b731d649adb80df050188
+ * structure   dc2c3d6beb16fa669d4e2877085f5f6c
+ * checksum    b1c51f294b5432e0b54bb349836b5956
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -491,42 +491,7 @@ static void axis_x_ipc_any_cycle(
         state->ipc_disturbed = false;
         ipc_runs = false;
         ipc_reason = AXIS_X_IPC_ERROR_STATE;
-    } else if ((mode == AXIS_X_IPC_MODE_ON || mode == AXIS_X_IPC_MODE_OFF || mode == AXIS_X_IPC_MODE_DRYRUN)
-            && axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_ipc_cycle_time_ns)
-            && inputs->position_controlled && !inputs->reset) {
-        if (state->ipc_preset) {
-            if (mode == AXIS_X_IPC_MODE_ON) {
-                state->ipc_fade = state->ipc_fade + 1u;
-            } else {
-                if (state->ipc_fade > axis_x_ipc_ipc_fade_cycles) {
-                    /* fade has been overwritten: it must not take longer than a whole fade */
-                    state->ipc_fade = axis_x_ipc_ipc_fade_cycles;
-                }
-                if (state->ipc_fade > 0u) {
-                    state->ipc_fade = state->ipc_fade - 1u;
-                }
-                if (mode == AXIS_X_IPC_MODE_OFF && state->ipc_fade == 0u) {
-                    state->ipc_preset = false;
-                }
-            }
-            ipc_runs = true;
-        } else {
-            if (mode != AXIS_X_IPC_MODE_OFF) {
-                state->ipc_source_v_motor_before = inputs->v_motor;
-                /* as generated: DIRECT (P-AXIS-00753) from v_motor, weight 3/1 = 3 (P-AXIS-00754/00755) */
-                /* as generated: BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz
-                 * (P-AXIS-00751), quality factor 5 (P-AXIS-00752), -3 dB at 36.19529 and 44.19529 Hz */
-                state->ipc_stage0_filter0_section0_s1 = 0.0f;
-                state->ipc_stage0_filter0_section0_p = 0.0f;
-                state->ipc_preset = true;
-            }
-            ipc_runs = false;
-        }
-        ipc_reason = AXIS_X_IPC_ERROR_NONE;
     } else {
-        state->ipc_fade = 0u;
-        state->ipc_preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_ipc_cycle_time_ns)) {
             ipc_reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
         } else if (!(mode == AXIS_X_IPC_MODE_ON || mode == AXIS_X_IPC_MODE_OFF || mode == AXIS_X_IPC_MODE_DRYRUN)) {
@@ -536,7 +501,40 @@ static void axis_x_ipc_any_cycle(
         } else {
             ipc_reason = AXIS_X_IPC_ERROR_V_MOTOR;
         }
-        ipc_runs = false;
+        if (ipc_reason == AXIS_X_IPC_ERROR_NONE && inputs->position_controlled && !inputs->reset) {
+            if (state->ipc_preset) {
+                if (mode == AXIS_X_IPC_MODE_ON) {
+                    state->ipc_fade = state->ipc_fade + 1u;
+                } else {
+                    if (state->ipc_fade > axis_x_ipc_ipc_fade_cycles) {
+                        /* fade has been overwritten: it must not take longer than a whole fade */
+                        state->ipc_fade = axis_x_ipc_ipc_fade_cycles;
+                    }
+                    if (state->ipc_fade > 0u) {
+                        state->ipc_fade = state->ipc_fade - 1u;
+                    }
+                    if (mode == AXIS_X_IPC_MODE_OFF && state->ipc_fade == 0u) {
+                        state->ipc_preset = false;
+                    }
+                }
+                ipc_runs = true;
+            } else {
+                if (mode != AXIS_X_IPC_MODE_OFF) {
+                    state->ipc_source_v_motor_before = inputs->v_motor;
+                    /* as generated: DIRECT (P-AXIS-00753) from v_motor, weight 3/1 = 3 (P-AXIS-00754/00755) */
+                    /* as generated: BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz
+                     * (P-AXIS-00751), quality factor 5 (P-AXIS-00752), -3 dB at 36.19529 and 44.19529 Hz */
+                    state->ipc_stage0_filter0_section0_s1 = 0.0f;
+                    state->ipc_stage0_filter0_section0_p = 0.0f;
+                    state->ipc_preset = true;
+                }
+                ipc_runs = false;
+            }
+        } else {
+            state->ipc_preset = false;
+            state->ipc_fade = 0u;
+            ipc_runs = false;
+        }
     }
     bool ipc_fault;
     uint32_t error_id_so_far;

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   a0416e47ac46fb105e6ffd7f22bef7b6
- * checksum    af141cd8b064abee573a3d565f67dacd
+ * structure   dc2c3d6beb16fa669d4e2877085f5f6c
+ * checksum    c4ae977f15079dbda29e34a73e2a553f
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -43,10 +43,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xb4447d55u
 #define AXIS_X_IPC_PARAMETERS_3 0x4f36617au
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xa0416e47u
-#define AXIS_X_IPC_STRUCTURE_1 0xac46fb10u
-#define AXIS_X_IPC_STRUCTURE_2 0x5e6ffd7fu
-#define AXIS_X_IPC_STRUCTURE_3 0x22bef7b6u
+#define AXIS_X_IPC_STRUCTURE_0 0xdc2c3d6bu
+#define AXIS_X_IPC_STRUCTURE_1 0xeb16fa66u
+#define AXIS_X_IPC_STRUCTURE_2 0x9d4e2877u
+#define AXIS_X_IPC_STRUCTURE_3 0x085f5f6cu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 60u
 #define AXIS_X_IPC_OUTPUTS_SIZE 20u

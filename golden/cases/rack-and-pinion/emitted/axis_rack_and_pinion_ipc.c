@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  097a836f6fa98f8ecb4119133f3f1eb0
- * structure   29697603583b5f0fdfc92a7613e65b82
- * checksum    df172f2e095a3273de33ea1e9c55b73f
+ * structure   eab549f258ea54e983e29b1874369219
+ * checksum    2b502b2a30520777edefc1600cbdb85c
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_rack_and_pinion_ipc.h"
@@ -135,53 +135,7 @@ void axis_rack_and_pinion_ipc_step(
         state->disturbed = false;
         runs = false;
         reason = AXIS_RACK_AND_PINION_IPC_ERROR_STATE;
-    } else if ((inputs->mode == AXIS_RACK_AND_PINION_IPC_MODE_ON || inputs->mode == AXIS_RACK_AND_PINION_IPC_MODE_OFF
-                || inputs->mode == AXIS_RACK_AND_PINION_IPC_MODE_DRYRUN)
-            && axis_rack_and_pinion_ipc_magnitude(inputs->v_motor) <= sample_limit
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset) {
-        if (state->preset) {
-            if (inputs->mode == AXIS_RACK_AND_PINION_IPC_MODE_ON) {
-                state->fade = state->fade + 1u;
-            } else {
-                if (state->fade > fade_cycles) {
-                    /* fade has been overwritten: it must not take longer than a whole fade */
-                    state->fade = fade_cycles;
-                }
-                if (state->fade > 0u) {
-                    state->fade = state->fade - 1u;
-                }
-                if (inputs->mode == AXIS_RACK_AND_PINION_IPC_MODE_OFF && state->fade == 0u) {
-                    state->preset = false;
-                }
-            }
-            runs = true;
-        } else {
-            if (inputs->mode != AXIS_RACK_AND_PINION_IPC_MODE_OFF) {
-                /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755) */
-                /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
-                 * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
-                const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
-                state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
-                /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755) */
-                /* simulated oscillation of the load, f0 of the first BANDPASS 11 Hz (P-AXIS-00751), damping ratio 0.8
-                 * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-                state->stage1_oscillation_s1 = stage1_oscillation_preset_s1 * inputs->v_motor;
-                state->stage1_oscillation_s2 = stage1_oscillation_preset_s2 * inputs->v_motor;
-                /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751),
-                 * quality factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz */
-                const double stage1_filter0_section0_s = stage1_filter0_bandpass0_b2 * inputs->v_motor;
-                state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
-                state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
-                state->preset = true;
-            }
-            runs = false;
-        }
-        reason = AXIS_RACK_AND_PINION_IPC_ERROR_NONE;
     } else {
-        state->fade = 0u;
-        state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
             reason = AXIS_RACK_AND_PINION_IPC_ERROR_CYCLE_TIME;
         } else if (!(inputs->mode == AXIS_RACK_AND_PINION_IPC_MODE_ON
@@ -193,7 +147,50 @@ void axis_rack_and_pinion_ipc_step(
         } else {
             reason = AXIS_RACK_AND_PINION_IPC_ERROR_V_MOTOR;
         }
-        runs = false;
+        if (reason == AXIS_RACK_AND_PINION_IPC_ERROR_NONE && inputs->position_controlled && !inputs->reset) {
+            if (state->preset) {
+                if (inputs->mode == AXIS_RACK_AND_PINION_IPC_MODE_ON) {
+                    state->fade = state->fade + 1u;
+                } else {
+                    if (state->fade > fade_cycles) {
+                        /* fade has been overwritten: it must not take longer than a whole fade */
+                        state->fade = fade_cycles;
+                    }
+                    if (state->fade > 0u) {
+                        state->fade = state->fade - 1u;
+                    }
+                    if (inputs->mode == AXIS_RACK_AND_PINION_IPC_MODE_OFF && state->fade == 0u) {
+                        state->preset = false;
+                    }
+                }
+                runs = true;
+            } else {
+                if (inputs->mode != AXIS_RACK_AND_PINION_IPC_MODE_OFF) {
+                    /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755) */
+                    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
+                     * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
+                    const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_motor;
+                    state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
+                    state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
+                    /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755) */
+                    /* simulated oscillation of the load, f0 of the first BANDPASS 11 Hz (P-AXIS-00751), damping ratio 0.8
+                     * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
+                    state->stage1_oscillation_s1 = stage1_oscillation_preset_s1 * inputs->v_motor;
+                    state->stage1_oscillation_s2 = stage1_oscillation_preset_s2 * inputs->v_motor;
+                    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751),
+                     * quality factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz */
+                    const double stage1_filter0_section0_s = stage1_filter0_bandpass0_b2 * inputs->v_motor;
+                    state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
+                    state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
+                    state->preset = true;
+                }
+                runs = false;
+            }
+        } else {
+            state->preset = false;
+            state->fade = 0u;
+            runs = false;
+        }
     }
     if (runs) {
         outputs->fault = false;

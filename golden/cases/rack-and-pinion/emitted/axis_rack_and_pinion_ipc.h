@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  097a836f6fa98f8ecb4119133f3f1eb0
- * structure   29697603583b5f0fdfc92a7613e65b82
- * checksum    7dda3aaf51ae9fb83e8784de53e90fce
+ * structure   eab549f258ea54e983e29b1874369219
+ * checksum    2b27e30e8096d3281588020cffc64f19
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_RACK_AND_PINION_IPC_H
@@ -43,10 +43,10 @@ extern "C" {
 #define AXIS_RACK_AND_PINION_IPC_PARAMETERS_2 0xcb411913u
 #define AXIS_RACK_AND_PINION_IPC_PARAMETERS_3 0x3f3f1eb0u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_0 0x29697603u
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_1 0x583b5f0fu
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_2 0xdfc92a76u
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_3 0x13e65b82u
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_0 0xeab549f2u
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_1 0x58ea54e9u
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_2 0x83e29b18u
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_3 0x74369219u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_RACK_AND_PINION_IPC_INPUTS_SIZE 24u
 #define AXIS_RACK_AND_PINION_IPC_OUTPUTS_SIZE 24u

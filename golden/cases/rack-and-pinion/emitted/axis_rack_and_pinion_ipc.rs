@@ -5,7 +5,7 @@
 // real type   f64
 // cycle time  1000000 ns
 // parameters  097a836f6fa98f8ecb4119133f3f1eb0
-// checksum    7468b9f90ccbf8009590dc699bc07347
+// checksum    4e2265d41133ff55e786035a3322f523
 // licence     this file belongs to the user of axgen; no licence of axgen applies to it
 
 // range: |v| <= 530000 gives |v_add| <= 2308249 before the limit and no |state| above 783998.6; for |v| <= 1e15:
@@ -252,52 +252,7 @@ pub fn step(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
         state.disturbed = false;
         runs = false;
         reason = ERROR_STATE;
-    } else if (inputs.mode == MODE_ON || inputs.mode == MODE_OFF || inputs.mode == MODE_DRYRUN)
-            && inputs.v_motor.abs() <= SAMPLE_LIMIT
-            && (inputs.task_cycle_ns == 0 || inputs.task_cycle_ns == CYCLE_TIME_NS) && inputs.position_controlled
-            && !inputs.reset {
-        if state.preset {
-            if inputs.mode == MODE_ON {
-                state.fade = state.fade.wrapping_add(1);
-            } else {
-                if state.fade > FADE_CYCLES {
-                    // fade has been overwritten: it must not take longer than a whole fade
-                    state.fade = FADE_CYCLES;
-                }
-                if state.fade > 0 {
-                    state.fade = state.fade.wrapping_sub(1);
-                }
-                if inputs.mode == MODE_OFF && state.fade == 0 {
-                    state.preset = false;
-                }
-            }
-            runs = true;
-        } else {
-            if inputs.mode != MODE_OFF {
-                // DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755)
-                // BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
-                // quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz
-                let stage0_filter0_section0_s: f64 = STAGE0_FILTER0_BANDPASS0_B2 * inputs.v_motor;
-                state.stage0_filter0_section0_s1 = stage0_filter0_section0_s;
-                state.stage0_filter0_section0_s2 = stage0_filter0_section0_s;
-                // INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755)
-                // simulated oscillation of the load, f0 of the first BANDPASS 11 Hz (P-AXIS-00751), damping ratio 0.8
-                // (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0
-                state.stage1_oscillation_s1 = STAGE1_OSCILLATION_PRESET_S1 * inputs.v_motor;
-                state.stage1_oscillation_s2 = STAGE1_OSCILLATION_PRESET_S2 * inputs.v_motor;
-                // BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751),
-                // quality factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz
-                let stage1_filter0_section0_s: f64 = STAGE1_FILTER0_BANDPASS0_B2 * inputs.v_motor;
-                state.stage1_filter0_section0_s1 = stage1_filter0_section0_s;
-                state.stage1_filter0_section0_s2 = stage1_filter0_section0_s;
-                state.preset = true;
-            }
-            runs = false;
-        }
-        reason = ERROR_NONE;
     } else {
-        state.fade = 0;
-        state.preset = false;
         if !(inputs.task_cycle_ns == 0 || inputs.task_cycle_ns == CYCLE_TIME_NS) {
             reason = ERROR_CYCLE_TIME;
         } else if !(inputs.mode == MODE_ON || inputs.mode == MODE_OFF || inputs.mode == MODE_DRYRUN) {
@@ -307,7 +262,50 @@ pub fn step(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
         } else {
             reason = ERROR_V_MOTOR;
         }
-        runs = false;
+        if reason == ERROR_NONE && inputs.position_controlled && !inputs.reset {
+            if state.preset {
+                if inputs.mode == MODE_ON {
+                    state.fade = state.fade.wrapping_add(1);
+                } else {
+                    if state.fade > FADE_CYCLES {
+                        // fade has been overwritten: it must not take longer than a whole fade
+                        state.fade = FADE_CYCLES;
+                    }
+                    if state.fade > 0 {
+                        state.fade = state.fade.wrapping_sub(1);
+                    }
+                    if inputs.mode == MODE_OFF && state.fade == 0 {
+                        state.preset = false;
+                    }
+                }
+                runs = true;
+            } else {
+                if inputs.mode != MODE_OFF {
+                    // DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755)
+                    // BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
+                    // quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz
+                    let stage0_filter0_section0_s: f64 = STAGE0_FILTER0_BANDPASS0_B2 * inputs.v_motor;
+                    state.stage0_filter0_section0_s1 = stage0_filter0_section0_s;
+                    state.stage0_filter0_section0_s2 = stage0_filter0_section0_s;
+                    // INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755)
+                    // simulated oscillation of the load, f0 of the first BANDPASS 11 Hz (P-AXIS-00751), damping ratio 0.8
+                    // (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0
+                    state.stage1_oscillation_s1 = STAGE1_OSCILLATION_PRESET_S1 * inputs.v_motor;
+                    state.stage1_oscillation_s2 = STAGE1_OSCILLATION_PRESET_S2 * inputs.v_motor;
+                    // BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751),
+                    // quality factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz
+                    let stage1_filter0_section0_s: f64 = STAGE1_FILTER0_BANDPASS0_B2 * inputs.v_motor;
+                    state.stage1_filter0_section0_s1 = stage1_filter0_section0_s;
+                    state.stage1_filter0_section0_s2 = stage1_filter0_section0_s;
+                    state.preset = true;
+                }
+                runs = false;
+            }
+        } else {
+            state.preset = false;
+            state.fade = 0;
+            runs = false;
+        }
     }
     if runs {
         outputs.fault = false;

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  01e6eb02896c59c399f72dbc0e232957
- * structure   98f3bb272139ad1ebf2c75a850dee11b
- * checksum    513b83c67bee990d5fe523fb2e8b39d4
+ * structure   cb114a186b68b19d1e80de63c764adab
+ * checksum    e88138bc047a1348bb829bba4e75115a
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_IPC_H
@@ -40,10 +40,10 @@ extern "C" {
 #define AXIS_S_IPC_PARAMETERS_2 0x99f72dbcu
 #define AXIS_S_IPC_PARAMETERS_3 0x0e232957u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_S_IPC_STRUCTURE_0 0x98f3bb27u
-#define AXIS_S_IPC_STRUCTURE_1 0x2139ad1eu
-#define AXIS_S_IPC_STRUCTURE_2 0xbf2c75a8u
-#define AXIS_S_IPC_STRUCTURE_3 0x50dee11bu
+#define AXIS_S_IPC_STRUCTURE_0 0xcb114a18u
+#define AXIS_S_IPC_STRUCTURE_1 0x6b68b19du
+#define AXIS_S_IPC_STRUCTURE_2 0x1e80de63u
+#define AXIS_S_IPC_STRUCTURE_3 0xc764adabu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_S_IPC_INPUTS_SIZE 24u
 #define AXIS_S_IPC_OUTPUTS_SIZE 24u

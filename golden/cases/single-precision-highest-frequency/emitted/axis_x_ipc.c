@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  e1f780f3962f4d82bdd4f2c5209ad1a5
- * structure   f02e451a3941a29a97df0134eafd6fe8
- * checksum    09e71ddf5b6bdaa315bcdb06c5280b61
+ * structure   8efde010691d90228c5174bbef5f478b
+ * checksum    543d9d8e24cd68be521d9e74d2fdb6e5
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -121,46 +121,7 @@ void axis_x_ipc_step(
         state->disturbed = false;
         runs = false;
         reason = AXIS_X_IPC_ERROR_STATE;
-    } else if ((inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
-                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN) && axis_x_ipc_magnitude(inputs->v_direct) <= sample_limit
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset) {
-        if (state->preset) {
-            if (inputs->mode == AXIS_X_IPC_MODE_ON) {
-                state->fade = state->fade + 1u;
-            } else {
-                if (state->fade > fade_cycles) {
-                    /* fade has been overwritten: it must not take longer than a whole fade */
-                    state->fade = fade_cycles;
-                }
-                if (state->fade > 0u) {
-                    state->fade = state->fade - 1u;
-                }
-                if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
-                    state->preset = false;
-                }
-            }
-            runs = true;
-        } else {
-            if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
-                state->source_v_direct_before = inputs->v_direct;
-                /* DIRECT (P-AXIS-00753) from v_direct, weight 100/100 = 1 (P-AXIS-00754/00755) */
-                /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 225 Hz (P-AXIS-00751),
-                 * quality factor 10 (P-AXIS-00752), -3 dB at 211.412 and 233.912 Hz */
-                state->stage0_filter0_section0_s1 = 0.0f;
-                state->stage0_filter0_section0_p = 0.0f;
-                state->stage0_filter0_section1_s1 = 0.0f;
-                state->stage0_filter0_section1_low = 0.0f;
-                state->stage0_filter0_section2_s1 = 0.0f;
-                state->stage0_filter0_section2_low = 0.0f;
-                state->preset = true;
-            }
-            runs = false;
-        }
-        reason = AXIS_X_IPC_ERROR_NONE;
     } else {
-        state->fade = 0u;
-        state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
             reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
         } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
@@ -171,7 +132,44 @@ void axis_x_ipc_step(
         } else {
             reason = AXIS_X_IPC_ERROR_V_DIRECT;
         }
-        runs = false;
+        if (reason == AXIS_X_IPC_ERROR_NONE && inputs->position_controlled && !inputs->reset) {
+            if (state->preset) {
+                if (inputs->mode == AXIS_X_IPC_MODE_ON) {
+                    state->fade = state->fade + 1u;
+                } else {
+                    if (state->fade > fade_cycles) {
+                        /* fade has been overwritten: it must not take longer than a whole fade */
+                        state->fade = fade_cycles;
+                    }
+                    if (state->fade > 0u) {
+                        state->fade = state->fade - 1u;
+                    }
+                    if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
+                        state->preset = false;
+                    }
+                }
+                runs = true;
+            } else {
+                if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
+                    state->source_v_direct_before = inputs->v_direct;
+                    /* DIRECT (P-AXIS-00753) from v_direct, weight 100/100 = 1 (P-AXIS-00754/00755) */
+                    /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 225 Hz (P-AXIS-00751),
+                     * quality factor 10 (P-AXIS-00752), -3 dB at 211.412 and 233.912 Hz */
+                    state->stage0_filter0_section0_s1 = 0.0f;
+                    state->stage0_filter0_section0_p = 0.0f;
+                    state->stage0_filter0_section1_s1 = 0.0f;
+                    state->stage0_filter0_section1_low = 0.0f;
+                    state->stage0_filter0_section2_s1 = 0.0f;
+                    state->stage0_filter0_section2_low = 0.0f;
+                    state->preset = true;
+                }
+                runs = false;
+            }
+        } else {
+            state->preset = false;
+            state->fade = 0u;
+            runs = false;
+        }
     }
     if (runs) {
         outputs->fault = false;

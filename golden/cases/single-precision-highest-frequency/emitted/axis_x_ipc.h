@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  e1f780f3962f4d82bdd4f2c5209ad1a5
- * structure   f02e451a3941a29a97df0134eafd6fe8
- * checksum    fa02ec9850abd2da4dbd41fbbaa84246
+ * structure   8efde010691d90228c5174bbef5f478b
+ * checksum    831dbb84718110ca66d25db4976eba16
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -43,10 +43,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xbdd4f2c5u
 #define AXIS_X_IPC_PARAMETERS_3 0x209ad1a5u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xf02e451au
-#define AXIS_X_IPC_STRUCTURE_1 0x3941a29au
-#define AXIS_X_IPC_STRUCTURE_2 0x97df0134u
-#define AXIS_X_IPC_STRUCTURE_3 0xeafd6fe8u
+#define AXIS_X_IPC_STRUCTURE_0 0x8efde010u
+#define AXIS_X_IPC_STRUCTURE_1 0x691d9022u
+#define AXIS_X_IPC_STRUCTURE_2 0x8c5174bbu
+#define AXIS_X_IPC_STRUCTURE_3 0xef5f478bu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 16u
 #define AXIS_X_IPC_OUTPUTS_SIZE 16u

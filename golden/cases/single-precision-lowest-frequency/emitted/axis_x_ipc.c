@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  62500 ns
  * parameters  3ded08af76ecf576262a5ba0ab2f33f9
- * structure   46aafc1c06a4abc59aa2ef1e23fe17be
- * checksum    cf1d3b5a705cc62592d3e1eb8943e4ed
+ * structure   29694ece74a23a48f132263d6fdf7649
+ * checksum    4f8bede49dad724d9516ae1be3555585
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -131,51 +131,7 @@ void axis_x_ipc_step(
         state->disturbed = false;
         runs = false;
         reason = AXIS_X_IPC_ERROR_STATE;
-    } else if ((inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
-                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN) && axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset) {
-        if (state->preset) {
-            if (inputs->mode == AXIS_X_IPC_MODE_ON) {
-                state->fade = state->fade + 1u;
-            } else {
-                if (state->fade > fade_cycles) {
-                    /* fade has been overwritten: it must not take longer than a whole fade */
-                    state->fade = fade_cycles;
-                }
-                if (state->fade > 0u) {
-                    state->fade = state->fade - 1u;
-                }
-                if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
-                    state->preset = false;
-                }
-            }
-            runs = true;
-        } else {
-            if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
-                state->source_v_motor_before = inputs->v_motor;
-                /* INDIRECT (P-AXIS-00753) from v_motor, weight 100/100 = 1 (P-AXIS-00754/00755) */
-                /* simulated oscillation of the load, f0 of the first BANDPASS 1 Hz (P-AXIS-00751), damping ratio 0.3
-                 * (P-AXIS-00850): gain 1 at DC, 1.943651 and -59.03624 deg at f0 */
-                state->stage0_oscillation_s1 = 0.0f;
-                state->stage0_oscillation_p = 0.0f;
-                state->stage0_filter0_input_before = inputs->v_motor;
-                /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 1 Hz (P-AXIS-00751), quality
-                 * factor 8 (P-AXIS-00752), -3 dB at 0.9394512 and 1.064451 Hz */
-                state->stage0_filter0_section0_s1 = 0.0f;
-                state->stage0_filter0_section0_p = 0.0f;
-                state->stage0_filter0_section1_s1 = 0.0f;
-                state->stage0_filter0_section1_low = 0.0f;
-                state->stage0_filter0_section2_s1 = 0.0f;
-                state->stage0_filter0_section2_low = 0.0f;
-                state->preset = true;
-            }
-            runs = false;
-        }
-        reason = AXIS_X_IPC_ERROR_NONE;
     } else {
-        state->fade = 0u;
-        state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
             reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
         } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
@@ -186,7 +142,49 @@ void axis_x_ipc_step(
         } else {
             reason = AXIS_X_IPC_ERROR_V_MOTOR;
         }
-        runs = false;
+        if (reason == AXIS_X_IPC_ERROR_NONE && inputs->position_controlled && !inputs->reset) {
+            if (state->preset) {
+                if (inputs->mode == AXIS_X_IPC_MODE_ON) {
+                    state->fade = state->fade + 1u;
+                } else {
+                    if (state->fade > fade_cycles) {
+                        /* fade has been overwritten: it must not take longer than a whole fade */
+                        state->fade = fade_cycles;
+                    }
+                    if (state->fade > 0u) {
+                        state->fade = state->fade - 1u;
+                    }
+                    if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
+                        state->preset = false;
+                    }
+                }
+                runs = true;
+            } else {
+                if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
+                    state->source_v_motor_before = inputs->v_motor;
+                    /* INDIRECT (P-AXIS-00753) from v_motor, weight 100/100 = 1 (P-AXIS-00754/00755) */
+                    /* simulated oscillation of the load, f0 of the first BANDPASS 1 Hz (P-AXIS-00751), damping ratio 0.3
+                     * (P-AXIS-00850): gain 1 at DC, 1.943651 and -59.03624 deg at f0 */
+                    state->stage0_oscillation_s1 = 0.0f;
+                    state->stage0_oscillation_p = 0.0f;
+                    state->stage0_filter0_input_before = inputs->v_motor;
+                    /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 1 Hz (P-AXIS-00751), quality
+                     * factor 8 (P-AXIS-00752), -3 dB at 0.9394512 and 1.064451 Hz */
+                    state->stage0_filter0_section0_s1 = 0.0f;
+                    state->stage0_filter0_section0_p = 0.0f;
+                    state->stage0_filter0_section1_s1 = 0.0f;
+                    state->stage0_filter0_section1_low = 0.0f;
+                    state->stage0_filter0_section2_s1 = 0.0f;
+                    state->stage0_filter0_section2_low = 0.0f;
+                    state->preset = true;
+                }
+                runs = false;
+            }
+        } else {
+            state->preset = false;
+            state->fade = 0u;
+            runs = false;
+        }
     }
     if (runs) {
         outputs->fault = false;

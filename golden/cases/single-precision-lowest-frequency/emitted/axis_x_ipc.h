@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  62500 ns
  * parameters  3ded08af76ecf576262a5ba0ab2f33f9
- * structure   46aafc1c06a4abc59aa2ef1e23fe17be
- * checksum    09c7135e799f46e53efbc285ccb134ab
+ * structure   29694ece74a23a48f132263d6fdf7649
+ * checksum    1f52baa8a1fb342bb8ee97ad5e6459e7
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -43,10 +43,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x262a5ba0u
 #define AXIS_X_IPC_PARAMETERS_3 0xab2f33f9u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x46aafc1cu
-#define AXIS_X_IPC_STRUCTURE_1 0x06a4abc5u
-#define AXIS_X_IPC_STRUCTURE_2 0x9aa2ef1eu
-#define AXIS_X_IPC_STRUCTURE_3 0x23fe17beu
+#define AXIS_X_IPC_STRUCTURE_0 0x29694eceu
+#define AXIS_X_IPC_STRUCTURE_1 0x74a23a48u
+#define AXIS_X_IPC_STRUCTURE_2 0xf132263du
+#define AXIS_X_IPC_STRUCTURE_3 0x6fdf7649u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 16u
 #define AXIS_X_IPC_OUTPUTS_SIZE 16u

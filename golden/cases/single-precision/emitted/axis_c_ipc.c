@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  e2453a0975306551d54cce9dca887813
- * structure   a6df270e5c4987f05f21582470bb7a76
- * checksum    7d772aed7f022ff662a76f366a6fbf94
+ * structure   0d2bb03166225d3e69630a3c816ede41
+ * checksum    a47fb577c851211eeea2580172a7e715
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_c_ipc.h"
@@ -195,78 +195,7 @@ void axis_c_ipc_step(
         state->disturbed = false;
         runs = false;
         reason = AXIS_C_IPC_ERROR_STATE;
-    } else if ((inputs->mode == AXIS_C_IPC_MODE_ON || inputs->mode == AXIS_C_IPC_MODE_OFF
-                || inputs->mode == AXIS_C_IPC_MODE_DRYRUN)
-            && axis_c_ipc_magnitude(inputs->v_command) <= sample_limit
-            && axis_c_ipc_magnitude(inputs->v_motor) <= sample_limit
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset) {
-        if (state->preset) {
-            if (inputs->mode == AXIS_C_IPC_MODE_ON) {
-                state->fade = state->fade + 1u;
-            } else {
-                if (state->fade > fade_cycles) {
-                    /* fade has been overwritten: it must not take longer than a whole fade */
-                    state->fade = fade_cycles;
-                }
-                if (state->fade > 0u) {
-                    state->fade = state->fade - 1u;
-                }
-                if (inputs->mode == AXIS_C_IPC_MODE_OFF && state->fade == 0u) {
-                    state->preset = false;
-                }
-            }
-            runs = true;
-        } else {
-            if (inputs->mode != AXIS_C_IPC_MODE_OFF) {
-                state->source_v_command_before = inputs->v_command;
-                state->source_v_motor_before = inputs->v_motor;
-                /* DIRECT (P-AXIS-00753) from v_motor, weight 250/100 = 2.5 (P-AXIS-00754/00755) */
-                /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
-                 * quality factor 3 (P-AXIS-00752), -3 dB at 44.87068 and 62.53735 Hz */
-                state->stage0_filter0_section0_s1 = 0.0f;
-                state->stage0_filter0_section0_p = 0.0f;
-                state->stage0_filter0_section1_s1 = 0.0f;
-                state->stage0_filter0_section1_low = 0.0f;
-                state->stage0_filter0_section2_s1 = 0.0f;
-                state->stage0_filter0_section2_low = 0.0f;
-                state->stage0_filter1_input_before = 0.0f;
-                /* ALLPASS (P-AXIS-00849): -180 deg at 48 Hz (P-AXIS-00751), quality factor 3 (P-AXIS-00752), -90 deg
-                 * at 40.64203 and -270 deg at 56.64203 Hz */
-                state->stage0_filter1_section0_s1 = 0.0f;
-                state->stage0_filter1_section0_p = 0.0f;
-                /* INDIRECT (P-AXIS-00753) from v_motor, weight 120/100 = 1.2 (P-AXIS-00754/00755) */
-                /* simulated oscillation of the load, f0 of the first BANDPASS 17.5 Hz (P-AXIS-00751), damping ratio
-                 * 0.7 (P-AXIS-00850): gain 1 at DC, 1.228904 and -35.53768 deg at f0 */
-                state->stage1_oscillation_s1 = 0.0f;
-                state->stage1_oscillation_p = 0.0f;
-                state->stage1_filter0_input_before = inputs->v_motor;
-                /* BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 17.5 Hz (P-AXIS-00751),
-                 * quality factor 3 (P-AXIS-00752), -3 dB at 14.82376 and 20.65709 Hz */
-                state->stage1_filter0_section0_s1 = 0.0f;
-                state->stage1_filter0_section0_p = 0.0f;
-                state->stage1_filter0_section1_s1 = 0.0f;
-                state->stage1_filter0_section1_low = 0.0f;
-                /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755) */
-                /* simulated oscillation of the load, f0 of the first BANDPASS 64 Hz (P-AXIS-00751), damping ratio 0.8
-                 * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-                state->stage2_oscillation_s1 = 0.0f;
-                state->stage2_oscillation_p = 0.0f;
-                state->stage2_filter0_input_before = inputs->v_command;
-                /* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 64 Hz (P-AXIS-00751), quality
-                 * factor 5 (P-AXIS-00752), -3 dB at 57.90185 and 70.70185 Hz */
-                state->stage2_filter0_section0_s1 = 0.0f;
-                state->stage2_filter0_section0_p = 0.0f;
-                state->stage2_filter0_section1_s1 = 0.0f;
-                state->stage2_filter0_section1_low = 0.0f;
-                state->preset = true;
-            }
-            runs = false;
-        }
-        reason = AXIS_C_IPC_ERROR_NONE;
     } else {
-        state->fade = 0u;
-        state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
             reason = AXIS_C_IPC_ERROR_CYCLE_TIME;
         } else if (!(inputs->mode == AXIS_C_IPC_MODE_ON || inputs->mode == AXIS_C_IPC_MODE_OFF
@@ -279,7 +208,74 @@ void axis_c_ipc_step(
         } else {
             reason = AXIS_C_IPC_ERROR_V_MOTOR;
         }
-        runs = false;
+        if (reason == AXIS_C_IPC_ERROR_NONE && inputs->position_controlled && !inputs->reset) {
+            if (state->preset) {
+                if (inputs->mode == AXIS_C_IPC_MODE_ON) {
+                    state->fade = state->fade + 1u;
+                } else {
+                    if (state->fade > fade_cycles) {
+                        /* fade has been overwritten: it must not take longer than a whole fade */
+                        state->fade = fade_cycles;
+                    }
+                    if (state->fade > 0u) {
+                        state->fade = state->fade - 1u;
+                    }
+                    if (inputs->mode == AXIS_C_IPC_MODE_OFF && state->fade == 0u) {
+                        state->preset = false;
+                    }
+                }
+                runs = true;
+            } else {
+                if (inputs->mode != AXIS_C_IPC_MODE_OFF) {
+                    state->source_v_command_before = inputs->v_command;
+                    state->source_v_motor_before = inputs->v_motor;
+                    /* DIRECT (P-AXIS-00753) from v_motor, weight 250/100 = 2.5 (P-AXIS-00754/00755) */
+                    /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
+                     * quality factor 3 (P-AXIS-00752), -3 dB at 44.87068 and 62.53735 Hz */
+                    state->stage0_filter0_section0_s1 = 0.0f;
+                    state->stage0_filter0_section0_p = 0.0f;
+                    state->stage0_filter0_section1_s1 = 0.0f;
+                    state->stage0_filter0_section1_low = 0.0f;
+                    state->stage0_filter0_section2_s1 = 0.0f;
+                    state->stage0_filter0_section2_low = 0.0f;
+                    state->stage0_filter1_input_before = 0.0f;
+                    /* ALLPASS (P-AXIS-00849): -180 deg at 48 Hz (P-AXIS-00751), quality factor 3 (P-AXIS-00752), -90 deg
+                     * at 40.64203 and -270 deg at 56.64203 Hz */
+                    state->stage0_filter1_section0_s1 = 0.0f;
+                    state->stage0_filter1_section0_p = 0.0f;
+                    /* INDIRECT (P-AXIS-00753) from v_motor, weight 120/100 = 1.2 (P-AXIS-00754/00755) */
+                    /* simulated oscillation of the load, f0 of the first BANDPASS 17.5 Hz (P-AXIS-00751), damping ratio
+                     * 0.7 (P-AXIS-00850): gain 1 at DC, 1.228904 and -35.53768 deg at f0 */
+                    state->stage1_oscillation_s1 = 0.0f;
+                    state->stage1_oscillation_p = 0.0f;
+                    state->stage1_filter0_input_before = inputs->v_motor;
+                    /* BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 17.5 Hz (P-AXIS-00751),
+                     * quality factor 3 (P-AXIS-00752), -3 dB at 14.82376 and 20.65709 Hz */
+                    state->stage1_filter0_section0_s1 = 0.0f;
+                    state->stage1_filter0_section0_p = 0.0f;
+                    state->stage1_filter0_section1_s1 = 0.0f;
+                    state->stage1_filter0_section1_low = 0.0f;
+                    /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755) */
+                    /* simulated oscillation of the load, f0 of the first BANDPASS 64 Hz (P-AXIS-00751), damping ratio 0.8
+                     * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
+                    state->stage2_oscillation_s1 = 0.0f;
+                    state->stage2_oscillation_p = 0.0f;
+                    state->stage2_filter0_input_before = inputs->v_command;
+                    /* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 64 Hz (P-AXIS-00751), quality
+                     * factor 5 (P-AXIS-00752), -3 dB at 57.90185 and 70.70185 Hz */
+                    state->stage2_filter0_section0_s1 = 0.0f;
+                    state->stage2_filter0_section0_p = 0.0f;
+                    state->stage2_filter0_section1_s1 = 0.0f;
+                    state->stage2_filter0_section1_low = 0.0f;
+                    state->preset = true;
+                }
+                runs = false;
+            }
+        } else {
+            state->preset = false;
+            state->fade = 0u;
+            runs = false;
+        }
     }
     if (runs) {
         outputs->fault = false;

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  e2453a0975306551d54cce9dca887813
- * structure   a6df270e5c4987f05f21582470bb7a76
- * checksum    bf94d5b6a5e7aa2872ccf27f86124da6
+ * structure   0d2bb03166225d3e69630a3c816ede41
+ * checksum    c78eaed008893df6b82596ca66953dd5
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_C_IPC_H
@@ -49,10 +49,10 @@ extern "C" {
 #define AXIS_C_IPC_PARAMETERS_2 0xd54cce9du
 #define AXIS_C_IPC_PARAMETERS_3 0xca887813u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_C_IPC_STRUCTURE_0 0xa6df270eu
-#define AXIS_C_IPC_STRUCTURE_1 0x5c4987f0u
-#define AXIS_C_IPC_STRUCTURE_2 0x5f215824u
-#define AXIS_C_IPC_STRUCTURE_3 0x70bb7a76u
+#define AXIS_C_IPC_STRUCTURE_0 0x0d2bb031u
+#define AXIS_C_IPC_STRUCTURE_1 0x66225d3eu
+#define AXIS_C_IPC_STRUCTURE_2 0x69630a3cu
+#define AXIS_C_IPC_STRUCTURE_3 0x816ede41u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_C_IPC_INPUTS_SIZE 20u
 #define AXIS_C_IPC_OUTPUTS_SIZE 16u

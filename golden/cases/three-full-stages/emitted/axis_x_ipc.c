@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  c8c2089743691a12a670aea6eebc23b5
- * structure   ba34aaed70c433768d540e0557e0fe38
- * checksum    d6ed7b6bc1b79b2e5ba9d6bcfbf57a66
+ * structure   7125619fc19ebef68f07787f2f05f24a
+ * checksum    bffefd3ee7d0f631b57040aaf1663bf1
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -225,97 +225,7 @@ void axis_x_ipc_step(
         state->disturbed = false;
         runs = false;
         reason = AXIS_X_IPC_ERROR_STATE;
-    } else if ((inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
-                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)
-            && axis_x_ipc_magnitude(inputs->v_command) <= sample_limit
-            && axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset) {
-        if (state->preset) {
-            if (inputs->mode == AXIS_X_IPC_MODE_ON) {
-                state->fade = state->fade + 1u;
-            } else {
-                if (state->fade > fade_cycles) {
-                    /* fade has been overwritten: it must not take longer than a whole fade */
-                    state->fade = fade_cycles;
-                }
-                if (state->fade > 0u) {
-                    state->fade = state->fade - 1u;
-                }
-                if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
-                    state->preset = false;
-                }
-            }
-            runs = true;
-        } else {
-            if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
-                /* DIRECT (P-AXIS-00753) from v_motor, weight 150/100 = 1.5 (P-AXIS-00754/00755) */
-                /* BANDPASS CRIT_DAMPING order 3 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
-                 * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
-                const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
-                state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
-                const double stage0_filter0_section1_s = -0.0;
-                state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
-                state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
-                const double stage0_filter0_section2_s = -0.0;
-                state->stage0_filter0_section2_s1 = stage0_filter0_section2_s;
-                state->stage0_filter0_section2_s2 = stage0_filter0_section2_s;
-                /* ALLPASS (P-AXIS-00849): -180 deg at 41.4 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg
-                 * at 32.29569 and -270 deg at 52.99569 Hz */
-                const double stage0_filter1_section0_s = 0.0;
-                state->stage0_filter1_section0_s1 = stage0_filter1_section0_s;
-                state->stage0_filter1_section0_s2 = stage0_filter1_section0_s;
-                /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755) */
-                /* simulated oscillation of the load, f0 of the first BANDPASS 11 Hz (P-AXIS-00751), damping ratio 0.8
-                 * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
-                state->stage1_oscillation_s1 = stage1_oscillation_preset_s1 * inputs->v_motor;
-                state->stage1_oscillation_s2 = stage1_oscillation_preset_s2 * inputs->v_motor;
-                /* ALLPASS (P-AXIS-00849): -180 deg at 7.2 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg
-                 * at 5.621441 and -270 deg at 9.221441 Hz */
-                const double stage1_filter0_section0_s = stage1_filter0_allpass_preset * inputs->v_motor;
-                state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
-                state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
-                /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751),
-                 * quality factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz */
-                const double stage1_filter1_section0_s = stage1_filter1_bandpass0_b2 * inputs->v_motor;
-                state->stage1_filter1_section0_s1 = stage1_filter1_section0_s;
-                state->stage1_filter1_section0_s2 = stage1_filter1_section0_s;
-                const double stage1_filter1_section1_s = -0.0;
-                state->stage1_filter1_section1_s1 = stage1_filter1_section1_s;
-                state->stage1_filter1_section1_s2 = stage1_filter1_section1_s;
-                const double stage1_filter1_section2_s = -0.0;
-                state->stage1_filter1_section2_s1 = stage1_filter1_section2_s;
-                state->stage1_filter1_section2_s2 = stage1_filter1_section2_s;
-                /* SET_POINT (P-AXIS-00753) from v_command, weight 14/100 = 0.14 (P-AXIS-00754/00755) */
-                /* simulated oscillation of the load, f0 of the first BANDPASS 90 Hz (P-AXIS-00751), damping ratio 0.2
-                 * (P-AXIS-00850): gain 1 at DC, 2.692582 and -68.19859 deg at f0 */
-                state->stage2_oscillation_s1 = stage2_oscillation_preset_s1 * inputs->v_command;
-                state->stage2_oscillation_s2 = stage2_oscillation_preset_s2 * inputs->v_command;
-                /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 90 Hz (P-AXIS-00751), quality
-                 * factor 4.5 (P-AXIS-00752), -3 dB at 80.49367 and 100.4937 Hz */
-                const double stage2_filter0_section0_s = stage2_filter0_bandpass0_b2 * inputs->v_command;
-                state->stage2_filter0_section0_s1 = stage2_filter0_section0_s;
-                state->stage2_filter0_section0_s2 = stage2_filter0_section0_s;
-                const double stage2_filter0_section1_s = -0.0;
-                state->stage2_filter0_section1_s1 = stage2_filter0_section1_s;
-                state->stage2_filter0_section1_s2 = stage2_filter0_section1_s;
-                const double stage2_filter0_section2_s = -0.0;
-                state->stage2_filter0_section2_s1 = stage2_filter0_section2_s;
-                state->stage2_filter0_section2_s2 = stage2_filter0_section2_s;
-                /* ALLPASS (P-AXIS-00849): -180 deg at 70.3 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg
-                 * at 54.74789 and -270 deg at 89.89789 Hz */
-                const double stage2_filter1_section0_s = 0.0;
-                state->stage2_filter1_section0_s1 = stage2_filter1_section0_s;
-                state->stage2_filter1_section0_s2 = stage2_filter1_section0_s;
-                state->preset = true;
-            }
-            runs = false;
-        }
-        reason = AXIS_X_IPC_ERROR_NONE;
     } else {
-        state->fade = 0u;
-        state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
             reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
         } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
@@ -328,7 +238,93 @@ void axis_x_ipc_step(
         } else {
             reason = AXIS_X_IPC_ERROR_V_MOTOR;
         }
-        runs = false;
+        if (reason == AXIS_X_IPC_ERROR_NONE && inputs->position_controlled && !inputs->reset) {
+            if (state->preset) {
+                if (inputs->mode == AXIS_X_IPC_MODE_ON) {
+                    state->fade = state->fade + 1u;
+                } else {
+                    if (state->fade > fade_cycles) {
+                        /* fade has been overwritten: it must not take longer than a whole fade */
+                        state->fade = fade_cycles;
+                    }
+                    if (state->fade > 0u) {
+                        state->fade = state->fade - 1u;
+                    }
+                    if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
+                        state->preset = false;
+                    }
+                }
+                runs = true;
+            } else {
+                if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
+                    /* DIRECT (P-AXIS-00753) from v_motor, weight 150/100 = 1.5 (P-AXIS-00754/00755) */
+                    /* BANDPASS CRIT_DAMPING order 3 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
+                     * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
+                    const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_motor;
+                    state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
+                    state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
+                    const double stage0_filter0_section1_s = -0.0;
+                    state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
+                    state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
+                    const double stage0_filter0_section2_s = -0.0;
+                    state->stage0_filter0_section2_s1 = stage0_filter0_section2_s;
+                    state->stage0_filter0_section2_s2 = stage0_filter0_section2_s;
+                    /* ALLPASS (P-AXIS-00849): -180 deg at 41.4 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg
+                     * at 32.29569 and -270 deg at 52.99569 Hz */
+                    const double stage0_filter1_section0_s = 0.0;
+                    state->stage0_filter1_section0_s1 = stage0_filter1_section0_s;
+                    state->stage0_filter1_section0_s2 = stage0_filter1_section0_s;
+                    /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755) */
+                    /* simulated oscillation of the load, f0 of the first BANDPASS 11 Hz (P-AXIS-00751), damping ratio 0.8
+                     * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
+                    state->stage1_oscillation_s1 = stage1_oscillation_preset_s1 * inputs->v_motor;
+                    state->stage1_oscillation_s2 = stage1_oscillation_preset_s2 * inputs->v_motor;
+                    /* ALLPASS (P-AXIS-00849): -180 deg at 7.2 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg
+                     * at 5.621441 and -270 deg at 9.221441 Hz */
+                    const double stage1_filter0_section0_s = stage1_filter0_allpass_preset * inputs->v_motor;
+                    state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
+                    state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
+                    /* BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751),
+                     * quality factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz */
+                    const double stage1_filter1_section0_s = stage1_filter1_bandpass0_b2 * inputs->v_motor;
+                    state->stage1_filter1_section0_s1 = stage1_filter1_section0_s;
+                    state->stage1_filter1_section0_s2 = stage1_filter1_section0_s;
+                    const double stage1_filter1_section1_s = -0.0;
+                    state->stage1_filter1_section1_s1 = stage1_filter1_section1_s;
+                    state->stage1_filter1_section1_s2 = stage1_filter1_section1_s;
+                    const double stage1_filter1_section2_s = -0.0;
+                    state->stage1_filter1_section2_s1 = stage1_filter1_section2_s;
+                    state->stage1_filter1_section2_s2 = stage1_filter1_section2_s;
+                    /* SET_POINT (P-AXIS-00753) from v_command, weight 14/100 = 0.14 (P-AXIS-00754/00755) */
+                    /* simulated oscillation of the load, f0 of the first BANDPASS 90 Hz (P-AXIS-00751), damping ratio 0.2
+                     * (P-AXIS-00850): gain 1 at DC, 2.692582 and -68.19859 deg at f0 */
+                    state->stage2_oscillation_s1 = stage2_oscillation_preset_s1 * inputs->v_command;
+                    state->stage2_oscillation_s2 = stage2_oscillation_preset_s2 * inputs->v_command;
+                    /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 90 Hz (P-AXIS-00751), quality
+                     * factor 4.5 (P-AXIS-00752), -3 dB at 80.49367 and 100.4937 Hz */
+                    const double stage2_filter0_section0_s = stage2_filter0_bandpass0_b2 * inputs->v_command;
+                    state->stage2_filter0_section0_s1 = stage2_filter0_section0_s;
+                    state->stage2_filter0_section0_s2 = stage2_filter0_section0_s;
+                    const double stage2_filter0_section1_s = -0.0;
+                    state->stage2_filter0_section1_s1 = stage2_filter0_section1_s;
+                    state->stage2_filter0_section1_s2 = stage2_filter0_section1_s;
+                    const double stage2_filter0_section2_s = -0.0;
+                    state->stage2_filter0_section2_s1 = stage2_filter0_section2_s;
+                    state->stage2_filter0_section2_s2 = stage2_filter0_section2_s;
+                    /* ALLPASS (P-AXIS-00849): -180 deg at 70.3 Hz (P-AXIS-00751), quality factor 2 (P-AXIS-00752), -90 deg
+                     * at 54.74789 and -270 deg at 89.89789 Hz */
+                    const double stage2_filter1_section0_s = 0.0;
+                    state->stage2_filter1_section0_s1 = stage2_filter1_section0_s;
+                    state->stage2_filter1_section0_s2 = stage2_filter1_section0_s;
+                    state->preset = true;
+                }
+                runs = false;
+            }
+        } else {
+            state->preset = false;
+            state->fade = 0u;
+            runs = false;
+        }
     }
     if (runs) {
         outputs->fault = false;

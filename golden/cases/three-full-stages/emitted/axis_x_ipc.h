@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  c8c2089743691a12a670aea6eebc23b5
- * structure   ba34aaed70c433768d540e0557e0fe38
- * checksum    9c26e1a76ef7434d6e27e04907e8c59d
+ * structure   7125619fc19ebef68f07787f2f05f24a
+ * checksum    c5e314e8da3761679eaf7baacf47aecb
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -47,10 +47,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xa670aea6u
 #define AXIS_X_IPC_PARAMETERS_3 0xeebc23b5u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xba34aaedu
-#define AXIS_X_IPC_STRUCTURE_1 0x70c43376u
-#define AXIS_X_IPC_STRUCTURE_2 0x8d540e05u
-#define AXIS_X_IPC_STRUCTURE_3 0x57e0fe38u
+#define AXIS_X_IPC_STRUCTURE_0 0x7125619fu
+#define AXIS_X_IPC_STRUCTURE_1 0xc19ebef6u
+#define AXIS_X_IPC_STRUCTURE_2 0x8f07787fu
+#define AXIS_X_IPC_STRUCTURE_3 0x2f05f24au
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 32u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

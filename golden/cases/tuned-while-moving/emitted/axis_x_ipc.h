@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  8a7064fb968187846a28b8bae1b95ecb
- * structure   68bdfb4a982762b16c48c5c718c741b9
- * checksum    0a07c846da9d6e20240254e6cdbc9da9
+ * structure   1283b99a30049bf7424cc7a47742751f
+ * checksum    a91428ca65ed1a1977c8d75a7bb3283a
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -43,10 +43,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x6a28b8bau
 #define AXIS_X_IPC_PARAMETERS_3 0xe1b95ecbu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x68bdfb4au
-#define AXIS_X_IPC_STRUCTURE_1 0x982762b1u
-#define AXIS_X_IPC_STRUCTURE_2 0x6c48c5c7u
-#define AXIS_X_IPC_STRUCTURE_3 0x18c741b9u
+#define AXIS_X_IPC_STRUCTURE_0 0x1283b99au
+#define AXIS_X_IPC_STRUCTURE_1 0x30049bf7u
+#define AXIS_X_IPC_STRUCTURE_2 0x424cc7a4u
+#define AXIS_X_IPC_STRUCTURE_3 0x7742751fu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 48u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  8768c4a3e69a4771ad043b3e1f6ff3a7
- * structure   01148df0aff355a28f00c7200cd863fe
- * checksum    568a97ab76b8a57c0aca8c19c938f945
+ * structure   75a0657c00942331ae71755f3cb7f7ac
+ * checksum    0d0464f2ab56473a9bbbfcc9d9f7dd77
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_z_ipc.h"
@@ -156,66 +156,7 @@ void axis_z_ipc_step(
         state->disturbed = false;
         runs = false;
         reason = AXIS_Z_IPC_ERROR_STATE;
-    } else if ((inputs->mode == AXIS_Z_IPC_MODE_ON || inputs->mode == AXIS_Z_IPC_MODE_OFF
-                || inputs->mode == AXIS_Z_IPC_MODE_DRYRUN)
-            && axis_z_ipc_magnitude(inputs->v_motor) <= sample_limit
-            && axis_z_ipc_magnitude(inputs->v_direct) <= sample_limit
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset) {
-        if (state->preset) {
-            if (inputs->mode == AXIS_Z_IPC_MODE_ON) {
-                state->fade = state->fade + 1u;
-            } else {
-                if (state->fade > fade_cycles) {
-                    /* fade has been overwritten: it must not take longer than a whole fade */
-                    state->fade = fade_cycles;
-                }
-                if (state->fade > 0u) {
-                    state->fade = state->fade - 1u;
-                }
-                if (inputs->mode == AXIS_Z_IPC_MODE_OFF && state->fade == 0u) {
-                    state->preset = false;
-                }
-            }
-            runs = true;
-        } else {
-            if (inputs->mode != AXIS_Z_IPC_MODE_OFF) {
-                /* DIRECT (P-AXIS-00753) from v_direct, weight 1/2 = 0.5 (P-AXIS-00754/00755) */
-                /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 200 Hz (P-AXIS-00751),
-                 * quality factor 3 (P-AXIS-00752), -3 dB at 169.4028 and 236.0695 Hz */
-                const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_direct;
-                state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
-                state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
-                const double stage0_filter0_section1_s = -0.0;
-                state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
-                state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
-                /* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 205 Hz (P-AXIS-00751),
-                 * quality factor 2 (P-AXIS-00752), -3 dB at 160.0054 and 262.5054 Hz */
-                const double stage0_filter1_section0_s = -0.0;
-                state->stage0_filter1_section0_s1 = stage0_filter1_section0_s;
-                state->stage0_filter1_section0_s2 = stage0_filter1_section0_s;
-                const double stage0_filter1_section1_s = -0.0;
-                state->stage0_filter1_section1_s1 = stage0_filter1_section1_s;
-                state->stage0_filter1_section1_s2 = stage0_filter1_section1_s;
-                /* DIRECT (P-AXIS-00753) from v_motor, weight 3/1 = 3 (P-AXIS-00754/00755) */
-                /* BANDPASS BUTTERWORTH order 1 (P-AXIS-00849, 00848, 00750): centre frequency 95 Hz (P-AXIS-00751),
-                 * quality factor 5 (P-AXIS-00752), -3 dB at 85.97294 and 104.9729 Hz */
-                const double stage1_filter0_section0_s = stage1_filter0_bandpass0_b2 * inputs->v_motor;
-                state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
-                state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
-                /* BANDPASS BESSEL order 1 (P-AXIS-00849, 00848, 00750): centre frequency 100 Hz (P-AXIS-00751),
-                 * quality factor 1.5 (P-AXIS-00752), -3 dB at 72.06508 and 138.7317 Hz */
-                const double stage1_filter1_section0_s = -0.0;
-                state->stage1_filter1_section0_s1 = stage1_filter1_section0_s;
-                state->stage1_filter1_section0_s2 = stage1_filter1_section0_s;
-                state->preset = true;
-            }
-            runs = false;
-        }
-        reason = AXIS_Z_IPC_ERROR_NONE;
     } else {
-        state->fade = 0u;
-        state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
             reason = AXIS_Z_IPC_ERROR_CYCLE_TIME;
         } else if (!(inputs->mode == AXIS_Z_IPC_MODE_ON || inputs->mode == AXIS_Z_IPC_MODE_OFF
@@ -228,7 +169,62 @@ void axis_z_ipc_step(
         } else {
             reason = AXIS_Z_IPC_ERROR_V_DIRECT;
         }
-        runs = false;
+        if (reason == AXIS_Z_IPC_ERROR_NONE && inputs->position_controlled && !inputs->reset) {
+            if (state->preset) {
+                if (inputs->mode == AXIS_Z_IPC_MODE_ON) {
+                    state->fade = state->fade + 1u;
+                } else {
+                    if (state->fade > fade_cycles) {
+                        /* fade has been overwritten: it must not take longer than a whole fade */
+                        state->fade = fade_cycles;
+                    }
+                    if (state->fade > 0u) {
+                        state->fade = state->fade - 1u;
+                    }
+                    if (inputs->mode == AXIS_Z_IPC_MODE_OFF && state->fade == 0u) {
+                        state->preset = false;
+                    }
+                }
+                runs = true;
+            } else {
+                if (inputs->mode != AXIS_Z_IPC_MODE_OFF) {
+                    /* DIRECT (P-AXIS-00753) from v_direct, weight 1/2 = 0.5 (P-AXIS-00754/00755) */
+                    /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 200 Hz (P-AXIS-00751),
+                     * quality factor 3 (P-AXIS-00752), -3 dB at 169.4028 and 236.0695 Hz */
+                    const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_direct;
+                    state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
+                    state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
+                    const double stage0_filter0_section1_s = -0.0;
+                    state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
+                    state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
+                    /* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 205 Hz (P-AXIS-00751),
+                     * quality factor 2 (P-AXIS-00752), -3 dB at 160.0054 and 262.5054 Hz */
+                    const double stage0_filter1_section0_s = -0.0;
+                    state->stage0_filter1_section0_s1 = stage0_filter1_section0_s;
+                    state->stage0_filter1_section0_s2 = stage0_filter1_section0_s;
+                    const double stage0_filter1_section1_s = -0.0;
+                    state->stage0_filter1_section1_s1 = stage0_filter1_section1_s;
+                    state->stage0_filter1_section1_s2 = stage0_filter1_section1_s;
+                    /* DIRECT (P-AXIS-00753) from v_motor, weight 3/1 = 3 (P-AXIS-00754/00755) */
+                    /* BANDPASS BUTTERWORTH order 1 (P-AXIS-00849, 00848, 00750): centre frequency 95 Hz (P-AXIS-00751),
+                     * quality factor 5 (P-AXIS-00752), -3 dB at 85.97294 and 104.9729 Hz */
+                    const double stage1_filter0_section0_s = stage1_filter0_bandpass0_b2 * inputs->v_motor;
+                    state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
+                    state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
+                    /* BANDPASS BESSEL order 1 (P-AXIS-00849, 00848, 00750): centre frequency 100 Hz (P-AXIS-00751),
+                     * quality factor 1.5 (P-AXIS-00752), -3 dB at 72.06508 and 138.7317 Hz */
+                    const double stage1_filter1_section0_s = -0.0;
+                    state->stage1_filter1_section0_s1 = stage1_filter1_section0_s;
+                    state->stage1_filter1_section0_s2 = stage1_filter1_section0_s;
+                    state->preset = true;
+                }
+                runs = false;
+            }
+        } else {
+            state->preset = false;
+            state->fade = 0u;
+            runs = false;
+        }
     }
     if (runs) {
         outputs->fault = false;

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  8768c4a3e69a4771ad043b3e1f6ff3a7
- * structure   01148df0aff355a28f00c7200cd863fe
- * checksum    3fb4c0998824d7796f1444fc8d80c830
+ * structure   75a0657c00942331ae71755f3cb7f7ac
+ * checksum    fb7e79dcf18ab924b1ea628e922b80c5
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_Z_IPC_H
@@ -50,10 +50,10 @@ extern "C" {
 #define AXIS_Z_IPC_PARAMETERS_2 0xad043b3eu
 #define AXIS_Z_IPC_PARAMETERS_3 0x1f6ff3a7u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_Z_IPC_STRUCTURE_0 0x01148df0u
-#define AXIS_Z_IPC_STRUCTURE_1 0xaff355a2u
-#define AXIS_Z_IPC_STRUCTURE_2 0x8f00c720u
-#define AXIS_Z_IPC_STRUCTURE_3 0x0cd863feu
+#define AXIS_Z_IPC_STRUCTURE_0 0x75a0657cu
+#define AXIS_Z_IPC_STRUCTURE_1 0x00942331u
+#define AXIS_Z_IPC_STRUCTURE_2 0xae71755fu
+#define AXIS_Z_IPC_STRUCTURE_3 0x3cb7f7acu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_Z_IPC_INPUTS_SIZE 32u
 #define AXIS_Z_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  98ef165b1429998f7030c7689ebe1984
- * structure   24370d71735c2f94d7f5e4bce73bea15
- * checksum    09b52b22a1c6395cbf05edb4c6fe5736
+ * structure   8aea7924fca5d62c42ea37eb0cbd0ade
+ * checksum    9bdf7c7cabc1d5d91fae361fabcd8284
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_two_frequencies_ipc.h"
@@ -149,59 +149,7 @@ void axis_two_frequencies_ipc_step(
         state->disturbed = false;
         runs = false;
         reason = AXIS_TWO_FREQUENCIES_IPC_ERROR_STATE;
-    } else if ((inputs->mode == AXIS_TWO_FREQUENCIES_IPC_MODE_ON || inputs->mode == AXIS_TWO_FREQUENCIES_IPC_MODE_OFF
-                || inputs->mode == AXIS_TWO_FREQUENCIES_IPC_MODE_DRYRUN)
-            && axis_two_frequencies_ipc_magnitude(inputs->v_motor) <= sample_limit
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset) {
-        if (state->preset) {
-            if (inputs->mode == AXIS_TWO_FREQUENCIES_IPC_MODE_ON) {
-                state->fade = state->fade + 1u;
-            } else {
-                if (state->fade > fade_cycles) {
-                    /* fade has been overwritten: it must not take longer than a whole fade */
-                    state->fade = fade_cycles;
-                }
-                if (state->fade > 0u) {
-                    state->fade = state->fade - 1u;
-                }
-                if (inputs->mode == AXIS_TWO_FREQUENCIES_IPC_MODE_OFF && state->fade == 0u) {
-                    state->preset = false;
-                }
-            }
-            runs = true;
-        } else {
-            if (inputs->mode != AXIS_TWO_FREQUENCIES_IPC_MODE_OFF) {
-                /* DIRECT (P-AXIS-00753) from v_motor, weight 100/200 = 0.5 (P-AXIS-00754/00755) */
-                /* BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
-                 * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
-                const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
-                state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
-                const double stage0_filter0_section1_s = -0.0;
-                state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
-                state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
-                /* INDIRECT (P-AXIS-00753) from v_motor, weight 100/200 = 0.5 (P-AXIS-00754/00755) */
-                /* simulated oscillation of the load, f0 of the first BANDPASS 90 Hz (P-AXIS-00751), damping ratio 0.5
-                 * (P-AXIS-00850): gain 1 at DC, 1.414214 and -45 deg at f0 */
-                state->stage1_oscillation_s1 = stage1_oscillation_preset_s1 * inputs->v_motor;
-                state->stage1_oscillation_s2 = stage1_oscillation_preset_s2 * inputs->v_motor;
-                /* BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 90 Hz (P-AXIS-00751),
-                 * quality factor 10 (P-AXIS-00752), -3 dB at 85.60019 and 94.60019 Hz */
-                const double stage1_filter0_section0_s = stage1_filter0_bandpass0_b2 * inputs->v_motor;
-                state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
-                state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
-                const double stage1_filter0_section1_s = -0.0;
-                state->stage1_filter0_section1_s1 = stage1_filter0_section1_s;
-                state->stage1_filter0_section1_s2 = stage1_filter0_section1_s;
-                state->preset = true;
-            }
-            runs = false;
-        }
-        reason = AXIS_TWO_FREQUENCIES_IPC_ERROR_NONE;
     } else {
-        state->fade = 0u;
-        state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
             reason = AXIS_TWO_FREQUENCIES_IPC_ERROR_CYCLE_TIME;
         } else if (!(inputs->mode == AXIS_TWO_FREQUENCIES_IPC_MODE_ON
@@ -213,7 +161,56 @@ void axis_two_frequencies_ipc_step(
         } else {
             reason = AXIS_TWO_FREQUENCIES_IPC_ERROR_V_MOTOR;
         }
-        runs = false;
+        if (reason == AXIS_TWO_FREQUENCIES_IPC_ERROR_NONE && inputs->position_controlled && !inputs->reset) {
+            if (state->preset) {
+                if (inputs->mode == AXIS_TWO_FREQUENCIES_IPC_MODE_ON) {
+                    state->fade = state->fade + 1u;
+                } else {
+                    if (state->fade > fade_cycles) {
+                        /* fade has been overwritten: it must not take longer than a whole fade */
+                        state->fade = fade_cycles;
+                    }
+                    if (state->fade > 0u) {
+                        state->fade = state->fade - 1u;
+                    }
+                    if (inputs->mode == AXIS_TWO_FREQUENCIES_IPC_MODE_OFF && state->fade == 0u) {
+                        state->preset = false;
+                    }
+                }
+                runs = true;
+            } else {
+                if (inputs->mode != AXIS_TWO_FREQUENCIES_IPC_MODE_OFF) {
+                    /* DIRECT (P-AXIS-00753) from v_motor, weight 100/200 = 0.5 (P-AXIS-00754/00755) */
+                    /* BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
+                     * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
+                    const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_motor;
+                    state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
+                    state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
+                    const double stage0_filter0_section1_s = -0.0;
+                    state->stage0_filter0_section1_s1 = stage0_filter0_section1_s;
+                    state->stage0_filter0_section1_s2 = stage0_filter0_section1_s;
+                    /* INDIRECT (P-AXIS-00753) from v_motor, weight 100/200 = 0.5 (P-AXIS-00754/00755) */
+                    /* simulated oscillation of the load, f0 of the first BANDPASS 90 Hz (P-AXIS-00751), damping ratio 0.5
+                     * (P-AXIS-00850): gain 1 at DC, 1.414214 and -45 deg at f0 */
+                    state->stage1_oscillation_s1 = stage1_oscillation_preset_s1 * inputs->v_motor;
+                    state->stage1_oscillation_s2 = stage1_oscillation_preset_s2 * inputs->v_motor;
+                    /* BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 90 Hz (P-AXIS-00751),
+                     * quality factor 10 (P-AXIS-00752), -3 dB at 85.60019 and 94.60019 Hz */
+                    const double stage1_filter0_section0_s = stage1_filter0_bandpass0_b2 * inputs->v_motor;
+                    state->stage1_filter0_section0_s1 = stage1_filter0_section0_s;
+                    state->stage1_filter0_section0_s2 = stage1_filter0_section0_s;
+                    const double stage1_filter0_section1_s = -0.0;
+                    state->stage1_filter0_section1_s1 = stage1_filter0_section1_s;
+                    state->stage1_filter0_section1_s2 = stage1_filter0_section1_s;
+                    state->preset = true;
+                }
+                runs = false;
+            }
+        } else {
+            state->preset = false;
+            state->fade = 0u;
+            runs = false;
+        }
     }
     if (runs) {
         outputs->fault = false;

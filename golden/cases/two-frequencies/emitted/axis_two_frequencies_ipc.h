@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  98ef165b1429998f7030c7689ebe1984
- * structure   24370d71735c2f94d7f5e4bce73bea15
- * checksum    33af153c05c59d4a5fbe6c2f8945aa3b
+ * structure   8aea7924fca5d62c42ea37eb0cbd0ade
+ * checksum    5ed09ea3b008676a0b16c928490db901
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_TWO_FREQUENCIES_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_TWO_FREQUENCIES_IPC_PARAMETERS_2 0x7030c768u
 #define AXIS_TWO_FREQUENCIES_IPC_PARAMETERS_3 0x9ebe1984u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_0 0x24370d71u
-#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_1 0x735c2f94u
-#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_2 0xd7f5e4bcu
-#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_3 0xe73bea15u
+#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_0 0x8aea7924u
+#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_1 0xfca5d62cu
+#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_2 0x42ea37ebu
+#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_3 0x0cbd0adeu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_TWO_FREQUENCIES_IPC_INPUTS_SIZE 24u
 #define AXIS_TWO_FREQUENCIES_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  f263fa87836b2d39df1dbe42692c0b05
- * structure   5d5cc2bbe2f55101defcf027f48fb3f4
- * checksum    82d1cf4a0d7d3d44e1a45178e962465f
+ * structure   4e585c21aa5eff5e165fcb0b7b7a8430
+ * checksum    419c618518ef0a075a4386c7d39fd8f6
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -40,10 +40,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xdf1dbe42u
 #define AXIS_X_IPC_PARAMETERS_3 0x692c0b05u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x5d5cc2bbu
-#define AXIS_X_IPC_STRUCTURE_1 0xe2f55101u
-#define AXIS_X_IPC_STRUCTURE_2 0xdefcf027u
-#define AXIS_X_IPC_STRUCTURE_3 0xf48fb3f4u
+#define AXIS_X_IPC_STRUCTURE_0 0x4e585c21u
+#define AXIS_X_IPC_STRUCTURE_1 0xaa5eff5eu
+#define AXIS_X_IPC_STRUCTURE_2 0x165fcb0bu
+#define AXIS_X_IPC_STRUCTURE_3 0x7b7a8430u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  6f99155791694d13dee5cb5c76fe9e0a
- * structure   ec63f112ae72da2dee0dc74193837d4e
- * checksum    f9b083678b68d8b597706a79c85bf81d
+ * structure   e8b5e7c8e45786fbd603f104460d3c11
+ * checksum    094c68e9883fbfeece32d494102dc730
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -122,47 +122,7 @@ void axis_x_ipc_step(
         state->disturbed = false;
         runs = false;
         reason = AXIS_X_IPC_ERROR_STATE;
-    } else if ((inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
-                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN) && axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset) {
-        if (state->preset) {
-            if (inputs->mode == AXIS_X_IPC_MODE_ON) {
-                state->fade = state->fade + 1u;
-            } else {
-                if (state->fade > fade_cycles) {
-                    /* fade has been overwritten: it must not take longer than a whole fade */
-                    state->fade = fade_cycles;
-                }
-                if (state->fade > 0u) {
-                    state->fade = state->fade - 1u;
-                }
-                if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
-                    state->preset = false;
-                }
-            }
-            runs = true;
-        } else {
-            if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
-                /* INDIRECT (P-AXIS-00753) from v_motor, weight 4294967294/100 = 42949670 (P-AXIS-00754/00755), capped
-                 * at 7 */
-                /* simulated oscillation of the load, f0 of the first BANDPASS 24 Hz (P-AXIS-00751), damping ratio 0.9
-                 * (P-AXIS-00850): gain 1 at DC, 1.143959 and -29.0546 deg at f0 */
-                state->stage0_oscillation_s1 = stage0_oscillation_preset_s1 * inputs->v_motor;
-                state->stage0_oscillation_s2 = stage0_oscillation_preset_s2 * inputs->v_motor;
-                /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 24 Hz (P-AXIS-00751),
-                 * quality factor 5 (P-AXIS-00752), -3 dB at 21.7188 and 26.5188 Hz */
-                const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
-                state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
-                state->preset = true;
-            }
-            runs = false;
-        }
-        reason = AXIS_X_IPC_ERROR_NONE;
     } else {
-        state->fade = 0u;
-        state->preset = false;
         if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
             reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
         } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
@@ -173,7 +133,45 @@ void axis_x_ipc_step(
         } else {
             reason = AXIS_X_IPC_ERROR_V_MOTOR;
         }
-        runs = false;
+        if (reason == AXIS_X_IPC_ERROR_NONE && inputs->position_controlled && !inputs->reset) {
+            if (state->preset) {
+                if (inputs->mode == AXIS_X_IPC_MODE_ON) {
+                    state->fade = state->fade + 1u;
+                } else {
+                    if (state->fade > fade_cycles) {
+                        /* fade has been overwritten: it must not take longer than a whole fade */
+                        state->fade = fade_cycles;
+                    }
+                    if (state->fade > 0u) {
+                        state->fade = state->fade - 1u;
+                    }
+                    if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
+                        state->preset = false;
+                    }
+                }
+                runs = true;
+            } else {
+                if (inputs->mode != AXIS_X_IPC_MODE_OFF) {
+                    /* INDIRECT (P-AXIS-00753) from v_motor, weight 4294967294/100 = 42949670 (P-AXIS-00754/00755), capped
+                     * at 7 */
+                    /* simulated oscillation of the load, f0 of the first BANDPASS 24 Hz (P-AXIS-00751), damping ratio 0.9
+                     * (P-AXIS-00850): gain 1 at DC, 1.143959 and -29.0546 deg at f0 */
+                    state->stage0_oscillation_s1 = stage0_oscillation_preset_s1 * inputs->v_motor;
+                    state->stage0_oscillation_s2 = stage0_oscillation_preset_s2 * inputs->v_motor;
+                    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 24 Hz (P-AXIS-00751),
+                     * quality factor 5 (P-AXIS-00752), -3 dB at 21.7188 and 26.5188 Hz */
+                    const double stage0_filter0_section0_s = stage0_filter0_bandpass0_b2 * inputs->v_motor;
+                    state->stage0_filter0_section0_s1 = stage0_filter0_section0_s;
+                    state->stage0_filter0_section0_s2 = stage0_filter0_section0_s;
+                    state->preset = true;
+                }
+                runs = false;
+            }
+        } else {
+            state->preset = false;
+            state->fade = 0u;
+            runs = false;
+        }
     }
     if (runs) {
         outputs->fault = false;

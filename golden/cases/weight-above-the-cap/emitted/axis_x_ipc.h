@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  6f99155791694d13dee5cb5c76fe9e0a
- * structure   ec63f112ae72da2dee0dc74193837d4e
- * checksum    6b5e609b205ee41fb535872e83573789
+ * structure   e8b5e7c8e45786fbd603f104460d3c11
+ * checksum    251b78b08ddae50280a379676a0ad523
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -41,10 +41,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xdee5cb5cu
 #define AXIS_X_IPC_PARAMETERS_3 0x76fe9e0au
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xec63f112u
-#define AXIS_X_IPC_STRUCTURE_1 0xae72da2du
-#define AXIS_X_IPC_STRUCTURE_2 0xee0dc741u
-#define AXIS_X_IPC_STRUCTURE_3 0x93837d4eu
+#define AXIS_X_IPC_STRUCTURE_0 0xe8b5e7c8u
+#define AXIS_X_IPC_STRUCTURE_1 0xe45786fbu
+#define AXIS_X_IPC_STRUCTURE_2 0xd603f104u
+#define AXIS_X_IPC_STRUCTURE_3 0x460d3c11u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u
