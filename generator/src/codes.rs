@@ -132,10 +132,11 @@ codes! {
          Every block must be over at some time, and no error of the generated block may occur.";
     NO_SETS = "AX020", "an axis that takes no parameter sets",
         "A parameter set is for the block of an axis with the key `tunable = \"all\"`. The set of parameters that the block on the machine was \
-         generated from has the key, and the new one too.";
+         generated from must have the key, and the new one too. Add it to both, and generate the block anew.";
     OTHER_STRUCTURE = "AX021", "a parameter set for another block",
         "The real type, the cycle time, the fade in cycles, the stages, their modes and filters and the cycles of the watch are the structure of a block: it \
-         refuses a set of another structure with error_id 6. Generate the block anew.";
+         refuses a set of another structure with error_id 6. Generate the block anew. A lower f0 than before can make the fade longer, which is \
+         one period of the lowest f0 at least: with the key `fade` large enough in both sets, other frequencies are a matter of a parameter set.";
     SET_REFUSED = "AX022", "a parameter set that the block refuses",
         "The block on the machine takes no limit above the one that it was generated with, and no number beyond its ranges: it refuses the set with \
          error_id 7. Take a smaller limit, or generate the block anew.";

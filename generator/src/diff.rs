@@ -45,14 +45,19 @@ fn differences(old: &Designed, new: &Designed) -> Vec<String> {
     lines
 }
 
-/// Whether a parameter set brings the change to the block on the machine, where both versions take sets and differ in one.
+/// Whether a parameter set brings the change to the block on the machine, where a version takes sets.
 fn by_set(old: &Designed, new: &Designed) -> Option<String> {
-    let both_take_sets = [old, new].iter().all(|of| of.axis.ipc.takes_sets);
-    let reasons = both_take_sets.then(|| judge(old, new).reasons())?;
-    match reasons.as_slice() {
-        [] if old.sets == new.sets => None,
-        [] => Some(format!("a parameter set is enough: axgen params-of NEW --axis {} --on OLD", new.axis.name)),
-        reasons => Some(format!("new code is needed, a parameter set is not enough: {}", reasons.join("; "))),
+    let has_sets = [old, new].iter().any(|of| of.axis.ipc.takes_sets);
+    let judgement = has_sets.then(|| judge(old, new))?;
+    let command = format!("axgen params-of NEW --axis {} --on OLD", new.axis.name);
+    let reasons = judgement.reasons();
+    match (&judgement.refused, reasons.as_slice()) {
+        (None, []) if old.sets == new.sets => None,
+        (None, []) => Some(format!("a parameter set is enough: {command}")),
+        (None, left) if old.sets != new.sets => {
+            Some(format!("a parameter set brings all but this, which needs new code: {}: {command}", left.join("; ")))
+        }
+        (_, reasons) => Some(format!("new code is needed, a parameter set is not enough: {}", reasons.join("; "))),
     }
 }
 

@@ -175,8 +175,9 @@ struct Listed<'a> {
     block: String,
     /// of the constant; in Structured Text of its type
     name: String,
-    structure: String,
     set: String,
+    /// structure and set, as heads of files have them
+    shown: [String; 2],
     /// each with its value as text
     members: Vec<(String, String)>,
 }
@@ -189,14 +190,14 @@ fn listed<'a>(
     [prefix, name]: [String; 2],
     extension: &str,
 ) -> Listed<'a> {
-    let [structure, set] = designed.sets.map(|number| format!("{number:08x}"));
+    let set = format!("{:08x}", designed.sets[1]);
     Listed {
         axis,
         file: if extension == "c" { format!("{name}.c") } else { format!("{prefix}_set_{set}.{extension}") },
         block: prefix,
         name,
-        structure,
         set,
+        shown: designed.sets.map(blocks::shown),
         members: members(block, language).into_iter().map(|(name, value)| (name, (language.literal)(value))).collect(),
     }
 }

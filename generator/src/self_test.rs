@@ -21,6 +21,13 @@ pub(crate) struct SelfTest {
     pub(crate) expected: Vec<u64>,
 }
 
+impl SelfTest {
+    /// Whether an input gets noise that is scaled: one that is no part from 0 to 1.
+    pub(crate) fn is_scaled(&self) -> bool {
+        self.bad.iter().any(|(_, input)| !input.is_fraction)
+    }
+}
+
 /// Samples with little noise, behind the bad ones. In each of them every state and every output can show an operation that
 /// was not done as written.
 const QUIET_SAMPLES: usize = 24;

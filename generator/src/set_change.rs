@@ -118,6 +118,7 @@ fn structure(of: &Designed) -> Vec<(String, Value)> {
         false => "none".to_owned(),
     };
     let mut values = vec![
+        ("axis".to_owned(), Value::Words(axis.name.clone())),
         ("cycle time".to_owned(), Value::Number(f64::from(axis.cycle_time_ns) / 1e3, " us")),
         ("real type".to_owned(), Value::Words(axis.real_name().to_owned())),
         ("fade".to_owned(), Value::Number(f64::from(ipc.fade_cycles), " cycles")),

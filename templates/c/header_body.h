@@ -93,7 +93,10 @@ typedef struct {
  * function may be at work: neither step nor init may be interrupted by a call for the same state.
  * step writes each output once, with its final value, but one output after another. Another task or interrupt that reads
  * several of them copies them while step cannot run (its interrupt is off), or reads copies that the task of step
- * puts into two buffers in turn, behind a counter. */
+ * puts into two buffers in turn, behind a counter.
+{%- if !block.set.is_empty() %}
+ * A cycle that checks a parameter set takes some hundred bytes of stack.
+{%- endif %} */
 
 /* Once before the first cycle: every member of the state gets its start. */
 void {{ block.prefix }}_init({{ block.prefix }}_state *fresh);

@@ -44,7 +44,9 @@ uint32_t {{ block.prefix }}_self_test(void)
     {{ block.prefix }}_inputs inputs;
     {{ block.prefix }}_outputs outputs;
     uint{{ bits }}_t digest = 0u;
+{%- if !self_test.bad.is_empty() %}
     uint32_t random = 1u;
+{%- endif %}
     uint32_t sample;
     /* 1 + 2^-{% if real == "double" %}30{% else %}15{% endif %} and its rounded square; volatile: worked out when it runs */
     volatile {{ real }} factor = {{ block.prefix }}_real_of({% if real == "double" %}UINT64_C(0x3ff0000000400000){% else %}UINT32_C(0x3f800100){% endif %});
@@ -70,10 +72,14 @@ uint32_t {{ block.prefix }}_self_test(void)
     inputs.{{ block.inputs[*input].name }} = {{ value }};
 {%- endfor %}
     for (sample = 0u; sample < {{ expected.len() }}u; sample++) {
+{%- if self_test.is_scaled() %}
         /* at first within every limit, so that nothing is cut off */
         const {{ real }} scale = sample < {{ self_test.loud_from }}u ? {{ scales[0] }} : {{ scales[1] }};
+{%- endif %}
+{%- if !self_test.bad.is_empty() %}
         /* noise; each input is no number for one sample: a block that does not notice it goes on with other bits */
         uint{{ bits }}_t noise;
+{%- endif %}
 {%- for (bad_sample, input) in self_test.bad %}
         random = random * 1664525u + 1013904223u;
         noise = {{ block.prefix }}_bits_of({% if input.is_fraction %}({{ real }})(random >> 8) * {{ part }}{% else %}(({{ real }})(random >> 8) - 8388608.0{{ suffix }}) * scale{% endif %});

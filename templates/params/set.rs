@@ -3,8 +3,7 @@
 // a parameter set for the block {{ of.block }}
 //
 // axis        {{ of.axis.name }}
-// structure   {{ of.structure }}
-// set         {{ of.set }}
+// set         {{ of.shown[1] }}, for the set structure {{ of.shown[0] }}
 // cycle time  {{ of.axis.cycle_time_ns }} ns
 // parameters  {{ of.axis.parameters_digest }}
 // checksum    {{ crate::digest::NO_CHECKSUM }}

@@ -41,8 +41,10 @@ pub fn self_test() -> u32 {
     let mut sample: u32 = 0;
     for expected in &EXPECTED {
 {%- if !self_test.bad.is_empty() %}
+{%- if self_test.is_scaled() %}
         // at first within every limit, so that nothing is cut off
         let scale = if sample < {{ self_test.loud_from }} { {{ scales[0] }} } else { {{ scales[1] }} };
+{%- endif %}
         // each input is no number for one sample: a block that does not notice it goes on with other bits
 {%- for (bad_sample, input) in self_test.bad %}
         let value = {% if input.is_fraction %}noise() * {{ part }}{% else %}(noise() - 8_388_608.0) * scale{% endif %};

@@ -1,5 +1,6 @@
 //! The golden cases, and each of them in the other real type as well, where its filters bear it.
 
+use crate::model::subject::read;
 use generator::axis::Axis;
 use generator::blocks::{Designed, refusals};
 use golden::case::{self, Case};
@@ -25,6 +26,13 @@ pub fn all() -> Vec<Case> {
 #[must_use]
 pub fn in_both_real_types() -> Vec<Case> {
     all().into_iter().flat_map(|case| [Some(case.clone()), twin(&case)]).flatten().collect()
+}
+
+/// Axes of which little is asked: no input gets noise; or one does, which is a part from 0 to 1.
+#[must_use]
+pub fn without_stages() -> [Designed; 2] {
+    let set = |more| format!("cycle_time = '1ms'\n[axis.X]\n{more}getriebe = [{{ dynamik.vb_max = 530000 }}]\n");
+    ["", "tunable = 'weights'\n"].map(|more| read(&set(more)))
 }
 
 /// The folder's name, with the real type.

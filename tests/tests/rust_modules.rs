@@ -4,9 +4,9 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 #![expect(clippy::print_stdout, reason = "`--nocapture` shows how many faults were planted and found")]
 
-use axgen_tests::cases::{all, in_both_real_types, title};
+use axgen_tests::cases::{all, in_both_real_types, title, without_stages};
 use axgen_tests::environment::{has, said};
-use generator::generate::header;
+use generator::generate::{axis_files, header};
 use generator::target::{self, File};
 use golden::case::{self, Case, VECTOR_SAMPLES};
 use golden::engine::{Failure, rust};
@@ -65,7 +65,10 @@ const LIBRARY: [&str; 4] = ["--crate-type", "lib", "-D", "warnings"];
 
 #[test]
 fn no_edition_warns() {
-    let modules: Vec<File> = in_both_real_types().iter().map(module).collect();
+    let axes = without_stages();
+    let of_axes = axes.iter().flat_map(|axis| axis_files(axis, &[target::named("rust").unwrap()]).unwrap());
+    let of_axes = of_axes.filter(|file| file.name.ends_with(".rs"));
+    let modules: Vec<File> = in_both_real_types().iter().map(module).chain(of_axes).collect();
     let folder = library(&modules);
     for edition in ["2018", "2021", "2024"] {
         let arguments = [&LIBRARY[..], &["--edition", edition, "--emit", "metadata"]].concat();

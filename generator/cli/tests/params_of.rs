@@ -232,15 +232,17 @@ fn the_constant_in_c() {
     let folder = folder(&[], &NEW);
     let text = text_in(folder.path(), "c");
     let lines: Vec<&str> = text.lines().collect();
-    let is_number =
-        |text: &str, digits: usize| text.len() == digits && text.bytes().all(|byte| byte.is_ascii_hexdigit());
-    for (line, (begin, digits)) in lines[5..7].iter().zip([(" * structure   ", 8), (" * set         ", 8)]) {
-        assert!(line.strip_prefix(begin).is_some_and(|rest| is_number(rest, digits)), "{line}");
-    }
+    // In hexadecimal digits, and as a PLC shows it.
+    let is_number = |text: &str| {
+        let (digits, decimal) = text.split_once(" = ").unwrap();
+        digits.len() == 8 && u32::from_str_radix(digits, 16) == decimal.parse()
+    };
+    let (set, structure) = lines[5].split_once(", for the set structure ").unwrap();
+    assert!(is_number(set.strip_prefix(" * set         ").unwrap()) && is_number(structure), "{}", lines[5]);
     assert_eq!(lines[2], " * a parameter set for the block axis_x_ipc");
     assert_eq!(lines[4], " * axis        X");
-    assert_eq!(lines[7], " * cycle time  1000000 ns");
-    let set = &lines[6][15..];
+    assert_eq!(lines[6], " * cycle time  1000000 ns");
+    let set = &lines[5][15..23];
     assert!(lines.contains(&format!("const axis_x_ipc_params axis_x_ipc_set_{set} = {{").as_str()), "{text}");
     assert!(lines.contains(&"    -0.9, /* stage0_gain */") && lines.contains(&"    200000.0, /* limit */"), "{text}");
 }
@@ -355,5 +357,12 @@ fn diff_says_whether_a_set_is_enough() {
         &format!("{needed}: limit 200000 -> 300000; starts OFF -> DRYRUN"),
     );
     // A set brings nothing there.
-    assert_diff(&[("tunable = \"all\"", "tunable = \"nothing\"")], "axis X: parameter sets taken over -> none");
+    assert_diff(
+        &[("tunable = \"all\"", "tunable = \"nothing\"")],
+        &format!("{needed}: one of the versions takes no parameter sets"),
+    );
+    assert_diff(
+        &[NEW[0], ("enable = \"OFF\"", "enable = \"DRYRUN\"")],
+        "axis X: a parameter set brings all but this, which needs new code: starts OFF -> DRYRUN: axgen params-of NEW --axis X --on OLD",
+    );
 }

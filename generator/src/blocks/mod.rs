@@ -25,6 +25,7 @@ pub use crate::trial::Drill;
 pub use designed::Designed;
 pub use ipc::feasibility::refusals;
 pub use kind::{Block, Certified, Figure, Kind, Part, Summary};
+pub(crate) use tunable_ipc::shown;
 pub(crate) use values::{Value, differences};
 
 use crate::axis::Axis;

@@ -9,6 +9,11 @@ use compiler::program::Program;
 use reference::ipc::Ipc;
 use reference::tunable_ipc::{Coeffs, TunableIpc};
 
+/// A number that sets are told by, as names and heads of files have it and as a PLC shows it.
+pub(crate) fn shown(number: u32) -> String {
+    format!("{number:08x} = {number}")
+}
+
 impl Part for TunableIpc {
     fn is_asked_for(&self, axis: &Axis) -> bool {
         axis.ipc.takes_sets
@@ -26,11 +31,8 @@ impl Part for TunableIpc {
     fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
         let [structure, set] = designed.sets;
         let own = [
-            note(
-                "structure",
-                format!("parameter sets for the structure {structure} = 16#{structure:08X} are taken over"),
-            ),
-            note("set_id", format!("the set that the block was generated with has the number {set} = 16#{set:08X}")),
+            note("structure", format!("parameter sets for the set structure {} are taken over", shown(structure))),
+            note("set_id", format!("the set that the block was generated with has the number {}", shown(set))),
         ];
         // Of a stage another set has other numbers.
         let of_ipc = Ipc.notes(designed).into_iter().map(|(path, text)| {
@@ -51,7 +53,8 @@ impl Part for TunableIpc {
     fn summary(&self, designed: &Designed) -> Summary {
         let mut summary = Ipc.summary(designed);
         let [structure, set] = designed.sets;
-        summary.lines.push(format!("takes parameter sets of the structure {structure:08x}; this one is {set:08x}"));
+        let [structure, set] = [structure, set].map(shown);
+        summary.lines.push(format!("takes parameter sets of the set structure {structure}; this one is {set}"));
         summary
     }
 
@@ -71,6 +74,9 @@ impl Part for TunableIpc {
             .expect("tunable_ipc: the block with constants has no defect");
         let mut certified = Ipc.certificate(designed, &program);
         certified.lines.insert(0, "Of the parameter set that the block was generated with:".to_owned());
+        for figure in certified.figures.iter_mut().filter(|figure| figure.name == "BOUND") {
+            figure.doc.push_str(", with the set that the block was generated with");
+        }
         certified
     }
 }

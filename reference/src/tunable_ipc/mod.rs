@@ -10,7 +10,8 @@
 //! fade in         as mode says
 //! ```
 //!
-//! The numbers in use stand in the state: behind a state that was overwritten (error 3) the offered set is checked and taken over anew.
+//! The numbers in use stand in the state. Behind a state that was overwritten (error 3) no set is in use, until the offered one has been
+//! checked and taken over anew; and nothing is added beyond the limit that the block was generated with, whatever the numbers say.
 //! A refused set is looked at again after fade_cycles cycles: what another task was just writing is whole by then. Before the first set
 //! is taken over nothing is added, and a refused one is a fault.
 
@@ -25,7 +26,7 @@ use crate::ipc::numbers::{self, Numbers, Params};
 use crate::ipc::{self, watch};
 use crate::signal::{error_none, error_set_damaged, error_set_structure, error_set_unsound};
 use crate::{filter, stage};
-use portable::{Block, Enable, Fn, Real, from_u32, in_range, portable, with_numbers};
+use portable::{Block, Enable, Fn, Real, from_u32, in_range, note, portable, with_numbers};
 
 /// Coefficients.
 #[portable]
@@ -108,7 +109,7 @@ pub fn is_leaving<R: Real>(coeffs: &Coeffs<R>, fade: u32, withdrawn: bool, tripp
 #[portable]
 pub fn offer<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Params<R>) -> u32 {
     let mut refused = error_none();
-    if params.set_id == state.set_id && state.set_id != 0u32 && !state.ipc.disturbed {
+    if params.set_id == state.set_id && state.set_id != 0u32 {
         state.withdrawn = false;
     } else if state.pause > 0u32 && params.set_id == state.refused_set {
         state.pause -= 1u32;
@@ -170,15 +171,38 @@ pub fn put_out<R: Real>(set_id: u32, ipc_outputs: &ipc::Outputs<R>, refused: u32
     outputs.active_set = set_id;
 }
 
+/// Nothing is added beyond the limit that the block was generated with, whatever has become of the numbers in use.
+#[portable]
+pub fn hold_limit<R: Real>(state: &mut ipc::State<R>, limit: R, outputs: &mut ipc::Outputs<R>) {
+    if !in_range(outputs.v_add_calculated, limit) {
+        note(
+            "a number in use has been overwritten: a fault in the next cycle, then the offered set is taken over anew",
+        );
+        state.disturbed = true;
+        ipc::stop(state);
+        outputs.v_add = R::ZERO;
+        outputs.v_add_calculated = R::ZERO;
+        outputs.limited = true;
+    }
+}
+
 /// Any cycle.
 #[portable]
 pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let mut mode = inputs.mode;
     let mut refused = error_none();
-    // Behind a state that was overwritten the numbers in use are taken over anew: they may have been, too.
-    if inputs.params.set_id != state.set_id || state.withdrawn || state.ipc.disturbed {
+    if state.ipc.disturbed {
+        // The numbers in use may have been overwritten, too.
+        state.set_id = 0u32;
+        state.withdrawn = true;
+        state.pause = 0u32;
+    }
+    if inputs.params.set_id != state.set_id || state.withdrawn {
         refused = offer(state, coeffs, &inputs.params);
-        if state.withdrawn && mode == ipc::mode_on() {
+        if state.set_id == 0u32 && ipc::is_mode(mode) {
+            // There are no numbers to run with.
+            mode = ipc::mode_off();
+        } else if state.withdrawn && mode == ipc::mode_on() {
             mode = ipc::mode_dryrun();
         }
     }
@@ -186,6 +210,7 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     hand_over(inputs, mode, &mut ipc_inputs);
     let mut ipc_outputs = ipc::Outputs::<R>::default();
     ipc::step(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.now), &ipc_inputs, &mut ipc_outputs);
+    hold_limit(&mut state.ipc, coeffs.ipc.limit, &mut ipc_outputs);
     put_out(state.set_id, &ipc_outputs, refused, outputs);
 }
 
@@ -206,6 +231,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
         let mut ipc_outputs = ipc::Outputs::<R>::default();
         ipc::act_in_full(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.now), &ipc_inputs, &mut ipc_outputs);
         ipc::tell_trip(&state.ipc, &coeffs.ipc, &mut ipc_outputs);
+        hold_limit(&mut state.ipc, coeffs.ipc.limit, &mut ipc_outputs);
         put_out(state.set_id, &ipc_outputs, error_none(), outputs);
     } else {
         any_cycle(state, coeffs, inputs, outputs);

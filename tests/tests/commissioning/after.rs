@@ -92,16 +92,21 @@ pub fn hand_over(session: &mut Session, page: &mut Page) {
         step.says("If you stayed at a row before the last one, write its `weight_fact_num` and `weight_fact_denom` to the stage in `SET`");
         assert_eq!(step.name("Write the `v_add_max_fact` of your limit to ", "."), LIMIT);
         session.machine.write("SET", LIMIT, &session.v_add_max_fact.to_string());
+        let path = step.name("Write to ", " how the block starts: ON, DRYRUN or OFF");
+        session.machine.write("SET", &path, "ON");
         session.machine.done("axgen generate SET", 0);
         session.machine.load("SET");
         session.write(&mut step);
         session.machine.rest(0.01);
         assert_eq!(session.machine.get("error_id"), 0.0);
     } else {
+        let path = step.name("Write to ", " in `trial/SET` how the block starts: ON, DRYRUN or OFF");
+        session.machine.write("trial/SET", &path, "ON");
         assert_eq!(step.commands, ["axgen diff SET trial/SET"]);
         let changed = session.machine.done(&step.commands[0], 1);
-        assert!(changed.lines().all(|line| line.contains(": limit ")), "the weights are designed again: {changed}");
-        step.says("copy `trial/SET` over `SET`, and generate");
+        let is_wanted = |line: &str| line.contains(": limit ") || line.contains(": starts ");
+        assert!(changed.lines().all(is_wanted), "the weights are designed again: {changed}");
+        step.says("copy `trial/SET`, and the files that it names, over `SET` and those that it names. Then generate");
         std::fs::copy(session.machine.path("trial/rack-and-pinion.lis"), session.machine.path("rack-and-pinion.lis"))
             .unwrap();
         session.machine.done("axgen generate SET", 0);
@@ -109,12 +114,7 @@ pub fn hand_over(session: &mut Session, page: &mut Page) {
     }
     step.done();
 
-    let step = page.step("7.3");
-    let path = step.name("Write to ", " how the block starts: ON, DRYRUN or OFF");
-    session.machine.write("SET", &path, "ON");
-    session.machine.done("axgen generate SET", 0);
-    session.machine.load("SET");
-    step.done();
+    page.step("7.3").done();
     // The block as it stays with the machine: both vibrations, where the plant's table has them.
     let with = session.make_move();
     session.machine.set("mode", 0.0);

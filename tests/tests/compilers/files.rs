@@ -1,7 +1,7 @@
 //! The emitted files as a user's build sees them: no warning under strict options, fit for C++, no undefined symbol.
 
 use crate::{cases, tools};
-use axgen_tests::cases::title;
+use axgen_tests::cases::{title, without_stages};
 use axgen_tests::environment::has;
 use generator::generate::header;
 use generator::target::{File, TARGETS};
@@ -45,7 +45,7 @@ fn all_blocks_of_an_axis_stand_beside_each_other() {
     let (set, report) = generator::pipeline::read(&path, &generator::config::ListOptions::default());
     let axes = set.unwrap_or_else(|| panic!("{report}")).axes;
     assert!(axes.iter().any(|of| generator::blocks::names(&of.axis).len() == 4));
-    let tools = tools();
+    let (tools, axes) = (tools(), [axes, without_stages().to_vec()].concat());
     for (tool, axis) in tools.iter().flat_map(|tool| axes.iter().map(move |axis| (tool, axis))) {
         let folder = tempfile::tempdir().unwrap();
         let files = generator::generate::axis_files(axis, &TARGETS[..1]).unwrap();

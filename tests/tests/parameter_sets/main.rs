@@ -287,6 +287,108 @@ fn a_set_is_the_block_with_its_constants() {
     eprintln!("{runs} cycles with a set as with its constants: 0 differing bits");
 }
 
+/// An axis of the same structure and numbers, by another name.
+#[test]
+fn a_set_of_another_axis_is_refused() {
+    let bench = bench(1, RealKind::F64);
+    let axis = generator::axis::Axis { name: "Y".to_owned(), ..bench.designed.axis.clone() };
+    let designed = Designed::from(axis);
+    let block = block(&designed);
+    let foreign = Bench { designed, block, sets: Vec::new(), foreign: Vec::new(), beyond: Vec::new() };
+    let [own, other] = [bench.coeffs::<f64>(), foreign.coeffs::<f64>()];
+    assert_eq!((own.set_id, tunable_ipc::error_of(&own, &tunable_ipc::params(&own))), (other.set_id, 0));
+    assert_eq!(tunable_ipc::error_of(&own, &tunable_ipc::params(&other)), 6);
+}
+
+/// Whatever overwrites the state, numbers in use included: nothing is added beyond the limit of the block, and with the next set everything
+/// is as it was.
+#[test]
+fn no_overwritten_number_leads_beyond_the_limit() {
+    let count = if is_exhaustive() { 20_000 } else { 1_000 };
+    let of_each = |of| [overwritten::<f64>(of, count), overwritten::<f32>(of, count)];
+    // Most leaves belong to stages that the axis does not have.
+    let faults: Vec<usize> = (0..STRUCTURES).into_par_iter().flat_map_iter(of_each).collect();
+    eprintln!("{faults:?} faults of {count} overwritten states each");
+    assert!(faults.iter().all(|faults| *faults > count / 100), "{faults:?}");
+}
+
+/// How many of so many overwritten states are a fault.
+fn overwritten<R: Real + Portable>(structure: usize, count: usize) -> usize
+where
+    TunableIpc:
+        portable::Block<R, Coeffs = Coeffs<R>, Inputs = tunable_ipc::Inputs<R>, Outputs = tunable_ipc::Outputs<R>>,
+{
+    let coeffs = bench(structure, R::KIND).coeffs::<R>();
+    let mut inputs = <TunableIpc as portable::Block<R>>::inputs(&coeffs);
+    let mut start = tunable_ipc::State::<R>::default();
+    let mut outputs = tunable_ipc::Outputs::<R>::default();
+    tunable_ipc::init(&mut start);
+    let mut rng = Rng::new(17);
+    let mut faults = 0;
+    for cycle in 0..200 {
+        inputs.v_motor = R::lit(100_000.0 * (f64::from(cycle) * 0.3).sin());
+        tunable_ipc::step(&mut start, &coeffs, &inputs, &mut outputs);
+    }
+    for _ in 0..count {
+        let mut leaves = leaves(&start);
+        let at = rng.below(leaves.len());
+        let any = [f64::NAN, f64::INFINITY, -1e30, 1e9, 3.0];
+        leaves[at] = match leaves[at] {
+            Literal::F64(_) if rng.below(2) == 0 => Literal::F64(*rng.pick(&any)),
+            Literal::F32(_) if rng.below(2) == 0 => Literal::F32(*rng.pick(&any) as f32),
+            Literal::F64(value) => Literal::F64(f64::from_bits(value.to_bits() ^ 1 << rng.below(64))),
+            Literal::F32(value) => Literal::F32(f32::from_bits(value.to_bits() ^ 1 << rng.below(32))),
+            Literal::U32(value) => Literal::U32(value ^ 1 << rng.below(32)),
+            Literal::Bool(value) => Literal::Bool(!value),
+            other => other,
+        };
+        let mut leaves = leaves.into_iter();
+        let mut state = tunable_ipc::State::<R>::build(&mut || leaves.next().unwrap());
+        let mut is_fault = false;
+        for cycle in 0..100 {
+            inputs.v_motor = R::lit(100_000.0 * (f64::from(cycle) * 0.3).sin());
+            tunable_ipc::step(&mut state, &coeffs, &inputs, &mut outputs);
+            let is_held = portable::in_range(outputs.v_add, coeffs.ipc.limit);
+            assert!(is_held, "leaf {at}: {:?} beyond {:?}", outputs.v_add, coeffs.ipc.limit);
+            is_fault |= outputs.fault;
+        }
+        faults += usize::from(is_fault);
+    }
+    faults
+}
+
+/// Behind a fault of the state no number in use is trusted: with a set that is refused nothing is added until a sound one is offered.
+#[test]
+fn behind_a_fault_of_the_state_a_refused_set_leaves_none_in_use() {
+    let coeffs = bench(0, RealKind::F64).coeffs::<f64>();
+    let mut inputs = <TunableIpc as portable::Block<f64>>::inputs(&coeffs);
+    let whole = inputs.params;
+    let mut state = tunable_ipc::State::<f64>::default();
+    let mut outputs = tunable_ipc::Outputs::<f64>::default();
+    tunable_ipc::init(&mut state);
+    let mut ids = Vec::new();
+    for cycle in 0..2_000 {
+        inputs.v_motor = 1000.0 * (f64::from(cycle) * 0.3).sin();
+        match cycle {
+            500 => inputs.params.structure += 1,
+            600 => inputs.params.set_id += 1,
+            1000 => state.now.limit = 1e12,
+            1001 => state.now.stage[0].gain = f64::NAN,
+            1500 => inputs.params = whole,
+            _ => {}
+        }
+        tunable_ipc::step(&mut state, &coeffs, &inputs, &mut outputs);
+        let told = (outputs.fault, outputs.error_id, outputs.active_set != 0);
+        if ids.last() != Some(&told) {
+            ids.push(told);
+        }
+        assert!(outputs.v_add.abs() <= coeffs.ipc.limit && (told.2 || outputs.v_add == 0.0), "cycle {cycle}");
+    }
+    let expected = [(false, 0, true), (false, 6, true), (true, 3, false), (true, 6, false), (false, 0, true)];
+    assert_eq!(ids, expected);
+    assert!(outputs.v_add != 0.0);
+}
+
 /// A number in use that was overwritten: the loop of the section grows, which is a fault, and the block takes the set over anew.
 #[test]
 fn numbers_that_were_overwritten_are_taken_over_anew() {

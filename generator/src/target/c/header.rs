@@ -35,10 +35,15 @@ pub(super) fn macros(axis: &Header, block: &Legal<'_>) -> Vec<Macro> {
     let doc = "the digest of its structure: the same where two blocks differ in the values of coefficients only";
     macros.extend(words("STRUCTURE", &axis.structure_digest, doc));
     let program = &*block.program;
-    let structs = [("INPUTS", &program.inputs), ("OUTPUTS", &program.outputs), ("STATE", &program.state)];
+    // The inputs of a block that takes sets hold a pointer, whose size is the processor's.
+    let first = if program.has_set() { "PARAMS" } else { "INPUTS" };
+    let in_first: Vec<&Variable> =
+        program.inputs.iter().filter(|input| program.in_set(input).is_some() == program.has_set()).collect();
+    let structs =
+        [(first, in_first), ("OUTPUTS", program.outputs.iter().collect()), ("STATE", program.state.iter().collect())];
     let mut doc = "the bytes of its structs where a bool has one and each member is aligned to its own size";
     for (name, members) in structs {
-        let size = size(members, axis.real);
+        let size = size(&members, axis.real);
         macros.push(one(&format!("{name}_SIZE"), format!("{size}u"), std::mem::take(&mut doc)));
     }
     for of in &mut macros {
@@ -58,7 +63,7 @@ fn words(name: &str, digest: &str, doc: &str) -> Vec<Macro> {
 }
 
 /// The size of a struct where each member is aligned to its size.
-fn size(members: &[Variable], real: RealKind) -> usize {
+fn size(members: &[&Variable], real: RealKind) -> usize {
     let bytes = |ty| match (ty, real) {
         (Type::Bool, _) => 1,
         (Type::I32 | Type::U32, _) | (Type::Real, RealKind::F32) => 4,

@@ -22,6 +22,8 @@ pub(super) struct Origin<'a> {
     certificate: String,
     /// an instance with its type
     instance: [String; 2],
+    /// its parameter set, as it is declared; empty: it takes none
+    set: String,
     /// what a call of it passes
     arguments: Vec<String>,
 }
@@ -104,6 +106,7 @@ pub(super) fn origin<'a>(axis: &'a Header, file: &'a str, block: &Legal<'_>, dia
         real: dialect.language.ty(Type::Real, axis.real),
         certificate: String::new(),
         instance: Default::default(),
+        set: String::new(),
         arguments: Vec::new(),
     }
 }
@@ -118,16 +121,23 @@ impl Origin<'_> {
             "mode" => format!("{input} := {mode}"),
             "task_cycle_ns" => format!("{input} := {cycle}"),
             // The parts of the set are given together.
-            part if part.contains('.') => format!("{0} := {1}{0}", SET, dialect.mark),
+            part if part.contains('.') => format!("{0} := {1}{0}{1}", SET, dialect.quote),
             other => format!("{input} := {}{other}", dialect.mark),
         };
         let mut arguments: Vec<String> = inputs.iter().map(argument).collect();
         arguments.dedup();
         let instance = format!("{}_{}", self.axis.name.to_ascii_lowercase(), self.block);
         let ty = format!("{0}{1}{0}", dialect.quote, name(&self.axis.name, self.block, dialect));
+        // In SCL it is a data block: that is what `params-of` writes to.
+        let set = set_name(&block_name(&self.axis.name, self.block));
+        let set = match dialect.quote {
+            "" => format!("{SET} : {set};"),
+            quote => format!("a data block {quote}{SET}{quote} of the type {quote}{set}{quote}"),
+        };
         Self {
             certificate: comment::wrapped(&block.block.certificate.lines, COMMENT_WIDTH, "\n   "),
             instance: [format!("{}{instance}", dialect.mark), format!("{instance} : {ty}")],
+            set: if block.program.has_set() { set } else { String::new() },
             arguments,
             ..self
         }

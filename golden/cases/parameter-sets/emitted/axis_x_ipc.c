@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   dc2c3d6beb16fa669d4e2877085f5f6c
- * checksum    b1c51f294b5432e0b54bb349836b5956
+ * structure   97ae8940a5477195b212b25f55e5eb8d
+ * checksum    eca02503a4f1bdf490493254e40e6adc
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -42,6 +42,9 @@ static float axis_x_ipc_magnitude(float value)
 /* cycle time 1000 us, the coefficients hold for no other */
 static const uint32_t axis_x_ipc_ipc_cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
 
+/* largest |v_add| = 8000: 20 * 0.1 % (P-AXIS-00757) of 400000 (P-AXIS-00212) */
+static const float axis_x_ipc_ipc_limit = 8000.0f; /* largest |v_add| */
+
 /* P-AXIS-00212 * 2^-40: a sum below it is exactly 0 */
 /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
 static const float axis_x_ipc_ipc_rest = 3.6379788e-7f;
@@ -56,10 +59,10 @@ static const float axis_x_ipc_sample_limit = 1000000000.0f;
 static const float axis_x_ipc_least_change = 1.0e-18f;
 
 const axis_x_ipc_params axis_x_ipc_designed = {
-    3626160003u, /* structure */
+    2581534054u, /* structure */
     465933901u, /* set_id */
-    9610, /* check_first */
-    38860, /* check_second */
+    41860, /* check_first */
+    5082, /* check_second */
     8000.0f, /* limit */
     -8000.0f, /* lower_limit */
     3056884.3f, /* sum_limit */
@@ -112,11 +115,8 @@ static void axis_x_ipc_any_cycle(
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
-    /* parameter sets for the structure 3626160003 = 16#D822CF83 are taken over */
-    static const uint32_t structure = 3626160003u; /* the structure: a parameter set for another one is refused */
-
-    /* largest |v_add| = 8000: 20 * 0.1 % (P-AXIS-00757) of 400000 (P-AXIS-00212) */
-    static const float ipc_limit = 8000.0f; /* largest |v_add| */
+    /* parameter sets for the set structure 99df1566 = 2581534054 are taken over */
+    static const uint32_t structure = 2581534054u; /* the structure: a parameter set for another one is refused */
 
     /* OFF to ON takes 0.05 s (key fade), in cycles */
     static const float ipc_fade_step = 0.02f; /* 1 / fade_cycles */
@@ -129,10 +129,15 @@ static void axis_x_ipc_any_cycle(
     static const float next_cut = 2147483600.0f; /* 2^31: each further cut */
     static const float half = 0.5f; /* 1/2: half a word of 32 bits becomes a number that can be cut */
 
+    if (state->ipc_disturbed) {
+        state->set_id = 0u;
+        state->withdrawn = true;
+        state->pause = 0u;
+    }
     uint32_t refused;
     int32_t mode;
-    if (inputs->params->set_id != state->set_id || state->withdrawn || state->ipc_disturbed) {
-        if (inputs->params->set_id == state->set_id && state->set_id != 0u && !state->ipc_disturbed) {
+    if (inputs->params->set_id != state->set_id || state->withdrawn) {
+        if (inputs->params->set_id == state->set_id && state->set_id != 0u) {
             state->withdrawn = false;
             refused = AXIS_X_IPC_ERROR_NONE;
         } else if (state->pause > 0u && inputs->params->set_id == state->refused_set) {
@@ -146,8 +151,8 @@ static void axis_x_ipc_any_cycle(
             } else {
                 if (inputs->params->structure == structure && inputs->params->set_id != 0u) {
                     bool are_sound_so_far;
-                    if (axis_x_ipc_magnitude(inputs->params->limit) <= ipc_limit
-                            && axis_x_ipc_magnitude(inputs->params->lower_limit) <= ipc_limit
+                    if (axis_x_ipc_magnitude(inputs->params->limit) <= axis_x_ipc_ipc_limit
+                            && axis_x_ipc_magnitude(inputs->params->lower_limit) <= axis_x_ipc_ipc_limit
                             && axis_x_ipc_magnitude(inputs->params->sum_limit * limit_scale) <= largest_number) {
                         are_sound_so_far =
                             inputs->params->limit >= 0.0f
@@ -470,7 +475,11 @@ static void axis_x_ipc_any_cycle(
                 }
             }
         }
-        if (state->withdrawn && inputs->mode == AXIS_X_IPC_MODE_ON) {
+        if (state->set_id == 0u
+                && (inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+                    || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)) {
+            mode = AXIS_X_IPC_MODE_OFF;
+        } else if (state->withdrawn && inputs->mode == AXIS_X_IPC_MODE_ON) {
             mode = AXIS_X_IPC_MODE_DRYRUN;
         } else {
             mode = inputs->mode;
@@ -536,6 +545,9 @@ static void axis_x_ipc_any_cycle(
             ipc_runs = false;
         }
     }
+    bool ipc_limited_next;
+    float ipc_v_add;
+    float ipc_v_add_calculated;
     bool ipc_fault;
     uint32_t error_id_so_far;
     if (ipc_runs) {
@@ -563,14 +575,13 @@ static void axis_x_ipc_any_cycle(
         const float ipc_upper_next = state->now_limit;
         float ipc_v_limited_next;
         if (axis_x_ipc_magnitude(ipc_v_stage0_next) <= ipc_upper_next) {
-            outputs->limited = false;
             if (axis_x_ipc_magnitude(ipc_v_stage0_next) <= axis_x_ipc_ipc_rest) {
                 ipc_v_limited_next = 0.0f;
             } else {
                 ipc_v_limited_next = ipc_v_stage0_next;
             }
+            ipc_limited_next = false;
         } else {
-            outputs->limited = true;
             if (axis_x_ipc_magnitude(ipc_v_stage0_next) <= state->now_sum_limit) {
                 if (ipc_v_stage0_next > 0.0f) {
                     ipc_v_limited_next = ipc_upper_next;
@@ -585,30 +596,45 @@ static void axis_x_ipc_any_cycle(
                 state->ipc_fade = 0u;
                 ipc_v_limited_next = 0.0f;
             }
+            ipc_limited_next = true;
         }
         if (state->ipc_fade >= axis_x_ipc_ipc_fade_cycles) {
-            outputs->v_add = ipc_v_limited_next;
-            outputs->v_add_calculated = ipc_v_limited_next;
+            ipc_v_add = ipc_v_limited_next;
+            ipc_v_add_calculated = ipc_v_limited_next;
         } else {
             if (state->ipc_fade > 0u) {
-                outputs->v_add = ipc_v_limited_next * ((float)state->ipc_fade * ipc_fade_step);
+                ipc_v_add = ipc_v_limited_next * ((float)state->ipc_fade * ipc_fade_step);
             } else {
-                outputs->v_add = 0.0f;
+                ipc_v_add = 0.0f;
             }
             if (mode == AXIS_X_IPC_MODE_OFF) {
-                outputs->v_add_calculated = 0.0f;
+                ipc_v_add_calculated = 0.0f;
             } else {
-                outputs->v_add_calculated = ipc_v_limited_next;
+                ipc_v_add_calculated = ipc_v_limited_next;
             }
         }
         ipc_fault = false;
         error_id_so_far = AXIS_X_IPC_ERROR_NONE;
     } else {
         ipc_fault = ipc_reason != AXIS_X_IPC_ERROR_NONE;
+        ipc_v_add = 0.0f;
+        ipc_v_add_calculated = 0.0f;
+        ipc_limited_next = false;
+        error_id_so_far = ipc_reason;
+    }
+    if (axis_x_ipc_magnitude(ipc_v_add_calculated) <= axis_x_ipc_ipc_limit) {
+        outputs->v_add = ipc_v_add;
+        outputs->v_add_calculated = ipc_v_add_calculated;
+        outputs->limited = ipc_limited_next;
+    } else {
+        /* a number in use has been overwritten: a fault in the next cycle, then the offered set is taken over
+         * anew */
+        state->ipc_disturbed = true;
+        state->ipc_preset = false;
+        state->ipc_fade = 0u;
         outputs->v_add = 0.0f;
         outputs->v_add_calculated = 0.0f;
-        outputs->limited = false;
-        error_id_so_far = ipc_reason;
+        outputs->limited = true;
     }
     const uint32_t set_id = state->set_id;
     outputs->active_set = set_id;
@@ -654,15 +680,15 @@ void axis_x_ipc_step(
         const float ipc_v_stage0 = state->now_stage0_gain * ipc_stage0_filter0_section0_y;
         const float ipc_upper = state->now_limit;
         float ipc_v_limited;
+        bool ipc_limited;
         if (axis_x_ipc_magnitude(ipc_v_stage0) <= ipc_upper) {
-            outputs->limited = false;
             if (axis_x_ipc_magnitude(ipc_v_stage0) <= axis_x_ipc_ipc_rest) {
                 ipc_v_limited = 0.0f;
             } else {
                 ipc_v_limited = ipc_v_stage0;
             }
+            ipc_limited = false;
         } else {
-            outputs->limited = true;
             if (axis_x_ipc_magnitude(ipc_v_stage0) <= state->now_sum_limit) {
                 if (ipc_v_stage0 > 0.0f) {
                     ipc_v_limited = ipc_upper;
@@ -677,10 +703,23 @@ void axis_x_ipc_step(
                 state->ipc_fade = 0u;
                 ipc_v_limited = 0.0f;
             }
+            ipc_limited = true;
+        }
+        if (axis_x_ipc_magnitude(ipc_v_limited) <= axis_x_ipc_ipc_limit) {
+            outputs->v_add = ipc_v_limited;
+            outputs->v_add_calculated = ipc_v_limited;
+            outputs->limited = ipc_limited;
+        } else {
+            /* a number in use has been overwritten: a fault in the next cycle, then the offered set is taken over
+             * anew */
+            state->ipc_disturbed = true;
+            state->ipc_preset = false;
+            state->ipc_fade = 0u;
+            outputs->v_add = 0.0f;
+            outputs->v_add_calculated = 0.0f;
+            outputs->limited = true;
         }
         outputs->active_set = state->set_id;
-        outputs->v_add = ipc_v_limited;
-        outputs->v_add_calculated = ipc_v_limited;
     } else {
         axis_x_ipc_any_cycle(state, inputs, outputs);
     }
