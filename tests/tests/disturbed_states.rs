@@ -3,10 +3,11 @@
 
 use axgen_tests::environment::is_exhaustive;
 use axgen_tests::model::subject;
+use axgen_tests::random::overwritten::flipped;
 use axgen_tests::random::rng::Rng;
 use compiler::leaves;
 use generator::blocks;
-use portable::{Block, Literal, Portable, Real};
+use portable::{Block, Literal, Portable, Real, scalar};
 use rayon::prelude::*;
 use reference::ipc::{self, Ipc};
 use reference::signal::error_state;
@@ -51,22 +52,10 @@ fn disturb<R: Real>(state: &ipc::State<R>, rng: &mut Rng) -> (ipc::State<R>, boo
     let used: Vec<usize> = (0..all.len()).filter(|at| is_used(&all[*at])).collect();
     let at = *rng.pick(&used);
     let (kind, bit) = (rng.below(8), rng.below(64));
-    all[at] = match all[at] {
-        Literal::F64(value) => Literal::F64(match kind {
-            0 => f64::NAN,
-            1 => f64::INFINITY,
-            2 => f64::NEG_INFINITY,
-            _ => f64::from_bits(value.to_bits() ^ 1 << bit),
-        }),
-        Literal::F32(value) => Literal::F32(match kind {
-            0 => f32::NAN,
-            1 => f32::INFINITY,
-            2 => f32::NEG_INFINITY,
-            _ => f32::from_bits(value.to_bits() ^ 1 << (bit % 32)),
-        }),
-        Literal::U32(value) => Literal::U32(value ^ 1 << (bit % 32)),
-        Literal::Bool(value) => Literal::Bool(!value),
-        other => panic!("{other:?} is in no state of this block"),
+    let no_number = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY].get(kind).copied();
+    all[at] = match (all[at], no_number) {
+        (Literal::F64(_) | Literal::F32(_), Some(value)) => scalar(&R::lit(value)),
+        (value, _) => flipped(value, bit),
     };
     let is_number = match all[at] {
         Literal::F64(value) => value.is_finite(),

@@ -133,12 +133,18 @@ pub fn offer<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Params<
     refused
 }
 
-/// Before the first cycle: no set was taken over.
+/// No set is in use, and an offered one is looked at at once.
 #[portable]
-pub fn init<R: Real>(state: &mut State<R>) {
+pub fn drop_set<R: Real>(state: &mut State<R>) {
     state.set_id = 0u32;
     state.withdrawn = true;
     state.pause = 0u32;
+}
+
+/// Before the first cycle: no set was taken over.
+#[portable]
+pub fn init<R: Real>(state: &mut State<R>) {
+    drop_set(state);
     ipc::init(&mut state.ipc);
 }
 
@@ -193,9 +199,7 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     let mut refused = error_none();
     if state.ipc.disturbed {
         // The numbers in use may have been overwritten, too.
-        state.set_id = 0u32;
-        state.withdrawn = true;
-        state.pause = 0u32;
+        drop_set(state);
     }
     if inputs.params.set_id != state.set_id || state.withdrawn {
         refused = offer(state, coeffs, &inputs.params);

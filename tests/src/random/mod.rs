@@ -3,6 +3,7 @@
 //!
 //! ```text
 //! rng, choices                the source of chance; what is chosen from it, and can be given back
+//! overwritten                 a value of which a bit was changed
 //! syntax, types, visit        the syntax tree and what can be asked of it
 //! generate                    the program that choices make
 //! print                       its Rust text
@@ -20,6 +21,7 @@ pub mod choices;
 pub mod compile;
 pub mod coverage;
 pub mod generate;
+pub mod overwritten;
 pub mod print;
 pub mod shrink;
 mod structured_text;

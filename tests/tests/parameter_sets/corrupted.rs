@@ -1,5 +1,6 @@
 //! Parameter sets that were changed on their way: none of them is taken over.
 
+use axgen_tests::random::overwritten::flipped;
 use axgen_tests::random::rng::Rng;
 use portable::{Literal, RealKind};
 
@@ -62,13 +63,7 @@ pub fn corrupted(set: &Set, others: &[Set], foreign: &Set, rng: &mut Rng) -> Set
 
 fn flip(set: &mut Set, rng: &mut Rng) {
     let at = rng.below(set.len());
-    set[at].1 = match set[at].1 {
-        Literal::F64(value) => Literal::F64(f64::from_bits(value.to_bits() ^ 1 << rng.below(64))),
-        Literal::F32(value) => Literal::F32(f32::from_bits(value.to_bits() ^ 1 << rng.below(32))),
-        Literal::U32(value) => Literal::U32(value ^ 1 << rng.below(32)),
-        Literal::I32(value) => Literal::I32(value ^ 1 << rng.below(32)),
-        other => panic!("{other:?} is no part of a set"),
-    };
+    set[at].1 = flipped(set[at].1, rng.below(64));
 }
 
 /// Whether two sets are the same numbers: 0 and -0 are.

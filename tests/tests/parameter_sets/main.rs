@@ -14,6 +14,7 @@ mod corrupted;
 
 use axes::{FACT, STRUCTURES, block, other, set, sets};
 use axgen_tests::environment::is_exhaustive;
+use axgen_tests::random::overwritten::flipped;
 use axgen_tests::random::rng::Rng;
 use compiler::leaves;
 use compiler::program::Type;
@@ -43,16 +44,14 @@ struct Bench {
     beyond: Set,
 }
 
-impl Bench {
-    /// The coefficients of the block.
-    fn coeffs<R: Real>(&self) -> Coeffs<R>
-    where
-        TunableIpc: portable::Block<R, Coeffs = Coeffs<R>>,
-    {
-        let kind = generator::blocks::of_name(&self.designed.axis, "ipc").unwrap();
-        let mut coefficients = kind.coefficients(&self.designed).into_iter();
-        Coeffs::build(&mut || coefficients.next().unwrap())
-    }
+/// The coefficients of the block of an axis.
+fn coeffs<R: Real>(of: &Designed) -> Coeffs<R>
+where
+    TunableIpc: portable::Block<R, Coeffs = Coeffs<R>>,
+{
+    let kind = generator::blocks::of_name(&of.axis, "ipc").unwrap();
+    let mut coefficients = kind.coefficients(of).into_iter();
+    Coeffs::build(&mut || coefficients.next().unwrap())
 }
 
 fn bench(structure: usize, kind: RealKind) -> Bench {
@@ -198,7 +197,7 @@ where
     TunableIpc: portable::Block<R, Coeffs = Coeffs<R>>,
 {
     let bench = bench(structure, R::KIND);
-    let coeffs = bench.coeffs::<R>();
+    let coeffs = coeffs::<R>(&bench.designed);
     let usual = leaves(&tunable_ipc::params(&coeffs));
     let first = bench.sets[0][0].0;
     let mut rng = Rng::new(11);
@@ -292,16 +291,12 @@ fn a_set_is_the_block_with_its_constants() {
 fn a_set_of_another_axis_is_refused() {
     let bench = bench(1, RealKind::F64);
     let axis = generator::axis::Axis { name: "Y".to_owned(), ..bench.designed.axis.clone() };
-    let designed = Designed::from(axis);
-    let block = block(&designed);
-    let foreign = Bench { designed, block, sets: Vec::new(), foreign: Vec::new(), beyond: Vec::new() };
-    let [own, other] = [bench.coeffs::<f64>(), foreign.coeffs::<f64>()];
+    let [own, other] = [&bench.designed, &Designed::from(axis)].map(coeffs::<f64>);
     assert_eq!((own.set_id, tunable_ipc::error_of(&own, &tunable_ipc::params(&own))), (other.set_id, 0));
     assert_eq!(tunable_ipc::error_of(&own, &tunable_ipc::params(&other)), 6);
 }
 
-/// Whatever overwrites the state, numbers in use included: nothing is added beyond the limit of the block, and with the next set everything
-/// is as it was.
+/// Whatever overwrites the state, numbers in use included: nothing is added beyond the limit of the block.
 #[test]
 fn no_overwritten_number_leads_beyond_the_limit() {
     let count = if is_exhaustive() { 20_000 } else { 1_000 };
@@ -318,7 +313,7 @@ where
     TunableIpc:
         portable::Block<R, Coeffs = Coeffs<R>, Inputs = tunable_ipc::Inputs<R>, Outputs = tunable_ipc::Outputs<R>>,
 {
-    let coeffs = bench(structure, R::KIND).coeffs::<R>();
+    let coeffs = coeffs::<R>(&bench(structure, R::KIND).designed);
     let mut inputs = <TunableIpc as portable::Block<R>>::inputs(&coeffs);
     let mut start = tunable_ipc::State::<R>::default();
     let mut outputs = tunable_ipc::Outputs::<R>::default();
@@ -334,13 +329,8 @@ where
         let at = rng.below(leaves.len());
         let any = [f64::NAN, f64::INFINITY, -1e30, 1e9, 3.0];
         leaves[at] = match leaves[at] {
-            Literal::F64(_) if rng.below(2) == 0 => Literal::F64(*rng.pick(&any)),
-            Literal::F32(_) if rng.below(2) == 0 => Literal::F32(*rng.pick(&any) as f32),
-            Literal::F64(value) => Literal::F64(f64::from_bits(value.to_bits() ^ 1 << rng.below(64))),
-            Literal::F32(value) => Literal::F32(f32::from_bits(value.to_bits() ^ 1 << rng.below(32))),
-            Literal::U32(value) => Literal::U32(value ^ 1 << rng.below(32)),
-            Literal::Bool(value) => Literal::Bool(!value),
-            other => other,
+            Literal::F64(_) | Literal::F32(_) if rng.below(2) == 0 => real(*rng.pick(&any), R::KIND),
+            value => flipped(value, rng.below(64)),
         };
         let mut leaves = leaves.into_iter();
         let mut state = tunable_ipc::State::<R>::build(&mut || leaves.next().unwrap());
@@ -360,7 +350,7 @@ where
 /// Behind a fault of the state no number in use is trusted: with a set that is refused nothing is added until a sound one is offered.
 #[test]
 fn behind_a_fault_of_the_state_a_refused_set_leaves_none_in_use() {
-    let coeffs = bench(0, RealKind::F64).coeffs::<f64>();
+    let coeffs = coeffs::<f64>(&bench(0, RealKind::F64).designed);
     let mut inputs = <TunableIpc as portable::Block<f64>>::inputs(&coeffs);
     let whole = inputs.params;
     let mut state = tunable_ipc::State::<f64>::default();
@@ -393,7 +383,7 @@ fn behind_a_fault_of_the_state_a_refused_set_leaves_none_in_use() {
 #[test]
 fn numbers_that_were_overwritten_are_taken_over_anew() {
     let bench = bench(0, RealKind::F64);
-    let coeffs = bench.coeffs::<f64>();
+    let coeffs = coeffs::<f64>(&bench.designed);
     let mut inputs = <TunableIpc as portable::Block<f64>>::inputs(&coeffs);
     let [mut state, mut sound] = [tunable_ipc::State::<f64>::default(); 2];
     let [mut outputs, mut expected] = [tunable_ipc::Outputs::<f64>::default(); 2];
@@ -418,7 +408,7 @@ fn numbers_that_were_overwritten_are_taken_over_anew() {
 #[test]
 fn every_refusal_has_its_id() {
     let bench = bench(0, RealKind::F64);
-    let coeffs = bench.coeffs::<f64>();
+    let coeffs = coeffs::<f64>(&bench.designed);
     let whole = tunable_ipc::params(&coeffs);
     let after = |change: &dyn Fn(&mut Params<f64>)| {
         let mut params = whole;

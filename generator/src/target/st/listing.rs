@@ -54,9 +54,9 @@ pub(super) struct SetType {
     pub(super) parts: Vec<Member>,
 }
 
-/// The name of the type of the parameter sets of a block with that name.
-pub(crate) fn set_name(block: &str) -> String {
-    format!("ST_{block}_params")
+/// The name of the type of the parameter sets of a block of an axis.
+pub(crate) fn set_name(axis: &str, block: &str) -> String {
+    format!("ST_{}_params", block_name(axis, block))
 }
 
 impl Listing {
@@ -86,7 +86,7 @@ pub(super) fn listing(axis: &Header, block: &Legal<'_>, dialect: &Dialect) -> Li
         set: block
             .program
             .has_set()
-            .then(|| SetType { name: set_name(&block_name(&axis.name, block.program.block)), parts: outline.set() }),
+            .then(|| SetType { name: set_name(&axis.name, block.program.block), parts: outline.set() }),
         outputs: outline.outputs(),
         state: outline.state(),
         locals: outline.locals(),
@@ -129,7 +129,7 @@ impl Origin<'_> {
         let instance = format!("{}_{}", self.axis.name.to_ascii_lowercase(), self.block);
         let ty = format!("{0}{1}{0}", dialect.quote, name(&self.axis.name, self.block, dialect));
         // In SCL it is a data block: that is what `params-of` writes to.
-        let set = set_name(&block_name(&self.axis.name, self.block));
+        let set = set_name(&self.axis.name, self.block);
         let set = match dialect.quote {
             "" => format!("{SET} : {set};"),
             quote => format!("a data block {quote}{SET}{quote} of the type {quote}{set}{quote}"),

@@ -4,7 +4,7 @@
 use super::dialect::Dialect;
 use super::listing::{self, Listing, SET, set_name};
 use crate::target::outline::Member;
-use crate::target::{Header, Legal, block_name};
+use crate::target::{Header, Legal};
 use crate::trial::{Answer, Noise, Trial, Turn};
 use askama::Template;
 use compiler::legalise::RealInput;
@@ -95,7 +95,7 @@ pub(super) fn listing(axis: &Header, block: &Legal<'_>, dialect: &Dialect) -> Li
         of_outputs.map(|(output, name)| variable(output.ty, format!("expected_{name}"), "the reference's answer")),
     );
     if program.has_set() {
-        let name = set_name(&block_name(&axis.name, program.block));
+        let name = set_name(&axis.name, program.block);
         state.push(member(format!("{0}{name}{0}", dialect.quote).into(), SET.to_owned(), "the parameter set"));
     }
     Listing {
