@@ -13,9 +13,9 @@
 //!
 //! ```text
 //! p  = p + change of x
-//! q  = h p - (g + k) h s1
-//! bp = s1 + g q
-//! s1 = bp + g q
+//! q  = h p - 2 (g + k) h s1
+//! bp = 2 s1 + g q
+//! s1 = s1 + g q
 //! p  = p - 2 g bp
 //! y  = x - q
 //! ```
@@ -49,9 +49,9 @@ pub struct Coeffs<R> {
     pub preset_s2: R,
     /// H = h: q = H p - R s1, y = x - q, p = x - low-pass part
     pub h: R,
-    /// R = (g + k) h: q = H p - R s1
+    /// R = 2 (g + k) h: q = H p - R s1
     pub r: R,
-    /// G = g, the warped centre: bp = s1 + G q, s1 = bp + G q
+    /// G = g, the warped centre: s1' = s1 + G q, bp = s1 + s1'
     pub g: R,
     /// G2 = 2 g: the low-pass part grows by G2 bp
     pub g2: R,
@@ -68,9 +68,9 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, change: R) 
 pub fn by_change<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, change: R) -> R {
     let left = state.p + change;
     let q = coeffs.h * left - coeffs.r * state.s1;
-    let u = coeffs.g * q;
-    let bp = state.s1 + u;
-    state.s1 = bp + u;
+    let next = state.s1 + coeffs.g * q;
+    let bp = state.s1 + next;
+    state.s1 = next;
     state.p = left - coeffs.g2 * bp;
     x - q
 }

@@ -45,22 +45,28 @@ pub fn least_change<R: Real>() -> R {
     R::lit(1.0e-18)
 }
 
+/// 2: |a1| of a stable biquad and B of a stable trapezoidal section are below it
+#[portable]
+pub fn stability_end<R: Real>() -> R {
+    R::lit(2.0)
+}
+
 /// Whether the poles of a biquad lie inside the unit circle: |a2| < 1 and |a1| < 1 + a2. False of what is no number.
 #[portable]
 pub fn is_stable_biquad<R: Real>(a1: R, a2: R) -> bool {
     let mut is_stable = false;
-    if in_range(a1, R::lit(2.0)) && in_range(a2, R::ONE) {
+    if in_range(a1, stability_end()) && in_range(a2, R::ONE) {
         let edge = a2 + R::ONE;
         is_stable = a2 < R::ONE && a1 < edge && -edge < a1;
     }
     is_stable
 }
 
-/// Whether those of a trapezoidal section do: 0 < A C < 2 B and B < 1. False of what is no number.
+/// Whether those of a trapezoidal section do: 0 < A C < B < 2. False of what is no number.
 #[portable]
 pub fn is_stable_trapezoidal<R: Real>(a: R, b: R, c: R) -> bool {
     let mut is_stable = false;
-    if in_range(a, largest_number()) && in_range(b, R::ONE) && in_range(c, largest_number()) {
+    if in_range(a, largest_number()) && in_range(b, stability_end()) && in_range(c, largest_number()) {
         is_stable = are_poles_inside(a, b, c);
     }
     is_stable
@@ -70,5 +76,5 @@ pub fn is_stable_trapezoidal<R: Real>(a: R, b: R, c: R) -> bool {
 #[portable]
 pub fn are_poles_inside<R: Real>(a: R, b: R, c: R) -> bool {
     let product = a * c;
-    R::ZERO < product && product < b + b && b < R::ONE
+    R::ZERO < product && product < b && b < stability_end()
 }

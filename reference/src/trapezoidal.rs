@@ -3,8 +3,10 @@
 //! With the warped centre g, the reciprocal quality factor k, the gain c at the centre and h = 1 / (1 + (g + k) g):
 //!
 //! ```text
-//! u = A p - B s1 ; bp = s1 + u ; s1 = bp + u ; low = low + C bp     A = g h c k, B = (g + k) g h, C = 2 g / (c k)
+//! u = A p - B s1 ; s1' = s1 + u ; y = s1 + s1' ; low' = low + C y     A = g h c k, B = 2 (g + k) g h, C = 2 g / (c k)
 //! ```
+//!
+//! s1 is half of what the trapezoidal rule integrates up to: one rounding a cycle stays in it, and none of the output's.
 //!
 //! p is the input without its low-pass part, p = x - low. Where the input carries an offset, p itself is the state: it takes the
 //! change of the input, and the offset enters no state. Behind a band-pass section low is the state, which saves the change.
@@ -17,8 +19,9 @@ use portable::{Real, portable};
 pub fn by_change<R: Real>(state: &mut State<R>, a: R, b: R, c: R, change: R) -> R {
     let left = state.p + change;
     let u = a * left - b * state.s1;
-    let y = state.s1 + u;
-    state.s1 = y + u;
+    let next = state.s1 + u;
+    let y = state.s1 + next;
+    state.s1 = next;
     state.p = left - c * y;
     y
 }
@@ -27,8 +30,9 @@ pub fn by_change<R: Real>(state: &mut State<R>, a: R, b: R, c: R, change: R) -> 
 #[portable]
 pub fn by_input<R: Real>(state: &mut State<R>, a: R, b: R, c: R, x: R) -> R {
     let u = a * (x - state.low) - b * state.s1;
-    let y = state.s1 + u;
-    state.s1 = y + u;
+    let next = state.s1 + u;
+    let y = state.s1 + next;
+    state.s1 = next;
     state.low = state.low + (c * y + least_change());
     y
 }

@@ -9,8 +9,7 @@ use portable::{Block, Enable, Fn, Real, portable};
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     if ipc::may_act(coeffs, inputs)
-        && inputs.mode == ipc::mode_on()
-        && state.fade >= coeffs.fade_cycles
+        && state.fade == coeffs.fade_cycles
         && !(coeffs.watch.active && state.watch.tripped)
         && (!coeffs.ride_through.active || state.ride_through.bad == 0u32)
         && are_followed(&state.tuning, &coeffs.tuning, &coeffs.stage, inputs)

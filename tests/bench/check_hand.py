@@ -203,15 +203,13 @@ class Axis:
         return x
 
     def error_of(self, i):
-        if i.task_cycle_ns not in (0, CYCLE_TIME_NS):
-            return 1
-        if i.mode not in (OFF, ON, DRYRUN):
-            return 2
         for name, error_id in (("v_command", 11), ("v_motor", 12), ("v_direct", 13)):
             read = any(name == source for source, _ in self.stages)
             if read and not -SAMPLE_LIMIT <= getattr(i, name) <= SAMPLE_LIMIT:
                 return error_id
-        return 0
+        if i.task_cycle_ns not in (0, CYCLE_TIME_NS):
+            return 1
+        return 0 if i.mode in (OFF, ON, DRYRUN) else 2
 
     def step(self, i):
         c, error_id = self.c, self.error_of(i)

@@ -109,12 +109,12 @@ class Axis:
     def ipc(self, i, out):
         """Gives the error."""
         c = self.c
-        if i.mode not in (OFF, ON, DRYRUN):
-            self.preset, self.fade = False, 0
-            return 2
         if not in_range(i.v_motor):
             self.preset, self.fade = False, 0
             return 12
+        if i.mode not in (OFF, ON, DRYRUN):
+            self.preset, self.fade = False, 0
+            return 2
         if not self.preset:
             if i.mode == OFF:
                 self.fade = 0

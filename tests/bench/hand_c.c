@@ -93,10 +93,10 @@ OFTEN uint32_t improve(
     uint32_t error_id = 0u;
     *v_add = 0.0;
     *limited = false;
-    if (mode != MODE_OFF && mode != MODE_ON && mode != MODE_DRYRUN) {
-        error_id = 2u;
-    } else if (!in_range(inputs->v_motor)) {
+    if (!in_range(inputs->v_motor)) {
         error_id = 12u;
+    } else if (mode != MODE_OFF && mode != MODE_ON && mode != MODE_DRYRUN) {
+        error_id = 2u;
     }
     if (error_id != 0u || !loop_closed) {
         state->preset = false;

@@ -262,16 +262,16 @@ static void step_not_on(
     const axis_hand_full_ipc_inputs *restrict inputs,
     axis_hand_full_ipc_outputs *restrict outputs)
 {
-    if (inputs->mode != MODE_OFF && inputs->mode != MODE_DRYRUN) {
-        idle(state, outputs, 2u);
-        return;
-    }
     if (!(fabs(inputs->v_command) <= sample_limit)) {
         idle(state, outputs, 11u);
         return;
     }
     if (!(fabs(inputs->v_motor) <= sample_limit)) {
         idle(state, outputs, 12u);
+        return;
+    }
+    if (inputs->mode != MODE_OFF && inputs->mode != MODE_DRYRUN) {
+        idle(state, outputs, 2u);
         return;
     }
     if (!inputs->position_controlled || inputs->reset) {
@@ -294,13 +294,22 @@ static void step_not_on(
     act(state, inputs, outputs);
 }
 
+/* The id of a sample that is out of range, else the other one. */
+static uint32_t error_of_samples(const axis_hand_full_ipc_inputs *restrict inputs, uint32_t other)
+{
+    if (!(fabs(inputs->v_command) <= sample_limit)) {
+        return 11u;
+    }
+    return fabs(inputs->v_motor) <= sample_limit ? other : 12u;
+}
+
 void axis_hand_full_ipc_step(
     axis_hand_full_ipc_state *restrict state,
     const axis_hand_full_ipc_inputs *restrict inputs,
     axis_hand_full_ipc_outputs *restrict outputs)
 {
     if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != CYCLE_TIME_NS) {
-        idle(state, outputs, 1u);
+        idle(state, outputs, error_of_samples(inputs, 1u));
         return;
     }
     if (inputs->mode != MODE_ON) {

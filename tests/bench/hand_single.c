@@ -2,8 +2,8 @@
  * SECTIONS = 6: `stages`. Compile without contraction.
  *
  * Cycle 62.5 us, limit 250000 um/s, fade 0.1 s, weights 1.
- *   first section of a stage:  p += change;  u = A p - B s1;  y = s1 + u;  s1 = y + u;  p -= C y
- *   further one:               u = A (x - low) - B s1;        y = s1 + u;  s1 = y + u;  low += C y
+ *   first section of a stage:  p += change;  u = A p - B s1;  y = s1 + (s1 + u);  s1 += u;  p -= C y
+ *   further one:               u = A (x - low) - B s1;        y = s1 + (s1 + u);  s1 += u;  low += C y
  * The coefficients are those of the generated blocks; `cortex_m4` compares the bits of the outputs.
  */
 #include "hand_single.h"
@@ -46,8 +46,9 @@ static inline float first(hand_section *restrict state, float change, float a, f
 {
     const float left = state->p + change;
     const float u = a * left - b * state->s1;
-    const float y = state->s1 + u;
-    state->s1 = y + u;
+    const float next = state->s1 + u;
+    const float y = state->s1 + next;
+    state->s1 = next;
     state->p = left - c * y;
     return y;
 }
@@ -57,8 +58,9 @@ static inline float first(hand_section *restrict state, float change, float a, f
 static inline float further(hand_section *restrict state, float x, float a, float b, float c)
 {
     const float u = a * (x - state->p) - b * state->s1;
-    const float y = state->s1 + u;
-    state->s1 = y + u;
+    const float next = state->s1 + u;
+    const float y = state->s1 + next;
+    state->s1 = next;
     state->p = state->p + (c * y + least_change);
     return y;
 }
@@ -101,14 +103,14 @@ static void act(HAND_STATE *restrict state, const HAND_INPUTS *restrict inputs, 
     state->before = inputs->v_motor;
     hand_section *const section = state->section;
 #if SECTIONS == 1
-    float v = -first(&section[0], change, 0.0010395711f, 0.0011477504f, 0.20812292f);
+    float v = -first(&section[0], change, 0.0010395711f, 0.0022955008f, 0.20812292f);
 #else
-    const float y0 = first(&section[0], change, 0.0010037806f, 0.00081016094f, 0.20088975f);
-    const float y1 = first(&section[2], change, 0.00039789308f, 0.00029701323f, 0.079600446f);
-    const float y2 = first(&section[4], change, 0.00020844798f, 0.0001516485f, 0.041695658f);
-    float v = -further(&section[1], y0, 0.0010772931f, 0.000877426f, 0.21561652f);
-    v = v - further(&section[3], y1, 0.00042705005f, 0.0003200238f, 0.085435405f);
-    v = v - further(&section[5], y2, 0.00022372516f, 0.00016310475f, 0.044752054f);
+    const float y0 = first(&section[0], change, 0.0010037806f, 0.0016203219f, 0.20088975f);
+    const float y1 = first(&section[2], change, 0.00039789308f, 0.00059402647f, 0.079600446f);
+    const float y2 = first(&section[4], change, 0.00020844798f, 0.000303297f, 0.041695658f);
+    float v = -further(&section[1], y0, 0.0010772931f, 0.001754852f, 0.21561652f);
+    v = v - further(&section[3], y1, 0.00042705005f, 0.0006400476f, 0.085435405f);
+    v = v - further(&section[5], y2, 0.00022372516f, 0.0003262095f, 0.044752054f);
 #endif
     const float magnitude = __builtin_fabsf(v);
 
@@ -142,10 +144,10 @@ static void act(HAND_STATE *restrict state, const HAND_INPUTS *restrict inputs, 
 /* A cycle in a mode other than ON. */
 static void step_not_on(HAND_STATE *restrict state, const HAND_INPUTS *restrict inputs, HAND_OUTPUTS *restrict outputs)
 {
-    if (inputs->mode != MODE_OFF && inputs->mode != MODE_DRYRUN) {
-        idle(state, outputs, 2u);
-    } else if (!(__builtin_fabsf(inputs->v_motor) <= sample_limit)) {
+    if (!(__builtin_fabsf(inputs->v_motor) <= sample_limit)) {
         idle(state, outputs, 12u);
+    } else if (inputs->mode != MODE_OFF && inputs->mode != MODE_DRYRUN) {
+        idle(state, outputs, 2u);
     } else if (!inputs->position_controlled || inputs->reset) {
         idle(state, outputs, 0u);
     } else if (!state->preset) {
@@ -167,7 +169,7 @@ void HAND_NAME(AXIS, _ipc_step)(
     HAND_STATE *restrict state, const HAND_INPUTS *restrict inputs, HAND_OUTPUTS *restrict outputs)
 {
     if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != CYCLE_TIME_NS) {
-        idle(state, outputs, 1u);
+        idle(state, outputs, __builtin_fabsf(inputs->v_motor) <= sample_limit ? 1u : 12u);
         return;
     }
     if (inputs->mode != MODE_ON) {

@@ -166,12 +166,12 @@ SELDOM void fade(
     uint32_t error_id)
 {
     const int32_t mode = inputs->mode;
-    if (mode != MODE_OFF && mode != MODE_ON && mode != MODE_DRYRUN) {
-        without_addition(state, outputs, v_command, 2u);
-        return;
-    }
     if (!in_range(inputs->v_motor)) {
         without_addition(state, outputs, v_command, 12u);
+        return;
+    }
+    if (mode != MODE_OFF && mode != MODE_ON && mode != MODE_DRYRUN) {
+        without_addition(state, outputs, v_command, 2u);
         return;
     }
     if (!state->preset) {

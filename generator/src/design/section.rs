@@ -51,22 +51,22 @@ pub(crate) fn oscillation(of: &Shape) -> oscillation::Coeffs<f64> {
     let Shape { g, k, .. } = *of;
     let ([a1, a2], d) = denominator(of);
     let (b0, b1, b2) = ((g + k) * g / d, 2.0 * g * g / d, (g - k) * g / d);
-    let (h, r) = (1.0 / d, (g + k) / d);
+    let (h, r) = (1.0 / d, 2.0 * (g + k) / d);
     oscillation::Coeffs { b0, b1, b2, a1, a2, preset_s1: 1.0 - b0, preset_s2: b2 - a2, h, r, g, g2: 2.0 * g }
 }
 
 /// A, B and C of the band-pass part c k g s / (s^2 + k g s + g^2), s = (1 - z^-1) / (1 + z^-1), with the signs of
-/// `u = A p - B s1; y = s1 + u; s1 = y + u; p = p - C y`.
+/// `u = A p - B s1; s1' = s1 + u; y = s1 + s1'; p = p - C y`.
 ///
-/// h = 1 / d, d = 1 + k g + g^2: A = g h c k, B = (g + k) g h, C = 2 g / (c k). From the state-variable filter with the integrators
-/// s1 and s2, hp = (x - s2 - (g + k) s1) h, bp = s1 + g hp, lp = s2 + g bp, where p = x - s2 and s1 stands for c k s1.
+/// h = 1 / d, d = 1 + k g + g^2: A = g h c k, B = 2 (g + k) g h, C = 2 g / (c k). From the state-variable filter with the integrators
+/// i1 and i2, hp = (x - i2 - (g + k) i1) h, bp = i1 + g hp, lp = i2 + g bp, where p = x - i2 and s1 = c k i1 / 2.
 ///
 /// No coefficient is a difference, and each takes part in the response by its own relative rounding: single precision keeps a low
 /// centre as well as a high one.
 pub(crate) fn trapezoidal(of: &Shape) -> [f64; 3] {
     let Shape { g, k, c } = *of;
     let d = 1.0 + k * g + g * g;
-    [c * k * g / d, (g + k) * g / d, 2.0 * g / (c * k)]
+    [c * k * g / d, 2.0 * (g + k) * g / d, 2.0 * g / (c * k)]
 }
 
 /// Denominator 1 + a1 z^-1 + a2 z^-2, with the signs of `y = x - a1 y' - a2 y''`; and d, which a numerator must be divided by.

@@ -2,7 +2,7 @@
 
 use super::response::{Complex, quotient};
 
-/// `u = a p - b s1; bp = s1 + u; s1 = bp + u; low = low + c bp`, p = x - low.
+/// `u = a p - b s1; s1' = s1 + u; bp = s1 + s1'; low = low + c bp`, p = x - low.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Trapezoidal {
     pub a: f64,
@@ -25,32 +25,33 @@ pub(crate) enum Output {
 }
 
 impl Trapezoidal {
-    /// The matrix of its two states has the trace 2 - 2 B - A C and the determinant 1 + A C - 2 B.
+    /// The matrix of its two states has the trace 2 - B - A C and the determinant 1 + A C - B.
     pub(crate) fn is_stable(&self) -> bool {
         let ac = self.a * self.c;
-        ac > 0.0 && ac < 2.0 * self.b && self.b < 1.0
+        ac > 0.0 && ac < self.b && self.b < 2.0
     }
 
-    /// Warped centre: g^2 = A C / (2 (1 - B)).
+    /// Warped centre: g^2 = A C / (2 - B).
     pub(crate) fn centre(&self) -> f64 {
-        libm::sqrt(self.a * self.c / (2.0 * (1.0 - self.b)))
+        libm::sqrt(self.a * self.c / (2.0 - self.b))
     }
 
     /// k g, k the reciprocal quality factor.
     pub(crate) fn width(&self) -> f64 {
-        (self.b - self.a * self.c / 2.0) / (1.0 - self.b)
+        (self.b - self.a * self.c) / (2.0 - self.b)
     }
 
-    /// c k: a p or low of 1 weighs as much as an s1 of this.
+    /// c k / 2: a p or low of 1 weighs as much as an s1 of this.
     pub(crate) fn scale(&self) -> f64 {
-        2.0 * self.centre() / self.c
+        self.centre() / self.c
     }
 
     /// One step, from s1 and low to s1 and low; gives the output.
     pub(crate) fn step(&self, s: &mut [f64; 2], x: f64) -> f64 {
         let u = self.a * (x - s[1]) - self.b * s[0];
-        let bp = s[0] + u;
-        *s = [bp + u, s[1] + self.c * bp];
+        let s1 = s[0] + u;
+        let bp = s[0] + s1;
+        *s = [s1, s[1] + self.c * bp];
         match self.output {
             Output::Bandpass => bp,
             Output::Allpass => x - 2.0 * bp,
@@ -71,10 +72,10 @@ impl Trapezoidal {
         }
     }
 
-    /// A j t / (A C / 2 - (1 - B) t^2 + j t (B - A C / 2)).
+    /// 2 A j t / (A C - (2 - B) t^2 + j t (B - A C)).
     pub(crate) fn band_pass_part(&self, t: f64) -> Complex {
-        let half = self.a * self.c / 2.0;
-        let denominator = Complex { re: half - (1.0 - self.b) * t * t, im: t * (self.b - half) };
-        quotient(Complex { re: 0.0, im: self.a * t }, denominator)
+        let ac = self.a * self.c;
+        let denominator = Complex { re: ac - (2.0 - self.b) * t * t, im: t * (self.b - ac) };
+        quotient(Complex { re: 0.0, im: 2.0 * self.a * t }, denominator)
     }
 }

@@ -31,7 +31,7 @@ fn of_single_precision() {
     assert!(lines[0].ends_with("within single precision"), "{}", lines[0]);
     assert_eq!(
         lines[4],
-        "signal-to-noise ratio in single precision, of a vibration of 1060 at f0 while the axis moves at 530000: stage[0] 128 dB, \
+        "signal-to-noise ratio in single precision, of a vibration of 1060 at f0 while the axis moves at 530000: stage[0] 129 dB, \
          stage[1] 93 dB"
     );
 }

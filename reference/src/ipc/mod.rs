@@ -27,7 +27,6 @@ use crate::signal::{error_tuning, error_v_command, error_v_direct, error_v_motor
 use crate::stage;
 use crate::sum::empty_sum;
 use portable::{Block, Enable, Fn, Real, from_u32, in_range, note, portable, within};
-use tuning::are_followed;
 
 /// Coefficients.
 #[portable]
@@ -67,10 +66,8 @@ pub struct Coeffs<R> {
 pub struct State<R> {
     /// whether the sections have been preset to the steady state of an input
     pub preset: bool,
-    /// position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is
+    /// position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a state was overwritten
     pub fade: u32,
-    /// whether a state was overwritten, as the cycle before has shown
-    pub disturbed: bool,
     /// bad samples in a row
     pub ride_through: ride_through::State,
     /// what the caller tunes
@@ -126,17 +123,21 @@ pub fn move_fade<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, mode: i32) {
             state.fade += 1u32;
         }
     } else {
-        if state.fade > coeffs.fade_cycles {
-            note("fade has been overwritten: it must not take longer than a whole fade");
-            state.fade = coeffs.fade_cycles;
-        }
-        if state.fade > 0u32 {
+        if state.fade > 1u32 {
             state.fade -= 1u32;
-        }
-        if mode == mode_off() && state.fade == 0u32 {
-            state.preset = false;
+        } else {
+            state.fade = 0u32;
+            if mode == mode_off() {
+                state.preset = false;
+            }
         }
     }
+}
+
+/// A state was overwritten: the fade stands beyond its end, which the next cycle finds as it finds a fade that was overwritten itself.
+#[portable]
+pub fn disturb<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
+    state.fade = coeffs.fade_cycles + 1u32;
 }
 
 /// The block must not act: everything starts anew afterwards.
@@ -174,8 +175,7 @@ pub fn limit<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, coeffs: &C
             "a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle, then everything starts anew",
         );
         outputs.limited = true;
-        state.disturbed = true;
-        stop(state);
+        disturb(state, coeffs);
         R::ZERO
     }
 }
@@ -193,7 +193,6 @@ pub fn clear<R: Real>(outputs: &mut Outputs<R>, error_id: u32) {
 /// Before the first cycle. The sections need nothing: the first active cycle presets them to their steady state.
 #[portable]
 pub fn init<R: Real>(state: &mut State<R>) {
-    state.disturbed = false;
     ride_through::init(&mut state.ride_through);
     tuning::init(&mut state.tuning);
     watch::init(&mut state.watch);
@@ -212,19 +211,19 @@ pub fn act<R: Real>(
     outputs.limited = false;
     outputs.fault = false;
     outputs.error_id = if is_tuning_held { error_tuning() } else { error_none() };
+    let fade = state.fade;
     let v_sum = sum_of_stages(state, coeffs, inputs);
     let v_limited = limit(state, outputs, coeffs, v_sum);
-    if state.fade >= coeffs.fade_cycles {
+    if fade < coeffs.fade_cycles {
+        outputs.v_add = if fade > 0u32 { v_limited * (from_u32::<R>(fade) * coeffs.fade_step) } else { R::ZERO };
+        outputs.v_add_calculated = if inputs.mode == mode_off() { R::ZERO } else { v_limited };
+    } else {
         // The fade has just been moved: where it is full, the mode is ON.
         outputs.v_add = v_limited;
         outputs.v_add_calculated = v_limited;
-    } else {
-        outputs.v_add =
-            if state.fade > 0u32 { v_limited * (from_u32::<R>(state.fade) * coeffs.fade_step) } else { R::ZERO };
-        outputs.v_add_calculated = if inputs.mode == mode_off() { R::ZERO } else { v_limited };
     }
     // Only what acts can make a loop unstable. A sum that is a fault is no vibration.
-    if coeffs.watch.active && inputs.mode == mode_on() && !state.watch.tripped && !state.disturbed {
+    if coeffs.watch.active && inputs.mode == mode_on() && !state.watch.tripped && state.fade <= coeffs.fade_cycles {
         look_after(state, coeffs, v_sum);
     }
 }
@@ -247,7 +246,7 @@ pub fn act_in_full<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &I
     let v_limited = limit(state, outputs, coeffs, v_sum);
     outputs.v_add = v_limited;
     outputs.v_add_calculated = v_limited;
-    if coeffs.watch.active && !state.disturbed {
+    if coeffs.watch.active && state.fade <= coeffs.fade_cycles {
         look_after(state, coeffs, v_sum);
     }
 }
@@ -298,49 +297,36 @@ pub fn is_mode(mode: i32) -> bool {
     mode == mode_on() || mode == mode_off() || mode == mode_dryrun()
 }
 
-/// Whether the mode is one that the axis may have, and every input that a stage looks at is in range.
-#[portable]
-pub fn is_in_range<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
-    is_mode(inputs.mode) && (!coeffs.slave || inputs.mode == mode_off()) && are_in_range(&coeffs.stage, inputs)
-}
-
 /// Whether the caller's cycle is the one that the coefficients were designed for, or not told.
 #[portable]
 pub fn is_cycle_time<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     inputs.task_cycle_ns == 0u32 || inputs.task_cycle_ns == coeffs.cycle_time_ns
 }
 
-/// The id of what forbids to act, of several the first in the order of the ids; none where the caller alone forbids it.
+/// The block must not act for this reason, which it gives.
 #[portable]
-pub fn error_of<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> u32 {
-    if !is_cycle_time(coeffs, inputs) {
-        error_cycle_time()
-    } else if !is_mode(inputs.mode) {
-        error_mode()
-    } else if coeffs.slave && inputs.mode != mode_off() {
-        error_gantry_slave()
-    } else if reads_command(&coeffs.stage) && !in_range(inputs.v_command, sample_limit()) {
-        error_v_command()
-    } else if reads_motor(&coeffs.stage) && !in_range(inputs.v_motor, sample_limit()) {
-        error_v_motor()
-    } else if reads_direct(&coeffs.stage) && !in_range(inputs.v_direct, sample_limit()) {
-        error_v_direct()
-    } else {
-        error_none()
-    }
+pub fn refuse<R: Real>(state: &mut State<R>, reason: u32) -> u32 {
+    stop(state);
+    reason
 }
 
-/// Whether nothing forbids the block to act.
+/// Whether the caller lets the axis act and has it ON: with a full fade, nothing but the sections changes then.
+#[portable]
+pub fn is_on<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
+    inputs.position_controlled && !inputs.reset && !coeffs.slave && inputs.mode == mode_on()
+}
+
+/// Whether samples and cycle time are usable, and the axis is ON.
 #[portable]
 pub fn may_act<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
-    is_in_range(coeffs, inputs) && is_cycle_time(coeffs, inputs) && inputs.position_controlled && !inputs.reset
+    are_in_range(&coeffs.stage, inputs) && is_cycle_time(coeffs, inputs) && is_on(coeffs, inputs)
 }
 
 /// Whether the mode is ON, the fade full, and every sample of an encoder in range that a stage looks at.
 #[portable]
 pub fn is_settled<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, mode: i32, v_motor: R, v_direct: R) -> bool {
     mode == mode_on()
-        && state.fade >= coeffs.fade_cycles
+        && state.fade == coeffs.fade_cycles
         && (!reads_motor(&coeffs.stage) || in_range(v_motor, sample_limit()))
         && (!reads_direct(&coeffs.stage) || in_range(v_direct, sample_limit()))
 }
@@ -356,7 +342,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
             &coeffs.ride_through,
             &coeffs.stage,
             &state.source,
-            state.preset,
+            state.preset && state.fade <= coeffs.fade_cycles,
             inputs,
             &mut replaced,
         );
@@ -370,33 +356,39 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
 /// One cycle with these samples.
 #[portable]
 pub fn cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    let mut runs = true;
     let mut is_tuning_held = false;
+    if coeffs.tuning.active {
+        let jumps = state.fade == 0u32 || state.fade > coeffs.fade_cycles;
+        is_tuning_held = tuning::step(&mut state.tuning, &coeffs.stage, coeffs.fade_step, jumps, inputs);
+    }
+    // Of several reasons not to act the first is told. The usual cycle comes before the rare ones.
+    let mut runs = false;
     let mut reason = error_none();
-    // Mostly the mode is ON, the fade full, and nothing is tuned: then nothing but the sections changes.
-    if !(may_act(coeffs, inputs)
-        && inputs.mode == mode_on()
-        && state.fade >= coeffs.fade_cycles
-        && !(coeffs.watch.active && state.watch.tripped)
-        && are_followed(&state.tuning, &coeffs.tuning, &coeffs.stage, inputs))
+    if reads_command(&coeffs.stage) && !in_range(inputs.v_command, sample_limit()) {
+        reason = refuse(state, error_v_command());
+    } else if reads_motor(&coeffs.stage) && !in_range(inputs.v_motor, sample_limit()) {
+        reason = refuse(state, error_v_motor());
+    } else if reads_direct(&coeffs.stage) && !in_range(inputs.v_direct, sample_limit()) {
+        reason = refuse(state, error_v_direct());
+    } else if is_on(coeffs, inputs) && state.fade == coeffs.fade_cycles && !(coeffs.watch.active && state.watch.tripped)
     {
-        if coeffs.tuning.active {
-            let jumps = state.fade == 0u32;
-            is_tuning_held = tuning::step(&mut state.tuning, &coeffs.stage, coeffs.fade_step, jumps, inputs);
-        }
-        if state.disturbed {
-            runs = false;
-            reason = error_state();
-            state.disturbed = false;
+        if is_cycle_time(coeffs, inputs) {
+            runs = true;
         } else {
-            reason = error_of(coeffs, inputs);
-            if reason == error_none() && inputs.position_controlled && !inputs.reset {
-                runs = prepare(state, coeffs, inputs);
-            } else {
-                runs = false;
-                stop(state);
-            }
+            reason = refuse(state, error_cycle_time());
         }
+    } else if !is_cycle_time(coeffs, inputs) {
+        reason = refuse(state, error_cycle_time());
+    } else if state.fade > coeffs.fade_cycles {
+        reason = refuse(state, error_state());
+    } else if !is_mode(inputs.mode) {
+        reason = refuse(state, error_mode());
+    } else if coeffs.slave && inputs.mode != mode_off() {
+        reason = refuse(state, error_gantry_slave());
+    } else if inputs.position_controlled && !inputs.reset {
+        runs = prepare(state, coeffs, inputs);
+    } else {
+        stop(state);
     }
     if runs {
         act(state, coeffs, inputs, outputs, is_tuning_held);

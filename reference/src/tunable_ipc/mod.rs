@@ -179,13 +179,12 @@ pub fn put_out<R: Real>(set_id: u32, ipc_outputs: &ipc::Outputs<R>, refused: u32
 
 /// Nothing is added beyond the limit that the block was generated with, whatever has become of the numbers in use.
 #[portable]
-pub fn hold_limit<R: Real>(state: &mut ipc::State<R>, limit: R, outputs: &mut ipc::Outputs<R>) {
-    if !in_range(outputs.v_add_calculated, limit) {
+pub fn hold_limit<R: Real>(state: &mut ipc::State<R>, coeffs: &ipc::Coeffs<R>, outputs: &mut ipc::Outputs<R>) {
+    if !in_range(outputs.v_add_calculated, coeffs.limit) {
         note(
             "a number in use has been overwritten: a fault in the next cycle, then the offered set is taken over anew",
         );
-        state.disturbed = true;
-        ipc::stop(state);
+        ipc::disturb(state, coeffs);
         outputs.v_add = R::ZERO;
         outputs.v_add_calculated = R::ZERO;
         outputs.limited = true;
@@ -197,7 +196,7 @@ pub fn hold_limit<R: Real>(state: &mut ipc::State<R>, limit: R, outputs: &mut ip
 pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let mut mode = inputs.mode;
     let mut refused = error_none();
-    if state.ipc.disturbed {
+    if state.ipc.fade > coeffs.ipc.fade_cycles {
         // The numbers in use may have been overwritten, too.
         drop_set(state);
     }
@@ -214,7 +213,7 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     hand_over(inputs, mode, &mut ipc_inputs);
     let mut ipc_outputs = ipc::Outputs::<R>::default();
     ipc::step(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.now), &ipc_inputs, &mut ipc_outputs);
-    hold_limit(&mut state.ipc, coeffs.ipc.limit, &mut ipc_outputs);
+    hold_limit(&mut state.ipc, &coeffs.ipc, &mut ipc_outputs);
     put_out(state.set_id, &ipc_outputs, refused, outputs);
 }
 
@@ -227,15 +226,14 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     if inputs.params.set_id == state.set_id
         && !state.withdrawn
         && ipc::may_act(&coeffs.ipc, &ipc_inputs)
-        && inputs.mode == ipc::mode_on()
-        && state.ipc.fade >= coeffs.ipc.fade_cycles
+        && state.ipc.fade == coeffs.ipc.fade_cycles
         && !(coeffs.ipc.watch.active && state.ipc.watch.tripped)
         && (!coeffs.ipc.ride_through.active || state.ipc.ride_through.bad == 0u32)
     {
         let mut ipc_outputs = ipc::Outputs::<R>::default();
         ipc::act_in_full(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.now), &ipc_inputs, &mut ipc_outputs);
         ipc::tell_trip(&state.ipc, &coeffs.ipc, &mut ipc_outputs);
-        hold_limit(&mut state.ipc, coeffs.ipc.limit, &mut ipc_outputs);
+        hold_limit(&mut state.ipc, &coeffs.ipc, &mut ipc_outputs);
         put_out(state.set_id, &ipc_outputs, error_none(), outputs);
     } else {
         any_cycle(state, coeffs, inputs, outputs);

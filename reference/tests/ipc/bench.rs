@@ -65,7 +65,7 @@ pub fn direct<R: Real>() -> stage::Coeffs<R> {
         a1: R::lit(-1.859_167_333_218_350_5),
         a2: R::lit(0.967_241_533_444_348),
         a: R::lit(0.016_379_233_277_825_974),
-        b: R::lit(0.043_397_783_334_325_38),
+        b: R::lit(0.086_795_566_668_650_76),
         c: R::lit(3.299_122_687_638_476),
     };
     stage::Coeffs { mode: Mode::Direct, gain: R::lit(-3.0), filter: band_pass(section), ..stage::Coeffs::default() }
@@ -78,7 +78,7 @@ pub fn simulated<R: Real>(mode: Mode) -> stage::Coeffs<R> {
         a1: R::lit(-1.961_332_251_243_502_3),
         a2: R::lit(0.966_026_126_113_262_8),
         a: R::lit(0.016_986_936_943_368_59),
-        b: R::lit(0.018_160_405_660_808_703),
+        b: R::lit(0.036_320_811_321_617_406),
         c: R::lit(0.138_161_308_463_350_34),
     };
     let oscillation = oscillation::Coeffs {
@@ -90,7 +90,7 @@ pub fn simulated<R: Real>(mode: Mode) -> stage::Coeffs<R> {
         preset_s1: R::lit(0.946_513_268_643_382),
         preset_s2: R::lit(-0.946_513_268_643_382),
         h: R::lit(0.946_513_268_643_382),
-        r: R::lit(1.547_143_407_160_292_5),
+        r: R::lit(3.094_286_814_320_585),
         g: R::lit(0.034_571_282_215_389_665),
         g2: R::lit(0.069_142_564_430_779_33),
     };

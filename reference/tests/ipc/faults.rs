@@ -58,7 +58,7 @@ fn a_reset_is_a_level_and_the_states_follow_the_input<R: Real>() {
     }
 }
 
-/// Of two reasons the first in the order cycle time, mode, samples is told.
+/// Of two reasons the first in the order samples, cycle time, mode is told.
 fn reasons_have_an_order<R: Real>() {
     let nan = R::lit(f64::NAN);
     let mut from_load = direct::<R>();
@@ -68,16 +68,16 @@ fn reasons_have_an_order<R: Real>() {
     block.inputs.mode = 7;
     block.inputs.task_cycle_ns = 5;
     block.inputs.reset = true;
-    assert_eq!(block.step().error_id, 1);
-    block.inputs.task_cycle_ns = 1_000_000;
-    assert_eq!(block.step().error_id, 2);
-    block.inputs.mode = 1;
     assert_eq!(block.step().error_id, 11);
     block.inputs.v_command = R::ONE;
     assert_eq!(block.step().error_id, 12);
     block.inputs.v_motor = R::ONE;
     assert_eq!(block.step().error_id, 13);
     block.inputs.v_direct = R::ONE;
+    assert_eq!(block.step().error_id, 1);
+    block.inputs.task_cycle_ns = 1_000_000;
+    assert_eq!(block.step().error_id, 2);
+    block.inputs.mode = 1;
     assert_eq!(all_bits(&block.step()), (0, 0, false, false, 0));
 }
 

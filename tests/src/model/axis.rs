@@ -69,7 +69,6 @@ impl Axis {
         };
         let added = match &c.slave {
             _ if !acts => self.ipc.stop(),
-            _ if ipc_fault == 3 => self.ipc.fail(),
             _ if ipc_fault != 0 => self.ipc.stop(),
             Some(limit) => ipc::follow(c, limit, inputs.v_add_master),
             // In OFF the calculated value is 0, whatever the sum is.

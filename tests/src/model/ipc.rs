@@ -109,17 +109,17 @@ impl Ipc {
         }
     }
 
-    /// The reason why it cannot act, the first in the order 3, 2, 11, 12, 13; 0: none. `v_command` is what SET_POINT reads.
+    /// The reason why it cannot act, the first in the order 11, 12, 13, 3, 2; 0: none. `v_command` is what SET_POINT reads.
     #[must_use]
     pub fn fault(&self, p: &Parameters, c: &Coefficients, inputs: &Inputs, v_command: f64) -> u32 {
         let bad = |modes: &[Mode], value: f64| Coefficients::reads(p, modes) && !is_in_range(c, value);
         match () {
             () if !c.runs_stages => 0,
-            () if self.is_disturbed => 3,
-            () if !(0..=2).contains(&inputs.mode) => 2,
             () if bad(&[Mode::SetPoint], v_command) => 11,
             () if bad(&[Mode::Indirect, Mode::DirectMotor], inputs.v_motor) => 12,
             () if bad(&[Mode::DirectLoad], inputs.v_direct) => 13,
+            () if self.is_disturbed => 3,
+            () if !(0..=2).contains(&inputs.mode) => 2,
             () => 0,
         }
     }
@@ -182,16 +182,10 @@ impl Ipc {
         self.watch.as_ref().is_some_and(|watch| watch.tripped)
     }
 
-    /// At once to 0; the stages are preset again afterwards.
+    /// At once to 0; the stages are preset again afterwards, and an overwritten state is none any more.
     pub fn stop(&mut self) -> Added {
-        (self.open, self.runs) = (0, false);
+        (self.open, self.runs, self.is_disturbed, self.disturbed) = (0, false, false, None);
         NOTHING
-    }
-
-    /// A cycle with a fault that is told: the next one starts anew.
-    pub fn fail(&mut self) -> Added {
-        self.is_disturbed = false;
-        self.stop()
     }
 
     /// A cycle without a fault. `mode`: 0 OFF, 1 ON, 2 DRYRUN. Where rounding leaves open whether the sum is a fault, it is none if `found`, the
@@ -224,11 +218,10 @@ impl Ipc {
         let off = (self.relative + of_ramp) * self.largest + of_ramp * c.limit.near();
         let [least, most] = [v_sum.abs() - off, v_sum.abs() + off];
         if most > self.sum_limit {
-            let mut disturbed = Self { is_disturbed: true, disturbed: None, ..self.clone() };
-            let nothing = disturbed.stop();
+            let disturbed = Self { open: 0, runs: false, is_disturbed: true, disturbed: None, ..self.clone() };
             if least > self.sum_limit {
                 *self = disturbed;
-                return Added { limited: [1.0; 2], ..nothing };
+                return Added { limited: [1.0; 2], ..NOTHING };
             }
             self.disturbed = (found == 0.0).then(|| Box::new(disturbed));
         }

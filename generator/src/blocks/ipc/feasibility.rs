@@ -78,8 +78,8 @@ struct Realised {
 }
 
 /// The biquad in double precision: stable where |a2| < 1 and |a1| < 1 + a2, its centre g^2 = (1 + a1 + a2) / (1 - a1 + a2). The
-/// trapezoidal section in single precision, whose trace is 2 - 2 B - A C and whose determinant is 1 + A C - 2 B: stable where
-/// 0 < A C < 2 B and B < 1, its centre g^2 = A C / (2 (1 - B)). The simulated oscillation has A = G H, B = G R, C = G2.
+/// trapezoidal section in single precision, whose trace is 2 - B - A C and whose determinant is 1 + A C - B: stable where
+/// 0 < A C < B < 2, its centre g^2 = A C / (2 - B). The simulated oscillation has A = G H, B = G R, C = G2.
 fn realised(section: &Section, real: RealKind) -> Realised {
     if real == RealKind::F64 {
         let [a1, a2] = section.denominator;
@@ -96,7 +96,7 @@ fn realised(section: &Section, real: RealKind) -> Realised {
         is_stable: section.trapezoidal.is_stable(),
         centre: section.trapezoidal.centre(),
         coefficients: format!("A = {a:e}, B = {b:e}, C = {c:e}"),
-        condition: "0 < A C < 2 B and B < 1",
+        condition: "0 < A C < B < 2",
     }
 }
 

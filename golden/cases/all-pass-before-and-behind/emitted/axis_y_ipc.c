@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  776a92067fc0c97acf1358dc09f1df77
- * structure   8f97e0d6949f1cbcb15d9cd5e15ea9cc
- * checksum    bbd26590a86d5be5c08f57640b7af75d
+ * structure   e85734e3abff1c23afe622dbb4aa68f2
+ * checksum    b387721c404198ec5a40633bd992cc60
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_y_ipc.h"
@@ -45,7 +45,6 @@ void axis_y_ipc_init(axis_y_ipc_state *fresh)
     volatile axis_y_ipc_state *const state = fresh;
     state->preset = false;
     state->fade = 0u;
-    state->disturbed = false;
     state->stage0_filter0_section0_s1 = 0.0;
     state->stage0_filter0_section0_s2 = 0.0;
     state->stage0_filter0_section1_s1 = 0.0;
@@ -156,42 +155,48 @@ void axis_y_ipc_step(
 
     bool runs;
     uint32_t reason;
-    if (axis_y_ipc_magnitude(inputs->v_command) <= sample_limit
-            && axis_y_ipc_magnitude(inputs->v_direct) <= sample_limit
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == AXIS_Y_IPC_MODE_ON && state->fade >= fade_cycles) {
-        runs = true;
-        reason = AXIS_Y_IPC_ERROR_NONE;
-    } else if (state->disturbed) {
-        state->disturbed = false;
+    if (!(axis_y_ipc_magnitude(inputs->v_command) <= sample_limit)) {
+        state->preset = false;
+        state->fade = 0u;
         runs = false;
-        reason = AXIS_Y_IPC_ERROR_STATE;
-    } else {
-        if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
-            reason = AXIS_Y_IPC_ERROR_CYCLE_TIME;
-        } else if (!(inputs->mode == AXIS_Y_IPC_MODE_ON || inputs->mode == AXIS_Y_IPC_MODE_OFF
-                || inputs->mode == AXIS_Y_IPC_MODE_DRYRUN)) {
-            reason = AXIS_Y_IPC_ERROR_MODE;
-        } else if (!(axis_y_ipc_magnitude(inputs->v_command) <= sample_limit)) {
-            reason = AXIS_Y_IPC_ERROR_V_COMMAND;
-        } else if (axis_y_ipc_magnitude(inputs->v_direct) <= sample_limit) {
+        reason = AXIS_Y_IPC_ERROR_V_COMMAND;
+    } else if (!(axis_y_ipc_magnitude(inputs->v_direct) <= sample_limit)) {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_Y_IPC_ERROR_V_DIRECT;
+    } else if (inputs->position_controlled && !inputs->reset && inputs->mode == AXIS_Y_IPC_MODE_ON
+            && state->fade == fade_cycles) {
+        if (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) {
+            runs = true;
             reason = AXIS_Y_IPC_ERROR_NONE;
         } else {
-            reason = AXIS_Y_IPC_ERROR_V_DIRECT;
+            state->preset = false;
+            state->fade = 0u;
+            runs = false;
+            reason = AXIS_Y_IPC_ERROR_CYCLE_TIME;
         }
-        if (reason == AXIS_Y_IPC_ERROR_NONE && inputs->position_controlled && !inputs->reset) {
+    } else if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_Y_IPC_ERROR_CYCLE_TIME;
+    } else if (state->fade > fade_cycles) {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_Y_IPC_ERROR_STATE;
+    } else if (inputs->mode == AXIS_Y_IPC_MODE_ON || inputs->mode == AXIS_Y_IPC_MODE_OFF
+            || inputs->mode == AXIS_Y_IPC_MODE_DRYRUN) {
+        if (inputs->position_controlled && !inputs->reset) {
             if (state->preset) {
                 if (inputs->mode == AXIS_Y_IPC_MODE_ON) {
                     state->fade = state->fade + 1u;
+                } else if (state->fade > 1u) {
+                    state->fade = state->fade - 1u;
                 } else {
-                    if (state->fade > fade_cycles) {
-                        /* fade has been overwritten: it must not take longer than a whole fade */
-                        state->fade = fade_cycles;
-                    }
-                    if (state->fade > 0u) {
-                        state->fade = state->fade - 1u;
-                    }
-                    if (inputs->mode == AXIS_Y_IPC_MODE_OFF && state->fade == 0u) {
+                    state->fade = 0u;
+                    if (inputs->mode == AXIS_Y_IPC_MODE_OFF) {
                         state->preset = false;
                     }
                 }
@@ -239,10 +244,17 @@ void axis_y_ipc_step(
             state->fade = 0u;
             runs = false;
         }
+        reason = AXIS_Y_IPC_ERROR_NONE;
+    } else {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_Y_IPC_ERROR_MODE;
     }
     if (runs) {
         outputs->fault = false;
         outputs->error_id = AXIS_Y_IPC_ERROR_NONE;
+        const uint32_t fade = state->fade;
         /* DIRECT (P-AXIS-00753) from v_direct, weight 80/100 = 0.8 (P-AXIS-00754/00755) */
         /* BANDPASS BUTTERWORTH order 2 (P-AXIS-00849, 00848, 00750): centre frequency 36 Hz (P-AXIS-00751),
          * quality factor 4 (P-AXIS-00752), -3 dB at 31.76085 and 40.76085 Hz */
@@ -321,17 +333,12 @@ void axis_y_ipc_step(
             /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
              * then everything starts anew */
             outputs->limited = true;
-            state->disturbed = true;
-            state->preset = false;
-            state->fade = 0u;
+            state->fade = fade_cycles + 1u;
             v_limited = 0.0;
         }
-        if (state->fade >= fade_cycles) {
-            outputs->v_add = v_limited;
-            outputs->v_add_calculated = v_limited;
-        } else {
-            if (state->fade > 0u) {
-                outputs->v_add = v_limited * ((double)state->fade * fade_step);
+        if (fade < fade_cycles) {
+            if (fade > 0u) {
+                outputs->v_add = v_limited * ((double)fade * fade_step);
             } else {
                 outputs->v_add = 0.0;
             }
@@ -340,6 +347,9 @@ void axis_y_ipc_step(
             } else {
                 outputs->v_add_calculated = v_limited;
             }
+        } else {
+            outputs->v_add = v_limited;
+            outputs->v_add_calculated = v_limited;
         }
     } else {
         outputs->v_add = 0.0;

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  776a92067fc0c97acf1358dc09f1df77
- * structure   8f97e0d6949f1cbcb15d9cd5e15ea9cc
- * checksum    afafdd2a31bef400de5a6b8d5389e106
+ * structure   e85734e3abff1c23afe622dbb4aa68f2
+ * checksum    fa81dea4a1eeac2b97244cb41b3469cb
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_Y_IPC_H
@@ -44,14 +44,14 @@ extern "C" {
 #define AXIS_Y_IPC_PARAMETERS_2 0xcf1358dcu
 #define AXIS_Y_IPC_PARAMETERS_3 0x09f1df77u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_Y_IPC_STRUCTURE_0 0x8f97e0d6u
-#define AXIS_Y_IPC_STRUCTURE_1 0x949f1cbcu
-#define AXIS_Y_IPC_STRUCTURE_2 0xb15d9cd5u
-#define AXIS_Y_IPC_STRUCTURE_3 0xe15ea9ccu
+#define AXIS_Y_IPC_STRUCTURE_0 0xe85734e3u
+#define AXIS_Y_IPC_STRUCTURE_1 0xabff1c23u
+#define AXIS_Y_IPC_STRUCTURE_2 0xafe622dbu
+#define AXIS_Y_IPC_STRUCTURE_3 0xb4aa68f2u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_Y_IPC_INPUTS_SIZE 32u
 #define AXIS_Y_IPC_OUTPUTS_SIZE 24u
-#define AXIS_Y_IPC_STATE_SIZE 128u
+#define AXIS_Y_IPC_STATE_SIZE 120u
 
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -107,8 +107,9 @@ typedef struct {
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool preset; /* whether the sections have been preset to the steady state of an input */
-    uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
-    bool disturbed; /* whether a state was overwritten, as the cycle before has shown */
+    /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
+     * state was overwritten */
+    uint32_t fade;
     double stage0_filter0_section0_s1; /* what the next output takes over */
     double stage0_filter0_section0_s2; /* what `s1` takes over */
     double stage0_filter0_section1_s1; /* what the next output takes over */

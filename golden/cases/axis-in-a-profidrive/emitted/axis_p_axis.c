@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  5de621ebeb52c01d0f5b0eb8d906051a
- * structure   caca3d07a21f719bc5779d599ef26f4c
- * checksum    d8d9784afabb3940a30a76da3e90eee2
+ * structure   79a9a00de4186acefbf13af7e15af100
+ * checksum    5e5e36b0b0d42160d94f327cfce6035b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_p_axis.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9014b604dd12f8224fb4d7d97b6b93de
- * structure   c9d0873bbd4a3825ac3bb09049c4a673
- * checksum    cbeb880617ebd2845c2d0a4883e28756
+ * structure   31eaf412f3b9ddc732f4133b158fcd6f
+ * checksum    a79ea550d1971c99b016b21c8f0d9317
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"
@@ -64,7 +64,6 @@ void axis_x_axis_init(axis_x_axis_state *fresh)
     state->feedforward_acceleration_delay_x5 = 0.0;
     state->ipc_preset = false;
     state->ipc_fade = 0u;
-    state->ipc_disturbed = false;
     state->ipc_stage0_oscillation_s1 = 0.0;
     state->ipc_stage0_oscillation_s2 = 0.0;
     state->ipc_stage0_filter0_section0_s1 = 0.0;
@@ -144,7 +143,7 @@ void axis_x_axis_step(
     static const double ipc_lower_limit = -50000.0; /* -limit */
 
     /* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
-    static const double ipc_sum_limit = 994937.2496314225; /* largest magnitude of a sum of stages that is not a fault */
+    static const double ipc_sum_limit = 994937.2496314222; /* largest magnitude of a sum of stages that is not a fault */
 
     /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
     /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
@@ -289,68 +288,63 @@ void axis_x_axis_step(
         }
         bool ipc_runs;
         uint32_t ipc_reason;
-        if (axis_x_axis_magnitude(inputs->v_interpolator) <= sample_limit && inputs->mode == AXIS_X_AXIS_MODE_ON
-                && state->ipc_fade >= ipc_fade_cycles) {
+        if (!(axis_x_axis_magnitude(inputs->v_interpolator) <= sample_limit)) {
+            state->ipc_preset = false;
+            state->ipc_fade = 0u;
+            ipc_runs = false;
+            ipc_reason = AXIS_X_AXIS_ERROR_V_COMMAND;
+        } else if (inputs->mode == AXIS_X_AXIS_MODE_ON && state->ipc_fade == ipc_fade_cycles) {
             ipc_runs = true;
             ipc_reason = AXIS_X_AXIS_ERROR_NONE;
-        } else if (state->ipc_disturbed) {
-            state->ipc_disturbed = false;
+        } else if (state->ipc_fade > ipc_fade_cycles) {
+            state->ipc_preset = false;
+            state->ipc_fade = 0u;
             ipc_runs = false;
             ipc_reason = AXIS_X_AXIS_ERROR_STATE;
-        } else {
-            if (!(inputs->mode == AXIS_X_AXIS_MODE_ON || inputs->mode == AXIS_X_AXIS_MODE_OFF
-                    || inputs->mode == AXIS_X_AXIS_MODE_DRYRUN)) {
-                ipc_reason = AXIS_X_AXIS_ERROR_MODE;
-            } else if (axis_x_axis_magnitude(inputs->v_interpolator) <= sample_limit) {
-                ipc_reason = AXIS_X_AXIS_ERROR_NONE;
-            } else {
-                ipc_reason = AXIS_X_AXIS_ERROR_V_COMMAND;
-            }
-            if (ipc_reason == AXIS_X_AXIS_ERROR_NONE) {
-                if (state->ipc_preset) {
-                    if (inputs->mode == AXIS_X_AXIS_MODE_ON) {
-                        state->ipc_fade = state->ipc_fade + 1u;
-                    } else {
-                        if (state->ipc_fade > ipc_fade_cycles) {
-                            /* fade has been overwritten: it must not take longer than a whole fade */
-                            state->ipc_fade = ipc_fade_cycles;
-                        }
-                        if (state->ipc_fade > 0u) {
-                            state->ipc_fade = state->ipc_fade - 1u;
-                        }
-                        if (inputs->mode == AXIS_X_AXIS_MODE_OFF && state->ipc_fade == 0u) {
-                            state->ipc_preset = false;
-                        }
-                    }
-                    ipc_runs = true;
+        } else if (inputs->mode == AXIS_X_AXIS_MODE_ON || inputs->mode == AXIS_X_AXIS_MODE_OFF
+                || inputs->mode == AXIS_X_AXIS_MODE_DRYRUN) {
+            if (state->ipc_preset) {
+                if (inputs->mode == AXIS_X_AXIS_MODE_ON) {
+                    state->ipc_fade = state->ipc_fade + 1u;
+                } else if (state->ipc_fade > 1u) {
+                    state->ipc_fade = state->ipc_fade - 1u;
                 } else {
-                    if (inputs->mode != AXIS_X_AXIS_MODE_OFF) {
-                        /* SET_POINT (P-AXIS-00753) from v_command, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
-                        /* simulated oscillation of the load, f0 of the first BANDPASS 14 Hz (P-AXIS-00751), damping ratio 0.6
-                         * (P-AXIS-00850): gain 1 at DC, 1.301708 and -39.80557 deg at f0 */
-                        state->ipc_stage0_oscillation_s1 = ipc_stage0_oscillation_preset_s1 * inputs->v_interpolator;
-                        state->ipc_stage0_oscillation_s2 = ipc_stage0_oscillation_preset_s2 * inputs->v_interpolator;
-                        /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 14 Hz (P-AXIS-00751),
-                         * quality factor 2 (P-AXIS-00752), -3 dB at 10.92977 and 17.92977 Hz */
-                        const double ipc_stage0_filter0_section0_s =
-                            ipc_stage0_filter0_bandpass0_b2 * inputs->v_interpolator;
-                        state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_s;
-                        state->ipc_stage0_filter0_section0_s2 = ipc_stage0_filter0_section0_s;
-                        state->ipc_preset = true;
+                    state->ipc_fade = 0u;
+                    if (inputs->mode == AXIS_X_AXIS_MODE_OFF) {
+                        state->ipc_preset = false;
                     }
-                    ipc_runs = false;
                 }
+                ipc_runs = true;
             } else {
-                state->ipc_preset = false;
-                state->ipc_fade = 0u;
+                if (inputs->mode != AXIS_X_AXIS_MODE_OFF) {
+                    /* SET_POINT (P-AXIS-00753) from v_command, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
+                    /* simulated oscillation of the load, f0 of the first BANDPASS 14 Hz (P-AXIS-00751), damping ratio 0.6
+                     * (P-AXIS-00850): gain 1 at DC, 1.301708 and -39.80557 deg at f0 */
+                    state->ipc_stage0_oscillation_s1 = ipc_stage0_oscillation_preset_s1 * inputs->v_interpolator;
+                    state->ipc_stage0_oscillation_s2 = ipc_stage0_oscillation_preset_s2 * inputs->v_interpolator;
+                    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 14 Hz (P-AXIS-00751),
+                     * quality factor 2 (P-AXIS-00752), -3 dB at 10.92977 and 17.92977 Hz */
+                    const double ipc_stage0_filter0_section0_s =
+                        ipc_stage0_filter0_bandpass0_b2 * inputs->v_interpolator;
+                    state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_s;
+                    state->ipc_stage0_filter0_section0_s2 = ipc_stage0_filter0_section0_s;
+                    state->ipc_preset = true;
+                }
                 ipc_runs = false;
             }
+            ipc_reason = AXIS_X_AXIS_ERROR_NONE;
+        } else {
+            state->ipc_preset = false;
+            state->ipc_fade = 0u;
+            ipc_runs = false;
+            ipc_reason = AXIS_X_AXIS_ERROR_MODE;
         }
         bool limited_until_now;
         double ipc_v_add;
         if (ipc_runs) {
             outputs->fault = fault_so_far;
             outputs->error_id = error_id_so_far;
+            const uint32_t ipc_fade = state->ipc_fade;
             /* SET_POINT (P-AXIS-00753) from v_command, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
             /* simulated oscillation of the load, f0 of the first BANDPASS 14 Hz (P-AXIS-00751), damping ratio 0.6
              * (P-AXIS-00850): gain 1 at DC, 1.301708 and -39.80557 deg at f0 */
@@ -391,19 +385,14 @@ void axis_x_axis_step(
                 } else {
                     /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
                      * then everything starts anew */
-                    state->ipc_disturbed = true;
-                    state->ipc_preset = false;
-                    state->ipc_fade = 0u;
+                    state->ipc_fade = ipc_fade_cycles + 1u;
                     ipc_v_limited = 0.0;
                 }
                 limited_until_now = true;
             }
-            if (state->ipc_fade >= ipc_fade_cycles) {
-                ipc_v_add = ipc_v_limited;
-                outputs->v_add_calculated = ipc_v_limited;
-            } else {
-                if (state->ipc_fade > 0u) {
-                    ipc_v_add = ipc_v_limited * ((double)state->ipc_fade * ipc_fade_step);
+            if (ipc_fade < ipc_fade_cycles) {
+                if (ipc_fade > 0u) {
+                    ipc_v_add = ipc_v_limited * ((double)ipc_fade * ipc_fade_step);
                 } else {
                     ipc_v_add = 0.0;
                 }
@@ -412,6 +401,9 @@ void axis_x_axis_step(
                 } else {
                     outputs->v_add_calculated = ipc_v_limited;
                 }
+            } else {
+                ipc_v_add = ipc_v_limited;
+                outputs->v_add_calculated = ipc_v_limited;
             }
         } else {
             limited_until_now = limited_so_far;

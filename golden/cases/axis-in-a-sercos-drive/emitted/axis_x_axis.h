@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9014b604dd12f8224fb4d7d97b6b93de
- * structure   c9d0873bbd4a3825ac3bb09049c4a673
- * checksum    c863d59e03126c82ecd32fb73c847273
+ * structure   31eaf412f3b9ddc732f4133b158fcd6f
+ * checksum    9bf859fd232a1b1d573e41c0346b48bd
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_AXIS_H
@@ -32,14 +32,14 @@ extern "C" {
 #define AXIS_X_AXIS_PARAMETERS_2 0x4fb4d7d9u
 #define AXIS_X_AXIS_PARAMETERS_3 0x7b6b93deu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_AXIS_STRUCTURE_0 0xc9d0873bu
-#define AXIS_X_AXIS_STRUCTURE_1 0xbd4a3825u
-#define AXIS_X_AXIS_STRUCTURE_2 0xac3bb090u
-#define AXIS_X_AXIS_STRUCTURE_3 0x49c4a673u
+#define AXIS_X_AXIS_STRUCTURE_0 0x31eaf412u
+#define AXIS_X_AXIS_STRUCTURE_1 0xf3b9ddc7u
+#define AXIS_X_AXIS_STRUCTURE_2 0x32f4133bu
+#define AXIS_X_AXIS_STRUCTURE_3 0x158fcd6fu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_AXIS_INPUTS_SIZE 48u
 #define AXIS_X_AXIS_OUTPUTS_SIZE 40u
-#define AXIS_X_AXIS_STATE_SIZE 120u
+#define AXIS_X_AXIS_STATE_SIZE 112u
 
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -112,8 +112,9 @@ typedef struct {
     double feedforward_acceleration_delay_x4; /* the samples before the present one, the latest first */
     double feedforward_acceleration_delay_x5; /* the samples before the present one, the latest first */
     bool ipc_preset; /* whether the sections have been preset to the steady state of an input */
-    uint32_t ipc_fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
-    bool ipc_disturbed; /* whether a state was overwritten, as the cycle before has shown */
+    /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
+     * state was overwritten */
+    uint32_t ipc_fade;
     double ipc_stage0_oscillation_s1; /* what the next output takes over */
     double ipc_stage0_oscillation_s2; /* what `s1` takes over */
     double ipc_stage0_filter0_section0_s1; /* what the next output takes over */

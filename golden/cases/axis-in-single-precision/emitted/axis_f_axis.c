@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  a7946ea0b07c6e724bf5e648d7f9875f
- * structure   d476ce0026f0b86045e863f86111013c
- * checksum    ef505cbce284bbbfdc3ecdf42b50da20
+ * structure   8a38999eb3a93a4694eebfe4caa471f9
+ * checksum    4cd6c26ad4c81787d26340c015af2003
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_f_axis.h"
@@ -56,7 +56,6 @@ void axis_f_axis_init(axis_f_axis_state *fresh)
     volatile axis_f_axis_state *const state = fresh;
     state->ipc_preset = false;
     state->ipc_fade = 0u;
-    state->ipc_disturbed = false;
     state->ipc_source_v_motor_before = 0.0f;
     state->ipc_stage0_filter0_section0_s1 = 0.0f;
     state->ipc_stage0_filter0_section0_p = 0.0f;
@@ -92,7 +91,8 @@ void axis_f_axis_step(
      * factor 4 (P-AXIS-00752), -3 dB at 21.1811 and 27.1811 Hz
      * section 1 of 1: centre frequency 24 Hz, quality factor 3.93777, gain 1 there and 1 at 24 Hz */
     static const float ipc_stage0_filter0_bandpass0_a = 0.036346115f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    static const float ipc_stage0_filter0_bandpass0_b = 0.058093593f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+    /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
+    static const float ipc_stage0_filter0_bandpass0_b = 0.116187185f;
     static const float ipc_stage0_filter0_bandpass0_c = 1.1966879f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
     /* -weight, against the vibration; at 24 Hz the stage adds 0.6 times its source at 180 deg */
@@ -194,63 +194,58 @@ void axis_f_axis_step(
         outputs->v_command = v_controller;
         bool ipc_runs;
         uint32_t ipc_reason;
-        if (axis_f_axis_magnitude(inputs->v_motor) <= sample_limit && inputs->mode == AXIS_F_AXIS_MODE_ON
-                && state->ipc_fade >= ipc_fade_cycles) {
+        if (!(axis_f_axis_magnitude(inputs->v_motor) <= sample_limit)) {
+            state->ipc_preset = false;
+            state->ipc_fade = 0u;
+            ipc_runs = false;
+            ipc_reason = AXIS_F_AXIS_ERROR_V_MOTOR;
+        } else if (inputs->mode == AXIS_F_AXIS_MODE_ON && state->ipc_fade == ipc_fade_cycles) {
             ipc_runs = true;
             ipc_reason = AXIS_F_AXIS_ERROR_NONE;
-        } else if (state->ipc_disturbed) {
-            state->ipc_disturbed = false;
+        } else if (state->ipc_fade > ipc_fade_cycles) {
+            state->ipc_preset = false;
+            state->ipc_fade = 0u;
             ipc_runs = false;
             ipc_reason = AXIS_F_AXIS_ERROR_STATE;
-        } else {
-            if (!(inputs->mode == AXIS_F_AXIS_MODE_ON || inputs->mode == AXIS_F_AXIS_MODE_OFF
-                    || inputs->mode == AXIS_F_AXIS_MODE_DRYRUN)) {
-                ipc_reason = AXIS_F_AXIS_ERROR_MODE;
-            } else if (axis_f_axis_magnitude(inputs->v_motor) <= sample_limit) {
-                ipc_reason = AXIS_F_AXIS_ERROR_NONE;
-            } else {
-                ipc_reason = AXIS_F_AXIS_ERROR_V_MOTOR;
-            }
-            if (ipc_reason == AXIS_F_AXIS_ERROR_NONE) {
-                if (state->ipc_preset) {
-                    if (inputs->mode == AXIS_F_AXIS_MODE_ON) {
-                        state->ipc_fade = state->ipc_fade + 1u;
-                    } else {
-                        if (state->ipc_fade > ipc_fade_cycles) {
-                            /* fade has been overwritten: it must not take longer than a whole fade */
-                            state->ipc_fade = ipc_fade_cycles;
-                        }
-                        if (state->ipc_fade > 0u) {
-                            state->ipc_fade = state->ipc_fade - 1u;
-                        }
-                        if (inputs->mode == AXIS_F_AXIS_MODE_OFF && state->ipc_fade == 0u) {
-                            state->ipc_preset = false;
-                        }
-                    }
-                    ipc_runs = true;
+        } else if (inputs->mode == AXIS_F_AXIS_MODE_ON || inputs->mode == AXIS_F_AXIS_MODE_OFF
+                || inputs->mode == AXIS_F_AXIS_MODE_DRYRUN) {
+            if (state->ipc_preset) {
+                if (inputs->mode == AXIS_F_AXIS_MODE_ON) {
+                    state->ipc_fade = state->ipc_fade + 1u;
+                } else if (state->ipc_fade > 1u) {
+                    state->ipc_fade = state->ipc_fade - 1u;
                 } else {
-                    if (inputs->mode != AXIS_F_AXIS_MODE_OFF) {
-                        state->ipc_source_v_motor_before = inputs->v_motor;
-                        /* DIRECT (P-AXIS-00753) from v_motor, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
-                        /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 24 Hz (P-AXIS-00751),
-                         * quality factor 4 (P-AXIS-00752), -3 dB at 21.1811 and 27.1811 Hz */
-                        state->ipc_stage0_filter0_section0_s1 = 0.0f;
-                        state->ipc_stage0_filter0_section0_p = 0.0f;
-                        state->ipc_preset = true;
+                    state->ipc_fade = 0u;
+                    if (inputs->mode == AXIS_F_AXIS_MODE_OFF) {
+                        state->ipc_preset = false;
                     }
-                    ipc_runs = false;
                 }
+                ipc_runs = true;
             } else {
-                state->ipc_preset = false;
-                state->ipc_fade = 0u;
+                if (inputs->mode != AXIS_F_AXIS_MODE_OFF) {
+                    state->ipc_source_v_motor_before = inputs->v_motor;
+                    /* DIRECT (P-AXIS-00753) from v_motor, weight 60/100 = 0.6 (P-AXIS-00754/00755) */
+                    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 24 Hz (P-AXIS-00751),
+                     * quality factor 4 (P-AXIS-00752), -3 dB at 21.1811 and 27.1811 Hz */
+                    state->ipc_stage0_filter0_section0_s1 = 0.0f;
+                    state->ipc_stage0_filter0_section0_p = 0.0f;
+                    state->ipc_preset = true;
+                }
                 ipc_runs = false;
             }
+            ipc_reason = AXIS_F_AXIS_ERROR_NONE;
+        } else {
+            state->ipc_preset = false;
+            state->ipc_fade = 0u;
+            ipc_runs = false;
+            ipc_reason = AXIS_F_AXIS_ERROR_MODE;
         }
         bool limited_so_far;
         float ipc_v_add;
         if (ipc_runs) {
             outputs->fault = fault_so_far;
             outputs->error_id = error_id_so_far;
+            const uint32_t ipc_fade = state->ipc_fade;
             const float ipc_source_v_motor_change = inputs->v_motor - state->ipc_source_v_motor_before;
             state->ipc_source_v_motor_before = inputs->v_motor;
             const float ipc_source_v_motor = ipc_source_v_motor_change + least_change;
@@ -261,9 +256,11 @@ void axis_f_axis_step(
             const float ipc_stage0_filter0_section0_u =
                 ipc_stage0_filter0_bandpass0_a * ipc_stage0_filter0_section0_left
                     - ipc_stage0_filter0_bandpass0_b * state->ipc_stage0_filter0_section0_s1;
-            const float ipc_stage0_filter0_section0_y =
+            const float ipc_stage0_filter0_section0_next =
                 state->ipc_stage0_filter0_section0_s1 + ipc_stage0_filter0_section0_u;
-            state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_y + ipc_stage0_filter0_section0_u;
+            const float ipc_stage0_filter0_section0_y =
+                state->ipc_stage0_filter0_section0_s1 + ipc_stage0_filter0_section0_next;
+            state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_next;
             state->ipc_stage0_filter0_section0_p =
                 ipc_stage0_filter0_section0_left - ipc_stage0_filter0_bandpass0_c * ipc_stage0_filter0_section0_y;
             const float ipc_v_stage0 = ipc_stage0_gain * ipc_stage0_filter0_section0_y;
@@ -285,19 +282,14 @@ void axis_f_axis_step(
                 } else {
                     /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
                      * then everything starts anew */
-                    state->ipc_disturbed = true;
-                    state->ipc_preset = false;
-                    state->ipc_fade = 0u;
+                    state->ipc_fade = ipc_fade_cycles + 1u;
                     ipc_v_limited = 0.0f;
                 }
                 limited_so_far = true;
             }
-            if (state->ipc_fade >= ipc_fade_cycles) {
-                ipc_v_add = ipc_v_limited;
-                outputs->v_add_calculated = ipc_v_limited;
-            } else {
-                if (state->ipc_fade > 0u) {
-                    ipc_v_add = ipc_v_limited * ((float)state->ipc_fade * ipc_fade_step);
+            if (ipc_fade < ipc_fade_cycles) {
+                if (ipc_fade > 0u) {
+                    ipc_v_add = ipc_v_limited * ((float)ipc_fade * ipc_fade_step);
                 } else {
                     ipc_v_add = 0.0f;
                 }
@@ -306,6 +298,9 @@ void axis_f_axis_step(
                 } else {
                     outputs->v_add_calculated = ipc_v_limited;
                 }
+            } else {
+                ipc_v_add = ipc_v_limited;
+                outputs->v_add_calculated = ipc_v_limited;
             }
         } else {
             limited_so_far = false;

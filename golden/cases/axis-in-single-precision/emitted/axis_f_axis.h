@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  a7946ea0b07c6e724bf5e648d7f9875f
- * structure   d476ce0026f0b86045e863f86111013c
- * checksum    8f77b318c2c76c34092a6df091f50cb7
+ * structure   8a38999eb3a93a4694eebfe4caa471f9
+ * checksum    01ddc7c8640046fde677733f2c4e95c4
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_F_AXIS_H
@@ -32,14 +32,14 @@ extern "C" {
 #define AXIS_F_AXIS_PARAMETERS_2 0x4bf5e648u
 #define AXIS_F_AXIS_PARAMETERS_3 0xd7f9875fu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_F_AXIS_STRUCTURE_0 0xd476ce00u
-#define AXIS_F_AXIS_STRUCTURE_1 0x26f0b860u
-#define AXIS_F_AXIS_STRUCTURE_2 0x45e863f8u
-#define AXIS_F_AXIS_STRUCTURE_3 0x6111013cu
+#define AXIS_F_AXIS_STRUCTURE_0 0x8a38999eu
+#define AXIS_F_AXIS_STRUCTURE_1 0xb3a93a46u
+#define AXIS_F_AXIS_STRUCTURE_2 0x94eebfe4u
+#define AXIS_F_AXIS_STRUCTURE_3 0xcaa471f9u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_F_AXIS_INPUTS_SIZE 32u
 #define AXIS_F_AXIS_OUTPUTS_SIZE 28u
-#define AXIS_F_AXIS_STATE_SIZE 24u
+#define AXIS_F_AXIS_STATE_SIZE 20u
 
 /* With another number of bits in float the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -105,8 +105,9 @@ typedef struct {
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool ipc_preset; /* whether the sections have been preset to the steady state of an input */
-    uint32_t ipc_fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
-    bool ipc_disturbed; /* whether a state was overwritten, as the cycle before has shown */
+    /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
+     * state was overwritten */
+    uint32_t ipc_fade;
     float ipc_source_v_motor_before; /* the value of the cycle before */
     float ipc_stage0_filter0_section0_s1; /* what the next output takes over */
     float ipc_stage0_filter0_section0_p; /* the input without its low-pass part */

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  2db12b55d2534ca103a8883bcea9d407
- * structure   056fe7b14a6febfc519fa115674f03c5
- * checksum    e012398b83bc11317ca86c0cf3417175
+ * structure   ce092c42aad269edc2fefd2e173dac3c
+ * checksum    213a080da853e2452b8165063c0c904d
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_y2_axis.h"

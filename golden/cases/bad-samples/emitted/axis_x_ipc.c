@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  05550f54ed225d18fecf0f48000fec37
- * structure   e1fcf4eb8bacfeab0f0753e9bfba2e74
- * checksum    cb895159596a8e158c085e5bf2d5ea4c
+ * structure   6f05c185633ca73c2cb92a0f008942b4
+ * checksum    d832738d76bafb698e7523e1eb107f21
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -56,7 +56,6 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     state->stage1_filter0_section0_s2 = 0.0;
     state->stage2_filter0_section0_s1 = 0.0;
     state->stage2_filter0_section0_s2 = 0.0;
-    state->disturbed = false;
     /* key ride_through: each of so many bad samples in a row is the last good one */
     state->ride_through_bad = 0u;
     state->preset = false;
@@ -134,7 +133,7 @@ void axis_x_ipc_step(
     static const double lower_limit = -500000.0; /* -limit */
 
     /* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
-    static const double sum_limit = 3850812.3379631075; /* largest magnitude of a sum of stages that is not a fault */
+    static const double sum_limit = 3850812.3379631094; /* largest magnitude of a sum of stages that is not a fault */
 
     /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
     /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
@@ -154,7 +153,7 @@ void axis_x_ipc_step(
     /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
     static const double anti_denormal = 1.0e-30;
 
-    const bool is_remembered = state->preset;
+    const bool is_remembered = state->preset && state->fade <= fade_cycles;
     /* key ride_through: each of so many bad samples in a row is the last good one */
     double ride_through_v_command;
     double ride_through_v_motor;
@@ -192,45 +191,53 @@ void axis_x_ipc_step(
     }
     bool runs;
     uint32_t reason;
-    if (axis_x_ipc_magnitude(ride_through_v_command) <= sample_limit
-            && axis_x_ipc_magnitude(ride_through_v_motor) <= sample_limit
-            && axis_x_ipc_magnitude(ride_through_v_direct) <= sample_limit
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON && state->fade >= fade_cycles) {
-        runs = true;
-        reason = AXIS_X_IPC_ERROR_NONE;
-    } else if (state->disturbed) {
-        state->disturbed = false;
+    if (!(axis_x_ipc_magnitude(ride_through_v_command) <= sample_limit)) {
+        state->preset = false;
+        state->fade = 0u;
         runs = false;
-        reason = AXIS_X_IPC_ERROR_STATE;
-    } else {
-        if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
-            reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
-        } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
-                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)) {
-            reason = AXIS_X_IPC_ERROR_MODE;
-        } else if (!(axis_x_ipc_magnitude(ride_through_v_command) <= sample_limit)) {
-            reason = AXIS_X_IPC_ERROR_V_COMMAND;
-        } else if (!(axis_x_ipc_magnitude(ride_through_v_motor) <= sample_limit)) {
-            reason = AXIS_X_IPC_ERROR_V_MOTOR;
-        } else if (axis_x_ipc_magnitude(ride_through_v_direct) <= sample_limit) {
+        reason = AXIS_X_IPC_ERROR_V_COMMAND;
+    } else if (!(axis_x_ipc_magnitude(ride_through_v_motor) <= sample_limit)) {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_X_IPC_ERROR_V_MOTOR;
+    } else if (!(axis_x_ipc_magnitude(ride_through_v_direct) <= sample_limit)) {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_X_IPC_ERROR_V_DIRECT;
+    } else if (inputs->position_controlled && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON
+            && state->fade == fade_cycles) {
+        if (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) {
+            runs = true;
             reason = AXIS_X_IPC_ERROR_NONE;
         } else {
-            reason = AXIS_X_IPC_ERROR_V_DIRECT;
+            state->preset = false;
+            state->fade = 0u;
+            runs = false;
+            reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
         }
-        if (reason == AXIS_X_IPC_ERROR_NONE && inputs->position_controlled && !inputs->reset) {
+    } else if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
+    } else if (state->fade > fade_cycles) {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_X_IPC_ERROR_STATE;
+    } else if (inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+            || inputs->mode == AXIS_X_IPC_MODE_DRYRUN) {
+        if (inputs->position_controlled && !inputs->reset) {
             if (state->preset) {
                 if (inputs->mode == AXIS_X_IPC_MODE_ON) {
                     state->fade = state->fade + 1u;
+                } else if (state->fade > 1u) {
+                    state->fade = state->fade - 1u;
                 } else {
-                    if (state->fade > fade_cycles) {
-                        /* fade has been overwritten: it must not take longer than a whole fade */
-                        state->fade = fade_cycles;
-                    }
-                    if (state->fade > 0u) {
-                        state->fade = state->fade - 1u;
-                    }
-                    if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
+                    state->fade = 0u;
+                    if (inputs->mode == AXIS_X_IPC_MODE_OFF) {
                         state->preset = false;
                     }
                 }
@@ -275,10 +282,17 @@ void axis_x_ipc_step(
             state->fade = 0u;
             runs = false;
         }
+        reason = AXIS_X_IPC_ERROR_NONE;
+    } else {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_X_IPC_ERROR_MODE;
     }
     if (runs) {
         outputs->fault = false;
         outputs->error_id = AXIS_X_IPC_ERROR_NONE;
+        const uint32_t fade = state->fade;
         state->source_v_command_before = ride_through_v_command;
         state->source_v_motor_before = ride_through_v_motor;
         state->source_v_direct_before = ride_through_v_direct;
@@ -351,17 +365,12 @@ void axis_x_ipc_step(
             /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
              * then everything starts anew */
             outputs->limited = true;
-            state->disturbed = true;
-            state->preset = false;
-            state->fade = 0u;
+            state->fade = fade_cycles + 1u;
             v_limited = 0.0;
         }
-        if (state->fade >= fade_cycles) {
-            outputs->v_add = v_limited;
-            outputs->v_add_calculated = v_limited;
-        } else {
-            if (state->fade > 0u) {
-                outputs->v_add = v_limited * ((double)state->fade * fade_step);
+        if (fade < fade_cycles) {
+            if (fade > 0u) {
+                outputs->v_add = v_limited * ((double)fade * fade_step);
             } else {
                 outputs->v_add = 0.0;
             }
@@ -370,6 +379,9 @@ void axis_x_ipc_step(
             } else {
                 outputs->v_add_calculated = v_limited;
             }
+        } else {
+            outputs->v_add = v_limited;
+            outputs->v_add_calculated = v_limited;
         }
     } else {
         outputs->v_add = 0.0;

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  05550f54ed225d18fecf0f48000fec37
- * structure   e1fcf4eb8bacfeab0f0753e9bfba2e74
- * checksum    af31ef142dbb177b554306f3e397b266
+ * structure   6f05c185633ca73c2cb92a0f008942b4
+ * checksum    fdb580c2052b6c66f192d3999bbddf4d
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -47,10 +47,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xfecf0f48u
 #define AXIS_X_IPC_PARAMETERS_3 0x000fec37u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xe1fcf4ebu
-#define AXIS_X_IPC_STRUCTURE_1 0x8bacfeabu
-#define AXIS_X_IPC_STRUCTURE_2 0x0f0753e9u
-#define AXIS_X_IPC_STRUCTURE_3 0xbfba2e74u
+#define AXIS_X_IPC_STRUCTURE_0 0x6f05c185u
+#define AXIS_X_IPC_STRUCTURE_1 0x633ca73cu
+#define AXIS_X_IPC_STRUCTURE_2 0x2cb92a0fu
+#define AXIS_X_IPC_STRUCTURE_3 0x008942b4u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 40u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u
@@ -113,8 +113,9 @@ typedef struct {
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool preset; /* whether the sections have been preset to the steady state of an input */
-    uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
-    bool disturbed; /* whether a state was overwritten, as the cycle before has shown */
+    /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
+     * state was overwritten */
+    uint32_t fade;
     uint32_t ride_through_bad; /* cycles in a row in which a sample was bad */
     double source_v_command_before; /* the value of the cycle before */
     double source_v_motor_before; /* the value of the cycle before */

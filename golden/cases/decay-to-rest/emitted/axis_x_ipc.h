@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  d866a6f941d589509e7405f1c45ff916
- * structure   a84c3e592cdf7c45bbd5c01ed572df84
- * checksum    29fe55986736ba7c81475d521bbfa343
+ * structure   d9a18c4b88f0bda3d80fd663afc42383
+ * checksum    b35a05bb0db73e432d3c59c5d9adbb9b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,14 +44,14 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x9e7405f1u
 #define AXIS_X_IPC_PARAMETERS_3 0xc45ff916u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xa84c3e59u
-#define AXIS_X_IPC_STRUCTURE_1 0x2cdf7c45u
-#define AXIS_X_IPC_STRUCTURE_2 0xbbd5c01eu
-#define AXIS_X_IPC_STRUCTURE_3 0xd572df84u
+#define AXIS_X_IPC_STRUCTURE_0 0xd9a18c4bu
+#define AXIS_X_IPC_STRUCTURE_1 0x88f0bda3u
+#define AXIS_X_IPC_STRUCTURE_2 0xd80fd663u
+#define AXIS_X_IPC_STRUCTURE_3 0xafc42383u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u
-#define AXIS_X_IPC_STATE_SIZE 96u
+#define AXIS_X_IPC_STATE_SIZE 88u
 
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -101,8 +101,9 @@ typedef struct {
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool preset; /* whether the sections have been preset to the steady state of an input */
-    uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
-    bool disturbed; /* whether a state was overwritten, as the cycle before has shown */
+    /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
+     * state was overwritten */
+    uint32_t fade;
     double stage0_filter0_section0_s1; /* what the next output takes over */
     double stage0_filter0_section0_s2; /* what `s1` takes over */
     double stage0_filter0_section1_s1; /* what the next output takes over */

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  899d9161a2ded0013f7b34563e3f8ca5
- * structure   941b082a6e99f505a2223b38738473df
- * checksum    e7f5f127c527eb18ea0b835a074f47f2
+ * structure   e97b57cb8cf9a41e66b98c94798f280a
+ * checksum    934fb85bbb59cbca3d9fd59905f03ea8
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -41,14 +41,14 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x3f7b3456u
 #define AXIS_X_IPC_PARAMETERS_3 0x3e3f8ca5u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x941b082au
-#define AXIS_X_IPC_STRUCTURE_1 0x6e99f505u
-#define AXIS_X_IPC_STRUCTURE_2 0xa2223b38u
-#define AXIS_X_IPC_STRUCTURE_3 0x738473dfu
+#define AXIS_X_IPC_STRUCTURE_0 0xe97b57cbu
+#define AXIS_X_IPC_STRUCTURE_1 0x8cf9a41eu
+#define AXIS_X_IPC_STRUCTURE_2 0x66b98c94u
+#define AXIS_X_IPC_STRUCTURE_3 0x798f280au
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u
-#define AXIS_X_IPC_STATE_SIZE 80u
+#define AXIS_X_IPC_STATE_SIZE 72u
 
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -100,8 +100,9 @@ typedef struct {
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool preset; /* whether the sections have been preset to the steady state of an input */
-    uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
-    bool disturbed; /* whether a state was overwritten, as the cycle before has shown */
+    /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
+     * state was overwritten */
+    uint32_t fade;
     double stage0_oscillation_s1; /* what the next output takes over */
     double stage0_oscillation_s2; /* what `s1` takes over */
     double stage0_filter0_section0_s1; /* what the next output takes over */

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  677de2a23211c4ed594818a9169e5c31
- * structure   6970f0bba5bd79ecb0960f9d389dd5f9
- * checksum    76abd3ed36bd81ef381ea373e39d782c
+ * structure   26cf82a0f4297a790d204a6a404f218a
+ * checksum    cda0d6d85f62df9d71c51906634cc1c8
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,14 +44,14 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x594818a9u
 #define AXIS_X_IPC_PARAMETERS_3 0x169e5c31u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x6970f0bbu
-#define AXIS_X_IPC_STRUCTURE_1 0xa5bd79ecu
-#define AXIS_X_IPC_STRUCTURE_2 0xb0960f9du
-#define AXIS_X_IPC_STRUCTURE_3 0x389dd5f9u
+#define AXIS_X_IPC_STRUCTURE_0 0x26cf82a0u
+#define AXIS_X_IPC_STRUCTURE_1 0xf4297a79u
+#define AXIS_X_IPC_STRUCTURE_2 0x0d204a6au
+#define AXIS_X_IPC_STRUCTURE_3 0x404f218au
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 32u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u
-#define AXIS_X_IPC_STATE_SIZE 144u
+#define AXIS_X_IPC_STATE_SIZE 136u
 
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -105,8 +105,9 @@ typedef struct {
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool preset; /* whether the sections have been preset to the steady state of an input */
-    uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
-    bool disturbed; /* whether a state was overwritten, as the cycle before has shown */
+    /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
+     * state was overwritten */
+    uint32_t fade;
     double stage0_filter0_section0_s1; /* what the next output takes over */
     double stage0_filter0_section0_s2; /* what `s1` takes over */
     double stage0_filter0_section1_s1; /* what the next output takes over */

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  035a2ceba1d4549378e201e9e82370a6
- * structure   9ebe61abbb972e000f03c59344cb7bd3
- * checksum    b0b5030a1829a018c3d1dc75451021b1
+ * structure   1d85b85e31fe45ec7a766b990d031e2d
+ * checksum    9445961b40834c25d962ed8e32299144
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -40,14 +40,14 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x78e201e9u
 #define AXIS_X_IPC_PARAMETERS_3 0xe82370a6u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x9ebe61abu
-#define AXIS_X_IPC_STRUCTURE_1 0xbb972e00u
-#define AXIS_X_IPC_STRUCTURE_2 0x0f03c593u
-#define AXIS_X_IPC_STRUCTURE_3 0x44cb7bd3u
+#define AXIS_X_IPC_STRUCTURE_0 0x1d85b85eu
+#define AXIS_X_IPC_STRUCTURE_1 0x31fe45ecu
+#define AXIS_X_IPC_STRUCTURE_2 0x7a766b99u
+#define AXIS_X_IPC_STRUCTURE_3 0x0d031e2du
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u
-#define AXIS_X_IPC_STATE_SIZE 48u
+#define AXIS_X_IPC_STATE_SIZE 40u
 
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -97,8 +97,9 @@ typedef struct {
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool preset; /* whether the sections have been preset to the steady state of an input */
-    uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
-    bool disturbed; /* whether a state was overwritten, as the cycle before has shown */
+    /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
+     * state was overwritten */
+    uint32_t fade;
     double stage0_filter0_section0_s1; /* what the next output takes over */
     double stage0_filter0_section0_s2; /* what `s1` takes over */
     double stage0_filter0_section1_s1; /* what the next output takes over */

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  2cb36657eb5edd333340ce8cb8317bc0
- * structure   fb58f43d2db9892df8cc6541812c5826
- * checksum    122d81b1942a7ab7e03d1c0e121ac1d8
+ * structure   6c7a1b1ccd25aa7e2ae875a6d2a81e4d
+ * checksum    92ef8fd8e67be08aec8c1a7f96f88fa2
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -36,14 +36,14 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x3340ce8cu
 #define AXIS_X_IPC_PARAMETERS_3 0xb8317bc0u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xfb58f43du
-#define AXIS_X_IPC_STRUCTURE_1 0x2db9892du
-#define AXIS_X_IPC_STRUCTURE_2 0xf8cc6541u
-#define AXIS_X_IPC_STRUCTURE_3 0x812c5826u
+#define AXIS_X_IPC_STRUCTURE_0 0x6c7a1b1cu
+#define AXIS_X_IPC_STRUCTURE_1 0xcd25aa7eu
+#define AXIS_X_IPC_STRUCTURE_2 0x2ae875a6u
+#define AXIS_X_IPC_STRUCTURE_3 0xd2a81e4du
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u
-#define AXIS_X_IPC_STATE_SIZE 48u
+#define AXIS_X_IPC_STATE_SIZE 40u
 
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -93,8 +93,9 @@ typedef struct {
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool preset; /* whether the sections have been preset to the steady state of an input */
-    uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
-    bool disturbed; /* whether a state was overwritten, as the cycle before has shown */
+    /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
+     * state was overwritten */
+    uint32_t fade;
     double stage0_filter0_section0_s1; /* what the next output takes over */
     double stage0_filter0_section0_s2; /* what `s1` takes over */
     double stage0_filter0_section1_s1; /* what the next output takes over */

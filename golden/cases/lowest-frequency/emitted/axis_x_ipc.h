@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  62500 ns
  * parameters  2ebd2317bdfdf9946197084c79fdae1d
- * structure   c49d9044727288cd6c3b5d34b5762213
- * checksum    07afb2b7bd7ccd5ca819e450a379847b
+ * structure   80e9ec0ef4e1f063cbaba6a749f71eb3
+ * checksum    13bf8ec6895d95a90c512db7244cf67d
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,14 +44,14 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x6197084cu
 #define AXIS_X_IPC_PARAMETERS_3 0x79fdae1du
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xc49d9044u
-#define AXIS_X_IPC_STRUCTURE_1 0x727288cdu
-#define AXIS_X_IPC_STRUCTURE_2 0x6c3b5d34u
-#define AXIS_X_IPC_STRUCTURE_3 0xb5762213u
+#define AXIS_X_IPC_STRUCTURE_0 0x80e9ec0eu
+#define AXIS_X_IPC_STRUCTURE_1 0xf4e1f063u
+#define AXIS_X_IPC_STRUCTURE_2 0xcbaba6a7u
+#define AXIS_X_IPC_STRUCTURE_3 0x49f71eb3u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u
-#define AXIS_X_IPC_STATE_SIZE 80u
+#define AXIS_X_IPC_STATE_SIZE 72u
 
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -101,8 +101,9 @@ typedef struct {
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool preset; /* whether the sections have been preset to the steady state of an input */
-    uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
-    bool disturbed; /* whether a state was overwritten, as the cycle before has shown */
+    /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
+     * state was overwritten */
+    uint32_t fade;
     double stage0_filter0_section0_s1; /* what the next output takes over */
     double stage0_filter0_section0_s2; /* what `s1` takes over */
     double stage1_oscillation_s1; /* what the next output takes over */

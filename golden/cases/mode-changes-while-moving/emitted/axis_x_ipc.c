@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  310bc9f2d370ffdb55eb325b34f7ea20
- * structure   0221a2513a8494f6c150666a4aa293bd
- * checksum    73068005a65b7f0a2fc860d7435e47c2
+ * structure   680a276cb1222e9eb2fd5683f97dc93c
+ * checksum    114a2115eb867b70b7829b72a9d094fe
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -45,7 +45,6 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     volatile axis_x_ipc_state *const state = fresh;
     state->preset = false;
     state->fade = 0u;
-    state->disturbed = false;
     state->stage0_filter0_section0_s1 = 0.0;
     state->stage0_filter0_section0_s2 = 0.0;
     state->stage1_oscillation_s1 = 0.0;
@@ -122,7 +121,7 @@ void axis_x_ipc_step(
     static const double lower_limit = -500000.0; /* -limit */
 
     /* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
-    static const double sum_limit = 4252269.945627425; /* largest magnitude of a sum of stages that is not a fault */
+    static const double sum_limit = 4252269.9456274295; /* largest magnitude of a sum of stages that is not a fault */
 
     /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
     /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
@@ -140,39 +139,43 @@ void axis_x_ipc_step(
 
     bool runs;
     uint32_t reason;
-    if (axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON && state->fade >= fade_cycles) {
-        runs = true;
-        reason = AXIS_X_IPC_ERROR_NONE;
-    } else if (state->disturbed) {
-        state->disturbed = false;
+    if (!(axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit)) {
+        state->preset = false;
+        state->fade = 0u;
         runs = false;
-        reason = AXIS_X_IPC_ERROR_STATE;
-    } else {
-        if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
-            reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
-        } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
-                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)) {
-            reason = AXIS_X_IPC_ERROR_MODE;
-        } else if (axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit) {
+        reason = AXIS_X_IPC_ERROR_V_MOTOR;
+    } else if (inputs->position_controlled && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON
+            && state->fade == fade_cycles) {
+        if (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) {
+            runs = true;
             reason = AXIS_X_IPC_ERROR_NONE;
         } else {
-            reason = AXIS_X_IPC_ERROR_V_MOTOR;
+            state->preset = false;
+            state->fade = 0u;
+            runs = false;
+            reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
         }
-        if (reason == AXIS_X_IPC_ERROR_NONE && inputs->position_controlled && !inputs->reset) {
+    } else if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
+    } else if (state->fade > fade_cycles) {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_X_IPC_ERROR_STATE;
+    } else if (inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+            || inputs->mode == AXIS_X_IPC_MODE_DRYRUN) {
+        if (inputs->position_controlled && !inputs->reset) {
             if (state->preset) {
                 if (inputs->mode == AXIS_X_IPC_MODE_ON) {
                     state->fade = state->fade + 1u;
+                } else if (state->fade > 1u) {
+                    state->fade = state->fade - 1u;
                 } else {
-                    if (state->fade > fade_cycles) {
-                        /* fade has been overwritten: it must not take longer than a whole fade */
-                        state->fade = fade_cycles;
-                    }
-                    if (state->fade > 0u) {
-                        state->fade = state->fade - 1u;
-                    }
-                    if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
+                    state->fade = 0u;
+                    if (inputs->mode == AXIS_X_IPC_MODE_OFF) {
                         state->preset = false;
                     }
                 }
@@ -210,10 +213,17 @@ void axis_x_ipc_step(
             state->fade = 0u;
             runs = false;
         }
+        reason = AXIS_X_IPC_ERROR_NONE;
+    } else {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_X_IPC_ERROR_MODE;
     }
     if (runs) {
         outputs->fault = false;
         outputs->error_id = AXIS_X_IPC_ERROR_NONE;
+        const uint32_t fade = state->fade;
         /* DIRECT (P-AXIS-00753) from v_motor, weight 200/100 = 2 (P-AXIS-00754/00755) */
         /* BANDPASS BUTTERWORTH order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz (P-AXIS-00751),
          * quality factor 4 (P-AXIS-00752), -3 dB at 35.30473 and 45.30473 Hz */
@@ -274,17 +284,12 @@ void axis_x_ipc_step(
             /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
              * then everything starts anew */
             outputs->limited = true;
-            state->disturbed = true;
-            state->preset = false;
-            state->fade = 0u;
+            state->fade = fade_cycles + 1u;
             v_limited = 0.0;
         }
-        if (state->fade >= fade_cycles) {
-            outputs->v_add = v_limited;
-            outputs->v_add_calculated = v_limited;
-        } else {
-            if (state->fade > 0u) {
-                outputs->v_add = v_limited * ((double)state->fade * fade_step);
+        if (fade < fade_cycles) {
+            if (fade > 0u) {
+                outputs->v_add = v_limited * ((double)fade * fade_step);
             } else {
                 outputs->v_add = 0.0;
             }
@@ -293,6 +298,9 @@ void axis_x_ipc_step(
             } else {
                 outputs->v_add_calculated = v_limited;
             }
+        } else {
+            outputs->v_add = v_limited;
+            outputs->v_add_calculated = v_limited;
         }
     } else {
         outputs->v_add = 0.0;

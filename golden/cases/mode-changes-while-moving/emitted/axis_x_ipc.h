@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  310bc9f2d370ffdb55eb325b34f7ea20
- * structure   0221a2513a8494f6c150666a4aa293bd
- * checksum    bf82555dcbb92d6c90e309b06652a8b4
+ * structure   680a276cb1222e9eb2fd5683f97dc93c
+ * checksum    72a7bc06c2aebf55742a772ee91faccc
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -43,14 +43,14 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x55eb325bu
 #define AXIS_X_IPC_PARAMETERS_3 0x34f7ea20u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x0221a251u
-#define AXIS_X_IPC_STRUCTURE_1 0x3a8494f6u
-#define AXIS_X_IPC_STRUCTURE_2 0xc150666au
-#define AXIS_X_IPC_STRUCTURE_3 0x4aa293bdu
+#define AXIS_X_IPC_STRUCTURE_0 0x680a276cu
+#define AXIS_X_IPC_STRUCTURE_1 0xb1222e9eu
+#define AXIS_X_IPC_STRUCTURE_2 0xb2fd5683u
+#define AXIS_X_IPC_STRUCTURE_3 0xf97dc93cu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u
-#define AXIS_X_IPC_STATE_SIZE 96u
+#define AXIS_X_IPC_STATE_SIZE 88u
 
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -100,8 +100,9 @@ typedef struct {
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool preset; /* whether the sections have been preset to the steady state of an input */
-    uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
-    bool disturbed; /* whether a state was overwritten, as the cycle before has shown */
+    /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
+     * state was overwritten */
+    uint32_t fade;
     double stage0_filter0_section0_s1; /* what the next output takes over */
     double stage0_filter0_section0_s2; /* what `s1` takes over */
     double stage1_oscillation_s1; /* what the next output takes over */

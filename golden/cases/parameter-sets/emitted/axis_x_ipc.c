@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   97ae8940a5477195b212b25f55e5eb8d
- * checksum    eca02503a4f1bdf490493254e40e6adc
+ * structure   38a69c2a852439d9c3c01d05c4ed68fa
+ * checksum    98f6aa1354309d5fb98d3f9e9df4a4e1
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -60,14 +60,14 @@ static const float axis_x_ipc_least_change = 1.0e-18f;
 
 const axis_x_ipc_params axis_x_ipc_designed = {
     2581534054u, /* structure */
-    465933901u, /* set_id */
-    41860, /* check_first */
-    5082, /* check_second */
+    3593715943u, /* set_id */
+    35916, /* check_first */
+    18427, /* check_second */
     8000.0f, /* limit */
     -8000.0f, /* lower_limit */
     3056884.3f, /* sum_limit */
     0.02452161f, /* stage0_filter0_bandpass0_a */
-    0.039844833f, /* stage0_filter0_bandpass0_b */
+    0.07968967f, /* stage0_filter0_bandpass0_b */
     1.2497731f, /* stage0_filter0_bandpass0_c */
     -3.0f /* stage0_gain */
 };
@@ -90,7 +90,6 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     state->now_stage0_gain = 0.0f;
     state->ipc_preset = false;
     state->ipc_fade = 0u;
-    state->ipc_disturbed = false;
     state->ipc_source_v_motor_before = 0.0f;
     state->ipc_stage0_filter0_section0_s1 = 0.0f;
     state->ipc_stage0_filter0_section0_p = 0.0f;
@@ -125,11 +124,12 @@ static void axis_x_ipc_any_cycle(
     static const float limit_scale = 9.536743e-7f; /* 2^-20: factor of a limit before it is cut */
     static const float largest_number = 32768.0f; /* largest magnitude of a number of a parameter set, limits scaled */
     static const float weight_limit = 7.0f; /* largest |weight| (P-AXIS-00754/00755) */
+    static const float stability_end = 2.0f; /* 2: |a1| of a stable biquad and B of a stable trapezoidal section are below it */
     static const float first_cut = 32768.0f; /* 2^15: the first cut */
     static const float next_cut = 2147483600.0f; /* 2^31: each further cut */
     static const float half = 0.5f; /* 1/2: half a word of 32 bits becomes a number that can be cut */
 
-    if (state->ipc_disturbed) {
+    if (state->ipc_fade > axis_x_ipc_ipc_fade_cycles) {
         state->set_id = 0u;
         state->withdrawn = true;
         state->pause = 0u;
@@ -164,15 +164,13 @@ static void axis_x_ipc_any_cycle(
                     const bool is_sound_so_far0 = axis_x_ipc_magnitude(inputs->params->stage0_gain) <= weight_limit;
                     bool is_stable000;
                     if (axis_x_ipc_magnitude(inputs->params->stage0_filter0_bandpass0_a) <= largest_number
-                            && axis_x_ipc_magnitude(inputs->params->stage0_filter0_bandpass0_b) <= 1.0f
+                            && axis_x_ipc_magnitude(inputs->params->stage0_filter0_bandpass0_b) <= stability_end
                             && axis_x_ipc_magnitude(inputs->params->stage0_filter0_bandpass0_c) <= largest_number) {
                         const float product000 =
                             inputs->params->stage0_filter0_bandpass0_a * inputs->params->stage0_filter0_bandpass0_c;
                         is_stable000 =
-                            0.0f < product000
-                                && product000 < inputs->params->stage0_filter0_bandpass0_b
-                                + inputs->params->stage0_filter0_bandpass0_b
-                                && inputs->params->stage0_filter0_bandpass0_b < 1.0f;
+                            0.0f < product000 && product000 < inputs->params->stage0_filter0_bandpass0_b
+                                && inputs->params->stage0_filter0_bandpass0_b < stability_end;
                     } else {
                         is_stable000 = false;
                     }
@@ -490,39 +488,42 @@ static void axis_x_ipc_any_cycle(
     }
     bool ipc_runs;
     uint32_t ipc_reason;
-    if (axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_ipc_cycle_time_ns)
-            && inputs->position_controlled && !inputs->reset && mode == AXIS_X_IPC_MODE_ON
-            && state->ipc_fade >= axis_x_ipc_ipc_fade_cycles) {
-        ipc_runs = true;
-        ipc_reason = AXIS_X_IPC_ERROR_NONE;
-    } else if (state->ipc_disturbed) {
-        state->ipc_disturbed = false;
+    if (!(axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit)) {
+        state->ipc_preset = false;
+        state->ipc_fade = 0u;
         ipc_runs = false;
-        ipc_reason = AXIS_X_IPC_ERROR_STATE;
-    } else {
-        if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_ipc_cycle_time_ns)) {
-            ipc_reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
-        } else if (!(mode == AXIS_X_IPC_MODE_ON || mode == AXIS_X_IPC_MODE_OFF || mode == AXIS_X_IPC_MODE_DRYRUN)) {
-            ipc_reason = AXIS_X_IPC_ERROR_MODE;
-        } else if (axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit) {
+        ipc_reason = AXIS_X_IPC_ERROR_V_MOTOR;
+    } else if (inputs->position_controlled && !inputs->reset && mode == AXIS_X_IPC_MODE_ON
+            && state->ipc_fade == axis_x_ipc_ipc_fade_cycles) {
+        if (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_ipc_cycle_time_ns) {
+            ipc_runs = true;
             ipc_reason = AXIS_X_IPC_ERROR_NONE;
         } else {
-            ipc_reason = AXIS_X_IPC_ERROR_V_MOTOR;
+            state->ipc_preset = false;
+            state->ipc_fade = 0u;
+            ipc_runs = false;
+            ipc_reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
         }
-        if (ipc_reason == AXIS_X_IPC_ERROR_NONE && inputs->position_controlled && !inputs->reset) {
+    } else if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_ipc_cycle_time_ns)) {
+        state->ipc_preset = false;
+        state->ipc_fade = 0u;
+        ipc_runs = false;
+        ipc_reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
+    } else if (state->ipc_fade > axis_x_ipc_ipc_fade_cycles) {
+        state->ipc_preset = false;
+        state->ipc_fade = 0u;
+        ipc_runs = false;
+        ipc_reason = AXIS_X_IPC_ERROR_STATE;
+    } else if (mode == AXIS_X_IPC_MODE_ON || mode == AXIS_X_IPC_MODE_OFF || mode == AXIS_X_IPC_MODE_DRYRUN) {
+        if (inputs->position_controlled && !inputs->reset) {
             if (state->ipc_preset) {
                 if (mode == AXIS_X_IPC_MODE_ON) {
                     state->ipc_fade = state->ipc_fade + 1u;
+                } else if (state->ipc_fade > 1u) {
+                    state->ipc_fade = state->ipc_fade - 1u;
                 } else {
-                    if (state->ipc_fade > axis_x_ipc_ipc_fade_cycles) {
-                        /* fade has been overwritten: it must not take longer than a whole fade */
-                        state->ipc_fade = axis_x_ipc_ipc_fade_cycles;
-                    }
-                    if (state->ipc_fade > 0u) {
-                        state->ipc_fade = state->ipc_fade - 1u;
-                    }
-                    if (mode == AXIS_X_IPC_MODE_OFF && state->ipc_fade == 0u) {
+                    state->ipc_fade = 0u;
+                    if (mode == AXIS_X_IPC_MODE_OFF) {
                         state->ipc_preset = false;
                     }
                 }
@@ -544,6 +545,12 @@ static void axis_x_ipc_any_cycle(
             state->ipc_fade = 0u;
             ipc_runs = false;
         }
+        ipc_reason = AXIS_X_IPC_ERROR_NONE;
+    } else {
+        state->ipc_preset = false;
+        state->ipc_fade = 0u;
+        ipc_runs = false;
+        ipc_reason = AXIS_X_IPC_ERROR_MODE;
     }
     bool ipc_limited_next;
     float ipc_v_add;
@@ -551,6 +558,7 @@ static void axis_x_ipc_any_cycle(
     bool ipc_fault;
     uint32_t error_id_so_far;
     if (ipc_runs) {
+        const uint32_t ipc_fade = state->ipc_fade;
         const float ipc_source_v_motor_change_next = inputs->v_motor - state->ipc_source_v_motor_before;
         state->ipc_source_v_motor_before = inputs->v_motor;
         const float ipc_source_v_motor_next = ipc_source_v_motor_change_next + axis_x_ipc_least_change;
@@ -565,9 +573,11 @@ static void axis_x_ipc_any_cycle(
         const float ipc_stage0_filter0_section0_u_next =
             ipc_stage0_filter0_section0_a_next * ipc_stage0_filter0_section0_left_next
                 - ipc_stage0_filter0_section0_b_next * state->ipc_stage0_filter0_section0_s1;
-        const float ipc_stage0_filter0_section0_y_next =
+        const float ipc_stage0_filter0_section0_next_next =
             state->ipc_stage0_filter0_section0_s1 + ipc_stage0_filter0_section0_u_next;
-        state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_y_next + ipc_stage0_filter0_section0_u_next;
+        const float ipc_stage0_filter0_section0_y_next =
+            state->ipc_stage0_filter0_section0_s1 + ipc_stage0_filter0_section0_next_next;
+        state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_next_next;
         state->ipc_stage0_filter0_section0_p =
             ipc_stage0_filter0_section0_left_next
                 - ipc_stage0_filter0_section0_c_next * ipc_stage0_filter0_section0_y_next;
@@ -591,19 +601,14 @@ static void axis_x_ipc_any_cycle(
             } else {
                 /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
                  * then everything starts anew */
-                state->ipc_disturbed = true;
-                state->ipc_preset = false;
-                state->ipc_fade = 0u;
+                state->ipc_fade = axis_x_ipc_ipc_fade_cycles + 1u;
                 ipc_v_limited_next = 0.0f;
             }
             ipc_limited_next = true;
         }
-        if (state->ipc_fade >= axis_x_ipc_ipc_fade_cycles) {
-            ipc_v_add = ipc_v_limited_next;
-            ipc_v_add_calculated = ipc_v_limited_next;
-        } else {
-            if (state->ipc_fade > 0u) {
-                ipc_v_add = ipc_v_limited_next * ((float)state->ipc_fade * ipc_fade_step);
+        if (ipc_fade < axis_x_ipc_ipc_fade_cycles) {
+            if (ipc_fade > 0u) {
+                ipc_v_add = ipc_v_limited_next * ((float)ipc_fade * ipc_fade_step);
             } else {
                 ipc_v_add = 0.0f;
             }
@@ -612,6 +617,9 @@ static void axis_x_ipc_any_cycle(
             } else {
                 ipc_v_add_calculated = ipc_v_limited_next;
             }
+        } else {
+            ipc_v_add = ipc_v_limited_next;
+            ipc_v_add_calculated = ipc_v_limited_next;
         }
         ipc_fault = false;
         error_id_so_far = AXIS_X_IPC_ERROR_NONE;
@@ -629,9 +637,7 @@ static void axis_x_ipc_any_cycle(
     } else {
         /* a number in use has been overwritten: a fault in the next cycle, then the offered set is taken over
          * anew */
-        state->ipc_disturbed = true;
-        state->ipc_preset = false;
-        state->ipc_fade = 0u;
+        state->ipc_fade = axis_x_ipc_ipc_fade_cycles + 1u;
         outputs->v_add = 0.0f;
         outputs->v_add_calculated = 0.0f;
         outputs->limited = true;
@@ -656,7 +662,7 @@ void axis_x_ipc_step(
             && axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_ipc_cycle_time_ns)
             && inputs->position_controlled && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON
-            && state->ipc_fade >= axis_x_ipc_ipc_fade_cycles) {
+            && state->ipc_fade == axis_x_ipc_ipc_fade_cycles) {
         outputs->error_id = AXIS_X_IPC_ERROR_NONE;
         outputs->fault = false;
         const float ipc_source_v_motor_change = inputs->v_motor - state->ipc_source_v_motor_before;
@@ -672,9 +678,11 @@ void axis_x_ipc_step(
         const float ipc_stage0_filter0_section0_u =
             ipc_stage0_filter0_section0_a * ipc_stage0_filter0_section0_left
                 - ipc_stage0_filter0_section0_b * state->ipc_stage0_filter0_section0_s1;
-        const float ipc_stage0_filter0_section0_y =
+        const float ipc_stage0_filter0_section0_next =
             state->ipc_stage0_filter0_section0_s1 + ipc_stage0_filter0_section0_u;
-        state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_y + ipc_stage0_filter0_section0_u;
+        const float ipc_stage0_filter0_section0_y =
+            state->ipc_stage0_filter0_section0_s1 + ipc_stage0_filter0_section0_next;
+        state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_next;
         state->ipc_stage0_filter0_section0_p =
             ipc_stage0_filter0_section0_left - ipc_stage0_filter0_section0_c * ipc_stage0_filter0_section0_y;
         const float ipc_v_stage0 = state->now_stage0_gain * ipc_stage0_filter0_section0_y;
@@ -698,9 +706,7 @@ void axis_x_ipc_step(
             } else {
                 /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
                  * then everything starts anew */
-                state->ipc_disturbed = true;
-                state->ipc_preset = false;
-                state->ipc_fade = 0u;
+                state->ipc_fade = axis_x_ipc_ipc_fade_cycles + 1u;
                 ipc_v_limited = 0.0f;
             }
             ipc_limited = true;
@@ -712,9 +718,7 @@ void axis_x_ipc_step(
         } else {
             /* a number in use has been overwritten: a fault in the next cycle, then the offered set is taken over
              * anew */
-            state->ipc_disturbed = true;
-            state->ipc_preset = false;
-            state->ipc_fade = 0u;
+            state->ipc_fade = axis_x_ipc_ipc_fade_cycles + 1u;
             outputs->v_add = 0.0f;
             outputs->v_add_calculated = 0.0f;
             outputs->limited = true;

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   97ae8940a5477195b212b25f55e5eb8d
- * checksum    7ec304c04cc58ca2571e32f85f5c5292
+ * structure   38a69c2a852439d9c3c01d05c4ed68fa
+ * checksum    bba2f74107f17f2eb136cb72a44ed062
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,14 +44,14 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xb4447d55u
 #define AXIS_X_IPC_PARAMETERS_3 0x4f36617au
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x97ae8940u
-#define AXIS_X_IPC_STRUCTURE_1 0xa5477195u
-#define AXIS_X_IPC_STRUCTURE_2 0xb212b25fu
-#define AXIS_X_IPC_STRUCTURE_3 0x55e5eb8du
+#define AXIS_X_IPC_STRUCTURE_0 0x38a69c2au
+#define AXIS_X_IPC_STRUCTURE_1 0x852439d9u
+#define AXIS_X_IPC_STRUCTURE_2 0xc3c01d05u
+#define AXIS_X_IPC_STRUCTURE_3 0xc4ed68fau
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_PARAMS_SIZE 44u
 #define AXIS_X_IPC_OUTPUTS_SIZE 20u
-#define AXIS_X_IPC_STATE_SIZE 72u
+#define AXIS_X_IPC_STATE_SIZE 68u
 
 /* With another number of bits in float the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -98,7 +98,7 @@ typedef struct {
     float lower_limit; /* -limit */
     float sum_limit; /* largest magnitude of a sum of stages that is not a fault */
     float stage0_filter0_bandpass0_a; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    float stage0_filter0_bandpass0_b; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+    float stage0_filter0_bandpass0_b; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
     float stage0_filter0_bandpass0_c; /* C = 2 g / (c k): the low-pass part grows by C y */
     float stage0_gain; /* -weight: negative, because the stage moves the motor against the vibration */
 } axis_x_ipc_params;
@@ -138,12 +138,13 @@ typedef struct {
     float now_lower_limit; /* -limit */
     float now_sum_limit; /* largest magnitude of a sum of stages that is not a fault */
     float now_stage0_filter0_bandpass0_a; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    float now_stage0_filter0_bandpass0_b; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+    float now_stage0_filter0_bandpass0_b; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
     float now_stage0_filter0_bandpass0_c; /* C = 2 g / (c k): the low-pass part grows by C y */
     float now_stage0_gain; /* -weight: negative, because the stage moves the motor against the vibration */
     bool ipc_preset; /* whether the sections have been preset to the steady state of an input */
-    uint32_t ipc_fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
-    bool ipc_disturbed; /* whether a state was overwritten, as the cycle before has shown */
+    /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
+     * state was overwritten */
+    uint32_t ipc_fade;
     float ipc_source_v_motor_before; /* the value of the cycle before */
     float ipc_stage0_filter0_section0_s1; /* what the next output takes over */
     float ipc_stage0_filter0_section0_p; /* the input without its low-pass part */

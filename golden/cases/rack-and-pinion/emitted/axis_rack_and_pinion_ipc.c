@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  097a836f6fa98f8ecb4119133f3f1eb0
- * structure   eab549f258ea54e983e29b1874369219
- * checksum    2b502b2a30520777edefc1600cbdb85c
+ * structure   0910220460bd05e1cc4c527f5d1cd8a4
+ * checksum    a8063c0eff0783ab9ccad7d3963a3806
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_rack_and_pinion_ipc.h"
@@ -45,7 +45,6 @@ void axis_rack_and_pinion_ipc_init(axis_rack_and_pinion_ipc_state *fresh)
     volatile axis_rack_and_pinion_ipc_state *const state = fresh;
     state->preset = false;
     state->fade = 0u;
-    state->disturbed = false;
     state->stage0_filter0_section0_s1 = 0.0;
     state->stage0_filter0_section0_s2 = 0.0;
     state->stage1_oscillation_s1 = 0.0;
@@ -126,40 +125,43 @@ void axis_rack_and_pinion_ipc_step(
 
     bool runs;
     uint32_t reason;
-    if (axis_rack_and_pinion_ipc_magnitude(inputs->v_motor) <= sample_limit
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == AXIS_RACK_AND_PINION_IPC_MODE_ON && state->fade >= fade_cycles) {
-        runs = true;
-        reason = AXIS_RACK_AND_PINION_IPC_ERROR_NONE;
-    } else if (state->disturbed) {
-        state->disturbed = false;
+    if (!(axis_rack_and_pinion_ipc_magnitude(inputs->v_motor) <= sample_limit)) {
+        state->preset = false;
+        state->fade = 0u;
         runs = false;
-        reason = AXIS_RACK_AND_PINION_IPC_ERROR_STATE;
-    } else {
-        if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
-            reason = AXIS_RACK_AND_PINION_IPC_ERROR_CYCLE_TIME;
-        } else if (!(inputs->mode == AXIS_RACK_AND_PINION_IPC_MODE_ON
-                || inputs->mode == AXIS_RACK_AND_PINION_IPC_MODE_OFF
-                || inputs->mode == AXIS_RACK_AND_PINION_IPC_MODE_DRYRUN)) {
-            reason = AXIS_RACK_AND_PINION_IPC_ERROR_MODE;
-        } else if (axis_rack_and_pinion_ipc_magnitude(inputs->v_motor) <= sample_limit) {
+        reason = AXIS_RACK_AND_PINION_IPC_ERROR_V_MOTOR;
+    } else if (inputs->position_controlled && !inputs->reset && inputs->mode == AXIS_RACK_AND_PINION_IPC_MODE_ON
+            && state->fade == fade_cycles) {
+        if (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) {
+            runs = true;
             reason = AXIS_RACK_AND_PINION_IPC_ERROR_NONE;
         } else {
-            reason = AXIS_RACK_AND_PINION_IPC_ERROR_V_MOTOR;
+            state->preset = false;
+            state->fade = 0u;
+            runs = false;
+            reason = AXIS_RACK_AND_PINION_IPC_ERROR_CYCLE_TIME;
         }
-        if (reason == AXIS_RACK_AND_PINION_IPC_ERROR_NONE && inputs->position_controlled && !inputs->reset) {
+    } else if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_RACK_AND_PINION_IPC_ERROR_CYCLE_TIME;
+    } else if (state->fade > fade_cycles) {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_RACK_AND_PINION_IPC_ERROR_STATE;
+    } else if (inputs->mode == AXIS_RACK_AND_PINION_IPC_MODE_ON || inputs->mode == AXIS_RACK_AND_PINION_IPC_MODE_OFF
+            || inputs->mode == AXIS_RACK_AND_PINION_IPC_MODE_DRYRUN) {
+        if (inputs->position_controlled && !inputs->reset) {
             if (state->preset) {
                 if (inputs->mode == AXIS_RACK_AND_PINION_IPC_MODE_ON) {
                     state->fade = state->fade + 1u;
+                } else if (state->fade > 1u) {
+                    state->fade = state->fade - 1u;
                 } else {
-                    if (state->fade > fade_cycles) {
-                        /* fade has been overwritten: it must not take longer than a whole fade */
-                        state->fade = fade_cycles;
-                    }
-                    if (state->fade > 0u) {
-                        state->fade = state->fade - 1u;
-                    }
-                    if (inputs->mode == AXIS_RACK_AND_PINION_IPC_MODE_OFF && state->fade == 0u) {
+                    state->fade = 0u;
+                    if (inputs->mode == AXIS_RACK_AND_PINION_IPC_MODE_OFF) {
                         state->preset = false;
                     }
                 }
@@ -191,10 +193,17 @@ void axis_rack_and_pinion_ipc_step(
             state->fade = 0u;
             runs = false;
         }
+        reason = AXIS_RACK_AND_PINION_IPC_ERROR_NONE;
+    } else {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_RACK_AND_PINION_IPC_ERROR_MODE;
     }
     if (runs) {
         outputs->fault = false;
         outputs->error_id = AXIS_RACK_AND_PINION_IPC_ERROR_NONE;
+        const uint32_t fade = state->fade;
         /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755) */
         /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
          * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
@@ -243,17 +252,12 @@ void axis_rack_and_pinion_ipc_step(
             /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
              * then everything starts anew */
             outputs->limited = true;
-            state->disturbed = true;
-            state->preset = false;
-            state->fade = 0u;
+            state->fade = fade_cycles + 1u;
             v_limited = 0.0;
         }
-        if (state->fade >= fade_cycles) {
-            outputs->v_add = v_limited;
-            outputs->v_add_calculated = v_limited;
-        } else {
-            if (state->fade > 0u) {
-                outputs->v_add = v_limited * ((double)state->fade * fade_step);
+        if (fade < fade_cycles) {
+            if (fade > 0u) {
+                outputs->v_add = v_limited * ((double)fade * fade_step);
             } else {
                 outputs->v_add = 0.0;
             }
@@ -262,6 +266,9 @@ void axis_rack_and_pinion_ipc_step(
             } else {
                 outputs->v_add_calculated = v_limited;
             }
+        } else {
+            outputs->v_add = v_limited;
+            outputs->v_add_calculated = v_limited;
         }
     } else {
         outputs->v_add = 0.0;

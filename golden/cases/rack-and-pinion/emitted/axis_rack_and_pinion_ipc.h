@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  097a836f6fa98f8ecb4119133f3f1eb0
- * structure   eab549f258ea54e983e29b1874369219
- * checksum    2b27e30e8096d3281588020cffc64f19
+ * structure   0910220460bd05e1cc4c527f5d1cd8a4
+ * checksum    ddaa9da7d2c50e9e5df80940f7b29e61
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_RACK_AND_PINION_IPC_H
@@ -43,14 +43,14 @@ extern "C" {
 #define AXIS_RACK_AND_PINION_IPC_PARAMETERS_2 0xcb411913u
 #define AXIS_RACK_AND_PINION_IPC_PARAMETERS_3 0x3f3f1eb0u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_0 0xeab549f2u
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_1 0x58ea54e9u
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_2 0x83e29b18u
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_3 0x74369219u
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_0 0x09102204u
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_1 0x60bd05e1u
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_2 0xcc4c527fu
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_3 0x5d1cd8a4u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_RACK_AND_PINION_IPC_INPUTS_SIZE 24u
 #define AXIS_RACK_AND_PINION_IPC_OUTPUTS_SIZE 24u
-#define AXIS_RACK_AND_PINION_IPC_STATE_SIZE 64u
+#define AXIS_RACK_AND_PINION_IPC_STATE_SIZE 56u
 
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -101,8 +101,9 @@ typedef struct {
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool preset; /* whether the sections have been preset to the steady state of an input */
-    uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
-    bool disturbed; /* whether a state was overwritten, as the cycle before has shown */
+    /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
+     * state was overwritten */
+    uint32_t fade;
     double stage0_filter0_section0_s1; /* what the next output takes over */
     double stage0_filter0_section0_s2; /* what `s1` takes over */
     double stage1_oscillation_s1; /* what the next output takes over */

@@ -5,7 +5,7 @@
 // real type   f64
 // cycle time  1000000 ns
 // parameters  097a836f6fa98f8ecb4119133f3f1eb0
-// checksum    4e2265d41133ff55e786035a3322f523
+// checksum    263d89467456eb3f32580ae86cb663e8
 // licence     this file belongs to the user of axgen; no licence of axgen applies to it
 
 // range: |v| <= 530000 gives |v_add| <= 2308249 before the limit and no |state| above 783998.6; for |v| <= 1e15:
@@ -55,10 +55,9 @@ pub struct Outputs {
 pub struct State {
     // whether the sections have been preset to the steady state of an input
     preset: bool,
-    // position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is
+    // position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
+    // state was overwritten
     fade: u32,
-    // whether a state was overwritten, as the cycle before has shown
-    disturbed: bool,
     // what the next output takes over
     stage0_filter0_section0_s1: f64,
     // what `s1` takes over
@@ -123,7 +122,6 @@ impl State {
         Self {
             preset: false,
             fade: 0,
-            disturbed: false,
             stage0_filter0_section0_s1: 0.0,
             stage0_filter0_section0_s2: 0.0,
             stage1_oscillation_s1: 0.0,
@@ -218,23 +216,23 @@ const FADE_STEP: f64 = 0.01;
 // the same for every axis
 /// error_id: no fault
 const ERROR_NONE: u32 = 0;
+/// largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range
+const SAMPLE_LIMIT: f64 = 1000000000000000.0;
+/// error_id: v_motor is not within the sample limit
+const ERROR_V_MOTOR: u32 = 12;
 /// mode: the block acts
 const MODE_ON: i32 = 1;
+/// error_id: task_cycle_ns is not the cycle time that the coefficients were designed for
+const ERROR_CYCLE_TIME: u32 = 1;
+/// error_id: a state of the block is no number, or the sum of its stages is above sum_limit; everything starts
+/// anew
+const ERROR_STATE: u32 = 3;
 /// mode: the block is off
 const MODE_OFF: i32 = 0;
 /// mode: the block calculates and does not act
 const MODE_DRYRUN: i32 = 2;
-/// largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range
-const SAMPLE_LIMIT: f64 = 1000000000000000.0;
-/// error_id: a state of the block is no number, or the sum of its stages is above sum_limit; everything starts
-/// anew
-const ERROR_STATE: u32 = 3;
-/// error_id: task_cycle_ns is not the cycle time that the coefficients were designed for
-const ERROR_CYCLE_TIME: u32 = 1;
 /// error_id: mode is none of OFF, ON, DRYRUN
 const ERROR_MODE: u32 = 2;
-/// error_id: v_motor is not within the sample limit
-const ERROR_V_MOTOR: u32 = 12;
 /// added in every update of s2, so that a section at rest never decays into subnormal numbers
 const ANTI_DENORMAL: f64 = 1.0e-30;
 
@@ -244,37 +242,41 @@ const ANTI_DENORMAL: f64 = 1.0e-30;
 pub fn step(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
     let runs: bool;
     let reason: u32;
-    if inputs.v_motor.abs() <= SAMPLE_LIMIT && (inputs.task_cycle_ns == 0 || inputs.task_cycle_ns == CYCLE_TIME_NS)
-            && inputs.position_controlled && !inputs.reset && inputs.mode == MODE_ON && state.fade >= FADE_CYCLES {
-        runs = true;
-        reason = ERROR_NONE;
-    } else if state.disturbed {
-        state.disturbed = false;
+    if !(inputs.v_motor.abs() <= SAMPLE_LIMIT) {
+        state.preset = false;
+        state.fade = 0;
         runs = false;
-        reason = ERROR_STATE;
-    } else {
-        if !(inputs.task_cycle_ns == 0 || inputs.task_cycle_ns == CYCLE_TIME_NS) {
-            reason = ERROR_CYCLE_TIME;
-        } else if !(inputs.mode == MODE_ON || inputs.mode == MODE_OFF || inputs.mode == MODE_DRYRUN) {
-            reason = ERROR_MODE;
-        } else if inputs.v_motor.abs() <= SAMPLE_LIMIT {
+        reason = ERROR_V_MOTOR;
+    } else if inputs.position_controlled && !inputs.reset && inputs.mode == MODE_ON && state.fade == FADE_CYCLES {
+        if inputs.task_cycle_ns == 0 || inputs.task_cycle_ns == CYCLE_TIME_NS {
+            runs = true;
             reason = ERROR_NONE;
         } else {
-            reason = ERROR_V_MOTOR;
+            state.preset = false;
+            state.fade = 0;
+            runs = false;
+            reason = ERROR_CYCLE_TIME;
         }
-        if reason == ERROR_NONE && inputs.position_controlled && !inputs.reset {
+    } else if !(inputs.task_cycle_ns == 0 || inputs.task_cycle_ns == CYCLE_TIME_NS) {
+        state.preset = false;
+        state.fade = 0;
+        runs = false;
+        reason = ERROR_CYCLE_TIME;
+    } else if state.fade > FADE_CYCLES {
+        state.preset = false;
+        state.fade = 0;
+        runs = false;
+        reason = ERROR_STATE;
+    } else if inputs.mode == MODE_ON || inputs.mode == MODE_OFF || inputs.mode == MODE_DRYRUN {
+        if inputs.position_controlled && !inputs.reset {
             if state.preset {
                 if inputs.mode == MODE_ON {
                     state.fade = state.fade.wrapping_add(1);
+                } else if state.fade > 1 {
+                    state.fade = state.fade.wrapping_sub(1);
                 } else {
-                    if state.fade > FADE_CYCLES {
-                        // fade has been overwritten: it must not take longer than a whole fade
-                        state.fade = FADE_CYCLES;
-                    }
-                    if state.fade > 0 {
-                        state.fade = state.fade.wrapping_sub(1);
-                    }
-                    if inputs.mode == MODE_OFF && state.fade == 0 {
+                    state.fade = 0;
+                    if inputs.mode == MODE_OFF {
                         state.preset = false;
                     }
                 }
@@ -306,10 +308,17 @@ pub fn step(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
             state.fade = 0;
             runs = false;
         }
+        reason = ERROR_NONE;
+    } else {
+        state.preset = false;
+        state.fade = 0;
+        runs = false;
+        reason = ERROR_MODE;
     }
     if runs {
         outputs.fault = false;
         outputs.error_id = ERROR_NONE;
+        let fade: u32 = state.fade;
         // DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755)
         // BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
         // quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz
@@ -358,17 +367,12 @@ pub fn step(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
             // a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
             // then everything starts anew
             outputs.limited = true;
-            state.disturbed = true;
-            state.preset = false;
-            state.fade = 0;
+            state.fade = FADE_CYCLES.wrapping_add(1);
             v_limited = 0.0;
         }
-        if state.fade >= FADE_CYCLES {
-            outputs.v_add = v_limited;
-            outputs.v_add_calculated = v_limited;
-        } else {
-            if state.fade > 0 {
-                outputs.v_add = v_limited * (f64::from(state.fade) * FADE_STEP);
+        if fade < FADE_CYCLES {
+            if fade > 0 {
+                outputs.v_add = v_limited * (f64::from(fade) * FADE_STEP);
             } else {
                 outputs.v_add = 0.0;
             }
@@ -377,6 +381,9 @@ pub fn step(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
             } else {
                 outputs.v_add_calculated = v_limited;
             }
+        } else {
+            outputs.v_add = v_limited;
+            outputs.v_add_calculated = v_limited;
         }
     } else {
         outputs.v_add = 0.0;
@@ -397,41 +404,41 @@ pub fn step(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
 pub fn self_test() -> u32 {
     // the reference's digest of all outputs and of the state, after each sample
     const EXPECTED: [u64; 35] = [
-        0x1a6600b02eb6d540,
-        0xb3ebabbbda6c2547,
-        0xb134f52ad7f4dcb3,
-        0x1d69f734beb1045c,
-        0x723be362e862fb3b,
-        0xd338e64b98e8a7f8,
-        0xdaa77a765cebf664,
-        0x6f2135d9dd0cefac,
-        0x309b2b7f816e9bda,
-        0x97b774b5cc282043,
-        0x34743bea1aab046f,
-        0x1e6aa98d854d36f7,
-        0x78552186e9b68b0a,
-        0xfa90140a29a2f6cf,
-        0xf9dcdd29325de449,
-        0x64f9a96683660aad,
-        0xa2158522b36ec7b2,
-        0xad627b70befb0933,
-        0xdadb3f0b6f8ade14,
-        0x2426c4c46740d5cc,
-        0x074d1f930b05c91d,
-        0x6ca5c7fcb4b6e4f6,
-        0x3a0d9cc8c69e655f,
-        0x807bb69ee275ec15,
-        0xa65ab3050f270a13,
-        0xdfeed8435242e17a,
-        0x0cdb34887afcdb72,
-        0xc319b6875a588061,
-        0xc3aa71279ff4b301,
-        0xc6018f4c65a1d9ff,
-        0x4a0d0b37f03e6f06,
-        0xd159ce7004ea606f,
-        0x071d82b5ab3b902f,
-        0xbec6774f82681491,
-        0xa1b2ecb22bfe4508,
+        0x1a65ffb82eb6d540,
+        0x4f322b208c14ffc1,
+        0x54ae5b7d57160a49,
+        0xe62d81162faa0ca6,
+        0xa7100a60624b96da,
+        0x5b59e69194d2a017,
+        0x7b9c51814c5f8dcc,
+        0xd24085c0827d3619,
+        0xe641957208d60b23,
+        0xb0c694d1d26c06c0,
+        0x0c78f089f709c4e0,
+        0xbf13bfad3465ac8f,
+        0xd0274b70d0c95881,
+        0xcdce5585986b8d72,
+        0x5601cb21ccefb4cf,
+        0x5a3783e8c45bf804,
+        0xffe7c91b7cbca8d0,
+        0xda9b2639e0d1bdd4,
+        0xea463ce8e8298e7f,
+        0xf73ff2fa5fa97a7f,
+        0xd1f453264c8fe3e4,
+        0x15d2f6543aeaa87e,
+        0x0529d812a8a25335,
+        0x9dc0df88a90e8a13,
+        0xb040aafd66ed0426,
+        0x56174d2d0020a7a5,
+        0x7c358812c6699879,
+        0x3321b949eda6b9ca,
+        0xc82be2a266af0b28,
+        0x7e6de125c0dafe90,
+        0x1b79447e863d2df3,
+        0x52e7f4642e920f1a,
+        0x7ac5150f17fbcba4,
+        0x1261f1b0c63245ad,
+        0x82326acf6e5daff3,
     ];
     // opaque: the compiler must call what the caller calls, and not work it out by itself
     let step: fn(&mut State, &Inputs, &mut Outputs) = core::hint::black_box(step);
@@ -469,7 +476,6 @@ pub fn self_test() -> u32 {
         digest = digest.rotate_left(5).wrapping_add(u64::from(outputs.error_id));
         digest = digest.rotate_left(5).wrapping_add(u64::from(state.preset));
         digest = digest.rotate_left(5).wrapping_add(u64::from(state.fade));
-        digest = digest.rotate_left(5).wrapping_add(u64::from(state.disturbed));
         digest = digest.rotate_left(5).wrapping_add(state.stage0_filter0_section0_s1.to_bits());
         digest = digest.rotate_left(5).wrapping_add(state.stage0_filter0_section0_s2.to_bits());
         digest = digest.rotate_left(5).wrapping_add(state.stage1_oscillation_s1.to_bits());

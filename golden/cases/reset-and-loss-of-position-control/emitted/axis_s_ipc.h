@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  01e6eb02896c59c399f72dbc0e232957
- * structure   cb114a186b68b19d1e80de63c764adab
- * checksum    e88138bc047a1348bb829bba4e75115a
+ * structure   235b0e16788182722bf01d17725272a8
+ * checksum    07f4517427dc98c1d6ae9c0033a7c359
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_IPC_H
@@ -40,14 +40,14 @@ extern "C" {
 #define AXIS_S_IPC_PARAMETERS_2 0x99f72dbcu
 #define AXIS_S_IPC_PARAMETERS_3 0x0e232957u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_S_IPC_STRUCTURE_0 0xcb114a18u
-#define AXIS_S_IPC_STRUCTURE_1 0x6b68b19du
-#define AXIS_S_IPC_STRUCTURE_2 0x1e80de63u
-#define AXIS_S_IPC_STRUCTURE_3 0xc764adabu
+#define AXIS_S_IPC_STRUCTURE_0 0x235b0e16u
+#define AXIS_S_IPC_STRUCTURE_1 0x78818272u
+#define AXIS_S_IPC_STRUCTURE_2 0x2bf01d17u
+#define AXIS_S_IPC_STRUCTURE_3 0x725272a8u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_S_IPC_INPUTS_SIZE 24u
 #define AXIS_S_IPC_OUTPUTS_SIZE 24u
-#define AXIS_S_IPC_STATE_SIZE 48u
+#define AXIS_S_IPC_STATE_SIZE 40u
 
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -99,8 +99,9 @@ typedef struct {
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool preset; /* whether the sections have been preset to the steady state of an input */
-    uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
-    bool disturbed; /* whether a state was overwritten, as the cycle before has shown */
+    /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
+     * state was overwritten */
+    uint32_t fade;
     double stage0_filter0_section0_s1; /* what the next output takes over */
     double stage0_filter0_section0_s2; /* what `s1` takes over */
     double stage0_filter0_section1_s1; /* what the next output takes over */

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  e1f780f3962f4d82bdd4f2c5209ad1a5
- * structure   8efde010691d90228c5174bbef5f478b
- * checksum    543d9d8e24cd68be521d9e74d2fdb6e5
+ * structure   90a0b5b6adf6294b975afb1b5dbd9449
+ * checksum    bd3d004b7c4a12b6bf039da2f45c9008
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -45,7 +45,6 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     volatile axis_x_ipc_state *const state = fresh;
     state->preset = false;
     state->fade = 0u;
-    state->disturbed = false;
     state->source_v_direct_before = 0.0f;
     state->stage0_filter0_section0_s1 = 0.0f;
     state->stage0_filter0_section0_p = 0.0f;
@@ -77,17 +76,17 @@ void axis_x_ipc_step(
      * factor 10 (P-AXIS-00752), -3 dB at 211.412 and 233.912 Hz
      * section 1 of 3: centre frequency 225 Hz, quality factor 1.085633, gain 1 there and 1 at 225 Hz */
     static const float stage0_filter0_bandpass0_a = 0.12458938f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    static const float stage0_filter0_bandpass0_b = 0.9785772f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+    static const float stage0_filter0_bandpass0_b = 1.9571544f; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
     static const float stage0_filter0_bandpass0_c = 13.7088375f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
     /* section 2 of 3: centre frequency 213.1545 Hz, quality factor 2.345232, gain 2.160243 there and 1 at 225 Hz */
     static const float stage0_filter0_bandpass1_a = 0.18782282f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    static const float stage0_filter0_bandpass1_b = 0.9519323f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+    static const float stage0_filter0_bandpass1_b = 1.9038646f; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
     static const float stage0_filter0_bandpass1_c = 9.21067f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
     /* section 3 of 3: centre frequency 233.127 Hz, quality factor 2.345232, gain 2.160243 there and 1 at 225 Hz */
     static const float stage0_filter0_bandpass2_a = 0.09276168f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    static const float stage0_filter0_bandpass2_b = 0.98928344f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+    static const float stage0_filter0_bandpass2_b = 1.9785669f; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
     static const float stage0_filter0_bandpass2_c = 20.403751f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
     /* largest |v_add| = 500000: 1000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
@@ -112,39 +111,43 @@ void axis_x_ipc_step(
 
     bool runs;
     uint32_t reason;
-    if (axis_x_ipc_magnitude(inputs->v_direct) <= sample_limit
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON && state->fade >= fade_cycles) {
-        runs = true;
-        reason = AXIS_X_IPC_ERROR_NONE;
-    } else if (state->disturbed) {
-        state->disturbed = false;
+    if (!(axis_x_ipc_magnitude(inputs->v_direct) <= sample_limit)) {
+        state->preset = false;
+        state->fade = 0u;
         runs = false;
-        reason = AXIS_X_IPC_ERROR_STATE;
-    } else {
-        if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
-            reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
-        } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
-                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)) {
-            reason = AXIS_X_IPC_ERROR_MODE;
-        } else if (axis_x_ipc_magnitude(inputs->v_direct) <= sample_limit) {
+        reason = AXIS_X_IPC_ERROR_V_DIRECT;
+    } else if (inputs->position_controlled && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON
+            && state->fade == fade_cycles) {
+        if (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) {
+            runs = true;
             reason = AXIS_X_IPC_ERROR_NONE;
         } else {
-            reason = AXIS_X_IPC_ERROR_V_DIRECT;
+            state->preset = false;
+            state->fade = 0u;
+            runs = false;
+            reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
         }
-        if (reason == AXIS_X_IPC_ERROR_NONE && inputs->position_controlled && !inputs->reset) {
+    } else if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
+    } else if (state->fade > fade_cycles) {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_X_IPC_ERROR_STATE;
+    } else if (inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+            || inputs->mode == AXIS_X_IPC_MODE_DRYRUN) {
+        if (inputs->position_controlled && !inputs->reset) {
             if (state->preset) {
                 if (inputs->mode == AXIS_X_IPC_MODE_ON) {
                     state->fade = state->fade + 1u;
+                } else if (state->fade > 1u) {
+                    state->fade = state->fade - 1u;
                 } else {
-                    if (state->fade > fade_cycles) {
-                        /* fade has been overwritten: it must not take longer than a whole fade */
-                        state->fade = fade_cycles;
-                    }
-                    if (state->fade > 0u) {
-                        state->fade = state->fade - 1u;
-                    }
-                    if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
+                    state->fade = 0u;
+                    if (inputs->mode == AXIS_X_IPC_MODE_OFF) {
                         state->preset = false;
                     }
                 }
@@ -170,10 +173,17 @@ void axis_x_ipc_step(
             state->fade = 0u;
             runs = false;
         }
+        reason = AXIS_X_IPC_ERROR_NONE;
+    } else {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_X_IPC_ERROR_MODE;
     }
     if (runs) {
         outputs->fault = false;
         outputs->error_id = AXIS_X_IPC_ERROR_NONE;
+        const uint32_t fade = state->fade;
         const float source_v_direct_change = inputs->v_direct - state->source_v_direct_before;
         state->source_v_direct_before = inputs->v_direct;
         const float source_v_direct = source_v_direct_change + least_change;
@@ -184,23 +194,26 @@ void axis_x_ipc_step(
         const float stage0_filter0_section0_u =
             stage0_filter0_bandpass0_a * stage0_filter0_section0_left
                 - stage0_filter0_bandpass0_b * state->stage0_filter0_section0_s1;
-        const float stage0_filter0_section0_y = state->stage0_filter0_section0_s1 + stage0_filter0_section0_u;
-        state->stage0_filter0_section0_s1 = stage0_filter0_section0_y + stage0_filter0_section0_u;
+        const float stage0_filter0_section0_next = state->stage0_filter0_section0_s1 + stage0_filter0_section0_u;
+        const float stage0_filter0_section0_y = state->stage0_filter0_section0_s1 + stage0_filter0_section0_next;
+        state->stage0_filter0_section0_s1 = stage0_filter0_section0_next;
         state->stage0_filter0_section0_p =
             stage0_filter0_section0_left - stage0_filter0_bandpass0_c * stage0_filter0_section0_y;
         const float stage0_filter0_section1_u =
             stage0_filter0_bandpass1_a * (stage0_filter0_section0_y - state->stage0_filter0_section1_low)
                 - stage0_filter0_bandpass1_b * state->stage0_filter0_section1_s1;
-        const float stage0_filter0_section1_y = state->stage0_filter0_section1_s1 + stage0_filter0_section1_u;
-        state->stage0_filter0_section1_s1 = stage0_filter0_section1_y + stage0_filter0_section1_u;
+        const float stage0_filter0_section1_next = state->stage0_filter0_section1_s1 + stage0_filter0_section1_u;
+        const float stage0_filter0_section1_y = state->stage0_filter0_section1_s1 + stage0_filter0_section1_next;
+        state->stage0_filter0_section1_s1 = stage0_filter0_section1_next;
         state->stage0_filter0_section1_low =
             state->stage0_filter0_section1_low
                 + (stage0_filter0_bandpass1_c * stage0_filter0_section1_y + least_change);
         const float stage0_filter0_section2_u =
             stage0_filter0_bandpass2_a * (stage0_filter0_section1_y - state->stage0_filter0_section2_low)
                 - stage0_filter0_bandpass2_b * state->stage0_filter0_section2_s1;
-        const float stage0_filter0_section2_y = state->stage0_filter0_section2_s1 + stage0_filter0_section2_u;
-        state->stage0_filter0_section2_s1 = stage0_filter0_section2_y + stage0_filter0_section2_u;
+        const float stage0_filter0_section2_next = state->stage0_filter0_section2_s1 + stage0_filter0_section2_u;
+        const float stage0_filter0_section2_y = state->stage0_filter0_section2_s1 + stage0_filter0_section2_next;
+        state->stage0_filter0_section2_s1 = stage0_filter0_section2_next;
         state->stage0_filter0_section2_low =
             state->stage0_filter0_section2_low
                 + (stage0_filter0_bandpass2_c * stage0_filter0_section2_y + least_change);
@@ -224,17 +237,12 @@ void axis_x_ipc_step(
             /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
              * then everything starts anew */
             outputs->limited = true;
-            state->disturbed = true;
-            state->preset = false;
-            state->fade = 0u;
+            state->fade = fade_cycles + 1u;
             v_limited = 0.0f;
         }
-        if (state->fade >= fade_cycles) {
-            outputs->v_add = v_limited;
-            outputs->v_add_calculated = v_limited;
-        } else {
-            if (state->fade > 0u) {
-                outputs->v_add = v_limited * ((float)state->fade * fade_step);
+        if (fade < fade_cycles) {
+            if (fade > 0u) {
+                outputs->v_add = v_limited * ((float)fade * fade_step);
             } else {
                 outputs->v_add = 0.0f;
             }
@@ -243,6 +251,9 @@ void axis_x_ipc_step(
             } else {
                 outputs->v_add_calculated = v_limited;
             }
+        } else {
+            outputs->v_add = v_limited;
+            outputs->v_add_calculated = v_limited;
         }
     } else {
         outputs->v_add = 0.0f;

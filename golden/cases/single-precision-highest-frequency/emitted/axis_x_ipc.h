@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  e1f780f3962f4d82bdd4f2c5209ad1a5
- * structure   8efde010691d90228c5174bbef5f478b
- * checksum    831dbb84718110ca66d25db4976eba16
+ * structure   90a0b5b6adf6294b975afb1b5dbd9449
+ * checksum    7f07729e27cce237dcfa8d9cd4546abb
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -43,14 +43,14 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xbdd4f2c5u
 #define AXIS_X_IPC_PARAMETERS_3 0x209ad1a5u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x8efde010u
-#define AXIS_X_IPC_STRUCTURE_1 0x691d9022u
-#define AXIS_X_IPC_STRUCTURE_2 0x8c5174bbu
-#define AXIS_X_IPC_STRUCTURE_3 0xef5f478bu
+#define AXIS_X_IPC_STRUCTURE_0 0x90a0b5b6u
+#define AXIS_X_IPC_STRUCTURE_1 0xadf6294bu
+#define AXIS_X_IPC_STRUCTURE_2 0x975afb1bu
+#define AXIS_X_IPC_STRUCTURE_3 0x5dbd9449u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 16u
 #define AXIS_X_IPC_OUTPUTS_SIZE 16u
-#define AXIS_X_IPC_STATE_SIZE 40u
+#define AXIS_X_IPC_STATE_SIZE 36u
 
 /* With another number of bits in float the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -102,8 +102,9 @@ typedef struct {
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool preset; /* whether the sections have been preset to the steady state of an input */
-    uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
-    bool disturbed; /* whether a state was overwritten, as the cycle before has shown */
+    /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
+     * state was overwritten */
+    uint32_t fade;
     float source_v_direct_before; /* the value of the cycle before */
     float stage0_filter0_section0_s1; /* what the next output takes over */
     float stage0_filter0_section0_p; /* the input without its low-pass part */

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  62500 ns
  * parameters  3ded08af76ecf576262a5ba0ab2f33f9
- * structure   29694ece74a23a48f132263d6fdf7649
- * checksum    4f8bede49dad724d9516ae1be3555585
+ * structure   4dfa7285440f0aad0f42d8ad47bcb196
+ * checksum    1f4ac0def673db0b3493d7e1840e4dbb
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -45,7 +45,6 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     volatile axis_x_ipc_state *const state = fresh;
     state->preset = false;
     state->fade = 0u;
-    state->disturbed = false;
     state->source_v_motor_before = 0.0f;
     state->stage0_oscillation_s1 = 0.0f;
     state->stage0_oscillation_p = 0.0f;
@@ -79,25 +78,25 @@ void axis_x_ipc_step(
      * simulated oscillation of the load, f0 of the first BANDPASS 1 Hz (P-AXIS-00751), damping ratio 0.3
      * (P-AXIS-00850): gain 1 at DC, 1.943651 and -59.03624 deg at f0 */
     static const float stage0_oscillation_h = 0.99988216f; /* H = h: q = H p - R s1, y = x - q, p = x - low-pass part */
-    static const float stage0_oscillation_r = 0.6001256f; /* R = (g + k) h: q = H p - R s1 */
-    static const float stage0_oscillation_g = 0.00019634955f; /* G = g, the warped centre: bp = s1 + G q, s1 = bp + G q */
+    static const float stage0_oscillation_r = 1.2002512f; /* R = 2 (g + k) h: q = H p - R s1 */
+    static const float stage0_oscillation_g = 0.00019634955f; /* G = g, the warped centre: s1' = s1 + G q, bp = s1 + s1' */
     static const float stage0_oscillation_g2 = 0.0003926991f; /* G2 = 2 g: the low-pass part grows by G2 bp */
 
     /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 1 Hz (P-AXIS-00751), quality factor 8
      * (P-AXIS-00752), -3 dB at 0.9394512 and 1.064451 Hz
      * section 1 of 3: centre frequency 1 Hz, quality factor 6.048345, gain 1 there and 1 at 1 Hz */
     static const float stage0_filter0_bandpass0_a = 3.2462296e-5f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    static const float stage0_filter0_bandpass0_b = 3.2500848e-5f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+    static const float stage0_filter0_bandpass0_b = 6.5001695e-5f; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
     static const float stage0_filter0_bandpass0_c = 0.0023751797f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
     /* section 2 of 3: centre frequency 0.9393689 Hz, quality factor 7.652839, gain 1.384798 there and 1 at 1 Hz */
     static const float stage0_filter0_bandpass1_a = 3.3374854e-5f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    static const float stage0_filter0_bandpass1_b = 2.4134908e-5f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+    static const float stage0_filter0_bandpass1_b = 4.8269816e-5f; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
     static const float stage0_filter0_bandpass1_c = 0.0020386016f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
     /* section 3 of 3: centre frequency 1.064544 Hz, quality factor 7.652839, gain 1.384798 there and 1 at 1 Hz */
     static const float stage0_filter0_bandpass2_a = 3.7822094e-5f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    static const float stage0_filter0_bandpass2_b = 2.735605e-5f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+    static const float stage0_filter0_bandpass2_b = 5.47121e-5f; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
     static const float stage0_filter0_bandpass2_c = 0.002310255f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
     /* largest |v_add| = 500000: 1000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */
@@ -122,39 +121,43 @@ void axis_x_ipc_step(
 
     bool runs;
     uint32_t reason;
-    if (axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON && state->fade >= fade_cycles) {
-        runs = true;
-        reason = AXIS_X_IPC_ERROR_NONE;
-    } else if (state->disturbed) {
-        state->disturbed = false;
+    if (!(axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit)) {
+        state->preset = false;
+        state->fade = 0u;
         runs = false;
-        reason = AXIS_X_IPC_ERROR_STATE;
-    } else {
-        if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
-            reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
-        } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
-                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)) {
-            reason = AXIS_X_IPC_ERROR_MODE;
-        } else if (axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit) {
+        reason = AXIS_X_IPC_ERROR_V_MOTOR;
+    } else if (inputs->position_controlled && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON
+            && state->fade == fade_cycles) {
+        if (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) {
+            runs = true;
             reason = AXIS_X_IPC_ERROR_NONE;
         } else {
-            reason = AXIS_X_IPC_ERROR_V_MOTOR;
+            state->preset = false;
+            state->fade = 0u;
+            runs = false;
+            reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
         }
-        if (reason == AXIS_X_IPC_ERROR_NONE && inputs->position_controlled && !inputs->reset) {
+    } else if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
+    } else if (state->fade > fade_cycles) {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_X_IPC_ERROR_STATE;
+    } else if (inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+            || inputs->mode == AXIS_X_IPC_MODE_DRYRUN) {
+        if (inputs->position_controlled && !inputs->reset) {
             if (state->preset) {
                 if (inputs->mode == AXIS_X_IPC_MODE_ON) {
                     state->fade = state->fade + 1u;
+                } else if (state->fade > 1u) {
+                    state->fade = state->fade - 1u;
                 } else {
-                    if (state->fade > fade_cycles) {
-                        /* fade has been overwritten: it must not take longer than a whole fade */
-                        state->fade = fade_cycles;
-                    }
-                    if (state->fade > 0u) {
-                        state->fade = state->fade - 1u;
-                    }
-                    if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
+                    state->fade = 0u;
+                    if (inputs->mode == AXIS_X_IPC_MODE_OFF) {
                         state->preset = false;
                     }
                 }
@@ -185,10 +188,17 @@ void axis_x_ipc_step(
             state->fade = 0u;
             runs = false;
         }
+        reason = AXIS_X_IPC_ERROR_NONE;
+    } else {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_X_IPC_ERROR_MODE;
     }
     if (runs) {
         outputs->fault = false;
         outputs->error_id = AXIS_X_IPC_ERROR_NONE;
+        const uint32_t fade = state->fade;
         const float source_v_motor_change = inputs->v_motor - state->source_v_motor_before;
         state->source_v_motor_before = inputs->v_motor;
         const float source_v_motor = source_v_motor_change + least_change;
@@ -198,9 +208,10 @@ void axis_x_ipc_step(
         const float stage0_oscillation_left = state->stage0_oscillation_p + source_v_motor;
         const float stage0_oscillation_q =
             stage0_oscillation_h * stage0_oscillation_left - stage0_oscillation_r * state->stage0_oscillation_s1;
-        const float stage0_oscillation_u = stage0_oscillation_g * stage0_oscillation_q;
-        const float stage0_oscillation_bp = state->stage0_oscillation_s1 + stage0_oscillation_u;
-        state->stage0_oscillation_s1 = stage0_oscillation_bp + stage0_oscillation_u;
+        const float stage0_oscillation_next =
+            state->stage0_oscillation_s1 + stage0_oscillation_g * stage0_oscillation_q;
+        const float stage0_oscillation_bp = state->stage0_oscillation_s1 + stage0_oscillation_next;
+        state->stage0_oscillation_s1 = stage0_oscillation_next;
         state->stage0_oscillation_p = stage0_oscillation_left - stage0_oscillation_g2 * stage0_oscillation_bp;
         const float stage0_y = inputs->v_motor - stage0_oscillation_q;
         const float stage0_filter0_input_change = stage0_y - state->stage0_filter0_input_before;
@@ -212,23 +223,26 @@ void axis_x_ipc_step(
         const float stage0_filter0_section0_u =
             stage0_filter0_bandpass0_a * stage0_filter0_section0_left
                 - stage0_filter0_bandpass0_b * state->stage0_filter0_section0_s1;
-        const float stage0_filter0_section0_y = state->stage0_filter0_section0_s1 + stage0_filter0_section0_u;
-        state->stage0_filter0_section0_s1 = stage0_filter0_section0_y + stage0_filter0_section0_u;
+        const float stage0_filter0_section0_next = state->stage0_filter0_section0_s1 + stage0_filter0_section0_u;
+        const float stage0_filter0_section0_y = state->stage0_filter0_section0_s1 + stage0_filter0_section0_next;
+        state->stage0_filter0_section0_s1 = stage0_filter0_section0_next;
         state->stage0_filter0_section0_p =
             stage0_filter0_section0_left - stage0_filter0_bandpass0_c * stage0_filter0_section0_y;
         const float stage0_filter0_section1_u =
             stage0_filter0_bandpass1_a * (stage0_filter0_section0_y - state->stage0_filter0_section1_low)
                 - stage0_filter0_bandpass1_b * state->stage0_filter0_section1_s1;
-        const float stage0_filter0_section1_y = state->stage0_filter0_section1_s1 + stage0_filter0_section1_u;
-        state->stage0_filter0_section1_s1 = stage0_filter0_section1_y + stage0_filter0_section1_u;
+        const float stage0_filter0_section1_next = state->stage0_filter0_section1_s1 + stage0_filter0_section1_u;
+        const float stage0_filter0_section1_y = state->stage0_filter0_section1_s1 + stage0_filter0_section1_next;
+        state->stage0_filter0_section1_s1 = stage0_filter0_section1_next;
         state->stage0_filter0_section1_low =
             state->stage0_filter0_section1_low
                 + (stage0_filter0_bandpass1_c * stage0_filter0_section1_y + least_change);
         const float stage0_filter0_section2_u =
             stage0_filter0_bandpass2_a * (stage0_filter0_section1_y - state->stage0_filter0_section2_low)
                 - stage0_filter0_bandpass2_b * state->stage0_filter0_section2_s1;
-        const float stage0_filter0_section2_y = state->stage0_filter0_section2_s1 + stage0_filter0_section2_u;
-        state->stage0_filter0_section2_s1 = stage0_filter0_section2_y + stage0_filter0_section2_u;
+        const float stage0_filter0_section2_next = state->stage0_filter0_section2_s1 + stage0_filter0_section2_u;
+        const float stage0_filter0_section2_y = state->stage0_filter0_section2_s1 + stage0_filter0_section2_next;
+        state->stage0_filter0_section2_s1 = stage0_filter0_section2_next;
         state->stage0_filter0_section2_low =
             state->stage0_filter0_section2_low
                 + (stage0_filter0_bandpass2_c * stage0_filter0_section2_y + least_change);
@@ -252,17 +266,12 @@ void axis_x_ipc_step(
             /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
              * then everything starts anew */
             outputs->limited = true;
-            state->disturbed = true;
-            state->preset = false;
-            state->fade = 0u;
+            state->fade = fade_cycles + 1u;
             v_limited = 0.0f;
         }
-        if (state->fade >= fade_cycles) {
-            outputs->v_add = v_limited;
-            outputs->v_add_calculated = v_limited;
-        } else {
-            if (state->fade > 0u) {
-                outputs->v_add = v_limited * ((float)state->fade * fade_step);
+        if (fade < fade_cycles) {
+            if (fade > 0u) {
+                outputs->v_add = v_limited * ((float)fade * fade_step);
             } else {
                 outputs->v_add = 0.0f;
             }
@@ -271,6 +280,9 @@ void axis_x_ipc_step(
             } else {
                 outputs->v_add_calculated = v_limited;
             }
+        } else {
+            outputs->v_add = v_limited;
+            outputs->v_add_calculated = v_limited;
         }
     } else {
         outputs->v_add = 0.0f;

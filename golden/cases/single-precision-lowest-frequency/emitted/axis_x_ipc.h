@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  62500 ns
  * parameters  3ded08af76ecf576262a5ba0ab2f33f9
- * structure   29694ece74a23a48f132263d6fdf7649
- * checksum    1f52baa8a1fb342bb8ee97ad5e6459e7
+ * structure   4dfa7285440f0aad0f42d8ad47bcb196
+ * checksum    2e6ffcd4620f841e9dbe65e28ecef92c
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -43,14 +43,14 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x262a5ba0u
 #define AXIS_X_IPC_PARAMETERS_3 0xab2f33f9u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x29694eceu
-#define AXIS_X_IPC_STRUCTURE_1 0x74a23a48u
-#define AXIS_X_IPC_STRUCTURE_2 0xf132263du
-#define AXIS_X_IPC_STRUCTURE_3 0x6fdf7649u
+#define AXIS_X_IPC_STRUCTURE_0 0x4dfa7285u
+#define AXIS_X_IPC_STRUCTURE_1 0x440f0aadu
+#define AXIS_X_IPC_STRUCTURE_2 0x0f42d8adu
+#define AXIS_X_IPC_STRUCTURE_3 0x47bcb196u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 16u
 #define AXIS_X_IPC_OUTPUTS_SIZE 16u
-#define AXIS_X_IPC_STATE_SIZE 52u
+#define AXIS_X_IPC_STATE_SIZE 48u
 
 /* With another number of bits in float the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -100,8 +100,9 @@ typedef struct {
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool preset; /* whether the sections have been preset to the steady state of an input */
-    uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
-    bool disturbed; /* whether a state was overwritten, as the cycle before has shown */
+    /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
+     * state was overwritten */
+    uint32_t fade;
     float source_v_motor_before; /* the value of the cycle before */
     float stage0_oscillation_s1; /* what the next output takes over */
     float stage0_oscillation_p; /* the input without its low-pass part */

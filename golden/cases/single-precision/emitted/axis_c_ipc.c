@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  e2453a0975306551d54cce9dca887813
- * structure   0d2bb03166225d3e69630a3c816ede41
- * checksum    a47fb577c851211eeea2580172a7e715
+ * structure   c7cf5ff442ebadf602227a9e3020cec9
+ * checksum    411470504f148a0ef980778eda595c89
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_c_ipc.h"
@@ -45,7 +45,6 @@ void axis_c_ipc_init(axis_c_ipc_state *fresh)
     volatile axis_c_ipc_state *const state = fresh;
     state->preset = false;
     state->fade = 0u;
-    state->disturbed = false;
     state->source_v_command_before = 0.0f;
     state->source_v_motor_before = 0.0f;
     state->stage0_filter0_section0_s1 = 0.0f;
@@ -96,23 +95,23 @@ void axis_c_ipc_step(
      * factor 3 (P-AXIS-00752), -3 dB at 44.87068 and 62.53735 Hz
      * section 1 of 3: centre frequency 53 Hz, quality factor 2.941835, gain 1 there and 1 at 53 Hz */
     static const float stage0_filter0_bandpass0_a = 0.052634247f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    static const float stage0_filter0_bandpass0_b = 0.07865693f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+    static const float stage0_filter0_bandpass0_b = 0.15731385f; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
     static const float stage0_filter0_bandpass0_c = 0.98881173f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
     /* section 2 of 3: centre frequency 45.8539 Hz, quality factor 5.947513, gain 2.021702 there and 1 at 53 Hz */
     static const float stage0_filter0_bandpass1_a = 0.04716619f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    static const float stage0_filter0_bandpass1_b = 0.043457635f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+    static const float stage0_filter0_bandpass1_b = 0.08691527f; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
     static const float stage0_filter0_bandpass1_c = 0.85347956f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
     /* section 3 of 3: centre frequency 61.21189 Hz, quality factor 5.947513, gain 2.021702 there and 1 at 53 Hz */
     static const float stage0_filter0_bandpass2_a = 0.061818752f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    static const float stage0_filter0_bandpass2_b = 0.06598745f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+    static const float stage0_filter0_bandpass2_b = 0.1319749f; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
     static const float stage0_filter0_bandpass2_c = 1.1456028f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
     /* ALLPASS (P-AXIS-00849): -180 deg at 48 Hz (P-AXIS-00751), quality factor 3 (P-AXIS-00752), -90 deg at 40.64203
      * and -270 deg at 56.64203 Hz */
     static const float stage0_filter1_allpass_a = 0.047898203f; /* A = g h k: u = A p - B s1, p = x - low-pass part */
-    static const float stage0_filter1_allpass_b = 0.06938498f; /* B = (g + k) g h: bp = s1 + u, s1 = bp + u, y = x - 2 bp */
+    static const float stage0_filter1_allpass_b = 0.13876995f; /* B = 2 (g + k) g h: s1' = s1 + u, bp = s1 + s1', y = x - 2 bp */
     static const float stage0_filter1_allpass_c = 0.89718497f; /* C = 2 g / k: the low-pass part grows by C bp */
 
     /* -weight, against the vibration; at 53 Hz the stage adds 2.5 times its source at -61.59105 deg */
@@ -122,20 +121,20 @@ void axis_c_ipc_step(
      * simulated oscillation of the load, f0 of the first BANDPASS 17.5 Hz (P-AXIS-00751), damping ratio 0.7
      * (P-AXIS-00850): gain 1 at DC, 1.228904 and -35.53768 deg at f0 */
     static const float stage1_oscillation_h = 0.92586136f; /* H = h: q = H p - R s1, y = x - q, p = x - low-pass part */
-    static const float stage1_oscillation_r = 1.3471591f; /* R = (g + k) h: q = H p - R s1 */
-    static const float stage1_oscillation_g = 0.05503333f; /* G = g, the warped centre: bp = s1 + G q, s1 = bp + G q */
+    static const float stage1_oscillation_r = 2.6943183f; /* R = 2 (g + k) h: q = H p - R s1 */
+    static const float stage1_oscillation_g = 0.05503333f; /* G = g, the warped centre: s1' = s1 + G q, bp = s1 + s1' */
     static const float stage1_oscillation_g2 = 0.11006666f; /* G2 = 2 g: the low-pass part grows by G2 bp */
 
     /* BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 17.5 Hz (P-AXIS-00751), quality
      * factor 3 (P-AXIS-00752), -3 dB at 14.82376 and 20.65709 Hz
      * section 1 of 2: centre frequency 17.5 Hz, quality factor 1.926679, gain 1 there and 1 at 17.5 Hz */
     static const float stage1_filter0_bandpass0_a = 0.027689066f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    static const float stage1_filter0_bandpass0_b = 0.03062498f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+    static const float stage1_filter0_bandpass0_b = 0.06124996f; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
     static const float stage1_filter0_bandpass0_c = 0.2120631f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
     /* section 2 of 2: centre frequency 17.5 Hz, quality factor 1.926679, gain 1 there and 1 at 17.5 Hz */
     static const float stage1_filter0_bandpass1_a = 0.027689066f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    static const float stage1_filter0_bandpass1_b = 0.03062498f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+    static const float stage1_filter0_bandpass1_b = 0.06124996f; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
     static const float stage1_filter0_bandpass1_c = 0.2120631f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
     /* -weight, against the vibration; at 17.5 Hz the stage adds 1.474684 times its source at 144.4623 deg */
@@ -145,20 +144,20 @@ void axis_c_ipc_step(
      * simulated oscillation of the load, f0 of the first BANDPASS 64 Hz (P-AXIS-00751), damping ratio 0.8
      * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
     static const float stage2_oscillation_h = 0.73118323f; /* H = h: q = H p - R s1, y = x - q, p = x - low-pass part */
-    static const float stage2_oscillation_r = 1.3189199f; /* R = (g + k) h: q = H p - R s1 */
-    static const float stage2_oscillation_g = 0.20381583f; /* G = g, the warped centre: bp = s1 + G q, s1 = bp + G q */
+    static const float stage2_oscillation_r = 2.6378398f; /* R = 2 (g + k) h: q = H p - R s1 */
+    static const float stage2_oscillation_g = 0.20381583f; /* G = g, the warped centre: s1' = s1 + G q, bp = s1 + s1' */
     static const float stage2_oscillation_g2 = 0.40763167f; /* G2 = 2 g: the low-pass part grows by G2 bp */
 
     /* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 64 Hz (P-AXIS-00751), quality factor 5
      * (P-AXIS-00752), -3 dB at 57.90185 and 70.70185 Hz
      * section 1 of 2: centre frequency 60.02592 Hz, quality factor 4.424675, gain 1.157198 there and 1 at 64 Hz */
     static const float stage2_filter0_bandpass0_a = 0.04623405f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    static const float stage2_filter0_bandpass0_b = 0.07369116f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+    static const float stage2_filter0_bandpass0_b = 0.14738232f; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
     static const float stage2_filter0_bandpass0_c = 1.4594313f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
     /* section 2 of 2: centre frequency 68.22194 Hz, quality factor 4.424675, gain 1.157198 there and 1 at 64 Hz */
     static const float stage2_filter0_bandpass1_a = 0.051913977f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    static const float stage2_filter0_bandpass1_b = 0.08806878f; /* B = (g + k) g h: u = A p - B s1, y = s1 + u, s1 = y + u */
+    static const float stage2_filter0_bandpass1_b = 0.17613757f; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
     static const float stage2_filter0_bandpass1_c = 1.664561f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
     /* -weight, against the vibration; at 64 Hz the stage adds 0.8490583 times its source at 147.9946 deg */
@@ -186,41 +185,48 @@ void axis_c_ipc_step(
 
     bool runs;
     uint32_t reason;
-    if (axis_c_ipc_magnitude(inputs->v_command) <= sample_limit && axis_c_ipc_magnitude(inputs->v_motor) <= sample_limit
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == AXIS_C_IPC_MODE_ON && state->fade >= fade_cycles) {
-        runs = true;
-        reason = AXIS_C_IPC_ERROR_NONE;
-    } else if (state->disturbed) {
-        state->disturbed = false;
+    if (!(axis_c_ipc_magnitude(inputs->v_command) <= sample_limit)) {
+        state->preset = false;
+        state->fade = 0u;
         runs = false;
-        reason = AXIS_C_IPC_ERROR_STATE;
-    } else {
-        if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
-            reason = AXIS_C_IPC_ERROR_CYCLE_TIME;
-        } else if (!(inputs->mode == AXIS_C_IPC_MODE_ON || inputs->mode == AXIS_C_IPC_MODE_OFF
-                || inputs->mode == AXIS_C_IPC_MODE_DRYRUN)) {
-            reason = AXIS_C_IPC_ERROR_MODE;
-        } else if (!(axis_c_ipc_magnitude(inputs->v_command) <= sample_limit)) {
-            reason = AXIS_C_IPC_ERROR_V_COMMAND;
-        } else if (axis_c_ipc_magnitude(inputs->v_motor) <= sample_limit) {
+        reason = AXIS_C_IPC_ERROR_V_COMMAND;
+    } else if (!(axis_c_ipc_magnitude(inputs->v_motor) <= sample_limit)) {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_C_IPC_ERROR_V_MOTOR;
+    } else if (inputs->position_controlled && !inputs->reset && inputs->mode == AXIS_C_IPC_MODE_ON
+            && state->fade == fade_cycles) {
+        if (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) {
+            runs = true;
             reason = AXIS_C_IPC_ERROR_NONE;
         } else {
-            reason = AXIS_C_IPC_ERROR_V_MOTOR;
+            state->preset = false;
+            state->fade = 0u;
+            runs = false;
+            reason = AXIS_C_IPC_ERROR_CYCLE_TIME;
         }
-        if (reason == AXIS_C_IPC_ERROR_NONE && inputs->position_controlled && !inputs->reset) {
+    } else if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_C_IPC_ERROR_CYCLE_TIME;
+    } else if (state->fade > fade_cycles) {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_C_IPC_ERROR_STATE;
+    } else if (inputs->mode == AXIS_C_IPC_MODE_ON || inputs->mode == AXIS_C_IPC_MODE_OFF
+            || inputs->mode == AXIS_C_IPC_MODE_DRYRUN) {
+        if (inputs->position_controlled && !inputs->reset) {
             if (state->preset) {
                 if (inputs->mode == AXIS_C_IPC_MODE_ON) {
                     state->fade = state->fade + 1u;
+                } else if (state->fade > 1u) {
+                    state->fade = state->fade - 1u;
                 } else {
-                    if (state->fade > fade_cycles) {
-                        /* fade has been overwritten: it must not take longer than a whole fade */
-                        state->fade = fade_cycles;
-                    }
-                    if (state->fade > 0u) {
-                        state->fade = state->fade - 1u;
-                    }
-                    if (inputs->mode == AXIS_C_IPC_MODE_OFF && state->fade == 0u) {
+                    state->fade = 0u;
+                    if (inputs->mode == AXIS_C_IPC_MODE_OFF) {
                         state->preset = false;
                     }
                 }
@@ -276,10 +282,17 @@ void axis_c_ipc_step(
             state->fade = 0u;
             runs = false;
         }
+        reason = AXIS_C_IPC_ERROR_NONE;
+    } else {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_C_IPC_ERROR_MODE;
     }
     if (runs) {
         outputs->fault = false;
         outputs->error_id = AXIS_C_IPC_ERROR_NONE;
+        const uint32_t fade = state->fade;
         const float source_v_command_change = inputs->v_command - state->source_v_command_before;
         state->source_v_command_before = inputs->v_command;
         const float source_v_command = source_v_command_change + least_change;
@@ -293,23 +306,26 @@ void axis_c_ipc_step(
         const float stage0_filter0_section0_u =
             stage0_filter0_bandpass0_a * stage0_filter0_section0_left
                 - stage0_filter0_bandpass0_b * state->stage0_filter0_section0_s1;
-        const float stage0_filter0_section0_y = state->stage0_filter0_section0_s1 + stage0_filter0_section0_u;
-        state->stage0_filter0_section0_s1 = stage0_filter0_section0_y + stage0_filter0_section0_u;
+        const float stage0_filter0_section0_next = state->stage0_filter0_section0_s1 + stage0_filter0_section0_u;
+        const float stage0_filter0_section0_y = state->stage0_filter0_section0_s1 + stage0_filter0_section0_next;
+        state->stage0_filter0_section0_s1 = stage0_filter0_section0_next;
         state->stage0_filter0_section0_p =
             stage0_filter0_section0_left - stage0_filter0_bandpass0_c * stage0_filter0_section0_y;
         const float stage0_filter0_section1_u =
             stage0_filter0_bandpass1_a * (stage0_filter0_section0_y - state->stage0_filter0_section1_low)
                 - stage0_filter0_bandpass1_b * state->stage0_filter0_section1_s1;
-        const float stage0_filter0_section1_y = state->stage0_filter0_section1_s1 + stage0_filter0_section1_u;
-        state->stage0_filter0_section1_s1 = stage0_filter0_section1_y + stage0_filter0_section1_u;
+        const float stage0_filter0_section1_next = state->stage0_filter0_section1_s1 + stage0_filter0_section1_u;
+        const float stage0_filter0_section1_y = state->stage0_filter0_section1_s1 + stage0_filter0_section1_next;
+        state->stage0_filter0_section1_s1 = stage0_filter0_section1_next;
         state->stage0_filter0_section1_low =
             state->stage0_filter0_section1_low
                 + (stage0_filter0_bandpass1_c * stage0_filter0_section1_y + least_change);
         const float stage0_filter0_section2_u =
             stage0_filter0_bandpass2_a * (stage0_filter0_section1_y - state->stage0_filter0_section2_low)
                 - stage0_filter0_bandpass2_b * state->stage0_filter0_section2_s1;
-        const float stage0_filter0_section2_y = state->stage0_filter0_section2_s1 + stage0_filter0_section2_u;
-        state->stage0_filter0_section2_s1 = stage0_filter0_section2_y + stage0_filter0_section2_u;
+        const float stage0_filter0_section2_next = state->stage0_filter0_section2_s1 + stage0_filter0_section2_u;
+        const float stage0_filter0_section2_y = state->stage0_filter0_section2_s1 + stage0_filter0_section2_next;
+        state->stage0_filter0_section2_s1 = stage0_filter0_section2_next;
         state->stage0_filter0_section2_low =
             state->stage0_filter0_section2_low
                 + (stage0_filter0_bandpass2_c * stage0_filter0_section2_y + least_change);
@@ -322,8 +338,9 @@ void axis_c_ipc_step(
         const float stage0_filter1_section0_u =
             stage0_filter1_allpass_a * stage0_filter1_section0_left
                 - stage0_filter1_allpass_b * state->stage0_filter1_section0_s1;
-        const float stage0_filter1_section0_y = state->stage0_filter1_section0_s1 + stage0_filter1_section0_u;
-        state->stage0_filter1_section0_s1 = stage0_filter1_section0_y + stage0_filter1_section0_u;
+        const float stage0_filter1_section0_next = state->stage0_filter1_section0_s1 + stage0_filter1_section0_u;
+        const float stage0_filter1_section0_y = state->stage0_filter1_section0_s1 + stage0_filter1_section0_next;
+        state->stage0_filter1_section0_s1 = stage0_filter1_section0_next;
         state->stage0_filter1_section0_p =
             stage0_filter1_section0_left - stage0_filter1_allpass_c * stage0_filter1_section0_y;
         const float stage0_filter1_y =
@@ -335,9 +352,10 @@ void axis_c_ipc_step(
         const float stage1_oscillation_left = state->stage1_oscillation_p + source_v_motor;
         const float stage1_oscillation_q =
             stage1_oscillation_h * stage1_oscillation_left - stage1_oscillation_r * state->stage1_oscillation_s1;
-        const float stage1_oscillation_u = stage1_oscillation_g * stage1_oscillation_q;
-        const float stage1_oscillation_bp = state->stage1_oscillation_s1 + stage1_oscillation_u;
-        state->stage1_oscillation_s1 = stage1_oscillation_bp + stage1_oscillation_u;
+        const float stage1_oscillation_next =
+            state->stage1_oscillation_s1 + stage1_oscillation_g * stage1_oscillation_q;
+        const float stage1_oscillation_bp = state->stage1_oscillation_s1 + stage1_oscillation_next;
+        state->stage1_oscillation_s1 = stage1_oscillation_next;
         state->stage1_oscillation_p = stage1_oscillation_left - stage1_oscillation_g2 * stage1_oscillation_bp;
         const float stage1_y = inputs->v_motor - stage1_oscillation_q;
         const float stage1_filter0_input_change = stage1_y - state->stage1_filter0_input_before;
@@ -349,15 +367,17 @@ void axis_c_ipc_step(
         const float stage1_filter0_section0_u =
             stage1_filter0_bandpass0_a * stage1_filter0_section0_left
                 - stage1_filter0_bandpass0_b * state->stage1_filter0_section0_s1;
-        const float stage1_filter0_section0_y = state->stage1_filter0_section0_s1 + stage1_filter0_section0_u;
-        state->stage1_filter0_section0_s1 = stage1_filter0_section0_y + stage1_filter0_section0_u;
+        const float stage1_filter0_section0_next = state->stage1_filter0_section0_s1 + stage1_filter0_section0_u;
+        const float stage1_filter0_section0_y = state->stage1_filter0_section0_s1 + stage1_filter0_section0_next;
+        state->stage1_filter0_section0_s1 = stage1_filter0_section0_next;
         state->stage1_filter0_section0_p =
             stage1_filter0_section0_left - stage1_filter0_bandpass0_c * stage1_filter0_section0_y;
         const float stage1_filter0_section1_u =
             stage1_filter0_bandpass1_a * (stage1_filter0_section0_y - state->stage1_filter0_section1_low)
                 - stage1_filter0_bandpass1_b * state->stage1_filter0_section1_s1;
-        const float stage1_filter0_section1_y = state->stage1_filter0_section1_s1 + stage1_filter0_section1_u;
-        state->stage1_filter0_section1_s1 = stage1_filter0_section1_y + stage1_filter0_section1_u;
+        const float stage1_filter0_section1_next = state->stage1_filter0_section1_s1 + stage1_filter0_section1_u;
+        const float stage1_filter0_section1_y = state->stage1_filter0_section1_s1 + stage1_filter0_section1_next;
+        state->stage1_filter0_section1_s1 = stage1_filter0_section1_next;
         state->stage1_filter0_section1_low =
             state->stage1_filter0_section1_low
                 + (stage1_filter0_bandpass1_c * stage1_filter0_section1_y + least_change);
@@ -369,9 +389,10 @@ void axis_c_ipc_step(
         const float stage2_oscillation_left = state->stage2_oscillation_p + source_v_command;
         const float stage2_oscillation_q =
             stage2_oscillation_h * stage2_oscillation_left - stage2_oscillation_r * state->stage2_oscillation_s1;
-        const float stage2_oscillation_u = stage2_oscillation_g * stage2_oscillation_q;
-        const float stage2_oscillation_bp = state->stage2_oscillation_s1 + stage2_oscillation_u;
-        state->stage2_oscillation_s1 = stage2_oscillation_bp + stage2_oscillation_u;
+        const float stage2_oscillation_next =
+            state->stage2_oscillation_s1 + stage2_oscillation_g * stage2_oscillation_q;
+        const float stage2_oscillation_bp = state->stage2_oscillation_s1 + stage2_oscillation_next;
+        state->stage2_oscillation_s1 = stage2_oscillation_next;
         state->stage2_oscillation_p = stage2_oscillation_left - stage2_oscillation_g2 * stage2_oscillation_bp;
         const float stage2_y = inputs->v_command - stage2_oscillation_q;
         const float stage2_filter0_input_change = stage2_y - state->stage2_filter0_input_before;
@@ -383,15 +404,17 @@ void axis_c_ipc_step(
         const float stage2_filter0_section0_u =
             stage2_filter0_bandpass0_a * stage2_filter0_section0_left
                 - stage2_filter0_bandpass0_b * state->stage2_filter0_section0_s1;
-        const float stage2_filter0_section0_y = state->stage2_filter0_section0_s1 + stage2_filter0_section0_u;
-        state->stage2_filter0_section0_s1 = stage2_filter0_section0_y + stage2_filter0_section0_u;
+        const float stage2_filter0_section0_next = state->stage2_filter0_section0_s1 + stage2_filter0_section0_u;
+        const float stage2_filter0_section0_y = state->stage2_filter0_section0_s1 + stage2_filter0_section0_next;
+        state->stage2_filter0_section0_s1 = stage2_filter0_section0_next;
         state->stage2_filter0_section0_p =
             stage2_filter0_section0_left - stage2_filter0_bandpass0_c * stage2_filter0_section0_y;
         const float stage2_filter0_section1_u =
             stage2_filter0_bandpass1_a * (stage2_filter0_section0_y - state->stage2_filter0_section1_low)
                 - stage2_filter0_bandpass1_b * state->stage2_filter0_section1_s1;
-        const float stage2_filter0_section1_y = state->stage2_filter0_section1_s1 + stage2_filter0_section1_u;
-        state->stage2_filter0_section1_s1 = stage2_filter0_section1_y + stage2_filter0_section1_u;
+        const float stage2_filter0_section1_next = state->stage2_filter0_section1_s1 + stage2_filter0_section1_u;
+        const float stage2_filter0_section1_y = state->stage2_filter0_section1_s1 + stage2_filter0_section1_next;
+        state->stage2_filter0_section1_s1 = stage2_filter0_section1_next;
         state->stage2_filter0_section1_low =
             state->stage2_filter0_section1_low
                 + (stage2_filter0_bandpass1_c * stage2_filter0_section1_y + least_change);
@@ -416,17 +439,12 @@ void axis_c_ipc_step(
             /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
              * then everything starts anew */
             outputs->limited = true;
-            state->disturbed = true;
-            state->preset = false;
-            state->fade = 0u;
+            state->fade = fade_cycles + 1u;
             v_limited = 0.0f;
         }
-        if (state->fade >= fade_cycles) {
-            outputs->v_add = v_limited;
-            outputs->v_add_calculated = v_limited;
-        } else {
-            if (state->fade > 0u) {
-                outputs->v_add = v_limited * ((float)state->fade * fade_step);
+        if (fade < fade_cycles) {
+            if (fade > 0u) {
+                outputs->v_add = v_limited * ((float)fade * fade_step);
             } else {
                 outputs->v_add = 0.0f;
             }
@@ -435,6 +453,9 @@ void axis_c_ipc_step(
             } else {
                 outputs->v_add_calculated = v_limited;
             }
+        } else {
+            outputs->v_add = v_limited;
+            outputs->v_add_calculated = v_limited;
         }
     } else {
         outputs->v_add = 0.0f;

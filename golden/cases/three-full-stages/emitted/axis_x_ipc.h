@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  c8c2089743691a12a670aea6eebc23b5
- * structure   7125619fc19ebef68f07787f2f05f24a
- * checksum    c5e314e8da3761679eaf7baacf47aecb
+ * structure   447aa80e7cb92f2f711d6bf89f992ff2
+ * checksum    c00c8852d2b07c33e259e87857080482
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -47,14 +47,14 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xa670aea6u
 #define AXIS_X_IPC_PARAMETERS_3 0xeebc23b5u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x7125619fu
-#define AXIS_X_IPC_STRUCTURE_1 0xc19ebef6u
-#define AXIS_X_IPC_STRUCTURE_2 0x8f07787fu
-#define AXIS_X_IPC_STRUCTURE_3 0x2f05f24au
+#define AXIS_X_IPC_STRUCTURE_0 0x447aa80eu
+#define AXIS_X_IPC_STRUCTURE_1 0x7cb92f2fu
+#define AXIS_X_IPC_STRUCTURE_2 0x711d6bf8u
+#define AXIS_X_IPC_STRUCTURE_3 0x9f992ff2u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 32u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u
-#define AXIS_X_IPC_STATE_SIZE 240u
+#define AXIS_X_IPC_STATE_SIZE 232u
 
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -108,8 +108,9 @@ typedef struct {
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool preset; /* whether the sections have been preset to the steady state of an input */
-    uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
-    bool disturbed; /* whether a state was overwritten, as the cycle before has shown */
+    /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
+     * state was overwritten */
+    uint32_t fade;
     double stage0_filter0_section0_s1; /* what the next output takes over */
     double stage0_filter0_section0_s2; /* what `s1` takes over */
     double stage0_filter0_section1_s1; /* what the next output takes over */

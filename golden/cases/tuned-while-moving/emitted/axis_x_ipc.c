@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  8a7064fb968187846a28b8bae1b95ecb
- * structure   1283b99a30049bf7424cc7a47742751f
- * checksum    54e59b9f3be8833ce894a191f9370011
+ * structure   e53723bd0b494f573913572c7ee90f32
+ * checksum    722289806b4feb82ada58ace4a79a941
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -91,7 +91,7 @@ static const double axis_x_ipc_limit = 500000.0; /* largest |v_add| */
 static const double axis_x_ipc_lower_limit = -500000.0; /* -limit */
 
 /* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
-static const double axis_x_ipc_sum_limit = 4252269.945627425; /* largest magnitude of a sum of stages that is not a fault */
+static const double axis_x_ipc_sum_limit = 4252269.9456274295; /* largest magnitude of a sum of stages that is not a fault */
 
 /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
 /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
@@ -112,7 +112,6 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     volatile axis_x_ipc_state *const state = fresh;
     state->preset = false;
     state->fade = 0u;
-    state->disturbed = false;
     state->tuning_weight0_now = 0.0;
     state->tuning_weight1_now = 0.0;
     state->tuning_limit_now = 0.0;
@@ -161,7 +160,7 @@ static void axis_x_ipc_any_cycle(
     /* the same for every axis */
     static const double least_factor = 1.0e-6; /* a factor below it is 0: no product with it is subnormal */
 
-    const bool jumps = state->fade == 0u;
+    const bool jumps = state->fade == 0u || state->fade > axis_x_ipc_fade_cycles;
     if (!(axis_x_ipc_magnitude(state->tuning_limit_now) <= 1.0)) {
         /* a factor has been overwritten */
         state->tuning_limit_now = 0.0;
@@ -247,39 +246,46 @@ static void axis_x_ipc_any_cycle(
     } else {
         tuning_weight1_is_held = true;
     }
-    const bool is_tuning_held = tuning_is_held0 || tuning_weight1_is_held;
+    const bool tuning_is_held1 = tuning_is_held0 || tuning_weight1_is_held;
     bool runs;
     uint32_t reason;
-    if (state->disturbed) {
-        state->disturbed = false;
+    if (!(axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit)) {
+        state->preset = false;
+        state->fade = 0u;
         runs = false;
-        reason = AXIS_X_IPC_ERROR_STATE;
-    } else {
-        if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_cycle_time_ns)) {
-            reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
-        } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
-                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)) {
-            reason = AXIS_X_IPC_ERROR_MODE;
-        } else if (axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit) {
+        reason = AXIS_X_IPC_ERROR_V_MOTOR;
+    } else if (inputs->position_controlled && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON
+            && state->fade == axis_x_ipc_fade_cycles) {
+        if (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_cycle_time_ns) {
+            runs = true;
             reason = AXIS_X_IPC_ERROR_NONE;
         } else {
-            reason = AXIS_X_IPC_ERROR_V_MOTOR;
+            state->preset = false;
+            state->fade = 0u;
+            runs = false;
+            reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
         }
-        if (reason == AXIS_X_IPC_ERROR_NONE && inputs->position_controlled && !inputs->reset) {
+    } else if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_cycle_time_ns)) {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
+    } else if (state->fade > axis_x_ipc_fade_cycles) {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_X_IPC_ERROR_STATE;
+    } else if (inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+            || inputs->mode == AXIS_X_IPC_MODE_DRYRUN) {
+        if (inputs->position_controlled && !inputs->reset) {
             if (state->preset) {
                 if (inputs->mode == AXIS_X_IPC_MODE_ON) {
-                    if (state->fade < axis_x_ipc_fade_cycles) {
-                        state->fade = state->fade + 1u;
-                    }
+                    state->fade = state->fade + 1u;
+                } else if (state->fade > 1u) {
+                    state->fade = state->fade - 1u;
                 } else {
-                    if (state->fade > axis_x_ipc_fade_cycles) {
-                        /* fade has been overwritten: it must not take longer than a whole fade */
-                        state->fade = axis_x_ipc_fade_cycles;
-                    }
-                    if (state->fade > 0u) {
-                        state->fade = state->fade - 1u;
-                    }
-                    if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
+                    state->fade = 0u;
+                    if (inputs->mode == AXIS_X_IPC_MODE_OFF) {
                         state->preset = false;
                     }
                 }
@@ -317,14 +323,21 @@ static void axis_x_ipc_any_cycle(
             state->fade = 0u;
             runs = false;
         }
+        reason = AXIS_X_IPC_ERROR_NONE;
+    } else {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_X_IPC_ERROR_MODE;
     }
     if (runs) {
         outputs->fault = false;
-        if (is_tuning_held) {
+        if (tuning_is_held1) {
             outputs->error_id = AXIS_X_IPC_ERROR_TUNING;
         } else {
             outputs->error_id = AXIS_X_IPC_ERROR_NONE;
         }
+        const uint32_t fade = state->fade;
         /* DIRECT (P-AXIS-00753) from v_motor, weight 200/100 = 2 (P-AXIS-00754/00755) */
         /* BANDPASS BUTTERWORTH order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz (P-AXIS-00751),
          * quality factor 4 (P-AXIS-00752), -3 dB at 35.30473 and 45.30473 Hz */
@@ -401,17 +414,12 @@ static void axis_x_ipc_any_cycle(
             /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
              * then everything starts anew */
             outputs->limited = true;
-            state->disturbed = true;
-            state->preset = false;
-            state->fade = 0u;
+            state->fade = axis_x_ipc_fade_cycles + 1u;
             v_limited_next = 0.0;
         }
-        if (state->fade >= axis_x_ipc_fade_cycles) {
-            outputs->v_add = v_limited_next;
-            outputs->v_add_calculated = v_limited_next;
-        } else {
-            if (state->fade > 0u) {
-                outputs->v_add = v_limited_next * ((double)state->fade * fade_step);
+        if (fade < axis_x_ipc_fade_cycles) {
+            if (fade > 0u) {
+                outputs->v_add = v_limited_next * ((double)fade * fade_step);
             } else {
                 outputs->v_add = 0.0;
             }
@@ -420,13 +428,16 @@ static void axis_x_ipc_any_cycle(
             } else {
                 outputs->v_add_calculated = v_limited_next;
             }
+        } else {
+            outputs->v_add = v_limited_next;
+            outputs->v_add_calculated = v_limited_next;
         }
     } else {
         outputs->v_add = 0.0;
         outputs->v_add_calculated = 0.0;
         outputs->limited = false;
         outputs->fault = reason != AXIS_X_IPC_ERROR_NONE;
-        if (is_tuning_held && reason == AXIS_X_IPC_ERROR_NONE) {
+        if (tuning_is_held1 && reason == AXIS_X_IPC_ERROR_NONE) {
             outputs->error_id = AXIS_X_IPC_ERROR_TUNING;
         } else {
             outputs->error_id = reason;
@@ -442,7 +453,7 @@ void axis_x_ipc_step(
     if (axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_cycle_time_ns)
             && inputs->position_controlled && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON
-            && state->fade >= axis_x_ipc_fade_cycles
+            && state->fade == axis_x_ipc_fade_cycles
             && axis_x_ipc_magnitude(inputs->tuning_limit - state->tuning_limit_now) <= 0.0
             && axis_x_ipc_magnitude(inputs->tuning_weight0 - state->tuning_weight0_now) <= 0.0
             && axis_x_ipc_magnitude(inputs->tuning_weight1 - state->tuning_weight1_now) <= 0.0) {
@@ -517,9 +528,7 @@ void axis_x_ipc_step(
             /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
              * then everything starts anew */
             outputs->limited = true;
-            state->disturbed = true;
-            state->preset = false;
-            state->fade = 0u;
+            state->fade = axis_x_ipc_fade_cycles + 1u;
             v_limited = 0.0;
         }
         outputs->v_add = v_limited;

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  8a7064fb968187846a28b8bae1b95ecb
- * structure   1283b99a30049bf7424cc7a47742751f
- * checksum    a91428ca65ed1a1977c8d75a7bb3283a
+ * structure   e53723bd0b494f573913572c7ee90f32
+ * checksum    366d47191d6b1989ba3234058183b785
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -43,14 +43,14 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x6a28b8bau
 #define AXIS_X_IPC_PARAMETERS_3 0xe1b95ecbu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x1283b99au
-#define AXIS_X_IPC_STRUCTURE_1 0x30049bf7u
-#define AXIS_X_IPC_STRUCTURE_2 0x424cc7a4u
-#define AXIS_X_IPC_STRUCTURE_3 0x7742751fu
+#define AXIS_X_IPC_STRUCTURE_0 0xe53723bdu
+#define AXIS_X_IPC_STRUCTURE_1 0x0b494f57u
+#define AXIS_X_IPC_STRUCTURE_2 0x3913572cu
+#define AXIS_X_IPC_STRUCTURE_3 0x7ee90f32u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 48u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u
-#define AXIS_X_IPC_STATE_SIZE 120u
+#define AXIS_X_IPC_STATE_SIZE 112u
 
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -111,8 +111,9 @@ typedef struct {
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool preset; /* whether the sections have been preset to the steady state of an input */
-    uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
-    bool disturbed; /* whether a state was overwritten, as the cycle before has shown */
+    /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
+     * state was overwritten */
+    uint32_t fade;
     double tuning_weight0_now; /* its value in this cycle, 0 to 1 */
     double tuning_weight1_now; /* its value in this cycle, 0 to 1 */
     double tuning_limit_now; /* its value in this cycle, 0 to 1 */

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  8768c4a3e69a4771ad043b3e1f6ff3a7
- * structure   75a0657c00942331ae71755f3cb7f7ac
- * checksum    fb7e79dcf18ab924b1ea628e922b80c5
+ * structure   37f4af145778dfe9418025eb81f799e9
+ * checksum    62abb0e677c6dac1fc27932042bda78e
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_Z_IPC_H
@@ -50,14 +50,14 @@ extern "C" {
 #define AXIS_Z_IPC_PARAMETERS_2 0xad043b3eu
 #define AXIS_Z_IPC_PARAMETERS_3 0x1f6ff3a7u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_Z_IPC_STRUCTURE_0 0x75a0657cu
-#define AXIS_Z_IPC_STRUCTURE_1 0x00942331u
-#define AXIS_Z_IPC_STRUCTURE_2 0xae71755fu
-#define AXIS_Z_IPC_STRUCTURE_3 0x3cb7f7acu
+#define AXIS_Z_IPC_STRUCTURE_0 0x37f4af14u
+#define AXIS_Z_IPC_STRUCTURE_1 0x5778dfe9u
+#define AXIS_Z_IPC_STRUCTURE_2 0x418025ebu
+#define AXIS_Z_IPC_STRUCTURE_3 0x81f799e9u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_Z_IPC_INPUTS_SIZE 32u
 #define AXIS_Z_IPC_OUTPUTS_SIZE 24u
-#define AXIS_Z_IPC_STATE_SIZE 112u
+#define AXIS_Z_IPC_STATE_SIZE 104u
 
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -111,8 +111,9 @@ typedef struct {
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool preset; /* whether the sections have been preset to the steady state of an input */
-    uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
-    bool disturbed; /* whether a state was overwritten, as the cycle before has shown */
+    /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
+     * state was overwritten */
+    uint32_t fade;
     double stage0_filter0_section0_s1; /* what the next output takes over */
     double stage0_filter0_section0_s2; /* what `s1` takes over */
     double stage0_filter0_section1_s1; /* what the next output takes over */

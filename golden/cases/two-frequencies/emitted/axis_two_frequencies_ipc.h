@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  98ef165b1429998f7030c7689ebe1984
- * structure   8aea7924fca5d62c42ea37eb0cbd0ade
- * checksum    5ed09ea3b008676a0b16c928490db901
+ * structure   9f98141b6b84fd349387898cbc83f526
+ * checksum    b3636b7609c9cb62604e0a3b62234225
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_TWO_FREQUENCIES_IPC_H
@@ -44,14 +44,14 @@ extern "C" {
 #define AXIS_TWO_FREQUENCIES_IPC_PARAMETERS_2 0x7030c768u
 #define AXIS_TWO_FREQUENCIES_IPC_PARAMETERS_3 0x9ebe1984u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_0 0x8aea7924u
-#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_1 0xfca5d62cu
-#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_2 0x42ea37ebu
-#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_3 0x0cbd0adeu
+#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_0 0x9f98141bu
+#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_1 0x6b84fd34u
+#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_2 0x9387898cu
+#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_3 0xbc83f526u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_TWO_FREQUENCIES_IPC_INPUTS_SIZE 24u
 #define AXIS_TWO_FREQUENCIES_IPC_OUTPUTS_SIZE 24u
-#define AXIS_TWO_FREQUENCIES_IPC_STATE_SIZE 96u
+#define AXIS_TWO_FREQUENCIES_IPC_STATE_SIZE 88u
 
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -102,8 +102,9 @@ typedef struct {
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool preset; /* whether the sections have been preset to the steady state of an input */
-    uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
-    bool disturbed; /* whether a state was overwritten, as the cycle before has shown */
+    /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
+     * state was overwritten */
+    uint32_t fade;
     double stage0_filter0_section0_s1; /* what the next output takes over */
     double stage0_filter0_section0_s2; /* what `s1` takes over */
     double stage0_filter0_section1_s1; /* what the next output takes over */

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  f263fa87836b2d39df1dbe42692c0b05
- * structure   4e585c21aa5eff5e165fcb0b7b7a8430
- * checksum    9a29dc950d9562b74198a998f6655cf5
+ * structure   b9480be95ee515027ed22cd0fcb13d47
+ * checksum    5bc5e05cb9d26a2be128d78f35993948
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -45,7 +45,6 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     volatile axis_x_ipc_state *const state = fresh;
     state->preset = false;
     state->fade = 0u;
-    state->disturbed = false;
     state->watch_tripped = false;
     state->watch_cycles = 0u;
     state->watch_score = 0u;
@@ -89,7 +88,7 @@ void axis_x_ipc_step(
     static const double lower_limit = -10000.0; /* -limit */
 
     /* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
-    static const double sum_limit = 3825804.896191737; /* largest magnitude of a sum of stages that is not a fault */
+    static const double sum_limit = 3825804.8961917367; /* largest magnitude of a sum of stages that is not a fault */
 
     /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
     /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
@@ -124,48 +123,49 @@ void axis_x_ipc_step(
     }
     bool runs;
     uint32_t reason;
-    if (axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) && inputs->position_controlled
-            && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON && state->fade >= fade_cycles
-            && !state->watch_tripped) {
-        runs = true;
-        reason = AXIS_X_IPC_ERROR_NONE;
-    } else if (state->disturbed) {
-        state->disturbed = false;
+    if (!(axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit)) {
+        state->preset = false;
+        state->fade = 0u;
         runs = false;
-        reason = AXIS_X_IPC_ERROR_STATE;
-    } else {
-        if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
-            reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
-        } else if (!(inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
-                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)) {
-            reason = AXIS_X_IPC_ERROR_MODE;
-        } else if (axis_x_ipc_magnitude(inputs->v_motor) <= sample_limit) {
+        reason = AXIS_X_IPC_ERROR_V_MOTOR;
+    } else if (inputs->position_controlled && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON
+            && state->fade == fade_cycles && !state->watch_tripped) {
+        if (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns) {
+            runs = true;
             reason = AXIS_X_IPC_ERROR_NONE;
         } else {
-            reason = AXIS_X_IPC_ERROR_V_MOTOR;
+            state->preset = false;
+            state->fade = 0u;
+            runs = false;
+            reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
         }
-        if (reason == AXIS_X_IPC_ERROR_NONE && inputs->position_controlled && !inputs->reset) {
+    } else if (!(inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == cycle_time_ns)) {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_X_IPC_ERROR_CYCLE_TIME;
+    } else if (state->fade > fade_cycles) {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_X_IPC_ERROR_STATE;
+    } else if (inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+            || inputs->mode == AXIS_X_IPC_MODE_DRYRUN) {
+        if (inputs->position_controlled && !inputs->reset) {
             if (state->preset) {
                 if (state->watch_tripped) {
-                    if (state->fade > fade_cycles) {
-                        /* fade has been overwritten: it must not take longer than a whole fade */
-                        state->fade = fade_cycles;
-                    }
-                    if (state->fade > 0u) {
+                    if (state->fade > 1u) {
                         state->fade = state->fade - 1u;
+                    } else {
+                        state->fade = 0u;
                     }
                 } else if (inputs->mode == AXIS_X_IPC_MODE_ON) {
                     state->fade = state->fade + 1u;
+                } else if (state->fade > 1u) {
+                    state->fade = state->fade - 1u;
                 } else {
-                    if (state->fade > fade_cycles) {
-                        /* fade has been overwritten: it must not take longer than a whole fade */
-                        state->fade = fade_cycles;
-                    }
-                    if (state->fade > 0u) {
-                        state->fade = state->fade - 1u;
-                    }
-                    if (inputs->mode == AXIS_X_IPC_MODE_OFF && state->fade == 0u) {
+                    state->fade = 0u;
+                    if (inputs->mode == AXIS_X_IPC_MODE_OFF) {
                         state->preset = false;
                     }
                 }
@@ -190,11 +190,18 @@ void axis_x_ipc_step(
             state->fade = 0u;
             runs = false;
         }
+        reason = AXIS_X_IPC_ERROR_NONE;
+    } else {
+        state->preset = false;
+        state->fade = 0u;
+        runs = false;
+        reason = AXIS_X_IPC_ERROR_MODE;
     }
     uint32_t error_id_so_far;
     if (runs) {
         outputs->fault = false;
         error_id_so_far = AXIS_X_IPC_ERROR_NONE;
+        const uint32_t fade = state->fade;
         /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755) */
         /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
          * quality factor 5 (P-AXIS-00752), -3 dB at 47.95452 and 58.55452 Hz */
@@ -224,17 +231,12 @@ void axis_x_ipc_step(
             /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
              * then everything starts anew */
             outputs->limited = true;
-            state->disturbed = true;
-            state->preset = false;
-            state->fade = 0u;
+            state->fade = fade_cycles + 1u;
             v_limited = 0.0;
         }
-        if (state->fade >= fade_cycles) {
-            outputs->v_add = v_limited;
-            outputs->v_add_calculated = v_limited;
-        } else {
-            if (state->fade > 0u) {
-                outputs->v_add = v_limited * ((double)state->fade * fade_step);
+        if (fade < fade_cycles) {
+            if (fade > 0u) {
+                outputs->v_add = v_limited * ((double)fade * fade_step);
             } else {
                 outputs->v_add = 0.0;
             }
@@ -243,8 +245,11 @@ void axis_x_ipc_step(
             } else {
                 outputs->v_add_calculated = v_limited;
             }
+        } else {
+            outputs->v_add = v_limited;
+            outputs->v_add_calculated = v_limited;
         }
-        if (inputs->mode == AXIS_X_IPC_MODE_ON && !state->watch_tripped && !state->disturbed) {
+        if (inputs->mode == AXIS_X_IPC_MODE_ON && !state->watch_tripped && state->fade <= fade_cycles) {
             if (state->watch_cycles == 0u) {
                 state->watch_high = v_stage0;
                 state->watch_low = v_stage0;

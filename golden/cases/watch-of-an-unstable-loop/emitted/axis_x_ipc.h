@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  f263fa87836b2d39df1dbe42692c0b05
- * structure   4e585c21aa5eff5e165fcb0b7b7a8430
- * checksum    419c618518ef0a075a4386c7d39fd8f6
+ * structure   b9480be95ee515027ed22cd0fcb13d47
+ * checksum    f170f2847bafbdfec41aae1173627b4a
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -40,10 +40,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xdf1dbe42u
 #define AXIS_X_IPC_PARAMETERS_3 0x692c0b05u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x4e585c21u
-#define AXIS_X_IPC_STRUCTURE_1 0xaa5eff5eu
-#define AXIS_X_IPC_STRUCTURE_2 0x165fcb0bu
-#define AXIS_X_IPC_STRUCTURE_3 0x7b7a8430u
+#define AXIS_X_IPC_STRUCTURE_0 0xb9480be9u
+#define AXIS_X_IPC_STRUCTURE_1 0x5ee51502u
+#define AXIS_X_IPC_STRUCTURE_2 0x7ed22cd0u
+#define AXIS_X_IPC_STRUCTURE_3 0xfcb13d47u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u
@@ -101,8 +101,9 @@ typedef struct {
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool preset; /* whether the sections have been preset to the steady state of an input */
-    uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
-    bool disturbed; /* whether a state was overwritten, as the cycle before has shown */
+    /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
+     * state was overwritten */
+    uint32_t fade;
     bool watch_tripped; /* whether the loop was found unstable; until the mode is not ON, or reset */
     uint32_t watch_cycles; /* cycles of this block that are over */
     uint32_t watch_score; /* blocks in a row that speak for an unstable loop */

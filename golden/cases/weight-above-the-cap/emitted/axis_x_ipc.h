@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  6f99155791694d13dee5cb5c76fe9e0a
- * structure   e8b5e7c8e45786fbd603f104460d3c11
- * checksum    251b78b08ddae50280a379676a0ad523
+ * structure   e33c542d3dffaa7804fd9f2c69f29c7f
+ * checksum    b6c87dbf43e502787e9949a43f692052
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -41,14 +41,14 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xdee5cb5cu
 #define AXIS_X_IPC_PARAMETERS_3 0x76fe9e0au
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xe8b5e7c8u
-#define AXIS_X_IPC_STRUCTURE_1 0xe45786fbu
-#define AXIS_X_IPC_STRUCTURE_2 0xd603f104u
-#define AXIS_X_IPC_STRUCTURE_3 0x460d3c11u
+#define AXIS_X_IPC_STRUCTURE_0 0xe33c542du
+#define AXIS_X_IPC_STRUCTURE_1 0x3dffaa78u
+#define AXIS_X_IPC_STRUCTURE_2 0x04fd9f2cu
+#define AXIS_X_IPC_STRUCTURE_3 0x69f29c7fu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u
-#define AXIS_X_IPC_STATE_SIZE 48u
+#define AXIS_X_IPC_STATE_SIZE 40u
 
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -98,8 +98,9 @@ typedef struct {
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool preset; /* whether the sections have been preset to the steady state of an input */
-    uint32_t fade; /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is */
-    bool disturbed; /* whether a state was overwritten, as the cycle before has shown */
+    /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
+     * state was overwritten */
+    uint32_t fade;
     double stage0_oscillation_s1; /* what the next output takes over */
     double stage0_oscillation_s2; /* what `s1` takes over */
     double stage0_filter0_section0_s1; /* what the next output takes over */

@@ -88,21 +88,21 @@ fn through(reaching: &[f64], direct: &[f64], next: [usize; 2]) -> f64 {
     reaching[by] / direct[by]
 }
 
-/// A step from s1 = 1 leaves s1 = 1 - 2 B and p = -C (1 - B), one from p = 1 leaves s1 = 2 A; with low in the place of p, the
+/// A step from s1 = 1 leaves s1 = 1 - B and p = -C (2 - B), one from p = 1 leaves s1 = A; with low in the place of p, the
 /// opposite of both.
 fn trapezoidal(probe: &mut Probe<'_>, places: &[Place], stage: &StageDesign, input: usize) -> Chain {
     let mut section = |(place, section): (&Place, &stage::Section)| {
         let [s1, second] = place.s;
         let [from_s1, from_second] = place.s.map(|s| probe.column(&Source::State(s)));
         let sign = if place.is_by_change { 1.0 } else { -1.0 };
-        let (a, b) = (sign * from_second[s1] / 2.0, (1.0 - from_s1[s1]) / 2.0);
-        let c = -sign * from_s1[second] / (1.0 - b);
+        let (a, b) = (sign * from_second[s1], 1.0 - from_s1[s1]);
+        let c = -sign * from_s1[second] / (2.0 - b);
         Trapezoidal { a, b, c, output: section.trapezoidal.output, is_by_change: place.is_by_change }
     };
     let section: Vec<_> = places.iter().zip(&stage.section).map(&mut section).collect();
     let (last, place) = (section.last(), places.last());
     let (last, place) = last.zip(place).expect("certificate: a stage has a section");
     let output = probe.output(&Source::State(place.s[0]));
-    let gain = output / (1.0 - last.b) / if last.output == Output::Allpass { -2.0 } else { 1.0 };
+    let gain = output / (2.0 - last.b) / if last.output == Output::Allpass { -2.0 } else { 1.0 };
     Chain { input, section: section.into_iter().map(Section::Trapezoidal).collect(), gain }
 }

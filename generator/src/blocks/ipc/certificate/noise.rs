@@ -77,10 +77,11 @@ fn deviation(sections: &[Trapezoidal], design: &StageDesign, t: f64) -> f64 {
 fn of_section(section: &Trapezoidal, t: f64, offset: f64, vibration: f64) -> f64 {
     let Trapezoidal { a, b, c, output, is_by_change } = *section;
     let input = Complex::real(vibration);
-    // z = (1 + j t) / (1 - j t): u = (z - 1) / (z + 1) bp = j t bp, s1 = bp - u before the step and bp + u after it.
+    // z = (1 + j t) / (1 - j t): u = (z - 1) / (z + 1) bp = j t bp, s1 = (bp - u) / 2 before the step and (bp + u) / 2 after it.
     let bp = product(input, section.band_pass_part(t));
     let u = product(bp, Complex { re: 0.0, im: t });
-    let s1 = Complex { re: bp.re - u.re, im: bp.im - u.im };
+    let s1 = Complex { re: (bp.re - u.re) / 2.0, im: (bp.im - u.im) / 2.0 };
+    let s1_next = Complex { re: (bp.re + u.re) / 2.0, im: (bp.im + u.im) / 2.0 };
     let p = Complex { re: (u.re + b * s1.re) / a, im: (u.im + b * s1.im) / a };
     let change = product(input, quotient(Complex { re: 0.0, im: 2.0 * t }, Complex { re: 1.0, im: t }));
     let square = |v: Complex| (v.re * v.re + v.im * v.im) / 2.0;
@@ -94,11 +95,10 @@ fn of_section(section: &Trapezoidal, t: f64, offset: f64, vibration: f64) -> f64
             let into_p = square(change) + square(p);
             // h p, r s1 and their difference err in q, which is a part of the output; g q in u only.
             let into_q = h * h * square(p) + b * b / g / g * square(s1) + square(q);
-            into_p * gain.oscillation([2.0 * a, 1.0 - a * c], -h)
-                + into_q * gain.oscillation([2.0 * g, -c * g], -1.0)
-                + square(u) * gain.oscillation([2.0, -c], 0.0)
-                + square(bp) * gain.oscillation([1.0, -c], 0.0)
-                + square(Complex { re: bp.re + u.re, im: bp.im + u.im }) * gain.oscillation([1.0, 0.0], 0.0)
+            into_p * gain.oscillation([a, 1.0 - a * c], -h)
+                + into_q * gain.oscillation([g, -c * g], -1.0)
+                + (square(u) + square(s1_next)) * gain.oscillation([1.0, -c], 0.0)
+                + square(bp) * gain.oscillation([0.0, -c], 0.0)
                 + (c * c * square(bp) + square(next)) * gain.oscillation([0.0, 1.0], 0.0)
         }
         _ => {
@@ -107,11 +107,10 @@ fn of_section(section: &Trapezoidal, t: f64, offset: f64, vibration: f64) -> f64
             } else {
                 (square(p), -a * c, 2.0 * c * c * square(bp) + square(low))
             };
-            let into_u = a * a * square(p) + b * b * square(s1) + square(u);
-            let own = into_p * gain.bandpass([2.0 * a, kept], a)
-                + into_u * gain.bandpass([2.0, -c], 1.0)
-                + square(bp) * gain.bandpass([1.0, -c], 1.0)
-                + square(Complex { re: bp.re + u.re, im: bp.im + u.im }) * gain.bandpass([1.0, 0.0], 0.0)
+            let into_s1 = a * a * square(p) + b * b * square(s1) + square(u) + square(s1_next);
+            let own = into_p * gain.bandpass([a, kept], a)
+                + into_s1 * gain.bandpass([1.0, -c], 1.0)
+                + square(bp) * gain.bandpass([0.0, -c], 1.0)
                 + last * gain.bandpass([0.0, 1.0], 0.0);
             if output == Output::Allpass { 4.0 * own } else { own }
         }
@@ -123,22 +122,22 @@ fn of_section(section: &Trapezoidal, t: f64, offset: f64, vibration: f64) -> f64
 
 /// Sums of the squares of impulse responses, in closed form.
 ///
-/// The trapezoidal rule keeps the Gramian of the continuous section s1' = -k g s1 - g s2, s2' = g s1, s2 = -p: that of its
-/// band-pass part is 1 / (4 k g) times the unit matrix, that of its high-pass part, with the output k s1 + s2, is
+/// The trapezoidal rule keeps the Gramian of the continuous section i1' = -k g i1 - g i2, i2' = g i1, i1 = 2 s1, i2 = -p: that of its
+/// band-pass part is 1 / (4 k g) times the unit matrix, that of its high-pass part, with the output k i1 + i2, is
 /// 1 / (4 k g) [k^2 + 1, k; k, 1].
 struct Gain {
-    /// 1 / (4 k g)
+    /// 1 / (k g)
     weight: f64,
     /// k of the oscillation
     k: f64,
-    /// c k: what a p of 1 weighs
+    /// c k / 2: what a p of 1 weighs
     scale: f64,
 }
 
 impl Gain {
     fn of(section: &Trapezoidal) -> Self {
         let width = section.width();
-        Self { weight: 1.0 / (4.0 * width), k: width / section.centre(), scale: section.scale() }
+        Self { weight: 1.0 / width, k: width / section.centre(), scale: section.scale() }
     }
 
     /// From an error that enters s1 and p with these parts, and the band-pass part with `direct`.
@@ -149,6 +148,6 @@ impl Gain {
     /// The same into the output of the oscillation.
     fn oscillation(&self, [s1, p]: [f64; 2], direct: f64) -> f64 {
         let k = self.k;
-        direct * direct + self.weight * ((k * k + 1.0) * s1 * s1 - 2.0 * k * s1 * p + p * p)
+        direct * direct + self.weight * ((k * k + 1.0) * s1 * s1 - k * s1 * p + p * p / 4.0)
     }
 }

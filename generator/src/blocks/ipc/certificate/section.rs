@@ -38,7 +38,7 @@ impl Section {
                 Denominator { a1: *a1, a2: *a2, left: 1.0 - a2, dc, nyquist }
             }
             Self::Trapezoidal(Trapezoidal { a, b, c, .. }) => {
-                let (left, dc, nyquist) = (2.0 * b - a * c, 2.0 * a * c, 4.0 - 4.0 * b);
+                let (left, dc, nyquist) = (b - a * c, 2.0 * a * c, 4.0 - 2.0 * b);
                 Denominator { a1: (dc - nyquist) / 2.0, a2: 1.0 - left, left, dc, nyquist }
             }
         }
