@@ -23,7 +23,7 @@ pub struct Coeffs<R> {
     pub preset: R,
     /// A = g h k: u = A p - B s1, p = x - low-pass part
     pub a: R,
-    /// B = 2 (g + k) g h: s1' = s1 + u, bp = s1 + s1', y = x - 2 bp
+    /// B = 2 (g + k) g h: bp = s1 + (s1 + u), s1 = s1 + u, y = x - 2 bp
     pub b: R,
     /// C = 2 g / k: the low-pass part grows by C bp
     pub c: R,

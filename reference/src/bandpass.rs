@@ -23,7 +23,7 @@ pub struct Coeffs<R> {
     pub a2: R,
     /// A = g h c k: u = A p - B s1, p = x - low-pass part
     pub a: R,
-    /// B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1'
+    /// B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u
     pub b: R,
     /// C = 2 g / (c k): the low-pass part grows by C y
     pub c: R,

@@ -51,7 +51,7 @@ pub struct Coeffs<R> {
     pub h: R,
     /// R = 2 (g + k) h: q = H p - R s1
     pub r: R,
-    /// G = g, the warped centre: s1' = s1 + G q, bp = s1 + s1'
+    /// G = g, the warped centre: bp = s1 + (s1 + G q), s1 = s1 + G q
     pub g: R,
     /// G2 = 2 g: the low-pass part grows by G2 bp
     pub g2: R,

@@ -116,20 +116,16 @@ pub fn sum_of_stages<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: 
 
 /// Moves the fade by one cycle: up while the mode is ON, down otherwise. OFF ends where the fade has arrived at 0.
 #[portable]
-pub fn move_fade<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, mode: i32) {
+pub fn move_fade<R: Real>(state: &mut State<R>, mode: i32) {
     if mode == mode_on() {
-        // Where nothing is tuned the fade is not full here: that is the usual cycle.
-        if !coeffs.tuning.active || state.fade < coeffs.fade_cycles {
-            state.fade += 1u32;
-        }
+        // It is not full here: that is the usual cycle.
+        state.fade += 1u32;
+    } else if state.fade > 1u32 {
+        state.fade -= 1u32;
     } else {
-        if state.fade > 1u32 {
-            state.fade -= 1u32;
-        } else {
-            state.fade = 0u32;
-            if mode == mode_off() {
-                state.preset = false;
-            }
+        state.fade = 0u32;
+        if mode == mode_off() {
+            state.preset = false;
         }
     }
 }
@@ -274,9 +270,9 @@ pub fn prepare<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Input
     if state.preset {
         // What has tripped is where DRYRUN would be.
         if coeffs.watch.active && state.watch.tripped {
-            move_fade(state, coeffs, mode_dryrun());
+            move_fade(state, mode_dryrun());
         } else {
-            move_fade(state, coeffs, inputs.mode);
+            move_fade(state, inputs.mode);
         }
     } else {
         runs = false;
@@ -361,7 +357,8 @@ pub fn cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
         let jumps = state.fade == 0u32 || state.fade > coeffs.fade_cycles;
         is_tuning_held = tuning::step(&mut state.tuning, &coeffs.stage, coeffs.fade_step, jumps, inputs);
     }
-    // Of several reasons not to act the first is told. The usual cycle comes before the rare ones.
+    // Of several reasons not to act the first is told. The usual cycle comes before the rare ones: that is why two places ask for the
+    // cycle time.
     let mut runs = false;
     let mut reason = error_none();
     if reads_command(&coeffs.stage) && !in_range(inputs.v_command, sample_limit()) {

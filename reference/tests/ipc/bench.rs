@@ -78,7 +78,7 @@ pub fn simulated<R: Real>(mode: Mode) -> stage::Coeffs<R> {
         a1: R::lit(-1.961_332_251_243_502_3),
         a2: R::lit(0.966_026_126_113_262_8),
         a: R::lit(0.016_986_936_943_368_59),
-        b: R::lit(0.036_320_811_321_617_406),
+        b: R::lit(0.036_320_811_321_617_41),
         c: R::lit(0.138_161_308_463_350_34),
     };
     let oscillation = oscillation::Coeffs {

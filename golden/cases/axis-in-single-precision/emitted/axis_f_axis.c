@@ -6,7 +6,7 @@
  * cycle time  2000000 ns
  * parameters  a7946ea0b07c6e724bf5e648d7f9875f
  * structure   8a38999eb3a93a4694eebfe4caa471f9
- * checksum    4cd6c26ad4c81787d26340c015af2003
+ * checksum    47392aa68c49dd7e8594e7dfa4cc1842
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_f_axis.h"
@@ -91,7 +91,7 @@ void axis_f_axis_step(
      * factor 4 (P-AXIS-00752), -3 dB at 21.1811 and 27.1811 Hz
      * section 1 of 1: centre frequency 24 Hz, quality factor 3.93777, gain 1 there and 1 at 24 Hz */
     static const float ipc_stage0_filter0_bandpass0_a = 0.036346115f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
+    /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
     static const float ipc_stage0_filter0_bandpass0_b = 0.116187185f;
     static const float ipc_stage0_filter0_bandpass0_c = 1.1966879f; /* C = 2 g / (c k): the low-pass part grows by C y */
 

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
  * structure   38a69c2a852439d9c3c01d05c4ed68fa
- * checksum    bba2f74107f17f2eb136cb72a44ed062
+ * checksum    28a2c78d7451ac5932d59866e4cd2a57
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -98,7 +98,8 @@ typedef struct {
     float lower_limit; /* -limit */
     float sum_limit; /* largest magnitude of a sum of stages that is not a fault */
     float stage0_filter0_bandpass0_a; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    float stage0_filter0_bandpass0_b; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
+    /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
+    float stage0_filter0_bandpass0_b;
     float stage0_filter0_bandpass0_c; /* C = 2 g / (c k): the low-pass part grows by C y */
     float stage0_gain; /* -weight: negative, because the stage moves the motor against the vibration */
 } axis_x_ipc_params;
@@ -138,7 +139,7 @@ typedef struct {
     float now_lower_limit; /* -limit */
     float now_sum_limit; /* largest magnitude of a sum of stages that is not a fault */
     float now_stage0_filter0_bandpass0_a; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    float now_stage0_filter0_bandpass0_b; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
+    float now_stage0_filter0_bandpass0_b; /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
     float now_stage0_filter0_bandpass0_c; /* C = 2 g / (c k): the low-pass part grows by C y */
     float now_stage0_gain; /* -weight: negative, because the stage moves the motor against the vibration */
     bool ipc_preset; /* whether the sections have been preset to the steady state of an input */

@@ -6,7 +6,7 @@
  * cycle time  2000000 ns
  * parameters  e1f780f3962f4d82bdd4f2c5209ad1a5
  * structure   90a0b5b6adf6294b975afb1b5dbd9449
- * checksum    bd3d004b7c4a12b6bf039da2f45c9008
+ * checksum    4a8d4f0c0cd733ac463b72c67fa07b8c
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -76,17 +76,17 @@ void axis_x_ipc_step(
      * factor 10 (P-AXIS-00752), -3 dB at 211.412 and 233.912 Hz
      * section 1 of 3: centre frequency 225 Hz, quality factor 1.085633, gain 1 there and 1 at 225 Hz */
     static const float stage0_filter0_bandpass0_a = 0.12458938f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    static const float stage0_filter0_bandpass0_b = 1.9571544f; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
+    static const float stage0_filter0_bandpass0_b = 1.9571544f; /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
     static const float stage0_filter0_bandpass0_c = 13.7088375f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
     /* section 2 of 3: centre frequency 213.1545 Hz, quality factor 2.345232, gain 2.160243 there and 1 at 225 Hz */
     static const float stage0_filter0_bandpass1_a = 0.18782282f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    static const float stage0_filter0_bandpass1_b = 1.9038646f; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
+    static const float stage0_filter0_bandpass1_b = 1.9038646f; /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
     static const float stage0_filter0_bandpass1_c = 9.21067f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
     /* section 3 of 3: centre frequency 233.127 Hz, quality factor 2.345232, gain 2.160243 there and 1 at 225 Hz */
     static const float stage0_filter0_bandpass2_a = 0.09276168f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    static const float stage0_filter0_bandpass2_b = 1.9785669f; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
+    static const float stage0_filter0_bandpass2_b = 1.9785669f; /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
     static const float stage0_filter0_bandpass2_c = 20.403751f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
     /* largest |v_add| = 500000: 1000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */

@@ -6,7 +6,7 @@
  * cycle time  62500 ns
  * parameters  3ded08af76ecf576262a5ba0ab2f33f9
  * structure   4dfa7285440f0aad0f42d8ad47bcb196
- * checksum    1f4ac0def673db0b3493d7e1840e4dbb
+ * checksum    8761f78b9df4e0527eae89638c38899f
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -79,24 +79,27 @@ void axis_x_ipc_step(
      * (P-AXIS-00850): gain 1 at DC, 1.943651 and -59.03624 deg at f0 */
     static const float stage0_oscillation_h = 0.99988216f; /* H = h: q = H p - R s1, y = x - q, p = x - low-pass part */
     static const float stage0_oscillation_r = 1.2002512f; /* R = 2 (g + k) h: q = H p - R s1 */
-    static const float stage0_oscillation_g = 0.00019634955f; /* G = g, the warped centre: s1' = s1 + G q, bp = s1 + s1' */
+    static const float stage0_oscillation_g = 0.00019634955f; /* G = g, the warped centre: bp = s1 + (s1 + G q), s1 = s1 + G q */
     static const float stage0_oscillation_g2 = 0.0003926991f; /* G2 = 2 g: the low-pass part grows by G2 bp */
 
     /* BANDPASS BESSEL order 3 (P-AXIS-00849, 00848, 00750): centre frequency 1 Hz (P-AXIS-00751), quality factor 8
      * (P-AXIS-00752), -3 dB at 0.9394512 and 1.064451 Hz
      * section 1 of 3: centre frequency 1 Hz, quality factor 6.048345, gain 1 there and 1 at 1 Hz */
     static const float stage0_filter0_bandpass0_a = 3.2462296e-5f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    static const float stage0_filter0_bandpass0_b = 6.5001695e-5f; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
+    /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
+    static const float stage0_filter0_bandpass0_b = 6.5001695e-5f;
     static const float stage0_filter0_bandpass0_c = 0.0023751797f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
     /* section 2 of 3: centre frequency 0.9393689 Hz, quality factor 7.652839, gain 1.384798 there and 1 at 1 Hz */
     static const float stage0_filter0_bandpass1_a = 3.3374854e-5f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    static const float stage0_filter0_bandpass1_b = 4.8269816e-5f; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
+    /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
+    static const float stage0_filter0_bandpass1_b = 4.8269816e-5f;
     static const float stage0_filter0_bandpass1_c = 0.0020386016f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
     /* section 3 of 3: centre frequency 1.064544 Hz, quality factor 7.652839, gain 1.384798 there and 1 at 1 Hz */
     static const float stage0_filter0_bandpass2_a = 3.7822094e-5f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    static const float stage0_filter0_bandpass2_b = 5.47121e-5f; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
+    /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
+    static const float stage0_filter0_bandpass2_b = 5.47121e-5f;
     static const float stage0_filter0_bandpass2_c = 0.002310255f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
     /* largest |v_add| = 500000: 1000 * 0.1 % (P-AXIS-00757) of 500000 (P-AXIS-00212) */

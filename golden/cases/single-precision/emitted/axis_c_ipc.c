@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  e2453a0975306551d54cce9dca887813
  * structure   c7cf5ff442ebadf602227a9e3020cec9
- * checksum    411470504f148a0ef980778eda595c89
+ * checksum    e08bce71e93764735f6ce16ed92f8acb
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_c_ipc.h"
@@ -95,23 +95,25 @@ void axis_c_ipc_step(
      * factor 3 (P-AXIS-00752), -3 dB at 44.87068 and 62.53735 Hz
      * section 1 of 3: centre frequency 53 Hz, quality factor 2.941835, gain 1 there and 1 at 53 Hz */
     static const float stage0_filter0_bandpass0_a = 0.052634247f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    static const float stage0_filter0_bandpass0_b = 0.15731385f; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
+    /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
+    static const float stage0_filter0_bandpass0_b = 0.15731385f;
     static const float stage0_filter0_bandpass0_c = 0.98881173f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
     /* section 2 of 3: centre frequency 45.8539 Hz, quality factor 5.947513, gain 2.021702 there and 1 at 53 Hz */
     static const float stage0_filter0_bandpass1_a = 0.04716619f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    static const float stage0_filter0_bandpass1_b = 0.08691527f; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
+    /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
+    static const float stage0_filter0_bandpass1_b = 0.08691527f;
     static const float stage0_filter0_bandpass1_c = 0.85347956f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
     /* section 3 of 3: centre frequency 61.21189 Hz, quality factor 5.947513, gain 2.021702 there and 1 at 53 Hz */
     static const float stage0_filter0_bandpass2_a = 0.061818752f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    static const float stage0_filter0_bandpass2_b = 0.1319749f; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
+    static const float stage0_filter0_bandpass2_b = 0.1319749f; /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
     static const float stage0_filter0_bandpass2_c = 1.1456028f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
     /* ALLPASS (P-AXIS-00849): -180 deg at 48 Hz (P-AXIS-00751), quality factor 3 (P-AXIS-00752), -90 deg at 40.64203
      * and -270 deg at 56.64203 Hz */
     static const float stage0_filter1_allpass_a = 0.047898203f; /* A = g h k: u = A p - B s1, p = x - low-pass part */
-    static const float stage0_filter1_allpass_b = 0.13876995f; /* B = 2 (g + k) g h: s1' = s1 + u, bp = s1 + s1', y = x - 2 bp */
+    static const float stage0_filter1_allpass_b = 0.13876995f; /* B = 2 (g + k) g h: bp = s1 + (s1 + u), s1 = s1 + u, y = x - 2 bp */
     static const float stage0_filter1_allpass_c = 0.89718497f; /* C = 2 g / k: the low-pass part grows by C bp */
 
     /* -weight, against the vibration; at 53 Hz the stage adds 2.5 times its source at -61.59105 deg */
@@ -122,19 +124,21 @@ void axis_c_ipc_step(
      * (P-AXIS-00850): gain 1 at DC, 1.228904 and -35.53768 deg at f0 */
     static const float stage1_oscillation_h = 0.92586136f; /* H = h: q = H p - R s1, y = x - q, p = x - low-pass part */
     static const float stage1_oscillation_r = 2.6943183f; /* R = 2 (g + k) h: q = H p - R s1 */
-    static const float stage1_oscillation_g = 0.05503333f; /* G = g, the warped centre: s1' = s1 + G q, bp = s1 + s1' */
+    static const float stage1_oscillation_g = 0.05503333f; /* G = g, the warped centre: bp = s1 + (s1 + G q), s1 = s1 + G q */
     static const float stage1_oscillation_g2 = 0.11006666f; /* G2 = 2 g: the low-pass part grows by G2 bp */
 
     /* BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 17.5 Hz (P-AXIS-00751), quality
      * factor 3 (P-AXIS-00752), -3 dB at 14.82376 and 20.65709 Hz
      * section 1 of 2: centre frequency 17.5 Hz, quality factor 1.926679, gain 1 there and 1 at 17.5 Hz */
     static const float stage1_filter0_bandpass0_a = 0.027689066f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    static const float stage1_filter0_bandpass0_b = 0.06124996f; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
+    /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
+    static const float stage1_filter0_bandpass0_b = 0.06124996f;
     static const float stage1_filter0_bandpass0_c = 0.2120631f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
     /* section 2 of 2: centre frequency 17.5 Hz, quality factor 1.926679, gain 1 there and 1 at 17.5 Hz */
     static const float stage1_filter0_bandpass1_a = 0.027689066f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    static const float stage1_filter0_bandpass1_b = 0.06124996f; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
+    /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
+    static const float stage1_filter0_bandpass1_b = 0.06124996f;
     static const float stage1_filter0_bandpass1_c = 0.2120631f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
     /* -weight, against the vibration; at 17.5 Hz the stage adds 1.474684 times its source at 144.4623 deg */
@@ -145,19 +149,21 @@ void axis_c_ipc_step(
      * (P-AXIS-00850): gain 1 at DC, 1.179248 and -32.00538 deg at f0 */
     static const float stage2_oscillation_h = 0.73118323f; /* H = h: q = H p - R s1, y = x - q, p = x - low-pass part */
     static const float stage2_oscillation_r = 2.6378398f; /* R = 2 (g + k) h: q = H p - R s1 */
-    static const float stage2_oscillation_g = 0.20381583f; /* G = g, the warped centre: s1' = s1 + G q, bp = s1 + s1' */
+    static const float stage2_oscillation_g = 0.20381583f; /* G = g, the warped centre: bp = s1 + (s1 + G q), s1 = s1 + G q */
     static const float stage2_oscillation_g2 = 0.40763167f; /* G2 = 2 g: the low-pass part grows by G2 bp */
 
     /* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 64 Hz (P-AXIS-00751), quality factor 5
      * (P-AXIS-00752), -3 dB at 57.90185 and 70.70185 Hz
      * section 1 of 2: centre frequency 60.02592 Hz, quality factor 4.424675, gain 1.157198 there and 1 at 64 Hz */
     static const float stage2_filter0_bandpass0_a = 0.04623405f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    static const float stage2_filter0_bandpass0_b = 0.14738232f; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
+    /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
+    static const float stage2_filter0_bandpass0_b = 0.14738232f;
     static const float stage2_filter0_bandpass0_c = 1.4594313f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
     /* section 2 of 2: centre frequency 68.22194 Hz, quality factor 4.424675, gain 1.157198 there and 1 at 64 Hz */
     static const float stage2_filter0_bandpass1_a = 0.051913977f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    static const float stage2_filter0_bandpass1_b = 0.17613757f; /* B = 2 (g + k) g h: u = A p - B s1, s1' = s1 + u, y = s1 + s1' */
+    /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
+    static const float stage2_filter0_bandpass1_b = 0.17613757f;
     static const float stage2_filter0_bandpass1_c = 1.664561f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
     /* -weight, against the vibration; at 64 Hz the stage adds 0.8490583 times its source at 147.9946 deg */

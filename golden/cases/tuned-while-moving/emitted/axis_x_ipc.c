@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  8a7064fb968187846a28b8bae1b95ecb
- * structure   e53723bd0b494f573913572c7ee90f32
- * checksum    722289806b4feb82ada58ace4a79a941
+ * structure   3ea602f442b75ee404ba21bf1bcf0b93
+ * checksum    23fda0d15b4013816fdfd351b8827f0e
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

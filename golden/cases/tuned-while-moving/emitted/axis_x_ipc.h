@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  8a7064fb968187846a28b8bae1b95ecb
- * structure   e53723bd0b494f573913572c7ee90f32
- * checksum    366d47191d6b1989ba3234058183b785
+ * structure   3ea602f442b75ee404ba21bf1bcf0b93
+ * checksum    0e8f304a1add60bb8fb569db21b79255
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -43,10 +43,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x6a28b8bau
 #define AXIS_X_IPC_PARAMETERS_3 0xe1b95ecbu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xe53723bdu
-#define AXIS_X_IPC_STRUCTURE_1 0x0b494f57u
-#define AXIS_X_IPC_STRUCTURE_2 0x3913572cu
-#define AXIS_X_IPC_STRUCTURE_3 0x7ee90f32u
+#define AXIS_X_IPC_STRUCTURE_0 0x3ea602f4u
+#define AXIS_X_IPC_STRUCTURE_1 0x42b75ee4u
+#define AXIS_X_IPC_STRUCTURE_2 0x04ba21bfu
+#define AXIS_X_IPC_STRUCTURE_3 0x1bcf0b93u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 48u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u
