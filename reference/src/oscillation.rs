@@ -14,7 +14,7 @@
 //! ```text
 //! p  = p + change of x
 //! q  = h p - 2 (g + k) h s1
-//! bp = 2 s1 + g q
+//! bp = s1 + (s1 + g q)
 //! s1 = s1 + g q
 //! p  = p - 2 g bp
 //! y  = x - q

@@ -47,7 +47,7 @@ pub fn least_change<R: Real>() -> R {
 
 /// 2: |a1| of a stable biquad and B of a stable trapezoidal section are below it
 #[portable]
-pub fn stability_end<R: Real>() -> R {
+pub fn pole_limit<R: Real>() -> R {
     R::lit(2.0)
 }
 
@@ -55,7 +55,7 @@ pub fn stability_end<R: Real>() -> R {
 #[portable]
 pub fn is_stable_biquad<R: Real>(a1: R, a2: R) -> bool {
     let mut is_stable = false;
-    if in_range(a1, stability_end()) && in_range(a2, R::ONE) {
+    if in_range(a1, pole_limit()) && in_range(a2, R::ONE) {
         let edge = a2 + R::ONE;
         is_stable = a2 < R::ONE && a1 < edge && -edge < a1;
     }
@@ -66,7 +66,7 @@ pub fn is_stable_biquad<R: Real>(a1: R, a2: R) -> bool {
 #[portable]
 pub fn is_stable_trapezoidal<R: Real>(a: R, b: R, c: R) -> bool {
     let mut is_stable = false;
-    if in_range(a, largest_number()) && in_range(b, stability_end()) && in_range(c, largest_number()) {
+    if in_range(a, largest_number()) && in_range(b, pole_limit()) && in_range(c, largest_number()) {
         is_stable = are_poles_inside(a, b, c);
     }
     is_stable
@@ -76,5 +76,5 @@ pub fn is_stable_trapezoidal<R: Real>(a: R, b: R, c: R) -> bool {
 #[portable]
 pub fn are_poles_inside<R: Real>(a: R, b: R, c: R) -> bool {
     let product = a * c;
-    R::ZERO < product && product < b && b < stability_end()
+    R::ZERO < product && product < b && b < pole_limit()
 }

@@ -6,7 +6,7 @@
 //! u = A p - B s1 ; s1' = s1 + u ; y = s1 + s1' ; low' = low + C y     A = g h c k, B = 2 (g + k) g h, C = 2 g / (c k)
 //! ```
 //!
-//! s1 is half of what the trapezoidal rule integrates up to: one rounding a cycle stays in it, and none of the output's.
+//! s1 is half of what the trapezoidal rule integrates up to: it takes one rounding less in each cycle, and none of y.
 //!
 //! p is the input without its low-pass part, p = x - low. Where the input carries an offset, p itself is the state: it takes the
 //! change of the input, and the offset enters no state. Behind a band-pass section low is the state, which saves the change.

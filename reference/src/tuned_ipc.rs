@@ -8,7 +8,7 @@ use portable::{Block, Enable, Fn, Real, portable};
 /// One cycle. In a usual one the mode is ON, the fade full, and every part is what its input asks for: nothing but the sections changes.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    if ipc::may_act(coeffs, inputs)
+    if ipc::may_act_in_full(coeffs, inputs)
         && state.fade == coeffs.fade_cycles
         && !(coeffs.watch.active && state.watch.tripped)
         && (!coeffs.ride_through.active || state.ride_through.bad == 0u32)

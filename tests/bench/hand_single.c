@@ -66,11 +66,11 @@ static inline float further(hand_section *restrict state, float x, float a, floa
 }
 #endif
 
-/* A cycle in which the block does not act. Behind a state that was overwritten this is the fault that says so: then nothing is preset. */
+/* A cycle in which the block does not act. Behind a state that was overwritten this is the fault that says so, if no other one comes before it: then nothing is preset. */
 static bool idle(HAND_STATE *restrict state, HAND_OUTPUTS *restrict outputs, uint32_t error_id)
 {
     const bool was_disturbed = state->disturbed;
-    if (was_disturbed) {
+    if (was_disturbed && error_id != 12u && error_id != 1u) {
         error_id = 3u;
     }
     state->disturbed = false;

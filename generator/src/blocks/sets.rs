@@ -14,12 +14,13 @@ pub(super) fn sets(axis: &Axis, ipc: &IpcCoeffs<f64>) -> [u32; 2] {
 }
 
 /// What a structure is told by: a number made of the axis's name, of the real type and of every coefficient that is no real, but for the mode at
-/// start. Sets of the same structure fit the same block: those of another axis never do.
+/// start. Sets of the same structure fit the same block: those of another axis never do. The number behind `ipc` grows whenever a number of a set gets
+/// another meaning, as B did with 3.
 fn structure(axis: &Axis, ipc: &IpcCoeffs<f64>) -> u32 {
     let fixed = IpcCoeffs { enable: 0, ..*ipc };
     let kept = leaves(&fixed).into_iter().filter(|leaf| !matches!(leaf, Literal::F64(_)));
     let real = if axis.real == RealKind::F64 { "f64" } else { "f32" };
-    number(kept.fold(format!("ipc 2 {} {real}", axis.name), |text, leaf| format!("{text} {:?}", leaf.at_run_time())))
+    number(kept.fold(format!("ipc 3 {} {real}", axis.name), |text, leaf| format!("{text} {:?}", leaf.at_run_time())))
 }
 
 /// What a set is told by: a number made of all its numbers, rounded to the real type.

@@ -64,7 +64,7 @@ fn an_unstable_section_is_refused() {
     assert!(found >= 1, "{refusals:?}");
 }
 
-/// A damping ratio that single precision cannot tell from 0: where A C = 2 B, or more.
+/// A damping ratio that single precision cannot tell from 0: where A C = B, or more.
 #[test]
 fn an_oscillation_without_damping_is_refused_in_single_precision() {
     let refused = (1..50).flat_map(|i| {

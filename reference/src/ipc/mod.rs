@@ -27,6 +27,7 @@ use crate::signal::{error_tuning, error_v_command, error_v_direct, error_v_motor
 use crate::stage;
 use crate::sum::empty_sum;
 use portable::{Block, Enable, Fn, Real, from_u32, in_range, note, portable, within};
+use tuning::are_followed;
 
 /// Coefficients.
 #[portable]
@@ -130,7 +131,7 @@ pub fn move_fade<R: Real>(state: &mut State<R>, mode: i32) {
     }
 }
 
-/// A state was overwritten: the fade stands beyond its end, which the next cycle finds as it finds a fade that was overwritten itself.
+/// A state was overwritten. The fade stands beyond its end until the next cycle tells the fault. A fade that was overwritten itself is told as well.
 #[portable]
 pub fn disturb<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     state.fade = coeffs.fade_cycles + 1u32;
@@ -207,6 +208,7 @@ pub fn act<R: Real>(
     outputs.limited = false;
     outputs.fault = false;
     outputs.error_id = if is_tuning_held { error_tuning() } else { error_none() };
+    // `limit` may put it beyond its end.
     let fade = state.fade;
     let v_sum = sum_of_stages(state, coeffs, inputs);
     let v_limited = limit(state, outputs, coeffs, v_sum);
@@ -214,7 +216,7 @@ pub fn act<R: Real>(
         outputs.v_add = if fade > 0u32 { v_limited * (from_u32::<R>(fade) * coeffs.fade_step) } else { R::ZERO };
         outputs.v_add_calculated = if inputs.mode == mode_off() { R::ZERO } else { v_limited };
     } else {
-        // The fade has just been moved: where it is full, the mode is ON.
+        // Where the fade is full, the mode is ON.
         outputs.v_add = v_limited;
         outputs.v_add_calculated = v_limited;
     }
@@ -306,7 +308,7 @@ pub fn refuse<R: Real>(state: &mut State<R>, reason: u32) -> u32 {
     reason
 }
 
-/// Whether the caller lets the axis act and has it ON: with a full fade, nothing but the sections changes then.
+/// Whether the axis is ON, and neither the caller nor a gantry forbids it to act: with a full fade, nothing but the sections changes then.
 #[portable]
 pub fn is_on<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     inputs.position_controlled && !inputs.reset && !coeffs.slave && inputs.mode == mode_on()
@@ -314,7 +316,7 @@ pub fn is_on<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
 
 /// Whether samples and cycle time are usable, and the axis is ON.
 #[portable]
-pub fn may_act<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
+pub fn may_act_in_full<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     are_in_range(&coeffs.stage, inputs) && is_cycle_time(coeffs, inputs) && is_on(coeffs, inputs)
 }
 
@@ -331,6 +333,12 @@ pub fn is_settled<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, mode: i32, v_mo
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     rearm(state, coeffs, inputs.mode, inputs.reset);
+    go_on(state, coeffs, inputs, outputs);
+}
+
+/// The rest of it: the watch has been asked.
+#[portable]
+pub fn go_on<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     if coeffs.ride_through.active {
         let mut replaced = Inputs::<R>::default();
         outputs.held = ride_through::replace(
@@ -353,7 +361,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
 #[portable]
 pub fn cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let mut is_tuning_held = false;
-    if coeffs.tuning.active {
+    if coeffs.tuning.active && !are_followed(&state.tuning, &coeffs.tuning, &coeffs.stage, inputs) {
         let jumps = state.fade == 0u32 || state.fade > coeffs.fade_cycles;
         is_tuning_held = tuning::step(&mut state.tuning, &coeffs.stage, coeffs.fade_step, jumps, inputs);
     }

@@ -71,7 +71,7 @@ pub fn are_followed<R: Real>(
         && is_followed(&state.weight[2], is_there(coeffs, &stages[2]), inputs.tuning_weight[2])
 }
 
-/// Moves a factor towards its input by at most `step`; `jumps`: at once, because the fade is 0. Gives whether the input is no number from 0
+/// Moves a factor towards its input by at most `step`; `jumps`: at once, because nothing is added. Gives whether the input is no number from 0
 /// to 1: then the factor stays.
 #[portable]
 #[expect(

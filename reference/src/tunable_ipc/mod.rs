@@ -133,7 +133,7 @@ pub fn offer<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Params<
     refused
 }
 
-/// No set is in use, and an offered one is looked at at once.
+/// No set is in use, and an offered one is looked at without a pause.
 #[portable]
 pub fn drop_set<R: Real>(state: &mut State<R>) {
     state.set_id = 0u32;
@@ -197,10 +197,9 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     let mut mode = inputs.mode;
     let mut refused = error_none();
     if state.ipc.fade > coeffs.ipc.fade_cycles {
-        // The numbers in use may have been overwritten, too.
+        // The numbers in use may have been overwritten, too. The cycle tells the fault; what is offered is looked at in the next one.
         drop_set(state);
-    }
-    if inputs.params.set_id != state.set_id || state.withdrawn {
+    } else if inputs.params.set_id != state.set_id || state.withdrawn {
         refused = offer(state, coeffs, &inputs.params);
         if state.set_id == 0u32 && ipc::is_mode(mode) {
             // There are no numbers to run with.
@@ -212,7 +211,9 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     let mut ipc_inputs = ipc::Inputs::<R>::default();
     hand_over(inputs, mode, &mut ipc_inputs);
     let mut ipc_outputs = ipc::Outputs::<R>::default();
-    ipc::step(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.now), &ipc_inputs, &mut ipc_outputs);
+    // What has tripped stays so until the caller's own mode is not ON.
+    ipc::rearm(&mut state.ipc, &coeffs.ipc, inputs.mode, inputs.reset);
+    ipc::go_on(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.now), &ipc_inputs, &mut ipc_outputs);
     hold_limit(&mut state.ipc, &coeffs.ipc, &mut ipc_outputs);
     put_out(state.set_id, &ipc_outputs, refused, outputs);
 }
@@ -225,7 +226,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     hand_over(inputs, inputs.mode, &mut ipc_inputs);
     if inputs.params.set_id == state.set_id
         && !state.withdrawn
-        && ipc::may_act(&coeffs.ipc, &ipc_inputs)
+        && ipc::may_act_in_full(&coeffs.ipc, &ipc_inputs)
         && state.ipc.fade == coeffs.ipc.fade_cycles
         && !(coeffs.ipc.watch.active && state.ipc.watch.tripped)
         && (!coeffs.ipc.ride_through.active || state.ipc.ride_through.bad == 0u32)

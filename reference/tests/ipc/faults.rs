@@ -58,7 +58,7 @@ fn a_reset_is_a_level_and_the_states_follow_the_input<R: Real>() {
     }
 }
 
-/// Of two reasons the first in the order samples, cycle time, mode is told.
+/// Of two reasons the first in the order samples, cycle time, state, mode is told.
 fn reasons_have_an_order<R: Real>() {
     let nan = R::lit(f64::NAN);
     let mut from_load = direct::<R>();
@@ -76,9 +76,33 @@ fn reasons_have_an_order<R: Real>() {
     block.inputs.v_direct = R::ONE;
     assert_eq!(block.step().error_id, 1);
     block.inputs.task_cycle_ns = 1_000_000;
+    block.state.fade = u32::MAX;
+    assert_eq!(block.step().error_id, 3);
     assert_eq!(block.step().error_id, 2);
     block.inputs.mode = 1;
     assert_eq!(all_bits(&block.step()), (0, 0, false, false, 0));
+}
+
+/// Whatever the caller wants: one cycle tells it, then the block is like a new one.
+fn an_overwritten_fade_is_a_fault<R: Real>() {
+    for (mode, slave) in [(0, false), (1, false), (2, false), (0, true)] {
+        for (fade, position_controlled, reset) in
+            [(1, true, false), (u32::MAX, true, false), (1, false, false), (1, true, true)]
+        {
+            let (mut block, mut fresh, mut noise) = (example::<R>().running(), example::<R>(), Noise::default());
+            for of in [&mut block, &mut fresh] {
+                (of.coeffs.slave, of.inputs.mode) = (slave, mode);
+                (of.inputs.position_controlled, of.inputs.reset) = (position_controlled, reset);
+            }
+            block.state.fade = if fade == 1 { block.coeffs.fade_cycles + 1 } else { fade };
+            assert_eq!(all_bits(&block.at(noise.next())), (0, 0, false, true, 3), "mode {mode}");
+            assert_eq!((block.state.fade, block.state.preset), (0, false));
+            for cycle in 0..500 {
+                let v = noise.next();
+                assert_eq!(all_bits(&block.at(v)), all_bits(&fresh.at(v)), "mode {mode}, cycle {cycle} after it");
+            }
+        }
+    }
 }
 
 /// A velocity that no stage looks at may be anything.
@@ -125,6 +149,7 @@ in_both_real_types! {
     the_output_is_0_at_once_and_the_block_starts_anew
     a_reset_is_a_level_and_the_states_follow_the_input
     reasons_have_an_order
+    an_overwritten_fade_is_a_fault
     only_what_a_stage_reads_is_judged
     the_sample_limit_is_exact
     the_right_cycle_time_is_no_fault

@@ -29,7 +29,7 @@ pub struct Found {
     pub v_add: f64,
     /// `v_add_calculated` of this cycle
     pub calculated: f64,
-    /// whether its error id is 3: the sum of the cycle before was a fault
+    /// whether its error id is 3, the sum of the cycle before was a fault, or one that is told in its place
     pub is_disturbed: bool,
     /// its `tripped` of this cycle
     pub is_tripped: bool,

@@ -347,6 +347,41 @@ where
     faults
 }
 
+/// Neither an overwritten state nor what is offered then arms a tripped watch again: only the caller's mode does, or a reset.
+#[test]
+fn behind_a_fault_of_the_state_a_tripped_watch_stays_tripped() {
+    let is_watched = |coeffs: &Coeffs<f64>| coeffs.ipc.watch.active;
+    let mut all = (0..STRUCTURES).map(|structure| coeffs::<f64>(&bench(structure, RealKind::F64).designed));
+    let coeffs = all.find(is_watched).expect("a structure with a watch");
+    for is_refused in [false, true] {
+        let mut inputs = <TunableIpc as portable::Block<f64>>::inputs(&coeffs);
+        let mut state = tunable_ipc::State::<f64>::default();
+        let mut outputs = tunable_ipc::Outputs::<f64>::default();
+        tunable_ipc::init(&mut state);
+        let mut told = false;
+        for cycle in 0..3_000 {
+            let v = 1000.0 * (f64::from(cycle) * 0.3).sin();
+            (inputs.v_command, inputs.v_motor, inputs.v_direct, inputs.mode) = (v, v, v, 1);
+            match cycle {
+                800 => state.ipc.watch.tripped = true,
+                810 if is_refused => inputs.params.structure += 1,
+                // In the fade out, and behind it.
+                820 | 1500 => state.ipc.fade = u32::MAX,
+                2000 => inputs.params = tunable_ipc::params(&coeffs),
+                _ => {}
+            }
+            tunable_ipc::step(&mut state, &coeffs, &inputs, &mut outputs);
+            told |= outputs.error_id == 3;
+            assert!(cycle < 800 || outputs.tripped, "cycle {cycle}");
+            assert!(cycle < 2500 || outputs.v_add == 0.0 && outputs.active_set != 0, "cycle {cycle}");
+        }
+        assert!(told);
+        inputs.mode = 0;
+        tunable_ipc::step(&mut state, &coeffs, &inputs, &mut outputs);
+        assert!(!outputs.tripped);
+    }
+}
+
 /// Behind a fault of the state no number in use is trusted: with a set that is refused nothing is added until a sound one is offered.
 #[test]
 fn behind_a_fault_of_the_state_a_refused_set_leaves_none_in_use() {

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   38a69c2a852439d9c3c01d05c4ed68fa
- * checksum    28a2c78d7451ac5932d59866e4cd2a57
+ * structure   e6daaf7e9a7278a7ea7592588be3f13e
+ * checksum    23b5f46797a1ec8725b989848b6c617d
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xb4447d55u
 #define AXIS_X_IPC_PARAMETERS_3 0x4f36617au
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x38a69c2au
-#define AXIS_X_IPC_STRUCTURE_1 0x852439d9u
-#define AXIS_X_IPC_STRUCTURE_2 0xc3c01d05u
-#define AXIS_X_IPC_STRUCTURE_3 0xc4ed68fau
+#define AXIS_X_IPC_STRUCTURE_0 0xe6daaf7eu
+#define AXIS_X_IPC_STRUCTURE_1 0x9a7278a7u
+#define AXIS_X_IPC_STRUCTURE_2 0xea759258u
+#define AXIS_X_IPC_STRUCTURE_3 0x8be3f13eu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_PARAMS_SIZE 44u
 #define AXIS_X_IPC_OUTPUTS_SIZE 20u
@@ -75,7 +75,8 @@ enum {
     AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_X_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number, or the sum of its stages is above sum_limit; everything starts anew */
+    /* a state of the block is no number or impossible, or the sum of its stages is above sum_limit; everything
+     * starts anew */
     AXIS_X_IPC_ERROR_STATE = 3,
     /* a parameter set for another structure is refused; no fault while a set is in use */
     AXIS_X_IPC_ERROR_SET_STRUCTURE = 6,

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  8a7064fb968187846a28b8bae1b95ecb
- * structure   3ea602f442b75ee404ba21bf1bcf0b93
- * checksum    23fda0d15b4013816fdfd351b8827f0e
+ * structure   16dc7f07af3092fab1f37a06bf2c7071
+ * checksum    9b34b7b0b18dff711228ed705e0f84c1
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -160,93 +160,100 @@ static void axis_x_ipc_any_cycle(
     /* the same for every axis */
     static const double least_factor = 1.0e-6; /* a factor below it is 0: no product with it is subnormal */
 
-    const bool jumps = state->fade == 0u || state->fade > axis_x_ipc_fade_cycles;
-    if (!(axis_x_ipc_magnitude(state->tuning_limit_now) <= 1.0)) {
-        /* a factor has been overwritten */
-        state->tuning_limit_now = 0.0;
-    }
-    bool tuning_limit_is_held;
-    if (axis_x_ipc_magnitude(inputs->tuning_limit) <= 1.0) {
-        if (inputs->tuning_limit >= 0.0) {
-            double tuning_limit_target;
-            if (inputs->tuning_limit < least_factor) {
-                tuning_limit_target = 0.0;
+    bool is_tuning_held;
+    if (axis_x_ipc_magnitude(inputs->tuning_limit - state->tuning_limit_now) <= 0.0
+            && axis_x_ipc_magnitude(inputs->tuning_weight0 - state->tuning_weight0_now) <= 0.0
+            && axis_x_ipc_magnitude(inputs->tuning_weight1 - state->tuning_weight1_now) <= 0.0) {
+        is_tuning_held = false;
+    } else {
+        const bool jumps = state->fade == 0u || state->fade > axis_x_ipc_fade_cycles;
+        if (!(axis_x_ipc_magnitude(state->tuning_limit_now) <= 1.0)) {
+            /* a factor has been overwritten */
+            state->tuning_limit_now = 0.0;
+        }
+        bool tuning_limit_is_held;
+        if (axis_x_ipc_magnitude(inputs->tuning_limit) <= 1.0) {
+            if (inputs->tuning_limit >= 0.0) {
+                double tuning_limit_target;
+                if (inputs->tuning_limit < least_factor) {
+                    tuning_limit_target = 0.0;
+                } else {
+                    tuning_limit_target = inputs->tuning_limit;
+                }
+                const double tuning_limit_change = tuning_limit_target - state->tuning_limit_now;
+                if (jumps || axis_x_ipc_magnitude(tuning_limit_change) <= fade_step) {
+                    state->tuning_limit_now = tuning_limit_target;
+                } else if (tuning_limit_change > 0.0) {
+                    state->tuning_limit_now = state->tuning_limit_now + fade_step;
+                } else {
+                    state->tuning_limit_now = state->tuning_limit_now - fade_step;
+                }
+                tuning_limit_is_held = false;
             } else {
-                tuning_limit_target = inputs->tuning_limit;
+                tuning_limit_is_held = true;
             }
-            const double tuning_limit_change = tuning_limit_target - state->tuning_limit_now;
-            if (jumps || axis_x_ipc_magnitude(tuning_limit_change) <= fade_step) {
-                state->tuning_limit_now = tuning_limit_target;
-            } else if (tuning_limit_change > 0.0) {
-                state->tuning_limit_now = state->tuning_limit_now + fade_step;
-            } else {
-                state->tuning_limit_now = state->tuning_limit_now - fade_step;
-            }
-            tuning_limit_is_held = false;
         } else {
             tuning_limit_is_held = true;
         }
-    } else {
-        tuning_limit_is_held = true;
-    }
-    if (!(axis_x_ipc_magnitude(state->tuning_weight0_now) <= 1.0)) {
-        /* a factor has been overwritten */
-        state->tuning_weight0_now = 0.0;
-    }
-    bool tuning_weight0_is_held;
-    if (axis_x_ipc_magnitude(inputs->tuning_weight0) <= 1.0) {
-        if (inputs->tuning_weight0 >= 0.0) {
-            double tuning_weight0_target;
-            if (inputs->tuning_weight0 < least_factor) {
-                tuning_weight0_target = 0.0;
+        if (!(axis_x_ipc_magnitude(state->tuning_weight0_now) <= 1.0)) {
+            /* a factor has been overwritten */
+            state->tuning_weight0_now = 0.0;
+        }
+        bool tuning_weight0_is_held;
+        if (axis_x_ipc_magnitude(inputs->tuning_weight0) <= 1.0) {
+            if (inputs->tuning_weight0 >= 0.0) {
+                double tuning_weight0_target;
+                if (inputs->tuning_weight0 < least_factor) {
+                    tuning_weight0_target = 0.0;
+                } else {
+                    tuning_weight0_target = inputs->tuning_weight0;
+                }
+                const double tuning_weight0_change = tuning_weight0_target - state->tuning_weight0_now;
+                if (jumps || axis_x_ipc_magnitude(tuning_weight0_change) <= fade_step) {
+                    state->tuning_weight0_now = tuning_weight0_target;
+                } else if (tuning_weight0_change > 0.0) {
+                    state->tuning_weight0_now = state->tuning_weight0_now + fade_step;
+                } else {
+                    state->tuning_weight0_now = state->tuning_weight0_now - fade_step;
+                }
+                tuning_weight0_is_held = false;
             } else {
-                tuning_weight0_target = inputs->tuning_weight0;
+                tuning_weight0_is_held = true;
             }
-            const double tuning_weight0_change = tuning_weight0_target - state->tuning_weight0_now;
-            if (jumps || axis_x_ipc_magnitude(tuning_weight0_change) <= fade_step) {
-                state->tuning_weight0_now = tuning_weight0_target;
-            } else if (tuning_weight0_change > 0.0) {
-                state->tuning_weight0_now = state->tuning_weight0_now + fade_step;
-            } else {
-                state->tuning_weight0_now = state->tuning_weight0_now - fade_step;
-            }
-            tuning_weight0_is_held = false;
         } else {
             tuning_weight0_is_held = true;
         }
-    } else {
-        tuning_weight0_is_held = true;
-    }
-    const bool tuning_is_held0 = tuning_limit_is_held || tuning_weight0_is_held;
-    if (!(axis_x_ipc_magnitude(state->tuning_weight1_now) <= 1.0)) {
-        /* a factor has been overwritten */
-        state->tuning_weight1_now = 0.0;
-    }
-    bool tuning_weight1_is_held;
-    if (axis_x_ipc_magnitude(inputs->tuning_weight1) <= 1.0) {
-        if (inputs->tuning_weight1 >= 0.0) {
-            double tuning_weight1_target;
-            if (inputs->tuning_weight1 < least_factor) {
-                tuning_weight1_target = 0.0;
+        const bool tuning_is_held0 = tuning_limit_is_held || tuning_weight0_is_held;
+        if (!(axis_x_ipc_magnitude(state->tuning_weight1_now) <= 1.0)) {
+            /* a factor has been overwritten */
+            state->tuning_weight1_now = 0.0;
+        }
+        bool tuning_weight1_is_held;
+        if (axis_x_ipc_magnitude(inputs->tuning_weight1) <= 1.0) {
+            if (inputs->tuning_weight1 >= 0.0) {
+                double tuning_weight1_target;
+                if (inputs->tuning_weight1 < least_factor) {
+                    tuning_weight1_target = 0.0;
+                } else {
+                    tuning_weight1_target = inputs->tuning_weight1;
+                }
+                const double tuning_weight1_change = tuning_weight1_target - state->tuning_weight1_now;
+                if (jumps || axis_x_ipc_magnitude(tuning_weight1_change) <= fade_step) {
+                    state->tuning_weight1_now = tuning_weight1_target;
+                } else if (tuning_weight1_change > 0.0) {
+                    state->tuning_weight1_now = state->tuning_weight1_now + fade_step;
+                } else {
+                    state->tuning_weight1_now = state->tuning_weight1_now - fade_step;
+                }
+                tuning_weight1_is_held = false;
             } else {
-                tuning_weight1_target = inputs->tuning_weight1;
+                tuning_weight1_is_held = true;
             }
-            const double tuning_weight1_change = tuning_weight1_target - state->tuning_weight1_now;
-            if (jumps || axis_x_ipc_magnitude(tuning_weight1_change) <= fade_step) {
-                state->tuning_weight1_now = tuning_weight1_target;
-            } else if (tuning_weight1_change > 0.0) {
-                state->tuning_weight1_now = state->tuning_weight1_now + fade_step;
-            } else {
-                state->tuning_weight1_now = state->tuning_weight1_now - fade_step;
-            }
-            tuning_weight1_is_held = false;
         } else {
             tuning_weight1_is_held = true;
         }
-    } else {
-        tuning_weight1_is_held = true;
+        is_tuning_held = tuning_is_held0 || tuning_weight1_is_held;
     }
-    const bool tuning_is_held1 = tuning_is_held0 || tuning_weight1_is_held;
     bool runs;
     uint32_t reason;
     if (!(axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit)) {
@@ -332,7 +339,7 @@ static void axis_x_ipc_any_cycle(
     }
     if (runs) {
         outputs->fault = false;
-        if (tuning_is_held1) {
+        if (is_tuning_held) {
             outputs->error_id = AXIS_X_IPC_ERROR_TUNING;
         } else {
             outputs->error_id = AXIS_X_IPC_ERROR_NONE;
@@ -437,7 +444,7 @@ static void axis_x_ipc_any_cycle(
         outputs->v_add_calculated = 0.0;
         outputs->limited = false;
         outputs->fault = reason != AXIS_X_IPC_ERROR_NONE;
-        if (tuning_is_held1 && reason == AXIS_X_IPC_ERROR_NONE) {
+        if (is_tuning_held && reason == AXIS_X_IPC_ERROR_NONE) {
             outputs->error_id = AXIS_X_IPC_ERROR_TUNING;
         } else {
             outputs->error_id = reason;

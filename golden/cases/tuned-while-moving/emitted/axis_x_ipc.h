@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  8a7064fb968187846a28b8bae1b95ecb
- * structure   3ea602f442b75ee404ba21bf1bcf0b93
- * checksum    0e8f304a1add60bb8fb569db21b79255
+ * structure   16dc7f07af3092fab1f37a06bf2c7071
+ * checksum    10b139cf8a05fa4a5abb907fb2ff3b28
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -43,10 +43,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x6a28b8bau
 #define AXIS_X_IPC_PARAMETERS_3 0xe1b95ecbu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x3ea602f4u
-#define AXIS_X_IPC_STRUCTURE_1 0x42b75ee4u
-#define AXIS_X_IPC_STRUCTURE_2 0x04ba21bfu
-#define AXIS_X_IPC_STRUCTURE_3 0x1bcf0b93u
+#define AXIS_X_IPC_STRUCTURE_0 0x16dc7f07u
+#define AXIS_X_IPC_STRUCTURE_1 0xaf3092fau
+#define AXIS_X_IPC_STRUCTURE_2 0xb1f37a06u
+#define AXIS_X_IPC_STRUCTURE_3 0xbf2c7071u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 48u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u
@@ -74,7 +74,8 @@ enum {
     AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_X_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number, or the sum of its stages is above sum_limit; everything starts anew */
+    /* a state of the block is no number or impossible, or the sum of its stages is above sum_limit; everything
+     * starts anew */
     AXIS_X_IPC_ERROR_STATE = 3,
     /* tuning_limit or a tuning_weight is no number from 0 to 1: what it was holds; no fault */
     AXIS_X_IPC_ERROR_TUNING = 4,

@@ -81,7 +81,7 @@ impl Certificate {
 
     /// Whether no value inside the block overflows for any sample in range.
     fn is_within_precision(&self) -> bool {
-        // An intermediate value is a sum of up to three products of a state and a coefficient of up to 2; in a trapezoidal section,
+        // An intermediate value is a sum of up to three products of a state and a coefficient of up to 4; in a trapezoidal section,
         // whose C may be larger, each product is a sum of up to four states.
         self.bound.state.max(self.bound.v_sum).max(1.0) * sample_limit(self.real) * 8.0 <= largest(self.real)
     }
