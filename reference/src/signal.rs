@@ -22,7 +22,7 @@ pub fn error_mode() -> u32 {
     2u32
 }
 
-/// error_id: a state of the block is no number or impossible, or the sum of its stages is above sum_limit; everything starts anew
+/// error_id: a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew
 #[portable]
 pub fn error_state() -> u32 {
     3u32

@@ -6,7 +6,7 @@
  * cycle time  2000000 ns
  * parameters  776a92067fc0c97acf1358dc09f1df77
  * structure   e85734e3abff1c23afe622dbb4aa68f2
- * checksum    c32202f7a298d1df635aae89e9907250
+ * checksum    a740dac5ddf2026272db770780fe6834
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_Y_IPC_H
@@ -75,8 +75,7 @@ enum {
     AXIS_Y_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_Y_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_Y_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number or impossible, or the sum of its stages is above sum_limit; everything
-     * starts anew */
+    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_Y_IPC_ERROR_STATE = 3,
     AXIS_Y_IPC_ERROR_V_COMMAND = 11, /* v_command is not within the sample limit */
     AXIS_Y_IPC_ERROR_V_DIRECT = 13 /* v_direct is not within the sample limit */

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  9014b604dd12f8224fb4d7d97b6b93de
  * structure   31eaf412f3b9ddc732f4133b158fcd6f
- * checksum    3f610f4b4688b921a474c8f9f3caae99
+ * checksum    ffb0e96eda4493f7a6618cce19dc676c
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_AXIS_H
@@ -63,8 +63,7 @@ enum {
     AXIS_X_AXIS_ERROR_NONE = 0, /* no fault */
     AXIS_X_AXIS_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_AXIS_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number or impossible, or the sum of its stages is above sum_limit; everything
-     * starts anew */
+    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_X_AXIS_ERROR_STATE = 3,
     AXIS_X_AXIS_ERROR_V_COMMAND = 11, /* v_command is not within the sample limit */
     AXIS_X_AXIS_ERROR_V_INTERPOLATOR = 14, /* v_interpolator is not within the sample limit */

@@ -6,7 +6,7 @@
  * cycle time  2000000 ns
  * parameters  a7946ea0b07c6e724bf5e648d7f9875f
  * structure   8a38999eb3a93a4694eebfe4caa471f9
- * checksum    270b209bf618bb9fea810d8221ab5485
+ * checksum    6f44702e9355ab251e14ffc66fcd621b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_F_AXIS_H
@@ -63,8 +63,7 @@ enum {
     AXIS_F_AXIS_ERROR_NONE = 0, /* no fault */
     AXIS_F_AXIS_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_F_AXIS_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number or impossible, or the sum of its stages is above sum_limit; everything
-     * starts anew */
+    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_F_AXIS_ERROR_STATE = 3,
     AXIS_F_AXIS_ERROR_V_MOTOR = 12, /* v_motor is not within the sample limit */
     AXIS_F_AXIS_ERROR_V_INTERPOLATOR = 14, /* v_interpolator is not within the sample limit */

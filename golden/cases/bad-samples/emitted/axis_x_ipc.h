@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  05550f54ed225d18fecf0f48000fec37
  * structure   6f05c185633ca73c2cb92a0f008942b4
- * checksum    1101c029592a4927fef5d012b71ac42b
+ * checksum    34018dd49c9363e07b72fdaee3b8d29e
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -78,8 +78,7 @@ enum {
     AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_X_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number or impossible, or the sum of its stages is above sum_limit; everything
-     * starts anew */
+    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_X_IPC_ERROR_STATE = 3,
     AXIS_X_IPC_ERROR_V_COMMAND = 11, /* v_command is not within the sample limit */
     AXIS_X_IPC_ERROR_V_MOTOR = 12, /* v_motor is not within the sample limit */

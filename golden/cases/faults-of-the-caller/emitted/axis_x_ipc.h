@@ -6,7 +6,7 @@
  * cycle time  4000000 ns
  * parameters  899d9161a2ded0013f7b34563e3f8ca5
  * structure   e97b57cb8cf9a41e66b98c94798f280a
- * checksum    e50c64f36911e17de5af1c3401018010
+ * checksum    756cbb6d6838fd5cc3754ffc1a4addf6
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -72,8 +72,7 @@ enum {
     AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_X_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number or impossible, or the sum of its stages is above sum_limit; everything
-     * starts anew */
+    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_X_IPC_ERROR_STATE = 3,
     AXIS_X_IPC_ERROR_V_COMMAND = 11 /* v_command is not within the sample limit */
 };

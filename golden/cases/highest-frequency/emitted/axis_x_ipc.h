@@ -6,7 +6,7 @@
  * cycle time  4000000 ns
  * parameters  677de2a23211c4ed594818a9169e5c31
  * structure   26cf82a0f4297a790d204a6a404f218a
- * checksum    5263b4221ea2b435c1179e512e6afa83
+ * checksum    936fb7ce3836eab1b7f329832fde195d
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -75,8 +75,7 @@ enum {
     AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_X_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number or impossible, or the sum of its stages is above sum_limit; everything
-     * starts anew */
+    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_X_IPC_ERROR_STATE = 3,
     AXIS_X_IPC_ERROR_V_COMMAND = 11, /* v_command is not within the sample limit */
     AXIS_X_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  035a2ceba1d4549378e201e9e82370a6
  * structure   1d85b85e31fe45ec7a766b990d031e2d
- * checksum    954ce052fc5083551f3e41ae14fcf732
+ * checksum    e7352835c942b0326e298aa704c2e1c0
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -71,8 +71,7 @@ enum {
     AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_X_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number or impossible, or the sum of its stages is above sum_limit; everything
-     * starts anew */
+    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_X_IPC_ERROR_STATE = 3,
     AXIS_X_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */
 };

@@ -6,7 +6,7 @@
  * cycle time  2000000 ns
  * parameters  2cb36657eb5edd333340ce8cb8317bc0
  * structure   6c7a1b1ccd25aa7e2ae875a6d2a81e4d
- * checksum    4a1c47f9cc072eecbdc1e9ad1d95157b
+ * checksum    2ce89c31cf5438de4ece7fd7f157298b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -67,8 +67,7 @@ enum {
     AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_X_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number or impossible, or the sum of its stages is above sum_limit; everything
-     * starts anew */
+    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_X_IPC_ERROR_STATE = 3,
     AXIS_X_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */
 };

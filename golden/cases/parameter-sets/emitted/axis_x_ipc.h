@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
  * structure   e6daaf7e9a7278a7ea7592588be3f13e
- * checksum    23b5f46797a1ec8725b989848b6c617d
+ * checksum    8e50839fe8d10f48dde0569d69d1c107
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -75,8 +75,7 @@ enum {
     AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_X_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number or impossible, or the sum of its stages is above sum_limit; everything
-     * starts anew */
+    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_X_IPC_ERROR_STATE = 3,
     /* a parameter set for another structure is refused; no fault while a set is in use */
     AXIS_X_IPC_ERROR_SET_STRUCTURE = 6,

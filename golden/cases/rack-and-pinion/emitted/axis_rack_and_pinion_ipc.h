@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  097a836f6fa98f8ecb4119133f3f1eb0
  * structure   0910220460bd05e1cc4c527f5d1cd8a4
- * checksum    ccaeb4b89b3689b785f56811908dae29
+ * checksum    d400873b80a453955afdab8f263f51c4
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_RACK_AND_PINION_IPC_H
@@ -75,8 +75,7 @@ enum {
     /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_RACK_AND_PINION_IPC_ERROR_CYCLE_TIME = 1,
     AXIS_RACK_AND_PINION_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number or impossible, or the sum of its stages is above sum_limit; everything
-     * starts anew */
+    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_RACK_AND_PINION_IPC_ERROR_STATE = 3,
     AXIS_RACK_AND_PINION_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */
 };

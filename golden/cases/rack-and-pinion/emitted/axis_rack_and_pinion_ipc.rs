@@ -5,7 +5,7 @@
 // real type   f64
 // cycle time  1000000 ns
 // parameters  097a836f6fa98f8ecb4119133f3f1eb0
-// checksum    215781635c1f7d8d5abf0ad7b0aa8488
+// checksum    5fceff941a51e544fc52114c75394833
 // licence     this file belongs to the user of axgen; no licence of axgen applies to it
 
 // range: |v| <= 530000 gives |v_add| <= 2308249 before the limit and no |state| above 783998.6; for |v| <= 1e15:
@@ -224,8 +224,8 @@ const ERROR_V_MOTOR: u32 = 12;
 const MODE_ON: i32 = 1;
 /// error_id: task_cycle_ns is not the cycle time that the coefficients were designed for
 const ERROR_CYCLE_TIME: u32 = 1;
-/// error_id: a state of the block is no number or impossible, or the sum of its stages is above sum_limit;
-/// everything starts anew
+/// error_id: a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts
+/// anew
 const ERROR_STATE: u32 = 3;
 /// mode: the block is off
 const MODE_OFF: i32 = 0;

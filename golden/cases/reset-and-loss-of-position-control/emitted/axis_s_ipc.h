@@ -6,7 +6,7 @@
  * cycle time  125000 ns
  * parameters  01e6eb02896c59c399f72dbc0e232957
  * structure   235b0e16788182722bf01d17725272a8
- * checksum    0f089bf8d90f98bfdf3a7a94cc5fcf01
+ * checksum    9722dd75c734fe4fc312a01fd96487a6
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_IPC_H
@@ -71,8 +71,7 @@ enum {
     AXIS_S_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_S_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_S_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number or impossible, or the sum of its stages is above sum_limit; everything
-     * starts anew */
+    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_S_IPC_ERROR_STATE = 3,
     AXIS_S_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */
 };

@@ -6,7 +6,7 @@
  * cycle time  2000000 ns
  * parameters  e1f780f3962f4d82bdd4f2c5209ad1a5
  * structure   90a0b5b6adf6294b975afb1b5dbd9449
- * checksum    a5589df05a2cbd3e62f8ce026924ef9a
+ * checksum    849c26c185d2e805a008405145dc1842
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -74,8 +74,7 @@ enum {
     AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_X_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number or impossible, or the sum of its stages is above sum_limit; everything
-     * starts anew */
+    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_X_IPC_ERROR_STATE = 3,
     AXIS_X_IPC_ERROR_V_DIRECT = 13 /* v_direct is not within the sample limit */
 };

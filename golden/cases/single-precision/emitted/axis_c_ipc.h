@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  e2453a0975306551d54cce9dca887813
  * structure   c7cf5ff442ebadf602227a9e3020cec9
- * checksum    be5e73d75c86ebe14313d76d6a8a1e02
+ * checksum    35ea4f3ba488a532cbea65c65fe89ec6
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_C_IPC_H
@@ -80,8 +80,7 @@ enum {
     AXIS_C_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_C_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_C_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number or impossible, or the sum of its stages is above sum_limit; everything
-     * starts anew */
+    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_C_IPC_ERROR_STATE = 3,
     AXIS_C_IPC_ERROR_V_COMMAND = 11, /* v_command is not within the sample limit */
     AXIS_C_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */

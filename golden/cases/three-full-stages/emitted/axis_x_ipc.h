@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  c8c2089743691a12a670aea6eebc23b5
  * structure   447aa80e7cb92f2f711d6bf89f992ff2
- * checksum    7047c4a3c6c662dde5ac7411fba51540
+ * checksum    b6bc5382ffe5bed28efa678a4d7277a6
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -78,8 +78,7 @@ enum {
     AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_X_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number or impossible, or the sum of its stages is above sum_limit; everything
-     * starts anew */
+    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_X_IPC_ERROR_STATE = 3,
     AXIS_X_IPC_ERROR_V_COMMAND = 11, /* v_command is not within the sample limit */
     AXIS_X_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */

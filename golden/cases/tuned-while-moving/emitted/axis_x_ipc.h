@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  8a7064fb968187846a28b8bae1b95ecb
  * structure   16dc7f07af3092fab1f37a06bf2c7071
- * checksum    10b139cf8a05fa4a5abb907fb2ff3b28
+ * checksum    434fc2475ffe35e4b582a62337633c95
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -74,8 +74,7 @@ enum {
     AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_X_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number or impossible, or the sum of its stages is above sum_limit; everything
-     * starts anew */
+    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_X_IPC_ERROR_STATE = 3,
     /* tuning_limit or a tuning_weight is no number from 0 to 1: what it was holds; no fault */
     AXIS_X_IPC_ERROR_TUNING = 4,

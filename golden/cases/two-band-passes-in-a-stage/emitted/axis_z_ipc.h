@@ -6,7 +6,7 @@
  * cycle time  125000 ns
  * parameters  8768c4a3e69a4771ad043b3e1f6ff3a7
  * structure   37f4af145778dfe9418025eb81f799e9
- * checksum    b960690b40cda5b311decf87434563ff
+ * checksum    eb754252d195553ceabe9c056fde6798
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_Z_IPC_H
@@ -81,8 +81,7 @@ enum {
     AXIS_Z_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_Z_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_Z_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number or impossible, or the sum of its stages is above sum_limit; everything
-     * starts anew */
+    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_Z_IPC_ERROR_STATE = 3,
     AXIS_Z_IPC_ERROR_V_MOTOR = 12, /* v_motor is not within the sample limit */
     AXIS_Z_IPC_ERROR_V_DIRECT = 13 /* v_direct is not within the sample limit */

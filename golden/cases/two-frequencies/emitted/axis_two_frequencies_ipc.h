@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  98ef165b1429998f7030c7689ebe1984
  * structure   9f98141b6b84fd349387898cbc83f526
- * checksum    4c663e765e64ab3a98ac3c35798fa48b
+ * checksum    ff2f3af96ab3e4b0411546394d9d852e
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_TWO_FREQUENCIES_IPC_H
@@ -76,8 +76,7 @@ enum {
     /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_TWO_FREQUENCIES_IPC_ERROR_CYCLE_TIME = 1,
     AXIS_TWO_FREQUENCIES_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number or impossible, or the sum of its stages is above sum_limit; everything
-     * starts anew */
+    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_TWO_FREQUENCIES_IPC_ERROR_STATE = 3,
     AXIS_TWO_FREQUENCIES_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */
 };

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  f263fa87836b2d39df1dbe42692c0b05
  * structure   b9480be95ee515027ed22cd0fcb13d47
- * checksum    ab14d36cca2ef61e4b876ef54c407fdb
+ * checksum    cf7aed962096bc85cb8226bd065e5e64
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -71,8 +71,7 @@ enum {
     AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_X_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number or impossible, or the sum of its stages is above sum_limit; everything
-     * starts anew */
+    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_X_IPC_ERROR_STATE = 3,
     /* the loop was found unstable and is faded out (key watch): no fault; stays until the mode is not ON, or reset */
     AXIS_X_IPC_ERROR_UNSTABLE = 5,

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  6f99155791694d13dee5cb5c76fe9e0a
  * structure   e33c542d3dffaa7804fd9f2c69f29c7f
- * checksum    c525e9927de19dd25af5db0bfa8b6ab9
+ * checksum    a3f9918c06563583e2805bb53849f102
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -72,8 +72,7 @@ enum {
     AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_X_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is no number or impossible, or the sum of its stages is above sum_limit; everything
-     * starts anew */
+    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_X_IPC_ERROR_STATE = 3,
     AXIS_X_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */
 };
