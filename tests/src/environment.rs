@@ -53,7 +53,8 @@ pub fn has_fma() -> bool {
     !cfg!(target_arch = "x86_64") || cpu.split_whitespace().any(|flag| flag == "fma")
 }
 
-/// The program axgen, built as the tests are.
+/// The program axgen, built as the tests are: the one that `AXGEN` names, as `tests/run` does, else built here. Cargo builds it otherwise for
+/// itself than beside all tests, whose packages ask for more features of the same libraries, and takes a minute or two for it.
 ///
 /// # Panics
 /// If it does not build.
@@ -61,6 +62,9 @@ pub fn has_fma() -> bool {
 pub fn axgen() -> PathBuf {
     static BUILT: OnceLock<PathBuf> = OnceLock::new();
     let built = BUILT.get_or_init(|| {
+        if let Some(built) = std::env::var_os("AXGEN") {
+            return built.into();
+        }
         // TARGET/PROFILE/deps/this-test
         let test = std::env::current_exe().unwrap_or_else(|error| panic!("axgen: {error}"));
         let folder = test.parent().and_then(Path::parent).unwrap_or_else(|| panic!("axgen: {}", test.display()));
