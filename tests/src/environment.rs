@@ -12,6 +12,12 @@ pub fn is_exhaustive() -> bool {
     is_set("AXGEN_EXHAUSTIVE")
 }
 
+/// Whether even what an exhaustive run does in turn is to be run (`AXGEN_EVERY_LEVEL`): every case with every level, option and engine.
+#[must_use]
+pub fn is_every_level() -> bool {
+    is_set("AXGEN_EVERY_LEVEL")
+}
+
 /// Whether a program is there, judged by what it says of its version.
 ///
 /// Where it is not, a plain `cargo test` goes on without it and says so, past the capture of test output; in CI and in an

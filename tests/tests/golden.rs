@@ -2,7 +2,7 @@
 //! Text. A C compiler and a Rust compiler are all that this needs.
 
 use axgen_tests::cases::{all, in_both_real_types, title};
-use axgen_tests::environment::is_exhaustive;
+use axgen_tests::environment::{is_every_level, is_exhaustive};
 use golden::case::{self, Case};
 use golden::compare::{Difference, compare};
 use golden::csv;
@@ -183,7 +183,7 @@ fn every_case_shows_what_it_claims() {
 #[test]
 fn all_engines_give_the_same_bits() {
     let others: Vec<Engine> = ENGINES.into_iter().filter(|engine| *engine != Engine::Reference).collect();
-    let is_deep = std::env::var_os("AXGEN_EVERY_LEVEL").is_some();
+    let is_deep = is_every_level();
     let is_long = |engine: &&Engine| is_deep || is_exhaustive() && **engine == Engine::C;
     in_both_real_types().par_iter().for_each(|case| {
         let (long, short): (Vec<Engine>, Vec<Engine>) = others.iter().partition(is_long);

@@ -86,7 +86,7 @@ fn reasons_have_an_order<R: Real>() {
 /// Whatever the caller wants: one cycle tells it, then the block is like a new one.
 fn an_overwritten_fade_is_a_fault<R: Real>() {
     for (mode, slave) in [(0, false), (1, false), (2, false), (0, true)] {
-        for (fade, position_controlled, reset) in
+        for (beyond, position_controlled, reset) in
             [(1, true, false), (u32::MAX, true, false), (1, false, false), (1, true, true)]
         {
             let (mut block, mut fresh, mut noise) = (example::<R>().running(), example::<R>(), Noise::default());
@@ -94,7 +94,7 @@ fn an_overwritten_fade_is_a_fault<R: Real>() {
                 (of.coeffs.slave, of.inputs.mode) = (slave, mode);
                 (of.inputs.position_controlled, of.inputs.reset) = (position_controlled, reset);
             }
-            block.state.fade = if fade == 1 { block.coeffs.fade_cycles + 1 } else { fade };
+            block.state.fade = block.coeffs.fade_cycles.saturating_add(beyond);
             assert_eq!(all_bits(&block.at(noise.next())), (0, 0, false, true, 3), "mode {mode}");
             assert_eq!((block.state.fade, block.state.preset), (0, false));
             for cycle in 0..500 {

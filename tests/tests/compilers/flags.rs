@@ -3,7 +3,7 @@
 
 use crate::{CLANG, GCC, Tool, cases, is_measured, reference, tools};
 use axgen_tests::cases::title;
-use axgen_tests::environment::{has_fma, is_exhaustive};
+use axgen_tests::environment::{has_fma, is_every_level, is_exhaustive};
 use golden::case::Case;
 use golden::compare::compare;
 use golden::engine::{Compiler, Failure, Harness};
@@ -134,7 +134,7 @@ fn options_that_change_bits_are_refused_or_caught() {
         let ready = ready(&tool);
         let is_measured = is_measured(&tool);
         // Each row has a part of the blocks in turn, each block a part of the rows.
-        let part = if is_exhaustive() && std::env::var_os("AXGEN_EVERY_LEVEL").is_none() { PART } else { 1 };
+        let part = if is_exhaustive() && !is_every_level() { PART } else { 1 };
         println!("\n{} behind `-std=c99 -O2`, {} blocks", tool.command, ready.len());
         let of_tool = TABLE.iter().filter(|row| row.tool.command == tool.command);
         for (number, row) in of_tool.enumerate() {

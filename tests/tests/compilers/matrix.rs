@@ -3,7 +3,7 @@
 
 use crate::{reference, tools};
 use axgen_tests::cases::{in_both_real_types, title};
-use axgen_tests::environment::is_exhaustive;
+use axgen_tests::environment::{is_every_level, is_exhaustive};
 use golden::case::{Case, DIGEST_SAMPLES};
 use golden::compare::{Difference, compare};
 use golden::engine::{Compiler, Harness};
@@ -23,7 +23,7 @@ const QUICK_SAMPLES: usize = 20_000;
 #[expect(clippy::print_stdout, reason = "a figure of the acceptance")]
 fn every_level_of_every_compiler_gives_the_bits_of_the_reference() {
     let begin = Instant::now();
-    let is_deep = std::env::var_os("AXGEN_EVERY_LEVEL").is_some();
+    let is_deep = is_every_level();
     let count = match is_deep {
         true => DIGEST_SAMPLES,
         false if is_exhaustive() => SAMPLES,
