@@ -6,30 +6,46 @@
 use axgen_tests::cases::{in_both_real_types, title};
 use golden::case::{self, Case, VECTOR_SAMPLES};
 use golden::engine::{self, Engine, emitted};
+use generator::target::File;
 use golden::samples::Samples;
 use rayon::prelude::*;
 use st::{Block, Dialect};
 
 const DIALECTS: [Dialect; 4] = [Dialect::Plain, Dialect::TwinCat, Dialect::Codesys, Dialect::Scl];
 
-/// What the self-test of a case says of a block that was changed.
-fn differing(case: &Case, dialect: Dialect, changed: impl FnOnce(Block) -> Option<Block>) -> Option<i32> {
-    let failed = |failure| panic!("{}: {dialect:?}: {failure}", title(case));
-    let [file, test] = emitted::files(dialect, &case.axis, &case.block).unwrap_or_else(failed);
-    let block = emitted::read(dialect, &file, &case.axis, &case.block).unwrap_or_else(|failure| panic!("{failure}"));
-    let block = changed(block)?;
-    let said = emitted::run_self_test(dialect, (&test, &block), &case.axis, &case.block);
-    let (done, differing) = said.unwrap_or_else(|failure| panic!("{}: {dialect:?}: {failure}", title(case)));
-    assert!(done, "{}: {dialect:?}: it does not come to its end", title(case));
-    Some(differing)
+/// What is emitted of a case in a dialect: the block, which was read once, and the file of its self-test.
+struct Emitted<'a> {
+    case: &'a Case,
+    dialect: Dialect,
+    block: Block,
+    test: File,
+}
+
+impl<'a> Emitted<'a> {
+    fn of(case: &'a Case, dialect: Dialect) -> Self {
+        let failed = |failure| panic!("{}: {dialect:?}: {failure}", title(case));
+        let [file, test] = emitted::files(dialect, &case.axis, &case.block).unwrap_or_else(failed);
+        let block = emitted::read(dialect, &file, &case.axis, &case.block).unwrap_or_else(|failure| panic!("{failure}"));
+        Self { case, dialect, block, test }
+    }
+
+    /// What the self-test says of the block, or of one that was changed.
+    fn differing(&self, block: &Block) -> i32 {
+        let Self { case, dialect, .. } = *self;
+        let said = emitted::run_self_test(dialect, (&self.test, block), &case.axis, &case.block);
+        let (done, differing) = said.unwrap_or_else(|failure| panic!("{}: {dialect:?}: {failure}", title(case)));
+        assert!(done, "{}: {dialect:?}: it does not come to its end", title(case));
+        differing
+    }
 }
 
 #[test]
 fn a_self_test_finds_nothing_in_its_block() {
     in_both_real_types().par_iter().for_each(|case| {
         for dialect in DIALECTS {
-            assert_eq!(differing(case, dialect, Some), Some(0), "{}: {dialect:?}", title(case));
-            assert_eq!(differing(case, dialect, |block| Some(block.wide())), Some(0), "{}: {dialect:?}", title(case));
+            let emitted = Emitted::of(case, dialect);
+            assert_eq!(emitted.differing(&emitted.block), 0, "{}: {dialect:?}", title(case));
+            assert_eq!(emitted.differing(&emitted.block.clone().wide()), 0, "{}: {dialect:?}", title(case));
         }
     });
 }
@@ -56,18 +72,13 @@ fn shows(case: &Case, inputs: &Samples, expected: &Samples, block: &Block) -> bo
 fn count(case: &Case, name: &str, plant: Plant) -> Count {
     let inputs = case::inputs(case, VECTOR_SAMPLES).unwrap();
     let expected = engine::run(Engine::Reference, &case.axis, &case.block, &inputs).unwrap();
+    let emitted = Emitted::of(case, Dialect::Plain);
     let mut count = Count::default();
-    for which in 0.. {
-        let mut is_shown = false;
-        let planted = differing(case, Dialect::Plain, |block| {
-            let changed = plant(&block, which)?;
-            is_shown = shows(case, &inputs, &expected, &changed);
-            Some(changed)
-        });
-        let Some(differing) = planted else { break };
+    for changed in (0..).map_while(|which| plant(&emitted.block, which)) {
+        let is_found = emitted.differing(&changed) > 0;
         count.planted += 1;
-        count.found += usize::from(differing > 0);
-        count.missed += usize::from(is_shown && differing == 0);
+        count.found += usize::from(is_found);
+        count.missed += usize::from(!is_found && shows(case, &inputs, &expected, &changed));
     }
     let is_claimed = !(case.block.program.block == "spindle" && name == FUSED);
     assert!(
