@@ -4,9 +4,9 @@
 #![expect(clippy::print_stdout, reason = "`--nocapture` shows how many faults were planted and found")]
 
 use axgen_tests::cases::{in_both_real_types, title};
+use generator::target::File;
 use golden::case::{self, Case, VECTOR_SAMPLES};
 use golden::engine::{self, Engine, emitted};
-use generator::target::File;
 use golden::samples::Samples;
 use rayon::prelude::*;
 use st::{Block, Dialect};
@@ -25,7 +25,8 @@ impl<'a> Emitted<'a> {
     fn of(case: &'a Case, dialect: Dialect) -> Self {
         let failed = |failure| panic!("{}: {dialect:?}: {failure}", title(case));
         let [file, test] = emitted::files(dialect, &case.axis, &case.block).unwrap_or_else(failed);
-        let block = emitted::read(dialect, &file, &case.axis, &case.block).unwrap_or_else(|failure| panic!("{failure}"));
+        let block =
+            emitted::read(dialect, &file, &case.axis, &case.block).unwrap_or_else(|failure| panic!("{failure}"));
         Self { case, dialect, block, test }
     }
 
