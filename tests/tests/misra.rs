@@ -14,11 +14,12 @@ use tempfile::TempDir;
 const RECORD: &str = include_str!("../../docs/misra.md");
 
 /// Sets with the blocks of one axis of each that are looked at: double and single precision, all kinds of blocks.
-const SUBJECTS: [(&str, &str, &[&str]); 4] = [
+const SUBJECTS: [(&str, &str, &[&str]); 5] = [
     ("examples/feedforward.toml", "X", &["ipc", "axis"]),
     ("examples/feedforward.toml", "T", &["feedforward", "position_control"]),
     ("tests/bench/spindles.toml", "S", &["spindle_axis"]),
     ("tests/bench/single.toml", "one", &["ipc"]),
+    ("tests/coverage.toml", "P", &["ipc"]),
 ];
 
 /// The files in a folder, and the names of the sources.
@@ -38,7 +39,7 @@ fn written() -> (TempDir, Vec<String>) {
             }
         }
     }
-    assert_eq!(sources.len(), 12, "{sources:?}");
+    assert_eq!(sources.len(), 14, "{sources:?}");
     (folder, sources)
 }
 

@@ -27,7 +27,7 @@ pub struct Numbers<R> {
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Params<R> {
-    /// the structure that the set is for: stages, modes, filters, real type, cycle time, fade
+    /// the structure that the set is for: axis, stages, modes, filters, real type, cycle time, fade, ride_through, watch
     pub structure: u32,
     /// the number of the set, not 0: another number than that of the set in use offers this set
     pub set_id: u32,

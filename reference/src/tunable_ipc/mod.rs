@@ -73,8 +73,10 @@ pub fn add_up<R: Real>(forming: &mut Forming<R>, structure: &ipc::Coeffs<R>, par
     // An integer in two halves, which are exact in every real type.
     let integers = [params.structure, params.set_id];
     for i in 0..2 {
-        let low = from_u32::<R>(integers[i] % 65_536u32);
-        let high = from_u32::<R>(integers[i] / 65_536u32);
+        let low_half = integers[i] % 65_536u32;
+        let high_half = integers[i] / 65_536u32;
+        let low = from_u32::<R>(low_half);
+        let high = from_u32::<R>(high_half);
         let halves = [low, high];
         for k in 0..2 {
             add(forming, halves[k] * half());

@@ -45,8 +45,8 @@
 //! | `v_add` | fade limited(-sum of weight filter(x)), x by mode; SET_POINT reads `v_command`, with a drive `v_interpolator` | improved-position-control.md, position-control.md |
 //! | limit | v_add_max_fact/1000 vb_max; of a slave the master's | improved-position-control.md, gantry.md |
 //! | fade | n / ceil(fade/Ts), fade at least one period of the lowest f0 of any filter; the first active cycle presets the stages and puts out 0 | decisions 3, 5 |
-//! | watch | blocks of max(0.6 / f0, 30 ms) of the sum; + 2 where it fills the limit and does not die away, + 1 where it grows, else 0; trips at twice the blocks in 150 ms, at least 6 | improved-position-control.md, The watch |
-//! | faults | 17, 1, 18 stop all; else the last of 14 to 16 (the highest), and of the first of 2, 11, 12, 13, or 22 | position-control.md, Faults |
+//! | watch | blocks of max(0.6 / f0, 30 ms) of the sum; + 2 where it fills the limit and does not die away, + 1 where it grows, - 1 where it fills the limit and dies away, else 0; trips at twice the blocks in 150 ms, at least 6 | improved-position-control.md, The watch |
+//! | faults | 17, 1, 18 stop all; else the last of 14 to 16 (the highest), and of the first of 11, 12, 13, 3, 2, or 22 | position-control.md, Faults |
 //!
 //! # Where the documents leave a choice, and what the model took from the blocks
 //!

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   e6daaf7e9a7278a7ea7592588be3f13e
- * checksum    4d04fcefb80f7174435a6be20c8e2550
+ * structure   e751c17c68827e02bae72b28bf1dd160
+ * checksum    65903e2883387fad244c721c71d21130
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -340,8 +340,10 @@ static void axis_x_ipc_any_cycle(
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second01_next * (uint32_t)17389)) + (uint32_t)part02_next)) % 46337;
                         const float rest02_next = (rest01_next - (float)piece02_next) * next_cut;
                         const float left_over0_next = left_over0002 + rest02_next;
-                        const float low0 = (float)(inputs->params->structure % 65536u);
-                        const float high0 = (float)(inputs->params->structure / 65536u);
+                        const uint32_t low_half0 = inputs->params->structure % 65536u;
+                        const uint32_t high_half0 = inputs->params->structure / 65536u;
+                        const float low0 = (float)low_half0;
+                        const float high0 = (float)high_half0;
                         const float number00 = low0 * half;
                         const float rest00_last = number00 * first_cut;
                         const int32_t piece000 = (int32_t)rest00_last;
@@ -390,8 +392,10 @@ static void axis_x_ipc_any_cycle(
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second011 * (uint32_t)17389)) + (uint32_t)part012)) % 46337;
                         const float rest012 = (rest011 - (float)piece012) * next_cut;
                         const float left_over01 = left_over00 + rest012;
-                        const float low1 = (float)(inputs->params->set_id % 65536u);
-                        const float high1 = (float)(inputs->params->set_id / 65536u);
+                        const uint32_t low_half1 = inputs->params->set_id % 65536u;
+                        const uint32_t high_half1 = inputs->params->set_id / 65536u;
+                        const float low1 = (float)low_half1;
+                        const float high1 = (float)high_half1;
                         const float number10 = low1 * half;
                         const float rest10_next = number10 * first_cut;
                         const int32_t piece100 = (int32_t)rest10_next;

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   e6daaf7e9a7278a7ea7592588be3f13e
- * checksum    8e50839fe8d10f48dde0569d69d1c107
+ * structure   e751c17c68827e02bae72b28bf1dd160
+ * checksum    78ff7774c963da8a8c18244bd6c0311f
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xb4447d55u
 #define AXIS_X_IPC_PARAMETERS_3 0x4f36617au
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xe6daaf7eu
-#define AXIS_X_IPC_STRUCTURE_1 0x9a7278a7u
-#define AXIS_X_IPC_STRUCTURE_2 0xea759258u
-#define AXIS_X_IPC_STRUCTURE_3 0x8be3f13eu
+#define AXIS_X_IPC_STRUCTURE_0 0xe751c17cu
+#define AXIS_X_IPC_STRUCTURE_1 0x68827e02u
+#define AXIS_X_IPC_STRUCTURE_2 0xbae72b28u
+#define AXIS_X_IPC_STRUCTURE_3 0xbf1dd160u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_PARAMS_SIZE 44u
 #define AXIS_X_IPC_OUTPUTS_SIZE 20u
@@ -88,7 +88,8 @@ enum {
 /* A parameter set: what `axgen params-of` writes, and what the block checks before it takes it over. Its contents stay as they are while
  * step may look at them: in ROM, or in memory that another task writes before it hands the pointer over. */
 typedef struct {
-    /* the structure that the set is for: stages, modes, filters, real type, cycle time, fade */
+    /* the structure that the set is for: axis, stages, modes, filters, real type, cycle time, fade, ride_through,
+     * watch */
     uint32_t structure;
     /* the number of the set, not 0: another number than that of the set in use offers this set */
     uint32_t set_id;
