@@ -12,8 +12,7 @@ pub fn is_exhaustive() -> bool {
     is_set("AXGEN_EXHAUSTIVE")
 }
 
-/// Whether even what an exhaustive run does in turn or in part is to be run (`AXGEN_EVERY_LEVEL`): every case with every level, option and
-/// engine, and a million cycles of each kind of random run.
+/// Whether even what an exhaustive run does in turn is to be run (`AXGEN_EVERY_LEVEL`): every case with every level, option and engine.
 #[must_use]
 pub fn is_every_level() -> bool {
     is_set("AXGEN_EVERY_LEVEL")

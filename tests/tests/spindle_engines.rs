@@ -1,6 +1,6 @@
 //! Random requests, drives and interpolators through every engine: the same bits, of the changeover and of the whole axis of a spindle.
 
-use axgen_tests::environment::{is_every_level, is_exhaustive};
+use axgen_tests::environment::is_exhaustive;
 use axgen_tests::model::spindle::{Inputs, Parameters, history};
 use axgen_tests::model::subject;
 use axgen_tests::random::rng::Rng;
@@ -147,12 +147,7 @@ fn samples(shape: Shape, p: &Parameters, run: usize) -> Samples {
 #[test]
 fn random_requests_give_the_same_bits_in_every_engine() {
     let given = std::env::var("AXGEN_SPINDLE_CYCLES").ok().and_then(|text| text.parse().ok());
-    let (runs, least) = match is_every_level() {
-        true => (16, 1_000_000),
-        false if is_exhaustive() => (6, 300_000),
-        false => (2, 100_000),
-    };
-    let cycles: usize = given.unwrap_or(runs * RUN);
+    let cycles: usize = given.unwrap_or(if is_exhaustive() { 16 * RUN } else { 2 * RUN });
     let all: Vec<Designed> =
         SPINDLES.iter().flat_map(|of| [RealKind::F64, RealKind::F32].map(|real| spindle(of, real))).collect();
     let requests = AtomicU64::new(0);
@@ -181,7 +176,7 @@ fn random_requests_give_the_same_bits_in_every_engine() {
     });
     let requests = requests.into_inner();
     eprintln!("{requests} requests");
-    assert!(requests > least);
+    assert!(requests > if is_exhaustive() { 1_000_000 } else { 100_000 });
 }
 
 /// How many requests there are: inputs that become TRUE.
