@@ -5,7 +5,7 @@ use super::beside::{left_over, remove};
 use crate::config;
 use crate::digest::has_right_checksum;
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
+use std::fs::{self, TryLockError};
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
@@ -22,8 +22,8 @@ pub struct Folder {
 #[derive(Debug, Default)]
 struct Below {
     ready: BTreeSet<PathBuf>,
-    /// those that were not there before, in the order of their making
-    made: Vec<PathBuf>,
+    /// those that were not there before, each once: what another run makes behind its removal is that run's
+    made: BTreeSet<PathBuf>,
     /// files that have the name of one that a killed run left beside a target; whose they are the target tells
     left_over: LeftOver,
 }
@@ -34,8 +34,12 @@ type LeftOver = BTreeMap<PathBuf, Vec<(PathBuf, bool)>>;
 impl Drop for Folder {
     fn drop(&mut self) {
         let below = self.below.get_mut().unwrap_or_else(PoisonError::into_inner);
+        // A folder comes behind those above it. The removal fails where a file is in it, and should.
         for made in below.made.iter().rev() {
-            let _ = fs::remove_dir(made); // fails where a file is in it, and should
+            let is_own = *made == self.path && self.lock.as_ref().is_some_and(|own| is_at(own, made));
+            // Another run may have come to hold it, or may wait for it: that one then makes it again.
+            let lock = if is_own { Ok(None) } else { lock(made, Wait::No) };
+            let _ = lock.and_then(|_lock| fs::remove_dir(made));
         }
     }
 }
@@ -52,7 +56,7 @@ pub fn open(path: &Path) -> Result<Folder, Refusal> {
     let mut last = ErrorKind::NotFound.into();
     for _ in 0..TRIES {
         let below = folder.below.get_mut().unwrap_or_else(PoisonError::into_inner);
-        match make(path, &mut below.made).and_then(|()| lock(path)) {
+        match make(path, &mut below.made).and_then(|()| lock(path, Wait::Yes)) {
             Ok(lock) => {
                 clear(path, lock.is_some(), &mut below.left_over);
                 folder.lock = lock;
@@ -113,25 +117,39 @@ fn settle(left_over: &Path, is_kept: bool, target: &Path) {
 }
 
 /// Makes a folder with those above it, and notes which.
-fn make(path: &Path, made: &mut Vec<PathBuf>) -> io::Result<()> {
+fn make(path: &Path, made: &mut BTreeSet<PathBuf>) -> io::Result<()> {
     let missing: Vec<&Path> = path.ancestors().take_while(|above| fs::symlink_metadata(above).is_err()).collect();
-    made.extend(missing.iter().rev().filter(|above| !above.as_os_str().is_empty()).map(|above| above.to_path_buf()));
+    made.extend(missing.iter().filter(|above| !above.as_os_str().is_empty()).map(|above| above.to_path_buf()));
     fs::create_dir_all(path)
+}
+
+/// What to do with a folder that another process holds.
+#[derive(Clone, Copy)]
+enum Wait {
+    Yes,
+    /// leave it: the error `WouldBlock`
+    No,
 }
 
 /// Locks the folder itself, so that no file of a lock's own is left in it: the system unlocks it when the process ends,
 /// however that comes. Gives none where folders cannot be opened (Windows) or locked (some network file systems).
-fn lock(path: &Path) -> io::Result<Option<fs::File>> {
+fn lock(path: &Path, wait: Wait) -> io::Result<Option<fs::File>> {
     let path = if path.as_os_str().is_empty() { Path::new(".") } else { path };
     let folder = match fs::File::open(path) {
         Err(error) if error.kind() == ErrorKind::NotFound => return Err(error),
         Err(_) => return Ok(None),
         Ok(folder) => folder,
     };
-    if folder.lock().is_err() {
-        return Ok(None);
+    let locked = match wait {
+        Wait::Yes => folder.lock().map_err(TryLockError::Error),
+        Wait::No => folder.try_lock(),
+    };
+    match locked {
+        Err(TryLockError::WouldBlock) => Err(ErrorKind::WouldBlock.into()),
+        Err(TryLockError::Error(_)) => Ok(None),
+        Ok(()) if is_at(&folder, path) => Ok(Some(folder)),
+        Ok(()) => Err(ErrorKind::NotFound.into()),
     }
-    if is_at(&folder, path) { Ok(Some(folder)) } else { Err(ErrorKind::NotFound.into()) }
 }
 
 /// Whether an open folder is still the one at the path: it may have been removed while we waited for it.

@@ -37,17 +37,31 @@ fn a_folder_is_held_by_one_at_a_time() {
     assert_eq!(second.join().unwrap().unchanged, 1);
 }
 
-/// The first had made the folder, fails, and takes it away, while the second waits for it.
+/// The run that made a folder fails while another holds it, which is no run into the same folder.
+#[test]
+fn a_folder_that_another_holds_is_not_taken_away() {
+    let folder = tempfile::tempdir().unwrap();
+    let above = folder.path().join("a");
+    let first = open(&above.join("b")).unwrap();
+    let second = open(&above).unwrap();
+    drop(first);
+    let staged = stage(&second, &generated("c", "1"));
+    commit(second, vec![staged], false).unwrap();
+    assert_eq!(content(&above).len(), 1);
+}
+
+/// Those that had made the folder fail, and take it away, while others wait for it. A run may find it gone before it holds it,
+/// make it again, and still takes it away once only: the next time it is another's.
 #[test]
 fn a_folder_that_vanishes_is_made_again() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("out");
-    for _ in 0..200 {
-        let writers = [0, 1, 2].map(|number| {
+    for _ in 0..1000 {
+        let writers = [0, 1, 2, 3, 4, 5].map(|number| {
             let out = out.clone();
             thread::spawn(move || {
                 let held = open(&out).unwrap();
-                if number == 2 {
+                if number == 5 {
                     let staged = stage(&held, &generated("a", "1"));
                     commit(held, vec![staged], false).unwrap();
                 }
