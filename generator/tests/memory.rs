@@ -10,7 +10,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// Bytes of each input: much more than what a process has anyway.
-const SIZE: usize = 2 << 20;
+const SIZE: usize = 1 << 20;
 /// Bytes of memory for a byte of a list: the file itself, and a message or a value for each line.
 const OF_A_LIST: usize = 40;
 /// The same of a set: its tree has 1.5 KB for a table that takes six bytes in the file.
