@@ -6,7 +6,7 @@
 
 use crate::check_word::{Forming, add_three, largest_number};
 use crate::section::{State, anti_denormal, is_driven_by_change, is_stable_biquad, is_stable_trapezoidal};
-use crate::trapezoidal;
+use crate::{trapezoidal, turn};
 use portable::{Real, in_range, portable};
 
 /// Coefficients, with a0 = 1 and the signs of `y = a2 x + s1; s1 = a1 x - a1 y + s2; s2 = x - a2 y`.
@@ -74,6 +74,36 @@ pub fn take<R: Real>(coeffs: &mut Coeffs<R>, offered: &Coeffs<R>) {
         coeffs.a2 = offered.a2;
         coeffs.preset = offered.preset;
     }
+}
+
+/// Compares each number with its copy in its turn, from `first` on. Gives the turn after the last one.
+#[portable]
+pub fn compare<R: Real>(state: &mut turn::State, turn: u32, first: u32, now: &Coeffs<R>, copy: &Coeffs<R>) -> u32 {
+    let mut at = first;
+    if is_driven_by_change::<R>() {
+        for i in 0..3 {
+            if turn == at {
+                let numbers = [now.a, now.b, now.c];
+                let copies = [copy.a, copy.b, copy.c];
+                if !turn::is_kept(numbers[i] - copies[i]) {
+                    state.next = turn::differed();
+                }
+            }
+            at += 1u32;
+        }
+    } else {
+        for i in 0..3 {
+            if turn == at {
+                let numbers = [now.a1, now.a2, now.preset];
+                let copies = [copy.a1, copy.a2, copy.preset];
+                if !turn::is_kept(numbers[i] - copies[i]) {
+                    state.next = turn::differed();
+                }
+            }
+            at += 1u32;
+        }
+    }
+    at
 }
 
 /// Whether every number is one, and the section is stable.
