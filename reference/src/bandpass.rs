@@ -105,29 +105,25 @@ pub fn take<R: Real>(coeffs: &mut Coeffs<R>, offered: &Coeffs<R>) {
 
 /// Compares each number with its copy in its turn, from `first` on. Gives the turn after the last one.
 #[portable]
-pub fn compare<R: Real>(state: &mut turn::State, turn: u32, first: u32, now: &Coeffs<R>, copy: &Coeffs<R>) -> u32 {
+pub fn compare<R: Real>(state: &mut turn::State, turn: i32, first: i32, now: &Coeffs<R>, copy: &Coeffs<R>) -> i32 {
     let mut at = first;
     if is_driven_by_change::<R>() {
         for i in 0..3 {
             if turn == at {
                 let numbers = [now.a, now.b, now.c];
                 let copies = [copy.a, copy.b, copy.c];
-                if !turn::is_kept(numbers[i] - copies[i]) {
-                    state.next = turn::differed();
-                }
+                state.next = if turn::is_kept(numbers[i] - copies[i]) { at + 1i32 } else { turn::differed() };
             }
-            at += 1u32;
+            at += 1i32;
         }
     } else {
         for i in 0..3 {
             if turn == at {
                 let numbers = [now.b2, now.a1, now.a2];
                 let copies = [copy.b2, copy.a1, copy.a2];
-                if !turn::is_kept(numbers[i] - copies[i]) {
-                    state.next = turn::differed();
-                }
+                state.next = if turn::is_kept(numbers[i] - copies[i]) { at + 1i32 } else { turn::differed() };
             }
-            at += 1u32;
+            at += 1i32;
         }
     }
     at

@@ -129,12 +129,12 @@ pub fn take<R: Real>(now: &mut Numbers<R>, structure: &Coeffs<R>, offered: &Numb
 #[portable]
 pub fn compare<R: Real>(
     state: &mut turn::State,
-    turn: u32,
-    first: u32,
+    turn: i32,
+    first: i32,
     structure: &Coeffs<R>,
     now: &Numbers<R>,
     copy: &Numbers<R>,
-) -> u32 {
+) -> i32 {
     let mut at = first;
     match structure.kind {
         Type::NoFilter => {}

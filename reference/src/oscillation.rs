@@ -117,29 +117,25 @@ pub fn take<R: Real>(coeffs: &mut Coeffs<R>, offered: &Coeffs<R>) {
 
 /// Compares each number with its copy in its turn, from `first` on. Gives the turn after the last one.
 #[portable]
-pub fn compare<R: Real>(state: &mut turn::State, turn: u32, first: u32, now: &Coeffs<R>, copy: &Coeffs<R>) -> u32 {
+pub fn compare<R: Real>(state: &mut turn::State, turn: i32, first: i32, now: &Coeffs<R>, copy: &Coeffs<R>) -> i32 {
     let mut at = first;
     if is_driven_by_change::<R>() {
         for i in 0..4 {
             if turn == at {
                 let numbers = [now.h, now.r, now.g, now.g2];
                 let copies = [copy.h, copy.r, copy.g, copy.g2];
-                if !turn::is_kept(numbers[i] - copies[i]) {
-                    state.next = turn::differed();
-                }
+                state.next = if turn::is_kept(numbers[i] - copies[i]) { at + 1i32 } else { turn::differed() };
             }
-            at += 1u32;
+            at += 1i32;
         }
     } else {
         for i in 0..7 {
             if turn == at {
                 let numbers = [now.b0, now.b1, now.b2, now.a1, now.a2, now.preset_s1, now.preset_s2];
                 let copies = [copy.b0, copy.b1, copy.b2, copy.a1, copy.a2, copy.preset_s1, copy.preset_s2];
-                if !turn::is_kept(numbers[i] - copies[i]) {
-                    state.next = turn::differed();
-                }
+                state.next = if turn::is_kept(numbers[i] - copies[i]) { at + 1i32 } else { turn::differed() };
             }
-            at += 1u32;
+            at += 1i32;
         }
     }
     at

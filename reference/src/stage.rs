@@ -182,12 +182,12 @@ pub fn take<R: Real>(now: &mut Numbers<R>, structure: &Coeffs<R>, offered: &Numb
 #[portable]
 pub fn compare<R: Real>(
     state: &mut turn::State,
-    turn: u32,
-    first: u32,
+    turn: i32,
+    first: i32,
     structure: &Coeffs<R>,
     now: &Numbers<R>,
     copy: &Numbers<R>,
-) -> u32 {
+) -> i32 {
     let mut at = first;
     if structure.mode != Mode::Direct {
         at = oscillation::compare(state, turn, at, &now.oscillation, &copy.oscillation);
@@ -196,11 +196,9 @@ pub fn compare<R: Real>(
         at = filter::compare(state, turn, at, &structure.filter[k], &now.filter[k], &copy.filter[k]);
     }
     if turn == at {
-        if !turn::is_kept(now.gain - copy.gain) {
-            state.next = turn::differed();
-        }
+        state.next = if turn::is_kept(now.gain - copy.gain) { at + 1i32 } else { turn::differed() };
     }
-    at + 1u32
+    at + 1i32
 }
 
 /// Whether every number is one and in its range, and each section is stable.

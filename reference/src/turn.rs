@@ -4,26 +4,26 @@
 use portable::{Real, in_range, portable};
 
 /// A round takes as many times the cycles that all comparisons take.
-pub const ROUND: u32 = 2;
+pub const ROUND: i32 = 2;
 
 /// State.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct State {
-    /// cycle of the round: which number is compared with its copy, from 0 on; beyond the round a number differed
-    pub next: u32,
+    /// cycle of the round: which number is compared with its copy, from 0 on; any other: a number differed
+    pub next: i32,
 }
 
 /// a number differed from its copy
 #[portable]
-pub fn differed() -> u32 {
-    u32::MAX
+pub fn differed() -> i32 {
+    i32::MAX
 }
 
 /// Before the first cycle, and where other numbers have been taken over.
 #[portable]
 pub fn init(state: &mut State) {
-    state.next = 0u32;
+    state.next = 0i32;
 }
 
 /// Whether a number is its copy, from which it differs by this. A difference that is no number is one.

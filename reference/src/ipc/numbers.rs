@@ -81,22 +81,20 @@ pub fn take<R: Real>(numbers: &mut Numbers<R>, structure: &Coeffs<R>, others: &N
 #[portable]
 pub fn compare<R: Real>(
     state: &mut turn::State,
-    turn: u32,
+    turn: i32,
     structure: &Coeffs<R>,
     now: &Numbers<R>,
     copy: &Numbers<R>,
-) -> u32 {
-    let mut at = 0u32;
+) -> i32 {
+    let mut at = 0i32;
     for i in 0..4 {
         if i < 3usize || structure.watch.active {
             if turn == at {
                 let limits = [now.limit, now.lower_limit, now.sum_limit, now.watch.quiet];
                 let copies = [copy.limit, copy.lower_limit, copy.sum_limit, copy.watch.quiet];
-                if !turn::is_kept(limits[i] - copies[i]) {
-                    state.next = turn::differed();
-                }
+                state.next = if turn::is_kept(limits[i] - copies[i]) { at + 1i32 } else { turn::differed() };
             }
-            at += 1u32;
+            at += 1i32;
         }
     }
     for i in 0..STAGES {

@@ -176,18 +176,23 @@ pub fn drop_set<R: Real>(state: &mut State<R>) {
 #[portable]
 pub fn compare_one<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     let turn = state.turn.next;
-    state.turn.next = turn + 1u32;
     let numbers = numbers::compare(&mut state.turn, turn, &coeffs.ipc, &state.now, &state.copy);
-    let end = numbers * turn::ROUND;
-    if turn == end {
-        state.turn.next = 0u32;
+    if turn < 0i32 {
+        state.turn.next = turn::differed();
     }
-    if turn > end {
-        note(
-            "a number in use has been overwritten: a fault in the next cycle, then the offered set is taken over anew",
-        );
-        state.turn.next = 0u32;
-        ipc::disturb(&mut state.ipc, &coeffs.ipc);
+    if turn >= numbers {
+        let end = numbers * turn::ROUND;
+        if turn < end {
+            state.turn.next = turn + 1i32;
+        } else {
+            state.turn.next = 0i32;
+        }
+        if turn > end {
+            note(
+                "a number in use has been overwritten: a fault in the next cycle, then the offered set is taken over anew",
+            );
+            ipc::disturb(&mut state.ipc, &coeffs.ipc);
+        }
     }
 }
 

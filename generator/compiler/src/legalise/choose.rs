@@ -1,4 +1,4 @@
-//! Makes one choice of a chain of questions for the same enumeration, or of a long one for the same integer: a state machine then reads as one,
+//! Makes one choice of a chain of questions for the same enumeration, or of a long one for the same DINT: a state machine then reads as one,
 //! and a long chain costs one jump.
 //!
 //! ```text
@@ -74,7 +74,7 @@ fn questions(condition: &Expr, constants: &[Constant], labels: &mut Vec<Expr>) -
     match condition {
         Expr::Binary(Binary::Equal, left, right) => match (&**left, &**right) {
             (Expr::Var(by), label)
-                if variant(label, constants).is_some() || matches!(label, Expr::Literal(Literal::U32(_))) =>
+                if variant(label, constants).is_some() || matches!(label, Expr::Literal(Literal::I32(_))) =>
             {
                 labels.push(label.clone());
                 Some(*by)
