@@ -11,6 +11,7 @@
 
 mod axes;
 mod corrupted;
+mod written_meanwhile;
 
 use axes::{FACT, STRUCTURES, block, other, set, sets};
 use axgen_tests::environment::is_exhaustive;

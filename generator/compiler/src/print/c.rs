@@ -116,7 +116,7 @@ fn form(operation: &Expr, ty: Type, real: RealKind) -> Option<Form> {
         },
         // |x| <= 0 without a magnitude
         (Expr::Intrinsic(Intrinsic::InRange | Intrinsic::Within, _), _) if operation.is_about_zero() => {
-            (Comparison, "{0}\n== {1}", [Sum; 2])
+            (Primary, "{block}_is_zero({0})", [Any; 2])
         }
         (Expr::Intrinsic(intrinsic, _), _) => match (intrinsic, real) {
             (Intrinsic::InRange | Intrinsic::Within, _) => (Comparison, "{block}_magnitude({0})\n<= {1}", [Any, Sum]),

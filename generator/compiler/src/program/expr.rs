@@ -41,7 +41,7 @@ impl Expr {
     }
 
     /// Whether it asks for a magnitude of at most 0: whether a number is 0.
-    pub(crate) fn is_about_zero(&self) -> bool {
+    pub fn is_about_zero(&self) -> bool {
         let Self::Intrinsic(Intrinsic::InRange | Intrinsic::Within, operands) = self else { return false };
         matches!(operands.last(), Some(Self::Literal(Literal::F64(0.0) | Literal::F32(0.0))))
     }

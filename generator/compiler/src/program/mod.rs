@@ -237,13 +237,14 @@ impl Program {
 
     /// Whether it asks for one of these operations.
     pub fn asks_for(&self, wanted: &[Intrinsic]) -> bool {
+        self.has(&|part| matches!(part, Expr::Intrinsic(intrinsic, _) if wanted.contains(intrinsic)))
+    }
+
+    /// Whether it has such an expression, or a part of one.
+    pub fn has(&self, is_wanted: &dyn Fn(&Expr) -> bool) -> bool {
         let mut found = false;
         for statement in self.statements() {
-            statement.expressions(&mut |expr| {
-                expr.parts(&mut |part| {
-                    found |= matches!(part, Expr::Intrinsic(intrinsic, _) if wanted.contains(intrinsic));
-                });
-            });
+            statement.expressions(&mut |expr| expr.parts(&mut |part| found |= is_wanted(part)));
         }
         found
     }
