@@ -57,6 +57,7 @@
 //! 3. With the limit 0, `limited` of improved position control sees the states' anti-denormal constant.
 
 pub mod agree;
+pub mod alone;
 pub mod axis;
 pub mod coefficients;
 pub mod exact;

@@ -88,8 +88,8 @@ pub struct Parameters {
     pub fade_ns: u32,
     /// `ride_through`
     pub ride_through: u32,
-    /// `tunable = "weights"`
-    pub tunable: bool,
+    /// key `tunable`: nothing, weights, all
+    pub tunable: &'static str,
     /// `watch`
     pub watch: bool,
     /// improved position control
@@ -187,9 +187,7 @@ impl Parameters {
         }
         line(format!("fade = \"{}ns\"", self.fade_ns));
         line(format!("ride_through = {}", self.ride_through));
-        if self.tunable {
-            line("tunable = \"weights\"".to_owned());
-        }
+        line(format!("tunable = \"{}\"", self.tunable));
         line(format!("watch = {}", self.watch));
         if let Some(master) = self.master {
             line("kopf.achs_nr = 5\nkenngr.gantry_ax_nr = 4".to_owned());
