@@ -269,7 +269,7 @@ impl Ipc {
         if inputs.mode == 0 && self.open == 0 {
             self.runs = false;
         }
-        if inputs.mode == 1 && !is_open {
+        if inputs.mode == 1 {
             self.watch.iter_mut().for_each(|watch| watch.cycle(v_sum, off, limit, trips));
         }
         // Rounding of the limit, of the fade and of their product.

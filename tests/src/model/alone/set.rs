@@ -2,6 +2,7 @@
 //! cycle.
 
 use super::check_word::word;
+use crate::model::history::narrowed;
 use crate::model::parameters::{Mode, Parameters};
 
 /// A coefficient is within +-32768, a limit within 2^20 of that.
@@ -68,14 +69,18 @@ impl Section {
     /// 2 AC at 1 and 4 - 2 B at -1, and 1 - a2 is B - AC.
     fn is_stable(self, numbers: &[f64], single: bool) -> bool {
         let biquad = |a1: f64, a2: f64| a2.abs() < 1.0 && 1.0 + a1 + a2 > 0.0 && 1.0 - a1 + a2 > 0.0;
-        let trapezoidal = |a: f64, b: f64, c: f64| a * c > 0.0 && b < 2.0 && b > a * c;
+        // Products are rounded: this form is that of single precision.
+        let trapezoidal = |a: f64, b: f64, c: f64| {
+            let product = narrowed(a * c);
+            product > 0.0 && b < 2.0 && b > product
+        };
         match (self, single) {
             (Self::Bandpass, false) => biquad(numbers[1], numbers[2]),
             (Self::Allpass, false) => biquad(numbers[0], numbers[1]),
             (Self::Oscillation, false) => biquad(numbers[3], numbers[4]),
             (Self::Oscillation, true) => {
                 let [h, r, g, g2] = [0, 1, 2, 3].map(|at| numbers[at]);
-                trapezoidal(g * h, g * r, g2)
+                trapezoidal(narrowed(g * h), narrowed(g * r), g2)
             }
             (_, true) => trapezoidal(numbers[0], numbers[1], numbers[2]),
         }
