@@ -5,7 +5,7 @@ use super::damage::number;
 use super::set::{Set, Structure};
 use crate::model::coefficients::Coefficients;
 use crate::model::ipc::assert_bounds;
-use crate::model::parameters::{Mode, Parameters, Stage};
+use crate::model::parameters::{Master, Mode, Parameters, Stage};
 use crate::model::random;
 use crate::model::sections::Filters;
 use crate::model::subject;
@@ -17,6 +17,8 @@ use generator::blocks::Designed;
 pub struct Drawn {
     /// its parameters
     pub parameters: Parameters,
+    /// whether it is a gantry slave: the block must stay OFF
+    pub is_slave: bool,
     /// what they mean
     pub coefficients: Coefficients,
     /// the block as it is designed
@@ -50,8 +52,12 @@ impl Drawn {
         // The fade is structure: as long as the longest period of all sets needs it.
         let fade_ns = all.iter().map(|p| p.fade_ns).max().expect("its own");
         all.iter_mut().for_each(|p| p.fade_ns = fade_ns);
-        let parameters = all[0].clone();
-        let designed = subject::read(&parameters.set());
+        let mut parameters = all[0].clone();
+        let is_slave = !takes_sets && rng.chance(10);
+        // Nothing is watched there.
+        parameters.watch &= !is_slave;
+        let master = is_slave.then_some(Master { v_add_max_fact: 100, vb_max: 100_000, has_stage: false });
+        let designed = subject::read(&Parameters { master, ..parameters.clone() }.set());
         let sum_limit = designed.ipc.sum_limit;
         let mut structure = Structure::new(&parameters, 0, 0.0);
         let mut sets = Vec::new();
@@ -73,7 +79,7 @@ impl Drawn {
         let ts = f64::from(parameters.cycle_ns) * 1e-9;
         let filters = all.iter().map(|p| p.stages.iter().map(|stage| Filters::new(stage, ts)).collect()).collect();
         let coefficients = Coefficients::new(&parameters);
-        Self { parameters, coefficients, designed, sum_limit, structure, sets, filters }
+        Self { parameters, is_slave, coefficients, designed, sum_limit, structure, sets, filters }
     }
 }
 

@@ -74,10 +74,10 @@ impl<'d> Alone<'d> {
         let fault = match self.ipc.fault(p, c, &ridden, v_command) {
             bad @ 11..=13 => bad,
             _ if is_cycle_wrong => 1,
-            0 if p.master.is_some() && inputs.mode != 0 => 70_600,
+            0 if self.of.is_slave && inputs.mode != 0 => 70_600,
             other => other,
         };
-        let acts = fault == 0 && inputs.position_controlled && !inputs.reset && p.master.is_none();
+        let acts = fault == 0 && inputs.position_controlled && !inputs.reset;
         let added = match acts {
             true => self.ipc.cycle(c, &ridden, v_command, found.shown, found.is_tripped),
             false => {
