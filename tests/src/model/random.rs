@@ -134,6 +134,7 @@ fn stage(rng: &mut Rng, p: &Parameters) -> Stage {
         damping: f64::from(u32::try_from(rng.between(10, 99)).expect("small")) / 100.0,
         band_pass: (order, prototype, frequency(rng), q(rng)),
         all_pass: rng.chance(25).then(|| (frequency(rng), q(rng))),
+        is_all_pass_first: rng.clone().chance(40), // a clone, as above
     }
 }
 

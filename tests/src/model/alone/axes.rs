@@ -135,6 +135,7 @@ fn stage(rng: &mut Rng, cycle_ns: u32) -> Stage {
             quality(rng),
         ),
         all_pass,
+        is_all_pass_first: rng.chance(40),
     }
 }
 

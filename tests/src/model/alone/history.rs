@@ -185,8 +185,23 @@ impl<'d> History<'d> {
                 _ => Motion::Swing([scale, (0.4 * uniform(rng) / block).exp(), 0.0, step]),
             };
         }
+        // What the watch must see, and what it must leave alone: a swing that grows for as long as it takes, from below the limit.
+        let grows = p.watch && rng.chance(15);
+        if grows {
+            let block = (0.03 / cycle).max(8.0);
+            let growth = (0.12 + 0.5 * uniform(rng).abs()) / block;
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few hundred cycles")]
+            let cycles = (12.0 * block) as usize;
+            self.left = cycles;
+            let scale = limit * 10f64.powf(-0.7 - uniform(rng).abs());
+            let stage = &p.stages[0];
+            let step = TAU * stage.band_pass.2 * cycle;
+            self.motions = [Motion::Swing([scale, growth.exp(), 0.0, step]); 3];
+        }
         let switches = &mut self.switches;
-        if rng.chance(25) {
+        if grows {
+            switches.mode = 1;
+        } else if rng.chance(25) {
             switches.mode = *rng.pick(&[0, 1, 1, 1, 2]);
         }
         for factor in switches.tuning_weight.iter_mut().chain([&mut switches.tuning_limit]) {

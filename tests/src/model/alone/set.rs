@@ -105,10 +105,14 @@ impl Structure {
             if matches!(stage.mode, Mode::Indirect | Mode::SetPoint) {
                 section(Section::Oscillation, format!("stage[{i}].oscillation"));
             }
-            for k in 0..stage.band_pass.0 {
-                section(Section::Bandpass, format!("stage[{i}].filter[0].bandpass[{k}]"));
+            let at = usize::from(stage.all_pass.is_some() && stage.is_all_pass_first);
+            if at == 1 {
+                section(Section::Allpass, format!("stage[{i}].filter[0].allpass"));
             }
-            if stage.all_pass.is_some() {
+            for k in 0..stage.band_pass.0 {
+                section(Section::Bandpass, format!("stage[{i}].filter[{at}].bandpass[{k}]"));
+            }
+            if at == 0 && stage.all_pass.is_some() {
                 section(Section::Allpass, format!("stage[{i}].filter[1].allpass"));
             }
             gains.push(names.len());
