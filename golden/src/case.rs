@@ -12,12 +12,13 @@
 //! `axgen run set.toml --axis X --stimulus inputs.csv --hex` prints outputs.csv, whatever the engine; of a scenario without `--hex`:
 //! its numbers are decimal, and short. `source` says where the inputs come from.
 
-use crate::csv::{self, Reals};
+use crate::csv::{self, Reals, cell};
 use crate::engine::{self, Engine};
 use crate::samples::{Samples, Shape};
 use crate::shows::shown;
 use crate::source::{self, Source};
-use crate::stimulus::{self, Stimulus};
+use crate::stimulus::{self, Event, Stimulus, Window};
+use compiler::program::Variable;
 use generator::blocks::Designed;
 use generator::blocks::{self, Block};
 use generator::config::{self, ListOptions};
@@ -70,8 +71,18 @@ struct Description {
     axis: String,
     block: String,
     stimulus: Option<Stimulus>,
+    #[serde(default)]
+    offer: Vec<Offer>,
     scenario: Option<PathBuf>,
     emitted: Option<Vec<String>>,
+}
+
+/// A parameter set that is offered: that of the same axis in another file. The events of the stimulus overrule it.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Offer {
+    set: String,
+    window: Window,
 }
 
 fn set_beside() -> String {
@@ -87,13 +98,23 @@ pub fn read(folder: &Path) -> Result<Case, String> {
     let bytes = config::load(&path).map_err(|unreadable| format!("{}: {}", path.slashes(), unreadable.said().1))?;
     let text = String::from_utf8(bytes).map_err(|error| format!("{}: {error}", path.slashes()))?;
     let description: Description = toml::from_str(&text).map_err(|error| format!("{}: {error}", path.slashes()))?;
-    let options = ListOptions { cycle_time: description.cycle_time, name: None };
-    let (set, report) = pipeline::read(&folder.join(&description.set), &options);
-    let set = set.ok_or_else(|| report.to_string())?;
-    let axis = set.axes.into_iter().find(|of| of.axis.name == description.axis);
-    let axis = axis.ok_or_else(|| format!("{}: no axis `{}`", path.slashes(), description.axis))?;
+    let designed = |file: &str| {
+        let options = ListOptions { cycle_time: description.cycle_time.clone(), name: None };
+        let (set, report) = pipeline::read(&folder.join(file), &options);
+        let set = set.ok_or_else(|| report.to_string())?;
+        let axis = set.axes.into_iter().find(|of| of.axis.name == description.axis);
+        axis.ok_or_else(|| format!("{}: no axis `{}`", path.slashes(), description.axis))
+    };
+    let axis = designed(&description.set)?;
     let source = match (description.stimulus, description.scenario) {
-        (Some(stimulus), None) => Source::Stimulus(stimulus),
+        (Some(mut stimulus), None) => {
+            for (place, Offer { set, window }) in description.offer.iter().enumerate() {
+                let events = offered(&named_block(&designed(set)?, &description.block)?, *window);
+                let first = place * events.len();
+                stimulus.event.splice(first..first, events);
+            }
+            Source::Stimulus(stimulus)
+        }
         (None, Some(program)) => Source::Scenario(folder.join(program)),
         _ => return Err(format!("{}: either `stimulus` or `scenario` is needed", path.slashes())),
     };
@@ -110,6 +131,17 @@ pub fn read(folder: &Path) -> Result<Case, String> {
         source,
         emitted: description.emitted,
     })
+}
+
+/// The events that offer the parameter set that a block is generated with.
+fn offered(block: &Block, window: Window) -> Vec<Event> {
+    let parts = block.program.inputs.iter().filter(|input| block.program.in_set(input).is_some());
+    let event = |input: &Variable| {
+        let mut value = String::new();
+        cell(input.start, Reals::Hexadecimal, &mut value);
+        Event { signal: input.path.clone(), value, window }
+    };
+    parts.map(event).collect()
 }
 
 /// The block of an axis by its name.

@@ -52,8 +52,7 @@ fn statements(program: &Program, list: &[Statement], level: usize, f: &mut Forma
             Statement::Choose { by, arms } => {
                 writeln!(f, "{indent}choose by {}", expr(program, by))?;
                 for arm in arms {
-                    let labels: Vec<String> =
-                        arm.labels.iter().map(|label| name(program, Var::Constant(*label))).collect();
+                    let labels: Vec<String> = arm.labels.iter().map(|label| expr(program, label)).collect();
                     writeln!(f, "{indent}{}:", labels.join(", "))?;
                     statements(program, &arm.body, level + 1, f)?;
                 }
