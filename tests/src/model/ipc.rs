@@ -155,6 +155,14 @@ impl Ipc {
         is_held
     }
 
+    /// What the caller tunes is 0 until its input is usable, as before the first cycle.
+    fn tune_anew(&mut self) {
+        if self.tunable {
+            self.weights.fill(0.0);
+            self.part_of_limit = 0.0;
+        }
+    }
+
     /// The inputs and `v_command` with which a cycle runs, and whether the last good sample stands in the place of one of them.
     #[must_use]
     pub fn ride(&mut self, p: &Parameters, c: &Coefficients, inputs: &Inputs, v_command: f64) -> (Inputs, f64, bool) {
@@ -245,7 +253,8 @@ impl Ipc {
         let off = (self.relative + of_ramp) * self.largest + of_ramp * self.limit;
         let [least, most] = [v_sum.abs() - off, v_sum.abs() + off];
         if most > self.sum_limit {
-            let disturbed = Self { open: 0, runs: false, is_disturbed: true, disturbed: None, ..self.clone() };
+            let mut disturbed = Self { open: 0, runs: false, is_disturbed: true, disturbed: None, ..self.clone() };
+            disturbed.tune_anew();
             if least > self.sum_limit {
                 *self = disturbed;
                 return Added { limited: [1.0; 2], ..NOTHING };
