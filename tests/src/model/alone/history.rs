@@ -119,16 +119,15 @@ impl<'d> History<'d> {
                 *factor = *rng.pick(&[f64::NAN, f64::INFINITY, -0.5, 1.5, 1e30]);
             }
         }
-        if !self.of.sets.is_empty() {
-            if self.rng.below(1000) < self.offers {
-                self.offer();
-            }
-            // A set in use is dropped for a blow; what was offered may be another one by then.
-            if self.rng.below(3000) < self.offers {
-                velocities = [BLOW; 3];
-                if self.rng.chance(50) {
-                    self.repair();
-                }
+        let has_sets = !self.of.sets.is_empty();
+        if has_sets && self.rng.below(1000) < self.offers {
+            self.offer();
+        }
+        // A set in use is dropped for a blow; what was offered may be another one by then.
+        if self.rng.below(3000) < self.offers {
+            velocities = [BLOW; 3];
+            if has_sets && self.rng.chance(50) {
+                self.repair();
             }
         }
         let [v_command, v_motor, v_direct] = velocities;
