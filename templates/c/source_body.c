@@ -80,3 +80,5 @@ void {{ block.prefix }}_step(
     (void)state;
 {%- endif %}
 {{ block.step }}}
+
+{% include "c/guards_end.h" %}

@@ -15,6 +15,7 @@ use std::sync::LazyLock;
 /// depend on one, and a block's numbers stand in its statements.
 pub static PLAIN: Language = Language {
     is_reserved: |name| RESERVED.contains(&*name.to_ascii_lowercase()),
+    significant: None,
     kept: &["Enable", "Valid", "Busy", "Error", "ErrorID"],
     types: ["BOOL", "DINT", "UDINT", "LREAL", "REAL"],
     literal,
