@@ -16,7 +16,7 @@ use std::sync::LazyLock;
 pub static PLAIN: Language = Language {
     is_reserved: |name| RESERVED.contains(&*name.to_ascii_lowercase()),
     significant: None,
-    kept: &["Enable", "Valid", "Busy", "Error", "ErrorID"],
+    kept: &["Enable", "Valid", "Busy", "Error", "ErrorID", "NoticeID"],
     types: ["BOOL", "DINT", "UDINT", "LREAL", "REAL"],
     literal,
     operand: literal::operand,
