@@ -28,14 +28,12 @@ macro_rules! rows {
 /// Of a velocity that improved position control reads.
 const NOTHING_ADDED: &str = "Improved position control adds nothing in a cycle with this fault: v_add is 0 at once. It fades in again when the sample is \
                              good. The other parts of an axis go on.";
-const MEASURED: &str =
-    "Check encoder, scaling and process data. If single telegrams are lost, the key ride_through lets the block hold samples.";
+const MEASURED: &str = "Check encoder, scaling and process data. If single telegrams are lost, the key ride_through lets the block hold samples.";
 /// Of a derivative that feedforward reads.
 const NOTHING_FED: &str = "Feedforward puts out 0 in a cycle with this fault. Position control goes on without it.";
 const INTERPOLATOR: &str = "Check the link to the interpolator, and the scaling of the signal.";
 /// Of what the position controller adds.
-const NO_POSITION_CONTROL: &str =
-    "Velocities, manipulated variable and torque are 0 in a cycle with this fault, xerr is 0, and x_drive follows x_command.";
+const NO_POSITION_CONTROL: &str = "Velocities, manipulated variable and torque are 0 in a cycle with this fault, xerr is 0, and x_drive follows x_command.";
 const PART: &str = "Check the connection: the signal is an output of another block.";
 /// Of a request to a spindle.
 const LOST: &str = "The request is lost. The spindle goes on as before; nothing stays, and no reset is needed.";

@@ -283,9 +283,9 @@ impl Works {
             Some(Off::Mode(_, Some(fades))) => {
                 state_paths.iter().position(|path| path == program.path(*fades)).map(Self::Fades)
             }
-            Some(Off::Brake(Brake { velocity, state, resting })) => output(velocity)
-                .zip(output(state))
-                .map(|(velocity, state)| Self::Brakes { velocity, state, resting }),
+            Some(Off::Brake(Brake { velocity, state, resting })) => {
+                output(velocity).zip(output(state)).map(|(velocity, state)| Self::Brakes { velocity, state, resting })
+            }
             Some(Off::Mode(_, None) | Off::False) | None => None,
         };
         found.unwrap_or(Self::Never)

@@ -15,13 +15,18 @@ const SET: &str = "cycle_time = '1ms'\n[axis.X]\ngetriebe = [{ dynamik.vb_max = 
 fn every_id_of_the_reference_has_a_row() {
     let reference = include_str!("../../reference/src/signal.rs");
     let bodies = reference.split("pub fn error_").skip(1).map(|rest| rest.split_once("{\n").unwrap().1);
-    let ids: Vec<u32> = bodies.map(|body| body.split_once("u32").unwrap().0.trim().replace('_', "").parse().unwrap()).collect();
+    let ids: Vec<u32> =
+        bodies.map(|body| body.split_once("u32").unwrap().0.trim().replace('_', "").parse().unwrap()).collect();
     let expected: BTreeSet<u32> = ids.into_iter().filter(|id| *id != 0).collect();
     let rows: Vec<u32> = all().map(|row| row.id).collect();
     assert_eq!(rows.iter().copied().collect::<BTreeSet<u32>>(), expected);
     assert_eq!(rows.len(), expected.len(), "no id has two rows");
     for row in all() {
-        assert!([row.why, row.does, row.remedy].iter().all(|text| !text.is_empty() && text.is_ascii() && !text.contains('|')));
+        assert!(
+            [row.why, row.does, row.remedy]
+                .iter()
+                .all(|text| !text.is_empty() && text.is_ascii() && !text.contains('|'))
+        );
         assert!(row.does.ends_with('.') && row.remedy.ends_with(['.', ')']), "{}", row.id);
     }
 }
@@ -32,7 +37,10 @@ fn the_page_is_the_table() {
     if std::env::var_os("AXGEN_BLESS").is_some() {
         std::fs::write(&path, page()).unwrap();
     }
-    assert!(std::fs::read_to_string(path).unwrap() == page(), "AXGEN_BLESS=1 cargo test -p axgen-generator --test error_ids");
+    assert!(
+        std::fs::read_to_string(path).unwrap() == page(),
+        "AXGEN_BLESS=1 cargo test -p axgen-generator --test error_ids"
+    );
 }
 
 #[test]

@@ -157,7 +157,9 @@ fn what_is_no_fault_is_a_notice() {
 #[test]
 fn a_notice_and_an_error_exclude_each_other() {
     let mut seen = Vec::new();
-    for case in all().iter().filter(|case| ["watch-of-an-unstable-loop, f64", "parameter-sets, f64"].contains(&&*title(case))) {
+    for case in
+        all().iter().filter(|case| ["watch-of-an-unstable-loop, f64", "parameter-sets, f64"].contains(&&*title(case)))
+    {
         let inputs = case::inputs(case, 5000).unwrap_or_else(|mistake| panic!("{mistake}"));
         let names: Vec<String> = inputs.shape.signals.iter().map(|signal| signal.name.clone()).collect();
         in_each(&case.axis, case.block.program.block, &mut |run| {
@@ -171,7 +173,12 @@ fn a_notice_and_an_error_exclude_each_other() {
                 assert_eq!(error, id != 0.0, "{} in {sample}", run.of);
                 assert!(notice == 0.0 || id == 0.0, "{} in {sample}", run.of);
                 assert!(![4.0, 5.0].contains(&id) && (notice == 0.0 || (4.0..=8.0).contains(&notice)), "{}", run.of);
-                assert_eq!(run.instance.get("tripped").is_some() && run.is("tripped") && !error, notice == 5.0, "{}", run.of);
+                assert_eq!(
+                    run.instance.get("tripped").is_some() && run.is("tripped") && !error,
+                    notice == 5.0,
+                    "{}",
+                    run.of
+                );
                 if !seen.contains(&(notice, error)) {
                     seen.push((notice, error));
                 }

@@ -109,7 +109,11 @@ getriebe = [{ kv = 2000, dynamik = { vb_max = 18000000 }, multi_gain_z = 1000000
 fn equal_names(text: &str) -> BTreeSet<&str> {
     let mut first: BTreeMap<String, &str> = BTreeMap::new();
     let mut equal = BTreeSet::new();
-    for piece in text.split("/*").enumerate().filter_map(|(n, piece)| if n == 0 { Some(piece) } else { piece.split("*/").nth(1) }) {
+    for piece in text
+        .split("/*")
+        .enumerate()
+        .filter_map(|(n, piece)| if n == 0 { Some(piece) } else { piece.split("*/").nth(1) })
+    {
         for name in piece.split(|c: char| !c.is_ascii_alphanumeric() && c != '_') {
             let counts: String = name.chars().take(SIGNIFICANT).collect();
             if let Some(other) = first.insert(counts, name).filter(|other| *other != name) {
@@ -137,7 +141,8 @@ fn names_differ_in_their_first_63_characters() {
     for axis in axes {
         for File { name, text } in axis_files(&axis, &TARGETS[..1]).unwrap() {
             assert_eq!(equal_names(&text), BTreeSet::new(), "{name}");
-            longest = longest.max(text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').map(str::len).max().unwrap());
+            longest =
+                longest.max(text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').map(str::len).max().unwrap());
         }
     }
     assert!(longest > SIGNIFICANT, "no name is that long");

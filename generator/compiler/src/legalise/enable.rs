@@ -52,7 +52,9 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let output = |path: &str| program.outputs.iter().position(|variable| variable.path == path);
     let [error, error_id] = RENAMED.map(|(path, _)| output(path).ok_or_else(|| missing(path)));
     let brake = match &switch.off {
-        Off::Brake(brake) => Some(output(brake.velocity).zip(output(brake.state)).ok_or_else(|| missing(brake.velocity))?),
+        Off::Brake(brake) => {
+            Some(output(brake.velocity).zip(output(brake.state)).ok_or_else(|| missing(brake.velocity))?)
+        }
         Off::Mode(..) | Off::False => None,
     };
     let moved = add_signals(&mut program, &switch.off, [error?, error_id?]);
@@ -99,7 +101,11 @@ fn put_out(program: &mut Program, is_busy: Expr) {
         });
     }
     program.step.extend([
-        Statement::If { condition: Expr::not(shown.clone()), then: vec![assign(error_id, none())], otherwise: Vec::new() },
+        Statement::If {
+            condition: Expr::not(shown.clone()),
+            then: vec![assign(error_id, none())],
+            otherwise: Vec::new(),
+        },
         assign(error, shown),
     ]);
 }
@@ -135,7 +141,12 @@ fn add_signals(program: &mut Program, off: &Off, renamed: [usize; 2]) -> impl Fn
         program.outputs.extend(old[*index].take().map(|old| Variable { path: name.to_owned(), doc, ..old }));
     }
     if has_notices(program) {
-        program.outputs.push(Variable { path: NOTICE.to_owned(), doc: OF_NOTICE, ty: Type::U32, start: Literal::U32(0) });
+        program.outputs.push(Variable {
+            path: NOTICE.to_owned(),
+            doc: OF_NOTICE,
+            ty: Type::U32,
+            start: Literal::U32(0),
+        });
     }
     let first = program.outputs.len();
     let rest: Vec<usize> = (0..old.len()).filter(|index| old[*index].is_some()).collect();

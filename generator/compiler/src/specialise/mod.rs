@@ -10,7 +10,9 @@ mod part;
 mod statement;
 
 use crate::leaves;
-use crate::program::{Constant, Expr, Local, Off, Origin, Program, Statement, Switch, Type, Var, Variable, variant_name};
+use crate::program::{
+    Constant, Expr, Local, Off, Origin, Program, Statement, Switch, Type, Var, Variable, variant_name,
+};
 use part::{Cell, Leaf, Named, Part};
 use portable::{Block, Enable, Fn, Literal, Portable, Real, Ty};
 use std::collections::BTreeMap;
