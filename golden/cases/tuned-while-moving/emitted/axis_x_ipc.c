@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  8a7064fb968187846a28b8bae1b95ecb
  * structure   16dc7f07af3092fab1f37a06bf2c7071
- * checksum    9b34b7b0b18dff711228ed705e0f84c1
+ * checksum    684c5b3b6ec61e8acc6344d7762bdd4c
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -27,6 +27,12 @@
 #pragma GCC optimize ("fp-contract=off")
 #else
 #pragma STDC FP_CONTRACT OFF
+#endif
+/* Functions call no library: without this clang stores several zeros by a call of memset. */
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
+#endif
 #endif
 
 /* |value|, without a library */
@@ -544,3 +550,9 @@ void axis_x_ipc_step(
         axis_x_ipc_any_cycle(state, inputs, outputs);
     }
 }
+
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute pop
+#endif
+#endif
