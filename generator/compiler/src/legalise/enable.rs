@@ -101,10 +101,9 @@ fn put_out(program: &mut Program, is_busy: Expr) {
         });
     }
     let otherwise = vec![assign(error_id, none())];
-    program.step.extend([
-        Statement::If { condition: shown.clone(), then: Vec::new(), otherwise },
-        assign(error, shown),
-    ]);
+    program
+        .step
+        .extend([Statement::If { condition: shown.clone(), then: Vec::new(), otherwise }, assign(error, shown)]);
 }
 
 /// Whether a block that brakes is not at rest yet.
@@ -117,7 +116,8 @@ fn works(program: &Program, brake: &Brake, [velocity, state]: [Var; 2]) -> Expr 
     let or = |left, right| Expr::binary(Binary::Or, left, right);
     let moves = or(compared(Binary::Greater, velocity, zero), compared(Binary::Less, velocity, zero));
     let named = |number: i32| {
-        let is_it = |constant: &Constant| constant.value == Literal::I32(number) && constant.path.starts_with(brake.state);
+        let is_it =
+            |constant: &Constant| constant.value == Literal::I32(number) && constant.path.starts_with(brake.state);
         let known = program.constants.iter().position(is_it);
         known.map_or(Expr::Literal(Literal::I32(number)), |index| Expr::Var(Var::Constant(index)))
     };
