@@ -25,6 +25,7 @@ static ERROR_IDS: &[&Fn] = &[
     &signal::error_set_structure::Ir::<f64>::IR,
     &signal::error_set_unsound::Ir::<f64>::IR,
     &signal::error_set_damaged::Ir::<f64>::IR,
+    &signal::error_call_rate::Ir::<f64>::IR,
     &signal::error_v_command::Ir::<f64>::IR,
     &signal::error_v_motor::Ir::<f64>::IR,
     &signal::error_v_direct::Ir::<f64>::IR,

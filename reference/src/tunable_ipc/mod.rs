@@ -25,7 +25,7 @@ use crate::check_word::{Forming, Word, add};
 use crate::ipc::numbers::{self, Numbers, Params};
 use crate::ipc::{self, watch};
 use crate::signal::{error_none, error_set_damaged, error_set_structure, error_set_unsound};
-use crate::{filter, stage};
+use crate::{call_rate, filter, stage};
 use portable::{Block, Enable, Fn, Real, from_u32, in_range, note, portable, with_numbers};
 
 /// Coefficients.
@@ -198,6 +198,7 @@ pub fn hold_limit<R: Real>(state: &mut ipc::State<R>, coeffs: &ipc::Coeffs<R>, o
 pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let mut mode = inputs.mode;
     let mut refused = error_none();
+    ipc::count_call(&mut state.ipc, &coeffs.ipc, inputs.cycle_counter);
     if state.ipc.fade > coeffs.ipc.fade_cycles {
         // The numbers in use may have been overwritten, too. The cycle tells the fault; what is offered is looked at in the next one.
         drop_set(state);
@@ -229,11 +230,13 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     if inputs.params.set_id == state.set_id
         && !state.withdrawn
         && ipc::may_act_in_full(&coeffs.ipc, &ipc_inputs)
+        && call_rate::is_usual(&state.ipc.call_rate, &coeffs.ipc.call_rate, inputs.cycle_counter)
         && state.ipc.fade == coeffs.ipc.fade_cycles
         && !(coeffs.ipc.watch.active && state.ipc.watch.tripped)
         && (!coeffs.ipc.ride_through.active || state.ipc.ride_through.bad == 0u32)
     {
         let mut ipc_outputs = ipc::Outputs::<R>::default();
+        call_rate::go_on(&mut state.ipc.call_rate, &coeffs.ipc.call_rate, inputs.cycle_counter);
         ipc::act_in_full(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.now), &ipc_inputs, &mut ipc_outputs);
         ipc::tell_trip(&state.ipc, &coeffs.ipc, &mut ipc_outputs);
         hold_limit(&mut state.ipc, &coeffs.ipc, &mut ipc_outputs);
