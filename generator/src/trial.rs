@@ -13,8 +13,10 @@ use std::sync::{Arc, LazyLock};
 /// What a run does, and what came out.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Trial {
-    /// the inputs as they mostly are, in the order of all inputs
+    /// the inputs as they mostly are, in the order of all inputs; of one that counts, by how much it grows from sample to sample
     pub(crate) usual: Vec<Literal>,
+    /// the input that counts the calls
+    pub(crate) counter: Option<usize>,
     /// the real inputs that the axis reads: they get noise
     pub(crate) reals: Vec<RealInput>,
     /// the factors of the noise, powers of two: one at which no limit acts, the full one, and 0 at the end
@@ -90,6 +92,11 @@ const TURN_DISTANCE: usize = 5;
 const TURN_LENGTH: usize = 2;
 /// From one jump to the next: a block that has noticed it starts anew in the second sample and acts in the third.
 const JUMP_DISTANCE: usize = 3;
+/// Calls that are not regular, and by how much the counter grows there: one is missing, which is tolerated; many are missing, which is a
+/// pause; and twice the same one is there again, which is a fault.
+const IRREGULAR: [(usize, u32); 4] = [(0, 2), (10, 9), (20, 0), (21, 0)];
+/// Where a reset comes: behind the pause, and behind the fault.
+const RESETS: [usize; 2] = [12, 40];
 /// Samples at rest, at the end.
 const REST_SAMPLES: usize = 5;
 /// A run is not longer for a block that takes its time.
@@ -130,7 +137,7 @@ pub(crate) fn recording<R: Real, B: Block<R>>(
     state_paths: &[String],
     ranges: [f64; 2],
     start: usize,
-    drill: &[Drill],
+    (drill, cycle_time_ns): (&[Drill], u32),
 ) -> Recording {
     let (inputs, reals) = (own.signals(), own.reals());
     let position = |path: &str| program.inputs.iter().position(|input| input.path == path);
@@ -139,6 +146,9 @@ pub(crate) fn recording<R: Real, B: Block<R>>(
         .filter_map(|part| Some((position(part.input)?, part.value, part.samples.clone())))
         .filter(|(input, ..)| inputs.contains(input))
         .collect();
+    // Where calls are counted, TwinCAT looks at the task if these are 0.
+    let counter = position("cycle_counter").filter(|input| inputs.contains(input));
+    let of_calls = counter.zip(position("task_cycle_ns")).map(|(counter, cycle)| (counter, cycle, position("reset")));
     let off = program.switch.as_ref().map(|switch| {
         let value = switch.off.as_ref().map_or(Literal::Bool(false), |off| off.value);
         (switch.input, value)
@@ -146,8 +156,11 @@ pub(crate) fn recording<R: Real, B: Block<R>>(
     let busy = program.switch.as_ref().and_then(|switch| switch.busy).map(|busy| program.path(busy));
     let busy = busy.and_then(|busy| state_paths.iter().position(|path| path == busy));
     Arc::new(LazyLock::new(Box::new(move || {
-        let usual = exercised::<R, B>(&coeffs);
-        let mut trial = plan::<R>(usual, (&inputs, reals, off), ranges, start.min(LONGEST_START), &drill);
+        let mut usual = exercised::<R, B>(&coeffs);
+        if let Some((counter, cycle, _)) = of_calls {
+            (usual[counter], usual[cycle]) = (Literal::U32(1), Literal::U32(cycle_time_ns));
+        }
+        let mut trial = plan::<R>(usual, (&inputs, reals, off), ranges, start.min(LONGEST_START), (&drill, of_calls));
         record::<R, B>(&mut trial, coeffs, busy);
         trial
     })))
@@ -159,7 +172,7 @@ fn plan<R: Real>(
     (inputs, reals, off): (&[usize], Vec<RealInput>, Option<(usize, Literal)>),
     ranges: [f64; 2],
     start: usize,
-    drill: &[(usize, Set, Range<usize>)],
+    (drill, of_calls): (&[(usize, Set, Range<usize>)], Option<(usize, usize, Option<usize>)>),
 ) -> Trial {
     let [quiet, loud] = ranges.map(|range| leaf(R::lit(libm::exp2(libm::floor(libm::log2(range)) - 15.0))));
     let acts_from = BEGINNING + start;
@@ -180,7 +193,8 @@ fn plan<R: Real>(
         turns.push(Turn { from: *next, to: *next + TURN_LENGTH, input, value, is_off });
         *next += TURN_DISTANCE;
     };
-    let is_switch = |input: &&usize| reals.iter().all(|real| real.position != **input);
+    let counter = of_calls.map(|(counter, ..)| counter);
+    let is_switch = |input: &&usize| Some(**input) != counter && reals.iter().all(|real| real.position != **input);
     for &input in inputs.iter().filter(is_switch) {
         others(usual[input]).into_iter().for_each(|value| add(input, value, false, &mut next));
     }
@@ -192,6 +206,15 @@ fn plan<R: Real>(
     }
     if let Some((input, value)) = off {
         add(input, value, true, &mut next);
+    }
+    if let Some((counter, _, reset)) = of_calls {
+        for (after, more) in IRREGULAR {
+            turns.push(turn(next + after..next + after + 1, counter, Literal::U32(more)));
+        }
+        for after in RESETS {
+            turns.extend(reset.map(|reset| turn(next + after..next + after + 1, reset, Literal::Bool(true))));
+        }
+        next += RESETS[1] + TURN_DISTANCE;
     }
     let huge = sample_limit::<R>() * R::lit(0.125);
     for value in [beyond, leaf(huge), leaf(-huge)] {
@@ -214,6 +237,7 @@ fn plan<R: Real>(
         compared: [BEGINNING, acts_from],
         answers: Vec::new(),
         usual,
+        counter,
         reals,
     }
 }
@@ -226,7 +250,7 @@ impl Trial {
 
     /// The inputs of every sample, in the order of all inputs.
     pub(crate) fn inputs(&self) -> Vec<Vec<Literal>> {
-        let mut noise = Noise(0);
+        let (mut noise, mut count) = (Noise(0), 0u32);
         let sample = |sample: usize| {
             let scale = self.scales[self.scaled_from.iter().filter(|from| sample >= **from).count()];
             let mut inputs = self.usual.clone();
@@ -244,6 +268,12 @@ impl Trial {
             }
             for (_, real, value) in self.jumps.iter().filter(|(at, ..)| *at == sample) {
                 inputs[*real] = *value;
+            }
+            if let Some(counter) = self.counter
+                && let Literal::U32(more) = inputs[counter]
+            {
+                count = count.wrapping_add(more);
+                inputs[counter] = Literal::U32(count);
             }
             inputs
         };

@@ -86,7 +86,7 @@ fn questions(condition: &Expr, constants: &[Constant], labels: &mut Vec<usize>) 
 fn variant(label: usize, constants: &[Constant]) -> Option<Variant> {
     match constants[label].origin {
         Origin::Variant(variant) => Some(variant),
-        Origin::Coefficient(_) | Origin::Function => None,
+        Origin::Coefficient(_) | Origin::Function | Origin::Runtime(_) => None,
     }
 }
 
