@@ -58,6 +58,7 @@
 
 pub mod agree;
 pub mod axis;
+pub mod calls;
 pub mod coefficients;
 pub mod exact;
 pub mod feedforward;
