@@ -154,8 +154,7 @@ antr.v_reso_num = 1000
 process_data.additive_velocity = 'INT32'
 process_data.additive_torque = 'INT16'
 vorsteuer.vorsteuerung = 0x101
-vorsteuer.vel_delay_time = 3500
-vorsteuer.shift_time = 2000
+vorsteuer.velocity_delay_time = 3500
 ";
 
 #[test]
@@ -253,14 +252,16 @@ fn usual_calls_are_like_any() {
 /// A drive that gets a position: behind a pause the delay of the position begins at the present one.
 #[test]
 fn position_control_starts_anew_behind_a_pause() {
-    let designed = read(WHOLE);
+    let designed = read(
+        "cycle_counter = true\nkenngr.antr_typ = 'PROFIDRIVE'\nprocess_data.additive_velocity = 'INT32'\nvorsteuer.vorsteuerung = 'VEL'\n",
+    );
     let mut block = Bench::<position_control::PositionControl>::new(&designed);
     for cycle in (1..300).chain(304..400) {
         (block.inputs.x_command, block.inputs.cycle_counter) = (1000.0 * f64::from(cycle), cycle);
         let outputs = block.call();
-        // Two cycles later than the command; at first, and behind the pause, the oldest position that there is.
+        // Three cycles later than the command (P-AXIS-00165); at first, and behind the pause, the oldest position that there is.
         let oldest = if cycle < 304 { 1 } else { 304 };
-        let x = 1000.0 * f64::from((cycle - 2).max(oldest));
+        let x = 1000.0 * f64::from(cycle.saturating_sub(3).max(oldest));
         assert_eq!((outputs.fault, outputs.x_drive), (false, x), "cycle {cycle}");
     }
     let faults = (400..440).map(|cycle| {
@@ -291,9 +292,12 @@ fn a_spindle_stops_behind_a_pause_without_a_jump() {
     let designed = subject::read(SPINDLE);
     let turning = || {
         let mut block = Bench::<spindle::Spindle>::new(&designed);
-        for cycle in 1..200 {
-            (block.inputs.x_command, block.inputs.cycle_counter) = (2000.0 * f64::from(cycle) % 360_000.0, cycle);
-            (block.inputs.v_interpolator, block.inputs.v_actual) = (1e6, 1e6);
+        for cycle in 1..200u32 {
+            // It stands at first.
+            let v = if cycle > 10 { 1e6 } else { 0.0 };
+            block.inputs.x_command = 2000.0 * f64::from(cycle.saturating_sub(10)) % 360_000.0;
+            block.inputs.cycle_counter = cycle;
+            (block.inputs.v_interpolator, block.inputs.v_actual) = (v, v);
             block.inputs.x_actual = block.inputs.x_command;
             assert_eq!(block.call().error_id, 0, "cycle {cycle}");
         }
@@ -327,7 +331,7 @@ fn a_spindle_stops_behind_a_pause_without_a_jump() {
 
     // One lost call is tolerated, without a step of its own.
     let mut block = turning();
-    block.inputs.x_command = 2000.0 * 201.0 % 360_000.0;
+    block.inputs.x_command = 2000.0 * 191.0 % 360_000.0;
     block.inputs.cycle_counter = 201;
     let outputs = block.call();
     assert_eq!((outputs.error_id, outputs.x_spindle, outputs.loop_closed), (0, block.inputs.x_command, true));
