@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  776a92067fc0c97acf1358dc09f1df77
- * structure   e85734e3abff1c23afe622dbb4aa68f2
- * checksum    b387721c404198ec5a40633bd992cc60
+ * structure   3effa669e110459a1720840499d53b34
+ * checksum    042b2799f61ee607fb21b0f7a56182e2
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_y_ipc.h"

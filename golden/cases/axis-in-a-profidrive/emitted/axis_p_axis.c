@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  5de621ebeb52c01d0f5b0eb8d906051a
- * structure   79a9a00de4186acefbf13af7e15af100
- * checksum    5e5e36b0b0d42160d94f327cfce6035b
+ * structure   37bf1cd8b331c3fca96c685b7bee57dc
+ * checksum    2daec200a3018cb550c8c2511b63078f
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_p_axis.h"

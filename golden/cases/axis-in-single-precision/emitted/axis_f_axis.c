@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  a7946ea0b07c6e724bf5e648d7f9875f
- * structure   8a38999eb3a93a4694eebfe4caa471f9
- * checksum    47392aa68c49dd7e8594e7dfa4cc1842
+ * structure   889bd95cdd62a4dc07d6e21be55df86d
+ * checksum    4f5a82f3c9e383f3d05b42558f1c2a00
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_f_axis.h"

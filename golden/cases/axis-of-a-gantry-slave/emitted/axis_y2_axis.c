@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  2db12b55d2534ca103a8883bcea9d407
- * structure   ce092c42aad269edc2fefd2e173dac3c
- * checksum    213a080da853e2452b8165063c0c904d
+ * structure   0f8e9e94dce92c890f77545d4d6bcd90
+ * checksum    d7ba8dff35739e50ba1da4d7aab991bf
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_y2_axis.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  05550f54ed225d18fecf0f48000fec37
- * structure   6f05c185633ca73c2cb92a0f008942b4
- * checksum    d832738d76bafb698e7523e1eb107f21
+ * structure   db47f7e971da202484af9536033d1279
+ * checksum    de67859bdf0f698121cb3ef6cb69b9b8
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

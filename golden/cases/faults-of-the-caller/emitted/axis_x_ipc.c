@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  899d9161a2ded0013f7b34563e3f8ca5
- * structure   e97b57cb8cf9a41e66b98c94798f280a
- * checksum    7d6c5685fd66ea5f6c6bf77699f91ef9
+ * structure   18748b6db02c4535259de0715d728a7c
+ * checksum    f666a06ee7f1924f8d4b981957312cf4
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

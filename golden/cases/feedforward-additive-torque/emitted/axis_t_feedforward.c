@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e6c01a5b3ef569d72ebaa9f39de14a3f
- * structure   9617f4a8296e9b08ac356b6ef08d06b4
- * checksum    8619294effd681087610b69658bf909a
+ * structure   8ddc451898d90e9951ab36439e8e5cd0
+ * checksum    b8c846ad45df2a4415d3fa69d8e14b7f
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_t_feedforward.h"

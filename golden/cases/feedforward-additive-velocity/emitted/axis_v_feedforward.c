@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9a5bb4a83307cb65482e42039b26788c
- * structure   f48e88ec1cc75ebd97f8714571ff5292
- * checksum    933981c312ca52932043d706f611164f
+ * structure   852464133b613bd424eb60c285f069cc
+ * checksum    f719b73d759a7e0805fa78d91a92bbae
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_v_feedforward.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  b3ed5792d9f8226b8fcc93505e5e2511
- * structure   7cece44b9e1acc647b384c4f009eada1
- * checksum    1e6b3e559ca74e7814d6a46b21085919
+ * structure   e61573778e7f5cdfcb618f7f50d2030c
+ * checksum    a0920b2d26c1bd4ed07d9b0aa78ac155
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_feedforward.h"

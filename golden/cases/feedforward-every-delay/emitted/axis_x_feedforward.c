@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  5081215969251b07d12905c1b2a3f3db
- * structure   7de2212c90ae1e6a1b2926f90da39e62
- * checksum    ff784a3013e000e0f1cfa9635b5c945c
+ * structure   0c8a872af7a93942a4a752ef109ef7db
+ * checksum    826f8c192b6672c7c23e344bd5bc8428
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_feedforward.h"

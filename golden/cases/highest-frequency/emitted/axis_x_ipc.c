@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  677de2a23211c4ed594818a9169e5c31
- * structure   26cf82a0f4297a790d204a6a404f218a
- * checksum    8c2765bcebee1e2a637d5299f686fdae
+ * structure   8e9f92facf1dd08b3458fc36a64394f2
+ * checksum    390a3a5bf5f9c8cd73ba79282a817d1b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

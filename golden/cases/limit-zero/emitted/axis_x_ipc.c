@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  2cb36657eb5edd333340ce8cb8317bc0
- * structure   6c7a1b1ccd25aa7e2ae875a6d2a81e4d
- * checksum    0156d1cb0bfe92ad3eaf5a886b213c22
+ * structure   a77c7dca2a88668ab3a13d723deb366b
+ * checksum    7b2ccc98b2cbc0c2bb34a80db5e7db92
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  62500 ns
  * parameters  2ebd2317bdfdf9946197084c79fdae1d
- * structure   80e9ec0ef4e1f063cbaba6a749f71eb3
- * checksum    bfe30110563da7eb2be4f9a734f54913
+ * structure   35353bf6be272d65f82d5e995576b435
+ * checksum    67eec0fe02d431761000e2388c155f4f
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  310bc9f2d370ffdb55eb325b34f7ea20
- * structure   680a276cb1222e9eb2fd5683f97dc93c
- * checksum    114a2115eb867b70b7829b72a9d094fe
+ * structure   9d821a92ab2cb8a37adb04544f78a3e0
+ * checksum    c479c47eaa5933c058a34fdf1013caa7
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

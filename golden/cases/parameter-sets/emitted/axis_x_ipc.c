@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   e751c17c68827e02bae72b28bf1dd160
- * checksum    65903e2883387fad244c721c71d21130
+ * structure   770846b6408dc55a8869d877bfe76751
+ * checksum    3d15d915338dfe67be55bdcb71fe4fa0
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

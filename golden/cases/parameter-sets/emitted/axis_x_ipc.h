@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   e751c17c68827e02bae72b28bf1dd160
- * checksum    78ff7774c963da8a8c18244bd6c0311f
+ * structure   770846b6408dc55a8869d877bfe76751
+ * checksum    f388879e93acfb2565996f7a18803fbd
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xb4447d55u
 #define AXIS_X_IPC_PARAMETERS_3 0x4f36617au
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xe751c17cu
-#define AXIS_X_IPC_STRUCTURE_1 0x68827e02u
-#define AXIS_X_IPC_STRUCTURE_2 0xbae72b28u
-#define AXIS_X_IPC_STRUCTURE_3 0xbf1dd160u
+#define AXIS_X_IPC_STRUCTURE_0 0x770846b6u
+#define AXIS_X_IPC_STRUCTURE_1 0x408dc55au
+#define AXIS_X_IPC_STRUCTURE_2 0x8869d877u
+#define AXIS_X_IPC_STRUCTURE_3 0xbfe76751u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_PARAMS_SIZE 44u
 #define AXIS_X_IPC_OUTPUTS_SIZE 20u

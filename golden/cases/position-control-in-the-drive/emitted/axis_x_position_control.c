@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e6579a5fd4ee7e91a79841af8c74adc1
- * structure   5816a31608215d4a95e9ea6920b11ba0
- * checksum    11e98131252c1da6356adacce3638153
+ * structure   3a964945cc9ea74fe2d0e71636161764
+ * checksum    b563a3aea0d40b1dd6e39236381de423
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_position_control.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  097a836f6fa98f8ecb4119133f3f1eb0
- * structure   0910220460bd05e1cc4c527f5d1cd8a4
- * checksum    a8063c0eff0783ab9ccad7d3963a3806
+ * structure   ab1fc7d6ae031da803a122fb0c80af1b
+ * checksum    0f867957781e69750b0fcea189d13a51
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_rack_and_pinion_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  01e6eb02896c59c399f72dbc0e232957
- * structure   235b0e16788182722bf01d17725272a8
- * checksum    f1c0ecc9737e6820a11b596ec841265e
+ * structure   2a1839e9341b50aebffc0590da6f84e2
+ * checksum    67947c961cf569b7c4dabc10cd61e35b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_ipc.h"

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  91c6f1b05179a6542c9db8978950cedf
- * structure   24817f06e7f2c05d27d8adc54efe201d
- * checksum    d388ce8488c0ec4fd6978dadaa18adc2
+ * structure   819ae2b8f64c4fa4865ad5eaab89eb2e
+ * checksum    c1fb278599eadaf25e3b3a12ce9f93ec
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_f_position_control.h"

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  e2453a0975306551d54cce9dca887813
- * structure   c7cf5ff442ebadf602227a9e3020cec9
- * checksum    e08bce71e93764735f6ce16ed92f8acb
+ * structure   3e99e516dbb85b625e4116a6e39a1e8e
+ * checksum    bf37fd331072dc366e24228df9ac975e
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_c_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  b92e28125bf8b73ebb5b80376f6f2970
- * structure   d8e1a53f37cece291154447b66106781
- * checksum    d0eacaef7bc20172c0e2763c1678b9b2
+ * structure   81a3e4721e1ccb9cb568bdc95294fe8c
+ * checksum    67fded26d0636565a9c52c87074f34c9
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  c8c2089743691a12a670aea6eebc23b5
- * structure   447aa80e7cb92f2f711d6bf89f992ff2
- * checksum    75097c70490349d049cc97cc5df18776
+ * structure   675429b91c74ef92dcc5c00b796a7fb8
+ * checksum    b2f39f69c392de16a41119059cf6f957
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  8a7064fb968187846a28b8bae1b95ecb
- * structure   16dc7f07af3092fab1f37a06bf2c7071
- * checksum    9b34b7b0b18dff711228ed705e0f84c1
+ * structure   38f8759ee5fb9777aeab87491b649258
+ * checksum    d25e50f52a584a9bc873445d241a7023
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

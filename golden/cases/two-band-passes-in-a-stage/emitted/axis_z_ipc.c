@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  8768c4a3e69a4771ad043b3e1f6ff3a7
- * structure   37f4af145778dfe9418025eb81f799e9
- * checksum    1d50d1c0db936d996d2887dddd0d3e98
+ * structure   4888616b257c1708c89125ce5f866ea7
+ * checksum    6c65c59f06a77e53ecc08556900b4454
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_z_ipc.h"

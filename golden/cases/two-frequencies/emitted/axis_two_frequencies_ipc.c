@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  98ef165b1429998f7030c7689ebe1984
- * structure   9f98141b6b84fd349387898cbc83f526
- * checksum    64dc20c4024f331be06cdf9f1993d9a8
+ * structure   b09a5e97ffe4585540f0e7220d909600
+ * checksum    090d1f20b2c9222615bb90f8d04ec25a
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_two_frequencies_ipc.h"

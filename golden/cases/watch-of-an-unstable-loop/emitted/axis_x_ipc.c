@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  f263fa87836b2d39df1dbe42692c0b05
- * structure   b9480be95ee515027ed22cd0fcb13d47
- * checksum    5bc5e05cb9d26a2be128d78f35993948
+ * structure   3dae12913fcce583b01901f395833de5
+ * checksum    2fce9aed5701f7241a7c34a484d8a89b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  6f99155791694d13dee5cb5c76fe9e0a
- * structure   e33c542d3dffaa7804fd9f2c69f29c7f
- * checksum    3d664f7a273ac8bb5be0eca8822501c4
+ * structure   db41c092288e0d487f4869e814860a20
+ * checksum    8aa3a09b25e807bb3fd24e2c7818cff0
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
