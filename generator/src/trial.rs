@@ -57,6 +57,17 @@ pub struct Drill {
     pub(crate) samples: Range<usize>,
 }
 
+/// The same with the position of the input.
+type Led = (usize, Set, Range<usize>);
+
+/// The inputs that matter where calls are counted.
+#[derive(Clone, Copy, Debug)]
+struct Calls {
+    counter: usize,
+    cycle: usize,
+    reset: usize,
+}
+
 /// The value of an input in a drill.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Set {
@@ -141,14 +152,15 @@ pub(crate) fn recording<R: Real, B: Block<R>>(
 ) -> Recording {
     let (inputs, reals) = (own.signals(), own.reals());
     let position = |path: &str| program.inputs.iter().position(|input| input.path == path);
-    let drill: Vec<(usize, Set, Range<usize>)> = drill
+    let drill: Vec<Led> = drill
         .iter()
         .filter_map(|part| Some((position(part.input)?, part.value, part.samples.clone())))
         .filter(|(input, ..)| inputs.contains(input))
         .collect();
     // Where calls are counted, TwinCAT looks at the task if these are 0.
     let counter = position("cycle_counter").filter(|input| inputs.contains(input));
-    let of_calls = counter.zip(position("task_cycle_ns")).map(|(counter, cycle)| (counter, cycle, position("reset")));
+    let others = [position("task_cycle_ns"), position("reset")];
+    let calls = counter.and_then(|counter| Some(Calls { counter, cycle: others[0]?, reset: others[1]? }));
     let off = program.switch.as_ref().map(|switch| {
         let value = switch.off.as_ref().map_or(Literal::Bool(false), |off| off.value);
         (switch.input, value)
@@ -157,10 +169,10 @@ pub(crate) fn recording<R: Real, B: Block<R>>(
     let busy = busy.and_then(|busy| state_paths.iter().position(|path| path == busy));
     Arc::new(LazyLock::new(Box::new(move || {
         let mut usual = exercised::<R, B>(&coeffs);
-        if let Some((counter, cycle, _)) = of_calls {
+        if let Some(Calls { counter, cycle, .. }) = calls {
             (usual[counter], usual[cycle]) = (Literal::U32(1), Literal::U32(cycle_time_ns));
         }
-        let mut trial = plan::<R>(usual, (&inputs, reals, off), ranges, start.min(LONGEST_START), (&drill, of_calls));
+        let mut trial = plan::<R>(usual, (&inputs, reals, off), ranges, start.min(LONGEST_START), (&drill, calls));
         record::<R, B>(&mut trial, coeffs, busy);
         trial
     })))
@@ -172,7 +184,7 @@ fn plan<R: Real>(
     (inputs, reals, off): (&[usize], Vec<RealInput>, Option<(usize, Literal)>),
     ranges: [f64; 2],
     start: usize,
-    (drill, of_calls): (&[(usize, Set, Range<usize>)], Option<(usize, usize, Option<usize>)>),
+    (drill, calls): (&[Led], Option<Calls>),
 ) -> Trial {
     let [quiet, loud] = ranges.map(|range| leaf(R::lit(libm::exp2(libm::floor(libm::log2(range)) - 15.0))));
     let acts_from = BEGINNING + start;
@@ -193,7 +205,7 @@ fn plan<R: Real>(
         turns.push(Turn { from: *next, to: *next + TURN_LENGTH, input, value, is_off });
         *next += TURN_DISTANCE;
     };
-    let counter = of_calls.map(|(counter, ..)| counter);
+    let counter = calls.map(|calls| calls.counter);
     let is_switch = |input: &&usize| Some(**input) != counter && reals.iter().all(|real| real.position != **input);
     for &input in inputs.iter().filter(is_switch) {
         others(usual[input]).into_iter().for_each(|value| add(input, value, false, &mut next));
@@ -207,12 +219,12 @@ fn plan<R: Real>(
     if let Some((input, value)) = off {
         add(input, value, true, &mut next);
     }
-    if let Some((counter, _, reset)) = of_calls {
+    if let Some(Calls { counter, reset, .. }) = calls {
         for (after, more) in IRREGULAR {
             turns.push(turn(next + after..next + after + 1, counter, Literal::U32(more)));
         }
         for after in RESETS {
-            turns.extend(reset.map(|reset| turn(next + after..next + after + 1, reset, Literal::Bool(true))));
+            turns.push(turn(next + after..next + after + 1, reset, Literal::Bool(true)));
         }
         next += RESETS[1] + TURN_DISTANCE;
     }

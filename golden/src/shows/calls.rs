@@ -50,7 +50,7 @@ fn word(before: Call, last: Call, now: Call) -> Option<&'static str> {
         _ if now.counter == 0 && last.counter == u32::MAX && goes_on => Some("the counter wraps"),
         _ if now.counter == 0 && last.counter == 0 && goes_on => Some("calls are not counted"),
         _ if now.counter == 0 || last.counter == 0 => None,
-        2 if is_fault && last.acts || is_fault && more_before == 2 => Some("fault 9 as calls are lost"),
+        2 if is_fault && (last.acts || more_before == 2) => Some("fault 9 as calls are lost"),
         0 if is_fault => Some("fault 9 as calls are doubled"),
         2 if goes_on && last.acts => Some("a lost call is tolerated"),
         0 if goes_on && last.acts => Some("a doubled call is tolerated"),
