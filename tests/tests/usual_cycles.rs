@@ -49,7 +49,7 @@ fn a_usual_cycle_of_the_changeover_is_like_any() {
         let p = Parameters::random(&mut Rng::new(seed));
         let mut coeffs = block::coefficients(&p);
         // Calls of every second one are counted: one is missing now and then, one is there twice.
-        coeffs.call_rate.active = seed % 2 == 0;
+        coeffs.call_rate.active = seed.is_multiple_of(2);
         let counted = |(cycle, of): (usize, &_)| {
             let cycle = u32::try_from(cycle).expect("a cycle");
             spindle::Inputs { cycle_counter: cycle + 1 + (cycle / 90) % 2, ..block::inputs_of(of) }
