@@ -90,7 +90,7 @@ fn a_counter_that_wraps_and_one_that_is_not_used_are_regular() {
 /// Every pattern of bits in the state: no overflow, and the score comes back.
 #[test]
 fn an_overwritten_state_does_no_harm() {
-    let edges = [0, 1, 2, 7, 8, 15, 16, 31, 32, 33, 1 << 31, u32::MAX - 2, u32::MAX - 1, u32::MAX];
+    let edges = [0, 1, 2, 7, 8, 15, 16, 31, 32, 33, 1000, 1 << 31, u32::MAX - 2, u32::MAX - 1, u32::MAX];
     let triples = (0..edges.len().pow(3))
         .map(|at| [at, at / edges.len(), at / edges.len().pow(2)].map(|at| edges[at % edges.len()]));
     for [expected, score, counter] in triples {
