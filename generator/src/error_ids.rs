@@ -64,6 +64,10 @@ static ROWS: &[Row] = rows! {
     error_set_damaged: "The offered set is refused. Not a fault while a set is in use: that one goes on. Without one nothing is added.",
         "The set was changed, damaged, or read while somebody wrote it: write it again, all of it between two calls of the block \
          (docs/parameter-sets.md).";
+    error_call_rate: "The block acts as if it were off while the calls are irregular, and starts anew after it, as after a reset. A spindle brakes to \
+                      standstill, and the id stays until a reset.",
+        "Call the block once in each cycle of its task, without a condition around the call. The same counter must count those cycles: 1 more in \
+         each, and 0 where nothing is checked.";
     error_v_command: NOTHING_ADDED, "Check what gives v_command: the position controller with its feedforward.";
     error_v_motor: NOTHING_ADDED, MEASURED;
     error_v_direct: NOTHING_ADDED, MEASURED;

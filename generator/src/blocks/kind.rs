@@ -227,7 +227,8 @@ fn block<R: Real, P: Part + Reference<f64> + Reference<R>>(part: &P, designed: &
     let certificate = part.certificate(designed, &program);
     let start = part.start_cycles(designed);
     let drill = part.drill(designed);
-    let trial = trial::recording::<R, P>(coeffs(), (&program, &own), &state_paths, ranges, start, &drill);
+    let led = (&*drill, designed.axis.cycle_time_ns);
+    let trial = trial::recording::<R, P>(coeffs(), (&program, &own), &state_paths, ranges, start, led);
     Ok(Block { program, own, notes, self_test, trial, certificate, structure, state_paths })
 }
 

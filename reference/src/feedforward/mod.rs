@@ -15,10 +15,10 @@ mod signals;
 
 pub use signals::{Inputs, Outputs};
 
-use crate::signal::sample_limit;
-use crate::signal::{error_a_interpolator, error_cycle_time, error_j_interpolator, error_none, error_v_interpolator};
+use crate::signal::{error_a_interpolator, error_call_rate, error_cycle_time, error_j_interpolator, error_none};
+use crate::signal::{error_v_interpolator, sample_limit};
 use crate::sum::empty_sum;
-use crate::{delay, process_data};
+use crate::{call_rate, delay, process_data};
 use portable::{Block, Enable, Fn, Off, Real, from_i32, in_range, portable};
 
 /// The quantities of a sum.
@@ -73,6 +73,8 @@ pub struct Coeffs<R> {
     pub torque_jerk: R,
     /// range of the additive torque
     pub torque_range: process_data::Coeffs<R>,
+    /// the rate of the calls
+    pub call_rate: call_rate::Coeffs,
 }
 
 /// State.
@@ -87,6 +89,8 @@ pub struct State<R> {
     pub acceleration_delay: delay::State<R>,
     /// delay of the additive torque of the jerk
     pub jerk_delay: delay::State<R>,
+    /// the rate of the calls
+    pub call_rate: call_rate::State,
 }
 
 /// Whether there is a quantity at all.
@@ -132,6 +136,7 @@ pub fn sum<R: Real>(quantities: &Quantities, coeffs: &Coeffs<R>, inputs: &Inputs
 #[portable]
 pub fn init<R: Real>(state: &mut State<R>) {
     state.preset = false;
+    call_rate::init(&mut state.call_rate);
 }
 
 /// A cycle in which the block must not act.
@@ -262,8 +267,16 @@ pub fn error_of<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> u32 {
 /// One cycle.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    if coeffs.call_rate.active {
+        let has_paused = call_rate::step(&mut state.call_rate, inputs.cycle_counter);
+        if has_paused {
+            state.preset = false;
+        }
+    }
     if inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns {
         stop(state, outputs, error_cycle_time());
+    } else if call_rate::is_wrong(&state.call_rate, &coeffs.call_rate) {
+        stop(state, outputs, error_call_rate());
     } else if !is_in_range(coeffs, inputs) {
         let id = error_of(coeffs, inputs);
         stop(state, outputs, id);

@@ -19,11 +19,12 @@ pub use signals::{Inputs, Outputs};
 
 use crate::precision::is_single;
 use crate::signal::{
-    error_cycle_time, error_following_error, error_none, error_v_add, error_v_additive, error_v_feedforward,
+    error_call_rate, error_cycle_time, error_following_error, error_none, error_v_add, error_v_additive,
+    error_v_feedforward,
 };
 use crate::signal::{error_x_actual, error_x_command, sample_limit};
 use crate::sum::empty_sum;
-use crate::{delay, process_data};
+use crate::{call_rate, delay, process_data};
 use portable::{Block, Enable, Fn, Off, Real, in_range, portable};
 
 /// Where the position is controlled.
@@ -73,6 +74,8 @@ pub struct Coeffs<R> {
     pub velocity_scale: R,
     /// range of the additive velocity
     pub velocity_range: process_data::Coeffs<R>,
+    /// the rate of the calls
+    pub call_rate: call_rate::Coeffs,
 }
 
 /// State.
@@ -85,6 +88,8 @@ pub struct State<R> {
     pub shift: delay::State<R>,
     /// the last position command of the drive
     pub x_held: R,
+    /// the rate of the calls
+    pub call_rate: call_rate::State,
 }
 
 /// Before the first cycle.
@@ -92,6 +97,7 @@ pub struct State<R> {
 pub fn init<R: Real>(state: &mut State<R>) {
     state.preset = false;
     state.x_held = R::ZERO;
+    call_rate::init(&mut state.call_rate);
 }
 
 /// Whether the controller takes the difference of both positions: in single precision.
@@ -260,10 +266,18 @@ pub fn put_out<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Input
 /// One cycle. Only the inputs that the axis uses are checked.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    if coeffs.call_rate.active {
+        let has_paused = call_rate::step(&mut state.call_rate, inputs.cycle_counter);
+        if has_paused {
+            state.preset = false;
+        }
+    }
     if !is_command_in_range(coeffs, inputs.x_command) {
         hold(state, coeffs, outputs, error_x_command());
     } else if inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns {
         follow(state, coeffs, inputs, outputs, error_cycle_time());
+    } else if call_rate::is_wrong(&state.call_rate, &coeffs.call_rate) {
+        follow(state, coeffs, inputs, outputs, error_call_rate());
     } else if !is_actual_in_range(coeffs, inputs.x_actual, inputs.following_error) {
         follow(state, coeffs, inputs, outputs, error_of_actual(coeffs));
     } else if coeffs.feedforward && !in_range(inputs.v_feedforward, sample_limit()) {

@@ -70,10 +70,12 @@ fn appearances(program: &Program) -> Vec<Appearance> {
     let appearance = |(index, constant): (usize, &Constant)| match constant.origin {
         _ if signals.iter().any(|signal| signal.constants.contains(&index)) => Appearance::Enumerator,
         Origin::Variant(_) => Appearance::Enumerator,
-        Origin::Coefficient(_) | Origin::Function if 0 < apart[index] && apart[index] < all[index] => {
+        Origin::Coefficient(_) | Origin::Function | Origin::Runtime(_)
+            if 0 < apart[index] && apart[index] < all[index] =>
+        {
             Appearance::Shared
         }
-        Origin::Coefficient(_) | Origin::Function => Appearance::Declared,
+        Origin::Coefficient(_) | Origin::Function | Origin::Runtime(_) => Appearance::Declared,
     };
     program.constants.iter().enumerate().map(appearance).collect()
 }

@@ -108,6 +108,8 @@ pub enum Origin {
     Function,
     /// a variant of an enumeration
     Variant(Variant),
+    /// a variable of the controller's runtime, as the language writes it: no block declares it
+    Runtime(&'static str),
 }
 
 /// The name of the number that a variant is: its enumeration's, then its own.
