@@ -3,9 +3,6 @@
 //! AX0 files and the command line, AX1 paths and lines, AX2 values, AX3 rules that are errors, AX4 warnings. A code
 //! keeps its meaning for ever.
 
-use portable::{Expr, Fn, Literal};
-use reference::signal;
-
 #[derive(Debug)]
 pub struct Code {
     /// as it is printed
@@ -13,51 +10,6 @@ pub struct Code {
     pub title: &'static str,
     /// why it is said, and what to do
     pub explanation: &'static str,
-}
-
-/// The error ids of the blocks, each as the function of the reference that has it: its doc comment says why.
-static ERROR_IDS: &[&Fn] = &[
-    &signal::error_cycle_time::Ir::<f64>::IR,
-    &signal::error_mode::Ir::<f64>::IR,
-    &signal::error_state::Ir::<f64>::IR,
-    &signal::error_tuning::Ir::<f64>::IR,
-    &signal::error_unstable::Ir::<f64>::IR,
-    &signal::error_set_structure::Ir::<f64>::IR,
-    &signal::error_set_unsound::Ir::<f64>::IR,
-    &signal::error_set_damaged::Ir::<f64>::IR,
-    &signal::error_v_command::Ir::<f64>::IR,
-    &signal::error_v_motor::Ir::<f64>::IR,
-    &signal::error_v_direct::Ir::<f64>::IR,
-    &signal::error_v_interpolator::Ir::<f64>::IR,
-    &signal::error_a_interpolator::Ir::<f64>::IR,
-    &signal::error_j_interpolator::Ir::<f64>::IR,
-    &signal::error_x_command::Ir::<f64>::IR,
-    &signal::error_x_actual::Ir::<f64>::IR,
-    &signal::error_following_error::Ir::<f64>::IR,
-    &signal::error_v_feedforward::Ir::<f64>::IR,
-    &signal::error_v_additive::Ir::<f64>::IR,
-    &signal::error_v_add::Ir::<f64>::IR,
-    &signal::error_v_add_master::Ir::<f64>::IR,
-    &signal::error_v_actual::Ir::<f64>::IR,
-    &signal::error_requests::Ir::<f64>::IR,
-    &signal::error_direction::Ir::<f64>::IR,
-    &signal::error_s_word::Ir::<f64>::IR,
-    &signal::error_s_position::Ir::<f64>::IR,
-    &signal::error_waiting::Ir::<f64>::IR,
-    &signal::error_drive_off::Ir::<f64>::IR,
-    &signal::error_to_velocity::Ir::<f64>::IR,
-    &signal::error_brake::Ir::<f64>::IR,
-    &signal::error_to_position::Ir::<f64>::IR,
-    &signal::error_half_turn::Ir::<f64>::IR,
-    &signal::error_mode_display::Ir::<f64>::IR,
-    &signal::error_takeover::Ir::<f64>::IR,
-    &signal::error_gantry_slave::Ir::<f64>::IR,
-];
-
-/// Why a block has this number at its output `error_id`.
-pub fn error_id(id: u32) -> Option<&'static str> {
-    let has_id = |function: &&&Fn| matches!(function.body.block.value, Some(Expr::Constant { value }) if value() == Literal::U32(id));
-    ERROR_IDS.iter().find(has_id).and_then(|function| function.doc.strip_prefix("error_id: "))
 }
 
 /// The codes of what the controller reports as this error, which their titles name.

@@ -18,6 +18,7 @@ mod design;
 pub mod diagnostics;
 pub mod diff;
 pub mod digest;
+pub mod error_ids;
 mod feasibility;
 pub mod generate;
 pub mod import_export;

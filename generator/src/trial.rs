@@ -4,8 +4,8 @@
 use crate::noise::{Run, Running, exercised};
 use compiler::leaf;
 use compiler::legalise::{Own, RealInput};
-use compiler::program::Program;
-use portable::{Block, Literal, Real};
+use compiler::program::{Off, Program};
+use portable::{Block, Brake, Literal, Real};
 use reference::signal::sample_limit;
 use std::ops::Range;
 use std::sync::{Arc, LazyLock};
@@ -139,16 +139,12 @@ pub(crate) fn recording<R: Real, B: Block<R>>(
         .filter_map(|part| Some((position(part.input)?, part.value, part.samples.clone())))
         .filter(|(input, ..)| inputs.contains(input))
         .collect();
-    let off = program.switch.as_ref().map(|switch| {
-        let value = switch.off.as_ref().map_or(Literal::Bool(false), |off| off.value);
-        (switch.input, value)
-    });
-    let busy = program.switch.as_ref().and_then(|switch| switch.busy).map(|busy| program.path(busy));
-    let busy = busy.and_then(|busy| state_paths.iter().position(|path| path == busy));
+    let off = program.switch.as_ref().map(|switch| (switch.input, switch.off.value()));
+    let works = Works::of(program, state_paths);
     Arc::new(LazyLock::new(Box::new(move || {
         let usual = exercised::<R, B>(&coeffs);
         let mut trial = plan::<R>(usual, (&inputs, reals, off), ranges, start.min(LONGEST_START), &drill);
-        record::<R, B>(&mut trial, coeffs, busy);
+        record::<R, B>(&mut trial, coeffs, works);
         trial
     })))
 }
@@ -266,7 +262,49 @@ fn scaled(integer: i32, scale: Literal, small: f32) -> Literal {
     }
 }
 
-fn record<R: Real, B: Block<R>>(trial: &mut Trial, coeffs: B::Coeffs, busy: Option<usize>) {
+/// What shows that a block that was turned off is not at rest yet.
+#[derive(Clone, Copy)]
+enum Works {
+    Never,
+    /// a part of the state
+    Fades(usize),
+    /// two outputs
+    Brakes {
+        velocity: usize,
+        state: usize,
+        resting: &'static [i32],
+    },
+}
+
+impl Works {
+    fn of(program: &Program, state_paths: &[String]) -> Self {
+        let output = |path: &str| program.outputs.iter().position(|output| output.path == path);
+        let found = match program.switch.as_ref().map(|switch| &switch.off) {
+            Some(Off::Mode(_, Some(fades))) => {
+                state_paths.iter().position(|path| path == program.path(*fades)).map(Self::Fades)
+            }
+            Some(Off::Brake(Brake { velocity, state, resting })) => {
+                output(velocity).zip(output(state)).map(|(velocity, state)| Self::Brakes { velocity, state, resting })
+            }
+            Some(Off::Mode(_, None) | Off::False) | None => None,
+        };
+        found.unwrap_or(Self::Never)
+    }
+
+    fn shows(self, state: &[Literal], outputs: &[Literal]) -> bool {
+        match self {
+            Self::Never => false,
+            Self::Fades(leaf) => state[leaf] == Literal::Bool(true),
+            Self::Brakes { velocity, state, resting } => {
+                let stands = matches!(outputs[velocity], Literal::F64(0.0) | Literal::F32(0.0));
+                let rests = matches!(outputs[state], Literal::I32(number) if resting.contains(&number));
+                !(stands && rests)
+            }
+        }
+    }
+}
+
+fn record<R: Real, B: Block<R>>(trial: &mut Trial, coeffs: B::Coeffs, works: Works) {
     let (mut run, mut outputs) = (Running::<R, B>::start(coeffs), Vec::new());
     for (sample, inputs) in trial.inputs().into_iter().enumerate() {
         run.step(&inputs, &mut outputs);
@@ -274,7 +312,7 @@ fn record<R: Real, B: Block<R>>(trial: &mut Trial, coeffs: B::Coeffs, busy: Opti
             trial.answers.push(Answer {
                 sample,
                 is_off: trial.turns.iter().any(|turn| turn.is_off && turn.holds(sample)),
-                is_busy: busy.is_some_and(|leaf| run.state()[leaf] == Literal::Bool(true)),
+                is_busy: works.shows(&run.state(), &outputs),
                 outputs: outputs.clone(),
             });
         }

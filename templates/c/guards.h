@@ -15,3 +15,9 @@
 #else
 #pragma STDC FP_CONTRACT OFF
 #endif
+/* Functions call no library: without this clang stores several zeros by a call of memset. */
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
+#endif
+#endif

@@ -95,3 +95,5 @@ uint32_t {{ block.prefix }}_self_test(void)
     }
     return 0u;
 }
+
+{% include "c/guards_end.h" %}

@@ -95,3 +95,5 @@ void {{ block.prefix }}_step(
     (void)state;
 {%- endif %}
 {{ block.step }}}
+
+{% include "c/guards_end.h" %}

@@ -2,11 +2,13 @@
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
+use axgen_tests::cases::in_both_real_types;
 use axgen_tests::environment::has;
+use generator::blocks::Designed;
 use generator::config::ListOptions;
 use generator::generate::axis_files;
 use generator::target::{File, TARGETS};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::process::Command;
 use tempfile::TempDir;
@@ -83,6 +85,67 @@ fn cppcheck_finds_what_is_recorded() {
     }
     let gone: Vec<&&str> = deviations.iter().filter(|rule| !rules.contains(**rule)).collect();
     assert!(gone.is_empty(), "recorded, and not found: {gone:?}\n{said}");
+}
+
+/// Rule 5.2: C99 tells names apart by their first 63 characters.
+const SIGNIFICANT: usize = 63;
+
+/// A spindle with the longest name that `docs/misra.md` allows an axis.
+const LONGEST_NAME: &str = "cycle_time = '2ms'
+[axis.an_axis_of_28_characters_xyz]
+kenngr.achs_typ = 'ACHSTYP_SPINDEL'
+antr.sai_op_mode_change = { v_velocity_control_on = 1200000, v_position_control_on = 300000 }
+spindle.brake_timeout = '1s'
+spindle.mode_timeout = '20ms'
+spindle.deceleration = 18000000.0
+vorsteuer.vorsteuerung = 'VEL'
+lr_param.improved_position_control.enable = 'OFF'
+lr_param.improved_position_control.v_add_max_fact = 100
+lr_param.improved_position_control.stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53.0, q_factor = 10.0 }] }]
+getriebe = [{ kv = 2000, dynamik = { vb_max = 18000000 }, multi_gain_z = 10000000, multi_gain_n = 360 }]
+";
+
+/// The names in a text, without its comments, that are equal where they count to another one.
+fn equal_names(text: &str) -> BTreeSet<&str> {
+    let mut first: BTreeMap<String, &str> = BTreeMap::new();
+    let mut equal = BTreeSet::new();
+    for piece in text
+        .split("/*")
+        .enumerate()
+        .filter_map(|(n, piece)| if n == 0 { Some(piece) } else { piece.split("*/").nth(1) })
+    {
+        for name in piece.split(|c: char| !c.is_ascii_alphanumeric() && c != '_') {
+            let counts: String = name.chars().take(SIGNIFICANT).collect();
+            if let Some(other) = first.insert(counts, name).filter(|other| *other != name) {
+                equal.extend([other, name]);
+            }
+        }
+    }
+    equal
+}
+
+/// The axes of a set.
+fn read(set: &str) -> Vec<Designed> {
+    let load = |_: &Path| Ok(set.as_bytes().to_vec());
+    let (read, report) = generator::pipeline::read_with(Path::new("set.toml"), &ListOptions::default(), &load);
+    read.unwrap_or_else(|| panic!("{report}")).axes
+}
+
+#[test]
+fn names_differ_in_their_first_63_characters() {
+    let planted = format!("int {0}a; /* {0}c */ int {0}b;", "x".repeat(SIGNIFICANT));
+    assert_eq!(equal_names(&planted).len(), 2);
+    let mut axes: Vec<Designed> = in_both_real_types().into_iter().map(|case| case.axis).collect();
+    axes.extend(read(LONGEST_NAME));
+    let mut longest = 0;
+    for axis in axes {
+        for File { name, text } in axis_files(&axis, &TARGETS[..1]).unwrap() {
+            assert_eq!(equal_names(&text), BTreeSet::new(), "{name}");
+            longest =
+                longest.max(text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').map(str::len).max().unwrap());
+        }
+    }
+    assert!(longest > SIGNIFICANT, "no name is that long");
 }
 
 #[test]

@@ -2,7 +2,8 @@
 
 use crate::exit::Exit;
 use crate::output;
-use generator::codes::{self, CODES, Code, error_id, explain, of_controller};
+use generator::codes::{self, CODES, Code, explain, of_controller};
+use generator::error_ids::{self, ErrorId};
 
 /// Runs the command; without a code it lists all.
 pub fn run(code: Option<&str>) -> Result<Exit, Exit> {
@@ -36,37 +37,10 @@ fn text(code: &Code) -> String {
     format!("{}: {}\n\n{}", code.code, code.title, code.explanation)
 }
 
-/// What to do about an id that need not be a fault.
-fn what_to_do(number: u32) -> &'static str {
-    match number {
-        4 => "\n\nWrite a number from 0 to 1 to each input that tunes: the part follows it again.",
-        5 => {
-            "\n\nTake a smaller weight or limit, then a reset, or the mode OFF or DRYRUN: the block is ready again (docs/improved-position-control.md)."
-        }
-        6 => {
-            "\n\nMake the set for the block that runs there: `axgen params-of NEW --axis X --on OLD`, with OLD as the file that the block was \
-             generated from; or generate the block anew (docs/parameter-sets.md)."
-        }
-        7 => {
-            "\n\nMake the set again, with a limit that is not above the one of the block, or generate the block anew \
-             (docs/parameter-sets.md)."
-        }
-        8 => {
-            "\n\nThe set was changed, damaged, or read while somebody wrote it: write it again, all of it between two calls of the block \
-             (docs/parameter-sets.md)."
-        }
-        _ => "",
-    }
-}
-
 /// What the controller and the blocks mean by a number.
 fn of_number(number: u32) -> Vec<String> {
-    let of_block = error_id(number).map(|why| {
-        format!(
-            "error_id {number} of a block: {why}\n\nThe block cannot act in a cycle in which `fault` is TRUE. It starts anew in the \
-             first cycle without the cause; the page of the block in docs says what it puts out until then.{}",
-            what_to_do(number)
-        )
+    let of_block = error_ids::all().find(|known| known.id == number).map(|ErrorId { why, does, remedy, .. }| {
+        format!("error_id {number} of a block: {why}\n\nWhat the block does: {does}\n\nWhat to do: {remedy}")
     });
     let of_controller =
         of_controller(number).map(|code| format!("Error {number} of the controller.\n\n{}", text(code)));

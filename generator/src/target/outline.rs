@@ -2,7 +2,7 @@
 //! together. How a type, a number or a comment looks is the language's business.
 
 use super::{Header, Legal, unit};
-use compiler::legalise::RENAMED;
+use compiler::legalise::{NOTICE, NOTICES, ONLY_NOTICES, RENAMED};
 use compiler::print::{Appearance, Language, Printer, comment};
 use compiler::program::{Local, Origin, Program, Type, Variable};
 use portable::Literal;
@@ -74,9 +74,14 @@ impl Outline<'_> {
     pub(super) fn outputs(&self) -> Vec<Member> {
         let program = &*self.block.program;
         let mut members = self.members(&program.outputs, &self.printer.names().outputs);
-        let is_id = |output: &Variable| ["error_id", RENAMED[1].1].contains(&output.path.as_str());
-        for (member, _) in members.iter_mut().zip(&program.outputs).filter(|(_, output)| is_id(output)) {
-            member.doc.push_str(&error_ids(program));
+        for (member, output) in members.iter_mut().zip(&program.outputs) {
+            let ids = match output.path.as_str() {
+                "error_id" => error_ids(program, &|_| true),
+                path if path == RENAMED[1].1 => error_ids(program, &|name| !ONLY_NOTICES.contains(&name)),
+                NOTICE => error_ids(program, &|name| NOTICES.contains(&name)),
+                _ => continue,
+            };
+            member.doc.push_str(&ids);
         }
         members
     }
@@ -165,11 +170,11 @@ impl Outline<'_> {
     }
 }
 
-/// The ids of faults that a program may give, with what each is named after.
-fn error_ids(program: &Program) -> String {
+/// The ids that a program may give and that are asked for, with what each is named after.
+fn error_ids(program: &Program, is_wanted: &dyn Fn(&str) -> bool) -> String {
     let id = |value| if let Literal::U32(id) = value { Some(id) } else { None };
     let named = program.constants.iter().filter_map(|constant| {
-        let name = constant.path.rsplit('.').next().unwrap_or_default().strip_prefix("error_")?;
+        let name = constant.path.rsplit('.').next().filter(|name| is_wanted(name))?.strip_prefix("error_")?;
         Some((id(constant.value)?, name))
     });
     let mut ids: Vec<(u32, &str)> = named.filter(|(id, _)| *id > 0).collect();

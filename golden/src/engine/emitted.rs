@@ -2,7 +2,7 @@
 
 use super::{Failure, target};
 use crate::samples::{Samples, Shape};
-use compiler::legalise::RENAMED;
+use compiler::legalise::{NOTICE, RENAMED};
 use compiler::print::signals;
 use compiler::print::st::PLAIN;
 use compiler::program::{Program, Variable};
@@ -90,14 +90,27 @@ pub fn run_read(dialect: Dialect, read: &st::Block, block: &Block, inputs: &Samp
     let outputs = Shape::of(&own.program.outputs, all.real);
     let inputs = inputs.only(&own.inputs);
     let enable: &[(&str, bool)] = if dialect == Dialect::Plain { &[] } else { &[("Enable", true)] };
+    let mut wanted = signals_of(&outputs, &output_names);
+    // A dialect shows an id without a fault at an output of its own.
+    let has_notice = legal.outputs.iter().any(|output| output.path == NOTICE);
+    wanted.extend(has_notice.then_some((NOTICE, Literal::U32(0))));
+    let error_id = own.program.outputs.iter().position(|output| output.path == "error_id");
     let mut instance = read
-        .start(&signals_of(&inputs.shape, &input_names), &signals_of(&outputs, &output_names), enable)
+        .start(&signals_of(&inputs.shape, &input_names), &wanted, enable)
         .map_err(|mistakes| broken(all.block, &mistakes))?;
     let mut answers = Samples::with_capacity(outputs, inputs.len());
     let (mut values, mut results) = (Vec::new(), Vec::new());
     for sample in 0..inputs.len() {
         inputs.read(sample, &mut values);
         instance.cycle(&values, &mut results);
+        if has_notice {
+            if let (Some(Literal::U32(notice)), Some(at)) = (results.pop(), error_id)
+                && let Literal::U32(id) = &mut results[at]
+            {
+                // One of them is 0: if not, the sum is no id of the block.
+                *id += notice;
+            }
+        }
         answers.push(&results);
     }
     Ok(answers.among(&own.outputs, &Shape::of(&all.outputs, all.real)))

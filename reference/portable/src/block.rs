@@ -7,9 +7,30 @@ use crate::{Fn, Portable, Real};
 pub struct Enable {
     /// the input
     pub input: &'static str,
-    /// of a mode: the function that gives its number OFF, and the part of the state that is true until the block has faded
-    /// out; `None`: the input is a bool, and false turns the block off at once
-    pub mode: Option<(&'static Fn, &'static str)>,
+    /// what it must be for that
+    pub off: Off,
+}
+
+/// What turns a block off.
+#[derive(Clone, Copy, Debug)]
+pub enum Off {
+    /// a mode: the function that gives its number OFF, and the part of the state that is true until the block has faded out
+    Mode(&'static Fn, &'static str),
+    /// false, at once
+    False,
+    /// true: the block brakes
+    Brake(Brake),
+}
+
+/// What shows whether a block that brakes is at rest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Brake {
+    /// the output that is 0 then
+    pub velocity: &'static str,
+    /// the output that has one of some numbers then
+    pub state: &'static str,
+    /// these numbers
+    pub resting: &'static [i32],
 }
 
 /// A function block: called once per position-controller cycle.

@@ -14,7 +14,7 @@ mod ir;
 mod literal;
 mod real;
 
-pub use block::{Block, Enable};
+pub use block::{Block, Brake, Enable, Off};
 pub use intrinsic::{
     from_i32, from_u32, in_range, nearest, nearly_half, note, overlaid, truncate, with_numbers, within,
 };

@@ -17,7 +17,7 @@ pub use signals::{Inputs, Outputs};
 
 use crate::signal::{error_cycle_time, error_none, error_unstable, error_v_add_master, error_x_command, sample_limit};
 use crate::{feedforward, ipc, position_control};
-use portable::{Block, Enable, Fn, Real, in_range, note, portable, within};
+use portable::{Block, Enable, Fn, Off, Real, in_range, note, portable, within};
 use position_control::Location;
 
 /// Where the additive velocity comes from.
@@ -372,7 +372,7 @@ impl<R: Real> Block<R> for Axis {
     type Outputs = Outputs<R>;
 
     const NAME: &'static str = "axis";
-    const ENABLE: Option<Enable> = Some(Enable { input: "position_controlled", mode: None });
+    const ENABLE: Option<Enable> = Some(Enable { input: "position_controlled", off: Off::False });
     const FRACTIONS: &'static [&'static str] = ipc::tuning::INPUTS;
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;

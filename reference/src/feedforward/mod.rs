@@ -19,7 +19,7 @@ use crate::signal::sample_limit;
 use crate::signal::{error_a_interpolator, error_cycle_time, error_j_interpolator, error_none, error_v_interpolator};
 use crate::sum::empty_sum;
 use crate::{delay, process_data};
-use portable::{Block, Enable, Fn, Real, from_i32, in_range, portable};
+use portable::{Block, Enable, Fn, Off, Real, from_i32, in_range, portable};
 
 /// The quantities of a sum.
 #[portable]
@@ -285,7 +285,7 @@ impl<R: Real> Block<R> for Feedforward {
     type Outputs = Outputs<R>;
 
     const NAME: &'static str = "feedforward";
-    const ENABLE: Option<Enable> = Some(Enable { input: "position_controlled", mode: None });
+    const ENABLE: Option<Enable> = Some(Enable { input: "position_controlled", off: Off::False });
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
 

@@ -26,7 +26,7 @@ use crate::signal::{error_cycle_time, error_gantry_slave, error_mode, error_none
 use crate::signal::{error_tuning, error_v_command, error_v_direct, error_v_motor, sample_limit};
 use crate::stage;
 use crate::sum::empty_sum;
-use portable::{Block, Enable, Fn, Real, from_u32, in_range, note, portable, within};
+use portable::{Block, Enable, Fn, Off, Real, from_u32, in_range, note, portable, within};
 use tuning::are_followed;
 
 /// Coefficients.
@@ -436,7 +436,7 @@ impl<R: Real> Block<R> for Ipc {
     type Outputs = Outputs<R>;
 
     const NAME: &'static str = "ipc";
-    const ENABLE: Option<Enable> = Some(Enable { input: "mode", mode: Some((&mode_off::Ir::<R>::IR, "preset")) });
+    const ENABLE: Option<Enable> = Some(Enable { input: "mode", off: Off::Mode(&mode_off::Ir::<R>::IR, "preset") });
     const FRACTIONS: &'static [&'static str] = tuning::INPUTS;
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;

@@ -24,7 +24,7 @@ use crate::signal::{
 use crate::signal::{error_x_actual, error_x_command, sample_limit};
 use crate::sum::empty_sum;
 use crate::{delay, process_data};
-use portable::{Block, Enable, Fn, Real, in_range, portable};
+use portable::{Block, Enable, Fn, Off, Real, in_range, portable};
 
 /// Where the position is controlled.
 #[portable]
@@ -291,7 +291,7 @@ impl<R: Real> Block<R> for PositionControl {
     type Outputs = Outputs<R>;
 
     const NAME: &'static str = "position_control";
-    const ENABLE: Option<Enable> = Some(Enable { input: "position_controlled", mode: None });
+    const ENABLE: Option<Enable> = Some(Enable { input: "position_controlled", off: Off::False });
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
 

@@ -29,7 +29,7 @@ use crate::angle::wrapped;
 use crate::signal::{error_cycle_time, error_none};
 use jobs::WAITING;
 use motion::{advance, follow, slow_down};
-use portable::{Block, Enable, Fn, Real, portable};
+use portable::{Block, Brake, Enable, Fn, Off, Real, portable};
 use put_out::{put_out_job, put_out_mode, put_out_motion};
 use state::enter;
 use transition::{brake, position, to_position, to_velocity, velocity};
@@ -165,6 +165,16 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     }
 }
 
+/// Turned off a spindle brakes as with a reset, and stands still under position control.
+pub const ENABLE: Enable = Enable {
+    input: "reset",
+    off: Off::Brake(Brake {
+        velocity: "v_spindle",
+        state: "spindle_state",
+        resting: &[SpindleState::Position as i32, SpindleState::ToPosition as i32],
+    }),
+};
+
 /// The block.
 #[derive(Clone, Copy, Debug)]
 pub struct Spindle;
@@ -176,7 +186,7 @@ impl<R: Real> Block<R> for Spindle {
     type Outputs = Outputs<R>;
 
     const NAME: &'static str = "spindle";
-    const ENABLE: Option<Enable> = Some(Enable { input: "drive_on", mode: None });
+    const ENABLE: Option<Enable> = Some(ENABLE);
     const USUAL_FIRST: bool = true;
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;

@@ -266,7 +266,7 @@ impl<R: Real> Block<R> for SpindleAxis {
     type Outputs = Outputs<R>;
 
     const NAME: &'static str = "spindle_axis";
-    const ENABLE: Option<Enable> = Some(Enable { input: "drive_on", mode: None });
+    const ENABLE: Option<Enable> = Some(spindle::ENABLE);
     const USUAL_FIRST: bool = true;
     const FRACTIONS: &'static [&'static str] = ipc::tuning::INPUTS;
     const INIT: Fn = init::Ir::<R>::IR;

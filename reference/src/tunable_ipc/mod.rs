@@ -27,7 +27,7 @@ use crate::ipc::numbers::{self, Numbers, Params};
 use crate::ipc::{self, watch};
 use crate::signal::{error_none, error_set_damaged, error_set_structure, error_set_unsound};
 use crate::{filter, stage, turn};
-use portable::{Block, Enable, Fn, Real, from_u32, in_range, note, portable, with_numbers};
+use portable::{Block, Enable, Fn, Off, Real, from_u32, in_range, note, portable, with_numbers};
 
 /// Coefficients.
 #[portable]
@@ -357,7 +357,7 @@ impl<R: Real> Block<R> for TunableIpc {
 
     const NAME: &'static str = <ipc::Ipc as Block<R>>::NAME;
     const ENABLE: Option<Enable> =
-        Some(Enable { input: "mode", mode: Some((&ipc::mode_off::Ir::<R>::IR, "ipc.preset")) });
+        Some(Enable { input: "mode", off: Off::Mode(&ipc::mode_off::Ir::<R>::IR, "ipc.preset") });
     const USUAL_FIRST: bool = true;
     const SET: Option<&'static str> = Some("params");
     const INIT: Fn = init::Ir::<R>::IR;

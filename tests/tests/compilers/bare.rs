@@ -41,7 +41,7 @@ fn objects_for_a_bare_processor_need_no_symbol() {
 }
 
 /// What the ABI of ARM names for arithmetic, not for copying memory, and what gcc calls to choose in a `switch` on a Cortex-M0.
-fn is_arithmetic(name: &str) -> bool {
+pub fn is_arithmetic(name: &str) -> bool {
     let is_of_abi = name.starts_with("__aeabi_") && !name.starts_with("__aeabi_mem");
     is_of_abi || name.starts_with("__gnu_thumb1_case_")
 }

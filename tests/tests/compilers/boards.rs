@@ -161,7 +161,7 @@ pub fn object(board: &Board, emitted: &[Emitted], level: &str) -> TempDir {
     folder
 }
 
-fn written<E: Borrow<Emitted>>(emitted: &[E]) -> TempDir {
+pub fn written<E: Borrow<Emitted>>(emitted: &[E]) -> TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
     for File { name, text } in emitted.iter().flat_map(|of| &of.borrow().files) {
         std::fs::write(folder.path().join(name), text).expect("room in it");
@@ -180,14 +180,14 @@ fn compile(compiler: &str, folder: &Path, emitted: &[&Emitted]) -> Command {
 }
 
 /// Runs a program that must succeed.
-fn finished(command: &mut Command, what: &str) {
+pub fn finished(command: &mut Command, what: &str) {
     let output = command.output().unwrap_or_else(|error| panic!("{what}: {command:?}: {error}"));
     let errors = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success() && errors.is_empty(), "{what}: {errors}");
 }
 
 /// What a program prints, whatever its exit code is.
-fn said(command: &mut Command) -> String {
+pub fn said(command: &mut Command) -> String {
     let output = command.output().unwrap_or_else(|error| panic!("{command:?}: {error}"));
     String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned()
 }

@@ -6,6 +6,7 @@
 
 mod bare;
 mod boards;
+mod clang;
 mod files;
 mod flags;
 mod matrix;

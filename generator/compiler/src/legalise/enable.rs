@@ -1,86 +1,193 @@
-//! Puts the signals around a block that users of PLCopen-style function blocks expect: Enable, Valid, Busy, Error, ErrorID.
+//! Puts the signals around a block that users of PLCopen-style function blocks expect: Enable, Valid, Busy, Error, ErrorID, NoticeID.
 
 use crate::pass::Defect;
-use crate::program::{Expr, Local, Program, Statement, Switch, Type, Var, Variable, rename};
-use portable::{Binary, Literal};
+use crate::program::{Expr, Local, Off, Program, Statement, Type, Var, Variable, rename};
+use portable::{Binary, Brake, Literal};
 
 /// The outputs that get another name, and that name.
 pub const RENAMED: [(&str, &str); 2] = [("fault", "Error"), ("error_id", "ErrorID")];
+/// The output of a block that may name what is not a fault.
+pub const NOTICE: &str = "NoticeID";
+/// The ids that may stand at `error_id` without a fault, by the names of their functions in the reference.
+pub const NOTICES: [&str; 5] =
+    ["error_tuning", "error_unstable", "error_set_structure", "error_set_unsound", "error_set_damaged"];
+/// Those of them that are never a fault.
+pub const ONLY_NOTICES: [&str; 2] = ["error_tuning", "error_unstable"];
+
+/// What the signals of a cycle follow from, for those who know the outputs of the block without them.
+#[derive(Clone, Copy, Debug)]
+pub struct Cycle {
+    pub fault: bool,
+    pub error_id: u32,
+    pub is_enabled: bool,
+    /// whether the block has to be called further on when it is not enabled
+    pub works: bool,
+}
+
+impl Cycle {
+    /// The value of one of the signals; none: it is another output.
+    pub fn value(self, path: &str) -> Option<Literal> {
+        let busy = self.is_enabled || self.works;
+        Some(match path {
+            "Valid" => Literal::Bool(busy && !self.fault),
+            "Busy" => Literal::Bool(busy),
+            "Error" => Literal::Bool(busy && self.fault),
+            "ErrorID" => Literal::U32(if busy && self.fault { self.error_id } else { 0 }),
+            NOTICE => Literal::U32(if self.fault { 0 } else { self.error_id }),
+            _ => return None,
+        })
+    }
+}
 
 /// The program with these signals, which come before the others.
 ///
-/// - `Enable` FALSE acts as mode OFF, or as the switch at FALSE where the block cannot be faded; TRUE as that input says.
-/// - `Valid`: enabled, and no fault in this cycle. It is no gate: on a fault of a part the others go on.
-/// - `Busy`: enabled, or not yet at rest: the block must go on being called.
-/// - `Error`, `ErrorID`: what `fault` and `error_id` are elsewhere.
+/// - `Enable` FALSE acts as what turns the block off: mode OFF, or a BOOL; TRUE as that input says.
+/// - `Busy`: enabled, or not yet at rest: it fades out, or it brakes.
+/// - `Valid`: `Busy`, and no fault in this cycle. So it falls with the last value that was to be used, not before it.
+/// - `Error`, `ErrorID`: `fault` and its id while `Busy` is TRUE: what `Enable` FALSE has brought to rest shows no error.
+/// - `NoticeID`: `error_id` in a cycle without a fault.
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let missing = |what: &str| Defect { pass: "enable", message: format!("{} has no {what}", program.block) };
     let switch = program.switch.take().ok_or_else(|| missing("input to turn it off"))?;
     let output = |path: &str| program.outputs.iter().position(|variable| variable.path == path);
     let [error, error_id] = RENAMED.map(|(path, _)| output(path).ok_or_else(|| missing(path)));
-    let [error, _] = add_signals(&mut program, &switch, [error?, error_id?]);
+    let brake = match &switch.off {
+        Off::Brake(brake) => {
+            Some(output(brake.velocity).zip(output(brake.state)).ok_or_else(|| missing(brake.velocity))?)
+        }
+        Off::Mode(..) | Off::False => None,
+    };
+    let moved = add_signals(&mut program, &switch.off, [error?, error_id?]);
+    let works = match &switch.off {
+        Off::Mode(_, fades) => fades.map(Expr::Var),
+        Off::False => None,
+        Off::Brake(of) => brake.map(|(velocity, state)| works(&program, of, [velocity, state].map(&moved))),
+    };
     // What the block reads is no longer the input, but what `Enable` makes of it.
     let (input, enabled) = (Var::Input(switch.input + 1), Var::Local(program.locals.len()));
     let variable = &program.inputs[switch.input + 1];
     program.locals.push(Local { path: format!("{}_enabled", variable.path), ty: Some(variable.ty) });
     rename(&mut program.step, &|var| if var == input { enabled } else { var });
-    let off = switch.off.map_or(Expr::bool(false), |off| {
-        let known = program.constants.iter().position(|constant| *constant == off);
-        Expr::Var(Var::Constant(known.unwrap_or_else(|| {
-            program.constants.push(off);
-            program.constants.len() - 1
-        })))
-    });
+    let off = match switch.off {
+        Off::Mode(off, _) => {
+            let known = program.constants.iter().position(|constant| *constant == off);
+            Expr::Var(Var::Constant(known.unwrap_or_else(|| {
+                program.constants.push(off);
+                program.constants.len() - 1
+            })))
+        }
+        other => Expr::Literal(other.value()),
+    };
     let enable = Expr::Var(Var::Input(0));
     let (then, otherwise) = (vec![assign(enabled, Expr::Var(input))], vec![assign(enabled, off)]);
     program.step.insert(0, Statement::If { condition: enable.clone(), then, otherwise });
-    let busy = match switch.busy {
-        Some(busy) => Expr::binary(Binary::Or, enable.clone(), Expr::Var(busy)),
-        None => enable.clone(),
-    };
-    program.step.extend([
-        assign(Var::Output(0), Expr::binary(Binary::And, enable, Expr::not(Expr::Var(error)))),
-        assign(Var::Output(1), busy),
-    ]);
+    let busy = works.map_or(enable.clone(), |works| Expr::binary(Binary::Or, enable, works));
+    put_out(&mut program, busy);
     Ok(program)
 }
 
-/// Puts the new signals before the others, which nothing reads or writes yet, and the two that get another name behind them; gives
-/// these two.
-fn add_signals(program: &mut Program, switch: &Switch, renamed: [usize; 2]) -> [Var; 2] {
-    let signal = |path: &str, doc| Variable { path: path.to_owned(), doc, ty: Type::Bool, start: Literal::Bool(false) };
-    let [of_enable, of_valid, of_busy] = docs(switch);
-    program.inputs.insert(0, signal("Enable", of_enable));
-    let mut order: Vec<usize> = renamed.to_vec();
-    order.extend((0..program.outputs.len()).filter(|index| !renamed.contains(index)));
-    let mut old: Vec<Option<Variable>> = std::mem::take(&mut program.outputs).into_iter().map(Some).collect();
-    program.outputs = vec![signal("Valid", of_valid), signal("Busy", of_busy)];
-    program.outputs.extend(order.iter().filter_map(|index| old[*index].take()));
-    for ((_, name), output) in RENAMED.iter().zip(&mut program.outputs[2..]) {
-        (*name).clone_into(&mut output.path);
+/// Writes the signals, behind all that the block does.
+fn put_out(program: &mut Program, is_busy: Expr) {
+    let [valid, busy, error, error_id, notice] = [0, 1, 2, 3, 4].map(Var::Output);
+    let and = |left, right| Expr::binary(Binary::And, left, right);
+    let none = || Expr::Literal(Literal::U32(0));
+    let shown = and(Expr::Var(error), Expr::Var(busy));
+    program.step.extend([assign(busy, is_busy), assign(valid, and(Expr::Var(busy), Expr::not(Expr::Var(error))))]);
+    if has_notices(program) {
+        program.step.push(Statement::If {
+            condition: Expr::Var(error),
+            then: vec![assign(notice, none())],
+            otherwise: vec![assign(notice, Expr::Var(error_id))],
+        });
     }
+    program.step.extend([
+        Statement::If {
+            condition: Expr::not(shown.clone()),
+            then: vec![assign(error_id, none())],
+            otherwise: Vec::new(),
+        },
+        assign(error, shown),
+    ]);
+}
+
+/// Whether a block that brakes is not at rest yet.
+fn works(program: &Program, brake: &Brake, [velocity, state]: [Var; 2]) -> Expr {
+    let zero = match program.real {
+        portable::RealKind::F64 => Literal::F64(0.0),
+        portable::RealKind::F32 => Literal::F32(0.0),
+    };
+    let compared = |operator, var, with| Expr::binary(operator, Expr::Var(var), Expr::Literal(with));
+    let or = |left, right| Expr::binary(Binary::Or, left, right);
+    let moves = or(compared(Binary::Greater, velocity, zero), compared(Binary::Less, velocity, zero));
+    let changes = brake.resting.iter().map(|number| compared(Binary::NotEqual, state, Literal::I32(*number)));
+    let changes = changes.reduce(|left, right| Expr::binary(Binary::And, left, right));
+    changes.map_or(moves.clone(), |changes| or(moves, changes))
+}
+
+/// Whether the block may name what is not a fault.
+fn has_notices(program: &Program) -> bool {
+    program.constants.iter().any(|constant| NOTICES.contains(&constant.path.as_str()))
+}
+
+/// Puts the new signals before the others, which nothing reads or writes yet, and the two that get another name behind them; gives
+/// where each output is then.
+fn add_signals(program: &mut Program, off: &Off, renamed: [usize; 2]) -> impl Fn(usize) -> Var + use<> {
+    let bool = |path: &str, doc| Variable { path: path.to_owned(), doc, ty: Type::Bool, start: Literal::Bool(false) };
+    let [of_enable, of_valid, of_busy] = docs(off);
+    program.inputs.insert(0, bool("Enable", of_enable));
+    let mut old: Vec<Option<Variable>> = std::mem::take(&mut program.outputs).into_iter().map(Some).collect();
+    program.outputs = vec![bool("Valid", of_valid), bool("Busy", of_busy)];
+    for ((index, (_, name)), doc) in renamed.iter().zip(RENAMED).zip(OF_ERRORS) {
+        program.outputs.extend(old[*index].take().map(|old| Variable { path: name.to_owned(), doc, ..old }));
+    }
+    if has_notices(program) {
+        program.outputs.push(Variable {
+            path: NOTICE.to_owned(),
+            doc: OF_NOTICE,
+            ty: Type::U32,
+            start: Literal::U32(0),
+        });
+    }
+    let first = program.outputs.len();
+    let rest: Vec<usize> = (0..old.len()).filter(|index| old[*index].is_some()).collect();
+    program.outputs.extend(old.into_iter().flatten());
+    let place = move |index: usize| {
+        let among = |list: &[usize]| list.iter().position(|old| *old == index);
+        Var::Output(among(&renamed).map(|at| 2 + at).or_else(|| among(&rest).map(|at| first + at)).unwrap_or_default())
+    };
     let moved = |var| match var {
         Var::Input(index) => Var::Input(index + 1),
-        Var::Output(index) => Var::Output(2 + order.iter().position(|old| *old == index).unwrap_or_default()),
+        Var::Output(index) => place(index),
         other => other,
     };
     rename(&mut program.init, &moved);
     rename(&mut program.step, &moved);
-    renamed.map(|index| moved(Var::Output(index)))
+    place
 }
 
+const OF_ERRORS: [&str; 2] = [
+    "a fault while Busy is TRUE; ErrorID says why. Enable FALSE ends it as soon as the block is at rest",
+    "why Error is TRUE: 0 none",
+];
+const OF_NOTICE: &str = "what needs attention and is not a fault: 0 none";
+
 /// What the signals mean, by what turns the block off.
-fn docs(switch: &Switch) -> [&'static str; 3] {
-    match switch.off {
-        Some(_) => [
-            "FALSE acts as mode OFF, TRUE as mode says",
-            "enabled, and no fault in this cycle: v_add may be added",
+fn docs(off: &Off) -> [&'static str; 3] {
+    match off {
+        Off::Mode(..) => [
+            "FALSE acts as mode OFF: v_add fades out; TRUE as mode says",
+            "add v_add: enabled, or still fading out, and no fault in this cycle",
             "enabled, or still fading out: go on calling the block",
         ],
-        None => [
+        Off::False => [
             "FALSE acts as position_controlled FALSE, at once and without a ramp; TRUE as position_controlled says",
             "enabled, and no fault of any part in this cycle; the outputs hold in any case, do not gate them with it",
             "enabled: go on calling the block",
+        ],
+        Off::Brake(_) => [
+            "FALSE acts as reset TRUE: the spindle brakes, and stands still under position control; TRUE as reset says",
+            "enabled, or still braking, and no fault in this cycle; the outputs hold in any case, do not gate them with it",
+            "enabled, still turning, or not back from velocity control: go on calling the block",
         ],
     }
 }

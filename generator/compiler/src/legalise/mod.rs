@@ -16,7 +16,7 @@ mod single;
 mod start;
 mod whole;
 
-pub use enable::RENAMED;
+pub use enable::{Cycle, NOTICE, NOTICES, ONLY_NOTICES, RENAMED};
 pub use own::{Own, RealInput, own};
 
 use crate::pass::{self, Defect, Stage};

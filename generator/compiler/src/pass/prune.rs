@@ -1,7 +1,7 @@
 //! Removes what no output depends on: locals, state, branches, constants. Inputs and outputs stay, they are the interface.
 
 use super::Defect;
-use crate::program::{Expr, Origin, Program, Statement, Table, Var, rename, rewrite};
+use crate::program::{Expr, Off, Origin, Program, Statement, Switch, Table, Var, rename, rewrite};
 
 pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
     let live = live_variables(&program);
@@ -69,8 +69,8 @@ fn number_afresh(mut program: Program) -> Program {
     };
     rename(&mut program.init, &renamed);
     rename(&mut program.step, &renamed);
-    if let Some(switch) = &mut program.switch {
-        switch.busy = switch.busy.filter(|busy| mentioned[*busy]).map(renamed);
+    if let Some(Switch { off: Off::Mode(_, fades), .. }) = &mut program.switch {
+        *fades = fades.filter(|fades| mentioned[*fades]).map(renamed);
     }
     program
 }

@@ -10,6 +10,8 @@ use std::sync::LazyLock;
 /// C99. Signed integers wrap around as unsigned ones do: an overflow of theirs has no meaning in C.
 pub static LANGUAGE: Language = Language {
     is_reserved: |name| RESERVED.contains(name),
+    // MISRA C:2012 5.2, of C99
+    significant: Some(63),
     kept: &[],
     types: ["bool", "int32_t", "uint32_t", "double", "float"],
     literal,

@@ -26,6 +26,9 @@ pub enum Level {
 pub struct Language {
     /// whether the language, or a block's own text, keeps a word for itself
     pub(super) is_reserved: fn(&str) -> bool,
+    /// the characters in which names of one scope must differ; a longer name loses parts of its path where that shortens it enough.
+    /// `None`: all of them count
+    pub(super) significant: Option<usize>,
     /// names that are given as they are, although they are reserved: signals that a legalising pass adds
     pub(super) kept: &'static [&'static str],
     /// the names of BOOL, DINT, UDINT, LREAL and REAL

@@ -11,20 +11,25 @@ pub fn identifier(path: &str) -> String {
     name
 }
 
-/// The names of one scope, unlike each other in more than the case of their letters.
+/// The names of one scope, unlike each other in more than the case of their letters, and in the characters that the language counts.
 pub(super) struct Names {
     is_reserved: fn(&str) -> bool,
+    significant: usize,
     taken: HashSet<String>,
 }
 
 impl Names {
     /// No names yet, in a language that keeps some words for itself.
     pub(super) fn new(language: &Language) -> Self {
-        Self { is_reserved: language.is_reserved, taken: HashSet::new() }
+        let significant = language.significant.unwrap_or(usize::MAX);
+        Self { is_reserved: language.is_reserved, significant, taken: HashSet::new() }
     }
 
     /// A name for what stands at the path, unlike every name given before.
     pub(super) fn take(&mut self, path: &str) -> String {
+        if let Some(name) = self.take_short(path) {
+            return name;
+        }
         let mut name = identifier(path);
         if (self.is_reserved)(&name) {
             name.push_str("_value");
@@ -32,9 +37,36 @@ impl Names {
         // Mostly a new value of what has a name already.
         let words = ["_next", "_last"].map(str::to_owned).into_iter();
         let mut ends = words.chain((2..).map(|number| format!("_{number}")));
-        while !self.taken.insert(name.to_ascii_lowercase()) {
-            name = identifier(path) + &ends.next().unwrap_or_default();
+        while !self.claim(&name) {
+            let end = ends.next().unwrap_or_default();
+            name = identifier(path);
+            // What makes it another name must be among the characters that count.
+            name.truncate(self.significant.saturating_sub(end.len()));
+            name.push_str(&end);
         }
         name
+    }
+
+    /// For a path whose name is too long: the name of its first part and of as much of its end as fits. `None`: the name is short
+    /// enough, or nothing of it can be left out.
+    fn take_short(&mut self, path: &str) -> Option<String> {
+        let (first, mut rest) = path.split_once('.')?;
+        if identifier(path).len() <= self.significant {
+            return None;
+        }
+        while let Some((_, shorter)) = rest.split_once('.') {
+            rest = shorter;
+            let name = identifier(&format!("{first}.{rest}"));
+            if name.len() <= self.significant && self.claim(&name) {
+                return Some(name);
+            }
+        }
+        None
+    }
+
+    /// Takes the name if no other one is equal to it where it counts.
+    fn claim(&mut self, name: &str) -> bool {
+        let counts: String = name.chars().take(self.significant).collect();
+        self.taken.insert(counts.to_ascii_lowercase())
     }
 }

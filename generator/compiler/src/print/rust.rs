@@ -11,6 +11,7 @@ use std::sync::LazyLock;
 /// would be a panic.
 pub static LANGUAGE: Language = Language {
     is_reserved: |name| RESERVED.contains(name),
+    significant: None,
     kept: &[],
     types: ["bool", "i32", "u32", "f64", "f32"],
     literal,

@@ -12,7 +12,7 @@ pub use table::Table;
 pub use visit::map_expressions;
 pub(crate) use visit::{rename, rewrite};
 
-use portable::{Binary, Intrinsic, Literal, RealKind, Unary, Variant};
+use portable::{Binary, Brake, Intrinsic, Literal, RealKind, Unary, Variant};
 
 /// A specialised block.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,12 +48,32 @@ pub struct Program {
 /// What turns a block off from outside.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Switch {
-    /// of [`Program::inputs`]: a mode, or a BOOL
+    /// of [`Program::inputs`]
     pub input: usize,
-    /// the mode in which the block is off; `None`: the input is a BOOL, and acts at once
-    pub off: Option<Constant>,
-    /// where the mode fades, the part of the state that is TRUE until the block is at rest
-    pub busy: Option<Var>,
+    /// what it must be for that
+    pub off: Off,
+}
+
+/// What turns a block off.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Off {
+    /// a mode, and the part of the state that is TRUE until the block is at rest
+    Mode(Constant, Option<Var>),
+    /// FALSE, at once
+    False,
+    /// TRUE: the block brakes
+    Brake(Brake),
+}
+
+impl Off {
+    /// The value of the input.
+    pub fn value(&self) -> Literal {
+        match self {
+            Self::Mode(off, _) => off.value,
+            Self::False => Literal::Bool(false),
+            Self::Brake(_) => Literal::Bool(true),
+        }
+    }
 }
 
 /// An input, an output or a part of the state.

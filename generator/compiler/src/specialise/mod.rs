@@ -10,7 +10,9 @@ mod part;
 mod statement;
 
 use crate::leaves;
-use crate::program::{Constant, Expr, Local, Origin, Program, Statement, Switch, Type, Var, Variable, variant_name};
+use crate::program::{
+    Constant, Expr, Local, Off, Origin, Program, Statement, Switch, Type, Var, Variable, variant_name,
+};
 use part::{Cell, Leaf, Named, Part};
 use portable::{Block, Enable, Fn, Literal, Portable, Real, Ty};
 use std::collections::BTreeMap;
@@ -127,13 +129,17 @@ impl Specialiser<'_> {
         let find = |list: &[Variable], path: &str| list.iter().position(|variable| variable.path == path);
         let input =
             find(&self.program.inputs, enable.input).expect("specialise: the block has the input that turns it off");
-        let Some((off, busy)) = enable.mode else { return Switch { input, off: None, busy: None } };
+        let (off, fades) = match enable.off {
+            portable::Off::False => return Switch { input, off: Off::False },
+            portable::Off::Brake(brake) => return Switch { input, off: Off::Brake(brake) },
+            portable::Off::Mode(off, fades) => (off, fades),
+        };
         let value = match off.body.block.value {
             Some(portable::Expr::Constant { value }) => value(),
             _ => panic!("specialise: {} is no number", off.name),
         };
         let off = Constant { path: off.name.to_owned(), doc: off.doc, value, origin: Origin::Function };
-        Switch { input, off: Some(off), busy: find(&self.program.state, busy).map(Var::State) }
+        Switch { input, off: Off::Mode(off, find(&self.program.state, fades).map(Var::State)) }
     }
 
     /// The coefficient as a named number, entered where it is first met.

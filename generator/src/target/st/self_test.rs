@@ -7,7 +7,7 @@ use crate::target::outline::Member;
 use crate::target::{Header, Legal};
 use crate::trial::{Answer, Noise, Trial, Turn};
 use askama::Template;
-use compiler::legalise::RealInput;
+use compiler::legalise::{Cycle, RealInput};
 use compiler::print::signals;
 use compiler::program::{Type, Variable};
 use portable::{Literal, Real, RealKind};
@@ -197,11 +197,13 @@ fn steps<'n>(
     let all = &block.block.program.outputs;
     let value = |output: &Variable, answer: &Answer| {
         let of = |path: &str| answer.outputs[all.iter().position(|known| known.path == path).unwrap_or_default()];
-        match output.path.as_str() {
-            "Valid" => Literal::Bool(!answer.is_off && of("fault") == Literal::Bool(false)),
-            "Busy" => Literal::Bool(!answer.is_off || answer.is_busy),
-            path => of(compiler::legalise::RENAMED.iter().find(|(_, new)| *new == path).map_or(path, |(old, _)| old)),
-        }
+        let cycle = Cycle {
+            fault: of("fault") == Literal::Bool(true),
+            error_id: if let Literal::U32(id) = of("error_id") { id } else { 0 },
+            is_enabled: !answer.is_off,
+            works: answer.is_busy,
+        };
+        cycle.value(&output.path).unwrap_or_else(|| of(&output.path))
     };
     let mut last: Vec<Option<Literal>> = vec![None; names.len()];
     let mut steps = Vec::new();

@@ -15,7 +15,8 @@ use std::sync::LazyLock;
 /// depend on one, and a block's numbers stand in its statements.
 pub static PLAIN: Language = Language {
     is_reserved: |name| RESERVED.contains(&*name.to_ascii_lowercase()),
-    kept: &["Enable", "Valid", "Busy", "Error", "ErrorID"],
+    significant: None,
+    kept: &["Enable", "Valid", "Busy", "Error", "ErrorID", "NoticeID"],
     types: ["BOOL", "DINT", "UDINT", "LREAL", "REAL"],
     literal,
     operand: literal::operand,

@@ -1,0 +1,128 @@
+//! The error ids of the blocks: what the block does, and what to do. One row an id; `axgen explain`, the guides for PLCs and
+//! docs/error-ids.md come from this table. Why an id is given stands in the reference, at the function that has it.
+
+use portable::{Expr, Fn, Literal};
+use reference::signal;
+
+/// An id.
+#[derive(Clone, Copy, Debug)]
+pub struct ErrorId {
+    pub id: u32,
+    /// the cause
+    pub why: &'static str,
+    /// what the block does
+    pub does: &'static str,
+    /// what the reader is to do
+    pub remedy: &'static str,
+}
+
+/// A row: the function of the reference, what the block does, what to do.
+type Row = (&'static Fn, &'static str, &'static str);
+
+macro_rules! rows {
+    ($($function:ident: $does:expr, $remedy:expr;)+) => {
+        &[$((&signal::$function::Ir::<f64>::IR, $does, $remedy)),+]
+    };
+}
+
+/// Of a velocity that improved position control reads.
+const NOTHING_ADDED: &str = "Improved position control adds nothing in a cycle with this fault: v_add is 0 at once. It fades in again when the sample is \
+                             good. The other parts of an axis go on.";
+const MEASURED: &str = "Check encoder, scaling and process data. If single telegrams are lost, the key ride_through lets the block hold samples.";
+/// Of a derivative that feedforward reads.
+const NOTHING_FED: &str = "Feedforward puts out 0 in a cycle with this fault. Position control goes on without it.";
+const INTERPOLATOR: &str = "Check the link to the interpolator, and the scaling of the signal.";
+/// Of what the position controller adds.
+const NO_POSITION_CONTROL: &str = "Velocities, manipulated variable and torque are 0 in a cycle with this fault, xerr is 0, and x_drive follows x_command.";
+const PART: &str = "Check the connection: the signal is an output of another block.";
+/// Of a request to a spindle.
+const LOST: &str = "The request is lost. The spindle goes on as before; nothing stays, and no reset is needed.";
+/// Of an error of a spindle that stays.
+const STAYS: &str = "The spindle brakes with spindle.deceleration to standstill by its velocity command and stays there, with this id, until a reset. \
+                     No job is served.";
+/// Of a sample of a spindle that may be missing for some cycles.
+const COASTS: &str = "The spindle goes on at its last velocity for up to three cycles. From the fourth bad cycle in a row on it brakes to \
+                      standstill, and the id stays until a reset.";
+
+static ROWS: &[Row] = rows! {
+    error_cycle_time: "The block acts as if it were off while the cause lasts, and starts anew after it. A spindle brakes to standstill, and the id \
+                       stays until a reset.",
+        "Call the block in a task with the cycle time that it was generated for, or generate it for this one. 0 at task_cycle_ns: unchecked.";
+    error_mode: "Improved position control acts as in the mode OFF, at once: v_add is 0. The other parts of an axis go on.",
+        "Write 0 (OFF), 1 (ON) or 2 (DRYRUN) to mode.";
+    error_state: "v_add is 0. The block starts anew by itself in the same cycle and fades in again.",
+        "Something else writes to the memory of the block, or an input is far above vb_max: look for it, it can come back.";
+    error_tuning: "Not a fault. The last valid value stays active.",
+        "Write a number from 0 to 1 to each input that tunes: the part follows it again.";
+    error_unstable: "Not a fault. v_add fades out and stays 0 until the mode is not ON, or reset.",
+        "Take a smaller weight or limit, then a reset, or the mode OFF or DRYRUN: the block is ready again (docs/improved-position-control.md).";
+    error_set_structure: "The offered set is refused. Not a fault while a set is in use: that one goes on. Without one nothing is added.",
+        "Make the set for the block that runs there: `axgen params-of NEW --axis X --on OLD`, with OLD as the file that the block was generated \
+         from; or generate the block anew (docs/parameter-sets.md).";
+    error_set_unsound: "The offered set is refused. Not a fault while a set is in use: that one goes on. Without one nothing is added.",
+        "Make the set again, with a limit that is not above the one of the block, or generate the block anew (docs/parameter-sets.md).";
+    error_set_damaged: "The offered set is refused. Not a fault while a set is in use: that one goes on. Without one nothing is added.",
+        "The set was changed, damaged, or read while somebody wrote it: write it again, all of it between two calls of the block \
+         (docs/parameter-sets.md).";
+    error_v_command: NOTHING_ADDED, "Check what gives v_command: the position controller with its feedforward.";
+    error_v_motor: NOTHING_ADDED, MEASURED;
+    error_v_direct: NOTHING_ADDED, MEASURED;
+    error_v_interpolator: "Feedforward puts out 0 in a cycle with this fault. A spindle goes on at its last velocity for up to three cycles; from the \
+                           fourth bad cycle in a row on it brakes to standstill, and the id stays until a reset.", INTERPOLATOR;
+    error_a_interpolator: NOTHING_FED, INTERPOLATOR;
+    error_j_interpolator: NOTHING_FED, INTERPOLATOR;
+    error_x_command: "Velocities, manipulated variable and torque are 0 in a cycle with this fault, and x_drive holds its last value. A spindle goes \
+                      on at its last velocity for up to three cycles; from the fourth bad cycle in a row on it brakes to standstill, and the id \
+                      stays until a reset.", INTERPOLATOR;
+    error_x_actual: "Velocities and manipulated variable are 0 in a cycle with this fault; x_drive follows x_command. A spindle goes on as \
+                     docs/spindle.md says for its state: before it has a position it does not leave TO_POSITION, in BRAKE it stays in BRAKE.",
+        "Check encoder, scaling and process data.";
+    error_following_error: NO_POSITION_CONTROL, "Check what gives following_error.";
+    error_v_feedforward: NO_POSITION_CONTROL, PART;
+    error_v_additive: NO_POSITION_CONTROL, PART;
+    error_v_add: NO_POSITION_CONTROL, PART;
+    error_v_add_master: "0 is added in place of the master's v_add; the other parts of the axis go on.",
+        "Check the connection to the master's block.";
+    error_v_actual: "The spindle stays in BRAKE: without its velocity it does not count as settled, and the time of error 42 runs.",
+        "Check encoder, scaling and process data.";
+    error_requests: LOST, "Give one request a cycle. The one of higher priority was taken: G74, S[PUTAX], M19, M5, then M3 and M4.";
+    error_direction: LOST, "Give M3 or M4, not both.";
+    error_s_word: LOST, "Write a number to s_word before the request.";
+    error_s_position: LOST, "Write a position to s_position before M19.";
+    error_waiting: LOST, "Wait until `waiting` is below 4, or give a reset, which ends all that waits.";
+    error_drive_off: LOST, "Give the request again when drive_on is TRUE.";
+    error_to_velocity: STAYS, "The drive does not know the mode, or its display is not in the telegram: check the parameters of the modes and \
+                               operation_mode_display. Then a reset.";
+    error_brake: STAYS, "The drive does not follow velocity_command, v_actual is wrong or noisy, or spindle.window or spindle.brake_timeout is too small. \
+                         Then a reset.";
+    error_to_position: STAYS, "As for 41, on the way to position control. Then a reset.";
+    error_half_turn: STAYS, "Command less than 180 degrees a cycle under position control: a lower speed, a shorter cycle, or velocity control above \
+                             P-AXIS-00767. Then a reset.";
+    error_mode_display: COASTS, "Something else changes the operation mode of the drive, or it has a fault: check drive_on and \
+                                 operation_mode_display. Then a reset.";
+    error_takeover: STAYS, "The interpolator must go on from x_spindle and v_spindle (docs/spindle.md); or spindle.takeover_window is too small. Then a reset.";
+    error_gantry_slave: "The block acts as in the mode OFF: v_add is 0.", "Leave mode OFF: the stages belong to the master (docs/gantry.md).";
+};
+
+/// All ids, in the order of the table.
+pub fn all() -> impl Iterator<Item = ErrorId> {
+    ROWS.iter().filter_map(|(function, does, remedy)| {
+        let Some(Expr::Constant { value }) = function.body.block.value else { return None };
+        let Literal::U32(id) = value() else { return None };
+        Some(ErrorId { id, why: function.doc.strip_prefix("error_id: ")?, does, remedy })
+    })
+}
+
+/// The page docs/error-ids.md.
+pub fn page() -> String {
+    let mut page = "# Error ids\n\n\
+        The ids at the output `error_id`; in `twincat`, `codesys` and `scl` at `ErrorID`, or at `NoticeID` if they are not a fault. \
+        `axgen explain 12` prints a row.\nThe header of each block lists the ids that it can have. Ids of the controller keep their numbers, which \
+        begin at 70000; ours are below 100.\nOut of the sample limit: not within +-1e15 (single precision: +-1e9), a NaN, an infinity.\n\n\
+        | id | cause | what the block does | what to do |\n| ---: | --- | --- | --- |\n"
+        .to_owned();
+    for ErrorId { id, why, does, remedy } in all() {
+        page.push_str(&format!("| {id} | {why} | {does} | {remedy} |\n"));
+    }
+    page
+}
