@@ -47,7 +47,7 @@ fn a_swing_that_grows_below_the_limit_does_not_trip() {
                 // Growth by more than a tenth from block to block, again and again.
                 let grows = 1.2_f64.powi(i32::try_from(cycle / LENGTH % 12).expect("small")) / 8.0;
                 block.step(&at(swing(cycle, amplitude * grows)));
-                (block.get("tripped") == 1.0).then(|| amplitude * grows)
+                (block.get("tripped") == 1.0).then_some(amplitude * grows)
             })
         };
         assert_eq!(trips_at(0.9 * LIMIT), None, "{tunable}");

@@ -59,7 +59,7 @@ fn run(drawn: &Drawn, rng: Rng, cycles: usize) -> Result<Seen, String> {
     let mut model = Alone::new(drawn);
     let mut history = History::new(drawn, rng);
     let mut seen = Seen::default();
-    let (mut was_tripped, mut was_in_use) = (0.0, 0.0);
+    let (mut was_tripped, mut was_in_use) = (0.0_f64, 0.0_f64);
     let mut before = None;
     for cycle in 0..cycles {
         let given = history.advance();
@@ -92,7 +92,7 @@ fn run(drawn: &Drawn, rng: Rng, cycles: usize) -> Result<Seen, String> {
         seen.cycles += 1;
         seen.trips += u64::from(tripped > was_tripped);
         seen.held += u64::from(block.output("held") > 0.0);
-        seen.taken += u64::from(active_set > 0.0 && active_set != was_in_use);
+        seen.taken += u64::from(active_set > 0.0 && active_set.to_bits() != was_in_use.to_bits());
         seen.dropped += u64::from(active_set == 0.0 && was_in_use > 0.0);
         seen.tuning += u64::from(is_one_of(&[4.0]));
         for (refused, id) in seen.refused.iter_mut().zip([6.0, 7.0, 8.0]) {

@@ -136,9 +136,12 @@ impl Input {
     }
 }
 
+/// One cycle of the reference: from the scalars of its inputs to those of its outputs.
+type Cycle = dyn FnMut(&[Literal], &mut Vec<Literal>);
+
 /// The block between two cycles.
 pub struct Block {
-    run: Box<dyn FnMut(&[Literal], &mut Vec<Literal>)>,
+    run: Box<Cycle>,
     real: RealKind,
     /// where each input comes from, and 0 of its type
     inputs: Vec<(Input, Literal)>,

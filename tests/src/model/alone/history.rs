@@ -206,7 +206,7 @@ impl<'d> History<'d> {
         for factor in switches.tuning_weight.iter_mut().chain([&mut switches.tuning_limit]) {
             if rng.chance(15) {
                 let any = narrowed(uniform(rng).abs());
-                *factor = *rng.pick(&[0.0, 1.0, 1.0, 0.5, any, 1e-7]);
+                *factor = *rng.pick(&[0.0, 1.0, 1.0, 0.5, any, 1e-7, f64::NAN]);
             }
         }
         switches.position_controlled = !rng.chance(3);

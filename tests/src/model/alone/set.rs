@@ -191,7 +191,7 @@ impl Set {
         let [limit, lower_limit, sum_limit] = [0, 1, 2].map(|at| self.numbers[at]);
         let quiet = if of.limits > 3 { self.numbers[3] } else { 0.0 };
         let are_limits_sound = (0.0..=of.limit).contains(&limit)
-            && lower_limit == -limit
+            && lower_limit + limit == 0.0
             && (limit..=LARGEST_LIMIT).contains(&sum_limit)
             && quiet.abs() <= of.limit;
         let is_section_stable = |(kind, at): &(Section, usize)| {
