@@ -9,7 +9,8 @@ use crate::trial::{self, Drill, Recording};
 use crate::{axis::Axis, design::rounding::rounded};
 use compiler::legalise::{self, Own};
 use compiler::pass::{self, Defect};
-use compiler::{leaves, program::Program, specialise, structure};
+use compiler::ranges::{self, Shown};
+use compiler::{arithmetic, leaves, program::Program, specialise, structure};
 use portable::{Block as Reference, Literal, Real, RealKind};
 use std::collections::BTreeMap;
 
@@ -94,6 +95,9 @@ pub struct Certified {
     pub figures: Vec<Figure>,
 }
 
+/// The figure that is the largest |v_add|.
+pub(crate) const LIMIT: &str = "LIMIT";
+
 /// A number that code may compare with what it expects.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
@@ -146,6 +150,8 @@ pub struct Block {
     pub(crate) trial: Recording,
     /// what is certain of its range, and its measured response
     pub certificate: Certified,
+    /// what is certain of its outputs, whatever its state and its inputs hold
+    pub ranges: Shown,
     /// what is in it, without the values of its coefficients: the same text, the same structure
     pub structure: String,
     /// the paths of all parts of the reference's state
@@ -228,7 +234,15 @@ fn block<R: Real, P: Part + Reference<f64> + Reference<R>>(part: &P, designed: &
     let start = part.start_cycles(designed);
     let drill = part.drill(designed);
     let trial = trial::recording::<R, P>(coeffs(), (&program, &own), &state_paths, ranges, start, &drill);
-    Ok(Block { program, own, notes, self_test, trial, certificate, structure, state_paths })
+    let ranges = ranges::run(&program, &limits(&certificate));
+    Ok(Block { program, own, notes, self_test, trial, certificate, ranges, structure, state_paths })
+}
+
+/// The outputs that are limited, with the largest magnitude that they may have: 0 where nothing adds a velocity.
+fn limits(certificate: &Certified) -> [ranges::Limit<'static>; 2] {
+    let figure = certificate.figures.iter().find(|figure| figure.name == LIMIT);
+    let limit = figure.and_then(|figure| arithmetic::wide(figure.value)).unwrap_or(0.0);
+    ["v_add", "v_add_calculated"].map(|path| (path, limit))
 }
 
 /// Runs the reference of a block for a user's own board.

@@ -13,6 +13,7 @@ pub(crate) mod stage;
 mod sum_limit;
 mod verdict;
 
+use super::kind::LIMIT;
 use super::{Certified, Figure, Part, Summary};
 use crate::axis::{Axis, Stage};
 use crate::blocks::designed::Designed;
@@ -98,7 +99,7 @@ pub(super) fn limit(designed: &Designed) -> Option<Figure> {
     let axis = &designed.axis;
     let own = axis.ipc.is_active().then(|| axis.ipc.limit());
     let doc = "the largest |v_add| [um/s or 0.001 deg/s]".to_owned();
-    let figure = |limit| Figure { name: "LIMIT", doc, value: literal(limit, axis.real) };
+    let figure = |limit| Figure { name: LIMIT, doc, value: literal(limit, axis.real) };
     if axis.control.master.is_some() { axis.control.master_limit.map(figure) } else { own.map(figure) }
 }
 
