@@ -78,20 +78,37 @@ fn set_beside() -> String {
     "set.toml".to_owned()
 }
 
+/// Reads the axis of a case, and nothing else of it.
+///
+/// # Errors
+/// What is wrong with its files, in words.
+pub fn axis(folder: &Path) -> Result<Designed, String> {
+    axis_of(folder, &described(folder)?)
+}
+
+fn described(folder: &Path) -> Result<Description, String> {
+    let path = folder.join("case.toml");
+    let bytes = config::load(&path).map_err(|unreadable| format!("{}: {}", path.slashes(), unreadable.said().1))?;
+    let text = String::from_utf8(bytes).map_err(|error| format!("{}: {error}", path.slashes()))?;
+    toml::from_str(&text).map_err(|error| format!("{}: {error}", path.slashes()))
+}
+
+fn axis_of(folder: &Path, description: &Description) -> Result<Designed, String> {
+    let options = ListOptions { cycle_time: description.cycle_time.clone(), name: None };
+    let (set, report) = pipeline::read(&folder.join(&description.set), &options);
+    let set = set.ok_or_else(|| report.to_string())?;
+    let axis = set.axes.into_iter().find(|of| of.axis.name == description.axis);
+    axis.ok_or_else(|| format!("{}: no axis `{}`", folder.join("case.toml").slashes(), description.axis))
+}
+
 /// Reads a case.
 ///
 /// # Errors
 /// What is wrong with its files, in words.
 pub fn read(folder: &Path) -> Result<Case, String> {
     let path = folder.join("case.toml");
-    let bytes = config::load(&path).map_err(|unreadable| format!("{}: {}", path.slashes(), unreadable.said().1))?;
-    let text = String::from_utf8(bytes).map_err(|error| format!("{}: {error}", path.slashes()))?;
-    let description: Description = toml::from_str(&text).map_err(|error| format!("{}: {error}", path.slashes()))?;
-    let options = ListOptions { cycle_time: description.cycle_time, name: None };
-    let (set, report) = pipeline::read(&folder.join(&description.set), &options);
-    let set = set.ok_or_else(|| report.to_string())?;
-    let axis = set.axes.into_iter().find(|of| of.axis.name == description.axis);
-    let axis = axis.ok_or_else(|| format!("{}: no axis `{}`", path.slashes(), description.axis))?;
+    let description = described(folder)?;
+    let axis = axis_of(folder, &description)?;
     let source = match (description.stimulus, description.scenario) {
         (Some(stimulus), None) => Source::Stimulus(stimulus),
         (None, Some(program)) => Source::Scenario(folder.join(program)),

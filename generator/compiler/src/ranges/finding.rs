@@ -30,8 +30,8 @@ impl Finding {
         let part = dump::expr(program, part);
         let place = statement.map_or_else(String::new, |statement| dump::first_line(program, statement));
         let (code, found) = match kind {
-            Kind::Conversion(x) => ("conversion", format!("`{part}`: its operand is {}", shown(Value::Real(x)))),
-            Kind::Overflow(of) => ("overflow", format!("`{part}` is {}", shown(Value::Whole(of)))),
+            Kind::Conversion(x) => ("conversion", format!("`{part}`: its operand is {}", words(Value::Real(x)))),
+            Kind::Overflow(of) => ("overflow", format!("`{part}` is {}", words(Value::Whole(of)))),
             Kind::Division => ("division", format!("`{part}`: its divisor may be 0")),
         };
         Self { code, text: format!("{found}, in `{place}`") }
@@ -45,7 +45,7 @@ impl fmt::Display for Finding {
 }
 
 /// Values in words.
-pub fn shown(value: Value) -> String {
+pub(super) fn words(value: Value) -> String {
     match value {
         Value::Bool([false, true]) => "TRUE".to_owned(),
         Value::Bool([true, false]) => "FALSE".to_owned(),

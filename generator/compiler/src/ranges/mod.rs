@@ -21,12 +21,13 @@ mod value;
 mod walk;
 mod whole;
 
-pub use finding::{Finding, shown};
+pub use finding::Finding;
+use finding::words;
 pub use real::Interval;
 pub use value::Value;
 pub use whole::Whole;
 
-use crate::program::{Expr, Origin, Program, Var, values};
+use crate::program::{Expr, Origin, Program, Var, Variable, values};
 use std::collections::BTreeSet;
 use walk::Walk;
 use whole::{Names, number};
@@ -43,6 +44,18 @@ pub struct Shown {
     pub numbers: Vec<Option<Vec<i64>>>,
     /// what cannot be shown
     pub findings: Vec<Finding>,
+}
+
+impl Shown {
+    /// The values of each output, in words.
+    pub fn lines(&self, program: &Program) -> Vec<String> {
+        let outputs = program.outputs.iter().zip(&self.outputs).zip(&self.numbers);
+        let words = |((output, value), numbers): ((&Variable, &Value), &Option<Vec<i64>>)| {
+            let values = numbers.as_ref().map_or_else(|| words(*value), |numbers| listed(numbers.iter()));
+            format!("{}: {values}", output.path)
+        };
+        outputs.map(words).collect()
+    }
 }
 
 /// Shows what is certain of a verified program.
@@ -80,18 +93,18 @@ fn of_output(
     let finding = |code, text| Some(Finding { code, text });
     match value {
         Value::Real(interval) if !interval.is_finite() => {
-            finding("finite", format!("the output {path} is {}", shown(value)))
+            finding("finite", format!("the output {path} is {}", words(value)))
         }
         Value::Real(interval) => {
             let limit = limit.filter(|limit| interval.magnitude() > *limit)?;
-            finding("limit", format!("the output {path} is {}, its limit is {limit:?}", shown(value)))
+            finding("limit", format!("the output {path} is {}, its limit is {limit:?}", words(value)))
         }
         Value::Whole(_) => {
             let list = list?;
             if numbers.is_some_and(|numbers| numbers.iter().all(|number| list.contains(number))) {
                 return None;
             }
-            let found = numbers.map_or_else(|| shown(value), |numbers| listed(numbers.iter()));
+            let found = numbers.map_or_else(|| words(value), |numbers| listed(numbers.iter()));
             finding("list", format!("the output {path} is {found}; its list is {}", listed(list.iter())))
         }
         Value::Bool(_) => None,
@@ -102,11 +115,12 @@ fn listed<'n>(numbers: impl Iterator<Item = &'n i64>) -> String {
     numbers.map(i64::to_string).collect::<Vec<_>>().join(", ")
 }
 
-/// The named numbers of a program, those first that are ids.
+/// The named numbers of a program, those first that are ids and words.
 fn names(program: &Program) -> Names {
-    let constants = program.constants.iter();
-    let ids = constants.clone().filter(|constant| constant.origin == Origin::Function);
-    let words = constants.filter(|constant| matches!(constant.origin, Origin::Variant(_)));
+    let of = |is_first: bool| {
+        let constants = program.constants.iter();
+        constants.filter(move |constant| is_first != matches!(constant.origin, Origin::Coefficient(_)))
+    };
     let mut literals = Vec::new();
     for statement in program.statements() {
         statement.expressions(&mut |expr| {
@@ -115,7 +129,8 @@ fn names(program: &Program) -> Names {
             }
         });
     }
-    Names::of(ids.chain(words).filter_map(|constant| number(constant.value)).chain(literals))
+    let constants = of(true).chain(of(false)).filter_map(|constant| number(constant.value));
+    Names::of(constants.chain(literals))
 }
 
 /// Of each output that is an id or a word: the numbers that it may be.
@@ -124,7 +139,7 @@ fn lists(program: &Program) -> Vec<Option<BTreeSet<i64>>> {
     let of = |constants: &mut dyn Iterator<Item = usize>| -> BTreeSet<i64> {
         constants.filter_map(|index| number(program.constants[index].value)).collect()
     };
-    let list = |(index, output): (usize, &crate::program::Variable)| {
+    let list = |(index, output): (usize, &Variable)| {
         let signal = signals.iter().find(|signal| signal.var == Var::Output(index));
         match signal {
             Some(signal) => Some(of(&mut signal.constants.iter().copied())),

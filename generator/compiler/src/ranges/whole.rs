@@ -35,8 +35,6 @@ impl Names {
         Whole { low: number, high: number, named }
     }
 
-    /// These numbers and no other; none of them: of one that has no name nothing but its range is kept.
-
     /// The numbers, if they are named.
     pub(super) fn numbers(&self, of: Whole) -> Option<Vec<i64>> {
         let is_in = |(position, _): &(usize, &i64)| of.named >> position & 1 == 1;

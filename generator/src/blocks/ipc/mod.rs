@@ -13,7 +13,6 @@ pub(crate) mod stage;
 mod sum_limit;
 mod verdict;
 
-use super::kind::LIMIT;
 use super::{Certified, Figure, Part, Summary};
 use crate::axis::{Axis, Stage};
 use crate::blocks::designed::Designed;
@@ -83,6 +82,10 @@ impl Part for Ipc {
         diff::description(designed)
     }
 
+    fn limit(&self, designed: &Designed) -> Option<Figure> {
+        limit(designed)
+    }
+
     fn certificate(&self, designed: &Designed, program: &Program) -> Certified {
         // A gantry slave's block never acts: there is nothing to measure.
         if designed.axis.control.master.is_some() {
@@ -99,7 +102,7 @@ pub(super) fn limit(designed: &Designed) -> Option<Figure> {
     let axis = &designed.axis;
     let own = axis.ipc.is_active().then(|| axis.ipc.limit());
     let doc = "the largest |v_add| [um/s or 0.001 deg/s]".to_owned();
-    let figure = |limit| Figure { name: LIMIT, doc, value: literal(limit, axis.real) };
+    let figure = |limit| Figure { name: "LIMIT", doc, value: literal(limit, axis.real) };
     if axis.control.master.is_some() { axis.control.master_limit.map(figure) } else { own.map(figure) }
 }
 
