@@ -95,7 +95,7 @@ fn refusal<R: Real>(old: &Designed, new: &Designed) -> Option<Refusal> {
         return Some(Refusal::Limit([old, new].map(|of| of.ipc.limit)));
     }
     // The very check of the block.
-    let error = tunable_ipc::error_of(&block, &tunable_ipc::params(&set));
+    let error = tunable_ipc::refusal(&block, &tunable_ipc::params(&set));
     (error != reference::signal::error_none()).then_some(Refusal::Numbers(error))
 }
 

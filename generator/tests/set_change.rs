@@ -7,7 +7,7 @@ use generator::params_of;
 use generator::pipeline::read_with;
 use generator::set_change::{Refusal, judge};
 use portable::{Literal, Portable, Real, RealKind};
-use reference::tunable_ipc::{Coeffs, Inputs, Outputs, State, error_of, init, params, step};
+use reference::tunable_ipc::{Coeffs, Inputs, Outputs, State, init, params, refusal, step};
 use std::collections::BTreeSet;
 use std::path::Path;
 
@@ -187,7 +187,7 @@ fn escapes<R: Real>(of: &Designed) -> Vec<String> {
     let error = |at: usize, leaf: Literal| {
         let mut changed = set.clone();
         changed[at] = leaf;
-        error_of(&coeffs, &build(changed.into_iter()))
+        refusal(&coeffs, &build(changed.into_iter()))
     };
     assert_eq!(error(0, set[0]), 0, "as it is, the set is taken over");
     let mut found = BTreeSet::new();

@@ -12,12 +12,13 @@
 //! `axgen run set.toml --axis X --stimulus inputs.csv --hex` prints outputs.csv, whatever the engine; of a scenario without `--hex`:
 //! its numbers are decimal, and short. `source` says where the inputs come from.
 
-use crate::csv::{self, Reals};
+use crate::csv::{self, Reals, cell};
 use crate::engine::{self, Engine};
 use crate::samples::{Samples, Shape};
 use crate::shows::shown;
 use crate::source::{self, Source};
-use crate::stimulus::{self, Stimulus};
+use crate::stimulus::{self, Event, Stimulus, Window};
+use compiler::program::Variable;
 use generator::blocks::Designed;
 use generator::blocks::{self, Block};
 use generator::config::{self, ListOptions};
@@ -70,8 +71,18 @@ struct Description {
     axis: String,
     block: String,
     stimulus: Option<Stimulus>,
+    #[serde(default)]
+    offer: Vec<Offer>,
     scenario: Option<PathBuf>,
     emitted: Option<Vec<String>>,
+}
+
+/// A parameter set that is offered: that of the same axis in another file. The events of the stimulus overrule it.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Offer {
+    set: String,
+    window: Window,
 }
 
 fn set_beside() -> String {
@@ -83,7 +94,8 @@ fn set_beside() -> String {
 /// # Errors
 /// What is wrong with its files, in words.
 pub fn axis(folder: &Path) -> Result<Designed, String> {
-    axis_of(folder, &described(folder)?)
+    let description = described(folder)?;
+    axis_of(folder, &description, &description.set)
 }
 
 fn described(folder: &Path) -> Result<Description, String> {
@@ -93,9 +105,10 @@ fn described(folder: &Path) -> Result<Description, String> {
     toml::from_str(&text).map_err(|error| format!("{}: {error}", path.slashes()))
 }
 
-fn axis_of(folder: &Path, description: &Description) -> Result<Designed, String> {
+/// The axis of a case, as that file has it.
+fn axis_of(folder: &Path, description: &Description, file: &str) -> Result<Designed, String> {
     let options = ListOptions { cycle_time: description.cycle_time.clone(), name: None };
-    let (set, report) = pipeline::read(&folder.join(&description.set), &options);
+    let (set, report) = pipeline::read(&folder.join(file), &options);
     let set = set.ok_or_else(|| report.to_string())?;
     let axis = set.axes.into_iter().find(|of| of.axis.name == description.axis);
     axis.ok_or_else(|| format!("{}: no axis `{}`", folder.join("case.toml").slashes(), description.axis))
@@ -107,10 +120,17 @@ fn axis_of(folder: &Path, description: &Description) -> Result<Designed, String>
 /// What is wrong with its files, in words.
 pub fn read(folder: &Path) -> Result<Case, String> {
     let path = folder.join("case.toml");
-    let description = described(folder)?;
-    let axis = axis_of(folder, &description)?;
-    let source = match (description.stimulus, description.scenario) {
-        (Some(stimulus), None) => Source::Stimulus(stimulus),
+    let mut description = described(folder)?;
+    let axis = axis_of(folder, &description, &description.set)?;
+    let source = match (description.stimulus.take(), description.scenario.take()) {
+        (Some(mut stimulus), None) => {
+            for (place, Offer { set, window }) in description.offer.iter().enumerate() {
+                let events = offered(&named_block(&axis_of(folder, &description, set)?, &description.block)?, *window);
+                let first = place * events.len();
+                stimulus.event.splice(first..first, events);
+            }
+            Source::Stimulus(stimulus)
+        }
         (None, Some(program)) => Source::Scenario(folder.join(program)),
         _ => return Err(format!("{}: either `stimulus` or `scenario` is needed", path.slashes())),
     };
@@ -127,6 +147,17 @@ pub fn read(folder: &Path) -> Result<Case, String> {
         source,
         emitted: description.emitted,
     })
+}
+
+/// The events that offer the parameter set that a block is generated with.
+fn offered(block: &Block, window: Window) -> Vec<Event> {
+    let parts = block.program.inputs.iter().filter(|input| block.program.in_set(input).is_some());
+    let event = |input: &Variable| {
+        let mut value = String::new();
+        cell(input.start, Reals::Hexadecimal, &mut value);
+        Event { signal: input.path.clone(), value, window }
+    };
+    parts.map(event).collect()
 }
 
 /// The block of an axis by its name.

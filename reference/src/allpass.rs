@@ -6,7 +6,7 @@
 
 use crate::check_word::{Forming, add_three, largest_number};
 use crate::section::{State, anti_denormal, is_driven_by_change, is_stable_biquad, is_stable_trapezoidal};
-use crate::trapezoidal;
+use crate::{trapezoidal, turn};
 use portable::{Real, in_range, portable};
 
 /// Coefficients, with a0 = 1 and the signs of `y = a2 x + s1; s1 = a1 x - a1 y + s2; s2 = x - a2 y`.
@@ -74,6 +74,32 @@ pub fn take<R: Real>(coeffs: &mut Coeffs<R>, offered: &Coeffs<R>) {
         coeffs.a2 = offered.a2;
         coeffs.preset = offered.preset;
     }
+}
+
+/// Compares each number with its copy in its turn, from `first` on. Gives the turn after the last one.
+#[portable]
+pub fn compare<R: Real>(state: &mut turn::State, turn: i32, first: i32, now: &Coeffs<R>, copy: &Coeffs<R>) -> i32 {
+    let mut at = first;
+    if is_driven_by_change::<R>() {
+        for i in 0..3 {
+            if turn == at {
+                let numbers = [now.a, now.b, now.c];
+                let copies = [copy.a, copy.b, copy.c];
+                state.next = if turn::is_kept(numbers[i] - copies[i]) { at + 1i32 } else { turn::differed() };
+            }
+            at += 1i32;
+        }
+    } else {
+        for i in 0..3 {
+            if turn == at {
+                let numbers = [now.a1, now.a2, now.preset];
+                let copies = [copy.a1, copy.a2, copy.preset];
+                state.next = if turn::is_kept(numbers[i] - copies[i]) { at + 1i32 } else { turn::differed() };
+            }
+            at += 1i32;
+        }
+    }
+    at
 }
 
 /// Whether every number is one, and the section is stable.

@@ -1,7 +1,7 @@
 //! One filter of a stage: nothing, a band-pass of order 1 to 3, or an all-pass.
 
 use crate::check_word::Forming;
-use crate::{allpass, bandpass, change, section};
+use crate::{allpass, bandpass, change, section, turn};
 use portable::{Real, portable};
 
 /// The highest order of a band-pass: so many sections.
@@ -123,6 +123,33 @@ pub fn take<R: Real>(now: &mut Numbers<R>, structure: &Coeffs<R>, offered: &Numb
         }
         Type::Allpass => allpass::take(&mut now.allpass, &offered.allpass),
     }
+}
+
+/// Compares each number with its copy in its turn, from `first` on. Gives the turn after the last one.
+#[portable]
+pub fn compare<R: Real>(
+    state: &mut turn::State,
+    turn: i32,
+    first: i32,
+    structure: &Coeffs<R>,
+    now: &Numbers<R>,
+    copy: &Numbers<R>,
+) -> i32 {
+    let mut at = first;
+    match structure.kind {
+        Type::NoFilter => {}
+        Type::Bandpass => {
+            for i in 0..MAX_ORDER {
+                if i < structure.order {
+                    at = bandpass::compare(state, turn, at, &now.bandpass[i], &copy.bandpass[i]);
+                }
+            }
+        }
+        Type::Allpass => {
+            at = allpass::compare(state, turn, at, &now.allpass, &copy.allpass);
+        }
+    }
+    at
 }
 
 /// Whether every number is one, and each section is stable.

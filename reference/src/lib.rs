@@ -30,3 +30,4 @@ pub mod sum;
 pub mod trapezoidal;
 pub mod tunable_ipc;
 pub mod tuned_ipc;
+pub mod turn;

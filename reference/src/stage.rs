@@ -1,7 +1,7 @@
 //! One stage: the source that its mode names, the simulated oscillation, two filters, the gain.
 
 use crate::check_word::{Forming, add};
-use crate::{change, filter, oscillation, section};
+use crate::{change, filter, oscillation, section, turn};
 use portable::{Real, in_range, portable};
 
 /// Filters in a stage.
@@ -176,6 +176,29 @@ pub fn take<R: Real>(now: &mut Numbers<R>, structure: &Coeffs<R>, offered: &Numb
         filter::take(&mut now.filter[k], &structure.filter[k], &offered.filter[k]);
     }
     now.gain = offered.gain;
+}
+
+/// Compares each number with its copy in its turn, from `first` on. Gives the turn after the last one.
+#[portable]
+pub fn compare<R: Real>(
+    state: &mut turn::State,
+    turn: i32,
+    first: i32,
+    structure: &Coeffs<R>,
+    now: &Numbers<R>,
+    copy: &Numbers<R>,
+) -> i32 {
+    let mut at = first;
+    if structure.mode != Mode::Direct {
+        at = oscillation::compare(state, turn, at, &now.oscillation, &copy.oscillation);
+    }
+    for k in 0..FILTERS {
+        at = filter::compare(state, turn, at, &structure.filter[k], &now.filter[k], &copy.filter[k]);
+    }
+    if turn == at {
+        state.next = if turn::is_kept(now.gain - copy.gain) { at + 1i32 } else { turn::differed() };
+    }
+    at + 1i32
 }
 
 /// Whether every number is one and in its range, and each section is stable.

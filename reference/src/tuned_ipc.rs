@@ -39,8 +39,12 @@ impl<R: Real> Block<R> for TunedIpc {
     const INIT: Fn = <Ipc as Block<R>>::INIT;
     const STEP: Fn = step::Ir::<R>::IR;
 
-    fn state() -> State<R> {
-        <Ipc as Block<R>>::state()
+    fn memory() -> State<R> {
+        <Ipc as Block<R>>::memory()
+    }
+
+    fn init(state: &mut State<R>) {
+        <Ipc as Block<R>>::init(state);
     }
 
     fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {

@@ -67,7 +67,9 @@ typedef struct {
 {%- endmatch %}
 {%- endfor %}
 {%- if !block.set.is_empty() %}
-    const {{ block.prefix }}_params *params; /* the parameter set, never NULL; start &{{ block.prefix }}_designed */
+    /* the parameter set, never NULL; start &{{ block.prefix }}_designed; volatile: each number is read once, so that what was checked is what is
+     * used */
+    const volatile {{ block.prefix }}_params *params;
 {%- endif %}
 } {{ block.prefix }}_inputs;
 

@@ -13,6 +13,21 @@ static {{ real }} {{ block.prefix }}_magnitude({{ real }} value)
 #endif
 }
 {%- endif %}
+{%- if uses_is_zero %}
+
+/* whether value is exactly 0: that is meant where a compiler is asked to warn of it */
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wfloat-equal"
+#endif
+static bool {{ block.prefix }}_is_zero({{ real }} value)
+{
+    return value == 0.0{{ suffix }};
+}
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+{%- endif %}
 {%- if uses_nearest %}
 
 /* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded

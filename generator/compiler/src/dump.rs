@@ -60,8 +60,7 @@ fn statements(program: &Program, list: &[Statement], level: usize, f: &mut Forma
             Statement::Choose { arms, .. } => {
                 writeln!(f, "{indent}{}", first_line(program, statement))?;
                 for arm in arms {
-                    let labels: Vec<String> =
-                        arm.labels.iter().map(|label| name(program, Var::Constant(*label))).collect();
+                    let labels: Vec<String> = arm.labels.iter().map(|label| expr(program, label)).collect();
                     writeln!(f, "{indent}{}:", labels.join(", "))?;
                     statements(program, &arm.body, level + 1, f)?;
                 }

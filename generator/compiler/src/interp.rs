@@ -85,7 +85,7 @@ impl<'p> Machine<'p> {
                 Statement::Apart(body) => self.run(body, watch),
                 Statement::Choose { by, arms } => {
                     let value = self.value(by);
-                    let is_chosen = |label: &usize| self.program.constants[*label].value == value;
+                    let is_chosen = |label: &Expr| label.known(&self.program.constants) == Some(value);
                     let arm = arms.iter().find(|arm| arm.labels.iter().any(is_chosen)).or(arms.last());
                     self.run(arm.map_or(&[], |arm| &arm.body), watch);
                 }

@@ -4,6 +4,7 @@
 mod axis;
 mod control;
 mod run;
+mod sets;
 mod spindle;
 
 use crate::samples::Samples;
@@ -17,6 +18,7 @@ pub fn shown(axis: &Axis, inputs: &Samples, outputs: &Samples) -> BTreeSet<Strin
     shown.extend(run::shown(inputs, outputs));
     shown.extend(control::constructs(axis));
     shown.extend(control::events(inputs, outputs));
+    shown.extend(sets::events(outputs));
     shown.extend(spindle::constructs(axis));
     shown.extend(spindle::events(inputs, outputs));
     shown

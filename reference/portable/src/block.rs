@@ -39,8 +39,18 @@ pub trait Block<R: Real> {
     /// `step(state, coeffs, inputs, outputs)`: one cycle.
     const STEP: Fn;
 
-    /// The state before the first cycle.
-    fn state() -> Self::State;
+    /// Memory in which nothing has been written yet.
+    fn memory() -> Self::State;
+
+    /// Runs `INIT`.
+    fn init(state: &mut Self::State);
+
+    /// The state before the first cycle: what `init` makes of memory, in every language.
+    fn state() -> Self::State {
+        let mut state = Self::memory();
+        Self::init(&mut state);
+        state
+    }
 
     /// The values that inputs have until the caller writes them.
     fn inputs(coeffs: &Self::Coeffs) -> Self::Inputs;

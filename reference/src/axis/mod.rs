@@ -377,8 +377,12 @@ impl<R: Real> Block<R> for Axis {
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
 
-    fn state() -> State<R> {
+    fn memory() -> State<R> {
         State::default()
+    }
+
+    fn init(state: &mut State<R>) {
+        init(state);
     }
 
     fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {

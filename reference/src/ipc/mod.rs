@@ -131,9 +131,13 @@ pub fn move_fade<R: Real>(state: &mut State<R>, mode: i32) {
     }
 }
 
-/// A state was overwritten. The fade stands beyond its end until the next cycle tells the fault. A fade that was overwritten itself is told as well.
+/// A state was overwritten. The fade stands beyond its end until the next cycle reports the fault, as a fade does that was overwritten itself. What
+/// the caller tunes starts anew.
 #[portable]
 pub fn disturb<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
+    if coeffs.tuning.active {
+        tuning::init(&mut state.tuning);
+    }
     state.fade = coeffs.fade_cycles + 1u32;
 }
 
@@ -157,14 +161,20 @@ pub fn tuned_lower_limit<R: Real>(coeffs: &Coeffs<R>, tuning: &tuning::State<R>)
     if coeffs.tuning.active { coeffs.lower_limit * tuning.limit.now } else { coeffs.lower_limit }
 }
 
+/// Whether the largest sum that acts is not above the limit: a part of the limit that is tuned may have been overwritten.
+#[portable]
+pub fn is_limit<R: Real>(coeffs: &Coeffs<R>, upper: R) -> bool {
+    !coeffs.tuning.active || in_range(upper, coeffs.limit)
+}
+
 /// The sum within +-limit; exactly 0 where its magnitude is not above `rest`. A sum that no velocity of this axis leads to is a fault: a
 /// state has been overwritten.
 #[portable]
 pub fn limit<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, coeffs: &Coeffs<R>, v_sum: R) -> R {
     let upper = tuned_limit(coeffs, &state.tuning);
-    if within(v_sum, upper) {
+    if within(v_sum, upper) && (!coeffs.tuning.active || within(v_sum, coeffs.limit)) {
         if within(v_sum, coeffs.rest) { R::ZERO } else { v_sum }
-    } else if within(v_sum, coeffs.sum_limit) {
+    } else if within(v_sum, coeffs.sum_limit) && is_limit(coeffs, upper) {
         outputs.limited = true;
         if v_sum > R::ZERO { upper } else { tuned_lower_limit(coeffs, &state.tuning) }
     } else {
@@ -431,8 +441,12 @@ impl<R: Real> Block<R> for Ipc {
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
 
-    fn state() -> State<R> {
+    fn memory() -> State<R> {
         State::default()
+    }
+
+    fn init(state: &mut State<R>) {
+        init(state);
     }
 
     fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {

@@ -4,7 +4,7 @@
 use super::signals::STAGES;
 use super::{Coeffs, watch};
 use crate::check_word::{Forming, Word, add, largest_number, limit_scale};
-use crate::stage;
+use crate::{stage, turn};
 use portable::{Real, in_range, portable};
 
 /// The numbers of the set in use.
@@ -45,25 +45,69 @@ pub struct Params<R> {
     pub stage: [stage::Numbers<R>; STAGES],
 }
 
-/// Takes the numbers over.
+/// Reads the numbers of an offered set, each of them once: what another task writes afterwards is not seen.
 #[portable]
-pub fn take<R: Real>(now: &mut Numbers<R>, structure: &Coeffs<R>, offered: &Params<R>) {
-    now.limit = offered.limit;
-    now.lower_limit = offered.lower_limit;
-    now.sum_limit = offered.sum_limit;
+pub fn read<R: Real>(numbers: &mut Numbers<R>, structure: &Coeffs<R>, offered: &Params<R>) {
+    numbers.limit = offered.limit;
+    numbers.lower_limit = offered.lower_limit;
+    numbers.sum_limit = offered.sum_limit;
     if structure.watch.active {
-        now.watch.quiet = offered.watch.quiet;
+        numbers.watch.quiet = offered.watch.quiet;
     }
     for i in 0..STAGES {
         if structure.stage[i].mode != stage::Mode::NotActive {
-            stage::take(&mut now.stage[i], &structure.stage[i], &offered.stage[i]);
+            stage::take(&mut numbers.stage[i], &structure.stage[i], &offered.stage[i]);
         }
     }
 }
 
+/// Takes other numbers over.
+#[portable]
+pub fn take<R: Real>(numbers: &mut Numbers<R>, structure: &Coeffs<R>, others: &Numbers<R>) {
+    numbers.limit = others.limit;
+    numbers.lower_limit = others.lower_limit;
+    numbers.sum_limit = others.sum_limit;
+    if structure.watch.active {
+        numbers.watch.quiet = others.watch.quiet;
+    }
+    for i in 0..STAGES {
+        if structure.stage[i].mode != stage::Mode::NotActive {
+            stage::take(&mut numbers.stage[i], &structure.stage[i], &others.stage[i]);
+        }
+    }
+}
+
+/// Compares each number with its copy in its turn. Gives the turn after the last one.
+#[portable]
+pub fn compare<R: Real>(
+    state: &mut turn::State,
+    turn: i32,
+    structure: &Coeffs<R>,
+    now: &Numbers<R>,
+    copy: &Numbers<R>,
+) -> i32 {
+    let mut at = 0i32;
+    for i in 0..4 {
+        if i < 3usize || structure.watch.active {
+            if turn == at {
+                let limits = [now.limit, now.lower_limit, now.sum_limit, now.watch.quiet];
+                let copies = [copy.limit, copy.lower_limit, copy.sum_limit, copy.watch.quiet];
+                state.next = if turn::is_kept(limits[i] - copies[i]) { at + 1i32 } else { turn::differed() };
+            }
+            at += 1i32;
+        }
+    }
+    for i in 0..STAGES {
+        if structure.stage[i].mode != stage::Mode::NotActive {
+            at = stage::compare(state, turn, at, &structure.stage[i], &now.stage[i], &copy.stage[i]);
+        }
+    }
+    at
+}
+
 /// Whether every number is one, each section is stable, and the limit is not above the one of `structure`.
 #[portable]
-pub fn are_sound<R: Real>(structure: &Coeffs<R>, offered: &Params<R>) -> bool {
+pub fn are_sound<R: Real>(structure: &Coeffs<R>, offered: &Numbers<R>) -> bool {
     let mut are_sound_so_far = are_limits_sound(structure, offered);
     for i in 0..STAGES {
         if structure.stage[i].mode != stage::Mode::NotActive {
@@ -76,7 +120,7 @@ pub fn are_sound<R: Real>(structure: &Coeffs<R>, offered: &Params<R>) -> bool {
 
 /// Whether 0 <= limit <= the limit of `structure`, lower_limit = -limit and sum_limit >= limit.
 #[portable]
-pub fn are_limits_sound<R: Real>(structure: &Coeffs<R>, offered: &Params<R>) -> bool {
+pub fn are_limits_sound<R: Real>(structure: &Coeffs<R>, offered: &Numbers<R>) -> bool {
     let mut are_sound_so_far = false;
     if in_range(offered.limit, structure.limit)
         && in_range(offered.lower_limit, structure.limit)
@@ -94,7 +138,7 @@ pub fn are_limits_sound<R: Real>(structure: &Coeffs<R>, offered: &Params<R>) -> 
 
 /// Adds all numbers to the check word.
 #[portable]
-pub fn add_up<R: Real>(forming: &mut Forming<R>, structure: &Coeffs<R>, offered: &Params<R>) {
+pub fn add_up<R: Real>(forming: &mut Forming<R>, structure: &Coeffs<R>, offered: &Numbers<R>) {
     let limits = [offered.limit, offered.lower_limit, offered.sum_limit, offered.watch.quiet];
     for i in 0..4 {
         if i < 3usize || structure.watch.active {

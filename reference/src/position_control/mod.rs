@@ -295,8 +295,12 @@ impl<R: Real> Block<R> for PositionControl {
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
 
-    fn state() -> State<R> {
+    fn memory() -> State<R> {
         State::default()
+    }
+
+    fn init(state: &mut State<R>) {
+        init(state);
     }
 
     fn inputs(_: &Coeffs<R>) -> Inputs<R> {

@@ -181,10 +181,12 @@ impl<R: Real> Block<R> for Spindle {
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
 
-    fn state() -> State<R> {
-        let mut state = State::default();
-        init(&mut state);
-        state
+    fn memory() -> State<R> {
+        State::default()
+    }
+
+    fn init(state: &mut State<R>) {
+        init(state);
     }
 
     fn inputs(_: &Coeffs<R>) -> Inputs<R> {

@@ -272,10 +272,12 @@ impl<R: Real> Block<R> for SpindleAxis {
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
 
-    fn state() -> State<R> {
-        let mut state = State::default();
-        init(&mut state);
-        state
+    fn memory() -> State<R> {
+        State::default()
+    }
+
+    fn init(state: &mut State<R>) {
+        init(state);
     }
 
     fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {

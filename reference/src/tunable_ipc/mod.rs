@@ -10,8 +10,9 @@
 //! fade in         as mode says
 //! ```
 //!
-//! The numbers in use stand in the state. Behind a state that was overwritten (error 3) no set is in use, until the offered one has been
-//! checked and taken over anew; and nothing is added beyond the limit that the block was generated with, whatever the numbers say.
+//! The numbers in use stand in the state, twice. One of them is compared with its copy in each cycle. One that differs is an overwritten state
+//! (error 3). After it no set is in use, until the offered one has been checked and taken over anew. Nothing is added beyond the limit that the
+//! block was generated with, whatever the numbers say. A set is read once: its copy is checked, and the copy is taken over.
 //! A refused set is looked at again after fade_cycles cycles: what another task was just writing is whole by then. Before the first set
 //! is taken over nothing is added, and a refused one is a fault.
 
@@ -25,7 +26,7 @@ use crate::check_word::{Forming, Word, add};
 use crate::ipc::numbers::{self, Numbers, Params};
 use crate::ipc::{self, watch};
 use crate::signal::{error_none, error_set_damaged, error_set_structure, error_set_unsound};
-use crate::{filter, stage};
+use crate::{filter, stage, turn};
 use portable::{Block, Enable, Fn, Real, from_u32, in_range, note, portable, with_numbers};
 
 /// Coefficients.
@@ -46,8 +47,10 @@ pub struct Coeffs<R> {
 pub struct State<R> {
     /// the number of the set in use; 0: there is none
     pub set_id: u32,
-    /// whether the block fades out for a set, or has none
-    pub withdrawn: bool,
+    /// the same while that set acts; 0: the block fades out for another set, or has none
+    pub acting_set: u32,
+    /// the number of the set that is offered
+    pub offered_set: u32,
     /// cycles until a refused set is looked at again
     pub pause: u32,
     /// why the last set was refused
@@ -56,6 +59,10 @@ pub struct State<R> {
     pub refused_set: u32,
     /// the numbers of the set in use
     pub now: Numbers<R>,
+    /// their copy; of a set that is offered, what was read
+    pub copy: Numbers<R>,
+    /// which number is compared with its copy
+    pub turn: turn::State,
     /// the cycle
     pub ipc: ipc::State<R>,
 }
@@ -66,12 +73,12 @@ pub fn half<R: Real>() -> R {
     R::lit(0.5)
 }
 
-/// Forms the check word of a set.
+/// Forms the check word of a set: of its numbers, its structure and its own number.
 #[portable]
-pub fn add_up<R: Real>(forming: &mut Forming<R>, structure: &ipc::Coeffs<R>, params: &Params<R>) {
-    numbers::add_up(forming, structure, params);
+pub fn add_up<R: Real>(forming: &mut Forming<R>, coeffs: &Coeffs<R>, set_id: u32, offered: &Numbers<R>) {
+    numbers::add_up(forming, &coeffs.ipc, offered);
     // An integer in two halves, which are exact in every real type.
-    let integers = [params.structure, params.set_id];
+    let integers = [coeffs.structure, set_id];
     for i in 0..2 {
         let low_half = integers[i] % 65_536u32;
         let high_half = integers[i] / 65_536u32;
@@ -84,17 +91,17 @@ pub fn add_up<R: Real>(forming: &mut Forming<R>, structure: &ipc::Coeffs<R>, par
     }
 }
 
-/// Why a set must not be taken over; none: it may be.
+/// Why a set must not be taken over; none: it may be. `offered`: its numbers.
 #[portable]
-pub fn error_of<R: Real>(coeffs: &Coeffs<R>, params: &Params<R>) -> u32 {
+pub fn error_of<R: Real>(coeffs: &Coeffs<R>, structure: u32, set_id: u32, check: &Word, offered: &Numbers<R>) -> u32 {
     let mut error = error_set_structure();
-    if params.structure == coeffs.structure && params.set_id != 0u32 {
+    if structure == coeffs.structure && set_id != 0u32 {
         error = error_set_unsound();
-        let are_sound = numbers::are_sound(&coeffs.ipc, params);
+        let are_sound = numbers::are_sound(&coeffs.ipc, offered);
         if are_sound {
             let mut formed = Forming::<R>::default();
-            add_up(&mut formed, &coeffs.ipc, params);
-            let is_same = params.check.first == formed.word.first && params.check.second == formed.word.second;
+            add_up(&mut formed, coeffs, set_id, offered);
+            let is_same = check.first == formed.word.first && check.second == formed.word.second;
             error = if in_range(formed.left_over, R::ZERO) && is_same { error_none() } else { error_set_damaged() };
         }
     }
@@ -103,33 +110,55 @@ pub fn error_of<R: Real>(coeffs: &Coeffs<R>, params: &Params<R>) -> u32 {
 
 /// Whether the fade is on its way to 0, because of a set or of the watch.
 #[portable]
-pub fn is_leaving<R: Real>(coeffs: &Coeffs<R>, fade: u32, withdrawn: bool, tripped: bool) -> bool {
-    fade > 0u32 && (withdrawn || coeffs.ipc.watch.active && tripped)
+pub fn is_leaving<R: Real>(coeffs: &Coeffs<R>, fade: u32, acting_set: u32, tripped: bool) -> bool {
+    fade > 0u32 && (acting_set == 0u32 || coeffs.ipc.watch.active && tripped)
+}
+
+/// Whether the offered set was refused a short time ago. What something else has overwritten neither lengthens the time nor gives an id that
+/// no refusal has.
+#[portable]
+pub fn is_paused<R: Real>(state: &State<R>, coeffs: &Coeffs<R>) -> bool {
+    state.pause > 0u32
+        && state.pause <= coeffs.ipc.fade_cycles
+        && state.offered_set == state.refused_set
+        && state.refused >= error_set_structure()
+        && state.refused <= error_set_damaged()
+}
+
+/// The set in use acts again: the copy is that of its numbers.
+#[portable]
+pub fn go_back<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
+    state.acting_set = state.set_id;
+    numbers::take(&mut state.copy, &coeffs.ipc, &state.now);
+    turn::init(&mut state.turn);
 }
 
 /// A set is offered. Gives why it is refused; none: it is not.
 #[portable]
 pub fn offer<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Params<R>) -> u32 {
     let mut refused = error_none();
-    if params.set_id == state.set_id && state.set_id != 0u32 {
-        state.withdrawn = false;
-    } else if state.pause > 0u32 && params.set_id == state.refused_set {
+    let must_wait = is_paused(state, coeffs);
+    if state.offered_set == state.set_id && state.set_id != 0u32 {
+        go_back(state, coeffs);
+    } else if must_wait {
         state.pause -= 1u32;
         refused = state.refused;
-    } else if !is_leaving(coeffs, state.ipc.fade, state.withdrawn, state.ipc.watch.tripped) {
-        refused = error_of(coeffs, params);
+    } else if !is_leaving(coeffs, state.ipc.fade, state.acting_set, state.ipc.watch.tripped) {
+        numbers::read(&mut state.copy, &coeffs.ipc, params);
+        refused = error_of(coeffs, params.structure, state.offered_set, &params.check, &state.copy);
         if refused != error_none() {
             state.refused = refused;
-            state.refused_set = params.set_id;
+            state.refused_set = state.offered_set;
             state.pause = coeffs.ipc.fade_cycles;
-            state.withdrawn = state.set_id == 0u32;
+            go_back(state, coeffs);
         } else if state.ipc.fade == 0u32 {
-            numbers::take(&mut state.now, &coeffs.ipc, params);
-            state.set_id = params.set_id;
-            state.withdrawn = false;
+            numbers::take(&mut state.now, &coeffs.ipc, &state.copy);
+            turn::init(&mut state.turn);
+            state.set_id = state.offered_set;
+            state.acting_set = state.offered_set;
             state.ipc.preset = false;
         } else {
-            state.withdrawn = true;
+            state.acting_set = 0u32;
         }
     }
     refused
@@ -139,8 +168,32 @@ pub fn offer<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Params<
 #[portable]
 pub fn drop_set<R: Real>(state: &mut State<R>) {
     state.set_id = 0u32;
-    state.withdrawn = true;
+    state.acting_set = 0u32;
     state.pause = 0u32;
+}
+
+/// Compares the number whose turn it is with its copy. One that differs is an overwritten state.
+#[portable]
+pub fn compare_one<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
+    let turn = state.turn.next;
+    let numbers = numbers::compare(&mut state.turn, turn, &coeffs.ipc, &state.now, &state.copy);
+    if turn < 0i32 {
+        state.turn.next = turn::differed();
+    }
+    if turn >= numbers {
+        let end = numbers * turn::ROUND;
+        if turn < end {
+            state.turn.next = turn + 1i32;
+        } else {
+            state.turn.next = 0i32;
+        }
+        if turn > end {
+            note(
+                "a number in use has been overwritten: a fault in the next cycle, then the offered set is taken over anew",
+            );
+            ipc::disturb(&mut state.ipc, &coeffs.ipc);
+        }
+    }
 }
 
 /// Before the first cycle: no set was taken over.
@@ -179,10 +232,16 @@ pub fn put_out<R: Real>(set_id: u32, ipc_outputs: &ipc::Outputs<R>, refused: u32
     outputs.active_set = set_id;
 }
 
-/// Nothing is added beyond the limit that the block was generated with, whatever has become of the numbers in use.
+/// Nothing is added beyond the limit that the block was generated with, whatever has become of the numbers in use. `v_limited`: the sum
+/// within the limit of the set in use.
 #[portable]
-pub fn hold_limit<R: Real>(state: &mut ipc::State<R>, coeffs: &ipc::Coeffs<R>, outputs: &mut ipc::Outputs<R>) {
-    if !in_range(outputs.v_add_calculated, coeffs.limit) {
+pub fn hold_limit<R: Real>(
+    state: &mut ipc::State<R>,
+    coeffs: &ipc::Coeffs<R>,
+    outputs: &mut ipc::Outputs<R>,
+    v_limited: R,
+) {
+    if !in_range(v_limited, coeffs.limit) {
         note(
             "a number in use has been overwritten: a fault in the next cycle, then the offered set is taken over anew",
         );
@@ -198,17 +257,20 @@ pub fn hold_limit<R: Real>(state: &mut ipc::State<R>, coeffs: &ipc::Coeffs<R>, o
 pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let mut mode = inputs.mode;
     let mut refused = error_none();
+    state.offered_set = inputs.params.set_id;
     if state.ipc.fade > coeffs.ipc.fade_cycles {
-        // The numbers in use may have been overwritten, too. The cycle tells the fault; what is offered is looked at in the next one.
+        // The numbers in use may have been overwritten, too. The cycle reports the fault; the offered set is looked at in the next one.
         drop_set(state);
-    } else if inputs.params.set_id != state.set_id || state.withdrawn {
+    } else if state.offered_set != state.acting_set || state.acting_set == 0u32 {
         refused = offer(state, coeffs, &inputs.params);
         if state.set_id == 0u32 && ipc::is_mode(mode) {
             // There are no numbers to run with.
             mode = ipc::mode_off();
-        } else if state.withdrawn && mode == ipc::mode_on() {
+        } else if state.acting_set == 0u32 && mode == ipc::mode_on() {
             mode = ipc::mode_dryrun();
         }
+    } else {
+        state.set_id = state.acting_set;
     }
     let mut ipc_inputs = ipc::Inputs::<R>::default();
     hand_over(inputs, mode, &mut ipc_inputs);
@@ -216,7 +278,12 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     // What has tripped stays so until the caller's own mode is not ON.
     ipc::rearm(&mut state.ipc, &coeffs.ipc, inputs.mode, inputs.reset);
     ipc::go_on(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.now), &ipc_inputs, &mut ipc_outputs);
-    hold_limit(&mut state.ipc, &coeffs.ipc, &mut ipc_outputs);
+    // In OFF only v_add says what acts.
+    let v_limited = if mode == ipc::mode_off() { ipc_outputs.v_add } else { ipc_outputs.v_add_calculated };
+    hold_limit(&mut state.ipc, &coeffs.ipc, &mut ipc_outputs, v_limited);
+    if state.acting_set != 0u32 {
+        compare_one(state, coeffs);
+    }
     put_out(state.set_id, &ipc_outputs, refused, outputs);
 }
 
@@ -226,8 +293,7 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let mut ipc_inputs = ipc::Inputs::<R>::default();
     hand_over(inputs, inputs.mode, &mut ipc_inputs);
-    if inputs.params.set_id == state.set_id
-        && !state.withdrawn
+    if inputs.params.set_id == state.acting_set
         && ipc::may_act_in_full(&coeffs.ipc, &ipc_inputs)
         && state.ipc.fade == coeffs.ipc.fade_cycles
         && !(coeffs.ipc.watch.active && state.ipc.watch.tripped)
@@ -236,8 +302,10 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
         let mut ipc_outputs = ipc::Outputs::<R>::default();
         ipc::act_in_full(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.now), &ipc_inputs, &mut ipc_outputs);
         ipc::tell_trip(&state.ipc, &coeffs.ipc, &mut ipc_outputs);
-        hold_limit(&mut state.ipc, &coeffs.ipc, &mut ipc_outputs);
-        put_out(state.set_id, &ipc_outputs, error_none(), outputs);
+        let v_limited = ipc_outputs.v_add;
+        hold_limit(&mut state.ipc, &coeffs.ipc, &mut ipc_outputs, v_limited);
+        compare_one(state, coeffs);
+        put_out(state.acting_set, &ipc_outputs, error_none(), outputs);
     } else {
         any_cycle(state, coeffs, inputs, outputs);
     }
@@ -264,12 +332,17 @@ pub fn numbers_of<R: Real>(ipc: &ipc::Coeffs<R>) -> Numbers<R> {
 pub fn params<R: Real>(coeffs: &Coeffs<R>) -> Params<R> {
     let Coeffs { structure, set_id, ipc } = coeffs;
     let Numbers { limit, lower_limit, sum_limit, watch, stage } = numbers_of(ipc);
-    let (structure, set_id, check) = (*structure, *set_id, Word::default());
-    let mut params = Params { structure, set_id, check, limit, lower_limit, sum_limit, watch, stage };
+    let (structure, set_id) = (*structure, *set_id);
     let mut formed = Forming::<R>::default();
-    add_up(&mut formed, ipc, &params);
-    params.check = formed.word;
-    params
+    add_up(&mut formed, coeffs, set_id, &numbers_of(ipc));
+    Params { structure, set_id, check: formed.word, limit, lower_limit, sum_limit, watch, stage }
+}
+
+/// Why the block would refuse a set that lies still; none: it would not.
+pub fn refusal<R: Real>(coeffs: &Coeffs<R>, params: &Params<R>) -> u32 {
+    let mut offered = Numbers::<R>::default();
+    numbers::read(&mut offered, &coeffs.ipc, params);
+    error_of(coeffs, params.structure, params.set_id, &params.check, &offered)
 }
 
 /// The block.
@@ -290,8 +363,12 @@ impl<R: Real> Block<R> for TunableIpc {
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
 
-    fn state() -> State<R> {
+    fn memory() -> State<R> {
         State::default()
+    }
+
+    fn init(state: &mut State<R>) {
+        init(state);
     }
 
     fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {

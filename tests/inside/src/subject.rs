@@ -29,10 +29,12 @@ macro_rules! subject {
             const INIT: portable::Fn = init::Ir::<R>::IR;
             const STEP: portable::Fn = step::Ir::<R>::IR;
 
-            fn state() -> $state {
-                let mut state = $crate::subject::unset();
-                init::<R>(&mut state);
-                state
+            fn memory() -> $state {
+                $crate::subject::unset()
+            }
+
+            fn init(state: &mut $state) {
+                init::<R>(state);
             }
 
             fn inputs(_: &$coeffs) -> $inputs {

@@ -11,6 +11,7 @@
 
 mod axes;
 mod corrupted;
+mod written_meanwhile;
 
 use axes::{FACT, STRUCTURES, block, other, set, sets};
 use axgen_tests::environment::is_exhaustive;
@@ -26,7 +27,7 @@ use golden::samples::{Samples, Shape};
 use portable::{Literal, Portable, Real, RealKind};
 use rayon::prelude::*;
 use reference::check_word::Forming;
-use reference::ipc::numbers::Params;
+use reference::ipc::numbers::{self, Numbers, Params};
 use reference::tunable_ipc::{self, Coeffs, TunableIpc};
 
 /// Cycles of a run.
@@ -211,7 +212,7 @@ where
         let params = Params::<R>::build(&mut || leaves.next().unwrap());
         if bench.sets.iter().all(|set| !are_same(&offered, set)) {
             changed += 1;
-            taken += usize::from(tunable_ipc::error_of(&coeffs, &params) == 0);
+            taken += usize::from(tunable_ipc::refusal(&coeffs, &params) == 0);
         }
     }
     (taken, changed)
@@ -292,8 +293,8 @@ fn a_set_of_another_axis_is_refused() {
     let bench = bench(1, RealKind::F64);
     let axis = generator::axis::Axis { name: "Y".to_owned(), ..bench.designed.axis.clone() };
     let [own, other] = [&bench.designed, &Designed::from(axis)].map(coeffs::<f64>);
-    assert_eq!((own.set_id, tunable_ipc::error_of(&own, &tunable_ipc::params(&own))), (other.set_id, 0));
-    assert_eq!(tunable_ipc::error_of(&own, &tunable_ipc::params(&other)), 6);
+    assert_eq!((own.set_id, tunable_ipc::refusal(&own, &tunable_ipc::params(&own))), (other.set_id, 0));
+    assert_eq!(tunable_ipc::refusal(&own, &tunable_ipc::params(&other)), 6);
 }
 
 /// Whatever overwrites the state, numbers in use included: nothing is added beyond the limit of the block.
@@ -450,9 +451,12 @@ fn every_refusal_has_its_id() {
         change(&mut params);
         // The check word fits, so that nothing but the rule refuses it.
         let mut formed = Forming::<f64>::default();
-        tunable_ipc::add_up(&mut formed, &coeffs.ipc, &params);
+        let mut numbers = Numbers::<f64>::default();
+        numbers::read(&mut numbers, &coeffs.ipc, &params);
+        let block = Coeffs { structure: params.structure, ..coeffs };
+        tunable_ipc::add_up(&mut formed, &block, params.set_id, &numbers);
         params.check = formed.word;
-        tunable_ipc::error_of(&coeffs, &params)
+        tunable_ipc::refusal(&coeffs, &params)
     };
     assert_eq!(after(&|_| ()), 0);
     assert_eq!(after(&|params| params.structure += 1), 6);
@@ -469,5 +473,5 @@ fn every_refusal_has_its_id() {
     assert_eq!(after(&|params| params.stage[0].filter[0].bandpass[0].a1 = -2.0), 7);
     let mut damaged = whole;
     damaged.stage[0].gain *= 0.5;
-    assert_eq!(tunable_ipc::error_of(&coeffs, &damaged), 8);
+    assert_eq!(tunable_ipc::refusal(&coeffs, &damaged), 8);
 }

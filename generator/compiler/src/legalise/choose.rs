@@ -1,4 +1,5 @@
-//! Makes one choice of a chain of questions for the same enumeration: a state machine then reads as one.
+//! Makes one choice of a chain of questions for the same enumeration, or of a long one for the same DINT: a state machine then reads as one,
+//! and a long chain costs one jump.
 //!
 //! ```text
 //! if state == a { x } else if state == b { y } else { z }   ->   choose by state: a { x }, b { y }, c { z }
@@ -10,6 +11,8 @@ use portable::{Binary, Literal, Variant};
 
 /// A chain of two arms stays an `if`.
 const LEAST_ARMS: usize = 3;
+/// So does a chain of fewer arms by numbers.
+const LEAST_NUMBERS: usize = 8;
 
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     in_list(&mut program.step, &mut program.constants);
@@ -28,7 +31,8 @@ fn in_list(list: &mut [Statement], constants: &mut Vec<Constant>) {
 
 /// What a chain of questions asks for, if it has enough of them for a choice.
 fn by(statement: &Statement, constants: &[Constant]) -> Option<Var> {
-    let (by, _) = asked(statement, constants)?;
+    let (by, labels) = asked(statement, constants)?;
+    let least = if matches!(labels[..], [Expr::Literal(_), ..]) { LEAST_NUMBERS } else { LEAST_ARMS };
     let (mut link, mut arms) = (statement, 1);
     while let Statement::If { then, otherwise, .. } = link {
         // A branch without a statement is none in Structured Text.
@@ -41,7 +45,7 @@ fn by(statement: &Statement, constants: &[Constant]) -> Option<Var> {
             _ => break,
         }
     }
-    (arms >= LEAST_ARMS).then_some(by)
+    (arms >= least).then_some(by)
 }
 
 /// The arms of a chain; the last one is for the variants that no question names.
@@ -58,19 +62,21 @@ fn arms(chain: Statement, by: Var, constants: &mut Vec<Constant>) -> Vec<Arm> {
     arms
 }
 
-/// What a statement asks, and for which variants, if it does nothing else.
-fn asked(statement: &Statement, constants: &[Constant]) -> Option<(Var, Vec<usize>)> {
+/// What a statement asks, and for which variants or numbers, if it does nothing else.
+fn asked(statement: &Statement, constants: &[Constant]) -> Option<(Var, Vec<Expr>)> {
     let Statement::If { condition, .. } = statement else { return None };
     let mut labels = Vec::new();
     let by = questions(condition, constants, &mut labels)?;
     Some((by, labels))
 }
 
-fn questions(condition: &Expr, constants: &[Constant], labels: &mut Vec<usize>) -> Option<Var> {
+fn questions(condition: &Expr, constants: &[Constant], labels: &mut Vec<Expr>) -> Option<Var> {
     match condition {
         Expr::Binary(Binary::Equal, left, right) => match (&**left, &**right) {
-            (Expr::Var(by), Expr::Var(Var::Constant(label))) if variant(*label, constants).is_some() => {
-                labels.push(*label);
+            (Expr::Var(by), label)
+                if variant(label, constants).is_some() || matches!(label, Expr::Literal(Literal::I32(_))) =>
+            {
+                labels.push(label.clone());
                 Some(*by)
             }
             _ => None,
@@ -83,22 +89,23 @@ fn questions(condition: &Expr, constants: &[Constant], labels: &mut Vec<usize>) 
     }
 }
 
-fn variant(label: usize, constants: &[Constant]) -> Option<Variant> {
-    match constants[label].origin {
+fn variant(label: &Expr, constants: &[Constant]) -> Option<Variant> {
+    let Expr::Var(Var::Constant(index)) = label else { return None };
+    match constants[*index].origin {
         Origin::Variant(variant) => Some(variant),
         Origin::Coefficient(_) | Origin::Function => None,
     }
 }
 
 /// The variants that no arm names.
-fn others(arms: &[Arm], constants: &mut Vec<Constant>) -> Vec<usize> {
+fn others(arms: &[Arm], constants: &mut Vec<Constant>) -> Vec<Expr> {
     let named: Vec<Variant> =
-        arms.iter().flat_map(|arm| &arm.labels).filter_map(|label| variant(*label, constants)).collect();
+        arms.iter().flat_map(|arm| &arm.labels).filter_map(|label| variant(label, constants)).collect();
     let Some(of) = named.first().map(|variant| variant.of) else { return Vec::new() };
     let all = (0..).take(of.variants.len()).map(|index| Variant { of, index });
     let mut label = |variant: Variant| {
         let known = constants.iter().position(|constant| constant.origin == Origin::Variant(variant));
-        known.unwrap_or_else(|| {
+        let index = known.unwrap_or_else(|| {
             constants.push(Constant {
                 path: variant_name(variant),
                 doc: variant.def().doc,
@@ -106,7 +113,8 @@ fn others(arms: &[Arm], constants: &mut Vec<Constant>) -> Vec<usize> {
                 origin: Origin::Variant(variant),
             });
             constants.len() - 1
-        })
+        });
+        Expr::Var(Var::Constant(index))
     };
     all.filter(|variant| !named.contains(variant)).map(&mut label).collect()
 }

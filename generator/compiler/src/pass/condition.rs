@@ -117,7 +117,8 @@ impl Conditions<'_> {
         }
     }
 
-    fn comparison(&self, question: &Expr) -> Option<Comparison> {
+    /// The comparison of an integer variable with a known number, if the question is one.
+    pub(super) fn comparison(&self, question: &Expr) -> Option<Comparison> {
         use Binary::{Equal, Greater, GreaterEqual, Less, LessEqual, NotEqual};
         let Expr::Binary(operator, left, right) = question else { return None };
         let (var, (number, full), is_turned) = match (&**left, &**right) {

@@ -1,5 +1,6 @@
 //! The passes over a [`Program`], one per file, and the order in which they run.
 
+mod chain;
 mod coalesce;
 mod condition;
 mod dead;
@@ -39,7 +40,7 @@ pub(crate) type Pass = fn(Program) -> Result<Program, Defect>;
 pub type Stage = (&'static str, Pass);
 
 /// The stages after specialisation, in their order.
-pub const PASSES: [Stage; 10] = [
+pub const PASSES: [Stage; 11] = [
     ("typed", typing::run),
     ("identity", identity::run),
     ("known", known::run),
@@ -47,6 +48,7 @@ pub const PASSES: [Stage; 10] = [
     ("live", dead::run),
     ("coalesced", coalesce::run),
     ("sunk", sink::run),
+    ("chained", chain::run),
     ("turned", turn::run),
     ("pruned", prune::run),
     ("verified", verify::run),

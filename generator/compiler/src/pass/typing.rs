@@ -32,9 +32,7 @@ fn type_statements(statements: &[Statement], program: &mut Program) -> Result<()
             Statement::Choose { by, arms } => {
                 let found = type_of(by, program)?;
                 for arm in arms {
-                    arm.labels
-                        .iter()
-                        .try_for_each(|label| expect(variable_type(Var::Constant(*label), program)?, found, by))?;
+                    arm.labels.iter().try_for_each(|label| expect(type_of(label, program)?, found, by))?;
                     type_statements(&arm.body, program)?;
                 }
             }

@@ -114,6 +114,10 @@ fn form(operation: &Expr, ty: Type, real: RealKind) -> Option<Form> {
             Binary::Multiply => (Sign, "(int32_t)((uint32_t){0} * (uint32_t){1})", [Primary; 2]),
             _ => return None,
         },
+        // |x| <= 0 without a magnitude
+        (Expr::Intrinsic(Intrinsic::InRange | Intrinsic::Within, _), _) if operation.is_about_zero() => {
+            (Primary, "{block}_is_zero({0})", [Any; 2])
+        }
         (Expr::Intrinsic(intrinsic, _), _) => match (intrinsic, real) {
             (Intrinsic::InRange | Intrinsic::Within, _) => (Comparison, "{block}_magnitude({0})\n<= {1}", [Any, Sum]),
             (Intrinsic::FromU32 | Intrinsic::FromI32, RealKind::F64) => (Sign, "(double){0}", [Primary; 2]),

@@ -1,8 +1,8 @@
-//! A choice by the number of an enumeration: one `switch` or `CASE`, every list under the names that choose it.
+//! A choice by the number of an enumeration or by an integer: one `switch` or `CASE`, every list under the names that choose it.
 
 use super::language::Cases;
 use super::{Doc, INDENTATION, Layout};
-use crate::program::{Arm, Expr, Statement};
+use crate::program::{Arm, Expr, Statement, Var};
 use pretty::DocAllocator;
 
 impl<'d> Layout<'d> {
@@ -36,24 +36,30 @@ impl<'d> Layout<'d> {
     }
 
     /// The numbers that choose a list.
-    fn labels(&self, labels: &[usize]) -> Doc<'d> {
+    fn labels(&self, labels: &[Expr]) -> Doc<'d> {
         let Cases { label: [before, between, behind], by_name, .. } = self.printer.language.cases;
         let names = self.names(labels);
-        self.arena.text(if by_name {
+        self.arena.text(if by_name && !names.is_empty() {
             format!("{before}{}{behind}", names.join(between))
         } else {
+            let digits: Vec<String> = labels.iter().map(|label| self.digits(label)).collect();
             let [open, _, close] = self.printer.language.comment;
-            let digits: Vec<String> =
-                labels.iter().map(|label| (self.printer.language.literal)(self.value(*label))).collect();
-            format!("{before}{}{behind} {open}{}{close}", digits.join(between), names.join(", "))
+            let note = if names.is_empty() { String::new() } else { format!(" {open}{}{close}", names.join(", ")) };
+            format!("{before}{}{behind}{note}", digits.join(between))
         })
     }
 
-    fn names(&self, labels: &[usize]) -> Vec<&'d str> {
-        labels.iter().map(|label| self.printer.names.constants[*label].as_str()).collect()
+    /// The names of those labels that have one.
+    fn names(&self, labels: &[Expr]) -> Vec<&'d str> {
+        let name = |label: &Expr| match label {
+            Expr::Var(Var::Constant(index)) => Some(self.printer.names.constants[*index].as_str()),
+            _ => None,
+        };
+        labels.iter().filter_map(name).collect()
     }
 
-    fn value(&self, label: usize) -> portable::Literal {
-        self.printer.program.constants[label].value
+    fn digits(&self, label: &Expr) -> String {
+        let value = label.known(&self.printer.program.constants).expect("print: a label is known");
+        (self.printer.language.literal)(value)
     }
 }

@@ -92,6 +92,10 @@ fn form(operation: &Expr, ty: Type, real: RealKind) -> Option<Form> {
             _ => return None,
         },
         (Expr::Intrinsic(intrinsic, _), ..) => match (intrinsic, real) {
+            // |x| <= 0 without a magnitude
+            (Intrinsic::InRange | Intrinsic::Within, _) if operation.is_about_zero() => {
+                (Comparison, "{0} == {1}", [Sum; 2])
+            }
             (Intrinsic::InRange | Intrinsic::Within, _) if !is_digits => {
                 (Comparison, "{0}.abs() <= {1}", [Primary, Sum])
             }

@@ -1,7 +1,7 @@
 //! Expressions that passes build, and what can be said of one.
 
 use super::{Constant, Expr, Program, Type, Var};
-use portable::{Binary, Literal, Unary};
+use portable::{Binary, Intrinsic, Literal, Unary};
 
 impl Expr {
     pub(crate) fn bool(value: bool) -> Self {
@@ -38,6 +38,12 @@ impl Expr {
             Self::Var(Var::Constant(index)) => Some(constants[*index].value),
             _ => None,
         }
+    }
+
+    /// Whether it asks for a magnitude of at most 0: whether a number is 0.
+    pub fn is_about_zero(&self) -> bool {
+        let Self::Intrinsic(Intrinsic::InRange | Intrinsic::Within, operands) = self else { return false };
+        matches!(operands.last(), Some(Self::Literal(Literal::F64(0.0) | Literal::F32(0.0))))
     }
 
     /// The type of an expression in a program whose types fit.

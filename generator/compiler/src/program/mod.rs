@@ -167,7 +167,7 @@ pub enum Statement {
         then: Vec<Statement>,
         otherwise: Vec<Statement>,
     },
-    /// one of several lists, by the value of an enumeration; a legalising pass makes it
+    /// one of several lists, by the value of an enumeration or of an integer; a legalising pass makes it
     Choose {
         by: Expr,
         /// the last one is for every other number too
@@ -180,8 +180,8 @@ pub enum Statement {
 /// One list of a choice.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arm {
-    /// the constants that choose it, by position
-    pub labels: Vec<usize>,
+    /// the constants or literals that choose it
+    pub labels: Vec<Expr>,
     pub body: Vec<Statement>,
 }
 
@@ -237,13 +237,14 @@ impl Program {
 
     /// Whether it asks for one of these operations.
     pub fn asks_for(&self, wanted: &[Intrinsic]) -> bool {
+        self.has(&|part| matches!(part, Expr::Intrinsic(intrinsic, _) if wanted.contains(intrinsic)))
+    }
+
+    /// Whether it has such an expression, or a part of one.
+    pub fn has(&self, is_wanted: &dyn Fn(&Expr) -> bool) -> bool {
         let mut found = false;
         for statement in self.statements() {
-            statement.expressions(&mut |expr| {
-                expr.parts(&mut |part| {
-                    found |= matches!(part, Expr::Intrinsic(intrinsic, _) if wanted.contains(intrinsic));
-                });
-            });
+            statement.expressions(&mut |expr| expr.parts(&mut |part| found |= is_wanted(part)));
         }
         found
     }

@@ -123,7 +123,11 @@ fn compared(program: &Program, input: usize, reaching: &Table<Values>) -> Values
                 && is_input(by)
             {
                 asked += 1;
-                values.constants.extend(arms.iter().flat_map(|arm| &arm.labels));
+                let constant = |label: &Expr| match label {
+                    Expr::Var(Var::Constant(index)) => Some(*index),
+                    _ => None,
+                };
+                values.constants.extend(arms.iter().flat_map(|arm| &arm.labels).filter_map(constant));
             }
         });
     }

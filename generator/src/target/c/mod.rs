@@ -9,7 +9,7 @@ use super::{File, Header, Legal, rendered};
 use crate::self_test::SelfTest;
 use askama::Template;
 use compiler::print::{Appearance, Printer, c::LANGUAGE, comment};
-use compiler::program::{Program, Type, Var, Variable};
+use compiler::program::{Expr, Program, Type, Var, Variable};
 use header::Macro;
 use portable::{Intrinsic, Literal, RealKind};
 
@@ -43,6 +43,7 @@ struct CHeader<'a> {
 struct CSource<'a> {
     header: &'a str,
     uses_magnitude: bool,
+    uses_is_zero: bool,
     uses_nearest: bool,
     real: &'a str,
     suffix: &'a str,
@@ -119,7 +120,10 @@ pub(super) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
     };
     let source_body = CSource {
         header: &header,
-        uses_magnitude: program.asks_for(&[Intrinsic::InRange, Intrinsic::Within]),
+        uses_magnitude: program.has(&|part| {
+            matches!(part, Expr::Intrinsic(Intrinsic::InRange | Intrinsic::Within, _)) && !part.is_about_zero()
+        }),
+        uses_is_zero: program.has(&Expr::is_about_zero),
         uses_nearest: program.asks_for(&[Intrinsic::Nearest]),
         real,
         suffix,

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   e751c17c68827e02bae72b28bf1dd160
- * checksum    65903e2883387fad244c721c71d21130
+ * structure   836ff6980a0ce4e8738e89b26922af43
+ * checksum    0b48a1c3cf26775d19fc6b65a134c08f
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -57,6 +57,7 @@ static const uint32_t axis_x_ipc_ipc_fade_cycles = 50u; /* cycles that the fade 
 static const float axis_x_ipc_sample_limit = 1000000000.0f;
 /* added to every change and to low, so that a section at rest never decays into subnormal numbers */
 static const float axis_x_ipc_least_change = 1.0e-18f;
+static const uint32_t axis_x_ipc_differed = 4294967295u; /* a number differed from its copy */
 
 const axis_x_ipc_params axis_x_ipc_designed = {
     3436647191u, /* structure */
@@ -77,7 +78,8 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_x_ipc_state *const state = fresh;
     state->set_id = 0u;
-    state->withdrawn = true;
+    state->acting_set = 0u;
+    state->offered_set = 0u;
     state->pause = 0u;
     state->refused = 0u;
     state->refused_set = 0u;
@@ -88,6 +90,14 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     state->now_stage0_filter0_bandpass0_b = 0.0f;
     state->now_stage0_filter0_bandpass0_c = 0.0f;
     state->now_stage0_gain = 0.0f;
+    state->copy_limit = 0.0f;
+    state->copy_lower_limit = 0.0f;
+    state->copy_sum_limit = 0.0f;
+    state->copy_stage0_filter0_bandpass0_a = 0.0f;
+    state->copy_stage0_filter0_bandpass0_b = 0.0f;
+    state->copy_stage0_filter0_bandpass0_c = 0.0f;
+    state->copy_stage0_gain = 0.0f;
+    state->turn_next = 0u;
     state->ipc_preset = false;
     state->ipc_fade = 0u;
     state->ipc_source_v_motor_before = 0.0f;
@@ -114,9 +124,6 @@ static void axis_x_ipc_any_cycle(
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
-    /* parameter sets for the set structure ccd71317 = 3436647191 are taken over */
-    static const uint32_t structure = 3436647191u; /* the structure: a parameter set for another one is refused */
-
     /* OFF to ON takes 0.05 s (key fade), in cycles */
     static const float ipc_fade_step = 0.02f; /* 1 / fade_cycles */
 
@@ -129,56 +136,77 @@ static void axis_x_ipc_any_cycle(
     static const float next_cut = 2147483600.0f; /* 2^31: each further cut */
     static const float half = 0.5f; /* 1/2: half a word of 32 bits becomes a number that can be cut */
 
+    state->offered_set = inputs->params->set_id;
     int32_t mode;
     uint32_t refused;
     if (state->ipc_fade > axis_x_ipc_ipc_fade_cycles) {
         state->set_id = 0u;
-        state->withdrawn = true;
+        state->acting_set = 0u;
         state->pause = 0u;
         mode = inputs->mode;
         refused = AXIS_X_IPC_ERROR_NONE;
-    } else if (inputs->params->set_id != state->set_id || state->withdrawn) {
-        if (inputs->params->set_id == state->set_id && state->set_id != 0u) {
-            state->withdrawn = false;
+    } else if (state->offered_set != state->acting_set || state->acting_set == 0u) {
+        const bool must_wait =
+            state->pause > 0u && state->pause <= axis_x_ipc_ipc_fade_cycles && state->offered_set == state->refused_set
+                && state->refused >= AXIS_X_IPC_ERROR_SET_STRUCTURE && state->refused <= AXIS_X_IPC_ERROR_SET_DAMAGED;
+        if (state->offered_set == state->set_id && state->set_id != 0u) {
+            state->acting_set = state->set_id;
+            state->copy_limit = state->now_limit;
+            state->copy_lower_limit = state->now_lower_limit;
+            state->copy_sum_limit = state->now_sum_limit;
+            state->copy_stage0_filter0_bandpass0_a = state->now_stage0_filter0_bandpass0_a;
+            state->copy_stage0_filter0_bandpass0_b = state->now_stage0_filter0_bandpass0_b;
+            state->copy_stage0_filter0_bandpass0_c = state->now_stage0_filter0_bandpass0_c;
+            state->copy_stage0_gain = state->now_stage0_gain;
+            state->turn_next = 0u;
             refused = AXIS_X_IPC_ERROR_NONE;
-        } else if (state->pause > 0u && inputs->params->set_id == state->refused_set) {
+        } else if (must_wait) {
             state->pause = state->pause - 1u;
             refused = state->refused;
         } else {
             const uint32_t fade = state->ipc_fade;
-            const bool withdrawn = state->withdrawn;
-            if (fade > 0u && withdrawn) {
+            const uint32_t acting_set = state->acting_set;
+            if (fade > 0u && acting_set == 0u) {
                 refused = AXIS_X_IPC_ERROR_NONE;
             } else {
-                if (inputs->params->structure == structure && inputs->params->set_id != 0u) {
+                state->copy_limit = inputs->params->limit;
+                state->copy_lower_limit = inputs->params->lower_limit;
+                state->copy_sum_limit = inputs->params->sum_limit;
+                state->copy_stage0_filter0_bandpass0_a = inputs->params->stage0_filter0_bandpass0_a;
+                state->copy_stage0_filter0_bandpass0_b = inputs->params->stage0_filter0_bandpass0_b;
+                state->copy_stage0_filter0_bandpass0_c = inputs->params->stage0_filter0_bandpass0_c;
+                state->copy_stage0_gain = inputs->params->stage0_gain;
+                const uint32_t set_id = state->offered_set;
+                if (inputs->params->structure == AXIS_X_IPC_STRUCTURE && set_id != 0u) {
                     bool are_sound_so_far;
-                    if (axis_x_ipc_magnitude(inputs->params->limit) <= axis_x_ipc_ipc_limit
-                            && axis_x_ipc_magnitude(inputs->params->lower_limit) <= axis_x_ipc_ipc_limit
-                            && axis_x_ipc_magnitude(inputs->params->sum_limit * limit_scale) <= largest_number) {
+                    if (axis_x_ipc_magnitude(state->copy_limit) <= axis_x_ipc_ipc_limit
+                            && axis_x_ipc_magnitude(state->copy_lower_limit) <= axis_x_ipc_ipc_limit
+                            && axis_x_ipc_magnitude(state->copy_sum_limit * limit_scale) <= largest_number) {
                         are_sound_so_far =
-                            inputs->params->limit >= 0.0f
-                                && axis_x_ipc_magnitude(inputs->params->lower_limit + inputs->params->limit) <= 0.0f
-                                && inputs->params->sum_limit >= inputs->params->limit;
+                            state->copy_limit >= 0.0f && state->copy_lower_limit + state->copy_limit == 0.0f
+                                && state->copy_sum_limit >= state->copy_limit;
                     } else {
                         are_sound_so_far = false;
                     }
-                    const bool is_sound_so_far0 = axis_x_ipc_magnitude(inputs->params->stage0_gain) <= weight_limit;
+                    const bool is_sound_so_far0 = axis_x_ipc_magnitude(state->copy_stage0_gain) <= weight_limit;
+                    const float a000 = state->copy_stage0_filter0_bandpass0_a;
+                    const float b000 = state->copy_stage0_filter0_bandpass0_b;
+                    const float c000 = state->copy_stage0_filter0_bandpass0_c;
                     bool is_stable000;
-                    if (axis_x_ipc_magnitude(inputs->params->stage0_filter0_bandpass0_a) <= largest_number
-                            && axis_x_ipc_magnitude(inputs->params->stage0_filter0_bandpass0_b) <= pole_limit
-                            && axis_x_ipc_magnitude(inputs->params->stage0_filter0_bandpass0_c) <= largest_number) {
-                        const float product000 =
-                            inputs->params->stage0_filter0_bandpass0_a * inputs->params->stage0_filter0_bandpass0_c;
-                        is_stable000 =
-                            0.0f < product000 && product000 < inputs->params->stage0_filter0_bandpass0_b
-                                && inputs->params->stage0_filter0_bandpass0_b < pole_limit;
+                    if (axis_x_ipc_magnitude(a000) <= largest_number && axis_x_ipc_magnitude(b000) <= pole_limit
+                            && axis_x_ipc_magnitude(c000) <= largest_number) {
+                        const float product000 = a000 * c000;
+                        is_stable000 = 0.0f < product000 && product000 < b000 && b000 < pole_limit;
                     } else {
                         is_stable000 = false;
                     }
                     const bool is_sound_so_far00 = is_sound_so_far0 && is_stable000;
                     const bool are_sound_so_far0 = are_sound_so_far && is_sound_so_far00;
                     if (are_sound_so_far0) {
-                        const float number0 = inputs->params->limit * limit_scale;
+                        const float limits = state->copy_limit;
+                        const float limits_next = state->copy_lower_limit;
+                        const float limits_last = state->copy_sum_limit;
+                        const float number0 = limits * limit_scale;
                         const float rest0 = number0 * first_cut;
                         const int32_t piece00 = (int32_t)rest0;
                         const int32_t part00 = piece00 % 46337;
@@ -200,7 +228,7 @@ static void axis_x_ipc_any_cycle(
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second01 * (uint32_t)17389)) + (uint32_t)part02)) % 46337;
                         const float rest02 = (rest01 - (float)piece02) * next_cut;
                         const float left_over0 = 0.0f + rest02;
-                        const float number1 = inputs->params->lower_limit * limit_scale;
+                        const float number1 = limits_next * limit_scale;
                         const float rest1 = number1 * first_cut;
                         const int32_t piece10 = (int32_t)rest1;
                         const int32_t part10 = piece10 % 46337;
@@ -224,7 +252,7 @@ static void axis_x_ipc_any_cycle(
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second11 * (uint32_t)17389)) + (uint32_t)part12)) % 46337;
                         const float rest12 = (rest11 - (float)piece12) * next_cut;
                         const float left_over1 = left_over0 + rest12;
-                        const float number2 = inputs->params->sum_limit * limit_scale;
+                        const float number2 = limits_last * limit_scale;
                         const float rest2 = number2 * first_cut;
                         const int32_t piece20 = (int32_t)rest2;
                         const int32_t part20 = piece20 % 46337;
@@ -248,7 +276,10 @@ static void axis_x_ipc_any_cycle(
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second21 * (uint32_t)17389)) + (uint32_t)part22)) % 46337;
                         const float rest22 = (rest21 - (float)piece22) * next_cut;
                         const float left_over2 = left_over1 + rest22;
-                        const float rest0000 = inputs->params->stage0_filter0_bandpass0_a * first_cut;
+                        const float numbers000 = state->copy_stage0_filter0_bandpass0_a;
+                        const float numbers000_next = state->copy_stage0_filter0_bandpass0_b;
+                        const float numbers000_last = state->copy_stage0_filter0_bandpass0_c;
+                        const float rest0000 = numbers000 * first_cut;
                         const int32_t piece00000 = (int32_t)rest0000;
                         const int32_t part00000 = piece00000 % 46337;
                         const int32_t first00000 =
@@ -271,7 +302,7 @@ static void axis_x_ipc_any_cycle(
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second00001 * (uint32_t)17389)) + (uint32_t)part00002)) % 46337;
                         const float rest00002 = (rest00001 - (float)piece00002) * next_cut;
                         const float left_over0000 = left_over2 + rest00002;
-                        const float rest0001 = inputs->params->stage0_filter0_bandpass0_b * first_cut;
+                        const float rest0001 = numbers000_next * first_cut;
                         const int32_t piece00010 = (int32_t)rest0001;
                         const int32_t part00010 = piece00010 % 46337;
                         const int32_t first00010 =
@@ -294,7 +325,7 @@ static void axis_x_ipc_any_cycle(
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second00011 * (uint32_t)17389)) + (uint32_t)part00012)) % 46337;
                         const float rest00012 = (rest00011 - (float)piece00012) * next_cut;
                         const float left_over0001 = left_over0000 + rest00012;
-                        const float rest0002 = inputs->params->stage0_filter0_bandpass0_c * first_cut;
+                        const float rest0002 = numbers000_last * first_cut;
                         const int32_t piece00020 = (int32_t)rest0002;
                         const int32_t part00020 = piece00020 % 46337;
                         const int32_t first00020 =
@@ -317,7 +348,8 @@ static void axis_x_ipc_any_cycle(
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second00021 * (uint32_t)17389)) + (uint32_t)part00022)) % 46337;
                         const float rest00022 = (rest00021 - (float)piece00022) * next_cut;
                         const float left_over0002 = left_over0001 + rest00022;
-                        const float rest0_next = inputs->params->stage0_gain * first_cut;
+                        const float number0_next = state->copy_stage0_gain;
+                        const float rest0_next = number0_next * first_cut;
                         const int32_t piece00_next = (int32_t)rest0_next;
                         const int32_t part00_next = piece00_next % 46337;
                         const int32_t first00_next =
@@ -340,8 +372,8 @@ static void axis_x_ipc_any_cycle(
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second01_next * (uint32_t)17389)) + (uint32_t)part02_next)) % 46337;
                         const float rest02_next = (rest01_next - (float)piece02_next) * next_cut;
                         const float left_over0_next = left_over0002 + rest02_next;
-                        const uint32_t low_half0 = inputs->params->structure % 65536u;
-                        const uint32_t high_half0 = inputs->params->structure / 65536u;
+                        const uint32_t low_half0 = AXIS_X_IPC_STRUCTURE % 65536u;
+                        const uint32_t high_half0 = AXIS_X_IPC_STRUCTURE / 65536u;
                         const float low0 = (float)low_half0;
                         const float high0 = (float)high_half0;
                         const float number00 = low0 * half;
@@ -392,8 +424,8 @@ static void axis_x_ipc_any_cycle(
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second011 * (uint32_t)17389)) + (uint32_t)part012)) % 46337;
                         const float rest012 = (rest011 - (float)piece012) * next_cut;
                         const float left_over01 = left_over00 + rest012;
-                        const uint32_t low_half1 = inputs->params->set_id % 65536u;
-                        const uint32_t high_half1 = inputs->params->set_id / 65536u;
+                        const uint32_t low_half1 = set_id % 65536u;
+                        const uint32_t high_half1 = set_id / 65536u;
                         const float low1 = (float)low_half1;
                         const float high1 = (float)high_half1;
                         const float number10 = low1 * half;
@@ -446,7 +478,7 @@ static void axis_x_ipc_any_cycle(
                         const float left_over11 = left_over10 + rest112;
                         const bool is_same =
                             inputs->params->check_first == first112 && inputs->params->check_second == second112;
-                        if (axis_x_ipc_magnitude(left_over11) <= 0.0f && is_same) {
+                        if (left_over11 == 0.0f && is_same) {
                             refused = AXIS_X_IPC_ERROR_NONE;
                         } else {
                             refused = AXIS_X_IPC_ERROR_SET_DAMAGED;
@@ -459,22 +491,31 @@ static void axis_x_ipc_any_cycle(
                 }
                 if (refused != AXIS_X_IPC_ERROR_NONE) {
                     state->refused = refused;
-                    state->refused_set = inputs->params->set_id;
+                    state->refused_set = state->offered_set;
                     state->pause = axis_x_ipc_ipc_fade_cycles;
-                    state->withdrawn = state->set_id == 0u;
+                    state->acting_set = state->set_id;
+                    state->copy_limit = state->now_limit;
+                    state->copy_lower_limit = state->now_lower_limit;
+                    state->copy_sum_limit = state->now_sum_limit;
+                    state->copy_stage0_filter0_bandpass0_a = state->now_stage0_filter0_bandpass0_a;
+                    state->copy_stage0_filter0_bandpass0_b = state->now_stage0_filter0_bandpass0_b;
+                    state->copy_stage0_filter0_bandpass0_c = state->now_stage0_filter0_bandpass0_c;
+                    state->copy_stage0_gain = state->now_stage0_gain;
+                    state->turn_next = 0u;
                 } else if (state->ipc_fade == 0u) {
-                    state->now_limit = inputs->params->limit;
-                    state->now_lower_limit = inputs->params->lower_limit;
-                    state->now_sum_limit = inputs->params->sum_limit;
-                    state->now_stage0_filter0_bandpass0_a = inputs->params->stage0_filter0_bandpass0_a;
-                    state->now_stage0_filter0_bandpass0_b = inputs->params->stage0_filter0_bandpass0_b;
-                    state->now_stage0_filter0_bandpass0_c = inputs->params->stage0_filter0_bandpass0_c;
-                    state->now_stage0_gain = inputs->params->stage0_gain;
-                    state->set_id = inputs->params->set_id;
-                    state->withdrawn = false;
+                    state->now_limit = state->copy_limit;
+                    state->now_lower_limit = state->copy_lower_limit;
+                    state->now_sum_limit = state->copy_sum_limit;
+                    state->now_stage0_filter0_bandpass0_a = state->copy_stage0_filter0_bandpass0_a;
+                    state->now_stage0_filter0_bandpass0_b = state->copy_stage0_filter0_bandpass0_b;
+                    state->now_stage0_filter0_bandpass0_c = state->copy_stage0_filter0_bandpass0_c;
+                    state->now_stage0_gain = state->copy_stage0_gain;
+                    state->turn_next = 0u;
+                    state->set_id = state->offered_set;
+                    state->acting_set = state->offered_set;
                     state->ipc_preset = false;
                 } else {
-                    state->withdrawn = true;
+                    state->acting_set = 0u;
                 }
             }
         }
@@ -482,12 +523,13 @@ static void axis_x_ipc_any_cycle(
                 && (inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
                     || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)) {
             mode = AXIS_X_IPC_MODE_OFF;
-        } else if (state->withdrawn && inputs->mode == AXIS_X_IPC_MODE_ON) {
+        } else if (state->acting_set == 0u && inputs->mode == AXIS_X_IPC_MODE_ON) {
             mode = AXIS_X_IPC_MODE_DRYRUN;
         } else {
             mode = inputs->mode;
         }
     } else {
+        state->set_id = state->acting_set;
         mode = inputs->mode;
         refused = AXIS_X_IPC_ERROR_NONE;
     }
@@ -635,7 +677,13 @@ static void axis_x_ipc_any_cycle(
         ipc_limited_next = false;
         error_id_so_far = ipc_reason;
     }
-    if (axis_x_ipc_magnitude(ipc_v_add_calculated) <= axis_x_ipc_ipc_limit) {
+    float v_limited;
+    if (mode == AXIS_X_IPC_MODE_OFF) {
+        v_limited = ipc_v_add;
+    } else {
+        v_limited = ipc_v_add_calculated;
+    }
+    if (axis_x_ipc_magnitude(v_limited) <= axis_x_ipc_ipc_limit) {
         outputs->v_add = ipc_v_add;
         outputs->v_add_calculated = ipc_v_add_calculated;
         outputs->limited = ipc_limited_next;
@@ -647,10 +695,90 @@ static void axis_x_ipc_any_cycle(
         outputs->v_add_calculated = 0.0f;
         outputs->limited = true;
     }
-    const uint32_t set_id = state->set_id;
-    outputs->active_set = set_id;
+    if (state->acting_set != 0u) {
+        const uint32_t turn_next = state->turn_next;
+        state->turn_next = turn_next + 1u;
+        switch (turn_next) {
+        case 0u: {
+            const float turn_limits0_next = state->now_limit;
+            const float turn_copies0_next = state->copy_limit;
+            const float turn_difference0_last = turn_limits0_next - turn_copies0_next;
+            if (!(turn_difference0_last == 0.0f)) {
+                state->turn_next = axis_x_ipc_differed;
+            }
+            break;
+        }
+        case 1u: {
+            const float turn_limits1_next = state->now_lower_limit;
+            const float turn_copies1_next = state->copy_lower_limit;
+            const float turn_difference1_next = turn_limits1_next - turn_copies1_next;
+            if (!(turn_difference1_next == 0.0f)) {
+                state->turn_next = axis_x_ipc_differed;
+            }
+            break;
+        }
+        case 2u: {
+            const float turn_limits2_next = state->now_sum_limit;
+            const float turn_copies2_next = state->copy_sum_limit;
+            const float turn_difference2_next = turn_limits2_next - turn_copies2_next;
+            if (!(turn_difference2_next == 0.0f)) {
+                state->turn_next = axis_x_ipc_differed;
+            }
+            break;
+        }
+        case 3u: {
+            const float turn_numbers0000_next = state->now_stage0_filter0_bandpass0_a;
+            const float turn_copies0000_next = state->copy_stage0_filter0_bandpass0_a;
+            const float turn_difference0000_next = turn_numbers0000_next - turn_copies0000_next;
+            if (!(turn_difference0000_next == 0.0f)) {
+                state->turn_next = axis_x_ipc_differed;
+            }
+            break;
+        }
+        case 4u: {
+            const float turn_numbers0001_next = state->now_stage0_filter0_bandpass0_b;
+            const float turn_copies0001_next = state->copy_stage0_filter0_bandpass0_b;
+            const float turn_difference0001_next = turn_numbers0001_next - turn_copies0001_next;
+            if (!(turn_difference0001_next == 0.0f)) {
+                state->turn_next = axis_x_ipc_differed;
+            }
+            break;
+        }
+        case 5u: {
+            const float turn_numbers0002_next = state->now_stage0_filter0_bandpass0_c;
+            const float turn_copies0002_next = state->copy_stage0_filter0_bandpass0_c;
+            const float turn_difference0002_next = turn_numbers0002_next - turn_copies0002_next;
+            if (!(turn_difference0002_next == 0.0f)) {
+                state->turn_next = axis_x_ipc_differed;
+            }
+            break;
+        }
+        case 6u: {
+            const float turn_difference0_2 = state->now_stage0_gain - state->copy_stage0_gain;
+            if (!(turn_difference0_2 == 0.0f)) {
+                state->turn_next = axis_x_ipc_differed;
+            }
+            break;
+        }
+        case 14u: {
+            state->turn_next = 0u;
+            break;
+        }
+        default: {
+            if (turn_next > 14u) {
+                /* a number in use has been overwritten: a fault in the next cycle, then the offered set is taken over
+                 * anew */
+                state->turn_next = 0u;
+                state->ipc_fade = axis_x_ipc_ipc_fade_cycles + 1u;
+            }
+            break;
+        }
+        }
+    }
+    const uint32_t set_id_next = state->set_id;
+    outputs->active_set = set_id_next;
     if (refused != AXIS_X_IPC_ERROR_NONE && !ipc_fault) {
-        outputs->fault = set_id == 0u;
+        outputs->fault = set_id_next == 0u;
         outputs->error_id = refused;
     } else {
         outputs->error_id = error_id_so_far;
@@ -663,7 +791,7 @@ void axis_x_ipc_step(
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
-    if (inputs->params->set_id == state->set_id && !state->withdrawn
+    if (inputs->params->set_id == state->acting_set
             && axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_ipc_cycle_time_ns)
             && inputs->position_controlled && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON
@@ -728,7 +856,85 @@ void axis_x_ipc_step(
             outputs->v_add_calculated = 0.0f;
             outputs->limited = true;
         }
-        outputs->active_set = state->set_id;
+        const uint32_t turn = state->turn_next;
+        state->turn_next = turn + 1u;
+        switch (turn) {
+        case 0u: {
+            const float turn_limits0 = state->now_limit;
+            const float turn_copies0 = state->copy_limit;
+            const float turn_difference0 = turn_limits0 - turn_copies0;
+            if (!(turn_difference0 == 0.0f)) {
+                state->turn_next = axis_x_ipc_differed;
+            }
+            break;
+        }
+        case 1u: {
+            const float turn_limits1 = state->now_lower_limit;
+            const float turn_copies1 = state->copy_lower_limit;
+            const float turn_difference1 = turn_limits1 - turn_copies1;
+            if (!(turn_difference1 == 0.0f)) {
+                state->turn_next = axis_x_ipc_differed;
+            }
+            break;
+        }
+        case 2u: {
+            const float turn_limits2 = state->now_sum_limit;
+            const float turn_copies2 = state->copy_sum_limit;
+            const float turn_difference2 = turn_limits2 - turn_copies2;
+            if (!(turn_difference2 == 0.0f)) {
+                state->turn_next = axis_x_ipc_differed;
+            }
+            break;
+        }
+        case 3u: {
+            const float turn_numbers0000 = state->now_stage0_filter0_bandpass0_a;
+            const float turn_copies0000 = state->copy_stage0_filter0_bandpass0_a;
+            const float turn_difference0000 = turn_numbers0000 - turn_copies0000;
+            if (!(turn_difference0000 == 0.0f)) {
+                state->turn_next = axis_x_ipc_differed;
+            }
+            break;
+        }
+        case 4u: {
+            const float turn_numbers0001 = state->now_stage0_filter0_bandpass0_b;
+            const float turn_copies0001 = state->copy_stage0_filter0_bandpass0_b;
+            const float turn_difference0001 = turn_numbers0001 - turn_copies0001;
+            if (!(turn_difference0001 == 0.0f)) {
+                state->turn_next = axis_x_ipc_differed;
+            }
+            break;
+        }
+        case 5u: {
+            const float turn_numbers0002 = state->now_stage0_filter0_bandpass0_c;
+            const float turn_copies0002 = state->copy_stage0_filter0_bandpass0_c;
+            const float turn_difference0002 = turn_numbers0002 - turn_copies0002;
+            if (!(turn_difference0002 == 0.0f)) {
+                state->turn_next = axis_x_ipc_differed;
+            }
+            break;
+        }
+        case 6u: {
+            const float turn_difference0_next = state->now_stage0_gain - state->copy_stage0_gain;
+            if (!(turn_difference0_next == 0.0f)) {
+                state->turn_next = axis_x_ipc_differed;
+            }
+            break;
+        }
+        case 14u: {
+            state->turn_next = 0u;
+            break;
+        }
+        default: {
+            if (turn > 14u) {
+                /* a number in use has been overwritten: a fault in the next cycle, then the offered set is taken over
+                 * anew */
+                state->turn_next = 0u;
+                state->ipc_fade = axis_x_ipc_ipc_fade_cycles + 1u;
+            }
+            break;
+        }
+        }
+        outputs->active_set = state->acting_set;
     } else {
         axis_x_ipc_any_cycle(state, inputs, outputs);
     }

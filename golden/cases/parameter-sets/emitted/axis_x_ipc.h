@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   e751c17c68827e02bae72b28bf1dd160
- * checksum    78ff7774c963da8a8c18244bd6c0311f
+ * structure   836ff6980a0ce4e8738e89b26922af43
+ * checksum    d24642b92b169017068311fa59a01320
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,14 +44,14 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xb4447d55u
 #define AXIS_X_IPC_PARAMETERS_3 0x4f36617au
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xe751c17cu
-#define AXIS_X_IPC_STRUCTURE_1 0x68827e02u
-#define AXIS_X_IPC_STRUCTURE_2 0xbae72b28u
-#define AXIS_X_IPC_STRUCTURE_3 0xbf1dd160u
+#define AXIS_X_IPC_STRUCTURE_0 0x836ff698u
+#define AXIS_X_IPC_STRUCTURE_1 0x0a0ce4e8u
+#define AXIS_X_IPC_STRUCTURE_2 0x738e89b2u
+#define AXIS_X_IPC_STRUCTURE_3 0x6922af43u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_PARAMS_SIZE 44u
 #define AXIS_X_IPC_OUTPUTS_SIZE 20u
-#define AXIS_X_IPC_STATE_SIZE 68u
+#define AXIS_X_IPC_STATE_SIZE 104u
 
 /* With another number of bits in float the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -68,6 +68,11 @@ enum {
     AXIS_X_IPC_MODE_OFF = 0, /* the block is off */
     AXIS_X_IPC_MODE_ON = 1, /* the block acts */
     AXIS_X_IPC_MODE_DRYRUN = 2 /* the block calculates and does not act */
+};
+
+/* values of the input structure */
+enum {
+    AXIS_X_IPC_STRUCTURE = 3436647191 /* the structure: a parameter set for another one is refused */
 };
 
 /* values of the output error_id */
@@ -132,7 +137,8 @@ typedef struct {
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     uint32_t set_id; /* the number of the set in use; 0: there is none */
-    bool withdrawn; /* whether the block fades out for a set, or has none */
+    uint32_t acting_set; /* the same while that set acts; 0: the block fades out for another set, or has none */
+    uint32_t offered_set; /* the number of the set that is offered */
     uint32_t pause; /* cycles until a refused set is looked at again */
     uint32_t refused; /* why the last set was refused */
     uint32_t refused_set; /* the number of the last set that was refused */
@@ -143,6 +149,15 @@ typedef struct {
     float now_stage0_filter0_bandpass0_b; /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
     float now_stage0_filter0_bandpass0_c; /* C = 2 g / (c k): the low-pass part grows by C y */
     float now_stage0_gain; /* -weight: negative, because the stage moves the motor against the vibration */
+    float copy_limit; /* largest |v_add| */
+    float copy_lower_limit; /* -limit */
+    float copy_sum_limit; /* largest magnitude of a sum of stages that is not a fault */
+    float copy_stage0_filter0_bandpass0_a; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
+    float copy_stage0_filter0_bandpass0_b; /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
+    float copy_stage0_filter0_bandpass0_c; /* C = 2 g / (c k): the low-pass part grows by C y */
+    float copy_stage0_gain; /* -weight: negative, because the stage moves the motor against the vibration */
+    /* cycle of the round: which number is compared with its copy, from 0 on; beyond the round a number differed */
+    uint32_t turn_next;
     bool ipc_preset; /* whether the sections have been preset to the steady state of an input */
     /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
      * state was overwritten */

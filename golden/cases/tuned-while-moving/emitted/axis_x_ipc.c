@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  8a7064fb968187846a28b8bae1b95ecb
- * structure   16dc7f07af3092fab1f37a06bf2c7071
- * checksum    9b34b7b0b18dff711228ed705e0f84c1
+ * structure   801a97830de297efcaf4fa5134ff9f33
+ * checksum    88a74bc1b0293c744d9f6e9d14023c9f
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -161,9 +161,9 @@ static void axis_x_ipc_any_cycle(
     static const double least_factor = 1.0e-6; /* a factor below it is 0: no product with it is subnormal */
 
     bool is_tuning_held;
-    if (axis_x_ipc_magnitude(inputs->tuning_limit - state->tuning_limit_now) <= 0.0
-            && axis_x_ipc_magnitude(inputs->tuning_weight0 - state->tuning_weight0_now) <= 0.0
-            && axis_x_ipc_magnitude(inputs->tuning_weight1 - state->tuning_weight1_now) <= 0.0) {
+    if (inputs->tuning_limit - state->tuning_limit_now == 0.0
+            && inputs->tuning_weight0 - state->tuning_weight0_now == 0.0
+            && inputs->tuning_weight1 - state->tuning_weight1_now == 0.0) {
         is_tuning_held = false;
     } else {
         const bool jumps = state->fade == 0u || state->fade > axis_x_ipc_fade_cycles;
@@ -403,14 +403,15 @@ static void axis_x_ipc_any_cycle(
         const double v_sum1_next = v_tuned0_next + v_tuned1_next;
         const double upper_next = axis_x_ipc_limit * state->tuning_limit_now;
         double v_limited_next;
-        if (axis_x_ipc_magnitude(v_sum1_next) <= upper_next) {
+        if (axis_x_ipc_magnitude(v_sum1_next) <= upper_next && axis_x_ipc_magnitude(v_sum1_next) <= axis_x_ipc_limit) {
             outputs->limited = false;
             if (axis_x_ipc_magnitude(v_sum1_next) <= axis_x_ipc_rest) {
                 v_limited_next = 0.0;
             } else {
                 v_limited_next = v_sum1_next;
             }
-        } else if (axis_x_ipc_magnitude(v_sum1_next) <= axis_x_ipc_sum_limit) {
+        } else if (axis_x_ipc_magnitude(v_sum1_next) <= axis_x_ipc_sum_limit
+                && axis_x_ipc_magnitude(upper_next) <= axis_x_ipc_limit) {
             outputs->limited = true;
             if (v_sum1_next > 0.0) {
                 v_limited_next = upper_next;
@@ -421,6 +422,9 @@ static void axis_x_ipc_any_cycle(
             /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
              * then everything starts anew */
             outputs->limited = true;
+            state->tuning_weight0_now = 0.0;
+            state->tuning_weight1_now = 0.0;
+            state->tuning_limit_now = 0.0;
             state->fade = axis_x_ipc_fade_cycles + 1u;
             v_limited_next = 0.0;
         }
@@ -461,9 +465,9 @@ void axis_x_ipc_step(
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_cycle_time_ns)
             && inputs->position_controlled && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON
             && state->fade == axis_x_ipc_fade_cycles
-            && axis_x_ipc_magnitude(inputs->tuning_limit - state->tuning_limit_now) <= 0.0
-            && axis_x_ipc_magnitude(inputs->tuning_weight0 - state->tuning_weight0_now) <= 0.0
-            && axis_x_ipc_magnitude(inputs->tuning_weight1 - state->tuning_weight1_now) <= 0.0) {
+            && inputs->tuning_limit - state->tuning_limit_now == 0.0
+            && inputs->tuning_weight0 - state->tuning_weight0_now == 0.0
+            && inputs->tuning_weight1 - state->tuning_weight1_now == 0.0) {
         outputs->fault = false;
         outputs->error_id = AXIS_X_IPC_ERROR_NONE;
         /* DIRECT (P-AXIS-00753) from v_motor, weight 200/100 = 2 (P-AXIS-00754/00755) */
@@ -517,14 +521,15 @@ void axis_x_ipc_step(
         const double v_sum1 = v_tuned0 + v_tuned1;
         const double upper = axis_x_ipc_limit * state->tuning_limit_now;
         double v_limited;
-        if (axis_x_ipc_magnitude(v_sum1) <= upper) {
+        if (axis_x_ipc_magnitude(v_sum1) <= upper && axis_x_ipc_magnitude(v_sum1) <= axis_x_ipc_limit) {
             outputs->limited = false;
             if (axis_x_ipc_magnitude(v_sum1) <= axis_x_ipc_rest) {
                 v_limited = 0.0;
             } else {
                 v_limited = v_sum1;
             }
-        } else if (axis_x_ipc_magnitude(v_sum1) <= axis_x_ipc_sum_limit) {
+        } else if (axis_x_ipc_magnitude(v_sum1) <= axis_x_ipc_sum_limit
+                && axis_x_ipc_magnitude(upper) <= axis_x_ipc_limit) {
             outputs->limited = true;
             if (v_sum1 > 0.0) {
                 v_limited = upper;
@@ -535,6 +540,9 @@ void axis_x_ipc_step(
             /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
              * then everything starts anew */
             outputs->limited = true;
+            state->tuning_weight0_now = 0.0;
+            state->tuning_weight1_now = 0.0;
+            state->tuning_limit_now = 0.0;
             state->fade = axis_x_ipc_fade_cycles + 1u;
             v_limited = 0.0;
         }

@@ -1,0 +1,65 @@
+//! Makes one chain of questions in a row of which at most one is true: different values of one integer.
+//!
+//! ```text
+//! if n == 0 { x }                  if n == 0 { x }
+//! if n == 1 { y }         ->       else if n == 1 { y }
+//! if n > 1 { z }                   else if n > 1 { z }
+//! ```
+//!
+//! A compiler can jump to the one that is true.
+
+use super::Defect;
+use super::condition::{Comparison, Conditions};
+use crate::program::{Expr, Program, Statement};
+
+pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
+    let constants = std::mem::take(&mut program.constants);
+    let conditions = Conditions { constants: &constants, ..Conditions::default() };
+    in_list(&mut program.step, &conditions);
+    program.constants = constants;
+    Ok(program)
+}
+
+fn in_list(list: &mut Vec<Statement>, conditions: &Conditions<'_>) {
+    list.iter_mut().flat_map(Statement::branches_mut).for_each(|list| in_list(list, conditions));
+    let mut done: Vec<Statement> = Vec::new();
+    // From behind, so that the rest of a chain is one statement already.
+    for statement in std::mem::take(list).into_iter().rev() {
+        match (statement, done.pop()) {
+            (Statement::If { condition, then, otherwise }, Some(rest))
+                if otherwise.is_empty() && is_chained(&condition, &then, &rest, conditions) =>
+            {
+                done.push(Statement::If { condition, then, otherwise: vec![rest] });
+            }
+            (statement, rest) => {
+                done.extend(rest);
+                done.push(statement);
+            }
+        }
+    }
+    done.reverse();
+    *list = done;
+}
+
+/// Whether no question of the chain `rest` can be answered with yes where this one is, nor after what it leads to.
+fn is_chained(condition: &Expr, then: &[Statement], rest: &Statement, conditions: &Conditions<'_>) -> bool {
+    let Some(first) = conditions.comparison(condition) else { return false };
+    let mut link = rest;
+    loop {
+        let Statement::If { condition, otherwise, .. } = link else { return false };
+        if !conditions.comparison(condition).is_some_and(|other| are_apart(&first, &other)) {
+            return false;
+        }
+        match &otherwise[..] {
+            [] => return !then.iter().any(|statement| statement.writes(first.var)),
+            [next] => link = next,
+            _ => return false,
+        }
+    }
+}
+
+/// Whether both ask for values of one variable, and no value is an answer to both.
+fn are_apart(one: &Comparison, other: &Comparison) -> bool {
+    let [(low, high), (from, to)] = [one.within, other.within];
+    one.var == other.var && one.answer && other.answer && (high < from || to < low)
+}

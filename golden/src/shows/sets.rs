@@ -1,0 +1,25 @@
+//! What becomes of parameter sets in a run, in words. A run of a block without sets has none.
+
+use crate::samples::Samples;
+use portable::Literal;
+use std::collections::BTreeSet;
+
+/// The events of a run.
+pub fn events(outputs: &Samples) -> BTreeSet<String> {
+    let mut shown = BTreeSet::new();
+    let Some(place) = outputs.shape.signals.iter().position(|signal| signal.name == "active_set") else { return shown };
+    let (mut answers, mut before) = (Vec::new(), 0);
+    for sample in 0..outputs.len() {
+        outputs.read(sample, &mut answers);
+        let Literal::U32(now) = answers[place] else { continue };
+        let word = match (before, now) {
+            (0, 1..) => "a first set is taken over",
+            (1.., 0) => "no set is in use any more",
+            _ if before != now => "another set is taken over",
+            _ => continue,
+        };
+        shown.insert(word.to_owned());
+        before = now;
+    }
+    shown
+}

@@ -1,0 +1,33 @@
+//! Numbers in use, each compared with its copy when its turn comes, so that a number that something else has overwritten is found. One number
+//! a cycle; after the last one as many cycles pass as all of them took [`ROUND`] - 1 times, without a comparison.
+
+use portable::{Real, in_range, portable};
+
+/// A round takes as many times the cycles that all comparisons take.
+pub const ROUND: i32 = 2;
+
+/// State.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct State {
+    /// cycle of the round: which number is compared with its copy, from 0 on; any other: a number differed
+    pub next: i32,
+}
+
+/// a number differed from its copy
+#[portable]
+pub fn differed() -> i32 {
+    i32::MAX
+}
+
+/// Before the first cycle, and where other numbers have been taken over.
+#[portable]
+pub fn init(state: &mut State) {
+    state.next = 0i32;
+}
+
+/// Whether a number is its copy, from which it differs by this. A difference that is no number is one.
+#[portable]
+pub fn is_kept<R: Real>(difference: R) -> bool {
+    in_range(difference, R::ZERO)
+}

@@ -1,0 +1,76 @@
+//! One bit of a block's state flips: of every block without a spindle it is reported, or harmless. The bounds are those of the documents:
+//! v_add stays within its limit, a section forgets within its time constants, nothing else deviates without a report.
+#![expect(clippy::cast_precision_loss, clippy::cast_possible_truncation, reason = "counts and samples of a test")]
+
+mod campaign;
+
+use axgen_tests::cases;
+use axgen_tests::environment::{is_every_level, is_exhaustive};
+use axgen_tests::model::subject;
+use campaign::{Bench, Table};
+use generator::blocks::{Block, Designed};
+use golden::case::named_block;
+use rayon::prelude::*;
+
+/// Improved position control with everything that has a state, its numbers fixed, tuned or from parameter sets.
+fn ipc(real: &str, tunable: &str) -> Designed {
+    subject::read(&format!(
+        "cycle_time = '1ms'\n[axis.X]\nreal = '{real}'\ntunable = '{tunable}'\nride_through = 2\nwatch = true
+getriebe = [{{ dynamik.vb_max = 500000 }}]
+[axis.X.lr_param.improved_position_control]\nenable = 'ON'\nv_add_max_fact = 200
+[[axis.X.lr_param.improved_position_control.stage]]\nmode = 'DIRECT'
+filter = [{{ order = 1, fg_f0 = 20.0, q_factor = 5.0 }}]
+[[axis.X.lr_param.improved_position_control.stage]]\nmode = 'INDIRECT'\nosc_damping = 0.5
+filter = [{{ order = 1, fg_f0 = 50.0, q_factor = 2.0 }}]
+[[axis.X.lr_param.improved_position_control.stage]]\nmode = 'DIRECT'
+filter = [{{ type = 'ALLPASS', fg_f0 = 30.0, q_factor = 2.0 }}, {{ type = 'BANDPASS', prototype = 'CRIT_DAMPING', order = 1, fg_f0 = 40.0, q_factor = 2.0 }}]
+"
+    ))
+}
+
+/// The blocks: `ipc` in its three forms, and those of the golden cases that have other parts; in both real types.
+fn subjects() -> Vec<(String, Designed, Block)> {
+    let mut subjects = Vec::new();
+    for real in ["f64", "f32"] {
+        for tunable in ["nothing", "weights", "all"] {
+            let designed = ipc(real, tunable);
+            let block = named_block(&designed, "ipc").expect("the axis has it");
+            subjects.push((format!("ipc, {real}, tunable {tunable}"), designed, block));
+        }
+    }
+    for case in cases::in_both_real_types() {
+        let name = case.block.program.block;
+        if ["feedforward", "position_control", "axis"].contains(&name) {
+            let folder = case.folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            subjects.push((format!("{name}, {:?}, {folder}", case.axis.axis.real), case.axis, case.block));
+        }
+    }
+    subjects
+}
+
+#[test]
+fn a_flipped_bit_of_the_state_is_reported_or_harmless() {
+    let every = match (is_every_level(), is_exhaustive()) {
+        (true, _) => 1,
+        (_, true) => 7,
+        _ => 37,
+    };
+    let mut silent = Vec::new();
+    for (name, designed, block) in subjects() {
+        let bench = Bench::of(&designed, &block);
+        let flips = bench.flips(every);
+        let table = flips.par_iter().map(|flip| bench.run(*flip)).reduce(Table::default, Table::and);
+        eprintln!(
+            "{name}: {} bits, {} reported (numbers in use within {} cycles, stated {}), {} harmless, {} silent",
+            flips.len(),
+            table.reported,
+            table.latest,
+            bench.stated(),
+            table.harmless,
+            table.silent
+        );
+        assert!(table.latest <= bench.stated(), "{name}");
+        silent.extend(table.places.into_keys().map(|place| format!("{name}: {place}")));
+    }
+    assert!(silent.is_empty(), "{} silent:\n{}", silent.len(), silent[..silent.len().min(40)].join("\n"));
+}

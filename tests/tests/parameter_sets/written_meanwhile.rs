@@ -1,0 +1,138 @@
+//! Sets that another thread writes while the compiled block reads them: what is in use is one of them, whole.
+
+use crate::axes;
+use axgen_tests::environment::{has, is_exhaustive};
+use axgen_tests::random::rng::Rng;
+use generator::generate::axis_files;
+use generator::target::{File, TARGETS};
+use portable::RealKind;
+use std::path::Path;
+use std::process::Command;
+
+/// Sets that the block takes over in a run.
+const CHANGES: u32 = 400;
+
+/// The structure with the most numbers of [`axes`], in OFF: an offered set is taken over in the next cycle.
+const STRUCTURE: usize = 1;
+
+#[test]
+fn a_set_that_is_written_meanwhile_is_taken_over_whole_or_not_at_all() {
+    let folder = tempfile::tempdir().unwrap();
+    let axis = axes::other(STRUCTURE, RealKind::F64, &mut Rng::new(3), axes::FACT);
+    for File { name, text } in axis_files(&axis, &TARGETS[..1]).unwrap() {
+        std::fs::write(folder.path().join(name), text).unwrap();
+    }
+    let others = axes::block(&axes::other(STRUCTURE, RealKind::F64, &mut Rng::new(4), axes::FACT));
+    let members: Vec<String> =
+        others.own.program.inputs.iter().filter_map(|input| others.own.program.in_set(input)).map(member).collect();
+    let values = axes::set(&others).into_iter().map(|(_, value)| literal(value)).collect::<Vec<_>>().join(", ");
+    let copied =
+        |from: &str| members.iter().map(|name| format!("        shared.{name} = {from}.{name};\n")).collect::<String>();
+    // Structure, number and check words stand before the numbers.
+    let kept =
+        members[4..].iter().map(|name| format!("        && state.now_{name} == of->{name}\n")).collect::<String>();
+    let driver = DRIVER
+        .replace("VALUES", &values)
+        .replace("FIRST", &copied("axis_x_ipc_designed"))
+        .replace("SECOND", &copied("other"))
+        .replace("KEPT", &kept)
+        .replace("CHANGES", &CHANGES.to_string());
+    std::fs::write(folder.path().join("driver.c"), driver).unwrap();
+    let levels: &[&str] = if is_exhaustive() { &["-O0", "-O1", "-O2", "-O3", "-Os"] } else { &["-O0", "-O2"] };
+    for (compiler, version, package) in [("gcc", "", "gcc"), ("clang", "clang", "clang")] {
+        if !has(compiler, version, package) {
+            continue;
+        }
+        for level in levels {
+            let (taken, mixed) = run(compiler, level, folder.path());
+            eprintln!("{compiler} {level}: {taken} sets taken over while another thread writes, {mixed} of them mixed");
+            assert!(taken >= CHANGES, "{compiler} {level}");
+            assert_eq!(mixed, 0, "{compiler} {level}");
+        }
+    }
+}
+
+/// Sets that were taken over, and those among them that are none of the two.
+fn run(compiler: &str, level: &str, folder: &Path) -> (u32, u32) {
+    let built = Command::new(compiler)
+        .args(["-std=gnu99", "-ffp-contract=off", level, "driver.c", "axis_x_ipc.c", "-o", "driver", "-lpthread"])
+        .current_dir(folder)
+        .output()
+        .unwrap();
+    assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
+    let run = Command::new(folder.join("driver")).output().unwrap();
+    let text = String::from_utf8_lossy(&run.stdout);
+    let mut numbers = text.split_whitespace().map(|number| number.parse().unwrap());
+    (numbers.next().unwrap(), numbers.next().unwrap())
+}
+
+/// The member of the struct in C.
+fn member(path: &str) -> String {
+    path.replace(['[', ']'], "").replace('.', "_")
+}
+
+fn literal(value: portable::Literal) -> String {
+    match value {
+        portable::Literal::F64(value) => format!("{value:?}"),
+        portable::Literal::U32(value) => format!("{value}u"),
+        portable::Literal::I32(value) => value.to_string(),
+        other => panic!("{other:?} in a set"),
+    }
+}
+
+const DRIVER: &str = r#"
+#include "axis_x_ipc.h"
+#include <pthread.h>
+#include <stdio.h>
+
+static const axis_x_ipc_params other = {VALUES};
+static volatile axis_x_ipc_params shared;
+static volatile int done;
+
+static void *writer(void *unused)
+{
+    (void)unused;
+    while (!done) {
+FIRST
+SECOND
+    }
+    return 0;
+}
+
+static axis_x_ipc_state state;
+
+static int is(const axis_x_ipc_params *of)
+{
+    return 1
+KEPT;
+}
+
+int main(void)
+{
+    axis_x_ipc_inputs inputs;
+    axis_x_ipc_outputs outputs;
+    pthread_t thread;
+    unsigned taken = 0, mixed = 0;
+    uint32_t before = 0;
+    axis_x_ipc_init(&state);
+    axis_x_ipc_inputs_init(&inputs);
+    inputs.params = &shared;
+    inputs.mode = 0;
+    pthread_create(&thread, 0, writer, 0);
+    for (long cycle = 0; cycle < 200000000L && taken < CHANGESu; cycle++) {
+        state.pause = 0;
+        axis_x_ipc_step(&state, &inputs, &outputs);
+        if (outputs.active_set != before && outputs.active_set != 0) {
+            taken++;
+            if (!is(outputs.active_set == other.set_id ? &other : &axis_x_ipc_designed)) {
+                mixed++;
+            }
+        }
+        before = outputs.active_set;
+    }
+    done = 1;
+    pthread_join(thread, 0);
+    printf("%u %u\n", taken, mixed);
+    return 0;
+}
+"#;
