@@ -27,6 +27,15 @@ impl Interval {
         Self { low, high, nan: false }
     }
 
+    /// Every number that is no infinity.
+    pub(super) fn finite(kind: RealKind) -> Self {
+        let largest = match kind {
+            RealKind::F64 => f64::MAX,
+            RealKind::F32 => f32::MAX.into(),
+        };
+        Self::numbers(-largest, largest)
+    }
+
     pub fn has_number(self) -> bool {
         self.low <= self.high
     }
