@@ -1,6 +1,8 @@
 //! The reference against the independent model, on random axes and random histories.
 
+use axgen_tests::environment::is_exhaustive;
 use axgen_tests::model::agree::{self, Tally};
+use axgen_tests::model::alone::{self, agree::Seen};
 use axgen_tests::model::spindle::{self, Parameters, block};
 use axgen_tests::random::rng::Rng;
 use rayon::prelude::*;
@@ -42,4 +44,28 @@ fn the_changeover_agrees_with_its_model_on_random_histories_of_2000_cycles() {
     };
     let wrong: Vec<String> = (0..SPINDLES).into_par_iter().filter_map(differs).collect();
     assert!(wrong.is_empty(), "{} of {SPINDLES} histories disagree\n{}", wrong.len(), wrong[0]);
+}
+
+/// Axes with a block `ipc` that stands alone, and cycles of each.
+const ALONE: usize = 400;
+const ALONE_CYCLES: usize = 1500;
+
+/// Ride-through, watch, tuned weights and parameter sets.
+#[test]
+fn the_block_ipc_agrees_with_its_model_whatever_the_caller_tunes() {
+    let number = |name: &str, usual: u64| std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(usual);
+    let seed = number("AXGEN_MODEL_SEED", SEED);
+    let usual = if is_exhaustive() { 25 * ALONE } else { ALONE };
+    let count = usize::try_from(number("AXGEN_MODEL_SETS", usual as u64)).expect("a number of axes");
+    let run = |index| alone::agree::axis(seed, index, ALONE_CYCLES);
+    let (seen, wrong): (Vec<_>, Vec<_>) = (0..count).into_par_iter().map(run).partition(Result::is_ok);
+    let first: Vec<&str> =
+        wrong.iter().take(2).filter_map(|result| result.as_ref().err()).map(String::as_str).collect();
+    assert!(wrong.is_empty(), "{} of {count} axes disagree\n{}", wrong.len(), first.join("\n\n"));
+    let mut all = Seen::default();
+    seen.into_iter().flatten().for_each(|of_axis| all += of_axis);
+    eprintln!("{all:?}");
+    assert!(all.choices * 250 < all.flags, "rounding must hardly ever leave a choice: {all:?}");
+    let each = [all.trips, all.held, all.taken, all.dropped, all.tuning].into_iter().chain(all.refused);
+    assert!(each.min() >= Some(count as u64 / 4), "{all:?}");
 }

@@ -208,18 +208,18 @@ impl History {
 }
 
 /// Uniform in -1 to 1, with 53 random bits.
-fn uniform(rng: &mut Rng) -> f64 {
+pub fn uniform(rng: &mut Rng) -> f64 {
     (rng.word() >> 11) as f64 / 2f64.powi(52) - 1.0
 }
 
 /// A number of single precision.
 #[expect(clippy::cast_possible_truncation, reason = "a number of the block's real type")]
-fn narrowed(real: f64) -> f64 {
+pub fn narrowed(real: f64) -> f64 {
     f64::from(real as f32)
 }
 
 /// A number that is none, or the last one that is.
-fn bad(rng: &mut Rng, single: bool) -> f64 {
+pub fn bad(rng: &mut Rng, single: bool) -> f64 {
     let largest = if single { 1e9 } else { 1e15 };
     let beyond = if single { 1_000_000_064.0 } else { 1_000_000_000_000_000.1 };
     *rng.pick(&[f64::NAN, f64::INFINITY, f64::NEG_INFINITY, beyond, -beyond, 1e30, largest, -largest])

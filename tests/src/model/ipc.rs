@@ -43,6 +43,8 @@ pub struct Ipc {
     part_of_limit: f64,
     /// `v_command`, `v_motor`, `v_direct` with which the stages ran last
     before: [f64; 3],
+    /// largest |v_add|
+    limit: f64,
     /// a sum above this is a fault
     sum_limit: f64,
     /// whether the sum was, in the last cycle in which the stages ran
@@ -82,12 +84,12 @@ impl Ipc {
         let stages: Vec<Filters> = p.stages.iter().map(|stage| Filters::new(stage, ts)).collect();
         let nothing = f64::from(p.vb_max) * 2f64.powi(if p.single { -40 } else { -60 });
         let relative = if p.single { OF_SINGLES } else { OF_DOUBLES };
-        let own = 2.0 * c.limit.near().max(f64::from(p.vb_max) * largest_sum(&stages));
-        assert!((0.999 * own..=OF_BOUND * own).contains(&sum_limit), "sum_limit {sum_limit}, by the responses {own}");
+        assert_bounds(&stages, p, c, sum_limit);
         let (open, runs, largest, is_disturbed, disturbed) = (0, false, 0.0, false, None);
         let (ride_through, bad, before) = (p.ride_through, 0, [0.0; 3]);
-        let start = if p.tunable { 0.0 } else { 1.0 };
-        let (tunable, weights, part_of_limit) = (p.tunable, vec![start; stages.len()], start);
+        let tunable = p.tunable == "weights";
+        let start = if tunable { 0.0 } else { 1.0 };
+        let (weights, part_of_limit) = (vec![start; stages.len()], start);
         Self {
             stages,
             ride_through,
@@ -102,6 +104,7 @@ impl Ipc {
             largest,
             relative,
             nothing,
+            limit: c.limit.near(),
             sum_limit,
             is_disturbed,
             disturbed,
@@ -152,6 +155,14 @@ impl Ipc {
         is_held
     }
 
+    /// What the caller tunes is 0 until its input is usable, as before the first cycle.
+    fn tune_anew(&mut self) {
+        if self.tunable {
+            self.weights.fill(0.0);
+            self.part_of_limit = 0.0;
+        }
+    }
+
     /// The inputs and `v_command` with which a cycle runs, and whether the last good sample stands in the place of one of them.
     #[must_use]
     pub fn ride(&mut self, p: &Parameters, c: &Coefficients, inputs: &Inputs, v_command: f64) -> (Inputs, f64, bool) {
@@ -174,6 +185,30 @@ impl Ipc {
         if inputs.mode != 1 || inputs.reset {
             self.watch.iter_mut().for_each(Watch::rearm);
         }
+    }
+
+    /// Filters, limit, largest sum and quiet span of another parameter set: the stages start anew.
+    pub fn take(&mut self, stages: &[Filters], [limit, sum_limit, quiet]: [f64; 3]) {
+        (self.stages, self.limit, self.sum_limit, self.runs) = (stages.to_vec(), limit, sum_limit, false);
+        self.watch.iter_mut().for_each(|watch| watch.quiet = quiet);
+    }
+
+    /// Whether something is added: the fade is not 0.
+    #[must_use]
+    pub fn is_open(&self) -> bool {
+        self.open > 0
+    }
+
+    /// Cycles from 0 to the whole fade.
+    #[must_use]
+    pub fn fade_cycles(&self) -> u32 {
+        self.fade_cycles
+    }
+
+    /// Whether the sum of the cycle before was a fault, which this cycle tells.
+    #[must_use]
+    pub fn is_disturbed(&self) -> bool {
+        self.is_disturbed
     }
 
     /// Whether the watch has tripped.
@@ -212,13 +247,14 @@ impl Ipc {
         self.largest = self.largest.max(here);
         let tuned = self.stages.iter_mut().zip(&self.weights);
         let v_sum: f64 = tuned.map(|(stage, weight)| stage.run(x(stage.mode)) * weight).sum();
-        let limit = c.limit.near() * self.part_of_limit;
+        let limit = self.limit * self.part_of_limit;
         // A ramp adds up a rounding a cycle.
         let of_ramp = if self.tunable { 4.0 * c.u * f64::from(self.fade_cycles) } else { 0.0 };
-        let off = (self.relative + of_ramp) * self.largest + of_ramp * c.limit.near();
+        let off = (self.relative + of_ramp) * self.largest + of_ramp * self.limit;
         let [least, most] = [v_sum.abs() - off, v_sum.abs() + off];
         if most > self.sum_limit {
-            let disturbed = Self { open: 0, runs: false, is_disturbed: true, disturbed: None, ..self.clone() };
+            let mut disturbed = Self { open: 0, runs: false, is_disturbed: true, disturbed: None, ..self.clone() };
+            disturbed.tune_anew();
             if least > self.sum_limit {
                 *self = disturbed;
                 return Added { limited: [1.0; 2], ..NOTHING };
@@ -226,7 +262,7 @@ impl Ipc {
             self.disturbed = (found == 0.0).then(|| Box::new(disturbed));
         }
         let is_open = self.disturbed.is_some();
-        let limits = [(limit - of_ramp * c.limit.near()).max(0.0), limit + of_ramp * c.limit.near()];
+        let limits = [(limit - of_ramp * self.limit).max(0.0), limit + of_ramp * self.limit];
         let within = |from: f64, to: f64, sum: f64| if sum < 0.0 { sum.max(-from) } else { sum.min(to) };
         let calculated = if is_open {
             [0.0; 2]
@@ -242,7 +278,7 @@ impl Ipc {
         if inputs.mode == 0 && self.open == 0 {
             self.runs = false;
         }
-        if inputs.mode == 1 && !is_open {
+        if inputs.mode == 1 {
             self.watch.iter_mut().for_each(|watch| watch.cycle(v_sum, off, limit, trips));
         }
         // Rounding of the limit, of the fade and of their product.
@@ -258,6 +294,15 @@ impl Ipc {
     }
 }
 
+/// The largest sum that is no fault is the block's own number, a bound: it is not below what it bounds, and not far above.
+///
+/// # Panics
+/// If it is.
+pub fn assert_bounds(stages: &[Filters], p: &Parameters, c: &Coefficients, sum_limit: f64) {
+    let own = 2.0 * c.limit.near().max(f64::from(p.vb_max) * largest_sum(stages));
+    assert!((0.999 * own..=OF_BOUND * own).contains(&sum_limit), "sum_limit {sum_limit}, by the responses {own}");
+}
+
 /// The largest sum for velocities within +-1: the responses of stages that read the same velocity are added up before their magnitudes are.
 fn largest_sum(stages: &[Filters]) -> f64 {
     let reads = |mode: Mode| match mode {
@@ -266,8 +311,15 @@ fn largest_sum(stages: &[Filters]) -> f64 {
         Mode::DirectLoad => 2,
     };
     let mut stages = stages.to_vec();
-    let mut sum = 0.0;
+    let (mut sum, mut before) = (0.0, 0.0);
     for cycle in 0..LONGEST {
+        // What is left of the response is nothing that a comparison sees.
+        if cycle % 1000 == 999 {
+            if sum - before < 1e-6 * sum {
+                break;
+            }
+            before = sum;
+        }
         let mut h = [0.0; 3];
         for stage in &mut stages {
             h[reads(stage.mode)] += stage.run(if cycle == 0 { 1.0 } else { 0.0 });

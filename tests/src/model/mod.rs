@@ -2,7 +2,8 @@
 //! from the documents (`docs/feedforward.md`, `docs/position-control.md`, `docs/improved-position-control.md`,
 //! `docs/gantry.md`, decisions 3, 4 and 5) and shares no line with `reference/`; nothing of a block may be copied into it.
 //!
-//! The block `spindle` has a model of its own, in double precision ([`spindle`]).
+//! The block `spindle` has a model of its own, in double precision ([`spindle`]), and so has the block `ipc` that stands alone, with all that a
+//! caller may tune ([`alone`]).
 //!
 //! # What is compared
 //!
@@ -57,6 +58,7 @@
 //! 3. With the limit 0, `limited` of improved position control sees the states' anti-denormal constant.
 
 pub mod agree;
+pub mod alone;
 pub mod axis;
 pub mod coefficients;
 pub mod exact;

@@ -88,8 +88,8 @@ pub struct Parameters {
     pub fade_ns: u32,
     /// `ride_through`
     pub ride_through: u32,
-    /// `tunable = "weights"`
-    pub tunable: bool,
+    /// key `tunable`: nothing, weights, all
+    pub tunable: &'static str,
     /// `watch`
     pub watch: bool,
     /// improved position control
@@ -133,8 +133,10 @@ pub struct Stage {
     pub damping: f64,
     /// order 1 to 3, prototype, f0 [Hz], Q of the band-pass
     pub band_pass: (usize, &'static str, f64, f64),
-    /// f0 [Hz] and Q of an all-pass behind it
+    /// f0 [Hz] and Q of an all-pass
     pub all_pass: Option<(f64, f64)>,
+    /// whether that is the first filter, not the second one
+    pub is_all_pass_first: bool,
 }
 
 impl Parameters {
@@ -187,9 +189,7 @@ impl Parameters {
         }
         line(format!("fade = \"{}ns\"", self.fade_ns));
         line(format!("ride_through = {}", self.ride_through));
-        if self.tunable {
-            line("tunable = \"weights\"".to_owned());
-        }
+        line(format!("tunable = \"{}\"", self.tunable));
         line(format!("watch = {}", self.watch));
         if let Some(master) = self.master {
             line("kopf.achs_nr = 5\nkenngr.gantry_ax_nr = 4".to_owned());
@@ -269,14 +269,15 @@ impl Stage {
             }
         }
         let (order, prototype, f0, q) = self.band_pass;
-        let _ = write!(
-            text,
-            ", filter = [{{ prototype = \"{prototype}\", order = {order}, fg_f0 = {f0}, q_factor = {q} }}"
+        let band_pass = format!(
+            "{{ type = \"BANDPASS\", prototype = \"{prototype}\", order = {order}, fg_f0 = {f0}, q_factor = {q} }}"
         );
+        let mut filters = vec![band_pass];
         if let Some((f0, q)) = self.all_pass {
-            let _ = write!(text, ", {{ type = \"ALLPASS\", fg_f0 = {f0}, q_factor = {q} }}");
+            let at = usize::from(!self.is_all_pass_first);
+            filters.insert(at, format!("{{ type = \"ALLPASS\", fg_f0 = {f0}, q_factor = {q} }}"));
         }
-        text + "] }"
+        text + &format!(", filter = [{}] }}", filters.join(", "))
     }
 }
 

@@ -58,7 +58,7 @@ pub fn parameters(rng: &mut Rng) -> Parameters {
         vb_max: number(rng, 1_000_000),
         fade_ns: number(rng, 40) * (cycle_ns / 2),
         ride_through: *rng.pick(&[0, 0, 1, 2, 5]),
-        tunable: rng.chance(40),
+        tunable: if rng.chance(40) { "weights" } else { "nothing" },
         watch: rng.clone().chance(50), // a clone: the other axes and histories stay what they were
         stages: Vec::new(),
         master: None,
@@ -134,6 +134,7 @@ fn stage(rng: &mut Rng, p: &Parameters) -> Stage {
         damping: f64::from(u32::try_from(rng.between(10, 99)).expect("small")) / 100.0,
         band_pass: (order, prototype, frequency(rng), q(rng)),
         all_pass: rng.chance(25).then(|| (frequency(rng), q(rng))),
+        is_all_pass_first: rng.clone().chance(40), // a clone, as above
     }
 }
 

@@ -34,8 +34,12 @@ impl Filters {
             sections.push(oscillation(f0 * ts, stage.damping));
             gain *= (1.0 + 1.0 / (4.0 * stage.damping * stage.damping)).sqrt();
         }
+        let all_pass = |is_first: bool| {
+            stage.all_pass.filter(|_| stage.is_all_pass_first == is_first).map(|(f0, q)| all_pass(f0 * ts, q))
+        };
+        sections.extend(all_pass(true));
         band_pass(prototype, order, f0 * ts, q, &mut sections);
-        sections.extend(stage.all_pass.map(|(f0, q)| all_pass(f0 * ts, q)));
+        sections.extend(all_pass(false));
         let weight = (f64::from(stage.weight[0]) / f64::from(stage.weight[1])).min(7.0);
         Self { mode: stage.mode, weight, sections, gain: gain * weight }
     }

@@ -11,7 +11,7 @@ pub struct Watch {
     /// a score that trips
     alarm: u32,
     /// the growth of a block that spans less does not count
-    quiet: f64,
+    pub quiet: f64,
     /// cycles of this block that are over, its highest and its lowest sum
     cycles: u32,
     sums: [f64; 2],
@@ -68,7 +68,7 @@ impl Watch {
         let [high, low] = self.sums;
         let span = high - low;
         // A condition holds, may hold: every term is known but for four of `off`, and of the rounding of a limit.
-        let off = 4.0 * off + 1e-6 * 50.0 * self.quiet;
+        let off = 4.0 * off + 1e-6 * limit.max(50.0 * self.quiet);
         let is_above = |excess: f64| [excess > off, excess > -off];
         let all = |of: &[[bool; 2]]| [of.iter().all(|of| of[0]), of.iter().all(|of| of[1])];
         let beyond = [is_above(high - limit), is_above(-limit - low)];

@@ -78,6 +78,17 @@ impl Subject {
         };
     }
 
+    /// The value that an input has until somebody writes it.
+    ///
+    /// # Panics
+    /// If there is no such input.
+    #[must_use]
+    pub fn start(&self, input: &str) -> f64 {
+        let at = self.names[0].iter().position(|name| name == input);
+        let at = at.unwrap_or_else(|| panic!("plant: no input `{input}`: {:?}", self.names[0]));
+        number(self.recorded[0].shape.signals[at].start.at_run_time(), input)
+    }
+
     /// An output of the last cycle, FALSE and TRUE as 0 and 1.
     ///
     /// # Panics
@@ -85,14 +96,7 @@ impl Subject {
     #[must_use]
     pub fn get(&self, output: &str) -> f64 {
         let at = self.names[1].iter().position(|name| name == output);
-        match self.outputs[at.unwrap_or_else(|| panic!("plant: no output `{output}`: {:?}", self.names[1]))] {
-            Literal::F64(value) => value,
-            Literal::F32(value) => f64::from(value),
-            Literal::Bool(value) => f64::from(u8::from(value)),
-            Literal::I32(value) => f64::from(value),
-            Literal::U32(value) => f64::from(value),
-            other => panic!("plant: {output} is {other:?}"),
-        }
+        number(self.outputs[at.unwrap_or_else(|| panic!("plant: no output `{output}`: {:?}", self.names[1]))], output)
     }
 
     /// One cycle; gives `v_add` [um/s].
@@ -118,5 +122,17 @@ impl Subject {
     #[must_use]
     pub fn csv(&self) -> String {
         csv::write(&[&self.recorded[0], &self.recorded[1]], Reals::Decimal)
+    }
+}
+
+/// A value of this signal, FALSE and TRUE as 0 and 1.
+fn number(value: Literal, signal: &str) -> f64 {
+    match value {
+        Literal::F64(value) => value,
+        Literal::F32(value) => f64::from(value),
+        Literal::Bool(value) => f64::from(u8::from(value)),
+        Literal::I32(value) => f64::from(value),
+        Literal::U32(value) => f64::from(value),
+        other => panic!("plant: {signal} is {other:?}"),
     }
 }

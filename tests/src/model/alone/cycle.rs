@@ -1,0 +1,139 @@
+//! A cycle of the block `ipc` that stands alone: which fault is told, which parameter set is in use. What the stages do is in
+//! [`crate::model::ipc`].
+
+use super::axes::Drawn;
+use super::history::Given;
+use super::set::Set;
+use crate::model::ipc::{Ipc, NOTHING};
+use crate::model::rounding::{Expected, flag, id};
+
+/// What the block put out, as far as the model goes on from it: each is compared before it is used.
+#[derive(Clone, Copy, Debug)]
+pub struct Found {
+    /// `v_add` of this cycle; `v_add_calculated` where that is not 0
+    pub shown: f64,
+    /// whether the sum of the cycle before was a fault
+    pub is_disturbed: bool,
+    /// its `tripped` of this cycle
+    pub is_tripped: bool,
+}
+
+/// A set that was refused.
+#[derive(Clone, Copy, Debug)]
+struct Refused {
+    set: u32,
+    why: u32,
+    /// cycles until it is looked at again
+    left: u32,
+}
+
+/// What it remembers.
+#[derive(Clone, Debug)]
+pub struct Alone<'d> {
+    of: &'d Drawn,
+    ipc: Ipc,
+    /// the number of the set in use; 0: there is none
+    in_use: u32,
+    /// whether the block fades out for a set
+    leaves: bool,
+    refused: Option<Refused>,
+}
+
+impl<'d> Alone<'d> {
+    /// Before the first cycle.
+    #[must_use]
+    pub fn new(of: &'d Drawn) -> Self {
+        let ipc = Ipc::new(&of.parameters, &of.coefficients, of.sum_limit);
+        Self { of, ipc, in_use: 0, leaves: false, refused: None }
+    }
+
+    /// Whether a set is in use.
+    #[must_use]
+    pub fn has_set(&self) -> bool {
+        self.in_use != 0
+    }
+
+    /// One cycle: what each output may be.
+    pub fn cycle(&mut self, given: &Given, found: Found) -> Expected {
+        let (p, c) = (&self.of.parameters, &self.of.coefficients);
+        let mut inputs = given.inputs;
+        self.ipc.decide(found.is_disturbed);
+        let takes_sets = p.tunable == "all";
+        let refused = if takes_sets { self.look_at(&given.offered) } else { 0 };
+        self.ipc.rearm(&inputs);
+        if takes_sets && (0..=2).contains(&inputs.mode) {
+            inputs.mode = match inputs.mode {
+                _ if self.in_use == 0 => 0,
+                1 if self.leaves => 2,
+                mode => mode,
+            };
+        }
+        let is_tuning_held = self.ipc.tune(&inputs);
+        let (ridden, v_command, held) = self.ipc.ride(p, c, &inputs, given.v_command);
+        let is_cycle_wrong = inputs.task_cycle_ns != 0 && inputs.task_cycle_ns != p.cycle_ns;
+        let fault = match self.ipc.fault(p, c, &ridden, v_command) {
+            bad @ 11..=13 => bad,
+            _ if is_cycle_wrong => 1,
+            0 if self.of.is_slave && inputs.mode != 0 => 70_600,
+            other => other,
+        };
+        let acts = fault == 0 && inputs.position_controlled && !inputs.reset;
+        let added = match acts {
+            true => self.ipc.cycle(c, &ridden, v_command, found.shown, found.is_tripped),
+            false => {
+                self.ipc.stop();
+                NOTHING
+            }
+        };
+        let is_tripped = self.ipc.is_tripped();
+        let error_id = match fault {
+            0 if refused != 0 => refused,
+            0 if is_tripped => 5,
+            0 if is_tuning_held => 4,
+            fault => fault,
+        };
+        let mut expected = vec![
+            ("v_add", added.v_add),
+            ("v_add_calculated", added.calculated),
+            ("limited", added.limited),
+            ("held", flag(held)),
+            ("tripped", flag(is_tripped)),
+            ("fault", flag(fault != 0 || refused != 0 && self.in_use == 0)),
+            ("error_id", id(error_id)),
+        ];
+        if takes_sets {
+            expected.push(("active_set", id(self.in_use)));
+        }
+        expected
+    }
+
+    /// What the block does with the set that is offered; why it is refused.
+    fn look_at(&mut self, offered: &Set) -> u32 {
+        if self.ipc.is_disturbed() {
+            (self.in_use, self.leaves, self.refused) = (0, false, None);
+            return 0;
+        }
+        if self.in_use != 0 && offered.set_id == self.in_use {
+            self.leaves = false;
+            return 0;
+        }
+        if let Some(refused) = self.refused.as_mut().filter(|of| of.set == offered.set_id && of.left > 0) {
+            refused.left -= 1;
+            return refused.why;
+        }
+        if self.ipc.is_open() && (self.leaves || self.ipc.is_tripped()) {
+            return 0;
+        }
+        let why = offered.refusal(&self.of.structure);
+        if why != 0 {
+            self.refused = Some(Refused { set: offered.set_id, why, left: self.ipc.fade_cycles() });
+            self.leaves = false;
+        } else if self.ipc.is_open() {
+            self.leaves = true;
+        } else {
+            self.ipc.take(&self.of.filters[offered.of], offered.limits(&self.of.structure));
+            (self.in_use, self.leaves) = (offered.set_id, false);
+        }
+        why
+    }
+}
