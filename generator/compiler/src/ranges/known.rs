@@ -55,6 +55,11 @@ impl Known {
         }
     }
 
+    /// The assignment that has given a variable its value.
+    pub(super) fn written(&self, place: Place) -> u32 {
+        self.entries[place].written
+    }
+
     /// A variable gets a value; of a copy, that of `source`.
     pub(super) fn assign(
         &mut self,

@@ -140,8 +140,7 @@ impl Walk<'_> {
                 Value::Real(interval) => self.restrict(operand, Value::Real(interval.negated())),
                 _ => true,
             },
-            Expr::Binary(Binary::Add | Binary::Subtract | Binary::Multiply, left, right)
-                if matches!(to, Value::Real(interval) if interval.is_finite()) =>
+            Expr::Binary(Binary::Add | Binary::Subtract | Binary::Multiply, left, right) if matches!(to, Value::Real(interval) if interval.is_finite()) =>
             {
                 // An infinity, or what is no number, leaves no number that is finite.
                 let finite = Value::Real(Interval::finite(self.program.real));

@@ -5,6 +5,7 @@ use super::known::{Changes, Known, Place};
 use super::real::{self, Interval};
 use super::value::{Value, limits};
 use super::whole::{self, Names, Whole};
+use crate::arithmetic;
 use crate::program::{Expr, Program, Statement, Type, Var};
 use portable::{Binary, Intrinsic, Literal, Real, RealKind, Unary};
 
@@ -16,6 +17,14 @@ pub(super) struct Walk<'p> {
     /// the statement that is looked at
     statement: Option<&'p Statement>,
     pub findings: Vec<Finding>,
+    products: Vec<Product>,
+}
+
+/// A local that is the product of a constant and a variable. The product with the opposite constant is its negation, exactly.
+struct Product {
+    local: (Place, u32),
+    constant: f64,
+    variable: (Place, u32),
 }
 
 impl<'p> Walk<'p> {
@@ -32,7 +41,7 @@ impl<'p> Walk<'p> {
         let locals = program.locals.iter().map(|local| Value::any(local.ty.unwrap_or(Type::Real)));
         let values: Vec<Value> = variables.chain(constants).chain(locals).collect();
         let known = Known::new(values.into_iter(), names);
-        Self { program, known, first, statement: None, findings: Vec::new() }
+        Self { program, known, first, statement: None, findings: Vec::new(), products: Vec::new() }
     }
 
     pub(super) fn place(&self, var: Var) -> Place {
@@ -95,7 +104,38 @@ impl<'p> Walk<'p> {
         } else {
             (self.value(value), None)
         };
-        self.known.assign(self.place(target), found, source, follows);
+        let place = self.place(target);
+        self.known.assign(place, found, source, follows);
+        if let (Var::Local(_), Some((constant, variable))) = (target, self.factors(value)) {
+            self.products.push(Product { local: (place, self.known.written(place)), constant, variable });
+        }
+    }
+
+    /// The constant and the variable of a product.
+    fn factors(&self, expr: &Expr) -> Option<(f64, (Place, u32))> {
+        let Expr::Binary(Binary::Multiply, left, right) = expr else { return None };
+        let (constant, variable) = match (&**left, &**right) {
+            (Expr::Var(Var::Constant(constant)), Expr::Var(variable))
+            | (Expr::Var(variable), Expr::Var(Var::Constant(constant))) => (*constant, self.place(*variable)),
+            _ => return None,
+        };
+        let constant = arithmetic::wide(self.program.constants[constant].value)?;
+        Some((constant, (variable, self.known.written(variable))))
+    }
+
+    /// What is known of a product that a local is, or the negation of one.
+    fn known_product(&self, expr: &Expr) -> Interval {
+        let Some((constant, variable)) = self.factors(expr) else { return Interval::ANY };
+        let is_same = |product: &&Product| {
+            product.variable == variable
+                && product.constant.abs().to_bits() == constant.abs().to_bits()
+                && self.known.written(product.local.0) == product.local.1
+        };
+        let known = self.products.iter().filter(is_same).map(|product| {
+            let Value::Real(interval) = self.known.value(product.local.0) else { return Interval::ANY };
+            if product.constant.to_bits() == constant.to_bits() { interval } else { interval.negated() }
+        });
+        known.fold(Interval::ANY, Interval::meet)
     }
 
     pub(super) fn literal(&self, literal: Literal) -> Value {
@@ -120,7 +160,7 @@ impl<'p> Walk<'p> {
                 Binary::Add | Binary::Subtract | Binary::Multiply | Binary::Divide | Binary::Remainder => {
                     match (self.value(left), self.value(right)) {
                         (Value::Real(a), Value::Real(b)) => {
-                            Value::Real(real::binary(*operator, a, b, self.program.real))
+                            Value::Real(real::binary(*operator, a, b, self.program.real).meet(self.known_product(expr)))
                         }
                         (Value::Whole(a), Value::Whole(b)) => {
                             let ty = left.ty(self.program);

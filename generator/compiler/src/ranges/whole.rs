@@ -37,6 +37,7 @@ impl Names {
 
     /// The numbers, if they are named.
     pub(super) fn numbers(&self, of: Whole) -> Option<Vec<i64>> {
+        let of = self.listed(of);
         let is_in = |(position, _): &(usize, &i64)| of.named >> position & 1 == 1;
         (of.named != ALL).then(|| self.0.iter().enumerate().filter(is_in).map(|(_, number)| *number).collect())
     }
@@ -46,10 +47,25 @@ impl Names {
             (true, _) => b,
             (_, true) => a,
             _ => {
+                let (a, b) = (self.listed(a), self.listed(b));
                 let named = if a.named == ALL || b.named == ALL { ALL } else { a.named | b.named };
                 Whole { low: a.low.min(b.low), high: a.high.max(b.high), named }
             }
         }
+    }
+
+    /// The same with their names, where each number of a short range has one.
+    fn listed(&self, of: Whole) -> Whole {
+        if of.named != ALL || of.high - of.low > 126 {
+            return of;
+        }
+        let Ok(first) = self.0.binary_search(&of.low) else { return of };
+        let count = usize::try_from(of.high - of.low).unwrap_or_default();
+        // The names are in order: as many places on stands the last one, if all are there.
+        if self.0.get(first + count) != Some(&of.high) {
+            return of;
+        }
+        Whole { named: ((2 << count) - 1) << first, ..of }
     }
 
     /// What is in both.
