@@ -104,7 +104,7 @@ pub(crate) fn intrinsic(intrinsic: Intrinsic, operands: &[Literal], kind: RealKi
 }
 
 /// A real number as f64, exactly; `None`: another value.
-pub(crate) fn wide(value: Literal) -> Option<f64> {
+pub fn wide(value: Literal) -> Option<f64> {
     match value {
         Literal::F64(value) => Some(value),
         Literal::F32(value) => Some(value.into()),

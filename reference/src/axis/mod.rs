@@ -308,6 +308,9 @@ pub fn act<R: Real>(
     if control_outputs.limited {
         outputs.limited = true;
     }
+    if control_outputs.fault {
+        fail(outputs, control_outputs.error_id);
+    }
     tell_trip(state, coeffs, outputs);
 }
 

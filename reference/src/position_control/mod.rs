@@ -22,10 +22,10 @@ use crate::signal::{
     error_call_rate, error_cycle_time, error_following_error, error_none, error_v_add, error_v_additive,
     error_v_feedforward,
 };
-use crate::signal::{error_x_actual, error_x_command, sample_limit};
+use crate::signal::{error_state, error_x_actual, error_x_command, sample_limit};
 use crate::sum::empty_sum;
 use crate::{call_rate, delay, process_data};
-use portable::{Block, Enable, Fn, Off, Real, in_range, portable};
+use portable::{Block, Enable, Fn, Off, Real, in_range, note, portable};
 
 /// Where the position is controlled.
 #[portable]
@@ -90,6 +90,8 @@ pub struct State<R> {
     pub x_held: R,
     /// the rate of the calls
     pub call_rate: call_rate::State,
+    /// the same again: what has been overwritten differs
+    pub x_held_copy: R,
 }
 
 /// Before the first cycle.
@@ -98,6 +100,7 @@ pub fn init<R: Real>(state: &mut State<R>) {
     state.preset = false;
     state.x_held = R::ZERO;
     call_rate::init(&mut state.call_rate);
+    state.x_held_copy = R::ZERO;
 }
 
 /// Whether the controller takes the difference of both positions: in single precision.
@@ -167,7 +170,12 @@ pub fn hold<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, outputs: &mut Out
     clear(state, outputs, error_id);
     outputs.x_drive = R::ZERO;
     if coeffs.location != Location::Cnc {
-        outputs.x_drive = state.x_held;
+        if in_range(state.x_held - state.x_held_copy, R::ZERO) {
+            outputs.x_drive = state.x_held;
+        } else {
+            note("the position has been overwritten, and there is no other: 0, with the id that says so");
+            outputs.error_id = error_state();
+        }
     }
 }
 
@@ -184,6 +192,7 @@ pub fn follow<R: Real>(
     outputs.x_drive = R::ZERO;
     if coeffs.location != Location::Cnc {
         state.x_held = inputs.x_command;
+        state.x_held_copy = inputs.x_command;
         outputs.x_drive = inputs.x_command;
     }
 }
@@ -213,10 +222,19 @@ pub fn lead<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     if !state.preset {
         delay::preset(&mut state.shift, inputs.x_command);
     }
-    let x_shifted = delay::step(&mut state.shift, &coeffs.shift, inputs.x_command);
-    let x = if coeffs.feedforward { x_shifted + coeffs.lag * inputs.v_feedforward } else { x_shifted };
+    state.preset = true;
+    let mut shifted = delay::Delayed::<R>::default();
+    delay::step(&mut state.shift, &coeffs.shift, inputs.x_command, &mut shifted);
+    if shifted.overwritten {
+        // The present command stands in its place; the shift is filled anew in the next cycle.
+        state.preset = false;
+        outputs.fault = true;
+        outputs.error_id = error_state();
+    }
+    let x = if coeffs.feedforward { shifted.y + coeffs.lag * inputs.v_feedforward } else { shifted.y };
     outputs.x_drive = x;
     state.x_held = x;
+    state.x_held_copy = x;
     if coeffs.location == Location::Profidrive {
         let deviation = coeffs.xerr_scale * (x - inputs.x_actual);
         outputs.xerr = rounded(outputs, &coeffs.xerr_range, deviation);
@@ -254,13 +272,13 @@ pub fn put_out<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Input
         outputs.x_drive = R::ZERO;
         outputs.xerr = 0i32;
         manipulate(coeffs, inputs, outputs);
+        state.preset = true;
     } else {
         outputs.manipulated_variable = 0i32;
         lead(state, coeffs, inputs, outputs);
     }
     add_velocity(coeffs, inputs, outputs);
     outputs.additive_torque = if coeffs.torque { inputs.torque_feedforward } else { 0i32 };
-    state.preset = true;
 }
 
 /// One cycle. Only the inputs that the axis uses are checked.

@@ -232,16 +232,11 @@ pub fn put_out<R: Real>(set_id: u32, ipc_outputs: &ipc::Outputs<R>, refused: u32
     outputs.active_set = set_id;
 }
 
-/// Nothing is added beyond the limit that the block was generated with, whatever has become of the numbers in use. `v_limited`: the sum
-/// within the limit of the set in use.
+/// Nothing is added beyond the limit that the block was generated with, whatever has become of the numbers in use.
 #[portable]
-pub fn hold_limit<R: Real>(
-    state: &mut ipc::State<R>,
-    coeffs: &ipc::Coeffs<R>,
-    outputs: &mut ipc::Outputs<R>,
-    v_limited: R,
-) {
-    if !in_range(v_limited, coeffs.limit) {
+pub fn hold_limit<R: Real>(state: &mut ipc::State<R>, coeffs: &ipc::Coeffs<R>, outputs: &mut ipc::Outputs<R>) {
+    // In OFF only v_add says what acts.
+    if !(in_range(outputs.v_add, coeffs.limit) && in_range(outputs.v_add_calculated, coeffs.limit)) {
         note(
             "a number in use has been overwritten: a fault in the next cycle, then the offered set is taken over anew",
         );
@@ -279,9 +274,7 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     // What has tripped stays so until the caller's own mode is not ON.
     ipc::rearm(&mut state.ipc, &coeffs.ipc, inputs.mode, inputs.reset);
     ipc::go_on(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.now), &ipc_inputs, &mut ipc_outputs);
-    // In OFF only v_add says what acts.
-    let v_limited = if mode == ipc::mode_off() { ipc_outputs.v_add } else { ipc_outputs.v_add_calculated };
-    hold_limit(&mut state.ipc, &coeffs.ipc, &mut ipc_outputs, v_limited);
+    hold_limit(&mut state.ipc, &coeffs.ipc, &mut ipc_outputs);
     if state.acting_set != 0u32 {
         compare_one(state, coeffs);
     }
@@ -305,8 +298,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
         call_rate::go_on(&mut state.ipc.call_rate, &coeffs.ipc.call_rate, inputs.cycle_counter);
         ipc::act_in_full(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.now), &ipc_inputs, &mut ipc_outputs);
         ipc::tell_trip(&state.ipc, &coeffs.ipc, &mut ipc_outputs);
-        let v_limited = ipc_outputs.v_add;
-        hold_limit(&mut state.ipc, &coeffs.ipc, &mut ipc_outputs, v_limited);
+        hold_limit(&mut state.ipc, &coeffs.ipc, &mut ipc_outputs);
         compare_one(state, coeffs);
         put_out(state.acting_set, &ipc_outputs, error_none(), outputs);
     } else {

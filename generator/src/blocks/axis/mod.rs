@@ -2,7 +2,7 @@
 
 use super::ipc::notes::{self as ipc_notes, cycle_time, note};
 use super::values::{Value, Values, of_part};
-use super::{Certified, Part, Summary, feedforward, ipc, position_control};
+use super::{Certified, Figure, Part, Summary, feedforward, ipc, position_control};
 use crate::{blocks::designed::Designed, number::digits};
 use compiler::program::Program;
 use reference::axis::{Axis, Coeffs};
@@ -78,8 +78,12 @@ impl Part for Axis {
         of_part("gantry", [("limit of the master", limit.map(|limit| Value::Number(limit, "")))])
     }
 
+    fn limit(&self, designed: &Designed) -> Option<Figure> {
+        ipc::limit(designed)
+    }
+
     /// The limit of what it adds.
     fn certificate(&self, designed: &Designed, _: &Program) -> Certified {
-        Certified { figures: ipc::limit(designed).into_iter().collect(), ..Certified::default() }
+        Certified { figures: self.limit(designed).into_iter().collect(), ..Certified::default() }
     }
 }
