@@ -1,10 +1,8 @@
 //! What the spindle's commands do where the interpolator has no say. No transition.
 
-use super::signals::Inputs;
-use super::state::{Coeffs, Cycle, State};
-use crate::angle::{position_limit, wrapped};
-use crate::signal::error_x_actual;
-use portable::{Real, in_range, portable};
+use super::state::{Coeffs, State};
+use crate::angle::wrapped;
+use portable::{Real, portable};
 
 /// The position command goes on with the velocity command.
 #[portable]
@@ -33,21 +31,5 @@ pub fn slow_down<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, v_end: R, v_
         if state.v > v_end_negative {
             state.v = v_end_negative;
         }
-    }
-}
-
-/// The drive is off: the position command stands on the actual position, and the block starts anew afterwards.
-#[portable]
-pub fn follow<R: Real>(state: &mut State<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
-    state.v = R::ZERO;
-    state.asks_velocity = false;
-    state.returns = false;
-    state.is_moving = false;
-    state.queued = 0u32;
-    state.takes_over = false;
-    if in_range(inputs.x_actual, position_limit()) {
-        state.x = inputs.x_actual;
-    } else {
-        cycle.sample_error = error_x_actual();
     }
 }

@@ -3,6 +3,7 @@
 use super::jobs::is_free;
 use super::motion::{advance, slow_down};
 use super::signals::Inputs;
+use super::start::start;
 use super::state::{Coeffs, Cycle, SpindleState, State, enter};
 use crate::angle::{position_limit, shortest};
 use crate::signal::{
@@ -70,6 +71,8 @@ pub fn is_led<R: Real>(
         coast(state, coeffs, cycle, error_v_interpolator());
     } else if !in_range(inputs.x_command, position_limit()) {
         coast(state, coeffs, cycle, error_x_command());
+    } else if coeffs.closes_loop && !in_range(inputs.x_actual, position_limit()) {
+        coast(state, coeffs, cycle, error_x_actual());
     } else if !mode_fits {
         coast(state, coeffs, cycle, error_mode_display());
     } else if is_half_turn(coeffs, inputs.v_interpolator) {
@@ -162,10 +165,38 @@ pub fn has_slowed_down<R: Real>(coeffs: &Coeffs<R>, v_before: R, v_actual: R) ->
     within(v_before, coeffs.v_position_control_on) && within(v_actual, v_magnitude + coeffs.window)
 }
 
-/// BRAKE: down to Voff, until the actual velocity has been there for three cycles.
+/// Position control is taken up in the next cycle: where the actual position is when the command arrives, and the lag that the controller
+/// needs for this velocity.
+#[portable]
+pub fn resynchronise<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) {
+    let x_from = if in_range(inputs.x_actual, position_limit()) { inputs.x_actual } else { state.x };
+    let lead = lead_time(coeffs, inputs);
+    let x_ahead = x_from + state.v * lead;
+    state.x_start = if in_range(x_ahead, position_limit()) { x_ahead } else { x_from };
+    state.is_moving = true;
+    enter(state, SpindleState::ToPosition);
+}
+
+/// The drive has the mode that the block has asked for: the interpolator takes over.
+#[portable]
+pub fn complete<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
+    state.takes_over = true;
+    if coeffs.only_velocity {
+        note("TO_POSITION -> VELOCITY: the drive has no position control");
+        enter(state, SpindleState::Velocity);
+    } else {
+        note("TO_POSITION -> POSITION: the drive displays position control");
+        enter(state, SpindleState::Position);
+    }
+}
+
+/// BRAKE: down to Voff, until the actual velocity has been there for three cycles. A spindle that was caught needs the drive's answer.
 #[portable]
 pub fn brake<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
     state.cycles += 1u32;
+    if is_displayed(coeffs, inputs, coeffs.velocity_mode) {
+        state.catches = false;
+    }
     let is_known = in_range(inputs.v_actual, sample_limit());
     let mut is_slow = false;
     if is_known {
@@ -177,51 +208,58 @@ pub fn brake<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
         state.settled = 0u32;
     }
     let is_settled = state.settled >= 3u32;
-    let can_leave = is_settled && in_range(inputs.x_actual, position_limit());
+    let can_leave = is_settled && (coeffs.only_velocity || in_range(inputs.x_actual, position_limit()));
     if !is_known {
         cycle.sample_error = error_v_actual();
     } else if is_settled && !can_leave {
         cycle.sample_error = error_x_actual();
     }
-    if !can_leave && state.cycles > coeffs.brake_cycles {
+    if !can_leave && state.catches && state.cycles > coeffs.mode_cycles {
+        state.lasting_error = error_to_velocity();
+    } else if !can_leave && state.cycles > coeffs.brake_cycles {
         state.lasting_error = error_brake();
     } else {
         slow_down(state, coeffs, coeffs.v_position_control_on, coeffs.v_position_control_on_negative);
         advance(state, coeffs);
         if can_leave {
             note("BRAKE -> TO_POSITION: the actual velocity has settled at Voff");
-            // Where the actual position is when the command arrives, and the lag that the controller needs for this velocity.
-            let lead = lead_time(coeffs, inputs);
-            state.x_start = inputs.x_actual + state.v * lead;
-            state.is_moving = true;
-            enter(state, SpindleState::ToPosition);
+            resynchronise(state, coeffs, inputs);
         }
     }
 }
 
-/// TO_POSITION: the drive may obey the velocity or the position.
+/// TO_POSITION behind BRAKE: the drive may obey the velocity or the position.
+#[portable]
+pub fn take_up<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) {
+    state.asks_velocity = false;
+    if state.cycles == 1u32 {
+        state.x = state.x_start;
+    } else {
+        advance(state, coeffs);
+    }
+    if is_displayed(coeffs, inputs, coeffs.position_mode) {
+        complete(state, coeffs);
+    }
+}
+
+/// TO_POSITION: behind BRAKE, or at the start, whose test takes two cycles more.
 #[portable]
 pub fn to_position<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
     state.cycles += 1u32;
-    state.asks_velocity = false;
-    let can_start = state.is_moving || in_range(inputs.x_actual, position_limit());
-    let is_position_displayed = can_start && is_displayed(coeffs, inputs, coeffs.position_mode);
-    if !is_position_displayed && state.cycles > coeffs.mode_cycles {
-        state.lasting_error = error_to_position();
+    let is_late = if state.is_moving {
+        state.cycles > coeffs.mode_cycles && !is_displayed(coeffs, inputs, coeffs.position_mode)
     } else {
-        if !can_start {
-            cycle.sample_error = error_x_actual();
-        } else if !state.is_moving {
-            state.x = inputs.x_actual;
-        } else if state.cycles == 1u32 {
-            state.x = state.x_start;
-        } else {
-            advance(state, coeffs);
-        }
-        if is_position_displayed {
-            note("TO_POSITION -> POSITION: the drive displays position control");
-            state.takes_over = true;
-            enter(state, SpindleState::Position);
+        false
+    };
+    if is_late {
+        state.asks_velocity = false;
+        state.lasting_error = error_to_position();
+    } else if state.is_moving {
+        take_up(state, coeffs, inputs);
+    } else {
+        start(state, coeffs, inputs, cycle);
+        if state.cycles > coeffs.start_cycles {
+            state.lasting_error = error_to_position();
         }
     }
 }

@@ -9,6 +9,9 @@ use reference::spindle::Coeffs;
 /// Half a turn [0.001 deg].
 const HALF_TURN: f64 = 180_000.0;
 
+/// Cycles by which the test of a spindle whose drive comes on takes longer than one.
+const START: u32 = 2;
+
 /// Coefficients of the changeover of one axis; of an axis without it all zero.
 ///
 /// ```text
@@ -20,18 +23,22 @@ pub(crate) fn coefficients(axis: &Axis) -> Coeffs<f64> {
     let Some(of) = &axis.control.spindle else { return Coeffs::default() };
     let cycle_time = axis.cycle_time();
     let off = f64::from(of.v_position_control_on);
+    let window = window(of.v_position_control_on, of.window);
+    let mode_cycles = cycles(of.mode_timeout_ns, axis);
     let coeffs = Coeffs {
         cycle_time_ns: axis.cycle_time_ns,
         cycle_time,
         v_velocity_control_on: f64::from(of.v_velocity_control_on),
         v_position_control_on: off,
         v_position_control_on_negative: 0.0 - off, // not `-off`: 0 stays +0
-        window: window(of.v_position_control_on, of.window),
+        window,
+        v_taken_up: off + window,
         v_step: of.deceleration * cycle_time,
         v_largest: scale::below(half_turn(axis), axis.real).min(sample_limit(axis.real)),
         lead_time: f64::from(of.delay_cycles + 1) * cycle_time + (1.0 - weight(of)) / kv(of),
         takeover_window: of.takeover_window,
-        mode_cycles: cycles(of.mode_timeout_ns, axis),
+        mode_cycles,
+        start_cycles: mode_cycles.saturating_add(START),
         brake_cycles: cycles(of.brake_timeout_ns, axis),
         ..Coeffs::default()
     };
@@ -44,6 +51,7 @@ pub(crate) fn coefficients(axis: &Axis) -> Coeffs<f64> {
         },
         Changeover::Drive { position_mode, velocity_mode, velocity, .. } => Coeffs {
             in_drive: true,
+            only_velocity: of.only_velocity(),
             position_mode: *position_mode,
             velocity_mode: *velocity_mode,
             velocity_scale: scale::velocity(velocity, axis.cycle_time_ns),
