@@ -2,7 +2,7 @@
 
 use super::state::{Coeffs, State};
 use crate::angle::wrapped;
-use portable::{Real, portable};
+use portable::{Real, in_range, portable};
 
 /// The position command goes on with the velocity command.
 #[portable]
@@ -32,4 +32,16 @@ pub fn slow_down<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, v_end: R, v_
             state.v = v_end_negative;
         }
     }
+}
+
+/// largest lead of the position command, more than any spindle needs [0.001 deg]
+#[portable]
+pub fn lead_limit<R: Real>() -> R {
+    R::per_kind(1.0e9, 1.0e7)
+}
+
+/// A position that leads another one. A velocity that no spindle has leads nowhere.
+#[portable]
+pub fn ahead<R: Real>(x: R, way: R) -> R {
+    if in_range(way, lead_limit()) { x + way } else { x }
 }

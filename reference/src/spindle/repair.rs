@@ -34,7 +34,8 @@ pub fn is_request<R: Real>(request: &Request<R>) -> bool {
 pub fn is_motion<R: Real>(state: &State<R>) -> bool {
     state.x >= R::ZERO
         && state.x < full_turn()
-        && in_range(state.x_start, position_limit())
+        && state.x_start >= R::ZERO
+        && state.x_start < full_turn()
         && in_range(state.v, sample_limit())
         && in_range(state.seen.v, sample_limit())
         && in_range(state.seen.v_last, sample_limit())

@@ -1,7 +1,7 @@
 //! The drive comes on, or is off: what the block knows of a spindle that it does not move yet, and how it takes hold of it. A spindle
 //! that turns too fast for position control is caught: BRAKE begins at its actual velocity.
 
-use super::motion::{advance, slow_down};
+use super::motion::{advance, ahead, slow_down};
 use super::signals::Inputs;
 use super::state::{Coeffs, Cycle, Seen, SpindleState, State, enter};
 use super::transition::{complete, is_displayed, lead_time, resynchronise};
@@ -63,8 +63,7 @@ pub fn turns_with<R: Real>(seen: &Seen<R>, coeffs: &Coeffs<R>) -> R {
 #[portable]
 pub fn show<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, v: R) {
     let lead = lead_time(coeffs, inputs) - coeffs.cycle_time;
-    let x_ahead = inputs.x_actual + v * lead;
-    state.x = if in_range(x_ahead, position_limit()) { x_ahead } else { inputs.x_actual };
+    state.x = ahead(inputs.x_actual, v * lead);
 }
 
 /// The drive is off: the commands follow the spindle, so that the drive would not stop it by a step. The velocity command goes to 0 by the

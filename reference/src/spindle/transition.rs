@@ -1,11 +1,11 @@
 //! The five states: what each puts out, and when it ends. An error that is set here stops the spindle in the same cycle.
 
 use super::jobs::is_free;
-use super::motion::{advance, slow_down};
+use super::motion::{advance, ahead, slow_down};
 use super::signals::Inputs;
 use super::start::start;
 use super::state::{Coeffs, Cycle, SpindleState, State, enter};
-use crate::angle::{position_limit, shortest};
+use crate::angle::{position_limit, shortest, wrapped};
 use crate::signal::{
     error_brake, error_half_turn, error_mode_display, error_takeover, error_to_position, error_to_velocity,
     error_v_actual, error_v_interpolator, error_x_actual, error_x_command, sample_limit,
@@ -171,8 +171,8 @@ pub fn has_slowed_down<R: Real>(coeffs: &Coeffs<R>, v_before: R, v_actual: R) ->
 pub fn resynchronise<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) {
     let x_from = if in_range(inputs.x_actual, position_limit()) { inputs.x_actual } else { state.x };
     let lead = lead_time(coeffs, inputs);
-    let x_ahead = x_from + state.v * lead;
-    state.x_start = if in_range(x_ahead, position_limit()) { x_ahead } else { x_from };
+    let x_first = wrapped(ahead(x_from, state.v * lead));
+    state.x_start = x_first;
     state.is_moving = true;
     enter(state, SpindleState::ToPosition);
 }

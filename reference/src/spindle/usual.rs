@@ -44,6 +44,7 @@ pub fn stays_in_position<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: 
         && is_request(&state.present)
         && in_range(inputs.v_interpolator, v_largest)
         && in_range(inputs.x_command, position_limit())
+        && (!coeffs.closes_loop || in_range(inputs.x_actual, position_limit()))
         && is_displayed(coeffs, inputs, coeffs.position_mode)
 }
 

@@ -14,12 +14,12 @@ mod signals;
 
 pub use signals::{Inputs, Outputs};
 
-use crate::angle::{position_limit, shortest};
+use crate::angle::shortest;
 use crate::position_control::Location;
 use crate::signal::{error_lag, error_none, error_unstable};
 use crate::spindle::SpindleState;
-use crate::{axis, ipc, position_control, process_data, spindle};
-use portable::{Block, Enable, Fn, Real, in_range, note, portable, within};
+use crate::{axis, ipc, process_data, spindle};
+use portable::{Block, Enable, Fn, Real, note, portable, within};
 
 /// Coefficients.
 #[portable]
@@ -249,10 +249,8 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     ipc::rearm(&mut state.axis.ipc, &coeffs.axis.ipc, inputs.mode, inputs.reset);
     let mut spindle_inputs = spindle::Inputs::<R>::default();
     read(&mut spindle_inputs, inputs);
-    let reads_actual = position_control::reads_actual(&coeffs.axis.position_control);
     let improves = coeffs.axis.addition == axis::Addition::Ipc;
     let in_position = spindle::stays_in_position(&state.spindle, &coeffs.spindle, &spindle_inputs)
-        && (!reads_actual || in_range(inputs.x_actual, position_limit()))
         && (!improves
             || ipc::is_settled(&state.axis.ipc, &coeffs.axis.ipc, inputs.mode, inputs.v_motor, inputs.v_direct));
     if in_position {

@@ -102,7 +102,7 @@ impl Model {
             self.stays = if is_missing {
                 sample.filter(|_| self.now - self.complete_at >= TOO_MANY)
             } else {
-                self.test(inputs).or_else(|| self.overdue(next))
+                self.test(inputs).or_else(|| self.overdue(next, sample))
             };
         }
         let motion = match (self.stays, is_missing) {
@@ -270,7 +270,7 @@ impl Model {
     }
 
     /// The time of the state is over. That of a spindle that is waited for does not run.
-    fn overdue(&self, next: Option<i32>) -> Option<u32> {
+    fn overdue(&self, next: Option<i32>, sample: Option<u32>) -> Option<u32> {
         let Entry { state, since, .. } = self.current();
         let (mode, brake) = (self.p.mode_timeout_cycles, self.p.brake_timeout_cycles);
         let is_over = |cycles: u32| next.is_none() && self.now >= since + u64::from(cycles);
@@ -278,10 +278,7 @@ impl Model {
             TO_VELOCITY => is_over(mode).then_some(41),
             BRAKE if self.is_caught && is_over(mode) => Some(41),
             BRAKE => is_over(brake).then_some(42),
-            TO_POSITION if self.is_at_start() => {
-                let waits = self.p.only_position && self.samples.is_fast(&self.p);
-                (is_over(mode + 2) && !waits).then_some(43)
-            }
+            TO_POSITION if self.is_at_start() => (is_over(mode + 2) && sample != Some(47)).then_some(43),
             TO_POSITION => is_over(mode).then_some(43),
             _ => None,
         }

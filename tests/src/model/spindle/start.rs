@@ -58,9 +58,9 @@ pub fn lead_time(p: &Parameters, inputs: &Inputs) -> f64 {
     f64::from(late + 1) * p.cycle + (1.0 - weight(p, inputs)) / p.kv
 }
 
-/// A position that leads another one; that one, if it would be out of range.
+/// A position that leads another one; that one, if the way is beyond what is in range.
 #[must_use]
 pub fn ahead(x: f64, v: f64, time: f64) -> f64 {
-    let there = x + v * time;
-    wrap(if there.abs() <= 7e14 { there } else { x })
+    let way = v * time;
+    wrap(if way.abs() <= 1e9 { x + way } else { x })
 }
