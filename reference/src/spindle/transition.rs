@@ -18,10 +18,10 @@ pub fn is_half_turn<R: Real>(coeffs: &Coeffs<R>, v: R) -> bool {
     coeffs.in_drive && !within(v, coeffs.v_largest)
 }
 
-/// Whether the drive says that it is in a mode; the CNC always is.
+/// Whether the drive says that it is in a mode; the CNC always is, and a drive that has one mode alone.
 #[portable]
 pub fn is_displayed<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, mode: i32) -> bool {
-    !coeffs.in_drive || inputs.operation_mode_display == mode
+    !coeffs.in_drive || coeffs.only_velocity || inputs.operation_mode_display == mode
 }
 
 /// A cycle without a sample that its state needs: the spindle goes on as before, and stops where that lasts.

@@ -34,7 +34,7 @@ pub(crate) fn coefficients(axis: &Axis) -> Coeffs<f64> {
         window,
         v_taken_up: off + window,
         v_step: of.deceleration * cycle_time,
-        v_largest: scale::below(half_turn(axis), axis.real).min(sample_limit(axis.real)),
+        v_largest: v_largest(axis),
         lead_time: f64::from(of.delay_cycles + 1) * cycle_time + (1.0 - weight(of)) / kv(of),
         takeover_window: of.takeover_window,
         mode_cycles,
@@ -72,6 +72,11 @@ pub(crate) fn weight(of: &Spindle) -> f64 {
         Changeover::Cnc { .. } => 0.0,
         Changeover::Drive { feed_forward_v_weighting, .. } => f64::from(feed_forward_v_weighting) / 1000.0,
     }
+}
+
+/// The largest velocity of a drive that can tell the direction [0.001 deg/s].
+pub(crate) fn v_largest(axis: &Axis) -> f64 {
+    scale::below(half_turn(axis), axis.real).min(sample_limit(axis.real))
 }
 
 /// The velocity at which a drive cannot tell the direction any more [0.001 deg/s].

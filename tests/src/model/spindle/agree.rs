@@ -6,7 +6,7 @@ use super::{Inputs, Model, Outputs, Parameters, history};
 /// Of reals, relative to the largest of a turn and the value.
 const TOLERANCE: f64 = 1e-9;
 /// Of a time by which a position leads [s]: what is left where T takes T away.
-const ROUNDING: f64 = 1e-18;
+const ROUNDING: f64 = 3e-17;
 
 /// Runs a block through a random history.
 ///

@@ -370,7 +370,7 @@ impl Model {
     }
 
     fn displays(&self, inputs: &Inputs, mode: i32) -> bool {
-        self.p.in_cnc || inputs.operation_mode_display == mode
+        self.p.in_cnc || self.p.only_velocity || inputs.operation_mode_display == mode
     }
 
     fn current(&self) -> Entry {
