@@ -289,13 +289,13 @@ codes! {
         "Where the drive controls the position, conventional feedforward leads its position command by v_feedforward / Kv. The \
          command that is computed for the change to position control does not, and would step by that at the changeover. This is \
          our inference from how the command is made. Use an additive velocity, or the feedforward of the drive.";
+    NO_VELOCITY = "AX330", "a velocity command that is always 0",
+        "In velocity control the drive gets its velocity command in the scaling of P-AXIS-00205 to 00207, whose numerator \
+         (P-AXIS-00206) is 0.";
     LOOP_LAG = "AX331", "a position lag near half a revolution",
         "Position control in the CNC takes the lag the shortest way: at half a revolution it would turn the spindle the other way. \
          The lag is (1 - w) v / Kv; the block spindle_axis stops the spindle with error_id 48 at 170 deg. Write a larger Kv \
          (P-AXIS-00099), if the drive follows it, or a lower v_velocity_control_on.";
-    NO_VELOCITY = "AX330", "a velocity command that is always 0",
-        "In velocity control the drive gets its velocity command in the scaling of P-AXIS-00205 to 00207, whose numerator \
-         (P-AXIS-00206) is 0.";
 
     NO_STAGE = "AX401", "no stage is active",
         "Improved position control does nothing; without feedforward and position control the block is generated all the same, \
@@ -433,6 +433,9 @@ codes! {
     TWO_WEIGHTS = "AX446", "two weights of the drive's feedforward",
         "P-AXIS-00833 replaces P-AXIS-00766. Both are given, and differ: the new one holds. Write what the drive has (SERCOS \
          S-0-0296, CANopen 3062h).";
+    NOT_IN_SET = "AX447", "a change that no parameter set carries",
+        "The set is taken over, and the block goes on with what it was generated with: its mode at start, the velocity below which a sum counts as 0, \
+         the other blocks of the axis. Generate the blocks anew where they are to follow.";
     LAG_ALONE = "AX449", "a position lag near half a revolution without feedforward",
         "With its feedforward the loop in the CNC lags little. Without it (G137, or a smaller percentage of G136) the lag is v / Kv, and \
          the block spindle_axis stops the spindle with error_id 48 at 170 deg. Write a larger Kv (P-AXIS-00099), a lower \
@@ -440,7 +443,4 @@ codes! {
     NARROW_WINDOW = "AX450", "a window narrower than the encoder's steps",
         "An actual velocity from an encoder has steps of one increment in a cycle. The spindle has slowed down where it is within \
          spindle.window for three cycles: with a window below two steps it may never have, and stops with error_id 42.";
-    NOT_IN_SET = "AX447", "a change that no parameter set carries",
-        "The set is taken over, and the block goes on with what it was generated with: its mode at start, the velocity below which a sum counts as 0, \
-         the other blocks of the axis. Generate the blocks anew where they are to follow.";
 }

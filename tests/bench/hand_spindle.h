@@ -285,6 +285,7 @@ OFTEN void resynchronise(hand_spindle *spindle, const axis_inputs *inputs)
 {
     spindle->x_start = wrap(ahead(inputs->x_actual, spindle->v * LEAD_TIME(inputs)));
     spindle->is_moving = true;
+    spindle->catches = false;
     enter(spindle, TO_POSITION);
 }
 

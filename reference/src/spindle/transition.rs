@@ -174,6 +174,7 @@ pub fn resynchronise<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: 
     let x_first = wrapped(ahead(x_from, state.v * lead));
     state.x_start = x_first;
     state.is_moving = true;
+    state.catches = false;
     enter(state, SpindleState::ToPosition);
 }
 

@@ -331,7 +331,7 @@ impl Edge<'_> {
             Node::Stopped if self.is_seized() => {
                 outputs.operation_mode == coeffs.velocity_mode && self.after.block.asks_velocity
             }
-            Node::Brake => self.before.is_caught && !is_answered,
+            Node::Brake => self.before.is_caught && !is_answered && then != Node::ToPosition,
             _ => self.before.is_caught,
         };
         let is_free = |node| matches!(node, Node::ToVelocity | Node::Velocity);

@@ -24,7 +24,7 @@ pub(super) fn window(off: u32, least: f64) -> f64 {
 }
 
 /// At which the block opens its loop [0.001 deg].
-pub(super) const LARGEST_LAG: f64 = 170_000.0;
+const LARGEST_LAG: f64 = 170_000.0;
 
 /// A loop in the CNC whose lag stays below half a revolution; `weight` is that of its feedforward, and whether it is always active.
 pub(super) fn lag(e: &mut Effective<'_>, of: &Velocities, kv_key: Key, kv: u32, (weight, is_always): (f64, bool)) {

@@ -1,6 +1,6 @@
 //! What the changeover of a spindle will do, in words: from which speeds on, how long it may take, what the drive must have.
 
-use super::limits::{LARGEST_LAG, ramp, rpm, window};
+use super::limits::{ramp, rpm, window};
 use super::offered::{objects, one_of, settings};
 use crate::axis::{Axis, Bus, Changeover, Spindle};
 use crate::number::digits;
@@ -82,9 +82,8 @@ fn lag(axis: &Axis, spindle: &Spindle) -> String {
     match &spindle.drive {
         Changeover::Cnc { .. } => format!(
             "without feedforward the position lag at {speed} rpm must be {} deg, within 1 %: else P-AXIS-00129/00128 do not scale the velocity \
-             command as the drive does (Kv {kv}/s); at 170 deg, {} rpm, spindle_axis stops with error_id 48",
-            lag(0.0),
-            rpm(LARGEST_LAG * f64::from(spindle.kv) / 100.0)
+             command as the drive does (Kv {kv}/s)",
+            lag(0.0)
         ),
         Changeover::Drive { bus, feed_forward_v_weighting, .. } => {
             let weight = f64::from(*feed_forward_v_weighting) / 1000.0;

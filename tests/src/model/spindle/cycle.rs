@@ -121,7 +121,8 @@ impl Model {
             self.is_caught = self.mode == self.p.velocity_mode;
             self.enter(TO_POSITION, self.now, Some(self.x));
         } else if let Some(next) = next.filter(|_| self.stays.is_none()) {
-            self.is_caught |= next == BRAKE && self.is_at_start();
+            let is_caught = self.is_caught || next == BRAKE && self.is_at_start();
+            self.is_caught = is_caught && next != TO_POSITION;
             let origin = (next == TO_POSITION).then(|| self.resynchronised(inputs));
             self.enter(next, self.now + 1, origin);
         } else if sample == Some(47) {
