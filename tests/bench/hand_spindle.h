@@ -355,7 +355,7 @@ OFTEN double turning(const hand_spindle *spindle)
 /* The position command of a spindle that turns with v. */
 OFTEN void show(hand_spindle *spindle, const axis_inputs *inputs, double v)
 {
-    spindle->x = ahead(inputs->x_actual, v * (LEAD_TIME(inputs) - cycle_time));
+    spindle->x = wrap(ahead(inputs->x_actual, v * (LEAD_TIME(inputs) - cycle_time)));
 }
 
 /* The commands go with a spindle that the block does not move yet; gives the error. */

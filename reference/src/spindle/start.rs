@@ -5,7 +5,7 @@ use super::motion::{advance, ahead, slow_down};
 use super::signals::Inputs;
 use super::state::{Coeffs, Cycle, Seen, SpindleState, State, enter};
 use super::transition::{complete, is_displayed, lead_time, resynchronise};
-use crate::angle::position_limit;
+use crate::angle::{position_limit, wrapped};
 use crate::signal::{error_none, error_too_fast, error_v_actual, error_x_actual, sample_limit};
 use portable::{Real, in_range, note, portable, within};
 
@@ -63,7 +63,8 @@ pub fn turns_with<R: Real>(seen: &Seen<R>, coeffs: &Coeffs<R>) -> R {
 #[portable]
 pub fn show<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, v: R) {
     let lead = lead_time(coeffs, inputs) - coeffs.cycle_time;
-    state.x = ahead(inputs.x_actual, v * lead);
+    let x_shown = wrapped(ahead(inputs.x_actual, v * lead));
+    state.x = x_shown;
 }
 
 /// The drive is off: the commands follow the spindle, so that the drive would not stop it by a step. The velocity command goes to 0 by the

@@ -40,8 +40,12 @@ static STATE state;
 static INPUTS inputs;
 static OUTPUTS outputs;
 static actual drive, sent[LATE];
-static double x_before, v_wanted;
+static double v_wanted;
+#ifdef IN_DRIVE
+static double x_before;
 static int32_t asked;
+#endif
+static int off_cycles; /* until the drive came on */
 static bool obeyed; /* the drive has controlled the position in the cycle before */
 
 static double began; /* highest speed at which position control began */
@@ -54,11 +58,12 @@ static double wrap(double x)
     return rest < 0.0 ? rest + 360000.0 : rest;
 }
 
+#ifdef IN_DRIVE
 static double shortest(double x)
 {
-    const double rest = wrap(x + 180000.0);
-    return rest - 180000.0;
+    return wrap(x + 180000.0) - 180000.0;
 }
+#endif
 
 static double approach(double from, double to, double step)
 {
@@ -81,6 +86,7 @@ static void obey(bool is_on, double direction)
 {
     const double v_before = drive.v;
     bool obeys = false;
+    bool changed = false;
     double target = 0.0;
     drive.on = is_on;
 #ifdef IN_DRIVE
@@ -88,6 +94,7 @@ static void obey(bool is_on, double direction)
     if (asked > MODE_CYCLES) {
         drive.mode = outputs.operation_mode;
         asked = 0;
+        changed = true;
     }
     obeys = is_on && drive.mode == 0;
     if (obeys) {
@@ -103,7 +110,10 @@ static void obey(bool is_on, double direction)
     obeys = is_on && outputs.spindle_state == 0 && outputs.error_id == 0u;
     target = (double)outputs.manipulated_variable / 1.2;
 #endif
-    if (obeys && !obeyed && fabs(v_before) > began) {
+    /* A drive that was off for less than its answer to the block has stayed in its mode by itself. */
+    const bool has_stayed = !changed && off_cycles > 0 && off_cycles < LATE + MODE_CYCLES + 2;
+    off_cycles = is_on ? 0 : off_cycles + 1;
+    if (obeys && !obeyed && !has_stayed && fabs(v_before) > began) {
         began = fabs(v_before);
     }
     obeyed = obeys;
@@ -150,7 +160,10 @@ static void start(double v, bool is_on, int32_t mode)
         sent[i] = drive;
     }
     v_wanted = 0.0;
+#ifdef IN_DRIVE
     asked = 0;
+#endif
+    off_cycles = 0;
     obeyed = is_on && mode == 0;
     outputs.x_spindle = drive.x;
 }

@@ -4,7 +4,7 @@ use super::bench::{
     BRAKE_CYCLES, Bench, LEAD_TIME, MODE_CYCLES, POSITION_MODE, RPM, T, V_OFF, V_STEP, V_WINDOW, VELOCITY_MODE,
     assert_angle, wrap,
 };
-use reference::spindle::{Coeffs, Job, SpindleState};
+use reference::spindle::{Coeffs, Inputs, Job, SpindleState};
 
 const FAST: f64 = 1000.0 * RPM;
 
@@ -193,7 +193,8 @@ fn a_drive_with_velocity_control_alone_starts_in_velocity_and_refuses_positions(
     (bench.x_actual, bench.display) = (Some(f64::NAN), Some(0));
     let o = bench.cycles(3);
     assert_eq!((o.error_id, o.operation_mode, bench.next()), (0, VELOCITY_MODE, SpindleState::Velocity));
-    for ask in [|i: &mut reference::spindle::Inputs<f64>| i.m19 = true, |i| i.g74 = true, |i| i.putax = true] {
+    let requests: [fn(&mut Inputs<f64>); 3] = [|i| i.m19 = true, |i| i.g74 = true, |i| i.putax = true];
+    for ask in requests {
         let o = bench.with_inputs(ask);
         assert_eq!((o.error_id, o.waiting, o.spindle_state), (49, 0, SpindleState::Velocity));
         bench.cycle();
