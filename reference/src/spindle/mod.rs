@@ -11,11 +11,13 @@
 //! Positions grow with positive velocities. What a cycle puts out follows the state with which it began; a transition acts from the
 //! next cycle on.
 
+mod change;
 mod jobs;
 mod motion;
 mod put_out;
 mod repair;
 mod request;
+mod seen;
 mod signals;
 mod start;
 mod state;
@@ -33,7 +35,8 @@ use jobs::WAITING;
 use motion::{advance, slow_down};
 use portable::{Block, Enable, Fn, Real, portable};
 use put_out::{put_out_job, put_out_mode, put_out_motion};
-use start::{follow, forget, seize};
+use seen::forget;
+use start::{follow, seize};
 use state::enter;
 use transition::{brake, position, to_position, to_velocity, velocity};
 use usual::next_usual;

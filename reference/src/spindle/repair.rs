@@ -1,7 +1,7 @@
 //! What overwrote the memory is shown, and goes no further: a state that no cycle leaves stops the spindle with an error.
 
 use super::request::{Job, Request};
-use super::start::forget;
+use super::seen::forget;
 use super::state::State;
 use crate::angle::{full_turn, position_limit};
 use crate::signal::{

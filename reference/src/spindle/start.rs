@@ -1,62 +1,14 @@
 //! The drive comes on, or is off: what the block knows of a spindle that it does not move yet, and how it takes hold of it. A spindle
 //! that turns too fast for position control is caught: BRAKE begins at its actual velocity.
 
+use super::change::{complete, is_displayed, lead_time, resynchronise};
 use super::motion::{advance, ahead, slow_down};
+use super::seen::{forget, look, turns_with};
 use super::signals::Inputs;
-use super::state::{Coeffs, Cycle, Seen, SpindleState, State, enter};
-use super::transition::{complete, is_displayed, lead_time, resynchronise};
+use super::state::{Coeffs, Cycle, SpindleState, State, enter};
 use crate::angle::{position_limit, wrapped};
-use crate::signal::{error_none, error_too_fast, error_v_actual, error_x_actual, sample_limit};
+use crate::signal::{error_none, error_too_fast, error_v_actual, error_x_actual};
 use portable::{Real, in_range, note, portable, within};
-
-/// The middle one of three.
-#[portable]
-pub fn median<R: Real>(a: R, b: R, c: R) -> R {
-    let low = if a < b { a } else { b };
-    let high = if a < b { b } else { a };
-    let below_high = if c < high { c } else { high };
-    if below_high < low { low } else { below_high }
-}
-
-/// Nothing is known of the velocity.
-#[portable]
-pub fn forget<R: Real>(seen: &mut Seen<R>) {
-    seen.samples = 0u32;
-    seen.slow = 0u32;
-}
-
-/// Takes a sample of the actual velocity. Whether it is one.
-#[portable]
-pub fn look<R: Real>(seen: &mut Seen<R>, coeffs: &Coeffs<R>, v_actual: R) -> bool {
-    let is_known = in_range(v_actual, sample_limit());
-    if is_known {
-        if seen.samples == 0u32 {
-            seen.v_last = v_actual;
-            seen.v_before = v_actual;
-        }
-        let v_middle = median(seen.v_before, seen.v_last, v_actual);
-        seen.v = v_middle;
-        seen.v_before = seen.v_last;
-        seen.v_last = v_actual;
-        if seen.samples < 3u32 {
-            seen.samples += 1u32;
-        }
-        if !within(v_actual, coeffs.v_taken_up) {
-            seen.slow = 0u32;
-        } else if seen.slow < 3u32 {
-            seen.slow += 1u32;
-        }
-    } else {
-        forget(seen);
-    }
-    is_known
-}
-
-/// The velocity with which the spindle turns, 0 within the window.
-#[portable]
-pub fn turns_with<R: Real>(seen: &Seen<R>, coeffs: &Coeffs<R>) -> R {
-    if within(seen.v, coeffs.window) { R::ZERO } else { seen.v }
-}
 
 /// The position command with which a drive that obeys it goes on turning with `v`: in this cycle, so that it is a cycle less than for
 /// the next one. Without a velocity the actual position.

@@ -1,27 +1,22 @@
 //! The five states: what each puts out, and when it ends. An error that is set here stops the spindle in the same cycle.
 
+use super::change::{complete, is_displayed, resynchronise};
 use super::jobs::is_free;
-use super::motion::{advance, ahead, slow_down};
+use super::motion::{advance, slow_down};
 use super::signals::Inputs;
 use super::start::start;
 use super::state::{Coeffs, Cycle, SpindleState, State, enter};
-use crate::angle::{position_limit, shortest, wrapped};
+use crate::angle::{position_limit, shortest};
 use crate::signal::{
     error_brake, error_half_turn, error_mode_display, error_takeover, error_to_position, error_to_velocity,
     error_v_actual, error_v_interpolator, error_x_actual, error_x_command, sample_limit,
 };
-use portable::{Real, from_i32, in_range, note, portable, within};
+use portable::{Real, in_range, note, portable, within};
 
 /// Whether the drive cannot tell the direction of the motion any more.
 #[portable]
 pub fn is_half_turn<R: Real>(coeffs: &Coeffs<R>, v: R) -> bool {
     coeffs.in_drive && !within(v, coeffs.v_largest)
-}
-
-/// Whether the drive says that it is in a mode; the CNC always is, and a drive that has one mode alone.
-#[portable]
-pub fn is_displayed<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, mode: i32) -> bool {
-    !coeffs.in_drive || coeffs.only_velocity || inputs.operation_mode_display == mode
 }
 
 /// A cycle without a sample that its state needs: the spindle goes on as before, and stops where that lasts.
@@ -146,49 +141,11 @@ pub fn velocity<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inpu
     }
 }
 
-/// By how long the position command leads the actual position [s].
-#[portable]
-pub fn lead_time<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
-    let mut time = coeffs.lead_time;
-    let is_active = coeffs.default_active || inputs.feedforward_active;
-    if coeffs.has_feedforward && is_active && inputs.feedforward_percentage > 0i32 {
-        let percentage = if inputs.feedforward_percentage < 100i32 { inputs.feedforward_percentage } else { 100i32 };
-        time = coeffs.lead_time - coeffs.lead_time_per_percent * from_i32(percentage);
-    }
-    time
-}
-
 /// Whether the drive has the velocity command, which is at Voff or below, and is no faster than the window allows.
 #[portable]
 pub fn has_slowed_down<R: Real>(coeffs: &Coeffs<R>, v_before: R, v_actual: R) -> bool {
     let v_magnitude = if v_before < R::ZERO { -v_before } else { v_before };
     within(v_before, coeffs.v_position_control_on) && within(v_actual, v_magnitude + coeffs.window)
-}
-
-/// Position control is taken up in the next cycle: where the actual position is when the command arrives, and the lag that the controller
-/// needs for this velocity.
-#[portable]
-pub fn resynchronise<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) {
-    let x_from = if in_range(inputs.x_actual, position_limit()) { inputs.x_actual } else { state.x };
-    let lead = lead_time(coeffs, inputs);
-    let x_first = wrapped(ahead(x_from, state.v * lead));
-    state.x_start = x_first;
-    state.is_moving = true;
-    state.catches = false;
-    enter(state, SpindleState::ToPosition);
-}
-
-/// The drive has the mode that the block has asked for: the interpolator takes over.
-#[portable]
-pub fn complete<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
-    state.takes_over = true;
-    if coeffs.only_velocity {
-        note("TO_POSITION -> VELOCITY: the drive has no position control");
-        enter(state, SpindleState::Velocity);
-    } else {
-        note("TO_POSITION -> POSITION: the drive displays position control");
-        enter(state, SpindleState::Position);
-    }
 }
 
 /// BRAKE: down to Voff, until the actual velocity has been there for three cycles. A spindle that was caught needs the drive's answer.

@@ -1,12 +1,12 @@
 //! The usual cycle: POSITION or VELOCITY with all samples, without a request, with nothing that waits and nothing wrong. It does what
 //! `any_cycle` does there, and asks for less. No transition.
 
+use super::change::is_displayed;
 use super::motion::move_to;
 use super::put_out::{put_out_job, put_out_mode, put_out_motion};
 use super::repair::is_request;
 use super::signals::{Inputs, Outputs};
 use super::state::{Coeffs, SpindleState, State, Usual};
-use super::transition::is_displayed;
 use crate::angle::position_limit;
 use crate::signal::{error_none, sample_limit};
 use portable::{Real, in_range, note, portable};

@@ -144,6 +144,7 @@ static void cycle(bool is_on, double direction)
     inputs.operation_mode_display = seen.mode;
 #else
     inputs.v_motor = seen.v;
+    inputs.mode = 0;
 #endif
     interpolate();
     JOIN(AXIS, _spindle_axis_step)(&state, &inputs, &outputs);
