@@ -199,7 +199,7 @@ fn modes_that_an_axis_does_not_have() {
 > kenngr = { achs_typ = 'ACHSTYP_ROTATOR', antr_typ = 'SERCOS' }
 > getriebe = [{ kv = 2000, dynamik.vb_max = 18000000 }]
 > antr = { sercos.op_mode_for_velocity_control = 1, canopen.cyclic_position_op_mode = 8, canopen.cyclic_velocity_op_mode = 9 }
-set.toml:5:81: warning[AX426]: without effect here: an axis that is ACHSTYP_ROTATOR (P-AXIS-00018) with a drive that is SERCOS (P-AXIS-00020) does not have P-AXIS-00463, P-AXIS-00464, P-AXIS-00264
+set.toml:5:85: warning[AX426]: without effect here: an axis that is ACHSTYP_ROTATOR (P-AXIS-00018) with a drive that is SERCOS (P-AXIS-00020) does not have P-AXIS-00463, P-AXIS-00464, P-AXIS-00264
 
 > kenngr = { achs_typ = 'ACHSTYP_ROTATOR', antr_typ = 'CANOPEN' }
 > getriebe = [{ kv = 2000, dynamik.vb_max = 18000000 }]

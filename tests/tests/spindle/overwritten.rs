@@ -123,3 +123,16 @@ fn an_error_that_may_not_stay_becomes_error_3() {
         assert_eq!(bench.cycle().error_id, if may_stay { id } else { 3 });
     }
 }
+
+/// What is known of a spindle that turns is forgotten with it: it is braked from the velocity that it has.
+#[test]
+fn an_overwritten_sample_is_none_of_the_velocity() {
+    let mut bench = Bench::in_drive().fast(1000.0 * RPM);
+    (bench.x_actual, bench.v_actual) = (Some(90_000.0), Some(1000.0 * RPM));
+    bench.inputs.drive_on = false;
+    bench.cycles(5);
+    bench.state.seen.v_last = f64::NAN;
+    bench.inputs.drive_on = true;
+    let o = bench.cycle();
+    assert_eq!((o.error_id, o.v_spindle), (3, 1000.0 * RPM));
+}

@@ -70,7 +70,8 @@ pub(super) fn two_steps(e: &mut Effective<'_>, cycle_ns: u32, gear: u32) -> Opti
     let resolution = scale::resolution(&drive::resolution(e, gear)?);
     // In increments per 0.0001 deg.
     let step = 0.1 / resolution * 1e9 / f64::from(cycle_ns);
-    (resolution > 0.0).then_some(2.0 * step)
+    // A quotient of whole numbers is one that a list can have.
+    (resolution > 0.0).then_some((2.0 * step * 1e3).round() / 1e3)
 }
 
 /// The window that holds: a default of the encoder's steps, or the one given, with what it needs.
