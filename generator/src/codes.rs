@@ -241,6 +241,10 @@ codes! {
     NO_VELOCITY = "AX330", "a velocity command that is always 0",
         "In velocity control the drive gets its velocity command in the scaling of P-AXIS-00205 to 00207, whose numerator \
          (P-AXIS-00206) is 0.";
+    LOOP_LAG = "AX331", "a position lag near half a revolution",
+        "Position control in the CNC takes the lag the shortest way: at half a revolution it would turn the spindle the other way. \
+         The lag is (1 - w) v / Kv; the block spindle_axis stops the spindle with error_id 48 at 170 deg. Write a larger Kv \
+         (P-AXIS-00099), if the drive follows it, or a lower v_velocity_control_on.";
 
     NO_STAGE = "AX401", "no stage is active",
         "Improved position control does nothing; without feedforward and position control the block is generated all the same, \
@@ -381,4 +385,11 @@ codes! {
     NOT_IN_SET = "AX447", "a change that no parameter set carries",
         "The set is taken over, and the block goes on with what it was generated with: its mode at start, the velocity below which a sum counts as 0, \
          the other blocks of the axis. Generate the blocks anew where they are to follow.";
+    LAG_ALONE = "AX449", "a position lag near half a revolution without feedforward",
+        "With its feedforward the loop in the CNC lags little. Without it (G137, or a smaller percentage of G136) the lag is v / Kv, and \
+         the block spindle_axis stops the spindle with error_id 48 at 170 deg. Write a larger Kv (P-AXIS-00099), a lower \
+         v_velocity_control_on, or vorsteuer.default_active TRUE (P-AXIS-00255).";
+    NARROW_WINDOW = "AX450", "a window narrower than the encoder's steps",
+        "An actual velocity from an encoder has steps of one increment in a cycle. The spindle has slowed down where it is within \
+         spindle.window for three cycles: with a window below two steps it may never have, and stops with error_id 42.";
 }

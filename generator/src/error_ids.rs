@@ -50,7 +50,8 @@ static ROWS: &[Row] = rows! {
         "Call the block in a task with the cycle time that it was generated for, or generate it for this one. 0 at task_cycle_ns: unchecked.";
     error_mode: "Improved position control acts as in the mode OFF, at once: v_add is 0. The other parts of an axis go on.",
         "Write 0 (OFF), 1 (ON) or 2 (DRYRUN) to mode.";
-    error_state: "v_add is 0. The block starts anew by itself in the same cycle and fades in again.",
+    error_state: "v_add is 0. The block starts anew by itself in the same cycle and fades in again; a delay goes on with the present sample. A spindle \
+                  brakes to standstill, and the id stays until a reset.",
         "Something else writes to the memory of the block, or an input is far above vb_max: look for it, it can come back.";
     error_tuning: "Not a fault. The last valid value stays active.",
         "Write a number from 0 to 1 to each input that tunes: the part follows it again.";
@@ -78,15 +79,17 @@ static ROWS: &[Row] = rows! {
     error_x_command: "Velocities, manipulated variable and torque are 0 in a cycle with this fault, and x_drive holds its last value. A spindle goes \
                       on at its last velocity for up to three cycles; from the fourth bad cycle in a row on it brakes to standstill, and the id \
                       stays until a reset.", INTERPOLATOR;
-    error_x_actual: "Velocities and manipulated variable are 0 in a cycle with this fault; x_drive follows x_command. A spindle goes on as \
-                     docs/spindle.md says for its state: before it has a position it does not leave TO_POSITION, in BRAKE it stays in BRAKE.",
+    error_x_actual: "Velocities and manipulated variable are 0 in a cycle with this fault; x_drive follows x_command. A spindle without a \
+                     position does not leave TO_POSITION at the start, nor BRAKE. One whose loop is closed in the CNC goes on at its last velocity for \
+                     up to three cycles; from the fourth bad cycle in a row on it brakes to standstill, and the id stays until a reset.",
         "Check encoder, scaling and process data.";
     error_v_feedforward: NO_POSITION_CONTROL, PART;
     error_v_additive: NO_POSITION_CONTROL, PART;
     error_v_add: NO_POSITION_CONTROL, PART;
     error_v_add_master: "0 is added in place of the master's v_add; the other parts of the axis go on.",
         "Check the connection to the master's block.";
-    error_v_actual: "The spindle stays in BRAKE: without its velocity it does not count as settled, and the time of error 42 runs.",
+    error_v_actual: "The spindle is not released at the start, and stays in BRAKE: without its velocity it does not count as settled. In BRAKE the \
+                     time of error 42 runs.",
         "Check encoder, scaling and process data.";
     error_following_error: NO_POSITION_CONTROL, "Check what gives following_error.";
     error_requests: LOST, "Give one request a cycle. The one of higher priority was taken: G74, S[PUTAX], M19, M5, then M3 and M4.";
@@ -100,11 +103,18 @@ static ROWS: &[Row] = rows! {
     error_brake: STAYS, "The drive does not follow velocity_command, v_actual is wrong or noisy, or spindle.window or spindle.brake_timeout is too small. \
                          Then a reset.";
     error_to_position: STAYS, "As for 41, on the way to position control. Then a reset.";
-    error_half_turn: STAYS, "Command less than 180 degrees a cycle under position control: a lower speed, a shorter cycle, or velocity control above \
+    error_half_turn: "The spindle brakes with spindle.deceleration to standstill by its velocity command and stays there, with this id, until a reset. The \
+                      block axis of a spindle without a changeover holds x_drive, for as long as the fault lasts.", "Command less than 180 degrees a cycle under position control: a lower speed, a shorter cycle, or velocity control above \
                              P-AXIS-00767. Then a reset.";
     error_mode_display: COASTS, "Something else changes the operation mode of the drive, or it has a fault: check drive_on and \
                                  operation_mode_display. Then a reset.";
     error_takeover: STAYS, "The interpolator must go on from x_spindle and v_spindle (docs/spindle.md); or spindle.takeover_window is too small. Then a reset.";
+    error_too_fast: "The block waits and does not take the spindle over: its commands follow the spindle. Position control begins by itself when the \
+                     spindle is slow enough.",
+        "Wait until the spindle has coasted down. A drive with a mode of velocity control, and P-AXIS-00767 and 00768, would catch it.";
+    error_lag: STAYS, "Take a larger Kv, a smaller P-AXIS-00767 or a lower speed of positioning: `axgen check` names them. Check the scaling of the \
+                       manipulated variable and the direction of the encoder. Then a reset.";
+    error_only_velocity: LOST, "M19, G74 and S[PUTAX] need a drive with position control.";
     error_gantry_slave: "The block acts as in the mode OFF: v_add is 0.", "Leave mode OFF: the stages belong to the master (docs/gantry.md).";
 };
 

@@ -220,6 +220,24 @@ pub fn error_takeover() -> u32 {
     46u32
 }
 
+/// error_id: spindle: the spindle turns too fast for position control, and the drive has no velocity control to catch it: the block waits
+#[portable]
+pub fn error_too_fast() -> u32 {
+    47u32
+}
+
+/// error_id: spindle: the position lag is near half a turn, beyond which the loop would turn the other way; stays until reset
+#[portable]
+pub fn error_lag() -> u32 {
+    48u32
+}
+
+/// error_id: spindle: the drive has no position control, the request is lost
+#[portable]
+pub fn error_only_velocity() -> u32 {
+    49u32
+}
+
 /// error_id: improved position control is enabled on a gantry slave, the error 70600 of the controller
 #[portable]
 pub fn error_gantry_slave() -> u32 {

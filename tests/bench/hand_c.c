@@ -74,10 +74,20 @@ OFTEN double run_stage(axis_state *restrict state, double v_motor, bool *limited
 }
 
 /* The output of the position controller: the lag goes the shortest way. */
-OFTEN double control(double x, double x_actual, double v_feedforward)
+OFTEN double control(double x, double x_actual, double v_feedforward, bool *gives_up)
 {
     const double lag = shortest(x - x_actual);
+    *gives_up = !(fabs(lag) <= 170000.0);
     return kv * (x - (x - lag)) + v_feedforward;
+}
+
+/* The lag is near half a turn: the next cycle brakes, from what the drive gets if that is slower. */
+SELDOM void give_up(hand_spindle *spindle, double v_command)
+{
+    if (fabs(v_command) <= fabs(spindle->v)) {
+        spindle->v = v_command;
+    }
+    spindle->lasting_error = 48u;
 }
 
 /* The additive velocity in any cycle of a spindle that follows its position; gives the error of improved position control. */
@@ -133,20 +143,16 @@ SELDOM void any(axis_state *restrict state, const axis_inputs *restrict inputs, 
 {
     hand_spindle *restrict spindle = &state->spindle;
     hand_cycle cycle = change_over(spindle, inputs);
+    bool gives_up = false;
     double v_command = spindle->v;
     double v_feedforward = 0.0;
     double v_add = 0.0;
     bool limited = false;
-    bool follows = spindle->lasting_error == 0u && spindle->missing == 0u && inputs->drive_on
+    const bool follows = spindle->lasting_error == 0u && spindle->missing == 0u && inputs->drive_on
         && (cycle.control == POSITION || cycle.control == TO_VELOCITY);
-    if (follows && !position_in_range(inputs->x_actual)) {
-        cycle.error_id = 18u;
-        cycle.loop_closed = false;
-        follows = false;
-    }
     if (follows) {
         v_feedforward = feedforward_gain(inputs->feedforward_active, inputs->feedforward_percentage) * spindle->v;
-        v_command = control(spindle->x, inputs->x_actual, v_feedforward);
+        v_command = control(spindle->x, inputs->x_actual, v_feedforward, &gives_up);
         const uint32_t error_id = improve(state, inputs, outputs, cycle.loop_closed, &v_add, &limited);
         if (error_id != 0u) {
             cycle.error_id = error_id;
@@ -175,6 +181,9 @@ SELDOM void any(axis_state *restrict state, const axis_inputs *restrict inputs, 
     outputs->loop_closed = cycle.loop_closed;
     outputs->limited = limited;
     outputs->fault = cycle.error_id != 0u;
+    if (gives_up) {
+        give_up(spindle, v_command);
+    }
 }
 
 /* The manipulated variable beyond the range, or at its lower end. */
@@ -224,7 +233,8 @@ OFTEN void run_in_position(
     }
     const double x = wrap(inputs->x_command);
     const double v_feedforward = feedforward_gain(inputs->feedforward_active, inputs->feedforward_percentage) * v;
-    const double v_command = control(x, inputs->x_actual, v_feedforward);
+    bool gives_up;
+    const double v_command = control(x, inputs->x_actual, v_feedforward, &gives_up);
     bool limited;
     const double v_add = run_stage(state, inputs->v_motor, &limited);
     outputs->v_command = v_command;
@@ -232,6 +242,9 @@ OFTEN void run_in_position(
     outputs->v_add = v_add;
     outputs->v_add_calculated = v_add;
     put_out(spindle, outputs, x, v, v_command + v_add, limited, true);
+    if (gives_up) {
+        give_up(spindle, v_command);
+    }
 }
 
 /* VELOCITY: improved position control has been off since TO_VELOCITY. */

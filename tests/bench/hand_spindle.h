@@ -31,9 +31,11 @@ static const double cycle_time = 0.002; /* s */
 static const double v_velocity_control_on = 1200000.0; /* Von */
 static const double v_position_control_on = 300000.0; /* Voff */
 static const double window = 6000.0;
+static const double v_taken_up = 306000.0; /* Voff and the window */
 static const double v_step = 12000.0; /* deceleration in a cycle */
 static const double takeover_window = 1000.0;
 static const uint32_t mode_cycles = 50u;
+static const uint32_t start_cycles = 52u; /* of a drive that has come on */
 static const uint32_t brake_cycles = 5200u;
 static const double full_turn = 360000.0;
 static const double per_turn = 2.777777777777778e-6;
@@ -202,6 +204,9 @@ OFTEN uint32_t in_position(hand_spindle *spindle, const axis_inputs *inputs)
     if (!position_in_range(inputs->x_command)) {
         return coast(spindle, 17u);
     }
+    if (!in_drive && !position_in_range(inputs->x_actual)) {
+        return coast(spindle, 18u);
+    }
     if (!DISPLAYS(inputs, position_mode)) {
         return coast(spindle, 45u);
     }
@@ -228,6 +233,9 @@ OFTEN uint32_t to_velocity(hand_spindle *spindle, const axis_inputs *inputs)
     }
     if (!position_in_range(inputs->x_command)) {
         return coast(spindle, 17u);
+    }
+    if (!in_drive && !position_in_range(inputs->x_actual)) {
+        return coast(spindle, 18u);
     }
     if (is_half_turn(inputs->v_interpolator)) {
         spindle->lasting_error = 44u;
@@ -266,10 +274,28 @@ OFTEN uint32_t in_velocity(hand_spindle *spindle, const axis_inputs *inputs)
     return 0u;
 }
 
+/* A position that leads another one; a velocity that no spindle has leads nowhere. */
+OFTEN double ahead(double x, double way)
+{
+    return fabs(way) <= 1.0e9 ? x + way : x;
+}
+
+/* TO_POSITION is next, with the position that belongs to this velocity. */
+OFTEN void resynchronise(hand_spindle *spindle, const axis_inputs *inputs)
+{
+    spindle->x_start = wrap(ahead(inputs->x_actual, spindle->v * LEAD_TIME(inputs)));
+    spindle->is_moving = true;
+    spindle->catches = false;
+    enter(spindle, TO_POSITION);
+}
+
 OFTEN uint32_t in_brake(hand_spindle *spindle, const axis_inputs *inputs)
 {
     uint32_t error_id = 0u;
     bool is_slow = false;
+    if (DISPLAYS(inputs, velocity_mode)) {
+        spindle->catches = false;
+    }
     if (!in_range(inputs->v_actual)) {
         error_id = 23u;
     } else {
@@ -282,6 +308,10 @@ OFTEN uint32_t in_brake(hand_spindle *spindle, const axis_inputs *inputs)
         can_leave = false;
         error_id = 18u;
     }
+    if (!can_leave && spindle->catches && spindle->cycles > mode_cycles) {
+        spindle->lasting_error = 41u;
+        return error_id;
+    }
     if (!can_leave && spindle->cycles > brake_cycles) {
         spindle->lasting_error = 42u;
         return error_id;
@@ -289,28 +319,96 @@ OFTEN uint32_t in_brake(hand_spindle *spindle, const axis_inputs *inputs)
     slow_down(spindle, v_position_control_on);
     advance(spindle);
     if (can_leave) {
-        spindle->x_start = inputs->x_actual + spindle->v * LEAD_TIME(inputs);
-        spindle->is_moving = true;
-        enter(spindle, TO_POSITION);
+        resynchronise(spindle, inputs);
+    }
+    return error_id;
+}
+
+/* Takes a sample of a spindle that the block does not move yet. Whether there is one. */
+OFTEN bool look(hand_spindle *spindle, double v_actual)
+{
+    if (!in_range(v_actual)) {
+        spindle->samples = 0u;
+        spindle->slow = 0u;
+        return false;
+    }
+    if (spindle->samples == 0u) {
+        spindle->v_last = v_actual;
+        spindle->v_older = v_actual;
+    }
+    const double low = fmin(spindle->v_older, spindle->v_last);
+    const double high = fmax(spindle->v_older, spindle->v_last);
+    spindle->v_middle = fmax(low, fmin(high, v_actual));
+    spindle->v_older = spindle->v_last;
+    spindle->v_last = v_actual;
+    spindle->samples += spindle->samples < 3u;
+    spindle->slow = fabs(v_actual) <= v_taken_up ? spindle->slow + (spindle->slow < 3u) : 0u;
+    return true;
+}
+
+/* With what the spindle turns. */
+OFTEN double turning(const hand_spindle *spindle)
+{
+    return fabs(spindle->v_middle) <= window ? 0.0 : spindle->v_middle;
+}
+
+/* The position command of a spindle that turns with v. */
+OFTEN void show(hand_spindle *spindle, const axis_inputs *inputs, double v)
+{
+    spindle->x = wrap(ahead(inputs->x_actual, v * (LEAD_TIME(inputs) - cycle_time)));
+}
+
+/* The commands go with a spindle that the block does not move yet; gives the error. */
+OFTEN uint32_t accompany(hand_spindle *spindle, const axis_inputs *inputs)
+{
+    const bool is_known = look(spindle, inputs->v_actual);
+    const bool is_found = position_in_range(inputs->x_actual);
+    if (is_known) {
+        spindle->v = turning(spindle);
+        spindle->asks_velocity = fabs(spindle->v) > v_taken_up;
+    }
+    if (is_known && is_found) {
+        show(spindle, inputs, spindle->v);
+    } else {
+        advance(spindle);
+    }
+    return !is_known ? 23u : is_found ? 0u : 18u;
+}
+
+/* The drive has come on. */
+OFTEN uint32_t at_start(hand_spindle *spindle, const axis_inputs *inputs)
+{
+    const uint32_t error_id = accompany(spindle, inputs);
+    if (error_id == 0u && spindle->samples >= 3u) {
+        if (fabs(spindle->v) > v_taken_up) {
+            spindle->catches = true;
+            spindle->is_moving = true;
+            enter(spindle, BRAKE);
+        } else if (spindle->slow >= 3u && fabs(spindle->v) > 0.0) {
+            resynchronise(spindle, inputs);
+        } else if (spindle->slow >= 3u && DISPLAYS(inputs, position_mode)) {
+            spindle->takes_over = true;
+            enter(spindle, POSITION);
+        }
+    }
+    if (spindle->cycles > start_cycles) {
+        spindle->lasting_error = 43u;
     }
     return error_id;
 }
 
 OFTEN uint32_t to_position(hand_spindle *spindle, const axis_inputs *inputs)
 {
+    if (!spindle->is_moving) {
+        return at_start(spindle, inputs);
+    }
     spindle->asks_velocity = false;
-    const bool can_start = spindle->is_moving || position_in_range(inputs->x_actual);
-    const bool is_displayed = can_start && DISPLAYS(inputs, position_mode);
+    const bool is_displayed = DISPLAYS(inputs, position_mode);
     if (!is_displayed && spindle->cycles > mode_cycles) {
         spindle->lasting_error = 43u;
         return 0u;
     }
-    if (!can_start) {
-        return 18u;
-    }
-    if (!spindle->is_moving) {
-        spindle->x = inputs->x_actual;
-    } else if (spindle->cycles == 1u) {
+    if (spindle->cycles == 1u) {
         spindle->x = spindle->x_start;
     } else {
         advance(spindle);
@@ -322,13 +420,23 @@ OFTEN uint32_t to_position(hand_spindle *spindle, const axis_inputs *inputs)
     return 0u;
 }
 
+/* Whether the block does not move the spindle yet. */
+OFTEN bool is_at_start(const hand_spindle *spindle)
+{
+    return spindle->control == TO_POSITION && !spindle->is_moving;
+}
+
 OFTEN void reset(hand_spindle *spindle, bool drive_on)
 {
     spindle->queued = 0u;
     if (spindle->lasting_error != 0u) {
         spindle->lasting_error = 0u;
         spindle->returns = false;
-        if (drive_on) {
+        if (drive_on && is_at_start(spindle)) {
+            spindle->samples = 0u;
+            spindle->slow = 0u;
+            enter(spindle, TO_POSITION);
+        } else if (drive_on) {
             enter(spindle, BRAKE);
         }
     } else if (spindle->control == TO_VELOCITY || spindle->control == VELOCITY) {
@@ -336,20 +444,36 @@ OFTEN void reset(hand_spindle *spindle, bool drive_on)
     }
 }
 
-/* The drive is off; gives the error. */
+/* The drive is off: the commands follow the spindle, and the velocity goes to 0 besides; gives the error. */
 OFTEN uint32_t follow(hand_spindle *spindle, const axis_inputs *inputs)
 {
+    if (!is_at_start(spindle)) {
+        spindle->samples = 0u;
+        spindle->slow = 0u;
+    }
     enter(spindle, TO_POSITION);
-    spindle->v = 0.0;
-    spindle->asks_velocity = false;
     spindle->returns = false;
+    spindle->catches = false;
     spindle->is_moving = false;
     spindle->queued = 0u;
     spindle->takes_over = false;
+    slow_down(spindle, 0.0);
+    double v_turning = 0.0;
+    if (look(spindle, inputs->v_actual)) {
+        v_turning = turning(spindle);
+        spindle->asks_velocity = fabs(v_turning) > 0.0;
+        const double low = v_turning < 0.0 ? v_turning : 0.0;
+        const double high = v_turning < 0.0 ? 0.0 : v_turning;
+        if (spindle->v > high) {
+            spindle->v = high;
+        } else if (spindle->v < low) {
+            spindle->v = low;
+        }
+    }
     if (!position_in_range(inputs->x_actual)) {
         return 18u;
     }
-    spindle->x = inputs->x_actual;
+    show(spindle, inputs, v_turning);
     return 0u;
 }
 
@@ -401,23 +525,30 @@ OFTEN hand_cycle change_over(hand_spindle *restrict spindle, const axis_inputs *
     uint32_t error_id = 0u;
     hand_cycle cycle;
     if (!inputs->drive_on) {
-        cycle.control = TO_POSITION;
         error_id = follow(spindle, inputs);
+        cycle.control = TO_POSITION;
     } else {
         cycle.control = spindle->control;
-        if (spindle->lasting_error == 0u) {
-            spindle->cycles += 1u;
-            switch (spindle->control) {
-            case POSITION: error_id = in_position(spindle, inputs); break;
-            case TO_VELOCITY: error_id = to_velocity(spindle, inputs); break;
-            case VELOCITY: error_id = in_velocity(spindle, inputs); break;
-            case BRAKE: error_id = in_brake(spindle, inputs); break;
-            default: error_id = to_position(spindle, inputs); break;
+        if (spindle->lasting_error != 0u && is_at_start(spindle) && spindle->cycles == 0u) {
+            /* An error has outlasted the drive that was off: in its first cycle the spindle keeps its velocity. */
+            error_id = accompany(spindle, inputs);
+            spindle->catches = spindle->asks_velocity;
+            spindle->is_moving = true;
+        } else {
+            if (spindle->lasting_error == 0u) {
+                spindle->cycles += 1u;
+                switch (spindle->control) {
+                case POSITION: error_id = in_position(spindle, inputs); break;
+                case TO_VELOCITY: error_id = to_velocity(spindle, inputs); break;
+                case VELOCITY: error_id = in_velocity(spindle, inputs); break;
+                case BRAKE: error_id = in_brake(spindle, inputs); break;
+                default: error_id = to_position(spindle, inputs); break;
+                }
             }
-        }
-        if (spindle->lasting_error != 0u) {
-            slow_down(spindle, 0.0);
-            advance(spindle);
+            if (spindle->lasting_error != 0u) {
+                slow_down(spindle, 0.0);
+                advance(spindle);
+            }
         }
     }
     spindle->x = wrap(spindle->x);

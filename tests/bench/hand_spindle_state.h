@@ -19,7 +19,13 @@ typedef struct {
     uint32_t lasting_error;
     bool asks_velocity;
     bool returns; /* a reset leads back to position control */
-    bool is_moving; /* TO_POSITION from BRAKE, not at the start */
+    bool is_moving; /* the block moves the spindle; not at the start */
+    bool catches; /* a spindle that was caught waits for the drive to display velocity control */
+    uint32_t samples; /* of the actual velocity in a row at the start, up to 3 */
+    uint32_t slow; /* slow ones of them */
+    double v_last; /* the last sample */
+    double v_older; /* the one before */
+    double v_middle; /* the median of the last three */
     bool takes_over; /* the interpolator has to go on from x; while a sample is missing, too */
     bool turns_fast; /* the job is TURN with more than Von */
     bool was_true; /* a request was TRUE in the last cycle */

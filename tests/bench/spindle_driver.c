@@ -108,7 +108,11 @@ static void interpolate(void)
 /* What the drive does with the command of the cycle before. */
 static void drive(void)
 {
+#ifdef IN_DRIVE
     v_drive += 0.3 * (outputs.v_spindle - v_drive);
+#else
+    v_drive += 0.3 * ((double)outputs.manipulated_variable / INCREMENTS - v_drive);
+#endif
     x_drive = within_a_turn(x_drive + v_drive * T);
     inputs.v_actual = v_drive + 500.0 * noise();
     inputs.x_actual = x_drive;

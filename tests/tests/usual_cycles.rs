@@ -37,10 +37,11 @@ where
     usual
 }
 
-/// At least a quarter of the cycles must have been usual ones, else little is compared.
+/// At least a sixth of the cycles must have been usual ones, else little is compared. A whole spindle in the CNC stops with a lag that the
+/// histories, which have no loop of their own, do not avoid.
 fn assert_many(usual: usize) {
     let all = usize::try_from(HISTORIES).expect("a number") * CYCLES;
-    assert!(usual * 4 > all, "{usual} of {all} cycles were usual ones");
+    assert!(usual * 6 > all, "{usual} of {all} cycles were usual ones");
 }
 
 #[test]
@@ -57,7 +58,7 @@ fn a_usual_cycle_of_the_changeover_is_like_any() {
         let all = history(seed, CYCLES, &p);
         let inputs = all.iter().enumerate().map(counted);
         let any = |state: &mut _, inputs: &_, outputs: &mut _| spindle::any_cycle(state, &coeffs, inputs, outputs);
-        assert_same::<spindle::Spindle>(inputs, &coeffs, any, |state| state.usual)
+        assert_same::<spindle::Spindle>(inputs, &coeffs, any, |state| state.usual != spindle::Usual::None)
     };
     assert_many((0..HISTORIES).into_par_iter().map(usual).sum());
 }
@@ -143,7 +144,9 @@ lr_param.improved_position_control.v_add_max_fact = 100
             spindle_axis::read(&mut of_spindle, inputs);
             spindle_axis::any_cycle(state, &coeffs, inputs, &of_spindle, outputs);
         };
-        assert_same::<spindle_axis::SpindleAxis>(inputs, &coeffs, any, |state| state.spindle.usual)
+        assert_same::<spindle_axis::SpindleAxis>(inputs, &coeffs, any, |state| {
+            state.spindle.usual != spindle::Usual::None
+        })
     };
     assert_many((0..HISTORIES).into_par_iter().map(usual).sum());
 }

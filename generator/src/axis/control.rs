@@ -15,6 +15,8 @@ pub struct Control {
     pub number: u32,
     /// whether it is a rotary axis or a spindle (P-AXIS-00018): its velocities are in 0.001 deg/s, else in um/s
     pub is_rotary: bool,
+    /// whether it is a spindle (P-AXIS-00018)
+    pub is_spindle: bool,
     /// on a gantry slave: logical axis number of its master (P-AXIS-00070)
     pub master: Option<u32>,
     /// on a gantry slave whose master is known: largest |v_add| of the master [um/s or 0.001 deg/s]

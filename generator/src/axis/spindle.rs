@@ -27,6 +27,15 @@ pub struct Spindle {
     pub brake_timeout_ns: u64,
 }
 
+impl Spindle {
+    /// Whether the drive offers velocity control alone: both velocities are 0, and the CNC has no position loop.
+    #[must_use]
+    pub fn only_velocity(&self) -> bool {
+        let is_in_drive = matches!(self.drive, Changeover::Drive { .. });
+        is_in_drive && self.v_velocity_control_on == 0 && self.v_position_control_on == 0
+    }
+}
+
 /// Who changes the mode.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Changeover {

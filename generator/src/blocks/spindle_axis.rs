@@ -20,7 +20,9 @@ impl Part for SpindleAxis {
     }
 
     fn design(designed: &Designed) -> Coeffs<f64> {
-        Coeffs { spindle: designed.spindle, axis: Axis::design(designed) }
+        // The loop of a drive, and of another block, has an encoder of its own.
+        let spindle = reference::spindle::Coeffs { closes_loop: !designed.spindle.in_drive, ..designed.spindle };
+        Coeffs { spindle, axis: Axis::design(designed) }
     }
 
     /// Those of its parts.

@@ -136,10 +136,11 @@ fn control(
         Some(AxisType::Translator) | None => false,
         Some(AxisType::Rotator | AxisType::Spindle) => true,
     };
+    let is_spindle = axis_type == Some(AxisType::Spindle);
     let master = ipc::master(e);
     if ipc.is_some_and(|ipc| !ipc.is_active()) && master.is_none() && !changes_over && !is_asked_for(e) {
         // Nothing of the drive matters: a real machine's list may hold whatever it likes.
-        return Some((Control { number, is_rotary, ..Control::default() }, 0));
+        return Some((Control { number, is_rotary, is_spindle, ..Control::default() }, 0));
     }
     // Without a drive, which has been said, the rest is validated all the same.
     let drive = drive::check(e).unwrap_or_default();
@@ -156,13 +157,25 @@ fn control(
     e.block = Some(SPINDLE);
     let spindle = match changes_over {
         true => spindle::check(e, cycle_time, &drive, has_feedforward, master.is_some()).map(Some),
-        false => Some(None),
+        false => {
+            spindle::no_changeover(e, cycle_time, axis_type, &drive);
+            Some(None)
+        }
     };
     let (feedforward, position_control, spindle) = (feedforward?, position_control?, spindle?);
     let is_active = ipc.is_some_and(Ipc::is_active) && master.is_none();
     let assumed = e.assumed(|name| assumed::is_told(name, is_active || spindle.is_some()));
-    let control =
-        Control { feedforward, position_control, spindle, number, is_rotary, master, master_limit: None, assumed };
+    let control = Control {
+        feedforward,
+        position_control,
+        spindle,
+        number,
+        is_rotary,
+        is_spindle,
+        master,
+        master_limit: None,
+        assumed,
+    };
     Some((control, drive.gear))
 }
 

@@ -163,7 +163,7 @@ table! {
     /// spindle: deceleration of the velocity command on the way from velocity control to position control
     SpindleDeceleration: AXIS_KEY("spindle.deceleration",
         kind: above_0(1e12), unit: "0.001 deg/s^2", default: &["6000000"])
-    /// spindle: how close the actual velocity must be to that of position control; at least 1 % of P-AXIS-00768
+    /// spindle: how close the actual velocity must be to that of position control; at least 1 % of P-AXIS-00768, by default two steps of the encoder too
     SpindleWindow: AXIS_KEY("spindle.window", kind: above_0(2e9), unit: "0.001 deg/s", default: &["6000"])
     /// spindle: largest step of the position command when the interpolator takes over
     SpindleTakeoverWindow: AXIS_KEY("spindle.takeover_window",

@@ -144,21 +144,21 @@ fn a_changeover_that_never_comes() {
 > kenngr.achs_typ = 4
 > antr.sai_op_mode_change.v_position_control_on = 300000
 > antr.nbr_delay_cycles = 1
-> getriebe = [{ kv = 2000, dynamik.vb_max = 18000000 }]
+> getriebe = [{ kv = 20000, dynamik.vb_max = 18000000 }]
 set.toml:4:49: warning[AX444]: `antr.sai_op_mode_change.v_velocity_control_on` (P-AXIS-00767) is not given: its default is 200000000, and up to 33333.3 rpm the spindle stays in position control
     write instead: v_velocity_control_on with a speed of the spindle: 200 rpm are 1200000
 
 > kenngr.achs_typ = 4
 > antr.sai_op_mode_change.v_velocity_control_on = 18000000
 > antr.nbr_delay_cycles = 1
-> getriebe = [{ kv = 2000, dynamik.vb_max = 18000000 }]
+> getriebe = [{ kv = 20000, dynamik.vb_max = 18000000 }]
 set.toml:4:49: warning[AX444]: `antr.sai_op_mode_change.v_velocity_control_on` (P-AXIS-00767) is 18000000, and vb_max 18000000 (P-AXIS-00212) is not above it: the spindle stays in position control
     write instead: v_velocity_control_on with a speed of the spindle: 200 rpm are 1200000
 
 > kenngr.achs_typ = 4
 > antr.sai_op_mode_change.v_velocity_control_on = 17999999
 > antr.nbr_delay_cycles = 1
-> getriebe = [{ kv = 2000, dynamik.vb_max = 18000000 }]
+> getriebe = [{ kv = 20000, dynamik.vb_max = 18000000 }]
 ",
     );
 }

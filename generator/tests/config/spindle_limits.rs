@@ -116,13 +116,109 @@ set.toml:8:49: error[AX323]: `antr.sai_op_mode_change.v_position_control_on` (P-
     );
 }
 
+/// Not in a cycle; but 170 deg of lag.
 #[test]
-fn the_cnc_has_no_such_limit() {
+fn the_cnc_has_another_limit() {
     assert_transcript(
         |given| said_of_axis(&in_cnc(given)),
         r"
 > antr.sai_op_mode_change.v_velocity_control_on = 300000000
-> getriebe = [{ kv = 10000, dynamik.vb_max = 600000000 }]
+> getriebe = [{ kv = 200000, dynamik.vb_max = 600000000 }]
+
+> antr.sai_op_mode_change.v_velocity_control_on = 3600000
+> getriebe = [{ kv = 1000, dynamik.vb_max = 18000000 }]
+set.toml:3:49: error[AX331]: the position lag at 600 rpm is 360 deg: `antr.sai_op_mode_change.v_velocity_control_on` (P-AXIS-00767) is 3600000, `getriebe[0].kv` (P-AXIS-00099) is 1000
+    allowed: a lag below 170 deg: (1 - w) v / Kv
+    write instead: v_velocity_control_on 1700000 or less, or getriebe[0].kv 2118 or more
+
+> antr.sai_op_mode_change.v_velocity_control_on = 1699999
+> getriebe = [{ kv = 1000, dynamik.vb_max = 18000000 }]
+
+> antr.sai_op_mode_change.v_velocity_control_on = 3600000
+> getriebe = [{ kv = 2118, dynamik.vb_max = 18000000 }]
+
+> antr.sai_op_mode_change.v_velocity_control_on = 3600000
+> getriebe = [{ kv = 1000, multi_gain_z = 1, multi_gain_n = 1, dynamik.vb_max = 18000000 }]
+> vorsteuer.vorsteuerung = 'VEL'
+set.toml:3:49: warning[AX449]: the position lag at 600 rpm is 360 deg, without feedforward: `antr.sai_op_mode_change.v_velocity_control_on` (P-AXIS-00767) is 3600000, `getriebe[0].kv` (P-AXIS-00099) is 1000
+    allowed: a lag below 170 deg: (1 - w) v / Kv
+    write instead: v_velocity_control_on 1700000 or less, or getriebe[0].kv 2118 or more
+
+> antr.sai_op_mode_change.v_velocity_control_on = 3600000
+> getriebe = [{ kv = 1000, multi_gain_z = 1, multi_gain_n = 1, dynamik.vb_max = 18000000 }]
+> vorsteuer = { vorsteuerung = 'VEL', default_active = true }
+",
+    );
+}
+
+/// 1024 increments a turn are steps of 58.6 rpm in a cycle of 1 ms.
+#[test]
+fn a_window_narrower_than_the_steps_of_the_encoder() {
+    assert_transcript(
+        |given| said_of_axis(&in_cnc(given)),
+        r"
+> getriebe = [{ kv = 10000, wegaufz = 1024, wegaufn = 3600000, dynamik.vb_max = 18000000 }]
+
+> getriebe = [{ kv = 10000, wegaufz = 1024, wegaufn = 3600000, dynamik.vb_max = 18000000 }]
+> spindle.window = 6000
+set.toml:4:18: warning[AX450]: `spindle.window` is 6000, 1 rpm: two steps of the encoder are 117.188 rpm
+    write instead: spindle.window = 703125, or without it
+
+> getriebe = [{ kv = 10000, wegaufz = 1024, wegaufn = 3600000, dynamik.vb_max = 18000000 }]
+> spindle.window = 703125
+",
+    );
+}
+
+/// Every spindle whose drive controls the position, and no other axis.
+#[test]
+fn half_a_revolution_without_a_changeover() {
+    assert_transcript(
+        said_of_axis,
+        r"
+> kenngr = { achs_typ = 'ACHSTYP_SPINDEL', antr_typ = 'SERCOS' }
+> getriebe = [{ kv = 2000, dynamik.vb_max = 180000000 }]
+> vorsteuer.vorsteuerung = 'VEL'
+set.toml:4:43: error[AX323]: in position control the spindle turns with up to 30000 rpm: `getriebe[0].dynamik.vb_max` (P-AXIS-00212) is 180000000
+    allowed: less than half a revolution in a cycle: below 30000 rpm, 180000000 [0.001 deg/s], at a cycle time of 1ms
+    write instead: a lower vb_max, a shorter cycle, or v_velocity_control_on: 200 rpm are 1200000
+
+> kenngr = { achs_typ = 'ACHSTYP_SPINDEL', antr_typ = 'SERCOS' }
+> getriebe = [{ kv = 2000, dynamik.vb_max = 179999999 }]
+> vorsteuer.vorsteuerung = 'VEL'
+",
+    );
+}
+
+/// Operation modes of a spindle's or of another bus's drive.
+#[test]
+fn modes_that_an_axis_does_not_have() {
+    assert_transcript(
+        said_of_axis,
+        r"
+> kenngr = { achs_typ = 'ACHSTYP_ROTATOR', antr_typ = 'SERCOS' }
+> getriebe = [{ kv = 2000, dynamik.vb_max = 18000000 }]
+> antr = { sercos.op_mode_for_velocity_control = 1, canopen.cyclic_position_op_mode = 8, canopen.cyclic_velocity_op_mode = 9 }
+set.toml:5:85: warning[AX426]: without effect here: an axis that is ACHSTYP_ROTATOR (P-AXIS-00018) with a drive that is SERCOS (P-AXIS-00020) does not have P-AXIS-00463, P-AXIS-00464, P-AXIS-00264
+
+> kenngr = { achs_typ = 'ACHSTYP_ROTATOR', antr_typ = 'CANOPEN' }
+> getriebe = [{ kv = 2000, dynamik.vb_max = 18000000 }]
+> antr = { canopen.cyclic_position_op_mode = 8, canopen.cyclic_velocity_op_mode = 9 }
+",
+    );
+}
+
+/// Von = Voff = 0: no position mode, no position, no delay is asked for.
+#[test]
+fn a_drive_with_velocity_control_alone() {
+    assert_transcript(
+        said_of_axis,
+        r"
+> kenngr = { achs_typ = 'ACHSTYP_SPINDEL', antr_typ = 'SERCOS' }
+> getriebe = [{ kv = 2000, dynamik.vb_max = 18000000 }]
+> antr.sai_op_mode_change = { v_velocity_control_on = 0, v_position_control_on = 0 }
+> process_data.objects = ['S-0-0036', 'S-0-0040']
+> drive_settings = ['S-0-0044=010']
 ",
     );
 }

@@ -15,9 +15,9 @@ mod signals;
 
 pub use signals::{Inputs, Outputs};
 
-use crate::signal::sample_limit;
 use crate::signal::{
-    error_call_rate, error_cycle_time, error_none, error_unstable, error_v_add_master, error_x_command,
+    error_call_rate, error_cycle_time, error_half_turn, error_none, error_unstable, error_v_add_master,
+    error_v_interpolator, error_x_command, sample_limit,
 };
 use crate::{call_rate, feedforward, ipc, position_control};
 use portable::{Block, Enable, Fn, Off, Real, in_range, note, portable, within};
@@ -46,6 +46,10 @@ pub struct Coeffs<R> {
     pub addition: Addition,
     /// whether there is feedforward
     pub has_feedforward: bool,
+    /// whether the drive of a spindle controls the position: it cannot tell the direction of half a turn
+    pub counts_turns: bool,
+    /// largest velocity below 180 deg / T [0.001 deg/s]
+    pub v_largest: R,
     /// gantry slave: largest |v_add| of the master
     pub master_limit: R,
     /// -master_limit
@@ -383,6 +387,10 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
         follow(state, coeffs, inputs, outputs, position_control::error_of_actual(&coeffs.position_control));
     } else if !inputs.position_controlled || inputs.reset {
         follow(state, coeffs, inputs, outputs, error_none());
+    } else if coeffs.counts_turns && !in_range(inputs.v_interpolator, coeffs.v_largest) {
+        let too_fast = in_range(inputs.v_interpolator, sample_limit());
+        let why = if too_fast { error_half_turn() } else { error_v_interpolator() };
+        hold(state, coeffs, outputs, why);
     } else {
         act(state, coeffs, inputs, outputs, true);
     }

@@ -1,8 +1,8 @@
 //! The rate of the calls of a spindle: an error that stays. No transition.
 
+use super::change::lead_time;
 use super::signals::Inputs;
 use super::state::{Coeffs, State};
-use super::transition::lead_time;
 use crate::angle::position_limit;
 use crate::call_rate;
 use crate::signal::{error_call_rate, error_none, sample_limit};

@@ -1,14 +1,15 @@
 //! The jobs of a spindle: requests are taken, wait in programmed order, and are served. No motion.
 
+use super::repair::is_request;
 use super::request::{Job, Request};
 use super::signals::Inputs;
 use super::state::{Coeffs, SpindleState, State};
 use crate::angle::position_limit;
 use crate::signal::{
-    error_direction, error_drive_off, error_none, error_requests, error_s_position, error_s_word, error_waiting,
-    sample_limit,
+    error_direction, error_drive_off, error_none, error_only_velocity, error_requests, error_s_position, error_s_word,
+    error_waiting, sample_limit,
 };
-use portable::{Real, in_range, portable};
+use portable::{Real, in_range, note, portable};
 
 /// How many requests may wait.
 pub(super) const WAITING: usize = 4;
@@ -22,7 +23,7 @@ pub fn speed_of<R: Real>(inputs: &Inputs<R>) -> R {
 
 /// Why a request is refused.
 #[portable]
-pub fn refusal<R: Real>(inputs: &Inputs<R>, wanted: Job, waiting_now: u32) -> u32 {
+pub fn refusal<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, wanted: Job, waiting_now: u32) -> u32 {
     let has_speed = wanted == Job::Turn || wanted == Job::Orient;
     if has_speed && inputs.m3 && inputs.m4 {
         error_direction()
@@ -30,6 +31,8 @@ pub fn refusal<R: Real>(inputs: &Inputs<R>, wanted: Job, waiting_now: u32) -> u3
         error_s_word()
     } else if wanted == Job::Orient && !in_range(inputs.s_position, position_limit()) {
         error_s_position()
+    } else if coeffs.only_velocity && wanted != Job::Turn && wanted != Job::Stop {
+        error_only_velocity()
     } else if !inputs.drive_on {
         error_drive_off()
     } else if waiting_now >= 4u32 {
@@ -41,7 +44,7 @@ pub fn refusal<R: Real>(inputs: &Inputs<R>, wanted: Job, waiting_now: u32) -> u3
 
 /// Takes the request of this cycle: G74 before S[PUTAX] before M19 before M5 before M3 and M4. Gives the error.
 #[portable]
-pub fn take<R: Real>(state: &mut State<R>, inputs: &Inputs<R>) -> u32 {
+pub fn take<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> u32 {
     let new_m19 = inputs.m19 && !state.before.m19;
     // With M19, M3 and M4 are its direction.
     let new_turn = !new_m19 && (inputs.m3 && !state.before.m3 || inputs.m4 && !state.before.m4);
@@ -71,7 +74,7 @@ pub fn take<R: Real>(state: &mut State<R>, inputs: &Inputs<R>) -> u32 {
             wanted = Job::Stop;
             has_others = new_turn;
         }
-        let why = refusal(inputs, wanted, state.queued);
+        let why = refusal(coeffs, inputs, wanted, state.queued);
         if why != error_none() {
             error_taken = why;
         } else {
@@ -92,12 +95,12 @@ pub fn take<R: Real>(state: &mut State<R>, inputs: &Inputs<R>) -> u32 {
 
 /// The request of this cycle, if there is one. Gives the error.
 #[portable]
-pub fn look<R: Real>(state: &mut State<R>, inputs: &Inputs<R>) -> u32 {
+pub fn look<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> u32 {
     let is_any = inputs.m3 || inputs.m4 || inputs.m5 || inputs.m19 || inputs.putax || inputs.g74;
     let mut request_error = error_none();
     // Mostly nobody asks for anything, and nobody did.
     if is_any || state.before.any {
-        request_error = take(state, inputs);
+        request_error = take(state, coeffs, inputs);
         state.before.any = is_any;
     }
     request_error
@@ -133,6 +136,10 @@ pub fn serve<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, job_done: bool) 
 /// The first request that waits becomes the job.
 #[portable]
 pub fn next<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
+    if !is_request(&state.request[0]) {
+        note("something has overwritten it");
+        fill(&mut state.request[0], Job::Stop, R::ZERO, R::ZERO);
+    }
     let is_fast =
         state.request[0].speed > coeffs.v_velocity_control_on || -state.request[0].speed > coeffs.v_velocity_control_on;
     state.turns_fast = state.request[0].kind == Job::Turn && is_fast;

@@ -12,18 +12,22 @@
 //! next cycle on.
 
 mod calls;
+mod change;
 mod jobs;
 mod motion;
 mod put_out;
+mod repair;
 mod request;
+mod seen;
 mod signals;
+mod start;
 mod state;
 mod transition;
 mod usual;
 
 pub use request::{Before, Job, Request};
 pub use signals::{Inputs, Outputs};
-pub use state::{Coeffs, Cycle, SpindleState, State};
+pub use state::{Coeffs, Cycle, Seen, SpindleState, State, Usual};
 pub use usual::{remain_in_position, remain_in_velocity, stays_in_position, stays_in_velocity};
 
 use crate::angle::wrapped;
@@ -31,12 +35,14 @@ use crate::call_rate;
 use crate::signal::{error_cycle_time, error_none};
 use calls::look_at_calls;
 use jobs::WAITING;
-use motion::{advance, follow, slow_down};
+use motion::{advance, slow_down};
 use portable::{Block, Brake, Enable, Fn, Off, Real, portable};
 use put_out::{put_out_job, put_out_mode, put_out_motion};
+use seen::forget;
+use start::{follow, seize};
 use state::enter;
 use transition::{brake, position, to_position, to_velocity, velocity};
-use usual::is_usual;
+use usual::next_usual;
 
 /// Before the first cycle: a request that is TRUE then is none.
 #[portable]
@@ -46,6 +52,12 @@ pub fn init<R: Real>(state: &mut State<R>) {
     state.settled = 0u32;
     state.missing = 0u32;
     state.lasting_error = error_none();
+    state.seen.samples = 0u32;
+    state.seen.slow = 0u32;
+    state.seen.v_last = R::ZERO;
+    state.seen.v_before = R::ZERO;
+    state.seen.v = R::ZERO;
+    state.catches = false;
     state.asks_velocity = false;
     state.returns = false;
     state.is_moving = false;
@@ -71,8 +83,14 @@ pub fn init<R: Real>(state: &mut State<R>) {
     state.before.putax = true;
     state.before.g74 = true;
     state.before.any = true;
-    state.usual = false;
+    state.usual = Usual::None;
     call_rate::init(&mut state.call_rate);
+}
+
+/// Whether the block does not move the spindle yet: the drive is off, or has just come on.
+#[portable]
+pub fn is_at_start<R: Real>(state: &State<R>) -> bool {
+    state.control == SpindleState::ToPosition && !state.is_moving
 }
 
 /// A reset: nothing waits any more, and an error that stays is gone.
@@ -82,7 +100,11 @@ pub fn reset<R: Real>(state: &mut State<R>, drive_on: bool) {
     if state.lasting_error != error_none() {
         state.lasting_error = error_none();
         state.returns = false;
-        if drive_on {
+        let begins = is_at_start(state);
+        if drive_on && begins {
+            forget(&mut state.seen);
+            enter(state, SpindleState::ToPosition);
+        } else if drive_on {
             enter(state, SpindleState::Brake);
         }
     } else if state.control == SpindleState::ToVelocity || state.control == SpindleState::Velocity {
@@ -105,7 +127,8 @@ pub fn error_of(lasting: u32, of_sample: u32, of_request: u32) -> u32 {
 /// Any cycle. Only the samples that the state uses are checked.
 #[portable]
 pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    let request_error = jobs::look(state, inputs);
+    repair::repair(state);
+    let request_error = jobs::look(state, coeffs, inputs);
     if inputs.reset {
         reset(state, inputs.drive_on);
     }
@@ -114,14 +137,17 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
         state.lasting_error = error_cycle_time();
     }
     look_at_calls(state, coeffs, inputs);
-    if !inputs.drive_on {
-        enter(state, SpindleState::ToPosition);
-    }
-    outputs.spindle_state = state.control;
     let mut cycle = Cycle::default();
     if !inputs.drive_on {
-        follow(state, inputs, &mut cycle);
-    } else if state.lasting_error == error_none() {
+        follow(state, coeffs, inputs, &mut cycle);
+    }
+    outputs.spindle_state = state.control;
+    // The spindle keeps its velocity in the cycle in which the block takes hold of it.
+    let begins = is_at_start(state);
+    let is_seized = inputs.drive_on && state.lasting_error != error_none() && begins && state.cycles == 0u32;
+    if is_seized {
+        seize(state, coeffs, inputs, &mut cycle);
+    } else if inputs.drive_on && state.lasting_error == error_none() {
         match state.control {
             SpindleState::Position => position(state, coeffs, inputs, &mut cycle),
             SpindleState::ToVelocity => to_velocity(state, coeffs, inputs, &mut cycle),
@@ -131,7 +157,7 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
         }
     }
     let has_failed = state.lasting_error != error_none();
-    if has_failed && inputs.drive_on {
+    if has_failed && inputs.drive_on && !is_seized {
         slow_down(state, coeffs, R::ZERO, R::ZERO);
         advance(state, coeffs);
     }
@@ -151,7 +177,7 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     }
     put_out_job(state, outputs);
     outputs.waiting = state.queued;
-    state.usual = is_usual(state);
+    state.usual = next_usual(state);
 }
 
 /// One cycle.

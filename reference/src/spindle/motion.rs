@@ -1,9 +1,7 @@
 //! What the spindle's commands do where the interpolator has no say. No transition.
 
-use super::signals::Inputs;
-use super::state::{Coeffs, Cycle, State};
-use crate::angle::{position_limit, wrapped};
-use crate::signal::error_x_actual;
+use super::state::{Coeffs, State};
+use crate::angle::wrapped;
 use portable::{Real, in_range, portable};
 
 /// The position command goes on with the velocity command.
@@ -36,18 +34,14 @@ pub fn slow_down<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, v_end: R, v_
     }
 }
 
-/// The drive is off: the position command stands on the actual position, and the block starts anew afterwards.
+/// largest lead of the position command, more than any spindle needs [0.001 deg]
 #[portable]
-pub fn follow<R: Real>(state: &mut State<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
-    state.v = R::ZERO;
-    state.asks_velocity = false;
-    state.returns = false;
-    state.is_moving = false;
-    state.queued = 0u32;
-    state.takes_over = false;
-    if in_range(inputs.x_actual, position_limit()) {
-        state.x = inputs.x_actual;
-    } else {
-        cycle.sample_error = error_x_actual();
-    }
+pub fn lead_limit<R: Real>() -> R {
+    R::per_kind(1.0e9, 1.0e7)
+}
+
+/// A position that leads another one. A velocity that no spindle has leads nowhere.
+#[portable]
+pub fn ahead<R: Real>(x: R, way: R) -> R {
+    if in_range(way, lead_limit()) { x + way } else { x }
 }

@@ -39,6 +39,14 @@ pub struct Coeffs<R> {
     pub v_position_control_on_negative: R,
     /// by which |v_actual| is above |v_spindle| at most where position control is taken up [0.001 deg/s]
     pub window: R,
+    /// Voff + window: a spindle that turns faster when the drive comes on is caught [0.001 deg/s]
+    pub v_taken_up: R,
+    /// whether the drive has no velocity control: a spindle that turns too fast is waited for
+    pub only_position: bool,
+    /// whether the drive has no position control: VELOCITY stands in the place of POSITION
+    pub only_velocity: bool,
+    /// whether the position loop is this block's: without x_actual it misses a sample
+    pub closes_loop: bool,
     /// deceleration * T: largest change of the velocity in a cycle [0.001 deg/s]
     pub v_step: R,
     /// largest velocity below 180 deg / T: a drive can tell its direction [0.001 deg/s]
@@ -55,6 +63,8 @@ pub struct Coeffs<R> {
     pub takeover_window: R,
     /// cycles within which the drive displays a new mode
     pub mode_cycles: u32,
+    /// cycles within which it does so when it has come on: two more
+    pub start_cycles: u32,
     /// cycles within which the spindle has braked
     pub brake_cycles: u32,
     /// operation mode of position control
@@ -83,11 +93,15 @@ pub struct State<R> {
     pub missing: u32,
     /// an error that stays until reset
     pub lasting_error: u32,
+    /// what is known of a spindle that the block does not move yet
+    pub seen: Seen<R>,
+    /// whether a spindle that was caught waits for the drive to display velocity control
+    pub catches: bool,
     /// whether velocity control is asked for
     pub asks_velocity: bool,
     /// whether a reset leads back to position control
     pub returns: bool,
-    /// whether position control is taken up at x_start; else x follows the actual position
+    /// whether the block moves the spindle: position control is taken up at x_start; else the commands follow the spindle
     pub is_moving: bool,
     /// whether the interpolator has to go on from x
     pub takes_over: bool,
@@ -110,9 +124,38 @@ pub struct State<R> {
     /// the request inputs of the last cycle
     pub before: Before,
     /// whether the state is POSITION or VELOCITY and stays so until something asks for another: the next cycle may be a usual one
-    pub usual: bool,
+    pub usual: Usual,
     /// the rate of the calls
     pub call_rate: call_rate::State,
+}
+
+/// Which usual cycle may be next.
+#[portable]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Usual {
+    /// none
+    #[default]
+    None,
+    /// of POSITION
+    Position,
+    /// of VELOCITY
+    Velocity,
+}
+
+/// The actual velocity of a spindle that the block does not move yet.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Seen<R> {
+    /// cycles in a row with a sample, up to 3
+    pub samples: u32,
+    /// cycles in a row in which it was slow enough for position control, up to 3
+    pub slow: u32,
+    /// the last sample [0.001 deg/s]
+    pub v_last: R,
+    /// the one before [0.001 deg/s]
+    pub v_before: R,
+    /// the median of the last three [0.001 deg/s]
+    pub v: R,
 }
 
 /// What is found in one cycle.

@@ -1,26 +1,22 @@
 //! The five states: what each puts out, and when it ends. An error that is set here stops the spindle in the same cycle.
 
+use super::change::{complete, is_displayed, resynchronise};
 use super::jobs::is_free;
 use super::motion::{advance, slow_down};
 use super::signals::Inputs;
+use super::start::start;
 use super::state::{Coeffs, Cycle, SpindleState, State, enter};
 use crate::angle::{position_limit, shortest};
 use crate::signal::{
     error_brake, error_half_turn, error_mode_display, error_takeover, error_to_position, error_to_velocity,
     error_v_actual, error_v_interpolator, error_x_actual, error_x_command, sample_limit,
 };
-use portable::{Real, from_i32, in_range, note, portable, within};
+use portable::{Real, in_range, note, portable, within};
 
 /// Whether the drive cannot tell the direction of the motion any more.
 #[portable]
 pub fn is_half_turn<R: Real>(coeffs: &Coeffs<R>, v: R) -> bool {
     coeffs.in_drive && !within(v, coeffs.v_largest)
-}
-
-/// Whether the drive says that it is in a mode; the CNC always is.
-#[portable]
-pub fn is_displayed<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, mode: i32) -> bool {
-    !coeffs.in_drive || inputs.operation_mode_display == mode
 }
 
 /// A cycle without a sample that its state needs: the spindle goes on as before, and stops where that lasts.
@@ -70,6 +66,8 @@ pub fn is_led<R: Real>(
         coast(state, coeffs, cycle, error_v_interpolator());
     } else if !in_range(inputs.x_command, position_limit()) {
         coast(state, coeffs, cycle, error_x_command());
+    } else if coeffs.closes_loop && !in_range(inputs.x_actual, position_limit()) {
+        coast(state, coeffs, cycle, error_x_actual());
     } else if !mode_fits {
         coast(state, coeffs, cycle, error_mode_display());
     } else if is_half_turn(coeffs, inputs.v_interpolator) {
@@ -143,18 +141,6 @@ pub fn velocity<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inpu
     }
 }
 
-/// By how long the position command leads the actual position [s].
-#[portable]
-pub fn lead_time<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
-    let mut time = coeffs.lead_time;
-    let is_active = coeffs.default_active || inputs.feedforward_active;
-    if coeffs.has_feedforward && is_active && inputs.feedforward_percentage > 0i32 {
-        let percentage = if inputs.feedforward_percentage < 100i32 { inputs.feedforward_percentage } else { 100i32 };
-        time = coeffs.lead_time - coeffs.lead_time_per_percent * from_i32(percentage);
-    }
-    time
-}
-
 /// Whether the drive has the velocity command, which is at Voff or below, and is no faster than the window allows.
 #[portable]
 pub fn has_slowed_down<R: Real>(coeffs: &Coeffs<R>, v_before: R, v_actual: R) -> bool {
@@ -162,10 +148,13 @@ pub fn has_slowed_down<R: Real>(coeffs: &Coeffs<R>, v_before: R, v_actual: R) ->
     within(v_before, coeffs.v_position_control_on) && within(v_actual, v_magnitude + coeffs.window)
 }
 
-/// BRAKE: down to Voff, until the actual velocity has been there for three cycles.
+/// BRAKE: down to Voff, until the actual velocity has been there for three cycles. A spindle that was caught needs the drive's answer.
 #[portable]
 pub fn brake<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
     state.cycles += 1u32;
+    if is_displayed(coeffs, inputs, coeffs.velocity_mode) {
+        state.catches = false;
+    }
     let is_known = in_range(inputs.v_actual, sample_limit());
     let mut is_slow = false;
     if is_known {
@@ -177,51 +166,58 @@ pub fn brake<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
         state.settled = 0u32;
     }
     let is_settled = state.settled >= 3u32;
-    let can_leave = is_settled && in_range(inputs.x_actual, position_limit());
+    let can_leave = is_settled && (coeffs.only_velocity || in_range(inputs.x_actual, position_limit()));
     if !is_known {
         cycle.sample_error = error_v_actual();
     } else if is_settled && !can_leave {
         cycle.sample_error = error_x_actual();
     }
-    if !can_leave && state.cycles > coeffs.brake_cycles {
+    if !can_leave && state.catches && state.cycles > coeffs.mode_cycles {
+        state.lasting_error = error_to_velocity();
+    } else if !can_leave && state.cycles > coeffs.brake_cycles {
         state.lasting_error = error_brake();
     } else {
         slow_down(state, coeffs, coeffs.v_position_control_on, coeffs.v_position_control_on_negative);
         advance(state, coeffs);
         if can_leave {
             note("BRAKE -> TO_POSITION: the actual velocity has settled at Voff");
-            // Where the actual position is when the command arrives, and the lag that the controller needs for this velocity.
-            let lead = lead_time(coeffs, inputs);
-            state.x_start = inputs.x_actual + state.v * lead;
-            state.is_moving = true;
-            enter(state, SpindleState::ToPosition);
+            resynchronise(state, coeffs, inputs);
         }
     }
 }
 
-/// TO_POSITION: the drive may obey the velocity or the position.
+/// TO_POSITION behind BRAKE: the drive may obey the velocity or the position.
+#[portable]
+pub fn take_up<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) {
+    state.asks_velocity = false;
+    if state.cycles == 1u32 {
+        state.x = state.x_start;
+    } else {
+        advance(state, coeffs);
+    }
+    if is_displayed(coeffs, inputs, coeffs.position_mode) {
+        complete(state, coeffs);
+    }
+}
+
+/// TO_POSITION: behind BRAKE, or at the start, whose test takes two cycles more.
 #[portable]
 pub fn to_position<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
     state.cycles += 1u32;
-    state.asks_velocity = false;
-    let can_start = state.is_moving || in_range(inputs.x_actual, position_limit());
-    let is_position_displayed = can_start && is_displayed(coeffs, inputs, coeffs.position_mode);
-    if !is_position_displayed && state.cycles > coeffs.mode_cycles {
-        state.lasting_error = error_to_position();
+    let is_late = if state.is_moving {
+        state.cycles > coeffs.mode_cycles && !is_displayed(coeffs, inputs, coeffs.position_mode)
     } else {
-        if !can_start {
-            cycle.sample_error = error_x_actual();
-        } else if !state.is_moving {
-            state.x = inputs.x_actual;
-        } else if state.cycles == 1u32 {
-            state.x = state.x_start;
-        } else {
-            advance(state, coeffs);
-        }
-        if is_position_displayed {
-            note("TO_POSITION -> POSITION: the drive displays position control");
-            state.takes_over = true;
-            enter(state, SpindleState::Position);
+        false
+    };
+    if is_late {
+        state.asks_velocity = false;
+        state.lasting_error = error_to_position();
+    } else if state.is_moving {
+        take_up(state, coeffs, inputs);
+    } else {
+        start(state, coeffs, inputs, cycle);
+        if state.cycles > coeffs.start_cycles {
+            state.lasting_error = error_to_position();
         }
     }
 }

@@ -1,22 +1,30 @@
 //! The usual cycle: POSITION or VELOCITY with all samples, without a request, with nothing that waits and nothing wrong. It does what
 //! `any_cycle` does there, and asks for less. No transition.
 
+use super::change::is_displayed;
 use super::motion::move_to;
 use super::put_out::{put_out_job, put_out_mode, put_out_motion};
+use super::repair::is_request;
 use super::signals::{Inputs, Outputs};
-use super::state::{Coeffs, SpindleState, State};
-use super::transition::is_displayed;
+use super::state::{Coeffs, SpindleState, State, Usual};
 use crate::angle::position_limit;
 use crate::call_rate;
 use crate::signal::{error_none, sample_limit};
 use portable::{Real, in_range, note, portable};
 
-/// Whether the state asks for nothing but POSITION or VELOCITY again: so it stays in cycles of this file.
+/// Which usual cycle may be next: the one of a state that asks for nothing but itself.
 #[portable]
-pub fn is_usual<R: Real>(state: &State<R>) -> bool {
-    let stays_closed = state.control == SpindleState::Position && !state.takes_over && !state.turns_fast;
-    let stays_open = state.control == SpindleState::Velocity && !state.returns;
-    (stays_closed || stays_open) && state.lasting_error == error_none() && state.queued == 0u32 && !state.before.any
+pub fn next_usual<R: Real>(state: &State<R>) -> Usual {
+    let is_quiet = state.lasting_error == error_none() && state.queued == 0u32 && !state.before.any;
+    if !is_quiet {
+        Usual::None
+    } else if state.control == SpindleState::Position && !state.takes_over && !state.turns_fast {
+        Usual::Position
+    } else if state.control == SpindleState::Velocity && !state.returns {
+        Usual::Velocity
+    } else {
+        Usual::None
+    }
 }
 
 /// Whether no input asks for anything but what the state does.
@@ -32,22 +40,23 @@ pub fn asks_nothing<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
 #[portable]
 pub fn stays_in_position<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     let v_largest = if coeffs.in_drive { coeffs.v_largest } else { sample_limit() };
-    state.usual
-        && state.control == SpindleState::Position
+    state.usual == Usual::Position
         && asks_nothing(coeffs, inputs)
         && call_rate::is_usual(&state.call_rate, &coeffs.call_rate, inputs.cycle_counter)
+        && is_request(&state.present)
         && in_range(inputs.v_interpolator, v_largest)
         && in_range(inputs.x_command, position_limit())
+        && (!coeffs.closes_loop || in_range(inputs.x_actual, position_limit()))
         && is_displayed(coeffs, inputs, coeffs.position_mode)
 }
 
 /// Whether the spindle turns under velocity control, and goes on doing so.
 #[portable]
 pub fn stays_in_velocity<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
-    state.usual
-        && state.control == SpindleState::Velocity
+    state.usual == Usual::Velocity
         && asks_nothing(coeffs, inputs)
         && call_rate::is_usual(&state.call_rate, &coeffs.call_rate, inputs.cycle_counter)
+        && is_request(&state.present)
         && in_range(inputs.v_interpolator, sample_limit())
         && in_range(inputs.x_actual, position_limit())
         && is_displayed(coeffs, inputs, coeffs.velocity_mode)

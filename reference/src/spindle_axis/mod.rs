@@ -14,12 +14,12 @@ mod signals;
 
 pub use signals::{Inputs, Outputs};
 
-use crate::angle::{position_limit, shortest};
+use crate::angle::shortest;
 use crate::position_control::Location;
-use crate::signal::{error_none, error_unstable, error_x_actual};
+use crate::signal::{error_lag, error_none, error_unstable};
 use crate::spindle::SpindleState;
-use crate::{axis, ipc, position_control, process_data, spindle};
-use portable::{Block, Enable, Fn, Real, in_range, note, portable};
+use crate::{axis, ipc, process_data, spindle};
+use portable::{Block, Enable, Fn, Real, note, portable, within};
 
 /// Coefficients.
 #[portable]
@@ -78,7 +78,24 @@ pub fn read<R: Real>(spindle_inputs: &mut spindle::Inputs<R>, inputs: &Inputs<R>
 pub fn follows_position<R: Real>(coeffs: &Coeffs<R>, control: SpindleState) -> bool {
     control == SpindleState::Position
         || control == SpindleState::ToVelocity
-        || coeffs.spindle.in_drive && control == SpindleState::ToPosition
+        || coeffs.spindle.in_drive && !coeffs.spindle.only_velocity && control == SpindleState::ToPosition
+}
+
+/// largest position lag of the loop in the CNC: beyond half a turn it would act the other way [0.001 deg]
+#[portable]
+pub fn lag_limit<R: Real>() -> R {
+    R::lit(170_000.0)
+}
+
+/// The lag is near half a turn: the loop opens in the next cycle, and the spindle is braked from what the drive gets, if that is slower.
+#[portable]
+pub fn give_up<R: Real>(state: &mut spindle::State<R>, v_command: R) {
+    let v_magnitude = if state.v < R::ZERO { -state.v } else { state.v };
+    if within(v_command, v_magnitude) {
+        state.v = v_command;
+    }
+    state.lasting_error = error_lag();
+    state.usual = spindle::Usual::None;
 }
 
 /// The axis follows the spindle's commands.
@@ -111,6 +128,9 @@ pub fn act<R: Real>(
     axis_inputs.feedforward_active = inputs.feedforward_active;
     axis_inputs.feedforward_percentage = inputs.feedforward_percentage;
     axis::act(&mut state.axis, &coeffs.axis, &axis_inputs, axis_outputs, spindle_outputs.loop_closed);
+    if coeffs.axis.position_control.location == Location::Cnc && !within(axis_inputs.following_error, lag_limit()) {
+        give_up(&mut state.spindle, axis_outputs.v_command);
+    }
 }
 
 /// What the spindle and its axis put out.
@@ -217,14 +237,7 @@ pub fn any_cycle<R: Real>(
     // What stops the spindle, or lets it go on without the interpolator, moves by its velocity alone.
     let is_led = state.spindle.lasting_error == error_none() && state.spindle.missing == 0u32 && inputs.drive_on;
     let follows = is_led && follows_position(coeffs, spindle_outputs.spindle_state);
-    let reads_actual = position_control::reads_actual(&coeffs.axis.position_control);
-    let is_lost = follows && reads_actual && !in_range(inputs.x_actual, position_limit());
-    if is_lost {
-        spindle_outputs.error_id = error_x_actual();
-        spindle_outputs.fault = true;
-        spindle_outputs.loop_closed = false;
-    }
-    if follows && !is_lost {
+    if follows {
         close(state, coeffs, inputs, &spindle_outputs, outputs);
     } else {
         open(state, coeffs, &spindle_outputs, outputs);
@@ -237,10 +250,8 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     ipc::rearm(&mut state.axis.ipc, &coeffs.axis.ipc, inputs.mode, inputs.reset);
     let mut spindle_inputs = spindle::Inputs::<R>::default();
     read(&mut spindle_inputs, inputs);
-    let reads_actual = position_control::reads_actual(&coeffs.axis.position_control);
     let improves = coeffs.axis.addition == axis::Addition::Ipc;
     let in_position = spindle::stays_in_position(&state.spindle, &coeffs.spindle, &spindle_inputs)
-        && (!reads_actual || in_range(inputs.x_actual, position_limit()))
         && (!improves
             || ipc::is_settled(&state.axis.ipc, &coeffs.axis.ipc, inputs.mode, inputs.v_motor, inputs.v_direct));
     if in_position {

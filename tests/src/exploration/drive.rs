@@ -50,21 +50,23 @@ pub enum Follows {
     Beyond,
     /// by a quarter of the interpolator's acceleration: a drive at its current limit
     Weak,
-    /// from above: a unit too fast behind each change, then halved in each cycle, so many times
+    /// from above, but for 0: a unit too fast behind each change, then halved in each cycle, so many times
     FromAbove(u8),
 }
 
 /// A drive.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Model {
     /// how it changes its mode
     pub answer: Answer,
     /// how it moves
     pub follows: Follows,
+    /// whether the spindle turns on while the drive is off; else it stands at once
+    pub coasts: bool,
 }
 
 /// The drive that does all at once.
-pub const IDEAL: Model = Model { answer: Answer::After(0), follows: Follows::AtOnce };
+pub const IDEAL: Model = Model { answer: Answer::After(0), follows: Follows::AtOnce, coasts: false };
 
 /// State of a drive.
 #[derive(Clone, Copy, Debug, Default)]
@@ -94,11 +96,13 @@ pub fn coefficients(in_drive: bool, v_off: f64, v_step: f64) -> Coeffs<f64> {
         v_position_control_on: v_off,
         v_position_control_on_negative: 0.0 - v_off,
         window: U / 4.0,
+        v_taken_up: v_off + U / 4.0,
         v_step,
         v_largest: 180_000.0_f64.next_down(),
         lead_time: 3.0,
         takeover_window: U / 2.0,
         mode_cycles: MODE_CYCLES,
+        start_cycles: MODE_CYCLES + 2,
         brake_cycles: if v_step < V_STEP { SLOW_BRAKE_CYCLES } else { BRAKE_CYCLES },
         position_mode: if in_drive { POSITION_MODE } else { 0 },
         velocity_mode: if in_drive { VELOCITY_MODE } else { 0 },
@@ -109,8 +113,8 @@ pub fn coefficients(in_drive: bool, v_off: f64, v_step: f64) -> Coeffs<f64> {
 }
 
 impl Drive {
-    /// A cycle with the commands of the block's last one.
-    pub fn advance(&mut self, model: Model, in_drive: bool, block: &State<f64>) {
+    /// A cycle with the commands of the block's last one. A drive that is off lets the spindle turn on.
+    pub fn advance(&mut self, model: Model, in_drive: bool, is_on: bool, block: &State<f64>) {
         if block.asks_velocity == self.is_velocity {
             self.asked = 0;
         } else if !in_drive || matches!(model.answer, Answer::After(cycles) if self.asked >= cycles) {
@@ -118,6 +122,12 @@ impl Drive {
             self.asked = 0;
         } else {
             self.asked = (self.asked + 1).min(3);
+        }
+        if !is_on {
+            self.v = if model.coasts { self.v } else { 0.0 };
+            self.x = wrap(self.x + self.v);
+            (self.v_before, self.halved) = (0.0, 0);
+            return;
         }
         // The position goes with the command, so that it takes few values.
         let late = if model.follows == Follows::Late { block.v } else { 0.0 };
@@ -130,7 +140,8 @@ impl Drive {
             Follows::Weak => self.v + (block.v - self.v).clamp(-U / 2.0, U / 2.0),
             Follows::FromAbove(often) => {
                 self.halved = self.halved.min(often);
-                block.v + U.copysign(block.v) / f64::from(1 << self.halved)
+                let excess = if block.v == 0.0 { 0.0 } else { U.copysign(block.v) };
+                block.v + excess / f64::from(1 << self.halved)
             }
         };
         if !matches!(model.follows, Follows::FromAbove(_)) {

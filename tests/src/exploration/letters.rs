@@ -138,6 +138,14 @@ pub const INTERPOLATOR: [Letter; 6] = [
 /// The display flickers.
 pub const DISPLAY: [Letter; 3] = [&[Act::Display(0)], &[Act::Display(POSITION_MODE)], &[Act::Display(VELOCITY_MODE)]];
 
+/// What a spindle does that turns while its drive goes off and on: fast, its display lost, reset with the drive off.
+pub const COASTING: [Letter; 4] = [
+    &[Act::Interpolator(4.0 * U)],
+    &[Act::Display(0), Act::Actual(f64::NAN)],
+    &[Act::Reset, Act::Off],
+    &[Act::Reset, Act::Display(0)],
+];
+
 /// Whether a letter has a request.
 #[must_use]
 pub fn is_request(letter: Letter) -> bool {

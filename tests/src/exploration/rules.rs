@@ -39,6 +39,12 @@ pub enum Rule {
     Settled,
     /// BRAKE is not left with a command above Voff
     SlowEnough,
+    /// at the start position control is taken up after three cycles in which the spindle was slow enough, and a faster one is caught
+    Begins,
+    /// a drive changes to position control at Voff + window or below
+    Obeys,
+    /// the velocity command of a spindle that the block does not move yet is not against its direction
+    Forward,
     /// POSITION is left only for a TURN faster than Von at Von
     FastTurn,
     /// BRAKE begins only for a request that needs it, or a reset
@@ -60,7 +66,7 @@ pub enum Rule {
 }
 
 /// All rules.
-pub const RULES: [Rule; 24] = [
+pub const RULES: [Rule; 27] = [
     Rule::Listed,
     Rule::Shown,
     Rule::Range,
@@ -76,6 +82,9 @@ pub const RULES: [Rule; 24] = [
     Rule::Time,
     Rule::Settled,
     Rule::SlowEnough,
+    Rule::Begins,
+    Rule::Obeys,
+    Rule::Forward,
     Rule::FastTurn,
     Rule::Cause,
     Rule::ResetClears,
@@ -90,7 +99,7 @@ pub const RULES: [Rule; 24] = [
 /// The rules that a cycle breaks.
 #[must_use]
 pub fn broken(edge: &Edge<'_>) -> Vec<Rule> {
-    let checks: [(Rule, bool); 22] = [
+    let checks: [(Rule, bool); 25] = [
         (Rule::Listed, is_listed(edge)),
         (Rule::Shown, is_shown(edge)),
         (Rule::Range, (0.0..360_000.0).contains(&edge.outputs.x_spindle)),
@@ -106,6 +115,9 @@ pub fn broken(edge: &Edge<'_>) -> Vec<Rule> {
         (Rule::Time, is_in_time(edge)),
         (Rule::Settled, is_settled(edge)),
         (Rule::SlowEnough, !passes(edge, Node::Brake, Node::ToPosition) || !is_above_off(edge)),
+        (Rule::Begins, begins_slowly(edge)),
+        (Rule::Obeys, obeys_slowly(edge)),
+        (Rule::Forward, goes_forward(edge)),
         (Rule::FastTurn, is_fast_turn(edge)),
         (Rule::Cause, has_cause(edge)),
         (
@@ -141,6 +153,7 @@ fn is_shown(edge: &Edge<'_>) -> bool {
         Node::ToVelocity => SpindleState::ToVelocity,
         Node::Velocity => SpindleState::Velocity,
         Node::Brake => SpindleState::Brake,
+        Node::Stopped if edge.before.is_idle => SpindleState::ToPosition,
         Node::Stopped if edge.inputs.reset && edge.before.block.lasting_error != 0 => SpindleState::Brake,
         Node::Stopped => edge.before.block.control,
     };
@@ -153,7 +166,10 @@ fn is_mode_right(edge: &Edge<'_>) -> bool {
     if !coeffs.in_drive {
         return o.operation_mode == 0 && o.velocity_command == 0 && !o.limited;
     }
+    let taken_up = coeffs.v_position_control_on + coeffs.window;
     let is_velocity = match edge.inside {
+        _ if edge.is_off => edge.turning().map_or(edge.before.block.asks_velocity, |v| v != 0.0),
+        _ if edge.looks() => edge.turning().map_or(edge.before.block.asks_velocity, |v| v.abs() > taken_up),
         Node::Off | Node::OffStopped | Node::Position | Node::ToPosition => false,
         Node::ToVelocity | Node::Velocity => true,
         Node::Brake | Node::Stopped => edge.before.block.asks_velocity,
@@ -184,9 +200,15 @@ fn is_stopping(edge: &Edge<'_>) -> bool {
 
 fn is_on_ramp(edge: &Edge<'_>) -> bool {
     let (old, new, coeffs) = (edge.before.block.v, edge.outputs.v_spindle, edge.coeffs);
-    let slower = |end: f64| old.abs().min((old.abs() - coeffs.v_step).max(end)).copysign(old);
+    let down = |from: f64, end: f64| from.abs().min((from.abs() - coeffs.v_step).max(end)).copysign(from);
+    let slower = |end: f64| down(old, end);
+    let turning = edge.turning().unwrap_or(old);
     match edge.inside {
-        _ if edge.is_off => new == 0.0,
+        _ if edge.is_off && edge.turning().is_none() => new == slower(0.0),
+        _ if edge.is_off => new == slower(0.0).clamp(turning.min(0.0), turning.max(0.0)),
+        _ if edge.is_seized() => new == turning,
+        _ if edge.is_start() && is_stopping(edge) => new == down(turning, 0.0),
+        _ if edge.is_start() => new == turning,
         _ if is_stopping(edge) => new == slower(0.0),
         Node::Brake => new == slower(coeffs.v_position_control_on),
         Node::ToPosition => new == old,
@@ -201,11 +223,22 @@ fn advances(edge: &Edge<'_>) -> bool {
     let on = wrap(old + o.v_spindle * edge.coeffs.cycle_time);
     let is_found = is_place(i.x_actual);
     let found = if is_found { wrap(i.x_actual) } else { old };
+    let coeffs = edge.coeffs;
+    let lead = |v: f64| v * (coeffs.lead_time - coeffs.cycle_time);
+    let turning = edge.turning();
+    // What the start puts out, from which an error that comes there stops the spindle.
+    let accompanied = match turning {
+        Some(v) if is_found => i.x_actual + lead(v),
+        _ => old + turning.unwrap_or(edge.before.block.v) * coeffs.cycle_time,
+    };
     match edge.inside {
-        _ if edge.is_off => o.x_spindle == found,
+        _ if edge.is_off && is_found => o.x_spindle == wrap(i.x_actual + lead(turning.unwrap_or(0.0))),
+        _ if edge.is_off => o.x_spindle == old,
+        _ if edge.is_seized() => o.x_spindle == wrap(accompanied),
+        _ if edge.is_start() && is_stopping(edge) => o.x_spindle == wrap(accompanied + o.v_spindle * coeffs.cycle_time),
+        _ if edge.is_start() => o.x_spindle == wrap(accompanied),
         _ if is_stopping(edge) => o.x_spindle == on,
         Node::ToPosition if edge.before.x_start.is_some() => true,
-        Node::ToPosition if edge.is_start() => o.x_spindle == found,
         Node::Position | Node::ToVelocity if edge.missing() == 0 => o.x_spindle == wrap(i.x_command),
         Node::Velocity if edge.missing() == 0 && is_found => o.x_spindle == found,
         _ => o.x_spindle == on,
@@ -236,6 +269,24 @@ fn coasts(edge: &Edge<'_>) -> bool {
     edge.missing() == 0 || edge.before.missing < 4 && edge.after.node == then
 }
 
+/// Position control at the start, and what is caught there.
+fn begins_slowly(edge: &Edge<'_>) -> bool {
+    let begins = edge.is_start() && edge.after.node == Node::Position;
+    let is_caught = edge.is_start() && edge.after.node == Node::Brake;
+    (!begins || edge.may_begin()) && is_caught == edge.is_too_fast()
+}
+
+fn obeys_slowly(edge: &Edge<'_>) -> bool {
+    let is_asked = edge.before.node == Node::ToPosition || edge.before.is_idle;
+    let changes = is_asked && edge.before.drive.is_velocity && !edge.after.drive.is_velocity;
+    let end = edge.coeffs.v_position_control_on + edge.coeffs.window;
+    !changes || edge.before.drive.v.abs() <= end
+}
+
+fn goes_forward(edge: &Edge<'_>) -> bool {
+    !edge.looks() || edge.turning().is_none_or(|v| v * edge.outputs.v_spindle >= 0.0)
+}
+
 /// Whether BRAKE may be left.
 fn may_leave_brake(edge: &Edge<'_>) -> bool {
     edge.settled() >= 3 && is_place(edge.inputs.x_actual)
@@ -245,8 +296,14 @@ fn may_leave_brake(edge: &Edge<'_>) -> bool {
 fn is_answered(edge: &Edge<'_>) -> bool {
     let coeffs = edge.coeffs;
     let mode = if edge.inside == Node::ToVelocity { coeffs.velocity_mode } else { coeffs.position_mode };
-    let can_start = !edge.is_start() || is_place(edge.inputs.x_actual);
+    let can_start = !edge.is_start() || edge.may_begin();
     can_start && (!coeffs.in_drive || edge.inputs.operation_mode_display == mode)
+}
+
+/// Whether a spindle that was caught waits for the drive to display velocity control.
+fn is_unanswered(edge: &Edge<'_>) -> bool {
+    let coeffs = edge.coeffs;
+    edge.before.is_caught && coeffs.in_drive && edge.inputs.operation_mode_display != coeffs.velocity_mode
 }
 
 /// The error that stays behind this cycle, else 0.
@@ -263,7 +320,11 @@ fn lasting(edge: &Edge<'_>) -> u32 {
         Node::Position | Node::ToVelocity if is_half_turn => 44,
         Node::Position | Node::ToVelocity if is_jump => 46,
         Node::ToVelocity if !is_answered(edge) && edge.cycles() > coeffs.mode_cycles => 41,
+        Node::Brake if !may_leave_brake(edge) && is_unanswered(edge) && edge.cycles() > coeffs.mode_cycles => 41,
         Node::Brake if !may_leave_brake(edge) && edge.cycles() > coeffs.brake_cycles => 42,
+        Node::ToPosition if edge.is_start() && (edge.moves() || edge.is_too_fast()) => 0,
+        Node::ToPosition if edge.is_start() && !is_answered(edge) && edge.cycles() > coeffs.mode_cycles + 2 => 43,
+        Node::ToPosition if edge.is_start() => 0,
         Node::ToPosition if !is_answered(edge) && edge.cycles() > coeffs.mode_cycles => 43,
         _ => 0,
     }
@@ -273,6 +334,7 @@ fn is_error_right(edge: &Edge<'_>) -> bool {
     let (i, o) = (&edge.inputs, &edge.outputs);
     let sample = match edge.inside {
         Node::Off | Node::OffStopped if !is_place(i.x_actual) => 18,
+        Node::ToPosition if edge.is_start() && !is_number(i.v_actual) => 23,
         Node::ToPosition if edge.is_start() && !is_place(i.x_actual) => 18,
         Node::Brake if !is_number(i.v_actual) => 23,
         Node::Brake if edge.settled() >= 3 && !is_place(i.x_actual) => 18,
@@ -285,12 +347,14 @@ fn is_error_right(edge: &Edge<'_>) -> bool {
 
 fn is_in_time(edge: &Edge<'_>) -> bool {
     let time = match edge.inside {
+        Node::ToPosition if edge.is_start() => edge.coeffs.mode_cycles + 2,
         Node::ToVelocity | Node::ToPosition => edge.coeffs.mode_cycles,
+        Node::Brake if is_unanswered(edge) => edge.coeffs.mode_cycles,
         Node::Brake => edge.coeffs.brake_cycles,
         _ => return true,
     };
     let is_over = edge.cycles() > time;
-    let may_stay = edge.missing() != 0;
+    let may_stay = edge.missing() != 0 || edge.moves();
     let is_left = edge.after.node != edge.inside;
     let is_timeout = |one: &Transition| matches!(one.by, By::Error(41..=43));
     let is_early = !is_over && edge.transitions.iter().flatten().any(is_timeout);

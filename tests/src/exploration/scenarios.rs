@@ -2,8 +2,8 @@
 
 use super::drive::{Answer, Follows, IDEAL, Model, U, V_STEP};
 use super::letters::{
-    ACTUAL, BACKWARD, DISPLAY, FEW_REQUESTS, INTERPOLATOR, Letter, OFF, OFF_AND_ASKED, QUIET, REFUSED, REQUESTS, RESET,
-    RESETS, SAMPLES, is_request,
+    ACTUAL, BACKWARD, COASTING, DISPLAY, FEW_REQUESTS, INTERPOLATOR, Letter, OFF, OFF_AND_ASKED, QUIET, REFUSED,
+    REQUESTS, RESET, RESETS, SAMPLES, is_request,
 };
 use super::world::World;
 
@@ -66,7 +66,9 @@ pub fn all(is_deep: bool) -> Vec<Scenario> {
     let following: &[&[Letter]] = &[moving[0], moving[1], moving[2], moving[3], &OFF[..2], &ACTUAL];
     let following = if is_deep { few } else { following };
     let asking: &[&[Letter]] = &[quiet, &REQUESTS, &BACKWARD, &REFUSED, &OFF, &INTERPOLATOR];
-    let model = |answer, follows| Model { answer, follows };
+    let model = |answer, follows| Model { answer, follows, coasts: false };
+    // The drive goes off and on at every speed that it reaches.
+    let coasting: &[&[Letter]] = &[quiet, &FEW_REQUESTS, &BACKWARD[..1], &OFF[..4], &ACTUAL, &DISPLAY[..1], &COASTING];
     let mut all = Vec::new();
     for in_drive in [true, false] {
         all.push(Scenario { remembers: true, ..scenario("everything at once", in_drive, IDEAL, few) });
@@ -83,12 +85,25 @@ pub fn all(is_deep: bool) -> Vec<Scenario> {
         let weak = model(Answer::After(0), Follows::Weak);
         all.push(Scenario { v_step: U / 2.0, ..scenario("Weak, and a slow ramp", in_drive, weak, moving) });
     }
+    for in_drive in [true, false] {
+        for follows in [Follows::AtOnce, Follows::Weak] {
+            for answer in [Answer::After(0), Answer::After(1), Answer::After(2), Answer::Never] {
+                let is_usual = follows == Follows::AtOnce || matches!(answer, Answer::After(0) | Answer::Never);
+                if (is_deep || is_usual) && (in_drive || answer == Answer::After(0)) {
+                    let coasts = Model { answer, follows, coasts: true };
+                    let name = format!("coasting, {answer:?}, {follows:?}");
+                    let remembers = coasts == Model { coasts: true, ..IDEAL };
+                    all.push(Scenario { remembers, ..scenario(&name, in_drive, coasts, coasting) });
+                }
+            }
+        }
+    }
     for answer in [Answer::After(1), Answer::After(2), Answer::Never] {
         all.push(scenario(&format!("{answer:?}"), true, model(answer, Follows::AtOnce), few));
     }
     if is_deep {
         for one in &mut all {
-            one.is_absolute = one.remembers;
+            one.is_absolute = one.remembers && !one.model.coasts;
             one.waiting = if one.remembers { 1 } else { one.waiting.max(2) };
         }
     }

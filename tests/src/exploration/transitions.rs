@@ -59,9 +59,10 @@ const fn wrong_and_off(from: Node) -> Transition {
 }
 
 /// All transitions.
-pub const TRANSITIONS: [Transition; 44] = [
+pub const TRANSITIONS: [Transition; 47] = [
     t(Node::Off, Node::ToPosition),
     t(Node::ToPosition, Node::Position),
+    t(Node::ToPosition, Node::Brake),
     t(Node::Position, Node::ToVelocity),
     t(Node::ToVelocity, Node::Velocity),
     Transition { from: Node::Velocity, to: Node::Brake, by: By::Request },
@@ -85,6 +86,7 @@ pub const TRANSITIONS: [Transition; 44] = [
     error(Node::Position, 17),
     error(Node::ToVelocity, 17),
     error(Node::ToVelocity, 41),
+    error(Node::Brake, 41),
     error(Node::Brake, 42),
     error(Node::ToPosition, 43),
     error(Node::Position, 44),
@@ -94,11 +96,12 @@ pub const TRANSITIONS: [Transition; 44] = [
     error(Node::Position, 46),
     error(Node::ToVelocity, 46),
     t(Node::Stopped, Node::Brake),
+    t(Node::Stopped, Node::ToPosition),
     t(Node::Stopped, Node::Off),
     t(Node::Stopped, Node::OffStopped),
     t(Node::OffStopped, Node::Off),
     t(Node::OffStopped, Node::Stopped),
-    t(Node::OffStopped, Node::Brake),
+    t(Node::OffStopped, Node::ToPosition),
     t(Node::Position, Node::Off),
     t(Node::ToVelocity, Node::Off),
     t(Node::Velocity, Node::Off),
@@ -107,7 +110,8 @@ pub const TRANSITIONS: [Transition; 44] = [
 ];
 
 /// Transitions that position control in the CNC does not have, and why.
-pub const NOT_IN_CNC: [(Transition, &str); 5] = [
+pub const NOT_IN_CNC: [(Transition, &str); 6] = [
+    (error(Node::Brake, 41), "the CNC answers at once"),
     (error(Node::ToVelocity, 41), "the CNC answers at once"),
     (error(Node::Position, 44), "the CNC counts the turns"),
     (error(Node::ToVelocity, 44), "the CNC counts the turns"),
@@ -116,11 +120,14 @@ pub const NOT_IN_CNC: [(Transition, &str); 5] = [
 ];
 
 /// Pairs of transitions that position control in the CNC does not have though it has both, and why.
-pub const NO_PAIR_IN_CNC: [(Transition, Transition, &str); 1] = [(
-    t(Node::Brake, Node::ToPosition),
-    error(Node::ToPosition, 43),
-    "the CNC answers at once, and only at the start can x_actual be missing",
-)];
+pub const NO_PAIR_IN_CNC: [(Transition, Transition, &str); 2] = [
+    (
+        t(Node::Brake, Node::ToPosition),
+        error(Node::ToPosition, 43),
+        "the CNC answers at once, and only at the start can x_actual be missing",
+    ),
+    (error(Node::ToPosition, 43), t(Node::Stopped, Node::Brake), "an error of the start leads back to the start"),
+];
 
 /// The transitions that there are.
 #[must_use]
@@ -129,18 +136,31 @@ pub fn possible(in_drive: bool) -> Vec<Transition> {
     TRANSITIONS.into_iter().filter(is_there).collect()
 }
 
-/// The pairs of transitions, the second one directly behind the first, that there are. With position control in the drive
-/// each transition follows each one that leads to where it begins.
+/// The pairs of transitions, the second one directly behind the first, that there are.
 #[must_use]
 pub fn possible_pairs(in_drive: bool) -> Vec<(Transition, Transition)> {
     let mut pairs = Vec::new();
     for first in possible(in_drive) {
         for second in possible(in_drive) {
             let is_missing = NO_PAIR_IN_CNC.iter().any(|(a, b, _)| (*a, *b) == (first, second));
-            if first.to == second.from && (in_drive || !is_missing) {
+            if first.to == second.from && can_follow(first, second) && (in_drive || !is_missing) {
                 pairs.push((first, second));
             }
         }
     }
     pairs
+}
+
+/// Whether the second transition can come directly behind the first, which leads to where it begins.
+fn can_follow(first: Transition, second: Transition) -> bool {
+    let is_start = matches!(first.from, Node::Off | Node::OffStopped | Node::Stopped);
+    match (second.from, second.to) {
+        // Only a spindle that BRAKE has not slowed down is caught.
+        (Node::ToPosition, Node::Brake) => is_start,
+        // Only one that was caught waits for the drive's answer in BRAKE.
+        (Node::Brake, Node::Stopped) if second.by == By::Error(41) => first.from != Node::Velocity,
+        // Only an error of the start, in which the block does not move the spindle yet, leads back there.
+        (Node::Stopped, Node::ToPosition) => first.from == Node::ToPosition,
+        _ => true,
+    }
 }

@@ -1,10 +1,10 @@
 //! The block, its drive and what the rules remember: one step of all of them, and the bits by which a state is known again.
 
 use super::drive::{Drive, GRAIN, Model, SLOW_BRAKE_CYCLES, wrap};
-use super::letters::{self, Letter};
+use super::letters::{self, Act, Letter};
 use super::transitions::{By, Node, TRANSITIONS, Transition};
 use portable::Block;
-use reference::spindle::{Coeffs, Inputs, Job, Outputs, Request, Spindle, SpindleState, State};
+use reference::spindle::{Coeffs, Inputs, Job, Outputs, Request, Seen, Spindle, SpindleState, State};
 
 /// All that the next cycle depends on.
 #[derive(Clone, Copy, Debug)]
@@ -27,8 +27,14 @@ pub struct World {
     pub held: [bool; 6],
     /// there was no cycle yet
     pub is_first: bool,
-    /// TO_POSITION has not been entered from BRAKE
-    pub is_start: bool,
+    /// the block does not move the spindle yet
+    pub is_idle: bool,
+    /// cycles in a row with a sample of the actual velocity while it is idle, and with a slow one, up to 3
+    pub samples: [u8; 2],
+    /// the samples of the last two cycles
+    pub velocities: [f64; 2],
+    /// a spindle was caught, and the drive has not displayed velocity control since
+    pub is_caught: bool,
     /// a reset came in TO_VELOCITY or VELOCITY, and the spindle has not left them since
     pub was_reset: bool,
     /// the take-over is watched: the first cycle of POSITION with all samples, or one behind missing ones
@@ -59,7 +65,7 @@ pub struct Edge<'a> {
 }
 
 /// By which a state is known again.
-pub type Key = [u8; 44];
+pub type Key = [u8; 56];
 
 impl World {
     /// Before the first cycle.
@@ -78,7 +84,10 @@ impl World {
             // What is TRUE in the first cycle does not become TRUE.
             held: [true; 6],
             is_first: true,
-            is_start: false,
+            is_idle: true,
+            samples: [0; 2],
+            velocities: [0.0; 2],
+            is_caught: false,
             was_reset: false,
             takes_over: false,
             x_start: None,
@@ -89,7 +98,8 @@ impl World {
     #[must_use]
     pub fn step<'a>(&'a self, coeffs: &'a Coeffs<f64>, model: Model, letter: Letter) -> Edge<'a> {
         let mut after = *self;
-        after.drive.advance(model, coeffs.in_drive, &self.block);
+        let is_on = !letter.contains(&Act::Off);
+        after.drive.advance(model, coeffs.in_drive, is_on, &self.block);
         let mut inputs = after.drive.samples(coeffs, &self.block);
         letters::apply(letter, &mut inputs, &self.block);
         let mut outputs = <Spindle as Block<f64>>::outputs();
@@ -108,6 +118,7 @@ impl World {
     /// What the block is doing behind (2) of docs/spindle.md: a reset ends an error that stays.
     fn between(&self, inputs: &Inputs<f64>) -> Node {
         match self.node {
+            Node::Stopped | Node::OffStopped if inputs.reset && inputs.drive_on && self.is_idle => Node::ToPosition,
             Node::Stopped | Node::OffStopped if inputs.reset && inputs.drive_on => Node::Brake,
             Node::Stopped | Node::OffStopped if inputs.reset => Node::Off,
             node => node,
@@ -131,7 +142,7 @@ impl World {
         let held = block.before;
         let held = [held.m3, held.m4, held.m5, held.m19, held.putax, held.g74];
         let last = TRANSITIONS.iter().position(|one| remembers && Some(*one) == self.last);
-        let mut key = [0; 44];
+        let mut key = [0; 56];
         let mut bytes = vec![
             block.control as u8,
             if is_timed { byte(block.cycles.min(SLOW_BRAKE_CYCLES + 1)) } else { 0 },
@@ -140,7 +151,7 @@ impl World {
             bits(flags),
             bits(held.into_iter()),
             bits(self.held.into_iter()),
-            bits([self.is_first, self.is_start].into_iter()),
+            bits([self.is_first, self.is_idle, self.is_caught, block.catches].into_iter()),
             if is_coasting { byte(block.missing) } else { 0 },
             byte(self.missing),
             place(block.x),
@@ -158,6 +169,14 @@ impl World {
             self.x_start.map_or(0, place),
             byte(block.queued),
         ];
+        if self.is_idle {
+            let Seen { samples, slow, v_last, v_before, .. } = block.seen;
+            bytes.extend([byte(samples), byte(slow), grains(v_last), grains(v_before)]);
+            bytes.extend(self.samples);
+            bytes.extend(self.velocities.map(grains));
+        } else {
+            bytes.extend([0; 8]);
+        }
         let waiting = &block.request[..(block.queued as usize).min(4)];
         for Request { kind, speed, position } in [block.present].iter().chain(waiting) {
             bytes.extend([*kind as u8, grains(*speed), grains(*position)]);
@@ -215,21 +234,106 @@ impl Edge<'_> {
         if self.inside == Node::Brake && is_settled { before + 1 } else { 0 }
     }
 
-    /// Whether this cycle is one of TO_POSITION that BRAKE does not precede.
+    /// Whether this cycle is one of TO_POSITION in which the block does not move the spindle yet.
     #[must_use]
     pub fn is_start(&self) -> bool {
-        self.inside == Node::ToPosition && (self.before.node == Node::Off || self.before.is_start)
+        self.inside == Node::ToPosition && self.before.is_idle
+    }
+
+    /// Whether an error stays in the first cycle with a drive that has come on, or begins with a reset at the start.
+    #[must_use]
+    pub fn is_seized(&self) -> bool {
+        let was_off = matches!(self.before.node, Node::Off | Node::OffStopped);
+        let begins = self.before.node == Node::Stopped && self.inputs.reset;
+        self.inside == Node::Stopped && self.before.is_idle && (was_off || begins)
+    }
+
+    /// Whether the block looks at the actual velocity of a spindle that it does not move.
+    #[must_use]
+    pub fn looks(&self) -> bool {
+        self.is_off || self.is_start() || self.is_seized()
+    }
+
+    /// The samples that are known before this cycle.
+    fn known(&self) -> ([u8; 2], [f64; 2]) {
+        let was_stopped = matches!(self.before.node, Node::Stopped | Node::OffStopped);
+        let is_new = was_stopped && self.inputs.reset;
+        let is_kept = self.before.is_idle && (self.is_off || !is_new);
+        if is_kept { (self.before.samples, self.before.velocities) } else { ([0; 2], [0.0; 2]) }
+    }
+
+    /// Cycles in a row with a sample of the actual velocity, and with a slow one, this one included.
+    #[must_use]
+    pub fn samples(&self) -> [u8; 2] {
+        let ([samples, slow], _) = self.known();
+        let v = self.inputs.v_actual;
+        if !is_number(v) {
+            return [0; 2];
+        }
+        let is_slow = v.abs() <= self.coeffs.v_position_control_on + self.coeffs.window;
+        [(samples + 1).min(3), if is_slow { (slow + 1).min(3) } else { 0 }]
+    }
+
+    /// With what the spindle turns, by the last three samples; 0 within the window. None without a sample.
+    #[must_use]
+    pub fn turning(&self) -> Option<f64> {
+        let ([samples, _], velocities) = self.known();
+        let v = self.inputs.v_actual;
+        if !is_number(v) {
+            return None;
+        }
+        let mut three = match samples {
+            0 => [v; 3],
+            _ => [velocities[0], velocities[1], v],
+        };
+        three.sort_by(f64::total_cmp);
+        Some(if three[1].abs() <= self.coeffs.window { 0.0 } else { three[1] })
+    }
+
+    /// Whether the block takes hold of a spindle that turns slowly.
+    #[must_use]
+    pub fn moves(&self) -> bool {
+        self.may_begin() && self.turning().is_some_and(|v| v != 0.0)
+    }
+
+    /// Whether the block may take hold of the spindle for position control.
+    #[must_use]
+    pub fn may_begin(&self) -> bool {
+        self.is_start() && self.samples()[1] >= 3 && is_place(self.inputs.x_actual)
+    }
+
+    /// Whether the spindle turns too fast for position control, and is caught.
+    #[must_use]
+    pub fn is_too_fast(&self) -> bool {
+        let end = self.coeffs.v_position_control_on + self.coeffs.window;
+        let is_known = self.samples()[0] >= 3 && is_place(self.inputs.x_actual);
+        self.is_start() && is_known && self.turning().is_some_and(|v| v.abs() > end)
     }
 
     /// What the rules need in the next cycle.
     fn remember(&mut self, then: Node) {
         let Self { inputs, outputs, inside, coeffs, .. } = *self;
         let stays = then == inside;
-        let waited = if stays { self.cycles().min(SLOW_BRAKE_CYCLES + 2) } else { 0 };
         let settled = if stays { self.settled().min(3) } else { 0 };
         let is_missing = self.missing() != 0;
         let missing = if is_missing && stays { self.before.missing + 1 } else { 0 };
-        let is_start = self.is_start() && stays;
+        let (samples, turning) = (self.samples(), self.turning());
+        let (_, velocities) = self.known();
+        let moves = self.is_start() && stays && self.moves();
+        let waited = if stays && !moves { self.cycles().min(SLOW_BRAKE_CYCLES + 2) } else { 0 };
+        let is_held = moves || self.is_seized() || !matches!(then, Node::ToPosition | Node::Stopped);
+        let is_idle = self.is_off || self.before.is_idle && !is_held;
+        let looks = self.looks() && is_idle;
+        let is_answered = !coeffs.in_drive || inputs.operation_mode_display == coeffs.velocity_mode;
+        let is_caught = match inside {
+            _ if self.is_off => false,
+            Node::ToPosition if self.is_start() => then == Node::Brake,
+            Node::Stopped if self.is_seized() => {
+                outputs.operation_mode == coeffs.velocity_mode && self.after.block.asks_velocity
+            }
+            Node::Brake => self.before.is_caught && !is_answered && then != Node::ToPosition,
+            _ => self.before.is_caught,
+        };
         let is_free = |node| matches!(node, Node::ToVelocity | Node::Velocity);
         let after = &mut self.after;
         after.node = then;
@@ -238,14 +342,21 @@ impl Edge<'_> {
         after.missing = missing;
         after.held = [inputs.m3, inputs.m4, inputs.m5, inputs.m19, inputs.putax, inputs.g74];
         after.is_first = false;
-        after.is_start = is_start;
+        after.is_idle = is_idle;
+        after.is_caught = is_caught;
+        if looks && turning.is_some() {
+            let before = if samples[0] > 1 { velocities[1] } else { inputs.v_actual };
+            (after.samples, after.velocities) = (samples, [before, inputs.v_actual]);
+        } else if looks || !is_idle {
+            (after.samples, after.velocities) = ([0; 2], [0.0; 2]);
+        }
         after.was_reset = (inputs.reset || after.was_reset) && is_free(inside) && is_free(then);
         after.takes_over = match then {
             Node::Position => inside != then || is_missing,
             Node::ToVelocity => is_missing,
             _ => false,
         };
-        let leaves = inside == Node::Brake && then == Node::ToPosition;
+        let leaves = inside == Node::Brake && then == Node::ToPosition || moves;
         after.x_start = leaves.then_some(inputs.x_actual + outputs.v_spindle * coeffs.lead_time);
         after.last = self.transitions.into_iter().flatten().last().or(after.last);
         after.block.jobs = 0;

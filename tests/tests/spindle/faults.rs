@@ -112,19 +112,22 @@ fn a_reset_of_an_error_leads_back_to_position() {
 #[test]
 fn a_reset_of_an_error_with_the_drive_off_clears_it_without_brake() {
     for (id, _, mut bench) in failed() {
+        bench.v_actual = Some(0.0);
         let o = bench.with_inputs(|i| (i.reset, i.drive_on) = (true, false));
         assert_eq!((o.error_id, o.spindle_state, o.v_spindle), (0, SpindleState::ToPosition, 0.0), "{id}");
-        assert_eq!(bench.cycle().spindle_state, SpindleState::ToPosition, "{id}");
+        assert_eq!(bench.cycles(2).spindle_state, SpindleState::ToPosition, "{id}");
         assert_eq!(bench.cycle().spindle_state, SpindleState::Position, "{id}");
     }
 }
 
 #[test]
-fn a_reset_of_an_error_that_outlasted_drive_off_brakes_when_the_drive_is_on() {
+fn a_reset_of_an_error_that_outlasted_drive_off_begins_anew_when_the_drive_is_on() {
     for (id, _, mut bench) in failed() {
+        bench.v_actual = Some(0.0);
         assert_eq!(bench.with_inputs(|i| i.drive_on = false).error_id, id);
         let o = bench.with_inputs(|i| i.reset = true);
-        assert_eq!((o.error_id, o.spindle_state, o.v_spindle), (0, SpindleState::Brake, 0.0), "{id}");
+        assert_eq!((o.error_id, o.spindle_state, o.v_spindle), (0, SpindleState::ToPosition, 0.0), "{id}");
+        assert_eq!((bench.cycles(2).error_id, bench.next()), (0, SpindleState::Position), "{id}");
     }
 }
 

@@ -5,9 +5,11 @@
 
 mod bench;
 mod brake;
+mod caught;
 mod exploration;
 mod faults;
 mod figures;
+mod overwritten;
 mod position;
 mod requests;
 mod resets;

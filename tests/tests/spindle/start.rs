@@ -10,7 +10,8 @@ fn the_start_is_to_position_at_the_actual_position() {
         let o = bench.cycle();
         assert_eq!((o.spindle_state, o.x_spindle, o.v_spindle), (SpindleState::ToPosition, 350_000.0, 0.0));
         assert_eq!((o.operation_mode, o.job, o.error_id), (bench.coeffs.position_mode, Job::Stop, 0));
-        assert_eq!(bench.next(), SpindleState::Position);
+        assert_eq!((bench.cycle().spindle_state, bench.next()), (SpindleState::ToPosition, SpindleState::ToPosition));
+        assert_eq!((bench.cycle().spindle_state, bench.next()), (SpindleState::ToPosition, SpindleState::Position));
     }
 }
 
@@ -67,7 +68,7 @@ fn a_request_that_is_true_in_the_first_cycle_does_not_count() {
 fn the_start_without_a_display_is_error_43_behind_its_time() {
     let mut bench = Bench::in_drive();
     bench.display = Some(0);
-    assert_eq!(bench.cycles(MODE_CYCLES).error_id, 0);
+    assert_eq!(bench.cycles(MODE_CYCLES + 2).error_id, 0);
     let o = bench.cycle();
     assert_eq!((o.error_id, o.spindle_state), (43, SpindleState::ToPosition));
 }
@@ -88,7 +89,7 @@ fn the_start_waits_for_the_actual_position_with_error_18() {
 fn the_start_without_an_actual_position_is_error_43_behind_its_time() {
     for mut bench in Bench::both() {
         bench.x_actual = Some(f64::INFINITY);
-        assert_eq!(bench.cycles(MODE_CYCLES).error_id, 18);
+        assert_eq!(bench.cycles(MODE_CYCLES + 2).error_id, 18);
         assert_eq!(bench.cycle().error_id, 43);
     }
 }
@@ -106,7 +107,7 @@ fn drive_off_leads_to_to_position_on_the_actual_position_from_every_state() {
     for state in states {
         for bench in Bench::both() {
             let mut bench = state(bench);
-            bench.x_actual = Some(-1.0);
+            (bench.x_actual, bench.v_actual) = (Some(-1.0), Some(0.0));
             let o = bench.with_inputs(|i| i.drive_on = false);
             assert_eq!((o.spindle_state, o.x_spindle, o.v_spindle), (SpindleState::ToPosition, 359_999.0, 0.0));
             assert_eq!((o.operation_mode, o.job, o.error_id), (bench.coeffs.position_mode, Job::Stop, 0));
@@ -132,6 +133,7 @@ fn drive_off_without_an_actual_position_keeps_the_last_one_with_error_18() {
 fn drive_off_empties_the_queue_and_refuses_requests() {
     let mut bench = Bench::in_drive().before_brake(1000.0 * RPM);
     assert_eq!(bench.outputs.waiting, 1);
+    bench.v_actual = Some(0.0);
     assert_eq!(bench.with_inputs(|i| i.drive_on = false).waiting, 0);
     let o = bench.with_inputs(|i| (i.drive_on, i.m5) = (false, true));
     assert_eq!((o.waiting, o.error_id), (0, 36));
@@ -153,7 +155,7 @@ fn an_error_that_stays_outlasts_drive_off() {
     let mut bench = Bench::in_drive().fast(1000.0 * RPM);
     bench.display = Some(POSITION_MODE);
     assert_eq!(bench.cycles(4).v_spindle, 1000.0 * RPM - V_STEP);
-    bench.display = None;
+    (bench.display, bench.v_actual) = (None, Some(0.0));
     let off = bench.with_inputs(|i| i.drive_on = false);
     assert_eq!((off.error_id, off.v_spindle, off.spindle_state), (45, 0.0, SpindleState::ToPosition));
     let on = bench.cycle();
@@ -194,6 +196,7 @@ fn a_wrong_cycle_with_the_drive_off_is_error_1_which_stays_in_every_state() {
     for (_, at) in STATES {
         for bench in Bench::both() {
             let mut bench = at(bench);
+            bench.v_actual = Some(0.0);
             let o = bench.with_inputs(|i| (i.task_cycle_ns, i.drive_on) = (1_000_000, false));
             assert_eq!((o.error_id, o.spindle_state, o.v_spindle), (1, SpindleState::ToPosition, 0.0));
             assert_eq!(bench.with_inputs(|i| i.drive_on = false).error_id, 1);
@@ -207,6 +210,7 @@ fn a_wrong_cycle_with_the_drive_off_is_error_1_which_stays_in_every_state() {
 fn a_wrong_cycle_behind_drive_off_is_error_1_which_stays() {
     for is_on in [false, true] {
         let mut bench = Bench::in_drive().fast(1000.0 * RPM);
+        bench.v_actual = Some(0.0);
         bench.with_inputs(|i| i.drive_on = false);
         let o = bench.with_inputs(|i| (i.task_cycle_ns, i.drive_on) = (1_000_000, is_on));
         assert_eq!((o.error_id, o.spindle_state, o.v_spindle), (1, SpindleState::ToPosition, 0.0));

@@ -2,7 +2,8 @@
 
 use super::ipc::notes::{self as ipc_notes, cycle_time, note};
 use super::values::{Value, Values, of_part};
-use super::{Certified, Figure, Part, Summary, feedforward, ipc, position_control};
+use super::{Certified, Figure, Part, Summary, feedforward, ipc, position_control, spindle};
+use crate::axis::Location;
 use crate::{blocks::designed::Designed, number::digits};
 use compiler::program::Program;
 use reference::axis::{Axis, Coeffs};
@@ -25,10 +26,13 @@ impl Part for Axis {
         let limit = axis.control.master_limit.unwrap_or(0.0);
         // The axis counts for its parts.
         let uncounted = call_rate::Coeffs::default();
+        let in_drive = axis.control.position_control.as_ref().is_some_and(|of| of.location != Location::Cnc);
         Coeffs {
             cycle_time_ns: axis.cycle_time_ns,
             addition: position_control::design::addition(axis),
             has_feedforward: axis.control.feedforward.is_some(),
+            counts_turns: axis.control.is_spindle && in_drive,
+            v_largest: spindle::design::v_largest(axis),
             master_limit: limit,
             master_lower_limit: 0.0 - limit, // not `-limit`: 0 stays +0
             feedforward: reference::feedforward::Coeffs { call_rate: uncounted, ..designed.feedforward },
@@ -45,6 +49,10 @@ impl Part for Axis {
             notes.into_iter().map(move |(path, text)| (format!("{part}.{path}"), text))
         };
         let mut notes = vec![note("cycle_time_ns", cycle_time(axis))];
+        if axis.control.is_spindle {
+            let end = digits(spindle::design::half_turn(axis) / spindle::notes::RPM);
+            notes.push(note("v_largest", format!("below {end} rpm")));
+        }
         if let Some(limit) = axis.control.master_limit {
             let limit = digits(limit);
             let text = format!("largest |v_add| = {limit} of the gantry's master (P-AXIS-00070, 00757, 00212)");

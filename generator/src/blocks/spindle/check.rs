@@ -4,7 +4,7 @@ use super::velocities::{self, VELOCITIES};
 use super::{in_drive, limits};
 use crate::axis::{Changeover, Feedforward, Location, Spindle};
 use crate::config::values::key;
-use crate::parameters::words::{AxisType, Words};
+use crate::parameters::words::{AxisType, DriveType, Words};
 use crate::parameters::{Name, Value};
 use crate::rules::drive::{self, Drive};
 use crate::rules::effective::{Effective, as_written};
@@ -74,13 +74,19 @@ pub(crate) fn check(
     let velocities = velocities::check(e, drive.gear);
     let kv = e.integer((Name::Kv, [drive.gear, 0]));
     let deceleration = e.real(key(Name::SpindleDeceleration));
-    let window = e.real(key(Name::SpindleWindow));
+    let window = limits::settled_window(e, cycle_time, drive.gear, velocities.as_ref().map(|of| of.off));
     let takeover_window = e.real(key(Name::SpindleTakeoverWindow));
     let (changeover, delay_cycles) = if drive.location == Location::Cnc {
         (Some(in_cnc(e, feedforward)), Some(0))
     } else {
-        (in_drive::check(e, drive.location, feedforward), in_drive::delay_cycles(e))
+        let is_alone = velocities.as_ref().is_some_and(|of| of.on.value == 0 && of.off.value == 0);
+        (in_drive::check(e, drive.location, feedforward, is_alone), in_drive::delay_cycles(e, is_alone))
     };
+    if let (Some(Changeover::Cnc { feedforward, default_active }), Some(of), Some(kv)) = (&changeover, &velocities, kv)
+    {
+        let weight = feedforward.map_or(0.0, |weight| weight.value());
+        limits::lag(e, of, (Name::Kv, [drive.gear, 0]), kv, (weight, feedforward.is_none() || *default_active));
+    }
     let is_in_drive = drive.location != Location::Cnc;
     if let (true, Some(ns), Some(velocities), Some(window)) = (is_in_drive, cycle_time, &velocities, window) {
         limits::half_a_revolution(e, ns, velocities, window);
@@ -100,6 +106,38 @@ pub(crate) fn check(
         mode_timeout_ns: mode_timeout_ns?,
         brake_timeout_ns: brake_timeout_ns?,
     })
+}
+
+/// An axis that does not change over: what holds of every spindle whose drive controls the position, and operation modes that it does not
+/// have.
+pub(crate) fn no_changeover(
+    e: &mut Effective<'_>,
+    cycle_time: Option<u32>,
+    axis_type: Option<AxisType>,
+    drive: &Drive,
+) {
+    let is_spindle = axis_type == Some(AxisType::Spindle);
+    if let (true, true, Some(ns)) = (is_spindle, drive.location != Location::Cnc, cycle_time) {
+        limits::half_a_revolution_at_most(e, ns, (Name::VbMax, [drive.gear, 0]));
+    }
+    let Some(drive_type) = e.validated_word::<DriveType>(key(Name::DriveType)) else { return };
+    let mut idle = Vec::new();
+    if drive_type != DriveType::CanOpen {
+        idle.extend([Name::CyclicPositionOpMode, Name::CyclicVelocityOpMode]);
+    }
+    if drive_type != DriveType::Sercos || !is_spindle {
+        idle.push(Name::OpModeForVelocityControl);
+    }
+    let given: Vec<Name> = idle.into_iter().filter(|name| e.given(key(*name)).is_some()).collect();
+    let Some(first) = given.first() else { return };
+    let listed: Vec<&str> = given.iter().filter_map(|name| name.parameter().id).collect();
+    let kind = axis_type.map_or("of no type", Words::name);
+    let found = format!(
+        "without effect here: an axis that is {kind} (P-AXIS-00018) with a drive that is {} (P-AXIS-00020) does not have {}",
+        drive_type.name(),
+        listed.join(", ")
+    );
+    e.warn(codes::NO_EFFECT, key(*first), found, None);
 }
 
 /// Position control in the CNC: a feedforward of the velocity takes its part of the position lag.

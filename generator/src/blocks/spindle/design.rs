@@ -10,6 +10,9 @@ use reference::spindle::Coeffs;
 /// Half a turn [0.001 deg].
 const HALF_TURN: f64 = 180_000.0;
 
+/// Cycles by which the test of a spindle whose drive comes on takes longer than one.
+const START: u32 = 2;
+
 /// Coefficients of the changeover of one axis; of an axis without it all zero.
 ///
 /// ```text
@@ -21,18 +24,22 @@ pub(crate) fn coefficients(axis: &Axis) -> Coeffs<f64> {
     let Some(of) = &axis.control.spindle else { return Coeffs::default() };
     let cycle_time = axis.cycle_time();
     let off = f64::from(of.v_position_control_on);
+    let window = window(of.v_position_control_on, of.window);
+    let mode_cycles = cycles(of.mode_timeout_ns, axis);
     let coeffs = Coeffs {
         cycle_time_ns: axis.cycle_time_ns,
         cycle_time,
         v_velocity_control_on: f64::from(of.v_velocity_control_on),
         v_position_control_on: off,
         v_position_control_on_negative: 0.0 - off, // not `-off`: 0 stays +0
-        window: window(of.v_position_control_on, of.window),
+        window,
+        v_taken_up: off + window,
         v_step: of.deceleration * cycle_time,
-        v_largest: scale::below(half_turn(axis), axis.real).min(sample_limit(axis.real)),
+        v_largest: v_largest(axis),
         lead_time: f64::from(of.delay_cycles + 1) * cycle_time + (1.0 - weight(of)) / kv(of),
         takeover_window: of.takeover_window,
-        mode_cycles: cycles(of.mode_timeout_ns, axis),
+        mode_cycles,
+        start_cycles: mode_cycles.saturating_add(START),
         brake_cycles: cycles(of.brake_timeout_ns, axis),
         call_rate: call_rate::Coeffs { active: axis.counts_calls },
         ..Coeffs::default()
@@ -46,6 +53,7 @@ pub(crate) fn coefficients(axis: &Axis) -> Coeffs<f64> {
         },
         Changeover::Drive { position_mode, velocity_mode, velocity, .. } => Coeffs {
             in_drive: true,
+            only_velocity: of.only_velocity(),
             position_mode: *position_mode,
             velocity_mode: *velocity_mode,
             velocity_scale: scale::velocity(velocity, axis.cycle_time_ns),
@@ -66,6 +74,11 @@ pub(crate) fn weight(of: &Spindle) -> f64 {
         Changeover::Cnc { .. } => 0.0,
         Changeover::Drive { feed_forward_v_weighting, .. } => f64::from(feed_forward_v_weighting) / 1000.0,
     }
+}
+
+/// The largest velocity of a drive that can tell the direction [0.001 deg/s].
+pub(crate) fn v_largest(axis: &Axis) -> f64 {
+    scale::below(half_turn(axis), axis.real).min(sample_limit(axis.real))
 }
 
 /// The velocity at which a drive cannot tell the direction any more [0.001 deg/s].

@@ -9,11 +9,12 @@ use crate::rules::drive;
 use crate::rules::effective::{Effective, as_written, number_as_written};
 use crate::{codes, diagnostics::Diagnostic};
 
-/// The changeover of a drive that controls the position; none: an error, which has been said.
+/// The changeover of a drive that controls the position, or has velocity control alone; none: an error, which has been said.
 pub(super) fn check(
     e: &mut Effective<'_>,
     location: Location,
     feedforward: Option<&Feedforward>,
+    is_alone: bool,
 ) -> Option<Changeover> {
     let bus = match e.validated_word(key(Name::DriveType))? {
         DriveType::Sercos if location == Location::Drive => Bus::Sercos,
@@ -26,7 +27,7 @@ pub(super) fn check(
     if feedforward.is_some_and(|of| of.conventional.any() && !of.global_disable) {
         leads(e);
     }
-    let modes = modes(e, bus);
+    let modes = if is_alone { one_mode(e, bus) } else { modes(e, bus) };
     let feed_forward_v_weighting = weight(e);
     let width = e.word(key(Name::VelocityCommandData));
     let velocity = width.and_then(|width| drive::velocity(e, width));
@@ -37,7 +38,7 @@ pub(super) fn check(
         e.report.push(said.allowed("1 <= v_reso_num [increments]").instead("v_reso_num with the scaling of the drive"));
     }
     let [position_mode, velocity_mode] = modes?;
-    offered::check(e, bus, velocity_mode);
+    offered::check(e, bus, velocity_mode, is_alone);
     Some(Changeover::Drive {
         bus,
         position_mode,
@@ -60,6 +61,15 @@ fn no_changeover(e: &mut Effective<'_>) {
     let instead = as_written(&place, mode, &[OperationMode::CncPositionControl.name()]);
     let said = Diagnostic::error(codes::NO_CHANGEOVER, place, found);
     e.report.push(said.allowed("SERCOS or CANOPEN, or position control in the CNC").instead(instead));
+}
+
+/// The operation mode of a drive that has velocity control alone, which stands for both.
+fn one_mode(e: &mut Effective<'_>, bus: Bus) -> Option<[i32; 2]> {
+    let name = match bus {
+        Bus::Sercos => Name::OpModeForVelocityControl,
+        Bus::CanOpen => Name::CyclicVelocityOpMode,
+    };
+    Some([e.signed(key(name))?; 2])
 }
 
 /// The operation modes of position and of velocity control, which differ: the drive says in which of them it is.
@@ -126,8 +136,11 @@ fn leads(e: &mut Effective<'_>) {
 }
 
 /// Cycles between command and actual value (P-AXIS-00191); manuals do not agree on a default.
-pub(super) fn delay_cycles(e: &mut Effective<'_>) -> Option<u32> {
+pub(super) fn delay_cycles(e: &mut Effective<'_>, is_alone: bool) -> Option<u32> {
     let delay = key(Name::NbrDelayCycles);
+    if is_alone && e.given(delay).is_none() {
+        return Some(0);
+    }
     if e.given(delay).is_some() {
         return e.integer(delay);
     }

@@ -1,9 +1,10 @@
 //! What the cycle time and the deceleration allow: half a revolution in a cycle, and the times of the changeover.
 
-use super::velocities::{Velocities, asks};
-use crate::config::values::key;
+use super::velocities::{Velocities, Velocity, asks};
+use crate::config::values::{Key, key};
 use crate::parameters::{Name, time_text};
-use crate::{codes, diagnostics::Diagnostic, number::rounded, rules::effective::Effective};
+use crate::rules::{drive, effective::Effective};
+use crate::{codes, design::scale, diagnostics::Diagnostic, number::rounded};
 
 /// Half a revolution [0.001 deg]: a drive cannot tell the direction of a longer way.
 const HALF_A_REVOLUTION: f64 = 180_000.0;
@@ -20,6 +21,107 @@ pub(super) fn rpm(velocity: f64) -> f64 {
 /// Around the velocity of position control, half the width [0.001 deg/s].
 pub(super) fn window(off: u32, least: f64) -> f64 {
     (f64::from(off) / 100.0).max(least)
+}
+
+/// At which the block opens its loop [0.001 deg].
+const LARGEST_LAG: f64 = 170_000.0;
+
+/// A loop in the CNC whose lag stays below half a revolution; `weight` is that of its feedforward, and whether it is always active.
+pub(super) fn lag(e: &mut Effective<'_>, of: &Velocities, kv_key: Key, kv: u32, (weight, is_always): (f64, bool)) {
+    let slower = if of.on.value <= of.largest.value { of.on } else { of.largest };
+    let velocity = f64::from(slower.value);
+    let gain = f64::from(kv) / 100.0;
+    let lag_of = |weight: f64| (1.0 - weight).abs() * velocity / gain;
+    let (code, part) = match () {
+        () if lag_of(weight) >= LARGEST_LAG => (codes::LOOP_LAG, (1.0 - weight).abs()),
+        () if !is_always && lag_of(0.0) >= LARGEST_LAG => (codes::LAG_ALONE, 1.0),
+        () => return,
+    };
+    let how = if code == codes::LAG_ALONE { ", without feedforward" } else { "" };
+    let found = format!(
+        "the position lag at {} rpm is {} deg{how}: {} is {}, {} is {kv}",
+        rpm(velocity),
+        rounded(part * velocity / gain / 1000.0),
+        e.title(slower.key),
+        slower.value,
+        e.title(kv_key)
+    );
+    let at = if e.given(slower.key).is_some() { slower.key } else { kv_key };
+    let place = e.place_near(at, asks);
+    let largest = (LARGEST_LAG * gain / part).floor();
+    let smallest = (part * velocity / LARGEST_LAG * 100.0).floor() + 1.0;
+    let said = match code {
+        codes::LOOP_LAG => Diagnostic::error(code, place, found),
+        _ => Diagnostic::warning(code, place, found),
+    };
+    let said = said.allowed("a lag below 170 deg: (1 - w) v / Kv");
+    e.report.push(said.instead(format!(
+        "v_velocity_control_on {largest} or less, or getriebe[{}].kv {smallest} or more",
+        kv_key.1[0]
+    )));
+}
+
+/// Two steps of a velocity that is an encoder's increments in a cycle [0.001 deg/s]; none: the list has no path resolution.
+pub(super) fn two_steps(e: &mut Effective<'_>, cycle_ns: u32, gear: u32) -> Option<f64> {
+    let [num, denom] = [Name::WegaufZ, Name::WegaufN].map(|name| (name, [gear, 0]));
+    if e.given(num).is_none() || e.given(denom).is_none() {
+        return None;
+    }
+    let resolution = scale::resolution(&drive::resolution(e, gear)?);
+    // In increments per 0.0001 deg.
+    let step = 0.1 / resolution * 1e9 / f64::from(cycle_ns);
+    // A quotient of whole numbers is one that a list can have.
+    (resolution > 0.0).then_some((2.0 * step * 1e3).round() / 1e3)
+}
+
+/// The window that holds: a default of the encoder's steps, or the one given, with what it needs.
+pub(super) fn settled_window(
+    e: &mut Effective<'_>,
+    cycle_ns: Option<u32>,
+    gear: u32,
+    off: Option<Velocity>,
+) -> Option<f64> {
+    let at = key(Name::SpindleWindow);
+    let least = e.real(at)?;
+    let Some(steps) = cycle_ns.and_then(|ns| two_steps(e, ns, gear)) else { return Some(least) };
+    if e.given(at).is_none() {
+        return Some(least.max(steps));
+    }
+    let holds = window(off.map_or(0, |off| off.value), least);
+    if holds < steps {
+        let found = format!(
+            "{} is {}, {} rpm: two steps of the encoder are {} rpm",
+            e.title(at),
+            rounded(least),
+            rpm(holds),
+            rpm(steps)
+        );
+        let instead = format!("spindle.window = {}, or without it", steps.ceil());
+        e.warn(codes::NARROW_WINDOW, at, found, instead);
+    }
+    Some(least)
+}
+
+/// A spindle without a changeover whose drive controls the position: its largest velocity, where it is given.
+pub(crate) fn half_a_revolution_at_most(e: &mut Effective<'_>, cycle_ns: u32, largest: Key) {
+    let Some(velocity) = e.given(largest).and_then(|_| e.validated_integer(largest)) else { return };
+    let cycle = f64::from(cycle_ns);
+    if f64::from(velocity) * cycle < HALF_A_REVOLUTION * 1e9 {
+        return;
+    }
+    let end = HALF_A_REVOLUTION * 1e9 / cycle;
+    let found = format!(
+        "in position control the spindle turns with up to {} rpm: {} is {velocity}",
+        rpm(f64::from(velocity)),
+        e.title(largest)
+    );
+    let said = Diagnostic::error(codes::HALF_A_REVOLUTION, e.place_of(largest), found).allowed(format!(
+        "less than half a revolution in a cycle: below {} rpm, {} [0.001 deg/s], at a cycle time of {}",
+        rpm(end),
+        rounded(end),
+        time_text(u64::from(cycle_ns))
+    ));
+    e.report.push(said.instead("a lower vb_max, a shorter cycle, or v_velocity_control_on: 200 rpm are 1200000"));
 }
 
 /// A drive that controls the position turns by less than half a revolution in a cycle.

@@ -9,10 +9,16 @@ use crate::{codes, diagnostics::Diagnostic, rules::effective::Effective};
 /// One of these words, and what it is.
 pub(super) type Need<T> = (&'static [T], &'static str);
 
-/// Cyclic data.
-pub(super) fn objects(bus: Bus) -> &'static [Need<DriveObject>] {
+/// Cyclic data; of a drive that has velocity control alone, the velocities.
+pub(super) fn objects(bus: Bus, is_alone: bool) -> &'static [Need<DriveObject>] {
     use DriveObject::*;
     match bus {
+        Bus::Sercos if is_alone => {
+            &[(&[SercosVelocityCommand], "the velocity command"), (&[SercosVelocity], "the actual velocity")]
+        }
+        Bus::CanOpen if is_alone => {
+            &[(&[TargetVelocity], "the velocity command"), (&[Velocity], "the actual velocity")]
+        }
         Bus::Sercos => &[
             (&[SercosVelocityCommand], "the velocity command"),
             (&[SercosVelocity], "the actual velocity"),
@@ -31,7 +37,7 @@ pub(super) fn objects(bus: Bus) -> &'static [Need<DriveObject>] {
 }
 
 /// Settings; the operation mode of velocity control is one of them.
-pub(super) fn settings(bus: Bus, velocity_mode: i32) -> Vec<Need<DriveSetting>> {
+pub(super) fn settings(bus: Bus, velocity_mode: i32, is_alone: bool) -> Vec<Need<DriveSetting>> {
     if bus == Bus::CanOpen {
         return Vec::new();
     }
@@ -40,19 +46,24 @@ pub(super) fn settings(bus: Bus, velocity_mode: i32) -> Vec<Need<DriveSetting>> 
         3 => (&[DriveSetting::Auxiliary3Velocity], "velocity control in the auxiliary mode 3"),
         _ => (&[DriveSetting::Auxiliary1Velocity], "velocity control in the auxiliary mode 1"),
     };
+    let rotary: Need<DriveSetting> = (&[DriveSetting::RotaryVelocity], "rotary scaling of velocities");
+    if is_alone {
+        // The main mode is the drive's only one.
+        return if velocity_mode == 0 { vec![rotary] } else { vec![auxiliary, rotary] };
+    }
     vec![
         (&[DriveSetting::MainPosition], "position control in the main mode"),
         auxiliary,
         (&[DriveSetting::RotaryPosition], "rotary scaling of positions"),
-        (&[DriveSetting::RotaryVelocity], "rotary scaling of velocities"),
+        rotary,
         (&[DriveSetting::RotaryAcceleration], "rotary scaling of accelerations"),
     ]
 }
 
 /// What is given is complete: all that is missing is said.
-pub(super) fn check(e: &mut Effective<'_>, bus: Bus, velocity_mode: i32) {
-    missing(e, Name::ProcessDataObjects, objects(bus));
-    missing(e, Name::DriveSettings, &settings(bus, velocity_mode));
+pub(super) fn check(e: &mut Effective<'_>, bus: Bus, velocity_mode: i32, is_alone: bool) {
+    missing(e, Name::ProcessDataObjects, objects(bus, is_alone));
+    missing(e, Name::DriveSettings, &settings(bus, velocity_mode, is_alone));
 }
 
 fn missing<T: Words>(e: &mut Effective<'_>, name: Name, needs: &[Need<T>]) {

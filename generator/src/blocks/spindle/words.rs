@@ -11,19 +11,24 @@ use crate::parameters::words::{DriveSetting, Words};
 pub(crate) fn lines(axis: &Axis) -> Vec<String> {
     let Some(spindle) = &axis.control.spindle else { return Vec::new() };
     let mut lines = vec![speeds(spindle), who(spindle), brake(axis, spindle)];
-    if spindle.v_velocity_control_on == 0 {
+    if spindle.only_velocity() {
+        lines = vec![ALONE.to_owned(), brake(axis, spindle)];
+    } else if spindle.v_velocity_control_on == 0 {
         lines.push(SENSORLESS.to_owned());
     } else {
         lines.push(lag(axis, spindle));
     }
     if let Changeover::Drive { bus, velocity_mode, .. } = spindle.drive {
-        lines.extend(needs(bus, velocity_mode));
+        lines.extend(needs(bus, velocity_mode, spindle.only_velocity()));
     }
     lines
 }
 
 const SENSORLESS: &str = "velocity control at every speed, as a spindle without a position sensor needs it; M19, S[PUTAX], G74 and reset \
                           lead to position control";
+
+const ALONE: &str = "velocity control alone: v_velocity_control_on and v_position_control_on are 0, and the drive has no position control; \
+                     M19, S[PUTAX] and G74 are refused (error_id 49)";
 
 /// 0.001 deg/s for people.
 fn speed(velocity: f64) -> String {
@@ -95,12 +100,12 @@ fn lag(axis: &Axis, spindle: &Spindle) -> String {
     }
 }
 
-fn needs(bus: Bus, velocity_mode: i32) -> Vec<String> {
+fn needs(bus: Bus, velocity_mode: i32, is_alone: bool) -> Vec<String> {
     let of_telegram: Vec<String> =
-        objects(bus).iter().map(|(words, what)| format!("{} {what}", one_of(words))).collect();
+        objects(bus, is_alone).iter().map(|(words, what)| format!("{} {what}", one_of(words))).collect();
     let mut lines =
         vec![format!("the drive must have in its cyclic telegram (process_data.objects): {}", of_telegram.join(", "))];
-    let settings = settings(bus, velocity_mode);
+    let settings = settings(bus, velocity_mode, is_alone);
     if !settings.is_empty() {
         let setting = |(words, what): &(&[DriveSetting], &str)| format!("{} {what}", words[0].name());
         let settings: Vec<String> = settings.iter().map(setting).collect();

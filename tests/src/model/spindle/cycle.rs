@@ -1,7 +1,8 @@
 //! A cycle of the block: what is wrong, how the spindle moves, what is next. Angles and requests have files of their own.
 
-use super::motion::{Motion, is_position, is_velocity, near, resynchronised, slower, velocity_command, wrap};
+use super::motion::{Motion, is_position, is_velocity, near, slower, velocity_command, wrap};
 use super::requests::{Kind, Request, Requests};
+use super::start::{Samples, ahead, lead_time};
 use super::{BRAKE, Inputs, Outputs, POSITION, Parameters, TO_POSITION, TO_VELOCITY, VELOCITY};
 use std::collections::VecDeque;
 
@@ -16,7 +17,7 @@ struct Entry {
     state: i32,
     /// its first cycle
     since: u64,
-    /// the position of that cycle, if BRAKE chose it
+    /// the position of that cycle, if the block chose it; none of TO_POSITION: the block does not move the spindle yet
     origin: Option<f64>,
 }
 
@@ -44,6 +45,10 @@ pub struct Model {
     followed_at: u64,
     /// the last cycle that missed no sample
     complete_at: u64,
+    /// of a spindle that the block does not move yet
+    samples: Samples,
+    /// a spindle was caught, and the drive has not displayed velocity control since
+    is_caught: bool,
 }
 
 impl Model {
@@ -65,38 +70,46 @@ impl Model {
             unsettled_at: 0,
             followed_at: 0,
             complete_at: 0,
+            samples: Samples::default(),
+            is_caught: false,
         }
     }
 
     /// One cycle.
     pub fn cycle(&mut self, inputs: &Inputs) -> Outputs {
         self.now += 1;
-        let refused = self.requests.take(inputs).err();
+        let refused = self.requests.take(inputs, self.p.only_velocity).err();
         self.prepare(inputs);
         let is_off = !inputs.drive_on;
         // With the drive off the state is the start, also with an error that stays.
         let has_state = is_off || self.stays.is_none();
+        let Entry { state, since, .. } = self.current();
+        // An error has outlasted the drive that was off.
+        let seizes = !has_state && self.is_at_start() && since == self.now;
+        let is_accompanied = !is_off && self.is_at_start() && (has_state || seizes);
+        if is_accompanied {
+            self.accompany(inputs);
+        }
         let sample = if has_state { self.sample(inputs) } else { None };
-        let is_missing = sample.is_some() && matches!(self.current().state, POSITION | TO_VELOCITY | VELOCITY);
+        let is_missing = sample.is_some() && matches!(state, POSITION | TO_VELOCITY | VELOCITY);
         if !is_missing {
             self.complete_at = self.now;
         }
         let mut next = None;
-        if has_state {
-            self.ask_for_mode();
-            if !is_off {
-                next = if sample.is_none() { self.next(inputs) } else { None };
-                self.stays = if is_missing {
-                    sample.filter(|_| self.now - self.complete_at >= TOO_MANY)
-                } else {
-                    self.test(inputs).or_else(|| self.overdue(next))
-                };
-            }
+        if has_state && !is_off {
+            self.ask_for_mode(inputs);
+            next = if sample.is_none() { self.next(inputs) } else { None };
+            self.stays = if is_missing {
+                sample.filter(|_| self.now - self.complete_at >= TOO_MANY)
+            } else {
+                self.test(inputs).or_else(|| self.overdue(next, sample))
+            };
         }
-        let Entry { state, .. } = self.current();
         let motion = match (self.stays, is_missing) {
-            (Some(_), _) if !is_off => Motion { v: slower(self.v, 0.0, self.p.deceleration * self.p.cycle), x: None },
+            _ if seizes => Motion { v: self.v, x: Some(self.x) },
+            (Some(_), _) if !is_off => Motion { v: slower(self.v, 0.0, self.step()), x: None },
             (_, true) => Motion { v: self.v, x: None },
+            _ if is_off => self.followed(inputs),
             _ => self.moved(inputs),
         };
         self.x = motion.position(self.x, &self.p);
@@ -104,9 +117,17 @@ impl Model {
         if is_off {
             // The next cycle is the first one, if the drive is on in it.
             self.enter(TO_POSITION, self.now + 1, None);
+        } else if seizes {
+            self.is_caught = self.mode == self.p.velocity_mode;
+            self.enter(TO_POSITION, self.now, Some(self.x));
         } else if let Some(next) = next.filter(|_| self.stays.is_none()) {
-            let origin = (next == TO_POSITION).then(|| resynchronised(&self.p, inputs, self.v));
+            let is_caught = self.is_caught || next == BRAKE && self.is_at_start();
+            self.is_caught = is_caught && next != TO_POSITION;
+            let origin = (next == TO_POSITION).then(|| self.resynchronised(inputs));
             self.enter(next, self.now + 1, origin);
+        } else if sample == Some(47) {
+            // It is waited for as long as it takes.
+            self.enter(TO_POSITION, self.now + 1, None);
         }
         self.employ(inputs);
         let is_closed = state == POSITION && !is_missing && self.stays.is_none();
@@ -139,8 +160,13 @@ impl Model {
         if inputs.reset {
             self.requests.waiting.clear();
             self.reset_at = self.now;
-            if self.stays.take().is_some() {
-                self.enter(BRAKE, self.now, None);
+            if self.stays.take().is_some() && inputs.drive_on {
+                if self.is_at_start() {
+                    self.samples.forget();
+                    self.enter(TO_POSITION, self.now, None);
+                } else {
+                    self.enter(BRAKE, self.now, None);
+                }
             }
         }
         if inputs.task_cycle_ns != 0 && inputs.task_cycle_ns != self.p.cycle_ns {
@@ -148,14 +174,64 @@ impl Model {
         }
         if !inputs.drive_on {
             self.requests.waiting.clear();
+            if !self.is_at_start() {
+                self.samples.forget();
+            }
+            self.is_caught = false;
             self.enter(TO_POSITION, self.now, None);
-            self.v = 0.0;
         }
+    }
+
+    /// The drive is on, and the block does not move the spindle yet: its commands go with the spindle.
+    fn accompany(&mut self, inputs: &Inputs) {
+        let is_known = self.samples.take(inputs.v_actual);
+        if let Some(v) = self.samples.velocity(&self.p).filter(|_| is_known) {
+            self.v = v;
+            let is_fast = v.abs() > self.p.v_off + self.p.window;
+            self.mode = if is_fast && !self.p.only_position { self.p.velocity_mode } else { self.p.position_mode };
+        }
+        self.x = if is_known && is_position(inputs.x_actual) {
+            ahead(inputs.x_actual, self.v, lead_time(&self.p, inputs) - self.p.cycle)
+        } else {
+            wrap(self.x + self.v * self.p.cycle)
+        };
+    }
+
+    /// The drive is off: the velocity goes down, and is not beyond the spindle's; the position leads as that asks for.
+    fn followed(&mut self, inputs: &Inputs) -> Motion {
+        let v = slower(self.v, 0.0, self.step());
+        let found = is_position(inputs.x_actual).then_some(inputs.x_actual);
+        if !self.samples.take(inputs.v_actual) {
+            return Motion { v, x: found.or(Some(self.x)) };
+        }
+        let turning = self.samples.velocity(&self.p).expect("a sample has just been taken");
+        let is_turning = turning != 0.0 && !self.p.only_position;
+        self.mode = if is_turning { self.p.velocity_mode } else { self.p.position_mode };
+        let lead = lead_time(&self.p, inputs) - self.p.cycle;
+        let x = found.map(|x| ahead(x, turning, lead));
+        Motion { v: v.clamp(turning.min(0.0), turning.max(0.0)), x: x.or(Some(self.x)) }
+    }
+
+    /// Where position control is taken up in the next cycle.
+    fn resynchronised(&self, inputs: &Inputs) -> f64 {
+        let from = if is_position(inputs.x_actual) { inputs.x_actual } else { self.x };
+        ahead(from, self.v, lead_time(&self.p, inputs))
+    }
+
+    fn step(&self) -> f64 {
+        self.p.deceleration * self.p.cycle
+    }
+
+    /// Whether the block does not move the spindle yet.
+    fn is_at_start(&self) -> bool {
+        let Entry { state, origin, .. } = self.current();
+        state == TO_POSITION && origin.is_none()
     }
 
     /// The error of a sample that the state needs and does not have: the state does not change then.
     fn sample(&mut self, inputs: &Inputs) -> Option<u32> {
-        let Entry { state, origin, .. } = self.current();
+        let Entry { state, .. } = self.current();
+        let is_start = self.is_at_start();
         let p = &self.p;
         let follows = matches!(state, POSITION | TO_VELOCITY);
         let is_elsewhere = match state {
@@ -168,13 +244,17 @@ impl Model {
         if state == BRAKE && !is_slow {
             self.unsettled_at = self.now;
         }
-        let is_start = state == TO_POSITION && origin.is_none();
+        let needs_velocity = state == BRAKE || is_start && inputs.drive_on;
+        let needs_position = (is_start || self.is_settled()) && (!p.only_velocity || !inputs.drive_on);
+        let must_wait = is_start && p.only_position && inputs.drive_on && self.samples.is_fast(p);
         let missing = [
             ((follows || state == VELOCITY) && !is_velocity(inputs.v_interpolator), 14),
             (follows && !is_position(inputs.x_command), 17),
+            (follows && p.closes_loop && !is_position(inputs.x_actual), 18),
             (is_elsewhere, 45),
-            (state == BRAKE && !is_velocity(inputs.v_actual), 23),
-            ((is_start || self.is_settled()) && !is_position(inputs.x_actual), 18),
+            (needs_velocity && !is_velocity(inputs.v_actual), 23),
+            (needs_position && !is_position(inputs.x_actual), 18),
+            (must_wait, 47),
         ];
         missing.into_iter().find_map(|(is_missing, id)| is_missing.then_some(id))
     }
@@ -190,16 +270,19 @@ impl Model {
         if steps_too_far { Some(44) } else { jumps.then_some(46) }
     }
 
-    /// The time of the state is over.
-    fn overdue(&self, next: Option<i32>) -> Option<u32> {
+    /// The time of the state is over. That of a spindle that is waited for does not run.
+    fn overdue(&self, next: Option<i32>, sample: Option<u32>) -> Option<u32> {
         let Entry { state, since, .. } = self.current();
-        let (limit, id) = match state {
-            TO_VELOCITY => (self.p.mode_timeout_cycles, 41),
-            BRAKE => (self.p.brake_timeout_cycles, 42),
-            TO_POSITION => (self.p.mode_timeout_cycles, 43),
-            _ => return None,
-        };
-        (next.is_none() && self.now >= since + u64::from(limit)).then_some(id)
+        let (mode, brake) = (self.p.mode_timeout_cycles, self.p.brake_timeout_cycles);
+        let is_over = |cycles: u32| next.is_none() && self.now >= since + u64::from(cycles);
+        match state {
+            TO_VELOCITY => is_over(mode).then_some(41),
+            BRAKE if self.is_caught && is_over(mode) => Some(41),
+            BRAKE => is_over(brake).then_some(42),
+            TO_POSITION if self.is_at_start() => (is_over(mode + 2) && sample != Some(47)).then_some(43),
+            TO_POSITION => is_over(mode).then_some(43),
+            _ => None,
+        }
     }
 
     /// What the state changes to.
@@ -215,7 +298,10 @@ impl Model {
                 (is_asked_for || self.returns()).then_some(BRAKE)
             }
             BRAKE => self.is_settled().then_some(TO_POSITION),
-            _ => self.displays(inputs, self.p.position_mode).then_some(POSITION),
+            _ if self.is_at_start() && !self.samples.is_slow(&self.p) => self.samples.is_fast(&self.p).then_some(BRAKE),
+            // It turns slowly, and goes on doing so.
+            _ if self.is_at_start() && self.v != 0.0 => Some(TO_POSITION),
+            _ => self.displays(inputs, self.p.position_mode).then_some(self.closed()),
         }
     }
 
@@ -229,18 +315,24 @@ impl Model {
                 Motion { v: inputs.v_interpolator, x: Some(inputs.x_command) }
             }
             VELOCITY => Motion { v: inputs.v_interpolator, x: actual },
-            BRAKE => Motion { v: slower(self.v, self.p.v_off, self.p.deceleration * self.p.cycle), x: None },
-            _ if origin.is_none() => Motion { v: self.v, x: actual.or(Some(self.x)) },
+            BRAKE => Motion { v: slower(self.v, self.p.v_off, self.step()), x: None },
+            _ if origin.is_none() => Motion { v: self.v, x: Some(self.x) },
             _ => Motion { v: self.v, x: origin.filter(|_| self.now == since) },
         }
     }
 
-    fn ask_for_mode(&mut self) {
+    fn ask_for_mode(&mut self, inputs: &Inputs) {
         match self.current().state {
             TO_VELOCITY => self.mode = self.p.velocity_mode,
-            TO_POSITION => self.mode = self.p.position_mode,
+            TO_POSITION if !self.is_at_start() => self.mode = self.p.position_mode,
+            BRAKE => self.is_caught &= !self.displays(inputs, self.p.velocity_mode),
             _ => {}
         }
+    }
+
+    /// The state that a drive in the mode of TO_POSITION leads to.
+    fn closed(&self) -> i32 {
+        if self.p.only_velocity { VELOCITY } else { POSITION }
     }
 
     /// The job, once the next state is known.
@@ -267,7 +359,8 @@ impl Model {
 
     /// Whether there was a reset since velocity control was asked for.
     fn returns(&self) -> bool {
-        let away = self.log.iter().rfind(|entry| entry.state == TO_VELOCITY);
+        let begin = if self.p.only_velocity { VELOCITY } else { TO_VELOCITY };
+        let away = self.log.iter().rfind(|entry| entry.state == begin);
         away.is_some_and(|entry| self.reset_at >= entry.since)
     }
 
@@ -278,7 +371,7 @@ impl Model {
     }
 
     fn displays(&self, inputs: &Inputs, mode: i32) -> bool {
-        self.p.in_cnc || inputs.operation_mode_display == mode
+        self.p.in_cnc || self.p.only_velocity || inputs.operation_mode_display == mode
     }
 
     fn current(&self) -> Entry {

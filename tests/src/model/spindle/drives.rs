@@ -59,7 +59,8 @@ impl Drive {
         Self {
             habit: Habit::Lagging,
             x: (uniform(rng) + turns) * TURN,
-            v: 0.0,
+            // Some spindles turn when the block starts.
+            v: if rng.chance(30) { uniform(rng) * 2.0 * p.v_on.max(600_000.0) } else { 0.0 },
             a: 0.0,
             displayed: *rng.pick(&[0, p.position_mode, p.velocity_mode]),
             asked_for: 0,
@@ -81,7 +82,7 @@ impl Drive {
             Silent => u32::MAX,
             _ => any,
         };
-        self.left = rng.between(1, 30);
+        self.left = if rng.chance(20) { rng.between(30, 300) } else { rng.between(1, 30) };
     }
 
     /// What it does with the block's last outputs.

@@ -55,7 +55,7 @@ impl Source {
     fn new(p: &Parameters, mut rng: Rng) -> Self {
         let (drive, interpolator) = (Drive::new(p, &mut rng), Interpolator::new(p, &mut rng));
         let mistakes = *rng.pick(&[0, 0, 2, 10, 40, 150]);
-        let wrong_cycles = if rng.chance(5) { 40_000 } else { 0 };
+        let wrong_cycles = if rng.chance(8) { 40_000 } else { 0 };
         let gap = *rng.pick(&[10, 40, 100, 200]);
         let last = Inputs { drive_on: true, ..Inputs::START };
         let left = rng.below(400);

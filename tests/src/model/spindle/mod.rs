@@ -43,6 +43,7 @@ pub mod interpolator;
 pub mod motion;
 pub mod parameters;
 pub mod requests;
+pub mod start;
 #[cfg(test)]
 mod tests;
 

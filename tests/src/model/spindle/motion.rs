@@ -66,17 +66,6 @@ pub fn weight(p: &Parameters, inputs: &Inputs) -> f64 {
     }
 }
 
-/// The command position of the next cycle, with which a drive that turns with v does not notice the change: where it is
-/// when the command arrives, and the lag that it needs for v. The CNC closes its loop over an actual position that is late by
-/// itself.
-#[must_use]
-pub fn resynchronised(p: &Parameters, inputs: &Inputs, v: f64) -> f64 {
-    let late = if p.in_cnc { 0 } else { p.nd };
-    let arrival = f64::from(late + 1) * p.cycle;
-    let lag = (1.0 - weight(p, inputs)) / p.kv;
-    wrap(inputs.x_actual + v * (arrival + lag))
-}
-
 /// The velocity as process data, and whether it was cut off.
 #[must_use]
 pub fn velocity_command(p: &Parameters, v: f64) -> (i32, bool) {

@@ -25,6 +25,12 @@ pub struct Parameters {
     pub kv: f64,
     /// position control in the CNC
     pub in_cnc: bool,
+    /// the position loop is the block's own
+    pub closes_loop: bool,
+    /// the drive has no velocity control
+    pub only_position: bool,
+    /// the drive has no position control
+    pub only_velocity: bool,
     /// weight of the feedforward of the velocity in the CNC (P-AXIS-00228/00229), if there is one
     pub feedforward: Option<f64>,
     /// `operation_mode` of position control
@@ -58,6 +64,9 @@ impl Parameters {
             w: 0.5,
             kv: 20.0,
             in_cnc: false,
+            closes_loop: false,
+            only_position: false,
+            only_velocity: false,
             feedforward: None,
             position_mode: 8,
             velocity_mode: 9,
@@ -77,6 +86,8 @@ impl Parameters {
         let v_on = *rng.pick(&[1_200_000.0, 1_200_000.0, 1_200_000.0, 600_000.0, 600_000.0, 12_345_678.0, 0.0, 2e8]);
         let v_off = *rng.pick(&[1.0, 0.25, 0.5, 0.0]) * v_on;
         let in_cnc = rng.chance(40);
+        let only_velocity = !in_cnc && (v_on, v_off) == (0.0, 0.0);
+        let velocity_mode = *rng.pick(&[9, 1, 2]);
         let fast: f64 = if v_on > 0.0 { v_on } else { 600_000.0 };
         // No whole number of steps from Von to Voff: whether one is left would be a matter of rounding.
         let cycles_of_braking = *rng.pick(&[10.03, 60.07, 200.17]);
@@ -92,9 +103,12 @@ impl Parameters {
             w: *rng.pick(&[0.0, 0.5, 1.0, 1.2]),
             kv: *rng.pick(&[20.0, 66.66, 100.0, 5.0]),
             in_cnc,
+            closes_loop: in_cnc && rng.chance(50),
+            only_position: !in_cnc && rng.chance(10),
+            only_velocity,
             feedforward: (in_cnc && rng.chance(60)).then(|| *rng.pick(&[1.0, 0.4, 1.3])),
-            position_mode: *rng.pick(&[8, 3, 0]),
-            velocity_mode: *rng.pick(&[9, 1, 2]),
+            position_mode: if only_velocity { velocity_mode } else { *rng.pick(&[8, 3, 0]) },
+            velocity_mode,
             mode_timeout_cycles: small(rng, 40),
             brake_timeout_cycles: small(rng, 600),
             takeover_window: *rng.pick(&[1000.0, 200.0, 10_000.0]),

@@ -52,7 +52,7 @@ impl Requests {
     ///
     /// # Errors
     /// What was refused, or else that a request was lost.
-    pub fn take(&mut self, inputs: &Inputs) -> Result<(), u32> {
+    pub fn take(&mut self, inputs: &Inputs, only_velocity: bool) -> Result<(), u32> {
         let levels = [inputs.g74, inputs.putax, inputs.m19, inputs.m5, inputs.m3, inputs.m4];
         let before = self.levels.replace(levels).unwrap_or(levels);
         if inputs.reset {
@@ -64,18 +64,19 @@ impl Requests {
             [(g74, Kind::Home), (putax, Kind::Release), (m19, Kind::Position), (m5, Kind::Stop), (turn, Kind::Turn)];
         let mut counting = ranking.into_iter().filter_map(|(became_true, kind)| became_true.then_some(kind));
         let Some(first) = counting.next() else { return Ok(()) };
-        self.admit(first, inputs)?;
+        self.admit(first, inputs, only_velocity)?;
         if counting.next().is_some() { Err(31) } else { Ok(()) }
     }
 
     /// Puts a request behind those that wait, or refuses it.
-    fn admit(&mut self, kind: Kind, inputs: &Inputs) -> Result<(), u32> {
+    fn admit(&mut self, kind: Kind, inputs: &Inputs, only_velocity: bool) -> Result<(), u32> {
         let has_speed = matches!(kind, Kind::Turn | Kind::Position);
         let has_target = kind == Kind::Position;
         let refusals = [
             (has_speed && inputs.m3 && inputs.m4, 32),
             (has_speed && !is_velocity(inputs.s_word), 33),
             (has_target && !is_position(inputs.s_position), 34),
+            (only_velocity && !kind.is_of_velocity(), 49),
             (!inputs.drive_on, 36),
             (self.waiting.len() >= PLACES, 35),
         ];

@@ -1,11 +1,17 @@
 //! The figures that the documents state. No formula is here.
 
 use super::bench::Bench;
-use crate::model::spindle::motion::{near, resynchronised, slower, velocity_command, wrap};
+use crate::model::spindle::motion::{near, slower, velocity_command, wrap};
+use crate::model::spindle::start::{ahead, lead_time};
 use crate::model::spindle::{BRAKE, Inputs, Parameters, TO_POSITION, TO_VELOCITY};
 
 fn is_near(a: f64, b: f64) -> bool {
     (a - b).abs() < 1e-6
+}
+
+/// Where position control is taken up.
+fn resynchronised(p: &Parameters, inputs: &Inputs, v: f64) -> f64 {
+    ahead(inputs.x_actual, v, lead_time(p, inputs))
 }
 
 #[test]

@@ -5,7 +5,7 @@ use crate::model::spindle::{Inputs, Model, Outputs, Parameters, agree, agree::co
 use crate::random::rng::Rng;
 use std::collections::BTreeMap;
 
-const SEEDS: u64 = 1000;
+const SEEDS: u64 = 1500;
 const CYCLES: usize = 3000;
 
 fn parameters(seed: u64) -> Parameters {
@@ -36,7 +36,7 @@ fn all_states_all_changes_and_all_errors_are_reached_in_the_drive_and_in_the_cnc
             *jobs.entry((p.in_cnc, out.spindle_state, out.job)).or_default() += 1;
             limited += u32::from(out.limited);
             assert!((0.0..360_000.0).contains(&out.x_spindle) && out.v_spindle.is_finite(), "seed {seed}: {out:?}");
-            let misses = out.spindle_state <= 2 && matches!(out.error_id, 14 | 17 | 45);
+            let misses = out.spindle_state <= 2 && matches!(out.error_id, 14 | 17 | 18 | 45);
             if misses && in_a_row == 4 {
                 *missed.entry((p.in_cnc, out.spindle_state, out.error_id, true)).or_default() += 1;
             } else if !misses && (1..4).contains(&in_a_row) && before.spindle_state == out.spindle_state {
@@ -50,15 +50,30 @@ fn all_states_all_changes_and_all_errors_are_reached_in_the_drive_and_in_the_cnc
     let mut missing = Vec::new();
     for in_cnc in [false, true] {
         // From, to: all that there is, drive off and reset included.
-        const CHANGES: [(i32, i32); 13] =
-            [(0, 0), (0, 1), (0, 3), (0, 4), (1, 2), (1, 4), (2, 2), (2, 3), (2, 4), (3, 3), (3, 4), (4, 0), (4, 4)];
-        let of_the_drive = [(1, 1), (1, 3), (4, 3)];
+        const CHANGES: [(i32, i32); 14] = [
+            (0, 0),
+            (0, 1),
+            (0, 3),
+            (0, 4),
+            (1, 2),
+            (1, 4),
+            (2, 2),
+            (2, 3),
+            (2, 4),
+            (3, 3),
+            (3, 4),
+            (4, 0),
+            (4, 3),
+            (4, 4),
+        ];
+        let of_the_drive = [(1, 1), (1, 3), (4, 2)];
         for (from, to) in CHANGES.into_iter().chain(of_the_drive.into_iter().filter(|_| !in_cnc)) {
             if changes.get(&(in_cnc, from, to)).is_none_or(|count| *count < 10) {
                 missing.push(format!("change {from} {to}, {in_cnc}"));
             }
         }
-        const ERRORS: [(i32, u32); 29] = [
+        const ERRORS: [(i32, u32); 30] = [
+            (4, 23),
             (0, 1),
             (2, 1),
             (3, 1),
@@ -89,8 +104,21 @@ fn all_states_all_changes_and_all_errors_are_reached_in_the_drive_and_in_the_cnc
             (3, 42),
             (0, 46),
         ];
-        const OF_THE_DRIVE: [(i32, u32); 10] =
-            [(1, 1), (4, 35), (1, 31), (1, 35), (1, 41), (4, 43), (0, 44), (1, 44), (0, 45), (2, 45)];
+        const OF_THE_DRIVE: [(i32, u32); 13] = [
+            (1, 1),
+            (4, 35),
+            (1, 31),
+            (1, 35),
+            (1, 41),
+            (3, 41),
+            (4, 43),
+            (0, 44),
+            (1, 44),
+            (0, 45),
+            (2, 45),
+            (4, 47),
+            (2, 49),
+        ];
         for (state, id) in ERRORS.into_iter().chain(OF_THE_DRIVE.into_iter().filter(|_| !in_cnc)) {
             if errors.get(&(in_cnc, state, id)).is_none_or(|count| *count < 2) {
                 missing.push(format!("error {id} in {state}, {in_cnc}"));
@@ -108,7 +136,10 @@ fn all_states_all_changes_and_all_errors_are_reached_in_the_drive_and_in_the_cnc
         ];
         const MISSED_BY_THE_DRIVE: [(i32, u32, bool); 5] =
             [(0, 45, false), (0, 45, true), (1, 17, true), (2, 45, false), (2, 45, true)];
-        for (state, id, stays) in MISSED.into_iter().chain(MISSED_BY_THE_DRIVE.into_iter().filter(|_| !in_cnc)) {
+        const MISSED_BY_THE_CNC: [(i32, u32, bool); 2] = [(0, 18, false), (0, 18, true)];
+        let of_drive = MISSED_BY_THE_DRIVE.into_iter().filter(|_| !in_cnc);
+        let of_cnc = MISSED_BY_THE_CNC.into_iter().filter(|_| in_cnc);
+        for (state, id, stays) in MISSED.into_iter().chain(of_drive).chain(of_cnc) {
             if missed.get(&(in_cnc, state, id, stays)).is_none_or(|count| *count < 2) {
                 missing.push(format!("missing sample {id} in {state}, stays: {stays}, {in_cnc}"));
             }
@@ -157,7 +188,9 @@ fn is_found(name: &str, other: impl Fn(&mut Parameters), altered: impl Fn(&mut I
 
 #[test]
 fn a_block_with_a_mistake_is_found() {
-    let parameters: [(&str, Change<Parameters>); 13] = [
+    let parameters: [(&str, Change<Parameters>); 15] = [
+        ("closes_loop", |p| p.closes_loop = p.in_cnc && !p.closes_loop),
+        ("only_position", |p| p.only_position = !p.in_cnc && !p.only_position),
         ("nd", |p| p.nd += 1),
         ("w", |p| p.w += 1e-6),
         ("kv", |p| p.kv *= 1.0 + 1e-6),
@@ -208,5 +241,6 @@ fn a_difference_names_the_cycle_the_signal_and_both_values() {
     assert!(text.starts_with("cycle 0: job: the model has 0, the block 9\n"), "{text}");
     let mut block = Model::new(&p);
     let text = agree(&p, 3, 5, |inputs| Outputs { v_spindle: 0.5, ..block.cycle(inputs) }).expect_err("another v");
-    assert!(text.starts_with("seed 3: cycle 0: v_spindle: the model has 0.0, the block 0.5\n"), "{text}");
+    assert!(text.starts_with("seed 3: cycle 0: v_spindle: the model has "), "{text}");
+    assert!(text.contains(", the block 0.5\n"), "{text}");
 }

@@ -39,7 +39,7 @@ fn in_the_cnc_each_change_takes_a_cycle_and_nothing_goes_to_a_drive() {
     bench.echoes = false;
     bench.inputs.m3 = true;
     bench.inputs.s_word = FAST;
-    bench.once(|i| i.m3 = false);
+    (0..3).for_each(|_| _ = bench.once(|i| i.m3 = false));
     // The job begins in the first cycle of POSITION.
     assert_eq!((bench.cycle().spindle_state, bench.out.job), (POSITION, 1));
     let states: Vec<i32> = (0..3).map(|_| bench.cycle().spindle_state).collect();
@@ -151,7 +151,7 @@ fn with_von_0_a_turn_changes_at_once() {
 fn the_time_of_each_state_that_waits_ends_with_its_error() {
     let mut bench = Bench::drive();
     bench.echoes = false;
-    assert_eq!((bench.until(|out| out.fault), bench.out.error_id), (21, 43));
+    assert_eq!((bench.until(|out| out.fault), bench.out.error_id), (23, 43));
     let mut bench = Bench::drive().changing();
     (bench.echoes, bench.inputs.operation_mode_display) = (false, 8);
     assert_eq!((bench.until(|out| out.fault), bench.out.error_id, bench.out.job), (20, 41, 0));

@@ -1,0 +1,52 @@
+//! The change of the mode: whether the drive has done it, where position control is taken up, and what follows. No state is left here but
+//! TO_POSITION.
+
+use super::motion::ahead;
+use super::signals::Inputs;
+use super::state::{Coeffs, SpindleState, State, enter};
+use crate::angle::{position_limit, wrapped};
+use portable::{Real, from_i32, in_range, note, portable};
+
+/// Whether the drive says that it is in a mode; the CNC always is, and a drive that has one mode alone.
+#[portable]
+pub fn is_displayed<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, mode: i32) -> bool {
+    !coeffs.in_drive || coeffs.only_velocity || inputs.operation_mode_display == mode
+}
+
+/// By how long the position command leads the actual position [s].
+#[portable]
+pub fn lead_time<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
+    let mut time = coeffs.lead_time;
+    let is_active = coeffs.default_active || inputs.feedforward_active;
+    if coeffs.has_feedforward && is_active && inputs.feedforward_percentage > 0i32 {
+        let percentage = if inputs.feedforward_percentage < 100i32 { inputs.feedforward_percentage } else { 100i32 };
+        time = coeffs.lead_time - coeffs.lead_time_per_percent * from_i32(percentage);
+    }
+    time
+}
+
+/// Position control is taken up in the next cycle: where the actual position is when the command arrives, and the lag that the controller
+/// needs for this velocity.
+#[portable]
+pub fn resynchronise<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) {
+    let x_from = if in_range(inputs.x_actual, position_limit()) { inputs.x_actual } else { state.x };
+    let lead = lead_time(coeffs, inputs);
+    let x_first = wrapped(ahead(x_from, state.v * lead));
+    state.x_start = x_first;
+    state.is_moving = true;
+    state.catches = false;
+    enter(state, SpindleState::ToPosition);
+}
+
+/// The drive has the mode that the block has asked for: the interpolator takes over.
+#[portable]
+pub fn complete<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
+    state.takes_over = true;
+    if coeffs.only_velocity {
+        note("TO_POSITION -> VELOCITY: the drive has no position control");
+        enter(state, SpindleState::Velocity);
+    } else {
+        note("TO_POSITION -> POSITION: the drive displays position control");
+        enter(state, SpindleState::Position);
+    }
+}

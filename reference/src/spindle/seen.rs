@@ -1,0 +1,54 @@
+//! What the block knows of the velocity of a spindle that it does not move yet. No command.
+
+use super::state::{Coeffs, Seen};
+use crate::signal::sample_limit;
+use portable::{Real, in_range, portable, within};
+
+/// The middle one of three.
+#[portable]
+pub fn median<R: Real>(a: R, b: R, c: R) -> R {
+    let low = if a < b { a } else { b };
+    let high = if a < b { b } else { a };
+    let below_high = if c < high { c } else { high };
+    if below_high < low { low } else { below_high }
+}
+
+/// Nothing is known of the velocity.
+#[portable]
+pub fn forget<R: Real>(seen: &mut Seen<R>) {
+    seen.samples = 0u32;
+    seen.slow = 0u32;
+}
+
+/// Takes a sample of the actual velocity. Whether it is one.
+#[portable]
+pub fn look<R: Real>(seen: &mut Seen<R>, coeffs: &Coeffs<R>, v_actual: R) -> bool {
+    let is_known = in_range(v_actual, sample_limit());
+    if is_known {
+        if seen.samples == 0u32 {
+            seen.v_last = v_actual;
+            seen.v_before = v_actual;
+        }
+        let v_middle = median(seen.v_before, seen.v_last, v_actual);
+        seen.v = v_middle;
+        seen.v_before = seen.v_last;
+        seen.v_last = v_actual;
+        if seen.samples < 3u32 {
+            seen.samples += 1u32;
+        }
+        if !within(v_actual, coeffs.v_taken_up) {
+            seen.slow = 0u32;
+        } else if seen.slow < 3u32 {
+            seen.slow += 1u32;
+        }
+    } else {
+        forget(seen);
+    }
+    is_known
+}
+
+/// The velocity with which the spindle turns, 0 within the window.
+#[portable]
+pub fn turns_with<R: Real>(seen: &Seen<R>, coeffs: &Coeffs<R>) -> R {
+    if within(seen.v, coeffs.window) { R::ZERO } else { seen.v }
+}

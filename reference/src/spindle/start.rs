@@ -1,0 +1,114 @@
+//! The drive comes on, or is off: what the block knows of a spindle that it does not move yet, and how it takes hold of it. A spindle
+//! that turns too fast for position control is caught: BRAKE begins at its actual velocity.
+
+use super::change::{complete, is_displayed, lead_time, resynchronise};
+use super::motion::{advance, ahead, slow_down};
+use super::seen::{forget, look, turns_with};
+use super::signals::Inputs;
+use super::state::{Coeffs, Cycle, SpindleState, State, enter};
+use crate::angle::{position_limit, wrapped};
+use crate::signal::{error_none, error_too_fast, error_v_actual, error_x_actual};
+use portable::{Real, in_range, note, portable, within};
+
+/// The position command with which a drive that obeys it goes on turning with `v`: in this cycle, so that it is a cycle less than for
+/// the next one. Without a velocity the actual position.
+#[portable]
+pub fn show<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, v: R) {
+    let lead = lead_time(coeffs, inputs) - coeffs.cycle_time;
+    let x_shown = wrapped(ahead(inputs.x_actual, v * lead));
+    state.x = x_shown;
+}
+
+/// The drive is off: the commands follow the spindle, so that the drive would not stop it by a step. The velocity command goes to 0 by the
+/// deceleration, and is not faster than the spindle: a drive that is on after all brakes.
+#[portable]
+pub fn follow<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
+    if state.control != SpindleState::ToPosition || state.is_moving {
+        forget(&mut state.seen);
+    }
+    enter(state, SpindleState::ToPosition);
+    state.returns = false;
+    state.catches = false;
+    state.is_moving = false;
+    state.queued = 0u32;
+    state.takes_over = false;
+    slow_down(state, coeffs, R::ZERO, R::ZERO);
+    let is_known = look(&mut state.seen, coeffs, inputs.v_actual);
+    let mut v_turning = R::ZERO;
+    if is_known {
+        v_turning = turns_with(&state.seen, coeffs);
+        state.asks_velocity = !coeffs.only_position && !within(v_turning, R::ZERO);
+        hold_back(state, v_turning);
+    }
+    if in_range(inputs.x_actual, position_limit()) {
+        show(state, coeffs, inputs, v_turning);
+    } else {
+        cycle.sample_error = error_x_actual();
+    }
+}
+
+/// The velocity command is not faster than a velocity, and not against it.
+#[portable]
+pub fn hold_back<R: Real>(state: &mut State<R>, v_turning: R) {
+    let v_low = if v_turning < R::ZERO { v_turning } else { R::ZERO };
+    let v_high = if v_turning < R::ZERO { R::ZERO } else { v_turning };
+    if state.v > v_high {
+        state.v = v_high;
+    } else if state.v < v_low {
+        state.v = v_low;
+    }
+}
+
+/// The commands of a cycle with a drive that is on, and a spindle that the block does not move yet: as the spindle turns.
+#[portable]
+pub fn accompany<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
+    let is_known = look(&mut state.seen, coeffs, inputs.v_actual);
+    if is_known {
+        let v_turning = turns_with(&state.seen, coeffs);
+        state.v = v_turning;
+        state.asks_velocity = !coeffs.only_position && !within(v_turning, coeffs.v_taken_up);
+    }
+    let is_found = in_range(inputs.x_actual, position_limit());
+    if is_known && is_found {
+        show(state, coeffs, inputs, state.v);
+    } else {
+        advance(state, coeffs);
+    }
+    if !is_known {
+        cycle.sample_error = error_v_actual();
+    } else if !is_found && !coeffs.only_velocity {
+        cycle.sample_error = error_x_actual();
+    }
+}
+
+/// An error that stays has outlasted a drive that was off: the spindle is braked from the velocity that it has.
+#[portable]
+pub fn seize<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
+    accompany(state, coeffs, inputs, cycle);
+    state.catches = state.asks_velocity;
+    state.is_moving = true;
+}
+
+/// TO_POSITION at the start: the drive is on, and the block takes hold of the spindle.
+#[portable]
+pub fn start<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
+    accompany(state, coeffs, inputs, cycle);
+    let is_known = state.seen.samples >= 3u32 && cycle.sample_error == error_none();
+    let is_slow = is_known && state.seen.slow >= 3u32;
+    if is_known && !within(state.v, coeffs.v_taken_up) {
+        if coeffs.only_position {
+            cycle.sample_error = error_too_fast();
+            state.cycles = 0u32;
+        } else {
+            note("TO_POSITION -> BRAKE: the spindle turns too fast for position control, and is caught");
+            state.catches = true;
+            state.is_moving = true;
+            enter(state, SpindleState::Brake);
+        }
+    } else if is_slow && !within(state.v, R::ZERO) {
+        note("TO_POSITION: the spindle turns slowly, and goes on doing so");
+        resynchronise(state, coeffs, inputs);
+    } else if is_slow && is_displayed(coeffs, inputs, coeffs.position_mode) {
+        complete(state, coeffs);
+    }
+}

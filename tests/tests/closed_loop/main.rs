@@ -1,0 +1,79 @@
+//! The emitted C of two spindles in a closed loop with a drive that goes off and on at any speed: position control never begins above
+//! Voff + window, and never turns the spindle backwards.
+
+#![expect(clippy::print_stderr, reason = "what was run is a result")]
+
+use generator::config::ListOptions;
+use generator::generate::axis_files;
+use generator::target::{File, TARGETS};
+use std::path::Path;
+use std::process::Command;
+use tempfile::TempDir;
+
+/// Voff and the window of both spindles [rpm], and what a drive that is late adds.
+const TAKEN_UP: f64 = 50.0 + 1.0 + 0.1;
+
+/// The closed loop of an axis of a set, compiled.
+fn built(set: &str, axis: &str, in_drive: bool) -> (TempDir, std::path::PathBuf) {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let load = |_: &Path| Ok(set.as_bytes().to_vec());
+    let (read, report) = generator::pipeline::read_with(Path::new("set.toml"), &ListOptions::default(), &load);
+    let read = read.unwrap_or_else(|| panic!("{report:#?}"));
+    for one in &read.axes {
+        for File { name, text } in axis_files(one, &TARGETS[..1]).expect("the target prints the blocks") {
+            std::fs::write(folder.path().join(&name), text).expect("room in it");
+        }
+    }
+    std::fs::write(folder.path().join("drive.c"), include_str!("drive.c")).expect("room in it");
+    let header = format!("-DHEADER=\"axis_{axis}_spindle_axis.h\"");
+    let block = format!("axis_{axis}_spindle_axis.c");
+    let named = format!("-DAXIS=axis_{axis}");
+    let mut arguments = vec!["-std=c99", "-O2", "-Wall", "-Werror", &header, &named];
+    arguments.extend(in_drive.then_some("-DIN_DRIVE"));
+    arguments.extend(["drive.c", &block, "-lm", "-o", "drive"]);
+    let done = Command::new("gcc").args(&arguments).current_dir(folder.path()).output().expect("gcc starts");
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let program = folder.path().join("drive");
+    (folder, program)
+}
+
+fn said(program: &Path, arguments: &[&str]) -> String {
+    let run = Command::new(program).args(arguments).output().expect("the program starts");
+    String::from_utf8(run.stdout).expect("text")
+}
+
+fn assert_never_reversed(axis: &str, in_drive: bool) {
+    let (_folder, program) = built(include_str!("../../bench/spindles.toml"), axis, in_drive);
+    let text = said(&program, &[]);
+    eprintln!("{axis}: runs, highest rpm at which position control began, rpm backwards, longest s, lost\n{text}");
+    assert_eq!(text.lines().count(), 3, "{text}");
+    for line in text.lines() {
+        let numbers: Vec<f64> = line.split(' ').skip(1).map(|text| text.parse().expect("a number")).collect();
+        let [runs, began, backwards, _, lost] = numbers[..] else { panic!("{line}") };
+        assert!(runs > 50.0 && began <= TAKEN_UP && backwards <= 1.0 && lost == 0.0, "{axis}: {line}");
+    }
+}
+
+#[test]
+fn position_control_in_the_drive_begins_slowly_and_never_turns_the_spindle_backwards() {
+    assert_never_reversed("s", true);
+}
+
+#[test]
+fn position_control_in_the_cnc_begins_slowly_and_never_turns_the_spindle_backwards() {
+    assert_never_reversed("c", false);
+}
+
+/// Kv 10/s, Von 600 rpm, and no feedforward: 300 deg of lag at 500 rpm, which the shortest way are -60 deg.
+#[test]
+fn a_lag_of_half_a_turn_in_the_cnc_is_an_error_and_never_a_reversal() {
+    let set = include_str!("../../bench/spindles.toml");
+    let slow = set.replace("kv = 2000, multi_gain_z", "kv = 1000, multi_gain_z").replace("1200000", "3600000");
+    let (_folder, program) = built(&slow, "c", false);
+    let text = said(&program, &["lag", "500"]);
+    let numbers: Vec<f64> = text.split_whitespace().map(|text| text.parse().expect("a number")).collect();
+    let [id, lowest, last] = numbers[..] else { panic!("{text}") };
+    assert!(id == 48.0 && lowest >= 0.0 && last.abs() < 0.1, "error, lowest command, last speed: {text}");
+    let text = said(&program, &["lag", "250"]);
+    assert!(text.starts_with("0 0.000 250.0"), "{text}");
+}
