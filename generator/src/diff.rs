@@ -67,6 +67,7 @@ fn values(of: &Designed) -> Vec<(String, Value)> {
         ("cycle time", Value::Number(cycle_time(of), " us")),
         ("v_max", Value::Number(of.axis.ipc.v_max, "")),
         ("real type", Value::Words(of.axis.real_name().to_owned())),
+        ("calls", Value::Words(of.axis.calls().to_owned())),
         ("blocks", Value::Words(blocks::names(&of.axis).join(", "))),
     ];
     values.into_iter().map(|(what, value)| (what.to_owned(), value)).collect()

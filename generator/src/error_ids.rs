@@ -64,6 +64,10 @@ static ROWS: &[Row] = rows! {
     error_set_damaged: "The offered set is refused. Not a fault while a set is in use: that one goes on. Without one nothing is added.",
         "The set was changed, damaged, or read while somebody wrote it: write it again, all of it between two calls of the block \
          (docs/parameter-sets.md).";
+    error_call_rate: "The block acts as if it were off while the calls are irregular, and starts anew after it, as after a reset. A spindle brakes to \
+                      standstill, and the id stays until a reset.",
+        "Call the block once in each cycle of its task, without a condition around the call. The same counter must count those cycles: 1 more in \
+         each, and 0 where nothing is checked.";
     error_v_command: NOTHING_ADDED, "Check what gives v_command: the position controller with its feedforward.";
     error_v_motor: NOTHING_ADDED, MEASURED;
     error_v_direct: NOTHING_ADDED, MEASURED;
@@ -77,7 +81,6 @@ static ROWS: &[Row] = rows! {
     error_x_actual: "Velocities and manipulated variable are 0 in a cycle with this fault; x_drive follows x_command. A spindle goes on as \
                      docs/spindle.md says for its state: before it has a position it does not leave TO_POSITION, in BRAKE it stays in BRAKE.",
         "Check encoder, scaling and process data.";
-    error_following_error: NO_POSITION_CONTROL, "Check what gives following_error.";
     error_v_feedforward: NO_POSITION_CONTROL, PART;
     error_v_additive: NO_POSITION_CONTROL, PART;
     error_v_add: NO_POSITION_CONTROL, PART;
@@ -85,6 +88,7 @@ static ROWS: &[Row] = rows! {
         "Check the connection to the master's block.";
     error_v_actual: "The spindle stays in BRAKE: without its velocity it does not count as settled, and the time of error 42 runs.",
         "Check encoder, scaling and process data.";
+    error_following_error: NO_POSITION_CONTROL, "Check what gives following_error.";
     error_requests: LOST, "Give one request a cycle. The one of higher priority was taken: G74, S[PUTAX], M19, M5, then M3 and M4.";
     error_direction: LOST, "Give M3 or M4, not both.";
     error_s_word: LOST, "Write a number to s_word before the request.";

@@ -21,6 +21,8 @@ pub struct Runner {
     pub(crate) period: Period,
     /// the inputs that are no reals, by position among those that the axis has, as they mostly are
     pub(crate) usual: Vec<(usize, Literal)>,
+    /// the input that counts the calls, by position among those that the axis has
+    pub(crate) counter: Option<usize>,
     /// the real inputs
     pub(crate) reals: Vec<RealInput>,
     /// the factors of the noise on them, powers of two: first one at which no limit acts, then the full one
@@ -103,6 +105,7 @@ pub(crate) fn record<R: Real, B: Block<R>>(
         period,
         stretch: samples.div_ceil(DIGESTS).max(SHORTEST_STRETCH).min(samples),
         usual: others_there.iter().map(|at| (*at, usual[own.inputs[*at]])).collect(),
+        counter: own.program.inputs.iter().position(|input| input.path == "cycle_counter"),
         reals,
         scales: noise.scales,
         drill: drill.collect(),
@@ -128,7 +131,7 @@ impl Runner {
         let (mut digest, mut digests) = (0, Vec::new());
         for sample in 0..self.samples {
             let mut inputs = usual.clone();
-            self.sample(sample % self.period.samples, noise, &mut turn, |at, value| inputs[own.inputs[at]] = value);
+            self.sample(sample, noise, &mut turn, |at, value| inputs[own.inputs[at]] = value);
             run.step(&inputs, &mut outputs);
             let reached = run.state();
             let shown = own.outputs.iter().map(|output| &outputs[*output]);
@@ -142,11 +145,22 @@ impl Runner {
     }
 
     /// Sets the inputs of a sample of the period; the template of C does the same, in the same order.
-    fn sample<R: Real>(&self, at: usize, noise: &mut Noise<R>, turn: &mut Turn, mut set: impl FnMut(usize, Literal)) {
-        let Period { loud, disturbed, disturbed_loud, rest, .. } = self.period;
+    fn sample<R: Real>(
+        &self,
+        sample: usize,
+        noise: &mut Noise<R>,
+        turn: &mut Turn,
+        mut set: impl FnMut(usize, Literal),
+    ) {
+        let Period { loud, disturbed, disturbed_loud, rest, samples, .. } = self.period;
+        let at = sample % samples;
         let is_loud = (loud..disturbed).contains(&at) || at >= disturbed_loud;
         let scale = if at >= rest { R::ZERO } else { R::build(&mut || self.scales[usize::from(is_loud)]) };
         self.reals.iter().for_each(|real| set(real.own, noise.next(real, scale)));
+        if let Some(counter) = self.counter {
+            let counted = u32::try_from(sample).unwrap_or(u32::MAX).wrapping_add(1);
+            set(counter, Literal::U32(counted));
+        }
         for (_, input, value) in self.drill.iter().filter(|(samples, ..)| samples.contains(&at)) {
             set(*input, *value);
         }

@@ -121,6 +121,7 @@ fn structure(of: &Designed) -> Vec<(String, Value)> {
         ("axis".to_owned(), Value::Words(axis.name.clone())),
         ("cycle time".to_owned(), Value::Number(f64::from(axis.cycle_time_ns) / 1e3, " us")),
         ("real type".to_owned(), Value::Words(axis.real_name().to_owned())),
+        ("calls".to_owned(), Value::Words(axis.calls().to_owned())),
         ("fade".to_owned(), Value::Number(f64::from(ipc.fade_cycles), " cycles")),
         ("rides through".to_owned(), Value::Number(f64::from(ipc.ride_through.cycles), " bad samples in a row")),
         ("watch".to_owned(), Value::Words(watch)),

@@ -13,8 +13,10 @@ use std::sync::{Arc, LazyLock};
 /// What a run does, and what came out.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Trial {
-    /// the inputs as they mostly are, in the order of all inputs
+    /// the inputs as they mostly are, in the order of all inputs; of one that counts, by how much it grows from sample to sample
     pub(crate) usual: Vec<Literal>,
+    /// the input that counts the calls
+    pub(crate) counter: Option<usize>,
     /// the real inputs that the axis reads: they get noise
     pub(crate) reals: Vec<RealInput>,
     /// the factors of the noise, powers of two: one at which no limit acts, the full one, and 0 at the end
@@ -55,6 +57,17 @@ pub struct Drill {
     pub(crate) samples: Range<usize>,
 }
 
+/// The same with the position of the input.
+type Led = (usize, Set, Range<usize>);
+
+/// The inputs that matter where calls are counted.
+#[derive(Clone, Copy, Debug)]
+struct Calls {
+    counter: usize,
+    cycle: usize,
+    reset: usize,
+}
+
 /// The value of an input in a drill.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Set {
@@ -90,6 +103,11 @@ const TURN_DISTANCE: usize = 5;
 const TURN_LENGTH: usize = 2;
 /// From one jump to the next: a block that has noticed it starts anew in the second sample and acts in the third.
 const JUMP_DISTANCE: usize = 3;
+/// Calls that are not regular, and by how much the counter grows there: one is missing, which is tolerated; many are missing, which is a
+/// pause; and twice the same one is there again, which is a fault.
+const IRREGULAR: [(usize, u32); 4] = [(0, 2), (10, 9), (20, 0), (21, 0)];
+/// Where a reset comes: behind the pause, and behind the fault.
+const RESETS: [usize; 2] = [12, 40];
 /// Samples at rest, at the end.
 const REST_SAMPLES: usize = 5;
 /// A run is not longer for a block that takes its time.
@@ -130,20 +148,27 @@ pub(crate) fn recording<R: Real, B: Block<R>>(
     state_paths: &[String],
     ranges: [f64; 2],
     start: usize,
-    drill: &[Drill],
+    (drill, cycle_time_ns): (&[Drill], u32),
 ) -> Recording {
     let (inputs, reals) = (own.signals(), own.reals());
     let position = |path: &str| program.inputs.iter().position(|input| input.path == path);
-    let drill: Vec<(usize, Set, Range<usize>)> = drill
+    let drill: Vec<Led> = drill
         .iter()
         .filter_map(|part| Some((position(part.input)?, part.value, part.samples.clone())))
         .filter(|(input, ..)| inputs.contains(input))
         .collect();
+    // Where calls are counted, TwinCAT looks at the task if these are 0.
+    let counter = position("cycle_counter").filter(|input| inputs.contains(input));
+    let others = [position("task_cycle_ns"), position("reset")];
+    let calls = counter.and_then(|counter| Some(Calls { counter, cycle: others[0]?, reset: others[1]? }));
     let off = program.switch.as_ref().map(|switch| (switch.input, switch.off.value()));
     let works = Works::of(program, state_paths);
     Arc::new(LazyLock::new(Box::new(move || {
-        let usual = exercised::<R, B>(&coeffs);
-        let mut trial = plan::<R>(usual, (&inputs, reals, off), ranges, start.min(LONGEST_START), &drill);
+        let mut usual = exercised::<R, B>(&coeffs);
+        if let Some(Calls { counter, cycle, .. }) = calls {
+            (usual[counter], usual[cycle]) = (Literal::U32(1), Literal::U32(cycle_time_ns));
+        }
+        let mut trial = plan::<R>(usual, (&inputs, reals, off), ranges, start.min(LONGEST_START), (&drill, calls));
         record::<R, B>(&mut trial, coeffs, works);
         trial
     })))
@@ -155,7 +180,7 @@ fn plan<R: Real>(
     (inputs, reals, off): (&[usize], Vec<RealInput>, Option<(usize, Literal)>),
     ranges: [f64; 2],
     start: usize,
-    drill: &[(usize, Set, Range<usize>)],
+    (drill, calls): (&[Led], Option<Calls>),
 ) -> Trial {
     let [quiet, loud] = ranges.map(|range| leaf(R::lit(libm::exp2(libm::floor(libm::log2(range)) - 15.0))));
     let acts_from = BEGINNING + start;
@@ -176,7 +201,8 @@ fn plan<R: Real>(
         turns.push(Turn { from: *next, to: *next + TURN_LENGTH, input, value, is_off });
         *next += TURN_DISTANCE;
     };
-    let is_switch = |input: &&usize| reals.iter().all(|real| real.position != **input);
+    let counter = calls.map(|calls| calls.counter);
+    let is_switch = |input: &&usize| Some(**input) != counter && reals.iter().all(|real| real.position != **input);
     for &input in inputs.iter().filter(is_switch) {
         others(usual[input]).into_iter().for_each(|value| add(input, value, false, &mut next));
     }
@@ -188,6 +214,15 @@ fn plan<R: Real>(
     }
     if let Some((input, value)) = off {
         add(input, value, true, &mut next);
+    }
+    if let Some(Calls { counter, reset, .. }) = calls {
+        for (after, more) in IRREGULAR {
+            turns.push(turn(next + after..next + after + 1, counter, Literal::U32(more)));
+        }
+        for after in RESETS {
+            turns.push(turn(next + after..next + after + 1, reset, Literal::Bool(true)));
+        }
+        next += RESETS[1] + TURN_DISTANCE;
     }
     let huge = sample_limit::<R>() * R::lit(0.125);
     for value in [beyond, leaf(huge), leaf(-huge)] {
@@ -210,6 +245,7 @@ fn plan<R: Real>(
         compared: [BEGINNING, acts_from],
         answers: Vec::new(),
         usual,
+        counter,
         reals,
     }
 }
@@ -222,7 +258,7 @@ impl Trial {
 
     /// The inputs of every sample, in the order of all inputs.
     pub(crate) fn inputs(&self) -> Vec<Vec<Literal>> {
-        let mut noise = Noise(0);
+        let (mut noise, mut count) = (Noise(0), 0u32);
         let sample = |sample: usize| {
             let scale = self.scales[self.scaled_from.iter().filter(|from| sample >= **from).count()];
             let mut inputs = self.usual.clone();
@@ -240,6 +276,12 @@ impl Trial {
             }
             for (_, real, value) in self.jumps.iter().filter(|(at, ..)| *at == sample) {
                 inputs[*real] = *value;
+            }
+            if let Some(counter) = self.counter
+                && let Literal::U32(more) = inputs[counter]
+            {
+                count = count.wrapping_add(more);
+                inputs[counter] = Literal::U32(count);
             }
             inputs
         };

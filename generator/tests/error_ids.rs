@@ -1,7 +1,5 @@
 //! The table of the error ids: as long as the reference's, and what the page and the guides say.
 
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
-
 use generator::config::ListOptions;
 use generator::error_ids::{all, page};
 use generator::pipeline::read_with;

@@ -63,6 +63,7 @@ pub(crate) fn axes(count: usize, real: RealKind) -> impl Iterator<Item = Axis> {
         let v_max = libm::round(1.0 + 2e6 * random.unit());
         Axis {
             short_names: false,
+            counts_calls: false,
             name: "X".to_owned(),
             real,
             cycle_time_ns,

@@ -89,27 +89,43 @@ fn set_beside() -> String {
     "set.toml".to_owned()
 }
 
+/// Reads the axis of a case, and nothing else of it.
+///
+/// # Errors
+/// What is wrong with its files, in words.
+pub fn axis(folder: &Path) -> Result<Designed, String> {
+    let description = described(folder)?;
+    axis_of(folder, &description, &description.set)
+}
+
+fn described(folder: &Path) -> Result<Description, String> {
+    let path = folder.join("case.toml");
+    let bytes = config::load(&path).map_err(|unreadable| format!("{}: {}", path.slashes(), unreadable.said().1))?;
+    let text = String::from_utf8(bytes).map_err(|error| format!("{}: {error}", path.slashes()))?;
+    toml::from_str(&text).map_err(|error| format!("{}: {error}", path.slashes()))
+}
+
+/// The axis of a case, as that file has it.
+fn axis_of(folder: &Path, description: &Description, file: &str) -> Result<Designed, String> {
+    let options = ListOptions { cycle_time: description.cycle_time.clone(), name: None };
+    let (set, report) = pipeline::read(&folder.join(file), &options);
+    let set = set.ok_or_else(|| report.to_string())?;
+    let axis = set.axes.into_iter().find(|of| of.axis.name == description.axis);
+    axis.ok_or_else(|| format!("{}: no axis `{}`", folder.join("case.toml").slashes(), description.axis))
+}
+
 /// Reads a case.
 ///
 /// # Errors
 /// What is wrong with its files, in words.
 pub fn read(folder: &Path) -> Result<Case, String> {
     let path = folder.join("case.toml");
-    let bytes = config::load(&path).map_err(|unreadable| format!("{}: {}", path.slashes(), unreadable.said().1))?;
-    let text = String::from_utf8(bytes).map_err(|error| format!("{}: {error}", path.slashes()))?;
-    let description: Description = toml::from_str(&text).map_err(|error| format!("{}: {error}", path.slashes()))?;
-    let designed = |file: &str| {
-        let options = ListOptions { cycle_time: description.cycle_time.clone(), name: None };
-        let (set, report) = pipeline::read(&folder.join(file), &options);
-        let set = set.ok_or_else(|| report.to_string())?;
-        let axis = set.axes.into_iter().find(|of| of.axis.name == description.axis);
-        axis.ok_or_else(|| format!("{}: no axis `{}`", path.slashes(), description.axis))
-    };
-    let axis = designed(&description.set)?;
-    let source = match (description.stimulus, description.scenario) {
+    let mut description = described(folder)?;
+    let axis = axis_of(folder, &description, &description.set)?;
+    let source = match (description.stimulus.take(), description.scenario.take()) {
         (Some(mut stimulus), None) => {
             for (place, Offer { set, window }) in description.offer.iter().enumerate() {
-                let events = offered(&named_block(&designed(set)?, &description.block)?, *window);
+                let events = offered(&named_block(&axis_of(folder, &description, set)?, &description.block)?, *window);
                 let first = place * events.len();
                 stimulus.event.splice(first..first, events);
             }

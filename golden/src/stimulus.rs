@@ -56,7 +56,8 @@ pub struct Window {
 pub struct Event {
     /// the signal
     pub signal: String,
-    /// the value, as a cell of a CSV file has it; a case file may also give a number, `true` or `nan`, `inf`, `-inf`
+    /// the value, as a cell of a CSV file has it; a case file may also give a number, `true` or `nan`, `inf`, `-inf`. An integer without
+    /// sign may count the samples: `counts*2/3+4` is twice the number of the sample, divided by 3, and 4
     #[serde(deserialize_with = "cell")]
     pub value: String,
     /// when
@@ -101,12 +102,41 @@ pub fn samples(stimulus: &Stimulus, shape: &Shape, count: usize) -> Result<Sampl
         }
         for (signal, value, window) in &events {
             if window.contains(sample) {
-                values[*signal] = *value;
+                values[*signal] = value.at(sample);
             }
         }
         samples.push(&values);
     }
     Ok(samples)
+}
+
+/// What an event writes.
+enum Written {
+    /// one value
+    Fixed(Literal),
+    /// sample * times / parts + more, in 32 bits
+    Counting { times: u64, parts: u64, more: u64 },
+}
+
+impl Written {
+    #[expect(clippy::cast_possible_truncation, reason = "a counter wraps")]
+    fn at(&self, sample: u64) -> Literal {
+        match self {
+            Self::Fixed(value) => *value,
+            Self::Counting { times, parts, more } => Literal::U32((sample * times / parts + more) as u32),
+        }
+    }
+}
+
+/// The factors of `counts*2/3+4`; none: it is something else.
+fn counting(text: &str) -> Option<Written> {
+    let rest = text.strip_prefix("counts")?;
+    let (rest, more) = rest.split_once('+').unwrap_or((rest, "0"));
+    let (rest, parts) = rest.split_once('/').unwrap_or((rest, "1"));
+    let times = rest.strip_prefix('*').unwrap_or(if rest.is_empty() { "1" } else { rest });
+    let number = |text: &str| text.parse::<u32>().ok().map(u64::from);
+    let (times, parts, more) = (number(times)?, number(parts).filter(|parts| *parts > 0)?, number(more)?);
+    Some(Written::Counting { times, parts, more })
 }
 
 /// The position of a real input whose components make sense.
@@ -126,9 +156,11 @@ fn with_waveforms(components: &[Component]) -> Vec<(&Component, Waveform<'_>)> {
 }
 
 /// Which input an event overrules, with which value, when.
-fn overruling(event: &Event, shape: &Shape) -> Result<(usize, Literal, Window), String> {
+fn overruling(event: &Event, shape: &Shape) -> Result<(usize, Written, Window), String> {
     let signal = position(&event.signal, shape)?;
-    let value = parse(&event.value, &shape.signals[signal], shape.real);
+    let counts = shape.signals[signal].ty == Type::U32;
+    let value = parse(&event.value, &shape.signals[signal], shape.real).map(Written::Fixed);
+    let value = value.or_else(|| counting(&event.value).filter(|_| counts));
     let value = value.ok_or_else(|| format!("`{}` is no value of `{}`", event.value, event.signal))?;
     Ok((signal, value, event.window))
 }

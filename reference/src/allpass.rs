@@ -7,7 +7,7 @@
 use crate::check_word::{Forming, add_three, largest_number};
 use crate::section::{State, anti_denormal, is_driven_by_change, is_stable_biquad, is_stable_trapezoidal};
 use crate::{trapezoidal, turn};
-use portable::{Real, in_range, portable};
+use portable::{Real, in_range, portable, stored};
 
 /// Coefficients, with a0 = 1 and the signs of `y = a2 x + s1; s1 = a1 x - a1 y + s2; s2 = x - a2 y`.
 ///
@@ -83,7 +83,7 @@ pub fn compare<R: Real>(state: &mut turn::State, turn: i32, first: i32, now: &Co
     if is_driven_by_change::<R>() {
         for i in 0..3 {
             if turn == at {
-                let numbers = [now.a, now.b, now.c];
+                let numbers = [stored(now.a), stored(now.b), stored(now.c)];
                 let copies = [copy.a, copy.b, copy.c];
                 state.next = if turn::is_kept(numbers[i] - copies[i]) { at + 1i32 } else { turn::differed() };
             }
@@ -92,7 +92,7 @@ pub fn compare<R: Real>(state: &mut turn::State, turn: i32, first: i32, now: &Co
     } else {
         for i in 0..3 {
             if turn == at {
-                let numbers = [now.a1, now.a2, now.preset];
+                let numbers = [stored(now.a1), stored(now.a2), stored(now.preset)];
                 let copies = [copy.a1, copy.a2, copy.preset];
                 state.next = if turn::is_kept(numbers[i] - copies[i]) { at + 1i32 } else { turn::differed() };
             }

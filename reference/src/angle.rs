@@ -1,6 +1,6 @@
 //! Angles of a modulo axis, in 0.001 deg. No state.
 
-use portable::{Real, from_i32, nearest, portable, truncate};
+use portable::{Real, from_i32, in_range, nearest, portable, truncate};
 
 const TURNS: f64 = 1.0 / 360_000.0;
 
@@ -22,11 +22,19 @@ pub fn position_limit<R: Real>() -> R {
     R::per_kind(7.0e14, 1.0e9)
 }
 
-/// The angle within one turn: 0 <= angle < full_turn. `angle` is a number, at most half a turn beyond the position limit.
+/// largest magnitude of an angle whose turns are counted: half a turn beyond the position limit, and more
+#[portable]
+pub fn counted_limit<R: Real>() -> R {
+    R::per_kind(7.1e14, 2.0e9)
+}
+
+/// The angle within one turn: 0 <= angle < full_turn. `angle` is a number, at most half a turn beyond the position limit; anything else gives 0.
 #[portable]
 pub fn wrapped<R: Real>(angle: R) -> R {
-    let mut within_turn = angle;
-    if angle < R::ZERO || angle >= full_turn() {
+    let mut within_turn = R::ZERO;
+    if angle >= R::ZERO && angle < full_turn() {
+        within_turn = angle;
+    } else if in_range(angle, counted_limit()) {
         let turns = truncate(angle * per_turn());
         let rest = angle - from_i32::<R>(turns) * full_turn();
         // The number of turns is towards 0, and one beside it where the angle is near a full turn.
@@ -36,9 +44,13 @@ pub fn wrapped<R: Real>(angle: R) -> R {
     within_turn
 }
 
-/// The same distance by the shortest way: -half a turn <= distance <= half a turn.
+/// The same distance by the shortest way: -half a turn <= distance <= half a turn. What is no distance of two positions is left as it is.
 #[portable]
 pub fn shortest<R: Real>(distance: R) -> R {
-    let whole_turns = nearest(distance * per_turn());
-    distance - from_i32::<R>(whole_turns) * full_turn()
+    let mut shorter = distance;
+    if in_range(distance, counted_limit()) {
+        let whole_turns = nearest(distance * per_turn());
+        shorter = distance - from_i32::<R>(whole_turns) * full_turn();
+    }
+    shorter
 }

@@ -6,7 +6,7 @@
 use crate::check_word::{Forming, add_three, largest_number};
 use crate::section::{State, anti_denormal, is_driven_by_change, is_stable_biquad, is_stable_trapezoidal};
 use crate::{trapezoidal, turn};
-use portable::{Real, in_range, portable};
+use portable::{Real, in_range, portable, stored};
 
 /// Coefficients, with a0 = 1, b0 = -b2 and the signs of `y = -b2 x + s1; s1 = s2 - a1 y; s2 = b2 x - a2 y`.
 ///
@@ -110,7 +110,7 @@ pub fn compare<R: Real>(state: &mut turn::State, turn: i32, first: i32, now: &Co
     if is_driven_by_change::<R>() {
         for i in 0..3 {
             if turn == at {
-                let numbers = [now.a, now.b, now.c];
+                let numbers = [stored(now.a), stored(now.b), stored(now.c)];
                 let copies = [copy.a, copy.b, copy.c];
                 state.next = if turn::is_kept(numbers[i] - copies[i]) { at + 1i32 } else { turn::differed() };
             }
@@ -119,7 +119,7 @@ pub fn compare<R: Real>(state: &mut turn::State, turn: i32, first: i32, now: &Co
     } else {
         for i in 0..3 {
             if turn == at {
-                let numbers = [now.b2, now.a1, now.a2];
+                let numbers = [stored(now.b2), stored(now.a1), stored(now.a2)];
                 let copies = [copy.b2, copy.a1, copy.a2];
                 state.next = if turn::is_kept(numbers[i] - copies[i]) { at + 1i32 } else { turn::differed() };
             }

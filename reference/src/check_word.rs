@@ -16,7 +16,7 @@
 #![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
 
 use crate::precision::is_single;
-use portable::{Real, from_i32, portable, truncate};
+use portable::{Real, from_i32, in_range, portable, truncate};
 
 /// The check word.
 #[portable]
@@ -59,6 +59,12 @@ pub fn next_cut<R: Real>() -> R {
     R::lit(2_147_483_648.0)
 }
 
+/// the largest number below 2^31: what is left of a number is below it after each cut
+#[portable]
+pub fn largest_piece<R: Real>() -> R {
+    R::per_kind(2_147_483_647.0, 2_147_483_520.0)
+}
+
 /// 2^-20: factor of a limit before it is cut
 #[portable]
 pub fn limit_scale<R: Real>() -> R {
@@ -79,7 +85,10 @@ pub fn add<R: Real>(forming: &mut Forming<R>, number: R) {
     let mut rest = number * first_cut();
     for i in 0..PIECES {
         if i < 3usize || !is_single::<R>() {
-            let piece = truncate(rest);
+            let mut piece = 0i32;
+            if in_range(rest, largest_piece()) {
+                piece = truncate(rest);
+            }
             add_piece(&mut forming.word, piece);
             rest = (rest - from_i32::<R>(piece)) * next_cut();
         }

@@ -6,8 +6,10 @@
 //!
 //! Exact for a signal that is linear between its samples, as the acceleration of a jerk-limited profile is; the magnitude
 //! falls to cos(pi frequency Ts) at f = 1/2.
+//!
+//! Every sample is kept twice. Where something has overwritten one of them, both delays differ: the present sample is given instead.
 
-use portable::{Real, portable};
+use portable::{Real, in_range, portable};
 
 /// The longest delay is below this many cycles.
 pub const LONGEST: usize = 6;
@@ -32,24 +34,68 @@ pub struct Coeffs<R> {
 pub struct State<R> {
     /// the samples before the present one, the latest first
     pub x: [R; LONGEST],
+    /// the same again: what has been overwritten differs
+    pub copy: [R; LONGEST],
+}
+
+/// What a delay gives.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Delayed<R> {
+    /// the delayed sample
+    pub y: R,
+    /// whether a sample has been overwritten: y is the present one
+    pub overwritten: bool,
+}
+
+/// Whether it delays at all.
+#[portable]
+pub fn has_memory<R: Real>(coeffs: &Coeffs<R>) -> bool {
+    coeffs.fractional || coeffs.whole > 0usize
+}
+
+/// The delayed sample, from the samples before the present one.
+#[portable]
+pub fn interpolated<R: Real>(samples: &[R; LONGEST], coeffs: &Coeffs<R>, x: R) -> R {
+    let mut x_whole = x;
+    if coeffs.whole > 0usize {
+        x_whole = samples[coeffs.whole - 1];
+    }
+    let mut y = x_whole;
+    if coeffs.fractional {
+        y = coeffs.now * x_whole + coeffs.before * samples[coeffs.whole];
+    }
+    y
+}
+
+/// Takes over the present sample: each place has what the next younger one had.
+#[portable]
+pub fn shift<R: Real>(samples: &mut [R; LONGEST], x: R) {
+    for k in 0..LONGEST {
+        // From the oldest on.
+        samples[LONGEST - 1 - k] = if k + 1usize < LONGEST { samples[LONGEST - 2 - k] } else { x };
+    }
 }
 
 /// One cycle: takes the input, gives the delayed one.
 #[portable]
-pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
-    let mut x_whole = x;
-    if coeffs.whole > 0usize {
-        x_whole = state.x[coeffs.whole - 1];
+pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, delayed: &mut Delayed<R>) {
+    delayed.overwritten = false;
+    if has_memory(coeffs) {
+        let y = interpolated(&state.x, coeffs, x);
+        let y_of_copy = interpolated(&state.copy, coeffs, x);
+        // No number is none of both.
+        if in_range(y - y_of_copy, R::ZERO) {
+            delayed.y = y;
+        } else {
+            delayed.y = x;
+            delayed.overwritten = true;
+        }
+        shift(&mut state.x, x);
+        shift(&mut state.copy, x);
+    } else {
+        delayed.y = x;
     }
-    let mut y = x_whole;
-    if coeffs.fractional {
-        y = coeffs.now * x_whole + coeffs.before * state.x[coeffs.whole];
-    }
-    for k in 0..LONGEST {
-        // From the oldest on: each takes over what the next younger one has.
-        state.x[LONGEST - 1 - k] = if k + 1usize < LONGEST { state.x[LONGEST - 2 - k] } else { x };
-    }
-    y
 }
 
 /// Fills the delay with a sample, as if it had always been there.
@@ -57,5 +103,6 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
 pub fn preset<R: Real>(state: &mut State<R>, x: R) {
     for k in 0..LONGEST {
         state.x[k] = x;
+        state.copy[k] = x;
     }
 }

@@ -11,6 +11,7 @@ pub mod allpass;
 pub mod angle;
 pub mod axis;
 pub mod bandpass;
+pub mod call_rate;
 pub mod change;
 pub mod check_word;
 pub mod delay;

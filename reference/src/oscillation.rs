@@ -25,7 +25,7 @@
 use crate::check_word::{Forming, add, largest_number};
 use crate::section::{State, anti_denormal, are_poles_inside, is_driven_by_change, is_stable_biquad};
 use crate::{trapezoidal, turn};
-use portable::{Real, in_range, portable};
+use portable::{Real, in_range, portable, stored};
 
 /// Coefficients, with a0 = 1 and the signs of `y = b0 x + s1; s1 = b1 x - a1 y + s2; s2 = b2 x - a2 y`.
 ///
@@ -122,7 +122,7 @@ pub fn compare<R: Real>(state: &mut turn::State, turn: i32, first: i32, now: &Co
     if is_driven_by_change::<R>() {
         for i in 0..4 {
             if turn == at {
-                let numbers = [now.h, now.r, now.g, now.g2];
+                let numbers = [stored(now.h), stored(now.r), stored(now.g), stored(now.g2)];
                 let copies = [copy.h, copy.r, copy.g, copy.g2];
                 state.next = if turn::is_kept(numbers[i] - copies[i]) { at + 1i32 } else { turn::differed() };
             }
@@ -131,7 +131,15 @@ pub fn compare<R: Real>(state: &mut turn::State, turn: i32, first: i32, now: &Co
     } else {
         for i in 0..7 {
             if turn == at {
-                let numbers = [now.b0, now.b1, now.b2, now.a1, now.a2, now.preset_s1, now.preset_s2];
+                let numbers = [
+                    stored(now.b0),
+                    stored(now.b1),
+                    stored(now.b2),
+                    stored(now.a1),
+                    stored(now.a2),
+                    stored(now.preset_s1),
+                    stored(now.preset_s2),
+                ];
                 let copies = [copy.b0, copy.b1, copy.b2, copy.a1, copy.a2, copy.preset_s1, copy.preset_s2];
                 state.next = if turn::is_kept(numbers[i] - copies[i]) { at + 1i32 } else { turn::differed() };
             }

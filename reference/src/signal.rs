@@ -58,6 +58,12 @@ pub fn error_set_damaged() -> u32 {
     8u32
 }
 
+/// error_id: cycle_counter shows skipped or doubled calls (key cycle_counter)
+#[portable]
+pub fn error_call_rate() -> u32 {
+    9u32
+}
+
 /// error_id: v_command is not within the sample limit
 #[portable]
 pub fn error_v_command() -> u32 {

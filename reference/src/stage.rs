@@ -2,7 +2,7 @@
 
 use crate::check_word::{Forming, add};
 use crate::{change, filter, oscillation, section, turn};
-use portable::{Real, in_range, portable};
+use portable::{Real, in_range, portable, stored};
 
 /// Filters in a stage.
 pub const FILTERS: usize = 2;
@@ -196,7 +196,7 @@ pub fn compare<R: Real>(
         at = filter::compare(state, turn, at, &structure.filter[k], &now.filter[k], &copy.filter[k]);
     }
     if turn == at {
-        state.next = if turn::is_kept(now.gain - copy.gain) { at + 1i32 } else { turn::differed() };
+        state.next = if turn::is_kept(stored(now.gain) - copy.gain) { at + 1i32 } else { turn::differed() };
     }
     at + 1i32
 }

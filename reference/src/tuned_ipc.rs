@@ -1,6 +1,7 @@
 //! Improved position control with parts that the caller tunes: the block `ipc` of an axis with `tunable = "weights"`. It does what
 //! [`crate::ipc`] does, and begins with the usual cycle.
 
+use crate::call_rate;
 use crate::ipc::tuning::{self, are_followed};
 use crate::ipc::{self, Coeffs, Inputs, Ipc, Outputs, State};
 use portable::{Block, Enable, Fn, Real, portable};
@@ -9,12 +10,14 @@ use portable::{Block, Enable, Fn, Real, portable};
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     if ipc::may_act_in_full(coeffs, inputs)
+        && call_rate::is_usual(&state.call_rate, &coeffs.call_rate, inputs.cycle_counter)
         && state.fade == coeffs.fade_cycles
         && !(coeffs.watch.active && state.watch.tripped)
         && (!coeffs.ride_through.active || state.ride_through.bad == 0u32)
         && are_followed(&state.tuning, &coeffs.tuning, &coeffs.stage, inputs)
     {
         outputs.held = false;
+        call_rate::go_on(&mut state.call_rate, &coeffs.call_rate, inputs.cycle_counter);
         ipc::act_in_full(state, coeffs, inputs, outputs);
         ipc::tell_trip(state, coeffs, outputs);
     } else {

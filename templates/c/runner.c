@@ -129,6 +129,9 @@ static void {{ prefix }}_runner_stimulus({{ prefix }}_runner_source *source, uin
 {%- for (name, value) in usual %}
     inputs->{{ name }} = {{ value }};
 {%- endfor %}
+{%- if let Some(name) = counter %}
+    inputs->{{ name }} = sample + 1u;
+{%- endif %}
 {%- for (from, to, name, value) in drill %}
     if (at >= {{ from }}u && at < {{ to }}u) {
         inputs->{{ name }} = {{ value }};

@@ -103,6 +103,7 @@ fn largest(mode: Mode, filter: [Filter; 2]) -> f64 {
     let axis = Axis {
         name: "X".to_owned(),
         short_names: false,
+        counts_calls: false,
         real: RealKind::F64,
         cycle_time_ns: 1_000_000,
         ipc,

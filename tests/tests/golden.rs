@@ -15,7 +15,7 @@ use rayon::prelude::*;
 use std::collections::BTreeSet;
 
 /// What the cases have to show, all of them together.
-const ALL_SHOWN: [&str; 129] = [
+const ALL_SHOWN: [&str; 139] = [
     "DIRECT from v_motor",
     "DIRECT from v_direct",
     "INDIRECT",
@@ -56,6 +56,16 @@ const ALL_SHOWN: [&str; 129] = [
     "fault 11",
     "fault 12",
     "fault 13",
+    "fault 9",
+    "acts again after fault 9",
+    "fault 9 as calls are lost",
+    "fault 9 as calls are doubled",
+    "a lost call is tolerated",
+    "a doubled call is tolerated",
+    "starts anew after a pause",
+    "starts anew as the counter does",
+    "the counter wraps",
+    "calls are not counted",
     "acts again after fault 1",
     "acts again after fault 2",
     "acts again after fault 11",

@@ -16,6 +16,8 @@ pub fn run(arguments: &SetArguments, format: Format, verbose: bool) -> Result<Ex
             continue;
         }
         for block in blocks::blocks(designed).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}")) {
+            output::line(format!("  {}, whatever its state and its inputs hold:", block.program.block))?;
+            block.shown.lines(&block.program).iter().try_for_each(|line| output::line(format!("    {line}")))?;
             block.certificate.lines.iter().try_for_each(|line| output::line(format!("  {line}")))?;
         }
     }

@@ -98,12 +98,13 @@ pub(crate) fn intrinsic(intrinsic: Intrinsic, operands: &[Literal], kind: RealKi
         (Intrinsic::Truncate, [Literal::F32(x)], _) => Literal::I32(portable::truncate(*x)),
         (Intrinsic::Nearest, [Literal::F64(x)], _) => Literal::I32(portable::nearest(*x)),
         (Intrinsic::Nearest, [Literal::F32(x)], _) => Literal::I32(portable::nearest(*x)),
+        (Intrinsic::Stored, [x], _) => *x,
         _ => panic!("arithmetic: {intrinsic:?} of {operands:?}"),
     }
 }
 
 /// A real number as f64, exactly; `None`: another value.
-pub(crate) fn wide(value: Literal) -> Option<f64> {
+pub fn wide(value: Literal) -> Option<f64> {
     match value {
         Literal::F64(value) => Some(value),
         Literal::F32(value) => Some(value.into()),

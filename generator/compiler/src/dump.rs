@@ -29,16 +29,24 @@ impl Display for Program {
     }
 }
 
+/// What a statement does, without those inside it.
+pub(crate) fn first_line(program: &Program, statement: &Statement) -> String {
+    match statement {
+        Statement::Assign { target, value } => format!("{} = {}", name(program, *target), expr(program, value)),
+        Statement::If { condition, .. } => format!("if {}", expr(program, condition)),
+        Statement::Choose { by, .. } => format!("choose by {}", expr(program, by)),
+        Statement::Note(_) | Statement::Apart(_) => String::new(),
+    }
+}
+
 fn statements(program: &Program, list: &[Statement], level: usize, f: &mut Formatter<'_>) -> Result {
     let indent = "    ".repeat(level);
     for statement in list {
         match statement {
             Statement::Note(note) => writeln!(f, "{indent}# {note}")?,
-            Statement::Assign { target, value } => {
-                writeln!(f, "{indent}{} = {}", name(program, *target), expr(program, value))?;
-            }
-            Statement::If { condition, then, otherwise } => {
-                writeln!(f, "{indent}if {}", expr(program, condition))?;
+            Statement::Assign { .. } => writeln!(f, "{indent}{}", first_line(program, statement))?,
+            Statement::If { then, otherwise, .. } => {
+                writeln!(f, "{indent}{}", first_line(program, statement))?;
                 statements(program, then, level + 1, f)?;
                 if !otherwise.is_empty() {
                     writeln!(f, "{indent}else")?;
@@ -49,8 +57,8 @@ fn statements(program: &Program, list: &[Statement], level: usize, f: &mut Forma
                 writeln!(f, "{indent}apart")?;
                 statements(program, body, level + 1, f)?;
             }
-            Statement::Choose { by, arms } => {
-                writeln!(f, "{indent}choose by {}", expr(program, by))?;
+            Statement::Choose { arms, .. } => {
+                writeln!(f, "{indent}{}", first_line(program, statement))?;
                 for arm in arms {
                     let labels: Vec<String> = arm.labels.iter().map(|label| expr(program, label)).collect();
                     writeln!(f, "{indent}{}:", labels.join(", "))?;
@@ -62,7 +70,7 @@ fn statements(program: &Program, list: &[Statement], level: usize, f: &mut Forma
     Ok(())
 }
 
-fn expr(program: &Program, value: &Expr) -> String {
+pub(crate) fn expr(program: &Program, value: &Expr) -> String {
     let inner = |part: &Expr| match part {
         Expr::Literal(_) | Expr::Var(_) | Expr::Intrinsic(..) => expr(program, part),
         _ => format!("({})", expr(program, part)),

@@ -1,7 +1,7 @@
 //! From portable Rust and known coefficients to the program of one block. No parameter, no file and no axis is known here.
 //!
 //! ```text
-//! specialise -> pass -> interp, dump
+//! specialise -> pass -> interp, dump, ranges
 //!                    -> legalise -> print
 //! ```
 //! `program` is the data between the steps, `arithmetic` what folding and the interpreter agree on.
@@ -15,6 +15,7 @@ pub mod legalise;
 pub mod pass;
 pub mod print;
 pub mod program;
+pub mod ranges;
 pub mod specialise;
 pub mod structure;
 

@@ -25,6 +25,8 @@ pub struct Axis {
     pub short_names: bool,
     /// position-controller cycle [ns]
     pub cycle_time_ns: u32,
+    /// whether its blocks look at the rate of their calls
+    pub counts_calls: bool,
     pub ipc: Ipc,
     pub control: Control,
     /// every effective parameter, one `path value` a line, in the order of the parameter table
@@ -40,6 +42,11 @@ impl Axis {
             RealKind::F64 => RealType::F64.name(),
             RealKind::F32 => RealType::F32.name(),
         }
+    }
+
+    /// Whether its blocks look at the rate of their calls, in words.
+    pub(crate) fn calls(&self) -> &'static str {
+        if self.counts_calls { "counted" } else { "not counted" }
     }
 
     /// The effective parameters of a block: what its digest covers.

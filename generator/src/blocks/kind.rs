@@ -9,7 +9,8 @@ use crate::trial::{self, Drill, Recording};
 use crate::{axis::Axis, design::rounding::rounded};
 use compiler::legalise::{self, Own};
 use compiler::pass::{self, Defect};
-use compiler::{leaves, program::Program, specialise, structure};
+use compiler::ranges::{self, Shown};
+use compiler::{arithmetic, leaves, program::Program, specialise, structure};
 use portable::{Block as Reference, Literal, Real, RealKind};
 use std::collections::BTreeMap;
 
@@ -70,6 +71,11 @@ pub trait Part: Sync {
         values::description(&self.values(designed))
     }
 
+    /// The largest |v_add|, where it puts one out.
+    fn limit(&self, _: &Designed) -> Option<Figure> {
+        None
+    }
+
     /// What is certain of its program.
     fn certificate(&self, _: &Designed, _: &Program) -> Certified {
         Certified::default()
@@ -94,6 +100,9 @@ pub struct Certified {
     pub figures: Vec<Figure>,
 }
 
+/// The last pass.
+const VERIFIED: &str = "verified";
+
 /// A number that code may compare with what it expects.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
@@ -115,6 +124,12 @@ pub trait Kind: Part {
     /// # Errors
     /// A defect of the block or of a pass.
     fn program(&self, designed: &Designed, last: Option<&str>) -> Result<Program, Defect>;
+
+    /// What is certain of its outputs, whatever its state and its inputs hold.
+    ///
+    /// # Errors
+    /// A defect of the block or of a pass.
+    fn shown(&self, designed: &Designed) -> Result<Shown, Defect>;
 
     /// The block, ready to be printed.
     ///
@@ -146,6 +161,8 @@ pub struct Block {
     pub(crate) trial: Recording,
     /// what is certain of its range, and its measured response
     pub certificate: Certified,
+    /// what is certain of its outputs, whatever its state and its inputs hold
+    pub shown: Shown,
     /// what is in it, without the values of its coefficients: the same text, the same structure
     pub structure: String,
     /// the paths of all parts of the reference's state
@@ -169,6 +186,10 @@ impl<P: Part + Reference<f64> + Reference<f32> + 'static> Kind for P {
             RealKind::F64 => program::<f64, P>(self, designed, last),
             RealKind::F32 => program::<f32, P>(self, designed, last),
         }
+    }
+
+    fn shown(&self, designed: &Designed) -> Result<Shown, Defect> {
+        Ok(shown(self, designed, &Kind::program(self, designed, Some(VERIFIED))?))
     }
 
     fn block(&self, designed: &Designed) -> Result<Block, Defect> {
@@ -227,8 +248,17 @@ fn block<R: Real, P: Part + Reference<f64> + Reference<R>>(part: &P, designed: &
     let certificate = part.certificate(designed, &program);
     let start = part.start_cycles(designed);
     let drill = part.drill(designed);
-    let trial = trial::recording::<R, P>(coeffs(), (&program, &own), &state_paths, ranges, start, &drill);
-    Ok(Block { program, own, notes, self_test, trial, certificate, structure, state_paths })
+    let led = (&*drill, designed.axis.cycle_time_ns);
+    let trial = trial::recording::<R, P>(coeffs(), (&program, &own), &state_paths, ranges, start, led);
+    let shown = shown(part, designed, &program);
+    Ok(Block { program, own, notes, self_test, trial, certificate, shown, structure, state_paths })
+}
+
+/// What is certain of the outputs of a program.
+fn shown<P: Part>(part: &P, designed: &Designed, program: &Program) -> Shown {
+    // Where nothing adds a velocity, it is 0.
+    let limit = part.limit(designed).and_then(|figure| arithmetic::wide(figure.value)).unwrap_or(0.0);
+    ranges::run(program, &["v_add", "v_add_calculated"].map(|path| (path, limit)))
 }
 
 /// Runs the reference of a block for a user's own board.

@@ -18,7 +18,12 @@ pub(super) fn sets(axis: &Axis, ipc: &IpcCoeffs<f64>) -> [u32; 2] {
 /// another meaning, as B did with 3.
 fn structure(axis: &Axis, ipc: &IpcCoeffs<f64>) -> u32 {
     let fixed = IpcCoeffs { enable: 0, ..*ipc };
-    let kept = leaves(&fixed).into_iter().filter(|leaf| !matches!(leaf, Literal::F64(_)));
+    let mut all = leaves(&fixed);
+    if !ipc.call_rate.active {
+        // The last one. Where it says nothing, a structure keeps the number that it had before there was one.
+        all.pop();
+    }
+    let kept = all.into_iter().filter(|leaf| !matches!(leaf, Literal::F64(_)));
     let real = if axis.real == RealKind::F64 { "f64" } else { "f32" };
     number(kept.fold(format!("ipc 3 {} {real}", axis.name), |text, leaf| format!("{text} {:?}", leaf.at_run_time())))
 }

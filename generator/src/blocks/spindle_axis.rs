@@ -1,6 +1,6 @@
 //! The block `spindle_axis`: the changeover with feedforward, position control and improved position control.
 
-use super::{Certified, Drill, Part, Summary, ipc};
+use super::{Certified, Drill, Figure, Part, Summary, ipc};
 use crate::blocks::designed::Designed;
 use crate::trial::Set;
 use compiler::program::Program;
@@ -51,8 +51,12 @@ impl Part for SpindleAxis {
         Summary::default()
     }
 
+    fn limit(&self, designed: &Designed) -> Option<Figure> {
+        ipc::limit(designed)
+    }
+
     /// The limit of what it adds.
     fn certificate(&self, designed: &Designed, _: &Program) -> Certified {
-        Certified { figures: ipc::limit(designed).into_iter().collect(), ..Certified::default() }
+        Certified { figures: self.limit(designed).into_iter().collect(), ..Certified::default() }
     }
 }

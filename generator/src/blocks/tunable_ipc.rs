@@ -2,7 +2,7 @@
 
 use super::ipc::notes::note;
 use super::values::{Value, Values};
-use super::{Certified, Kind, Part, Summary};
+use super::{Certified, Figure, Kind, Part, Summary};
 use crate::axis::Axis;
 use crate::blocks::designed::Designed;
 use compiler::program::Program;
@@ -69,6 +69,10 @@ impl Part for TunableIpc {
     }
 
     /// That of the block with constants, whose program does the same with the set that the block was generated with.
+    fn limit(&self, designed: &Designed) -> Option<Figure> {
+        Ipc.limit(designed)
+    }
+
     fn certificate(&self, designed: &Designed, _: &Program) -> Certified {
         let program = Kind::program(&Ipc, designed, Some("verified"))
             .expect("tunable_ipc: the block with constants has no defect");

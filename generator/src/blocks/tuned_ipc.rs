@@ -1,7 +1,7 @@
 //! The block `ipc` of an axis whose weights and limit the caller tunes: all that is said of it is said of `ipc`.
 
 use super::ipc::is_there;
-use super::{Certified, Part, Summary};
+use super::{Certified, Figure, Part, Summary};
 use crate::axis::Axis;
 use crate::blocks::designed::Designed;
 use compiler::program::Program;
@@ -39,6 +39,10 @@ impl Part for TunedIpc {
 
     fn verdict(&self, designed: &Designed) -> Vec<String> {
         Ipc.verdict(designed)
+    }
+
+    fn limit(&self, designed: &Designed) -> Option<Figure> {
+        Ipc.limit(designed)
     }
 
     fn certificate(&self, designed: &Designed, program: &Program) -> Certified {

@@ -68,6 +68,7 @@ pub(crate) fn axis<'v>(name: &str, cycle_time: Option<u32>, values: &'v Values, 
         RealType::F32 => RealKind::F32,
     });
     let short_names = short_names(&mut effective, name);
+    let counts_calls = counts_calls(&mut effective);
     let changes_over = spindle::is_asked_for(&mut effective);
     let axis_type = effective.word(key(Name::AxisType));
     gear::check(&mut effective);
@@ -75,8 +76,8 @@ pub(crate) fn axis<'v>(name: &str, cycle_time: Option<u32>, values: &'v Values, 
     let ipc = ipc::check(&mut effective, cycle_time, real);
     let control = control(&mut effective, cycle_time, (axis_type, changes_over), ipc.as_ref());
     let gear = control.as_ref().map_or(0, |(_, gear)| *gear);
-    let axis = match (real, short_names, cycle_time, ipc, control) {
-        (Some(real), Some(short_names), Some(cycle_time_ns), Some(ipc), Some((control, _)))
+    let axis = match (real, short_names.zip(counts_calls), cycle_time, ipc, control) {
+        (Some(real), Some((short_names, counts_calls)), Some(cycle_time_ns), Some(ipc), Some((control, _)))
             if !effective.report.has_errors() =>
         {
             let blocks = [IPC, FEEDFORWARD, POSITION_CONTROL, SPINDLE];
@@ -87,6 +88,7 @@ pub(crate) fn axis<'v>(name: &str, cycle_time: Option<u32>, values: &'v Values, 
                 real,
                 short_names,
                 cycle_time_ns,
+                counts_calls,
                 ipc,
                 control,
                 canonical,
@@ -111,6 +113,15 @@ fn short_names(e: &mut Effective<'_>, name: &str) -> Option<bool> {
         e.refuse(codes::AXIS_NAME, asked, found, [Some(allowed), Some("a shorter name for the axis".to_owned())]);
     }
     Some(is_wanted)
+}
+
+/// Whether the blocks look at the rate of their calls. Only where they do, the digest of the parameters covers the key.
+fn counts_calls(e: &mut Effective<'_>) -> Option<bool> {
+    let is_counted = e.validated_word::<Boolean>(key(Name::CycleCounter))? == Boolean::True;
+    if is_counted {
+        e.word::<Boolean>(key(Name::CycleCounter))?;
+    }
+    Some(is_counted)
 }
 
 /// Feedforward, position control, changeover and gantry, with the gear step; none: an error, which has been said.

@@ -139,6 +139,9 @@ table! {
     TuningLimit: AXIS_KEY("tuning_limit", kind: FRACTION, default: &["1"])
     /// whether improved position control watches its loop, fades out where it becomes unstable, and says so: output `tripped`
     Watch: AXIS_KEY("watch", kind: Kind::Word(Boolean::WORDS), default: &["FALSE"])
+    /// whether the blocks look at the rate of their calls: input `cycle_counter`; skipped and doubled calls are a fault, and after a pause the
+    /// block starts anew
+    CycleCounter: AXIS_KEY("cycle_counter", kind: Kind::Word(Boolean::WORDS), default: &["FALSE"])
     /// velocity command of the drive: its type in the process data; for position control in the CNC, and for a spindle whose drive changes
     /// to velocity control
     VelocityCommandData: AXIS_KEY("process_data.velocity_command", kind: Kind::Word(Width::WORDS), default: &["INT32"])

@@ -46,7 +46,7 @@ pub const TARGETS: [Target; 6] = [
     Target { runner: Some(c::runner::file), ..target("c", legalise::WITH_OUTPUTS, c::files, |_| Vec::new()) },
     target("rust", legalise::WITH_OUTPUTS, rust::files, |_| Vec::new()),
     target("st", legalise::WITH_DIGITS, st::plain, |_| Vec::new()),
-    target("twincat", legalise::WITH_ENABLE, st::twincat::files, st::twincat::shared),
+    target("twincat", legalise::WITH_TASK, st::twincat::files, st::twincat::shared),
     target("codesys", legalise::WITH_ENABLE, st::codesys::files, st::codesys::shared),
     target("scl", legalise::WITH_ENABLE, st::scl, st::scl_shared),
 ];

@@ -139,6 +139,8 @@ impl Outline<'_> {
                     notes_of(&constant.path).filter_map(|path| notes.get(path)).map(String::as_str).collect()
                 }
                 Origin::Function => vec!["the same for every axis"],
+                // It stands in the statements under its own name.
+                Origin::Runtime(_) => continue,
                 Origin::Variant(variant) => vec![variant.of.doc],
             };
             let fresh: Vec<&str> = notes.iter().copied().filter(|note| !said.contains(note)).collect();

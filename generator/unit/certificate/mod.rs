@@ -41,6 +41,7 @@ fn rack_and_pinion(real: RealKind) -> Axis {
 fn axis(real: RealKind, cycle_time_ns: u32, stage: [Option<Stage>; 3]) -> Axis {
     Axis {
         short_names: false,
+        counts_calls: false,
         name: "X".to_owned(),
         real,
         cycle_time_ns,

@@ -140,10 +140,11 @@ fn ramps() {
         let coeffs = design_delay(us, 1_000_000);
         let mut state = delay::State::default();
         delay::preset(&mut state, 0.0);
+        let mut delayed = delay::Delayed::default();
         for n in 0..100 {
-            let found = delay::step(&mut state, &coeffs, f64::from(n));
+            delay::step(&mut state, &coeffs, f64::from(n), &mut delayed);
             if n > 6 {
-                let expected = f64::from(n) - cycles;
+                let (found, expected) = (delayed.y, f64::from(n) - cycles);
                 assert!((found - expected).abs() < 1e-13, "{us} us: {found}, {expected}: rounding of two products");
             }
         }

@@ -111,6 +111,7 @@ fn rack_and_pinion() -> Axis {
     ];
     Axis {
         short_names: false,
+        counts_calls: false,
         name: "X".to_owned(),
         real: RealKind::F64,
         cycle_time_ns: 1_000_000,

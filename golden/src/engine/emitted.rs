@@ -103,13 +103,12 @@ pub fn run_read(dialect: Dialect, read: &st::Block, block: &Block, inputs: &Samp
     for sample in 0..inputs.len() {
         inputs.read(sample, &mut values);
         instance.cycle(&values, &mut results);
-        if has_notice {
-            if let (Some(Literal::U32(notice)), Some(at)) = (results.pop(), error_id)
-                && let Literal::U32(id) = &mut results[at]
-            {
-                // One of them is 0: if not, the sum is no id of the block.
-                *id += notice;
-            }
+        if has_notice
+            && let (Some(Literal::U32(notice)), Some(at)) = (results.pop(), error_id)
+            && let Literal::U32(id) = &mut results[at]
+        {
+            // One of them is 0: if not, the sum is no id of the block.
+            *id += notice;
         }
         answers.push(&results);
     }

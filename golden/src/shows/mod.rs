@@ -2,6 +2,7 @@
 //! samples. So that a case cannot silently cease to show what it is there for.
 
 mod axis;
+mod calls;
 mod control;
 mod run;
 mod sets;
@@ -16,6 +17,7 @@ use std::collections::BTreeSet;
 pub fn shown(axis: &Axis, inputs: &Samples, outputs: &Samples) -> BTreeSet<String> {
     let mut shown = axis::shown(axis);
     shown.extend(run::shown(inputs, outputs));
+    shown.extend(calls::events(inputs, outputs));
     shown.extend(control::constructs(axis));
     shown.extend(control::events(inputs, outputs));
     shown.extend(sets::events(outputs));

@@ -11,6 +11,9 @@ use super::variables::Role;
 use portable::RealKind;
 use tree_sitter::Node;
 
+/// What the names of variables of TwinCAT's runtime begin with, which a block may read; each is a UDINT.
+const RUNTIME: &str = "TwinCAT_SystemInfoVarList.";
+
 impl Lowering<'_, '_> {
     /// Lowers an expression; `None`: a mistake was said.
     pub(crate) fn expression(&mut self, node: Node<'_>) -> Option<Operand> {
@@ -62,6 +65,10 @@ fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
         }
         "binary_expression" => lowering.binary(node),
         "member_access_expression" => match lowering.variables.find(said(node, text)) {
+            // There is no task here: where a block looks at its own, its inputs alone count.
+            None if lowering.dialect == Dialect::TwinCat && said(node, text).starts_with(RUNTIME) => {
+                Some(lowering.literal(Kind::Udint, Value::Word(0)))
+            }
             Some(part) => part.known.then_some(Operand::Slot { kind: part.kind, slot: part.slot, part: false }),
             None => lowering.output(node),
         },

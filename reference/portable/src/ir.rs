@@ -46,6 +46,8 @@ pub enum Intrinsic {
     Truncate,
     /// [`crate::nearest`]
     Nearest,
+    /// [`crate::stored`]
+    Stored,
 }
 
 /// A parameter.

@@ -15,8 +15,11 @@ mod signals;
 
 pub use signals::{Inputs, Outputs};
 
-use crate::signal::{error_cycle_time, error_none, error_unstable, error_v_add_master, error_x_command, sample_limit};
-use crate::{feedforward, ipc, position_control};
+use crate::signal::sample_limit;
+use crate::signal::{
+    error_call_rate, error_cycle_time, error_none, error_unstable, error_v_add_master, error_x_command,
+};
+use crate::{call_rate, feedforward, ipc, position_control};
 use portable::{Block, Enable, Fn, Off, Real, in_range, note, portable, within};
 use position_control::Location;
 
@@ -53,6 +56,8 @@ pub struct Coeffs<R> {
     pub ipc: ipc::Coeffs<R>,
     /// position control
     pub position_control: position_control::Coeffs<R>,
+    /// the rate of the calls; the parts do not look at it
+    pub call_rate: call_rate::Coeffs,
 }
 
 /// State.
@@ -65,6 +70,8 @@ pub struct State<R> {
     pub ipc: ipc::State<R>,
     /// position control
     pub position_control: position_control::State<R>,
+    /// the rate of the calls
+    pub call_rate: call_rate::State,
 }
 
 /// Before the first cycle.
@@ -73,6 +80,7 @@ pub fn init<R: Real>(state: &mut State<R>) {
     feedforward::init(&mut state.feedforward);
     ipc::init(&mut state.ipc);
     position_control::init(&mut state.position_control);
+    call_rate::init(&mut state.call_rate);
 }
 
 /// A cycle in which the axis must not act: every part starts anew after it.
@@ -300,6 +308,9 @@ pub fn act<R: Real>(
     if control_outputs.limited {
         outputs.limited = true;
     }
+    if control_outputs.fault {
+        fail(outputs, control_outputs.error_id);
+    }
     tell_trip(state, coeffs, outputs);
 }
 
@@ -335,6 +346,19 @@ pub fn hold<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, outputs: &mut Out
     tell_trip(state, coeffs, outputs);
 }
 
+/// Looks at the rate of the calls. No part goes on with what it held before a pause.
+#[portable]
+pub fn count_call<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle_counter: u32) {
+    if coeffs.call_rate.active {
+        let has_paused = call_rate::step(&mut state.call_rate, cycle_counter);
+        if has_paused {
+            state.feedforward.preset = false;
+            state.position_control.preset = false;
+            ipc::stop(&mut state.ipc);
+        }
+    }
+}
+
 /// Whether the watch over the loop has tripped; its id stands where there is no fault.
 #[portable]
 pub fn tell_trip<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &mut Outputs<R>) {
@@ -348,10 +372,13 @@ pub fn tell_trip<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &mut Ou
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     ipc::rearm(&mut state.ipc, &coeffs.ipc, inputs.mode, inputs.reset);
+    count_call(state, coeffs, inputs.cycle_counter);
     if !position_control::is_command_in_range(&coeffs.position_control, inputs.x_command) {
         hold(state, coeffs, outputs, error_x_command());
     } else if inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns {
         follow(state, coeffs, inputs, outputs, error_cycle_time());
+    } else if call_rate::is_wrong(&state.call_rate, &coeffs.call_rate) {
+        follow(state, coeffs, inputs, outputs, error_call_rate());
     } else if !position_control::is_actual_in_range(&coeffs.position_control, inputs.x_actual, inputs.following_error) {
         follow(state, coeffs, inputs, outputs, position_control::error_of_actual(&coeffs.position_control));
     } else if !inputs.position_controlled || inputs.reset {

@@ -15,10 +15,10 @@ mod signals;
 
 pub use signals::{Inputs, Outputs};
 
-use crate::signal::sample_limit;
-use crate::signal::{error_a_interpolator, error_cycle_time, error_j_interpolator, error_none, error_v_interpolator};
+use crate::signal::{error_a_interpolator, error_call_rate, error_cycle_time, error_j_interpolator, error_none};
+use crate::signal::{error_state, error_v_interpolator, sample_limit};
 use crate::sum::empty_sum;
-use crate::{delay, process_data};
+use crate::{call_rate, delay, process_data};
 use portable::{Block, Enable, Fn, Off, Real, from_i32, in_range, portable};
 
 /// The quantities of a sum.
@@ -73,6 +73,8 @@ pub struct Coeffs<R> {
     pub torque_jerk: R,
     /// range of the additive torque
     pub torque_range: process_data::Coeffs<R>,
+    /// the rate of the calls
+    pub call_rate: call_rate::Coeffs,
 }
 
 /// State.
@@ -87,6 +89,8 @@ pub struct State<R> {
     pub acceleration_delay: delay::State<R>,
     /// delay of the additive torque of the jerk
     pub jerk_delay: delay::State<R>,
+    /// the rate of the calls
+    pub call_rate: call_rate::State,
 }
 
 /// Whether there is a quantity at all.
@@ -132,6 +136,7 @@ pub fn sum<R: Real>(quantities: &Quantities, coeffs: &Coeffs<R>, inputs: &Inputs
 #[portable]
 pub fn init<R: Real>(state: &mut State<R>) {
     state.preset = false;
+    call_rate::init(&mut state.call_rate);
 }
 
 /// A cycle in which the block must not act.
@@ -165,18 +170,34 @@ pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, v: R, a: R, j: 
     }
 }
 
+/// A delay has a sample that something has overwritten, and gives the present one: a fault. All delays are filled anew in the next cycle.
+#[portable]
+pub fn start_anew<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>) {
+    state.preset = false;
+    outputs.fault = true;
+    outputs.error_id = error_state();
+}
+
 /// The additive torque in increments, not yet rounded.
 #[portable]
-pub fn torque<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, a: R, j: R) -> R {
+pub fn torque<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, outputs: &mut Outputs<R>, a: R, j: R) -> R {
     let mut torque_a = empty_sum();
     if coeffs.torque.acceleration {
-        let a_delayed = delay::step(&mut state.acceleration_delay, &coeffs.acceleration_delay, a);
-        torque_a = torque_a + coeffs.torque_acceleration * a_delayed;
+        let mut a_delayed = delay::Delayed::<R>::default();
+        delay::step(&mut state.acceleration_delay, &coeffs.acceleration_delay, a, &mut a_delayed);
+        torque_a = torque_a + coeffs.torque_acceleration * a_delayed.y;
+        if a_delayed.overwritten {
+            start_anew(state, outputs);
+        }
     }
     let mut torque_a_j = torque_a;
     if coeffs.torque.jerk {
-        let j_delayed = delay::step(&mut state.jerk_delay, &coeffs.jerk_delay, j);
-        torque_a_j = torque_a + coeffs.torque_jerk * j_delayed;
+        let mut j_delayed = delay::Delayed::<R>::default();
+        delay::step(&mut state.jerk_delay, &coeffs.jerk_delay, j, &mut j_delayed);
+        torque_a_j = torque_a + coeffs.torque_jerk * j_delayed.y;
+        if j_delayed.overwritten {
+            start_anew(state, outputs);
+        }
     }
     torque_a_j
 }
@@ -197,9 +218,13 @@ pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>
     let j = gain_now * inputs.j_interpolator;
     preset(state, coeffs, v, a, j);
     if has_any(&coeffs.additive) {
-        let v_additive = delay::step(&mut state.velocity_delay, &coeffs.velocity_delay, v);
-        outputs.v_additive = v_additive;
-        let velocity = coeffs.velocity_scale * v_additive;
+        let mut v_delayed = delay::Delayed::<R>::default();
+        delay::step(&mut state.velocity_delay, &coeffs.velocity_delay, v, &mut v_delayed);
+        if v_delayed.overwritten {
+            start_anew(state, outputs);
+        }
+        outputs.v_additive = v_delayed.y;
+        let velocity = coeffs.velocity_scale * v_delayed.y;
         let mut datum = process_data::Datum::default();
         process_data::round(&mut datum, &coeffs.velocity_range, velocity);
         outputs.additive_velocity = datum.value;
@@ -210,7 +235,7 @@ pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>
         outputs.velocity_limited = false;
     }
     if has_any(&coeffs.torque) {
-        let increments = torque(state, coeffs, a, j);
+        let increments = torque(state, coeffs, outputs, a, j);
         let mut datum = process_data::Datum::default();
         process_data::round(&mut datum, &coeffs.torque_range, increments);
         outputs.additive_torque = datum.value;
@@ -262,8 +287,16 @@ pub fn error_of<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> u32 {
 /// One cycle.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    if coeffs.call_rate.active {
+        let has_paused = call_rate::step(&mut state.call_rate, inputs.cycle_counter);
+        if has_paused {
+            state.preset = false;
+        }
+    }
     if inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns {
         stop(state, outputs, error_cycle_time());
+    } else if call_rate::is_wrong(&state.call_rate, &coeffs.call_rate) {
+        stop(state, outputs, error_call_rate());
     } else if !is_in_range(coeffs, inputs) {
         let id = error_of(coeffs, inputs);
         stop(state, outputs, id);

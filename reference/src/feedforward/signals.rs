@@ -22,6 +22,8 @@ pub struct Inputs<R> {
     pub reset: bool,
     /// the caller's cycle [ns], 0: unchecked; another value than designed for is a fault
     pub task_cycle_ns: u32,
+    /// with the key cycle_counter: the controller's cycles, counted; 0: unchecked, in TwinCAT those of the task; skipped and doubled calls are a fault, and after a pause everything starts anew
+    pub cycle_counter: u32,
 }
 
 /// Outputs.

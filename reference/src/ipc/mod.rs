@@ -22,7 +22,10 @@ pub use signals::{Inputs, Outputs, STAGES};
 pub use signals::{mode_dryrun, mode_off, mode_on};
 
 use self::sources::{are_in_range, reads_command, reads_direct, reads_motor};
-use crate::signal::{error_cycle_time, error_gantry_slave, error_mode, error_none, error_state, error_unstable};
+use crate::call_rate;
+use crate::signal::{
+    error_call_rate, error_cycle_time, error_gantry_slave, error_mode, error_none, error_state, error_unstable,
+};
 use crate::signal::{error_tuning, error_v_command, error_v_direct, error_v_motor, sample_limit};
 use crate::stage;
 use crate::sum::empty_sum;
@@ -59,6 +62,8 @@ pub struct Coeffs<R> {
     pub tuning: tuning::Coeffs<R>,
     /// the watch over the loop
     pub watch: watch::Coeffs<R>,
+    /// the rate of the calls
+    pub call_rate: call_rate::Coeffs,
 }
 
 /// State.
@@ -69,6 +74,8 @@ pub struct State<R> {
     pub preset: bool,
     /// position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a state was overwritten
     pub fade: u32,
+    /// the rate of the calls
+    pub call_rate: call_rate::State,
     /// bad samples in a row
     pub ride_through: ride_through::State,
     /// what the caller tunes
@@ -200,6 +207,7 @@ pub fn clear<R: Real>(outputs: &mut Outputs<R>, error_id: u32) {
 /// Before the first cycle. The sections need nothing: the first active cycle presets them to their steady state.
 #[portable]
 pub fn init<R: Real>(state: &mut State<R>) {
+    call_rate::init(&mut state.call_rate);
     ride_through::init(&mut state.ride_through);
     tuning::init(&mut state.tuning);
     watch::init(&mut state.watch);
@@ -311,6 +319,17 @@ pub fn is_cycle_time<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     inputs.task_cycle_ns == 0u32 || inputs.task_cycle_ns == coeffs.cycle_time_ns
 }
 
+/// Looks at the rate of the calls. Nothing goes on with what it held before a pause.
+#[portable]
+pub fn count_call<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle_counter: u32) {
+    if coeffs.call_rate.active {
+        let has_paused = call_rate::step(&mut state.call_rate, cycle_counter);
+        if has_paused {
+            stop(state);
+        }
+    }
+}
+
 /// The block must not act for this reason, which it gives.
 #[portable]
 pub fn refuse<R: Real>(state: &mut State<R>, reason: u32) -> u32 {
@@ -343,6 +362,7 @@ pub fn is_settled<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, mode: i32, v_mo
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     rearm(state, coeffs, inputs.mode, inputs.reset);
+    count_call(state, coeffs, inputs.cycle_counter);
     go_on(state, coeffs, inputs, outputs);
 }
 
@@ -387,13 +407,17 @@ pub fn cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
         reason = refuse(state, error_v_direct());
     } else if is_on(coeffs, inputs) && state.fade == coeffs.fade_cycles && !(coeffs.watch.active && state.watch.tripped)
     {
-        if is_cycle_time(coeffs, inputs) {
-            runs = true;
-        } else {
+        if !is_cycle_time(coeffs, inputs) {
             reason = refuse(state, error_cycle_time());
+        } else if call_rate::is_wrong(&state.call_rate, &coeffs.call_rate) {
+            reason = refuse(state, error_call_rate());
+        } else {
+            runs = true;
         }
     } else if !is_cycle_time(coeffs, inputs) {
         reason = refuse(state, error_cycle_time());
+    } else if call_rate::is_wrong(&state.call_rate, &coeffs.call_rate) {
+        reason = refuse(state, error_call_rate());
     } else if state.fade > coeffs.fade_cycles {
         reason = refuse(state, error_state());
     } else if !is_mode(inputs.mode) {

@@ -5,7 +5,7 @@ use super::signals::STAGES;
 use super::{Coeffs, watch};
 use crate::check_word::{Forming, Word, add, largest_number, limit_scale};
 use crate::{stage, turn};
-use portable::{Real, in_range, portable};
+use portable::{Real, in_range, portable, stored};
 
 /// The numbers of the set in use.
 #[portable]
@@ -90,7 +90,8 @@ pub fn compare<R: Real>(
     for i in 0..4 {
         if i < 3usize || structure.watch.active {
             if turn == at {
-                let limits = [now.limit, now.lower_limit, now.sum_limit, now.watch.quiet];
+                let limits =
+                    [stored(now.limit), stored(now.lower_limit), stored(now.sum_limit), stored(now.watch.quiet)];
                 let copies = [copy.limit, copy.lower_limit, copy.sum_limit, copy.watch.quiet];
                 state.next = if turn::is_kept(limits[i] - copies[i]) { at + 1i32 } else { turn::differed() };
             }

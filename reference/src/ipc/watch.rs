@@ -12,7 +12,7 @@
 //! What a move, a blow or a burst of chatter leaves behind dies away: a block that is quieter than the one before counts back, and begins anew where it no
 //! longer fills the limits.
 
-use portable::{Real, portable};
+use portable::{Real, note, portable};
 
 /// Coefficients.
 #[portable]
@@ -66,6 +66,12 @@ pub fn decay<R: Real>() -> R {
     R::lit(0.9)
 }
 
+/// no loop grows for so many blocks
+#[portable]
+pub fn largest_score() -> u32 {
+    1_000_000u32
+}
+
 /// Blocks are counted anew.
 #[portable]
 pub fn restart<R: Real>(state: &mut State<R>) {
@@ -92,10 +98,17 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, v_sum: R, limit: 
     } else if v_sum < state.low {
         state.low = v_sum;
     }
-    state.cycles += 1u32;
+    // Beyond it only where something has overwritten it.
+    if state.cycles < coeffs.block_cycles {
+        state.cycles += 1u32;
+    }
     if state.cycles >= coeffs.block_cycles {
         let span = state.high - state.low;
         let fills = state.high > limit && state.low < lower_limit;
+        if state.score > largest_score() {
+            note("the score has been overwritten: blocks are counted anew");
+            state.score = 0u32;
+        }
         if fills && span > decay::<R>() * state.before {
             state.score += 2u32;
         } else if state.before > coeffs.quiet && span > growth::<R>() * state.before {

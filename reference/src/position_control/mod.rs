@@ -19,12 +19,13 @@ pub use signals::{Inputs, Outputs};
 
 use crate::precision::is_single;
 use crate::signal::{
-    error_cycle_time, error_following_error, error_none, error_v_add, error_v_additive, error_v_feedforward,
+    error_call_rate, error_cycle_time, error_following_error, error_none, error_v_add, error_v_additive,
+    error_v_feedforward,
 };
-use crate::signal::{error_x_actual, error_x_command, sample_limit};
+use crate::signal::{error_state, error_x_actual, error_x_command, sample_limit};
 use crate::sum::empty_sum;
-use crate::{delay, process_data};
-use portable::{Block, Enable, Fn, Off, Real, in_range, portable};
+use crate::{call_rate, delay, process_data};
+use portable::{Block, Enable, Fn, Off, Real, in_range, note, portable};
 
 /// Where the position is controlled.
 #[portable]
@@ -73,6 +74,8 @@ pub struct Coeffs<R> {
     pub velocity_scale: R,
     /// range of the additive velocity
     pub velocity_range: process_data::Coeffs<R>,
+    /// the rate of the calls
+    pub call_rate: call_rate::Coeffs,
 }
 
 /// State.
@@ -85,6 +88,10 @@ pub struct State<R> {
     pub shift: delay::State<R>,
     /// the last position command of the drive
     pub x_held: R,
+    /// the rate of the calls
+    pub call_rate: call_rate::State,
+    /// the same again: what has been overwritten differs
+    pub x_held_copy: R,
 }
 
 /// Before the first cycle.
@@ -92,6 +99,8 @@ pub struct State<R> {
 pub fn init<R: Real>(state: &mut State<R>) {
     state.preset = false;
     state.x_held = R::ZERO;
+    call_rate::init(&mut state.call_rate);
+    state.x_held_copy = R::ZERO;
 }
 
 /// Whether the controller takes the difference of both positions: in single precision.
@@ -161,7 +170,12 @@ pub fn hold<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, outputs: &mut Out
     clear(state, outputs, error_id);
     outputs.x_drive = R::ZERO;
     if coeffs.location != Location::Cnc {
-        outputs.x_drive = state.x_held;
+        if in_range(state.x_held - state.x_held_copy, R::ZERO) {
+            outputs.x_drive = state.x_held;
+        } else {
+            note("the position has been overwritten, and there is no other: 0, with the id that says so");
+            outputs.error_id = error_state();
+        }
     }
 }
 
@@ -178,6 +192,7 @@ pub fn follow<R: Real>(
     outputs.x_drive = R::ZERO;
     if coeffs.location != Location::Cnc {
         state.x_held = inputs.x_command;
+        state.x_held_copy = inputs.x_command;
         outputs.x_drive = inputs.x_command;
     }
 }
@@ -207,10 +222,19 @@ pub fn lead<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     if !state.preset {
         delay::preset(&mut state.shift, inputs.x_command);
     }
-    let x_shifted = delay::step(&mut state.shift, &coeffs.shift, inputs.x_command);
-    let x = if coeffs.feedforward { x_shifted + coeffs.lag * inputs.v_feedforward } else { x_shifted };
+    state.preset = true;
+    let mut shifted = delay::Delayed::<R>::default();
+    delay::step(&mut state.shift, &coeffs.shift, inputs.x_command, &mut shifted);
+    if shifted.overwritten {
+        // The present command stands in its place; the shift is filled anew in the next cycle.
+        state.preset = false;
+        outputs.fault = true;
+        outputs.error_id = error_state();
+    }
+    let x = if coeffs.feedforward { shifted.y + coeffs.lag * inputs.v_feedforward } else { shifted.y };
     outputs.x_drive = x;
     state.x_held = x;
+    state.x_held_copy = x;
     if coeffs.location == Location::Profidrive {
         let deviation = coeffs.xerr_scale * (x - inputs.x_actual);
         outputs.xerr = rounded(outputs, &coeffs.xerr_range, deviation);
@@ -248,22 +272,30 @@ pub fn put_out<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Input
         outputs.x_drive = R::ZERO;
         outputs.xerr = 0i32;
         manipulate(coeffs, inputs, outputs);
+        state.preset = true;
     } else {
         outputs.manipulated_variable = 0i32;
         lead(state, coeffs, inputs, outputs);
     }
     add_velocity(coeffs, inputs, outputs);
     outputs.additive_torque = if coeffs.torque { inputs.torque_feedforward } else { 0i32 };
-    state.preset = true;
 }
 
 /// One cycle. Only the inputs that the axis uses are checked.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    if coeffs.call_rate.active {
+        let has_paused = call_rate::step(&mut state.call_rate, inputs.cycle_counter);
+        if has_paused {
+            state.preset = false;
+        }
+    }
     if !is_command_in_range(coeffs, inputs.x_command) {
         hold(state, coeffs, outputs, error_x_command());
     } else if inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns {
         follow(state, coeffs, inputs, outputs, error_cycle_time());
+    } else if call_rate::is_wrong(&state.call_rate, &coeffs.call_rate) {
+        follow(state, coeffs, inputs, outputs, error_call_rate());
     } else if !is_actual_in_range(coeffs, inputs.x_actual, inputs.following_error) {
         follow(state, coeffs, inputs, outputs, error_of_actual(coeffs));
     } else if coeffs.feedforward && !in_range(inputs.v_feedforward, sample_limit()) {

@@ -11,6 +11,7 @@
 //! Positions grow with positive velocities. What a cycle puts out follows the state with which it began; a transition acts from the
 //! next cycle on.
 
+mod calls;
 mod jobs;
 mod motion;
 mod put_out;
@@ -26,7 +27,9 @@ pub use state::{Coeffs, Cycle, SpindleState, State};
 pub use usual::{remain_in_position, remain_in_velocity, stays_in_position, stays_in_velocity};
 
 use crate::angle::wrapped;
+use crate::call_rate;
 use crate::signal::{error_cycle_time, error_none};
+use calls::look_at_calls;
 use jobs::WAITING;
 use motion::{advance, follow, slow_down};
 use portable::{Block, Brake, Enable, Fn, Off, Real, portable};
@@ -69,6 +72,7 @@ pub fn init<R: Real>(state: &mut State<R>) {
     state.before.g74 = true;
     state.before.any = true;
     state.usual = false;
+    call_rate::init(&mut state.call_rate);
 }
 
 /// A reset: nothing waits any more, and an error that stays is gone.
@@ -109,6 +113,7 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     if is_wrong && state.lasting_error == error_none() {
         state.lasting_error = error_cycle_time();
     }
+    look_at_calls(state, coeffs, inputs);
     if !inputs.drive_on {
         enter(state, SpindleState::ToPosition);
     }

@@ -1,7 +1,7 @@
 //! What the changeover knows: coefficients, state, the five states. No motion.
 
 use super::request::{Before, Request};
-use crate::process_data;
+use crate::{call_rate, process_data};
 use portable::{Real, portable};
 
 /// What controls the spindle.
@@ -65,6 +65,8 @@ pub struct Coeffs<R> {
     pub velocity_scale: R,
     /// range of the velocity command
     pub velocity_range: process_data::Coeffs<R>,
+    /// the rate of the calls
+    pub call_rate: call_rate::Coeffs,
 }
 
 /// State.
@@ -109,6 +111,8 @@ pub struct State<R> {
     pub before: Before,
     /// whether the state is POSITION or VELOCITY and stays so until something asks for another: the next cycle may be a usual one
     pub usual: bool,
+    /// the rate of the calls
+    pub call_rate: call_rate::State,
 }
 
 /// What is found in one cycle.

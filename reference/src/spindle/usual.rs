@@ -7,6 +7,7 @@ use super::signals::{Inputs, Outputs};
 use super::state::{Coeffs, SpindleState, State};
 use super::transition::is_displayed;
 use crate::angle::position_limit;
+use crate::call_rate;
 use crate::signal::{error_none, sample_limit};
 use portable::{Real, in_range, note, portable};
 
@@ -34,6 +35,7 @@ pub fn stays_in_position<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: 
     state.usual
         && state.control == SpindleState::Position
         && asks_nothing(coeffs, inputs)
+        && call_rate::is_usual(&state.call_rate, &coeffs.call_rate, inputs.cycle_counter)
         && in_range(inputs.v_interpolator, v_largest)
         && in_range(inputs.x_command, position_limit())
         && is_displayed(coeffs, inputs, coeffs.position_mode)
@@ -45,6 +47,7 @@ pub fn stays_in_velocity<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: 
     state.usual
         && state.control == SpindleState::Velocity
         && asks_nothing(coeffs, inputs)
+        && call_rate::is_usual(&state.call_rate, &coeffs.call_rate, inputs.cycle_counter)
         && in_range(inputs.v_interpolator, sample_limit())
         && in_range(inputs.x_actual, position_limit())
         && is_displayed(coeffs, inputs, coeffs.velocity_mode)
@@ -59,6 +62,7 @@ pub fn remain_in_position<R: Real>(
     outputs: &mut Outputs<R>,
 ) {
     note("a usual cycle in POSITION");
+    call_rate::go_on(&mut state.call_rate, &coeffs.call_rate, inputs.cycle_counter);
     move_to(state, inputs.x_command, inputs.v_interpolator);
     put_out(state, coeffs, outputs);
     put_out_mode(coeffs, outputs, false);
@@ -75,6 +79,7 @@ pub fn remain_in_velocity<R: Real>(
     outputs: &mut Outputs<R>,
 ) {
     note("a usual cycle in VELOCITY");
+    call_rate::go_on(&mut state.call_rate, &coeffs.call_rate, inputs.cycle_counter);
     state.missing = 0u32;
     move_to(state, inputs.x_actual, inputs.v_interpolator);
     put_out(state, coeffs, outputs);

@@ -70,6 +70,7 @@ pub fn read<R: Real>(spindle_inputs: &mut spindle::Inputs<R>, inputs: &Inputs<R>
     spindle_inputs.feedforward_percentage = inputs.feedforward_percentage;
     spindle_inputs.reset = inputs.reset;
     spindle_inputs.task_cycle_ns = inputs.task_cycle_ns;
+    spindle_inputs.cycle_counter = inputs.cycle_counter;
 }
 
 /// Whether the drive may follow the position command in this cycle: then the axis acts.

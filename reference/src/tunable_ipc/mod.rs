@@ -26,7 +26,7 @@ use crate::check_word::{Forming, Word, add};
 use crate::ipc::numbers::{self, Numbers, Params};
 use crate::ipc::{self, watch};
 use crate::signal::{error_none, error_set_damaged, error_set_structure, error_set_unsound};
-use crate::{filter, stage, turn};
+use crate::{call_rate, filter, stage, turn};
 use portable::{Block, Enable, Fn, Off, Real, from_u32, in_range, note, portable, with_numbers};
 
 /// Coefficients.
@@ -232,16 +232,11 @@ pub fn put_out<R: Real>(set_id: u32, ipc_outputs: &ipc::Outputs<R>, refused: u32
     outputs.active_set = set_id;
 }
 
-/// Nothing is added beyond the limit that the block was generated with, whatever has become of the numbers in use. `v_limited`: the sum
-/// within the limit of the set in use.
+/// Nothing is added beyond the limit that the block was generated with, whatever has become of the numbers in use.
 #[portable]
-pub fn hold_limit<R: Real>(
-    state: &mut ipc::State<R>,
-    coeffs: &ipc::Coeffs<R>,
-    outputs: &mut ipc::Outputs<R>,
-    v_limited: R,
-) {
-    if !in_range(v_limited, coeffs.limit) {
+pub fn hold_limit<R: Real>(state: &mut ipc::State<R>, coeffs: &ipc::Coeffs<R>, outputs: &mut ipc::Outputs<R>) {
+    // In OFF only v_add says what acts.
+    if !(in_range(outputs.v_add, coeffs.limit) && in_range(outputs.v_add_calculated, coeffs.limit)) {
         note(
             "a number in use has been overwritten: a fault in the next cycle, then the offered set is taken over anew",
         );
@@ -258,6 +253,7 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     let mut mode = inputs.mode;
     let mut refused = error_none();
     state.offered_set = inputs.params.set_id;
+    ipc::count_call(&mut state.ipc, &coeffs.ipc, inputs.cycle_counter);
     if state.ipc.fade > coeffs.ipc.fade_cycles {
         // The numbers in use may have been overwritten, too. The cycle reports the fault; the offered set is looked at in the next one.
         drop_set(state);
@@ -278,9 +274,7 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     // What has tripped stays so until the caller's own mode is not ON.
     ipc::rearm(&mut state.ipc, &coeffs.ipc, inputs.mode, inputs.reset);
     ipc::go_on(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.now), &ipc_inputs, &mut ipc_outputs);
-    // In OFF only v_add says what acts.
-    let v_limited = if mode == ipc::mode_off() { ipc_outputs.v_add } else { ipc_outputs.v_add_calculated };
-    hold_limit(&mut state.ipc, &coeffs.ipc, &mut ipc_outputs, v_limited);
+    hold_limit(&mut state.ipc, &coeffs.ipc, &mut ipc_outputs);
     if state.acting_set != 0u32 {
         compare_one(state, coeffs);
     }
@@ -295,15 +289,16 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     hand_over(inputs, inputs.mode, &mut ipc_inputs);
     if inputs.params.set_id == state.acting_set
         && ipc::may_act_in_full(&coeffs.ipc, &ipc_inputs)
+        && call_rate::is_usual(&state.ipc.call_rate, &coeffs.ipc.call_rate, inputs.cycle_counter)
         && state.ipc.fade == coeffs.ipc.fade_cycles
         && !(coeffs.ipc.watch.active && state.ipc.watch.tripped)
         && (!coeffs.ipc.ride_through.active || state.ipc.ride_through.bad == 0u32)
     {
         let mut ipc_outputs = ipc::Outputs::<R>::default();
+        call_rate::go_on(&mut state.ipc.call_rate, &coeffs.ipc.call_rate, inputs.cycle_counter);
         ipc::act_in_full(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.now), &ipc_inputs, &mut ipc_outputs);
         ipc::tell_trip(&state.ipc, &coeffs.ipc, &mut ipc_outputs);
-        let v_limited = ipc_outputs.v_add;
-        hold_limit(&mut state.ipc, &coeffs.ipc, &mut ipc_outputs, v_limited);
+        hold_limit(&mut state.ipc, &coeffs.ipc, &mut ipc_outputs);
         compare_one(state, coeffs);
         put_out(state.acting_set, &ipc_outputs, error_none(), outputs);
     } else {

@@ -66,9 +66,9 @@ fn compare(p: &Parameters, rng: &Rng, cycles: usize) -> Result<Tally, String> {
         None => Ok(()),
     };
     let mut alone = feedforward::Alone::default();
-    run("feedforward", of_feedforward, &mut |inputs, _| alone.cycle(&c, inputs))?;
+    run("feedforward", of_feedforward, &mut |inputs, _| alone.cycle(p, &c, inputs))?;
     let mut alone = position_control::Alone::default();
-    run("position_control", of_control, &mut |inputs, found| alone.cycle(&c, inputs, found.held))?;
+    run("position_control", of_control, &mut |inputs, found| alone.cycle(p, &c, inputs, found.held))?;
     let mut whole = Axis::new(p, &c, axis.ipc.sum_limit);
     run("axis", of_axis, &mut |inputs, found| whole.cycle(p, &c, inputs, found))?;
     Ok(tally)

@@ -1,6 +1,7 @@
 //! The block `axis`: feedforward, position control and improved position control in the order in which they need each other,
 //! and which fault stops what.
 
+use super::calls::Calls;
 use super::coefficients::Coefficients;
 use super::exact::Exact;
 use super::feedforward::{Feedforward, is_in_range};
@@ -16,6 +17,7 @@ pub struct Axis {
     feedforward: Feedforward,
     control: PositionControl,
     ipc: Ipc,
+    calls: Calls,
 }
 
 /// What the block put out, as far as the model goes on from it: each is compared before it is used.
@@ -43,12 +45,18 @@ impl Axis {
             feedforward: Feedforward::default(),
             control: PositionControl::default(),
             ipc: Ipc::new(p, c, sum_limit),
+            calls: Calls::default(),
         }
     }
 
     /// One cycle: what each output may be.
     pub fn cycle(&mut self, p: &Parameters, c: &Coefficients, inputs: &Inputs, found: Found) -> Expected {
-        let fault = PositionControl::fault(c, inputs);
+        let calls = self.calls.call(p.counts_calls, inputs.cycle_counter);
+        if calls.restarts {
+            (self.feedforward, self.control) = (Feedforward::default(), PositionControl::default());
+            self.ipc.stop();
+        }
+        let fault = PositionControl::fault(c, inputs, calls);
         let acts = fault == 0 && inputs.position_controlled && !inputs.reset;
         let planned = self.feedforward.cycle(c, inputs, !acts);
         let controlled =

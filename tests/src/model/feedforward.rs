@@ -1,8 +1,10 @@
 //! The block `feedforward` in exact numbers: the gain, the sums, the delays. Nothing of position control.
 
+use super::calls::Calls;
 use super::coefficients::{Coefficients, Delay, Terms};
 use super::exact::Exact;
 use super::history::Inputs;
+use super::parameters::Parameters;
 use super::rounding::{Expected, data, flag, id, real};
 use std::collections::VecDeque;
 
@@ -71,13 +73,17 @@ impl Feedforward {
 
 /// The block that stands alone.
 #[derive(Clone, Debug, Default)]
-pub struct Alone(Feedforward);
+pub struct Alone(Feedforward, Calls);
 
 impl Alone {
     /// One cycle: what each output may be.
-    pub fn cycle(&mut self, c: &Coefficients, inputs: &Inputs) -> Expected {
+    pub fn cycle(&mut self, p: &Parameters, c: &Coefficients, inputs: &Inputs) -> Expected {
+        let calls = self.1.call(p.counts_calls, inputs.cycle_counter);
+        if calls.restarts {
+            self.0 = Feedforward::default();
+        }
         let wrong_cycle = is_wrong_cycle(c, inputs);
-        let stopped = wrong_cycle || inputs.reset || !inputs.position_controlled;
+        let stopped = wrong_cycle || calls.is_fault || inputs.reset || !inputs.position_controlled;
         let planned = self.0.cycle(c, inputs, stopped);
         let velocity = match &c.velocity {
             Some((scale, bits)) if c.additive.iter().any(Option::is_some) => {
@@ -86,7 +92,11 @@ impl Alone {
             _ => data(&Exact::zero(), c.u, 32),
         };
         let torque = data(&planned.torque, c.u, c.torque_bits.unwrap_or(32));
-        let error_id = if wrong_cycle { 1 } else { planned.bad };
+        let error_id = match (wrong_cycle, calls.is_fault) {
+            (true, _) => 1,
+            (_, true) => 9,
+            _ => planned.bad,
+        };
         vec![
             ("v_feedforward", real(&planned.v_feedforward, c.u)),
             ("v_additive", real(&planned.v_additive, c.u)),

@@ -28,6 +28,7 @@ pub struct Inputs {
     pub position_controlled: bool,
     pub reset: bool,
     pub task_cycle_ns: u32,
+    pub cycle_counter: u32,
 }
 
 impl Inputs {
@@ -54,6 +55,7 @@ impl Inputs {
         position_controlled: true,
         reset: false,
         task_cycle_ns: 0,
+        cycle_counter: 0,
     };
 }
 
@@ -81,6 +83,8 @@ pub struct History {
     motions: [Motion; REALS],
     left: usize,
     switches: Inputs,
+    /// of an axis that counts: how the counter goes on, the counter, irregular calls in 1000
+    calls: Option<(Rng, u32, usize)>,
 }
 
 impl History {
@@ -90,7 +94,12 @@ impl History {
         let events = *rng.pick(&[0, 2, 10, 60]);
         let switches = Inputs::USUAL;
         let motions = [Motion::Rest; REALS];
-        Self { rng, single: p.single, cycle_ns: p.cycle_ns, events, motions, left: 0, switches }
+        let calls = p.counts_calls.then(|| {
+            let mut own = rng.clone();
+            let irregular = *own.pick(&[5, 30, 110, 250]);
+            (own, 0, irregular)
+        });
+        Self { rng, single: p.single, cycle_ns: p.cycle_ns, events, motions, left: 0, switches, calls }
     }
 
     /// The next cycle.
@@ -147,6 +156,15 @@ impl History {
         }
         let [x_command, x_actual, v_interpolator, a_interpolator, j_interpolator, v_motor, ..] = reals;
         let [.., v_direct, v_add_master, v_feedforward, v_additive, v_add] = reals;
+        if let Some((rng, counter, irregular)) = &mut self.calls {
+            let is_regular = rng.below(1000) >= *irregular;
+            let more = if is_regular { 1 } else { *rng.pick(&[0, 0, 2, 2, 2, 3, 3, 4, 5, 100, u32::MAX]) };
+            *counter = counter.wrapping_add(more);
+            if rng.below(1000) < 3 {
+                *counter = *rng.pick(&[0, 1, u32::MAX - 2, u32::MAX]);
+            }
+            inputs.cycle_counter = *counter;
+        }
         Inputs {
             x_command,
             x_actual,

@@ -60,6 +60,7 @@
 pub mod agree;
 pub mod alone;
 pub mod axis;
+pub mod calls;
 pub mod coefficients;
 pub mod exact;
 pub mod feedforward;

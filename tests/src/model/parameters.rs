@@ -92,6 +92,8 @@ pub struct Parameters {
     pub tunable: &'static str,
     /// `watch`
     pub watch: bool,
+    /// `cycle_counter`
+    pub counts_calls: bool,
     /// improved position control
     pub stages: Vec<Stage>,
     /// of a gantry slave
@@ -191,6 +193,9 @@ impl Parameters {
         line(format!("ride_through = {}", self.ride_through));
         line(format!("tunable = \"{}\"", self.tunable));
         line(format!("watch = {}", self.watch));
+        if self.counts_calls {
+            line("cycle_counter = true".to_owned());
+        }
         if let Some(master) = self.master {
             line("kopf.achs_nr = 5\nkenngr.gantry_ax_nr = 4".to_owned());
             line(self.gear());

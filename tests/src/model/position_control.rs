@@ -1,10 +1,11 @@
 //! The block `position_control` in exact numbers: the controller of the CNC, or what a drive with the controller gets.
 
+use super::calls::{Calls, Verdict};
 use super::coefficients::Coefficients;
 use super::exact::Exact;
 use super::feedforward::{is_in_range, is_wrong_cycle};
 use super::history::Inputs;
-use super::parameters::Location;
+use super::parameters::{Location, Parameters};
 use super::rounding::{Data, Expected, Interval, data, either, flag, id, real};
 use std::collections::VecDeque;
 
@@ -37,12 +38,13 @@ pub struct Sent {
 }
 
 impl PositionControl {
-    /// 17, 1, 18 or 24 in this order; 0: none of them.
+    /// 17, 1, 9, 18 or 24 in this order; 0: none of them.
     #[must_use]
-    pub fn fault(c: &Coefficients, inputs: &Inputs) -> u32 {
+    pub fn fault(c: &Coefficients, inputs: &Inputs, calls: Verdict) -> u32 {
         match () {
             () if !c.takes_following_error && !is_in_range(c, inputs.x_command) => 17,
             () if is_wrong_cycle(c, inputs) => 1,
+            () if calls.is_fault => 9,
             () if c.takes_following_error => {
                 if is_in_range(c, inputs.following_error) {
                     0
@@ -130,11 +132,15 @@ pub fn x_drive(c: &Coefficients, controlled: &Controlled, held: f64) -> Interval
 
 /// The block that stands alone.
 #[derive(Clone, Debug, Default)]
-pub struct Alone(PositionControl);
+pub struct Alone(PositionControl, Calls);
 
 impl Alone {
     /// One cycle: what each output may be. `held` is the last `x_drive` that was put out.
-    pub fn cycle(&mut self, c: &Coefficients, inputs: &Inputs, held: f64) -> Expected {
+    pub fn cycle(&mut self, p: &Parameters, c: &Coefficients, inputs: &Inputs, held: f64) -> Expected {
+        let calls = self.1.call(p.counts_calls, inputs.cycle_counter);
+        if calls.restarts {
+            self.0 = PositionControl::default();
+        }
         let reads_feedforward = c.conventional.iter().any(Option::is_some);
         let reads_additive = c.additive.iter().any(Option::is_some);
         let reads_v_add = c.has_v_add && (c.location == Location::Cnc || c.velocity.is_some());
@@ -144,7 +150,7 @@ impl Alone {
             (reads_v_add, inputs.v_add, 21),
         ];
         let bad = || read.iter().find(|(is_read, value, _)| *is_read && !is_in_range(c, *value));
-        let error_id = match PositionControl::fault(c, inputs) {
+        let error_id = match PositionControl::fault(c, inputs, calls) {
             0 => bad().map_or(0, |(_, _, id)| *id),
             fault => fault,
         };

@@ -60,6 +60,7 @@ pub fn parameters(rng: &mut Rng) -> Parameters {
         ride_through: *rng.pick(&[0, 0, 1, 2, 5]),
         tunable: if rng.chance(40) { "weights" } else { "nothing" },
         watch: rng.clone().chance(50), // a clone: the other axes and histories stay what they were
+        counts_calls: rng.clone().below(7) < 2,
         stages: Vec::new(),
         master: None,
     };

@@ -46,6 +46,7 @@ macro_rules! runs {
                 inputs.position_controlled = given.position_controlled;
                 inputs.reset = given.reset;
                 inputs.task_cycle_ns = given.task_cycle_ns;
+                inputs.cycle_counter = given.cycle_counter;
                 $rest(&mut inputs, given);
                 <$block as Block<R>>::step(&mut state, &coeffs, &inputs, &mut outputs);
                 found.clear();

@@ -146,10 +146,10 @@ impl<'b> Bench<'b> {
         path.starts_with("now.") || path.starts_with("copy.")
     }
 
-    /// The cycles within which a number in use that differs from its copy is reported: 2 N + 3 with N numbers.
+    /// The cycles within which a number in use that differs from its copy is reported: 4 N + 3 with N numbers.
     pub fn stated(&self) -> usize {
         let numbers = self.program.state.iter().filter(|variable| variable.path.starts_with("now.")).count();
-        2 * numbers + 3
+        4 * numbers + 3
     }
 
     /// Whether an output says that something is wrong which is not wrong without the flip.

@@ -93,7 +93,7 @@ fn variant(label: &Expr, constants: &[Constant]) -> Option<Variant> {
     let Expr::Var(Var::Constant(index)) = label else { return None };
     match constants[*index].origin {
         Origin::Variant(variant) => Some(variant),
-        Origin::Coefficient(_) | Origin::Function => None,
+        Origin::Coefficient(_) | Origin::Function | Origin::Runtime(_) => None,
     }
 }
 

@@ -1,7 +1,7 @@
 //! Puts the signals around a block that users of PLCopen-style function blocks expect: Enable, Valid, Busy, Error, ErrorID, NoticeID.
 
 use crate::pass::Defect;
-use crate::program::{Expr, Local, Off, Program, Statement, Type, Var, Variable, rename};
+use crate::program::{Constant, Expr, Local, Off, Program, Statement, Type, Var, Variable, rename};
 use portable::{Binary, Brake, Literal};
 
 /// The outputs that get another name, and that name.
@@ -100,14 +100,10 @@ fn put_out(program: &mut Program, is_busy: Expr) {
             otherwise: vec![assign(notice, Expr::Var(error_id))],
         });
     }
-    program.step.extend([
-        Statement::If {
-            condition: Expr::not(shown.clone()),
-            then: vec![assign(error_id, none())],
-            otherwise: Vec::new(),
-        },
-        assign(error, shown),
-    ]);
+    let otherwise = vec![assign(error_id, none())];
+    program
+        .step
+        .extend([Statement::If { condition: shown.clone(), then: Vec::new(), otherwise }, assign(error, shown)]);
 }
 
 /// Whether a block that brakes is not at rest yet.
@@ -119,7 +115,13 @@ fn works(program: &Program, brake: &Brake, [velocity, state]: [Var; 2]) -> Expr 
     let compared = |operator, var, with| Expr::binary(operator, Expr::Var(var), Expr::Literal(with));
     let or = |left, right| Expr::binary(Binary::Or, left, right);
     let moves = or(compared(Binary::Greater, velocity, zero), compared(Binary::Less, velocity, zero));
-    let changes = brake.resting.iter().map(|number| compared(Binary::NotEqual, state, Literal::I32(*number)));
+    let named = |number: i32| {
+        let is_it =
+            |constant: &Constant| constant.value == Literal::I32(number) && constant.path.starts_with(brake.state);
+        let known = program.constants.iter().position(is_it);
+        known.map_or(Expr::Literal(Literal::I32(number)), |index| Expr::Var(Var::Constant(index)))
+    };
+    let changes = brake.resting.iter().map(|number| Expr::binary(Binary::NotEqual, Expr::Var(state), named(*number)));
     let changes = changes.reduce(|left, right| Expr::binary(Binary::And, left, right));
     changes.map_or(moves.clone(), |changes| or(moves, changes))
 }

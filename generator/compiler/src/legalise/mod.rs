@@ -14,6 +14,7 @@ mod own;
 mod settle;
 mod single;
 mod start;
+mod task;
 mod whole;
 
 pub use enable::{Cycle, NOTICE, NOTICES, ONLY_NOTICES, RENAMED};
@@ -56,6 +57,17 @@ pub const WITH_ENABLE: &[Stage] = &[
     ("single", single::run),
     ("chosen", choose::run),
 ];
+
+/// What TwinCAT needs: its runtime counts the cycles of a task.
+pub const WITH_TASK: &[Stage] = &{
+    let mut passes = [("filled", task::run as fn(Program) -> Result<Program, Defect>); WITH_ENABLE.len() + 1];
+    let mut at = 0;
+    while at < WITH_ENABLE.len() {
+        passes[at + 1] = WITH_ENABLE[at];
+        at += 1;
+    }
+    passes
+};
 
 /// Runs the passes of a target over a verified program, and verifies what comes out.
 ///

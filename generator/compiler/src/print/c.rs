@@ -70,10 +70,12 @@ fn appearances(program: &Program) -> Vec<Appearance> {
     let appearance = |(index, constant): (usize, &Constant)| match constant.origin {
         _ if signals.iter().any(|signal| signal.constants.contains(&index)) => Appearance::Enumerator,
         Origin::Variant(_) => Appearance::Enumerator,
-        Origin::Coefficient(_) | Origin::Function if 0 < apart[index] && apart[index] < all[index] => {
+        Origin::Coefficient(_) | Origin::Function | Origin::Runtime(_)
+            if 0 < apart[index] && apart[index] < all[index] =>
+        {
             Appearance::Shared
         }
-        Origin::Coefficient(_) | Origin::Function => Appearance::Declared,
+        Origin::Coefficient(_) | Origin::Function | Origin::Runtime(_) => Appearance::Declared,
     };
     program.constants.iter().enumerate().map(appearance).collect()
 }
@@ -125,6 +127,8 @@ fn form(operation: &Expr, ty: Type, real: RealKind) -> Option<Form> {
             (Intrinsic::FromU32 | Intrinsic::FromI32, RealKind::F64) => (Sign, "(double){0}", [Primary; 2]),
             (Intrinsic::FromU32 | Intrinsic::FromI32, RealKind::F32) => (Sign, "(float){0}", [Primary; 2]),
             (Intrinsic::Truncate, _) => (Sign, "(int32_t){0}", [Primary; 2]),
+            (Intrinsic::Stored, RealKind::F64) => (Sign, "*(const volatile double *)&{0}", [Primary; 2]),
+            (Intrinsic::Stored, RealKind::F32) => (Sign, "*(const volatile float *)&{0}", [Primary; 2]),
             (Intrinsic::Nearest, _) => (Primary, "{block}_nearest({0})", [Any; 2]),
         },
         _ => return None,

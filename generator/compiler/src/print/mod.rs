@@ -16,7 +16,7 @@ pub use language::{Appearance, Language};
 use names::Names;
 pub use names::identifier;
 
-use crate::program::{Constant, Expr, Program, Statement, Table, Var, Variable};
+use crate::program::{Constant, Expr, Origin, Program, Statement, Table, Var, Variable};
 use language::Level;
 use pretty::{Arena, DocAllocator, DocBuilder, RefDoc};
 
@@ -119,6 +119,10 @@ impl<'p> Printer<'p> {
         }
         for (index, appearance) in appearances.iter().enumerate() {
             if *appearance == Appearance::Inline {
+                if let Origin::Runtime(text) = program.constants[index].origin {
+                    text.clone_into(&mut texts.constants[index]);
+                    continue;
+                }
                 let (digits, level) = (language.operand)(program.constants[index].value);
                 let ([open, _, close], name) = (language.comment, &names.constants[index]);
                 let text = format!("{digits} {open}{name}{close}");

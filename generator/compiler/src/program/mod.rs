@@ -108,6 +108,8 @@ pub enum Origin {
     Function,
     /// a variant of an enumeration
     Variant(Variant),
+    /// a variable of the controller's runtime, as the language writes it: no block declares it
+    Runtime(&'static str),
 }
 
 /// The name of the number that a variant is: its enumeration's, then its own.
@@ -157,7 +159,7 @@ impl Type {
     pub(crate) fn of_intrinsic(intrinsic: Intrinsic) -> Self {
         match intrinsic {
             Intrinsic::InRange | Intrinsic::Within => Self::Bool,
-            Intrinsic::FromU32 | Intrinsic::FromI32 => Self::Real,
+            Intrinsic::FromU32 | Intrinsic::FromI32 | Intrinsic::Stored => Self::Real,
             Intrinsic::Truncate | Intrinsic::Nearest => Self::I32,
         }
     }

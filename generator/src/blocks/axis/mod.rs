@@ -2,10 +2,11 @@
 
 use super::ipc::notes::{self as ipc_notes, cycle_time, note};
 use super::values::{Value, Values, of_part};
-use super::{Certified, Part, Summary, feedforward, ipc, position_control};
+use super::{Certified, Figure, Part, Summary, feedforward, ipc, position_control};
 use crate::{blocks::designed::Designed, number::digits};
 use compiler::program::Program;
 use reference::axis::{Axis, Coeffs};
+use reference::call_rate;
 use reference::feedforward::Feedforward;
 use reference::ipc::Ipc;
 
@@ -22,15 +23,18 @@ impl Part for Axis {
     fn design(designed: &Designed) -> Coeffs<f64> {
         let axis = &designed.axis;
         let limit = axis.control.master_limit.unwrap_or(0.0);
+        // The axis counts for its parts.
+        let uncounted = call_rate::Coeffs::default();
         Coeffs {
             cycle_time_ns: axis.cycle_time_ns,
             addition: position_control::design::addition(axis),
             has_feedforward: axis.control.feedforward.is_some(),
             master_limit: limit,
             master_lower_limit: 0.0 - limit, // not `-limit`: 0 stays +0
-            feedforward: designed.feedforward,
-            ipc: designed.ipc,
-            position_control: designed.position_control,
+            feedforward: reference::feedforward::Coeffs { call_rate: uncounted, ..designed.feedforward },
+            ipc: reference::ipc::Coeffs { call_rate: uncounted, ..designed.ipc },
+            position_control: reference::position_control::Coeffs { call_rate: uncounted, ..designed.position_control },
+            call_rate: call_rate::Coeffs { active: axis.counts_calls },
         }
     }
 
@@ -74,8 +78,12 @@ impl Part for Axis {
         of_part("gantry", [("limit of the master", limit.map(|limit| Value::Number(limit, "")))])
     }
 
+    fn limit(&self, designed: &Designed) -> Option<Figure> {
+        ipc::limit(designed)
+    }
+
     /// The limit of what it adds.
     fn certificate(&self, designed: &Designed, _: &Program) -> Certified {
-        Certified { figures: ipc::limit(designed).into_iter().collect(), ..Certified::default() }
+        Certified { figures: self.limit(designed).into_iter().collect(), ..Certified::default() }
     }
 }

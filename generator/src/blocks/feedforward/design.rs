@@ -2,7 +2,7 @@
 
 use crate::axis::{Axis, Feedforward, Quantities, Width};
 use crate::design::{delay::delay, scale};
-use reference::feedforward;
+use reference::{call_rate, feedforward};
 
 /// Coefficients of feedforward for one axis; of an axis without it all zero.
 ///
@@ -36,6 +36,7 @@ pub(crate) fn coefficients(axis: &Axis) -> feedforward::Coeffs<f64> {
         torque_acceleration: torque * of.acceleration.value(),
         torque_jerk: torque * of.jerk.value(),
         torque_range: scale::range(of.torque_scale.as_ref().map_or(Width::Int32, |torque| torque.width), axis.real),
+        call_rate: call_rate::Coeffs { active: axis.counts_calls },
     }
 }
 

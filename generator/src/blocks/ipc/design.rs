@@ -4,6 +4,7 @@ use super::stage::{StageDesign, stage};
 use super::sum_limit::sum_limit;
 use crate::axis::{Axis, Ipc, Stage};
 use portable::RealKind;
+use reference::call_rate;
 use reference::ipc::{Coeffs, STAGES, ride_through, tuning, watch};
 
 /// Designs improved position control of an axis; an inactive stage is `None`. The coefficients are in double precision; single
@@ -38,6 +39,7 @@ pub(crate) fn design(axis: &Axis) -> ([Option<StageDesign>; STAGES], Coeffs<f64>
         }),
         ride_through: ride_through::Coeffs { active: ipc.ride_through > 0, cycles: ipc.ride_through },
         watch: watch(axis),
+        call_rate: call_rate::Coeffs { active: axis.counts_calls },
     };
     (stages, coeffs)
 }

@@ -82,6 +82,10 @@ impl Part for Ipc {
         diff::description(designed)
     }
 
+    fn limit(&self, designed: &Designed) -> Option<Figure> {
+        limit(designed)
+    }
+
     fn certificate(&self, designed: &Designed, program: &Program) -> Certified {
         // A gantry slave's block never acts: there is nothing to measure.
         if designed.axis.control.master.is_some() {

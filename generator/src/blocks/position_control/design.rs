@@ -2,7 +2,7 @@
 
 use crate::axis::{Axis, Location, PositionControl, Width};
 use crate::design::{delay, scale};
-use reference::{axis, position_control};
+use reference::{axis, call_rate, position_control};
 
 /// Coefficients of position control for one axis; of an axis without it all zero.
 ///
@@ -30,6 +30,7 @@ pub(crate) fn coefficients(axis: &Axis) -> position_control::Coeffs<f64> {
         xerr_range: scale::range(Width::Int32, axis.real),
         velocity_scale: velocity.map_or(0.0, |velocity| scale::velocity(velocity, axis.cycle_time_ns)),
         velocity_range: scale::range(velocity.map_or(Width::Int32, |velocity| velocity.width), axis.real),
+        call_rate: call_rate::Coeffs { active: axis.counts_calls },
     }
 }
 

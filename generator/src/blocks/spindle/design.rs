@@ -4,6 +4,7 @@ use super::limits::window;
 use crate::axis::{Axis, Changeover, Spindle};
 use crate::design::rounding::sample_limit;
 use crate::design::scale;
+use reference::call_rate;
 use reference::spindle::Coeffs;
 
 /// Half a turn [0.001 deg].
@@ -33,6 +34,7 @@ pub(crate) fn coefficients(axis: &Axis) -> Coeffs<f64> {
         takeover_window: of.takeover_window,
         mode_cycles: cycles(of.mode_timeout_ns, axis),
         brake_cycles: cycles(of.brake_timeout_ns, axis),
+        call_rate: call_rate::Coeffs { active: axis.counts_calls },
         ..Coeffs::default()
     };
     match &of.drive {

@@ -25,6 +25,8 @@ struct CRunner<'a> {
     scales: [String; 2],
     beyond: String,
     usual: Vec<(&'a str, String)>,
+    /// the input that counts the calls
+    counter: Option<&'a str>,
     drill: Vec<(usize, usize, &'a str, String)>,
     turns: Vec<(&'a str, String)>,
     /// each with whether it is a part from 0 to 1
@@ -64,6 +66,7 @@ pub(in crate::target) fn file(axis: &Header, block: &Legal<'_>, runner: &Runner)
         scales: runner.scales.map(LANGUAGE.literal),
         beyond: (LANGUAGE.literal)(runner.beyond),
         usual: runner.usual.iter().map(setting).collect(),
+        counter: runner.counter.as_ref().map(input),
         drill: runner.drill.iter().map(drill).collect(),
         turns: runner.turns.iter().map(setting).collect(),
         reals: runner.reals.iter().map(|real| (input(&real.own), real.is_fraction)).collect(),

@@ -13,7 +13,7 @@ static CODESYS: Dialect = Dialect {
     prefix: "",
     quote: "",
     mark: "",
-    arguments: ["E_axgen_mode.MODE_DRYRUN", "task_cycle_ns"],
+    arguments: ["E_axgen_mode.MODE_DRYRUN", "task_cycle_ns", "cycle_counter"],
 };
 
 #[derive(Template)]

@@ -12,17 +12,22 @@ pub(super) struct Dialect {
     pub(super) quote: &'static str,
     /// before a variable in a statement
     pub(super) mark: &'static str,
-    /// what a caller gives to the inputs `mode` and `task_cycle_ns`
-    pub(super) arguments: [&'static str; 2],
+    /// what a caller gives to the inputs `mode`, `task_cycle_ns` and `cycle_counter`
+    pub(super) arguments: [&'static str; 3],
 }
 
-pub(super) static ST: Dialect =
-    Dialect { language: &PLAIN, prefix: "", quote: "", mark: "", arguments: ["mode", "task_cycle_ns"] };
+pub(super) static ST: Dialect = Dialect {
+    language: &PLAIN,
+    prefix: "",
+    quote: "",
+    mark: "",
+    arguments: ["mode", "task_cycle_ns", "cycle_counter"],
+};
 
 pub(super) static SIEMENS: Dialect = Dialect {
     language: &SCL,
     prefix: "FB_",
     quote: "\"",
     mark: "#",
-    arguments: ["\"axgen_mode\".MODE_DRYRUN", "#task_cycle_ns"],
+    arguments: ["\"axgen_mode\".MODE_DRYRUN", "#task_cycle_ns", "#cycle_counter"],
 };

@@ -114,12 +114,13 @@ pub(super) fn origin<'a>(axis: &'a Header, file: &'a str, block: &Legal<'_>, dia
 impl Origin<'_> {
     /// The same of the file that holds the block itself: what is certain of it, and how it is called.
     pub(super) fn with_call(self, block: &Legal<'_>, dialect: &Dialect) -> Self {
-        let [mode, cycle] = dialect.arguments;
+        let [mode, cycle, counter] = dialect.arguments;
         let [inputs, _] = signals(&block.program, dialect.language);
         let argument = |input: &String| match input.as_str() {
             "Enable" => format!("{input} := TRUE"),
             "mode" => format!("{input} := {mode}"),
             "task_cycle_ns" => format!("{input} := {cycle}"),
+            "cycle_counter" => format!("{input} := {counter}"),
             // The parts of the set are given together.
             part if part.contains('.') => format!("{0} := {1}{0}{1}", SET, dialect.quote),
             other => format!("{input} := {}{other}", dialect.mark),

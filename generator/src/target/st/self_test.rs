@@ -54,6 +54,8 @@ struct Body<'a> {
 /// An input that has some values at some times, else its usual one.
 struct Switch<'a> {
     name: &'a str,
+    /// its last value, where it counts on from that; else empty
+    before: String,
     usual: String,
     turns: Vec<(&'a Turn, String)>,
 }
@@ -143,6 +145,7 @@ fn body(block: &Legal<'_>, dialect: &Dialect, trial: &Trial, [inputs, outputs]: 
     let switches = switches.map(|(input, name)| match position(input) {
         None => Switch {
             name,
+            before: String::new(),
             usual: literal(Literal::Bool(true)),
             turns: trial
                 .turns
@@ -153,8 +156,10 @@ fn body(block: &Legal<'_>, dialect: &Dialect, trial: &Trial, [inputs, outputs]: 
         },
         Some(position) => {
             let turns = trial.turns.iter().filter(|turn| turn.input == position && !(turn.is_off && has_enable));
+            let counts = trial.counter == Some(position);
             Switch {
                 name,
+                before: if counts { format!("{}in_{name} + ", dialect.mark) } else { String::new() },
                 usual: literal(trial.usual[position]),
                 turns: turns.map(|turn| (turn, literal(turn.value))).collect(),
             }

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  776a92067fc0c97acf1358dc09f1df77
- * structure   e85734e3abff1c23afe622dbb4aa68f2
- * checksum    a740dac5ddf2026272db770780fe6834
+ * structure   3effa669e110459a1720840499d53b34
+ * checksum    b9db56f00be57be6c615276146d1557a
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_Y_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_Y_IPC_PARAMETERS_2 0xcf1358dcu
 #define AXIS_Y_IPC_PARAMETERS_3 0x09f1df77u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_Y_IPC_STRUCTURE_0 0xe85734e3u
-#define AXIS_Y_IPC_STRUCTURE_1 0xabff1c23u
-#define AXIS_Y_IPC_STRUCTURE_2 0xafe622dbu
-#define AXIS_Y_IPC_STRUCTURE_3 0xb4aa68f2u
+#define AXIS_Y_IPC_STRUCTURE_0 0x3effa669u
+#define AXIS_Y_IPC_STRUCTURE_1 0xe110459au
+#define AXIS_Y_IPC_STRUCTURE_2 0x17208404u
+#define AXIS_Y_IPC_STRUCTURE_3 0x99d53b34u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_Y_IPC_INPUTS_SIZE 32u
 #define AXIS_Y_IPC_OUTPUTS_SIZE 24u

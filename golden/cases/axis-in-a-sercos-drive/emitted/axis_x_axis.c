@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  9014b604dd12f8224fb4d7d97b6b93de
  * structure   31eaf412f3b9ddc732f4133b158fcd6f
- * checksum    a79ea550d1971c99b016b21c8f0d9317
+ * checksum    bbf2144c036500ea7aec0c170910908e
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"
@@ -27,6 +27,12 @@
 #pragma GCC optimize ("fp-contract=off")
 #else
 #pragma STDC FP_CONTRACT OFF
+#endif
+/* Functions call no library: without this clang stores several zeros by a call of memset. */
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
+#endif
 #endif
 
 /* |value|, without a library */
@@ -439,3 +445,9 @@ void axis_x_axis_step(
         }
     }
 }
+
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute pop
+#endif
+#endif

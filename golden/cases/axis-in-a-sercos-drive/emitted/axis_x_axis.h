@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9014b604dd12f8224fb4d7d97b6b93de
- * structure   31eaf412f3b9ddc732f4133b158fcd6f
- * checksum    ffb0e96eda4493f7a6618cce19dc676c
+ * structure   4a3554cff2e3b344d0ed737e1540ae12
+ * checksum    5daa639fea7084b6a19fa3688cc0a939
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_AXIS_H
@@ -32,10 +32,10 @@ extern "C" {
 #define AXIS_X_AXIS_PARAMETERS_2 0x4fb4d7d9u
 #define AXIS_X_AXIS_PARAMETERS_3 0x7b6b93deu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_AXIS_STRUCTURE_0 0x31eaf412u
-#define AXIS_X_AXIS_STRUCTURE_1 0xf3b9ddc7u
-#define AXIS_X_AXIS_STRUCTURE_2 0x32f4133bu
-#define AXIS_X_AXIS_STRUCTURE_3 0x158fcd6fu
+#define AXIS_X_AXIS_STRUCTURE_0 0x4a3554cfu
+#define AXIS_X_AXIS_STRUCTURE_1 0xf2e3b344u
+#define AXIS_X_AXIS_STRUCTURE_2 0xd0ed737eu
+#define AXIS_X_AXIS_STRUCTURE_3 0x1540ae12u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_AXIS_INPUTS_SIZE 48u
 #define AXIS_X_AXIS_OUTPUTS_SIZE 40u

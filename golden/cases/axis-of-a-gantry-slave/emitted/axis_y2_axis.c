@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  2db12b55d2534ca103a8883bcea9d407
  * structure   ce092c42aad269edc2fefd2e173dac3c
- * checksum    213a080da853e2452b8165063c0c904d
+ * checksum    05d454956df8f78be86d70ba574d93f5
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_y2_axis.h"
@@ -27,6 +27,12 @@
 #pragma GCC optimize ("fp-contract=off")
 #else
 #pragma STDC FP_CONTRACT OFF
+#endif
+/* Functions call no library: without this clang stores several zeros by a call of memset. */
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
+#endif
 #endif
 
 /* |value|, without a library */
@@ -177,3 +183,9 @@ void axis_y2_axis_step(
         }
     }
 }
+
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute pop
+#endif
+#endif

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  05550f54ed225d18fecf0f48000fec37
- * structure   6f05c185633ca73c2cb92a0f008942b4
- * checksum    34018dd49c9363e07b72fdaee3b8d29e
+ * structure   db47f7e971da202484af9536033d1279
+ * checksum    c63a6e3782c550b393bf3feffbb88c85
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -47,10 +47,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xfecf0f48u
 #define AXIS_X_IPC_PARAMETERS_3 0x000fec37u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x6f05c185u
-#define AXIS_X_IPC_STRUCTURE_1 0x633ca73cu
-#define AXIS_X_IPC_STRUCTURE_2 0x2cb92a0fu
-#define AXIS_X_IPC_STRUCTURE_3 0x008942b4u
+#define AXIS_X_IPC_STRUCTURE_0 0xdb47f7e9u
+#define AXIS_X_IPC_STRUCTURE_1 0x71da2024u
+#define AXIS_X_IPC_STRUCTURE_2 0x84af9536u
+#define AXIS_X_IPC_STRUCTURE_3 0x033d1279u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 40u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

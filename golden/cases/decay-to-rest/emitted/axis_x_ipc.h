@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  d866a6f941d589509e7405f1c45ff916
- * structure   d9a18c4b88f0bda3d80fd663afc42383
- * checksum    acfa5929ea1ea6fdb5c15c2916f76860
+ * structure   fc625c896fdc215dda70f371a87d4f6d
+ * checksum    1aadf61b8fedfa7963bcf081bd650ec1
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x9e7405f1u
 #define AXIS_X_IPC_PARAMETERS_3 0xc45ff916u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xd9a18c4bu
-#define AXIS_X_IPC_STRUCTURE_1 0x88f0bda3u
-#define AXIS_X_IPC_STRUCTURE_2 0xd80fd663u
-#define AXIS_X_IPC_STRUCTURE_3 0xafc42383u
+#define AXIS_X_IPC_STRUCTURE_0 0xfc625c89u
+#define AXIS_X_IPC_STRUCTURE_1 0x6fdc215du
+#define AXIS_X_IPC_STRUCTURE_2 0xda70f371u
+#define AXIS_X_IPC_STRUCTURE_3 0xa87d4f6du
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -6,7 +6,7 @@
  * cycle time  4000000 ns
  * parameters  899d9161a2ded0013f7b34563e3f8ca5
  * structure   e97b57cb8cf9a41e66b98c94798f280a
- * checksum    7d6c5685fd66ea5f6c6bf77699f91ef9
+ * checksum    31c819463a2b0246ce8b5cae0e46a5ee
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -27,6 +27,12 @@
 #pragma GCC optimize ("fp-contract=off")
 #else
 #pragma STDC FP_CONTRACT OFF
+#endif
+/* Functions call no library: without this clang stores several zeros by a call of memset. */
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
+#endif
 #endif
 
 /* |value|, without a library */
@@ -280,3 +286,9 @@ void axis_x_ipc_step(
         outputs->error_id = reason;
     }
 }
+
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute pop
+#endif
+#endif

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  899d9161a2ded0013f7b34563e3f8ca5
- * structure   e97b57cb8cf9a41e66b98c94798f280a
- * checksum    756cbb6d6838fd5cc3754ffc1a4addf6
+ * structure   18748b6db02c4535259de0715d728a7c
+ * checksum    a371f950996200f855c2f741bb5dae37
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -41,10 +41,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x3f7b3456u
 #define AXIS_X_IPC_PARAMETERS_3 0x3e3f8ca5u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xe97b57cbu
-#define AXIS_X_IPC_STRUCTURE_1 0x8cf9a41eu
-#define AXIS_X_IPC_STRUCTURE_2 0x66b98c94u
-#define AXIS_X_IPC_STRUCTURE_3 0x798f280au
+#define AXIS_X_IPC_STRUCTURE_0 0x18748b6du
+#define AXIS_X_IPC_STRUCTURE_1 0xb02c4535u
+#define AXIS_X_IPC_STRUCTURE_2 0x259de071u
+#define AXIS_X_IPC_STRUCTURE_3 0x5d728a7cu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

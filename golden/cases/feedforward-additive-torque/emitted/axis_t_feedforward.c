@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  e6c01a5b3ef569d72ebaa9f39de14a3f
  * structure   9617f4a8296e9b08ac356b6ef08d06b4
- * checksum    8619294effd681087610b69658bf909a
+ * checksum    a887cf17d49689173ab264f7e46084c8
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_t_feedforward.h"
@@ -27,6 +27,12 @@
 #pragma GCC optimize ("fp-contract=off")
 #else
 #pragma STDC FP_CONTRACT OFF
+#endif
+/* Functions call no library: without this clang stores several zeros by a call of memset. */
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
+#endif
 #endif
 
 /* |value|, without a library */
@@ -156,3 +162,9 @@ void axis_t_feedforward_step(
         }
     }
 }
+
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute pop
+#endif
+#endif

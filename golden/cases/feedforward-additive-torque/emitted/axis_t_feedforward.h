@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e6c01a5b3ef569d72ebaa9f39de14a3f
- * structure   9617f4a8296e9b08ac356b6ef08d06b4
- * checksum    d18b8692fc2ac870b81e883e3c133178
+ * structure   8ddc451898d90e9951ab36439e8e5cd0
+ * checksum    7e14d022241333ab768984d1fb45dc48
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_T_FEEDFORWARD_H
@@ -30,10 +30,10 @@ extern "C" {
 #define AXIS_T_FEEDFORWARD_PARAMETERS_2 0x2ebaa9f3u
 #define AXIS_T_FEEDFORWARD_PARAMETERS_3 0x9de14a3fu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_T_FEEDFORWARD_STRUCTURE_0 0x9617f4a8u
-#define AXIS_T_FEEDFORWARD_STRUCTURE_1 0x296e9b08u
-#define AXIS_T_FEEDFORWARD_STRUCTURE_2 0xac356b6eu
-#define AXIS_T_FEEDFORWARD_STRUCTURE_3 0xf08d06b4u
+#define AXIS_T_FEEDFORWARD_STRUCTURE_0 0x8ddc4518u
+#define AXIS_T_FEEDFORWARD_STRUCTURE_1 0x98d90e99u
+#define AXIS_T_FEEDFORWARD_STRUCTURE_2 0x51ab3643u
+#define AXIS_T_FEEDFORWARD_STRUCTURE_3 0x9e8e5cd0u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_T_FEEDFORWARD_INPUTS_SIZE 24u
 #define AXIS_T_FEEDFORWARD_OUTPUTS_SIZE 12u

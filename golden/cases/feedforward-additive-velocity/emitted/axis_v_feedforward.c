@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  9a5bb4a83307cb65482e42039b26788c
  * structure   f48e88ec1cc75ebd97f8714571ff5292
- * checksum    933981c312ca52932043d706f611164f
+ * checksum    5a3acdc3ffd565565f45de48d227ba9c
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_v_feedforward.h"
@@ -27,6 +27,12 @@
 #pragma GCC optimize ("fp-contract=off")
 #else
 #pragma STDC FP_CONTRACT OFF
+#endif
+/* Functions call no library: without this clang stores several zeros by a call of memset. */
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
+#endif
 #endif
 
 /* |value|, without a library */
@@ -158,3 +164,9 @@ void axis_v_feedforward_step(
         }
     }
 }
+
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute pop
+#endif
+#endif

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9a5bb4a83307cb65482e42039b26788c
- * structure   f48e88ec1cc75ebd97f8714571ff5292
- * checksum    3ebed6533a4f1539cc053a7003d2aa2b
+ * structure   852464133b613bd424eb60c285f069cc
+ * checksum    1a7ac8e276cc406304b68eaf84317541
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_V_FEEDFORWARD_H
@@ -30,10 +30,10 @@ extern "C" {
 #define AXIS_V_FEEDFORWARD_PARAMETERS_2 0x482e4203u
 #define AXIS_V_FEEDFORWARD_PARAMETERS_3 0x9b26788cu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_V_FEEDFORWARD_STRUCTURE_0 0xf48e88ecu
-#define AXIS_V_FEEDFORWARD_STRUCTURE_1 0x1cc75ebdu
-#define AXIS_V_FEEDFORWARD_STRUCTURE_2 0x97f87145u
-#define AXIS_V_FEEDFORWARD_STRUCTURE_3 0x71ff5292u
+#define AXIS_V_FEEDFORWARD_STRUCTURE_0 0x85246413u
+#define AXIS_V_FEEDFORWARD_STRUCTURE_1 0x3b613bd4u
+#define AXIS_V_FEEDFORWARD_STRUCTURE_2 0x24eb60c2u
+#define AXIS_V_FEEDFORWARD_STRUCTURE_3 0x85f069ccu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_V_FEEDFORWARD_INPUTS_SIZE 24u
 #define AXIS_V_FEEDFORWARD_OUTPUTS_SIZE 24u

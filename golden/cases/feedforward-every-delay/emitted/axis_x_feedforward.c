@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  5081215969251b07d12905c1b2a3f3db
  * structure   7de2212c90ae1e6a1b2926f90da39e62
- * checksum    ff784a3013e000e0f1cfa9635b5c945c
+ * checksum    42e092fd277ec590b8aeb36974c7c90d
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_feedforward.h"
@@ -27,6 +27,12 @@
 #pragma GCC optimize ("fp-contract=off")
 #else
 #pragma STDC FP_CONTRACT OFF
+#endif
+/* Functions call no library: without this clang stores several zeros by a call of memset. */
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
+#endif
 #endif
 
 /* |value|, without a library */
@@ -230,3 +236,9 @@ void axis_x_feedforward_step(
         }
     }
 }
+
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute pop
+#endif
+#endif

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  5081215969251b07d12905c1b2a3f3db
- * structure   7de2212c90ae1e6a1b2926f90da39e62
- * checksum    d94289fc5bc98d072bf78dc9aae0acf4
+ * structure   0c8a872af7a93942a4a752ef109ef7db
+ * checksum    62ff1777c252d423456c06cd705bce65
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_FEEDFORWARD_H
@@ -30,10 +30,10 @@ extern "C" {
 #define AXIS_X_FEEDFORWARD_PARAMETERS_2 0xd12905c1u
 #define AXIS_X_FEEDFORWARD_PARAMETERS_3 0xb2a3f3dbu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_FEEDFORWARD_STRUCTURE_0 0x7de2212cu
-#define AXIS_X_FEEDFORWARD_STRUCTURE_1 0x90ae1e6au
-#define AXIS_X_FEEDFORWARD_STRUCTURE_2 0x1b2926f9u
-#define AXIS_X_FEEDFORWARD_STRUCTURE_3 0x0da39e62u
+#define AXIS_X_FEEDFORWARD_STRUCTURE_0 0x0c8a872au
+#define AXIS_X_FEEDFORWARD_STRUCTURE_1 0xf7a93942u
+#define AXIS_X_FEEDFORWARD_STRUCTURE_2 0xa4a752efu
+#define AXIS_X_FEEDFORWARD_STRUCTURE_3 0x109ef7dbu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_FEEDFORWARD_INPUTS_SIZE 40u
 #define AXIS_X_FEEDFORWARD_OUTPUTS_SIZE 24u

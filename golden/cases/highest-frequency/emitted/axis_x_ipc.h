@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  677de2a23211c4ed594818a9169e5c31
- * structure   26cf82a0f4297a790d204a6a404f218a
- * checksum    936fb7ce3836eab1b7f329832fde195d
+ * structure   8e9f92facf1dd08b3458fc36a64394f2
+ * checksum    669c4abeaf98bab69352a2961cd09e44
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x594818a9u
 #define AXIS_X_IPC_PARAMETERS_3 0x169e5c31u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x26cf82a0u
-#define AXIS_X_IPC_STRUCTURE_1 0xf4297a79u
-#define AXIS_X_IPC_STRUCTURE_2 0x0d204a6au
-#define AXIS_X_IPC_STRUCTURE_3 0x404f218au
+#define AXIS_X_IPC_STRUCTURE_0 0x8e9f92fau
+#define AXIS_X_IPC_STRUCTURE_1 0xcf1dd08bu
+#define AXIS_X_IPC_STRUCTURE_2 0x3458fc36u
+#define AXIS_X_IPC_STRUCTURE_3 0xa64394f2u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 32u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  035a2ceba1d4549378e201e9e82370a6
- * structure   1d85b85e31fe45ec7a766b990d031e2d
- * checksum    e7352835c942b0326e298aa704c2e1c0
+ * structure   ee341d0fcf1248a3a8512bdfe720fa71
+ * checksum    1ceaabe267c055299817c68dbf4efb94
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -40,10 +40,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x78e201e9u
 #define AXIS_X_IPC_PARAMETERS_3 0xe82370a6u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x1d85b85eu
-#define AXIS_X_IPC_STRUCTURE_1 0x31fe45ecu
-#define AXIS_X_IPC_STRUCTURE_2 0x7a766b99u
-#define AXIS_X_IPC_STRUCTURE_3 0x0d031e2du
+#define AXIS_X_IPC_STRUCTURE_0 0xee341d0fu
+#define AXIS_X_IPC_STRUCTURE_1 0xcf1248a3u
+#define AXIS_X_IPC_STRUCTURE_2 0xa8512bdfu
+#define AXIS_X_IPC_STRUCTURE_3 0xe720fa71u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -6,7 +6,7 @@
  * cycle time  2000000 ns
  * parameters  2cb36657eb5edd333340ce8cb8317bc0
  * structure   6c7a1b1ccd25aa7e2ae875a6d2a81e4d
- * checksum    0156d1cb0bfe92ad3eaf5a886b213c22
+ * checksum    a57b0282f5b6520c4b62d1a9535940cf
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -27,6 +27,12 @@
 #pragma GCC optimize ("fp-contract=off")
 #else
 #pragma STDC FP_CONTRACT OFF
+#endif
+/* Functions call no library: without this clang stores several zeros by a call of memset. */
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
+#endif
 #endif
 
 /* |value|, without a library */
@@ -237,3 +243,9 @@ void axis_x_ipc_step(
         outputs->error_id = reason;
     }
 }
+
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute pop
+#endif
+#endif

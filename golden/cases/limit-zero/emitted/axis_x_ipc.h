@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  2cb36657eb5edd333340ce8cb8317bc0
- * structure   6c7a1b1ccd25aa7e2ae875a6d2a81e4d
- * checksum    2ce89c31cf5438de4ece7fd7f157298b
+ * structure   a77c7dca2a88668ab3a13d723deb366b
+ * checksum    110d9731ad3f2a98565496610462ae1e
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -36,10 +36,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x3340ce8cu
 #define AXIS_X_IPC_PARAMETERS_3 0xb8317bc0u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x6c7a1b1cu
-#define AXIS_X_IPC_STRUCTURE_1 0xcd25aa7eu
-#define AXIS_X_IPC_STRUCTURE_2 0x2ae875a6u
-#define AXIS_X_IPC_STRUCTURE_3 0xd2a81e4du
+#define AXIS_X_IPC_STRUCTURE_0 0xa77c7dcau
+#define AXIS_X_IPC_STRUCTURE_1 0x2a88668au
+#define AXIS_X_IPC_STRUCTURE_2 0xb3a13d72u
+#define AXIS_X_IPC_STRUCTURE_3 0x3deb366bu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  62500 ns
  * parameters  2ebd2317bdfdf9946197084c79fdae1d
- * structure   80e9ec0ef4e1f063cbaba6a749f71eb3
- * checksum    31d5af98249d5553d98e029a5ca49267
+ * structure   35353bf6be272d65f82d5e995576b435
+ * checksum    6625894b3ecf25d9427e8e5d7d063c80
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x6197084cu
 #define AXIS_X_IPC_PARAMETERS_3 0x79fdae1du
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x80e9ec0eu
-#define AXIS_X_IPC_STRUCTURE_1 0xf4e1f063u
-#define AXIS_X_IPC_STRUCTURE_2 0xcbaba6a7u
-#define AXIS_X_IPC_STRUCTURE_3 0x49f71eb3u
+#define AXIS_X_IPC_STRUCTURE_0 0x35353bf6u
+#define AXIS_X_IPC_STRUCTURE_1 0xbe272d65u
+#define AXIS_X_IPC_STRUCTURE_2 0xf82d5e99u
+#define AXIS_X_IPC_STRUCTURE_3 0x5576b435u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  310bc9f2d370ffdb55eb325b34f7ea20
  * structure   680a276cb1222e9eb2fd5683f97dc93c
- * checksum    114a2115eb867b70b7829b72a9d094fe
+ * checksum    49bd2b25b5b2a8ab6f18e2daa8b5554a
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -27,6 +27,12 @@
 #pragma GCC optimize ("fp-contract=off")
 #else
 #pragma STDC FP_CONTRACT OFF
+#endif
+/* Functions call no library: without this clang stores several zeros by a call of memset. */
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
+#endif
 #endif
 
 /* |value|, without a library */
@@ -310,3 +316,9 @@ void axis_x_ipc_step(
         outputs->error_id = reason;
     }
 }
+
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute pop
+#endif
+#endif

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  310bc9f2d370ffdb55eb325b34f7ea20
- * structure   680a276cb1222e9eb2fd5683f97dc93c
- * checksum    e87fa5d168faec87260d00f46bb3e09c
+ * structure   9d821a92ab2cb8a37adb04544f78a3e0
+ * checksum    4f70d4fd54ce894c381503826962e22c
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -43,10 +43,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x55eb325bu
 #define AXIS_X_IPC_PARAMETERS_3 0x34f7ea20u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x680a276cu
-#define AXIS_X_IPC_STRUCTURE_1 0xb1222e9eu
-#define AXIS_X_IPC_STRUCTURE_2 0xb2fd5683u
-#define AXIS_X_IPC_STRUCTURE_3 0xf97dc93cu
+#define AXIS_X_IPC_STRUCTURE_0 0x9d821a92u
+#define AXIS_X_IPC_STRUCTURE_1 0xab2cb8a3u
+#define AXIS_X_IPC_STRUCTURE_2 0x7adb0454u
+#define AXIS_X_IPC_STRUCTURE_3 0x4f78a3e0u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  e6579a5fd4ee7e91a79841af8c74adc1
  * structure   5816a31608215d4a95e9ea6920b11ba0
- * checksum    11e98131252c1da6356adacce3638153
+ * checksum    84adce495cf7ea9d987572a610f8c0dc
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_position_control.h"
@@ -27,6 +27,12 @@
 #pragma GCC optimize ("fp-contract=off")
 #else
 #pragma STDC FP_CONTRACT OFF
+#endif
+/* Functions call no library: without this clang stores several zeros by a call of memset. */
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
+#endif
 #endif
 
 /* |value|, without a library */
@@ -155,3 +161,9 @@ void axis_x_position_control_step(
         }
     }
 }
+
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute pop
+#endif
+#endif

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e6579a5fd4ee7e91a79841af8c74adc1
- * structure   5816a31608215d4a95e9ea6920b11ba0
- * checksum    e2547396072a73f5119618b0da915a78
+ * structure   3a964945cc9ea74fe2d0e71636161764
+ * checksum    70b3e3c5917b7acec1afa72a1a5e1fc6
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_POSITION_CONTROL_H
@@ -30,10 +30,10 @@ extern "C" {
 #define AXIS_X_POSITION_CONTROL_PARAMETERS_2 0xa79841afu
 #define AXIS_X_POSITION_CONTROL_PARAMETERS_3 0x8c74adc1u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_POSITION_CONTROL_STRUCTURE_0 0x5816a316u
-#define AXIS_X_POSITION_CONTROL_STRUCTURE_1 0x08215d4au
-#define AXIS_X_POSITION_CONTROL_STRUCTURE_2 0x95e9ea69u
-#define AXIS_X_POSITION_CONTROL_STRUCTURE_3 0x20b11ba0u
+#define AXIS_X_POSITION_CONTROL_STRUCTURE_0 0x3a964945u
+#define AXIS_X_POSITION_CONTROL_STRUCTURE_1 0xcc9ea74fu
+#define AXIS_X_POSITION_CONTROL_STRUCTURE_2 0xe2d0e716u
+#define AXIS_X_POSITION_CONTROL_STRUCTURE_3 0x36161764u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_POSITION_CONTROL_INPUTS_SIZE 40u
 #define AXIS_X_POSITION_CONTROL_OUTPUTS_SIZE 24u

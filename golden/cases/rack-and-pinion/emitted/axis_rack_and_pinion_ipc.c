@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  097a836f6fa98f8ecb4119133f3f1eb0
  * structure   0910220460bd05e1cc4c527f5d1cd8a4
- * checksum    a8063c0eff0783ab9ccad7d3963a3806
+ * checksum    244f0f2cd26abb58b8c5f1f06ea084e6
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_rack_and_pinion_ipc.h"
@@ -27,6 +27,12 @@
 #pragma GCC optimize ("fp-contract=off")
 #else
 #pragma STDC FP_CONTRACT OFF
+#endif
+/* Functions call no library: without this clang stores several zeros by a call of memset. */
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
+#endif
 #endif
 
 /* |value|, without a library */
@@ -278,3 +284,9 @@ void axis_rack_and_pinion_ipc_step(
         outputs->error_id = reason;
     }
 }
+
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute pop
+#endif
+#endif

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  097a836f6fa98f8ecb4119133f3f1eb0
- * structure   0910220460bd05e1cc4c527f5d1cd8a4
- * checksum    d400873b80a453955afdab8f263f51c4
+ * structure   ab1fc7d6ae031da803a122fb0c80af1b
+ * checksum    20b43d54d1fa576e26cf1a4ddd58c845
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_RACK_AND_PINION_IPC_H
@@ -43,10 +43,10 @@ extern "C" {
 #define AXIS_RACK_AND_PINION_IPC_PARAMETERS_2 0xcb411913u
 #define AXIS_RACK_AND_PINION_IPC_PARAMETERS_3 0x3f3f1eb0u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_0 0x09102204u
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_1 0x60bd05e1u
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_2 0xcc4c527fu
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_3 0x5d1cd8a4u
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_0 0xab1fc7d6u
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_1 0xae031da8u
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_2 0x03a122fbu
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_3 0x0c80af1bu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_RACK_AND_PINION_IPC_INPUTS_SIZE 24u
 #define AXIS_RACK_AND_PINION_IPC_OUTPUTS_SIZE 24u

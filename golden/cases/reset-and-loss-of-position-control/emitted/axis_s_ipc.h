@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  01e6eb02896c59c399f72dbc0e232957
- * structure   235b0e16788182722bf01d17725272a8
- * checksum    9722dd75c734fe4fc312a01fd96487a6
+ * structure   2a1839e9341b50aebffc0590da6f84e2
+ * checksum    4cadee61d8ae7e5d784088c3641612ec
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_IPC_H
@@ -40,10 +40,10 @@ extern "C" {
 #define AXIS_S_IPC_PARAMETERS_2 0x99f72dbcu
 #define AXIS_S_IPC_PARAMETERS_3 0x0e232957u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_S_IPC_STRUCTURE_0 0x235b0e16u
-#define AXIS_S_IPC_STRUCTURE_1 0x78818272u
-#define AXIS_S_IPC_STRUCTURE_2 0x2bf01d17u
-#define AXIS_S_IPC_STRUCTURE_3 0x725272a8u
+#define AXIS_S_IPC_STRUCTURE_0 0x2a1839e9u
+#define AXIS_S_IPC_STRUCTURE_1 0x341b50aeu
+#define AXIS_S_IPC_STRUCTURE_2 0xbffc0590u
+#define AXIS_S_IPC_STRUCTURE_3 0xda6f84e2u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_S_IPC_INPUTS_SIZE 24u
 #define AXIS_S_IPC_OUTPUTS_SIZE 24u

@@ -6,7 +6,7 @@
  * cycle time  2000000 ns
  * parameters  91c6f1b05179a6542c9db8978950cedf
  * structure   24817f06e7f2c05d27d8adc54efe201d
- * checksum    d388ce8488c0ec4fd6978dadaa18adc2
+ * checksum    9a782d3a7b946aa4205fb5881f8371ef
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_f_position_control.h"
@@ -27,6 +27,12 @@
 #pragma GCC optimize ("fp-contract=off")
 #else
 #pragma STDC FP_CONTRACT OFF
+#endif
+/* Functions call no library: without this clang stores several zeros by a call of memset. */
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
+#endif
 #endif
 
 /* |value|, without a library */
@@ -138,3 +144,9 @@ void axis_f_position_control_step(
         }
     }
 }
+
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute pop
+#endif
+#endif

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  e1f780f3962f4d82bdd4f2c5209ad1a5
- * structure   90a0b5b6adf6294b975afb1b5dbd9449
- * checksum    849c26c185d2e805a008405145dc1842
+ * structure   dea047c578fd65c9f99c3f8b81bd4a7e
+ * checksum    383b613708b76e710ae3ae46282f12ae
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -43,10 +43,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xbdd4f2c5u
 #define AXIS_X_IPC_PARAMETERS_3 0x209ad1a5u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x90a0b5b6u
-#define AXIS_X_IPC_STRUCTURE_1 0xadf6294bu
-#define AXIS_X_IPC_STRUCTURE_2 0x975afb1bu
-#define AXIS_X_IPC_STRUCTURE_3 0x5dbd9449u
+#define AXIS_X_IPC_STRUCTURE_0 0xdea047c5u
+#define AXIS_X_IPC_STRUCTURE_1 0x78fd65c9u
+#define AXIS_X_IPC_STRUCTURE_2 0xf99c3f8bu
+#define AXIS_X_IPC_STRUCTURE_3 0x81bd4a7eu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 16u
 #define AXIS_X_IPC_OUTPUTS_SIZE 16u

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  62500 ns
  * parameters  3ded08af76ecf576262a5ba0ab2f33f9
- * structure   4dfa7285440f0aad0f42d8ad47bcb196
- * checksum    71e47e9f464bfad39b04371558834109
+ * structure   ab44a3a894b363a8caf29bb3b01c978a
+ * checksum    2da47b29665244040f8e4a2a22774ce4
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -43,10 +43,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x262a5ba0u
 #define AXIS_X_IPC_PARAMETERS_3 0xab2f33f9u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x4dfa7285u
-#define AXIS_X_IPC_STRUCTURE_1 0x440f0aadu
-#define AXIS_X_IPC_STRUCTURE_2 0x0f42d8adu
-#define AXIS_X_IPC_STRUCTURE_3 0x47bcb196u
+#define AXIS_X_IPC_STRUCTURE_0 0xab44a3a8u
+#define AXIS_X_IPC_STRUCTURE_1 0x94b363a8u
+#define AXIS_X_IPC_STRUCTURE_2 0xcaf29bb3u
+#define AXIS_X_IPC_STRUCTURE_3 0xb01c978au
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 16u
 #define AXIS_X_IPC_OUTPUTS_SIZE 16u

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  e2453a0975306551d54cce9dca887813
- * structure   c7cf5ff442ebadf602227a9e3020cec9
- * checksum    35ea4f3ba488a532cbea65c65fe89ec6
+ * structure   3e99e516dbb85b625e4116a6e39a1e8e
+ * checksum    83d44fee567dadd1cdd2f33c873d0d63
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_C_IPC_H
@@ -49,10 +49,10 @@ extern "C" {
 #define AXIS_C_IPC_PARAMETERS_2 0xd54cce9du
 #define AXIS_C_IPC_PARAMETERS_3 0xca887813u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_C_IPC_STRUCTURE_0 0xc7cf5ff4u
-#define AXIS_C_IPC_STRUCTURE_1 0x42ebadf6u
-#define AXIS_C_IPC_STRUCTURE_2 0x02227a9eu
-#define AXIS_C_IPC_STRUCTURE_3 0x3020cec9u
+#define AXIS_C_IPC_STRUCTURE_0 0x3e99e516u
+#define AXIS_C_IPC_STRUCTURE_1 0xdbb85b62u
+#define AXIS_C_IPC_STRUCTURE_2 0x5e4116a6u
+#define AXIS_C_IPC_STRUCTURE_3 0xe39a1e8eu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_C_IPC_INPUTS_SIZE 20u
 #define AXIS_C_IPC_OUTPUTS_SIZE 16u

@@ -6,7 +6,7 @@
  * cycle time  2000000 ns
  * parameters  b92e28125bf8b73ebb5b80376f6f2970
  * structure   d8e1a53f37cece291154447b66106781
- * checksum    d0eacaef7bc20172c0e2763c1678b9b2
+ * checksum    f500efc2ac6b7d2b50254927a6000b28
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle.h"
@@ -27,6 +27,12 @@
 #pragma GCC optimize ("fp-contract=off")
 #else
 #pragma STDC FP_CONTRACT OFF
+#endif
+/* Functions call no library: without this clang stores several zeros by a call of memset. */
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
+#endif
 #endif
 
 /* |value|, without a library */
@@ -865,3 +871,9 @@ void axis_s_spindle_step(
         axis_s_spindle_any_cycle(state, inputs, outputs);
     }
 }
+
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute pop
+#endif
+#endif

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  b92e28125bf8b73ebb5b80376f6f2970
- * structure   d8e1a53f37cece291154447b66106781
- * checksum    6484c513577554152f5d91d7cdb03efd
+ * structure   81a3e4721e1ccb9cb568bdc95294fe8c
+ * checksum    30a4d978eb826a2813f5c6ee2e3c99e1
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_H
@@ -30,10 +30,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_PARAMETERS_2 0xbb5b8037u
 #define AXIS_S_SPINDLE_PARAMETERS_3 0x6f6f2970u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_S_SPINDLE_STRUCTURE_0 0xd8e1a53fu
-#define AXIS_S_SPINDLE_STRUCTURE_1 0x37cece29u
-#define AXIS_S_SPINDLE_STRUCTURE_2 0x1154447bu
-#define AXIS_S_SPINDLE_STRUCTURE_3 0x66106781u
+#define AXIS_S_SPINDLE_STRUCTURE_0 0x81a3e472u
+#define AXIS_S_SPINDLE_STRUCTURE_1 0x1e1ccb9cu
+#define AXIS_S_SPINDLE_STRUCTURE_2 0xb568bdc9u
+#define AXIS_S_SPINDLE_STRUCTURE_3 0x5294fe8cu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_INPUTS_SIZE 72u
 #define AXIS_S_SPINDLE_OUTPUTS_SIZE 64u

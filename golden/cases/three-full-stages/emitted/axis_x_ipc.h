@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  c8c2089743691a12a670aea6eebc23b5
- * structure   447aa80e7cb92f2f711d6bf89f992ff2
- * checksum    b6bc5382ffe5bed28efa678a4d7277a6
+ * structure   675429b91c74ef92dcc5c00b796a7fb8
+ * checksum    3efd53f35f85f698370579aa95bb51e9
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -47,10 +47,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xa670aea6u
 #define AXIS_X_IPC_PARAMETERS_3 0xeebc23b5u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x447aa80eu
-#define AXIS_X_IPC_STRUCTURE_1 0x7cb92f2fu
-#define AXIS_X_IPC_STRUCTURE_2 0x711d6bf8u
-#define AXIS_X_IPC_STRUCTURE_3 0x9f992ff2u
+#define AXIS_X_IPC_STRUCTURE_0 0x675429b9u
+#define AXIS_X_IPC_STRUCTURE_1 0x1c74ef92u
+#define AXIS_X_IPC_STRUCTURE_2 0xdcc5c00bu
+#define AXIS_X_IPC_STRUCTURE_3 0x796a7fb8u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 32u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  8768c4a3e69a4771ad043b3e1f6ff3a7
- * structure   37f4af145778dfe9418025eb81f799e9
- * checksum    eb754252d195553ceabe9c056fde6798
+ * structure   4888616b257c1708c89125ce5f866ea7
+ * checksum    ecde3abab00de61da9836f70f3790bfe
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_Z_IPC_H
@@ -50,10 +50,10 @@ extern "C" {
 #define AXIS_Z_IPC_PARAMETERS_2 0xad043b3eu
 #define AXIS_Z_IPC_PARAMETERS_3 0x1f6ff3a7u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_Z_IPC_STRUCTURE_0 0x37f4af14u
-#define AXIS_Z_IPC_STRUCTURE_1 0x5778dfe9u
-#define AXIS_Z_IPC_STRUCTURE_2 0x418025ebu
-#define AXIS_Z_IPC_STRUCTURE_3 0x81f799e9u
+#define AXIS_Z_IPC_STRUCTURE_0 0x4888616bu
+#define AXIS_Z_IPC_STRUCTURE_1 0x257c1708u
+#define AXIS_Z_IPC_STRUCTURE_2 0xc89125ceu
+#define AXIS_Z_IPC_STRUCTURE_3 0x5f866ea7u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_Z_IPC_INPUTS_SIZE 32u
 #define AXIS_Z_IPC_OUTPUTS_SIZE 24u

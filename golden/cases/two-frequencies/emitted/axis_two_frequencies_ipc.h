@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  98ef165b1429998f7030c7689ebe1984
- * structure   9f98141b6b84fd349387898cbc83f526
- * checksum    ff2f3af96ab3e4b0411546394d9d852e
+ * structure   b09a5e97ffe4585540f0e7220d909600
+ * checksum    d246b5a11baca6acf44fbf6b96e4f797
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_TWO_FREQUENCIES_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_TWO_FREQUENCIES_IPC_PARAMETERS_2 0x7030c768u
 #define AXIS_TWO_FREQUENCIES_IPC_PARAMETERS_3 0x9ebe1984u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_0 0x9f98141bu
-#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_1 0x6b84fd34u
-#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_2 0x9387898cu
-#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_3 0xbc83f526u
+#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_0 0xb09a5e97u
+#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_1 0xffe45855u
+#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_2 0x40f0e722u
+#define AXIS_TWO_FREQUENCIES_IPC_STRUCTURE_3 0x0d909600u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_TWO_FREQUENCIES_IPC_INPUTS_SIZE 24u
 #define AXIS_TWO_FREQUENCIES_IPC_OUTPUTS_SIZE 24u

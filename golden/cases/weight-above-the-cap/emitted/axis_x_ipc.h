@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  6f99155791694d13dee5cb5c76fe9e0a
- * structure   e33c542d3dffaa7804fd9f2c69f29c7f
- * checksum    a3f9918c06563583e2805bb53849f102
+ * structure   db41c092288e0d487f4869e814860a20
+ * checksum    bd825030f83c50271e69a2ed2f1a2154
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -41,10 +41,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xdee5cb5cu
 #define AXIS_X_IPC_PARAMETERS_3 0x76fe9e0au
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xe33c542du
-#define AXIS_X_IPC_STRUCTURE_1 0x3dffaa78u
-#define AXIS_X_IPC_STRUCTURE_2 0x04fd9f2cu
-#define AXIS_X_IPC_STRUCTURE_3 0x69f29c7fu
+#define AXIS_X_IPC_STRUCTURE_0 0xdb41c092u
+#define AXIS_X_IPC_STRUCTURE_1 0x288e0d48u
+#define AXIS_X_IPC_STRUCTURE_2 0x7f4869e8u
+#define AXIS_X_IPC_STRUCTURE_3 0x14860a20u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -47,6 +47,7 @@ pub fn coefficients(p: &Parameters) -> Coeffs<f64> {
             lower_limit: (f64::from(lowest) - 0.5).next_up(),
             upper_limit: (f64::from(highest) + 0.5).next_down(),
         },
+        call_rate: Default::default(),
     }
 }
 
@@ -73,6 +74,8 @@ pub fn inputs_of(of: &Inputs) -> spindle::Inputs<f64> {
         feedforward_percentage: of.feedforward_percentage,
         reset: of.reset,
         task_cycle_ns: of.task_cycle_ns,
+        // The key cycle_counter has a model of its own.
+        cycle_counter: 0,
     }
 }
 

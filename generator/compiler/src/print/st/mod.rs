@@ -6,7 +6,7 @@ mod literal;
 pub use literal::literal;
 
 use super::language::{Appearance, Cases, Form, Language, Level};
-use crate::program::{Expr, Program, Type, Var};
+use crate::program::{Constant, Expr, Origin, Program, Type, Var};
 use portable::{Intrinsic, Literal, RealKind, Unary};
 use std::collections::HashSet;
 use std::sync::LazyLock;
@@ -89,6 +89,7 @@ fn form(operation: &Expr, _: Type, real: RealKind) -> Option<Form> {
             (Intrinsic::FromI32, RealKind::F32) => (Primary, "DINT_TO_REAL({0})", [Any; 2]),
             // The only conversion to an integer on which implementations agree.
             (Intrinsic::Truncate, _) => (Primary, "TRUNC({0})", [Any; 2]),
+            (Intrinsic::Stored, _) => (Primary, "{0}", [Primary; 2]),
             (Intrinsic::Nearest, _) => panic!("st: a legalising pass spells out the rounding"),
         },
         _ => return None,
@@ -107,8 +108,11 @@ fn form_of_codesys(operation: &Expr, ty: Type, real: RealKind) -> Option<Form> {
 
 /// Where the smallest DINT is no literal, it is no value of a constant either.
 fn declared(program: &Program) -> Vec<Appearance> {
-    let appearance = |value| if value == Literal::I32(i32::MIN) { Appearance::Inline } else { Appearance::Declared };
-    program.constants.iter().map(|constant| appearance(constant.value)).collect()
+    let appearance = |constant: &Constant| match (constant.origin, constant.value) {
+        (Origin::Runtime(_), _) | (_, Literal::I32(i32::MIN)) => Appearance::Inline,
+        _ => Appearance::Declared,
+    };
+    program.constants.iter().map(appearance).collect()
 }
 
 /// Digits in an expression are LREAL in every implementation: they must not stand beside a REAL.

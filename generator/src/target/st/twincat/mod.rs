@@ -31,7 +31,8 @@ static TWINCAT: Dialect = Dialect {
     prefix: "FB_",
     quote: "",
     mark: "",
-    arguments: ["E_axgen_mode.MODE_DRYRUN", "100 * _TaskInfo[GETCURTASKINDEXEX()].CycleTime"],
+    // The block takes the counter of its task where it is given 0.
+    arguments: ["E_axgen_mode.MODE_DRYRUN", "100 * _TaskInfo[GETCURTASKINDEXEX()].CycleTime", "0"],
 };
 
 /// TwinCAT's files begin with a byte order mark.

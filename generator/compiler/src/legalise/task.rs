@@ -1,0 +1,49 @@
+//! Lets a block that counts its calls take the counter and the cycle time of its task where the caller gives none.
+//!
+//! ```text
+//! IF cycle_counter = 0 THEN seen := the task's count ELSE seen := cycle_counter
+//! ```
+
+use crate::pass::Defect;
+use crate::program::{Constant, Expr, Local, Origin, Program, Statement, Type, Var, rename};
+use portable::{Binary, Literal};
+
+/// The input that counts the controller's cycles: a block that has none stays as it is.
+const COUNTER: &str = "cycle_counter";
+
+/// An input, what TwinCAT knows of it, and by how much that is multiplied.
+const KNOWN: [(&str, &str, u32); 2] = [
+    (COUNTER, "TwinCAT_SystemInfoVarList._TaskInfo[GETCURTASKINDEXEX()].CycleCount", 1),
+    // TwinCAT counts 100 ns.
+    ("task_cycle_ns", "TwinCAT_SystemInfoVarList._TaskInfo[GETCURTASKINDEXEX()].CycleTime", 100),
+];
+
+/// The program with what the runtime of TwinCAT knows.
+pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
+    if program.inputs.iter().all(|input| input.path != COUNTER) {
+        return Ok(program);
+    }
+    for (path, text, times) in KNOWN {
+        let Some(position) = program.inputs.iter().position(|input| input.path == path) else { continue };
+        let (input, seen) = (Var::Input(position), Var::Local(program.locals.len()));
+        program.locals.push(Local { path: format!("{path}_seen"), ty: Some(Type::U32) });
+        rename(&mut program.step, &|var| if var == input { seen } else { var });
+        let known = Var::Constant(program.constants.len());
+        program.constants.push(Constant {
+            path: format!("task_{path}"),
+            doc: "what the controller's runtime knows of the task; 0 where there is no task",
+            value: Literal::U32(0),
+            origin: Origin::Runtime(text),
+        });
+        let number = |value| Expr::Literal(Literal::U32(value));
+        let of_task = match times {
+            1 => Expr::Var(known),
+            times => Expr::binary(Binary::Multiply, number(times), Expr::Var(known)),
+        };
+        let condition = Expr::binary(Binary::Equal, Expr::Var(input), number(0));
+        let assign = |value| vec![Statement::Assign { target: seen, value }];
+        let (then, otherwise) = (assign(of_task), assign(Expr::Var(input)));
+        program.step.insert(0, Statement::If { condition, then, otherwise });
+    }
+    Ok(program)
+}

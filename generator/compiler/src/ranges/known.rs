@@ -1,0 +1,231 @@
+//! What is known of every variable at one point of a program, and what follows from the answer to a condition that a variable holds. A
+//! branch is followed, taken back, and joined with the other one; only what it has changed is touched.
+
+use super::value::Value;
+use super::whole::Names;
+use std::rc::Rc;
+
+/// A variable, by its place among all of them.
+pub(super) type Place = usize;
+
+/// What is known of one variable.
+#[derive(Clone, Debug)]
+pub(super) struct Entry {
+    pub value: Value,
+    /// which assignment has given the value
+    pub written: u32,
+    /// the variable that it is a copy of, and the assignment of that one
+    copy_of: Option<(Place, u32)>,
+    /// of a bool: what holds where it is FALSE, and where it is TRUE
+    follows: Option<Rc<[Vec<Fact>; 2]>>,
+}
+
+/// A variable has one of these values, if it has not been written since.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Fact {
+    place: Place,
+    written: u32,
+    value: Value,
+}
+
+/// What one branch has changed.
+pub(super) type Changes = Vec<(Place, Entry)>;
+
+pub(super) struct Known {
+    entries: Vec<Entry>,
+    /// what was known before, of every change
+    log: Vec<(Place, Entry)>,
+    assignments: u32,
+    pub names: Names,
+}
+
+impl Known {
+    pub(super) fn new(values: impl Iterator<Item = Value>, names: Names) -> Self {
+        let entry = |value| Entry { value, written: 0, copy_of: None, follows: None };
+        Self { entries: values.map(entry).collect(), log: Vec::new(), assignments: 0, names }
+    }
+
+    pub(super) fn value(&self, place: Place) -> Value {
+        let Entry { value, copy_of, .. } = &self.entries[place];
+        match copy_of {
+            Some((source, written)) if self.entries[*source].written == *written => {
+                value.meet(self.entries[*source].value, &self.names)
+            }
+            _ => *value,
+        }
+    }
+
+    /// The assignment that has given a variable its value.
+    pub(super) fn written(&self, place: Place) -> u32 {
+        self.entries[place].written
+    }
+
+    /// A variable gets a value; of a copy, that of `source`.
+    pub(super) fn assign(
+        &mut self,
+        place: Place,
+        value: Value,
+        source: Option<Place>,
+        follows: Option<[Vec<Fact>; 2]>,
+    ) {
+        self.assignments += 1;
+        let copy_of = source.map(|source| (source, self.entries[source].written));
+        let entry = Entry { value, written: self.assignments, copy_of, follows: follows.map(Rc::new) };
+        self.put(place, entry);
+    }
+
+    fn put(&mut self, place: Place, entry: Entry) {
+        let before = std::mem::replace(&mut self.entries[place], entry);
+        self.log.push((place, before));
+    }
+
+    /// A variable has one of these values only. Gives whether there is one, so that the point can be reached.
+    pub(super) fn restrict(&mut self, place: Place, to: Value) -> bool {
+        let before = self.entries[place].value;
+        let value = before.meet(to, &self.names);
+        if value.is_none() {
+            return false;
+        }
+        if value == before {
+            return true;
+        }
+        let entry = Entry { value, ..self.entries[place].clone() };
+        let (copy_of, follows) = (entry.copy_of, entry.follows.clone());
+        self.put(place, entry);
+        if let Some((source, written)) = copy_of
+            && self.entries[source].written == written
+            && !self.restrict(source, value)
+        {
+            return false;
+        }
+        let facts = match value {
+            Value::Bool([true, false]) => 0,
+            Value::Bool([false, true]) => 1,
+            _ => return true,
+        };
+        follows.is_none_or(|follows| {
+            follows[facts]
+                .iter()
+                .all(|fact| self.entries[fact.place].written != fact.written || self.restrict(fact.place, fact.value))
+        })
+    }
+
+    pub(super) fn mark(&self) -> usize {
+        self.log.len()
+    }
+
+    /// Takes everything back that was learned or written since a mark; gives it.
+    pub(super) fn take_back(&mut self, mark: usize) -> Changes {
+        let mut changes = Changes::new();
+        let mut places: Vec<Place> = self.log[mark..].iter().map(|(place, _)| *place).collect();
+        places.sort_unstable();
+        places.dedup();
+        changes.extend(places.into_iter().map(|place| (place, self.entries[place].clone())));
+        while self.log.len() > mark {
+            if let Some((place, entry)) = self.log.pop() {
+                self.entries[place] = entry;
+            }
+        }
+        changes
+    }
+
+    /// What changes say of the variables, as facts.
+    pub(super) fn facts(changes: &Changes) -> Vec<Fact> {
+        let fact = |(place, entry): &(Place, Entry)| Fact { place: *place, written: entry.written, value: entry.value };
+        changes.iter().map(fact).collect()
+    }
+
+    /// What is known after two branches; none: a branch that cannot be reached, or is never left.
+    pub(super) fn merge(&mut self, branches: [Option<Changes>; 2]) {
+        match branches {
+            [None, None] => {}
+            [Some(changes), None] | [None, Some(changes)] => {
+                changes.into_iter().for_each(|(place, entry)| self.put(place, entry));
+            }
+            [Some(one), Some(other)] => self.join(&one, &other),
+        }
+    }
+
+    fn join(&mut self, one: &Changes, other: &Changes) {
+        let mut places: Vec<Place> = one.iter().chain(other).map(|(place, _)| *place).collect();
+        places.sort_unstable();
+        places.dedup();
+        let mut joined: Vec<(Place, [Entry; 2], Entry)> = Vec::with_capacity(places.len());
+        for place in places {
+            let of = |changes: &Changes| match changes.binary_search_by_key(&place, |(place, _)| *place) {
+                Ok(index) => changes[index].1.clone(),
+                Err(_) => self.entries[place].clone(),
+            };
+            let both = [of(one), of(other)];
+            let value = both[0].value.join(both[1].value, &self.names);
+            let (mut written, mut copy_of) = (both[0].written, both[0].copy_of);
+            if both[0].written != both[1].written {
+                self.assignments += 1;
+                written = self.assignments;
+                copy_of = copy_of.filter(|copy_of| both[1].copy_of == Some(*copy_of));
+            }
+            joined.push((place, both, Entry { value, written, copy_of, follows: None }));
+        }
+        let follows: Vec<Option<Rc<[Vec<Fact>; 2]>>> = joined
+            .iter()
+            .map(|(_, both, entry)| {
+                matches!(entry.value, Value::Bool([true, true])).then(|| self.follow(both, &joined))
+            })
+            .collect();
+        for ((place, _, entry), follows) in joined.into_iter().zip(follows) {
+            self.put(place, Entry { follows, ..entry });
+        }
+    }
+
+    /// What holds after two branches where a bool is FALSE, and where it is TRUE.
+    fn follow(&self, bools: &[Entry; 2], joined: &[(Place, [Entry; 2], Entry)]) -> Rc<[Vec<Fact>; 2]> {
+        let with = |answer: usize| -> Vec<Fact> {
+            let of = |side: usize| self.follow_in(&bools[side], side, answer, joined);
+            match [of(0), of(1)] {
+                [Some(facts), None] | [None, Some(facts)] => facts,
+                [Some(one), Some(other)] => {
+                    let both = |fact: Fact| {
+                        let same = other.iter().find(|same| same.place == fact.place)?;
+                        Some(Fact { value: fact.value.join(same.value, &self.names), ..fact })
+                    };
+                    one.into_iter().filter_map(both).collect()
+                }
+                [None, None] => Vec::new(),
+            }
+        };
+        Rc::new([with(0), with(1)])
+    }
+
+    /// The same of one of the branches; none: the bool has another value there.
+    fn follow_in(
+        &self,
+        bool: &Entry,
+        side: usize,
+        answer: usize,
+        joined: &[(Place, [Entry; 2], Entry)],
+    ) -> Option<Vec<Fact>> {
+        let Value::Bool(may_be) = bool.value else { return None };
+        if !may_be[answer] {
+            return None;
+        }
+        let mut facts: Vec<Fact> = (joined.iter())
+            .filter(|(_, both, entry)| both[side].value != entry.value)
+            .map(|(place, both, entry)| Fact { place: *place, written: entry.written, value: both[side].value })
+            .collect();
+        for fact in bool.follows.iter().flat_map(|follows| &follows[answer]) {
+            let found = joined.binary_search_by_key(&fact.place, |(place, ..)| *place);
+            let (before, after) = match found {
+                Ok(index) => (joined[index].1[side].written, joined[index].2.written),
+                Err(_) => (self.entries[fact.place].written, self.entries[fact.place].written),
+            };
+            if before == fact.written {
+                let fact = Fact { written: after, ..fact.clone() };
+                match facts.iter_mut().find(|known| known.place == fact.place) {
+                    Some(known) => known.value = known.value.meet(fact.value, &self.names),
+                    None => facts.push(fact),
+                }
+            }
+        }
+        Some(facts)
+    }
+}

@@ -1,0 +1,146 @@
+//! Intervals of integers, with the named numbers that are left of them. No reals.
+
+use portable::{Binary, Literal};
+
+/// All named numbers, and any other.
+const ALL: u128 = u128::MAX;
+
+/// The integers from `low` to `high`; where `named` is not all ones, they are the named numbers of these positions only.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Whole {
+    pub low: i64,
+    pub high: i64,
+    pub(super) named: u128,
+}
+
+/// The named numbers of a program, in their order.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Names(Vec<i64>);
+
+impl Names {
+    /// Of these numbers the first ones that a set of bits holds.
+    pub(super) fn of(numbers: impl Iterator<Item = i64>) -> Self {
+        let mut names = Vec::new();
+        for number in numbers {
+            if names.len() < 127 && !names.contains(&number) {
+                names.push(number);
+            }
+        }
+        names.sort_unstable();
+        Self(names)
+    }
+
+    pub(super) fn one(&self, number: i64) -> Whole {
+        let named = self.0.binary_search(&number).map_or(ALL, |position| 1 << position);
+        Whole { low: number, high: number, named }
+    }
+
+    /// The numbers, if they are named.
+    pub(super) fn numbers(&self, of: Whole) -> Option<Vec<i64>> {
+        let of = self.listed(of);
+        let is_in = |(position, _): &(usize, &i64)| of.named >> position & 1 == 1;
+        (of.named != ALL).then(|| self.0.iter().enumerate().filter(is_in).map(|(_, number)| *number).collect())
+    }
+
+    pub(super) fn join(&self, a: Whole, b: Whole) -> Whole {
+        match (a.is_none(), b.is_none()) {
+            (true, _) => b,
+            (_, true) => a,
+            _ => {
+                let (a, b) = (self.listed(a), self.listed(b));
+                let named = if a.named == ALL || b.named == ALL { ALL } else { a.named | b.named };
+                Whole { low: a.low.min(b.low), high: a.high.max(b.high), named }
+            }
+        }
+    }
+
+    /// The same with their names, where each number of a short range has one.
+    fn listed(&self, of: Whole) -> Whole {
+        if of.named != ALL || of.high - of.low > 126 {
+            return of;
+        }
+        let Ok(first) = self.0.binary_search(&of.low) else { return of };
+        let count = usize::try_from(of.high - of.low).unwrap_or_default();
+        // The names are in order: as many places on stands the last one, if all are there.
+        if self.0.get(first + count) != Some(&of.high) {
+            return of;
+        }
+        Whole { named: ((2 << count) - 1) << first, ..of }
+    }
+
+    /// What is in both.
+    pub(super) fn meet(&self, a: Whole, b: Whole) -> Whole {
+        self.tight(Whole { low: a.low.max(b.low), high: a.high.min(b.high), named: a.named & b.named })
+    }
+
+    /// Without one number.
+    pub(super) fn without(&self, of: Whole, number: i64) -> Whole {
+        let mut left = of;
+        if left.named != ALL {
+            left.named &= !self.0.binary_search(&number).map_or(0, |position| 1 << position);
+        }
+        left.low += i64::from(left.low == number);
+        left.high -= i64::from(left.high == number);
+        self.tight(left)
+    }
+
+    fn tight(&self, mut of: Whole) -> Whole {
+        if of.named != ALL {
+            for (position, number) in self.0.iter().enumerate() {
+                if *number < of.low || *number > of.high {
+                    of.named &= !(1 << position);
+                }
+            }
+            let mut left = self.0.iter().enumerate().filter(|(position, _)| of.named >> position & 1 == 1);
+            let Some((_, first)) = left.next() else { return Whole::NONE };
+            (of.low, of.high) = (*first, left.next_back().map_or(*first, |(_, last)| *last));
+        }
+        if of.low > of.high { Whole::NONE } else { of }
+    }
+}
+
+impl Whole {
+    pub(super) const NONE: Self = Self { low: 0, high: -1, named: 0 };
+
+    pub(super) fn numbers(low: i64, high: i64) -> Self {
+        Self { low, high, named: ALL }
+    }
+
+    pub(super) fn is_none(self) -> bool {
+        self.low > self.high
+    }
+}
+
+/// The number of a literal.
+pub(super) fn number(literal: Literal) -> Option<i64> {
+    match literal {
+        Literal::I32(value) => Some(value.into()),
+        Literal::U32(value) => Some(value.into()),
+        _ => None,
+    }
+}
+
+/// The result of an operator on two integers, before it is wrapped around: none, where a divisor may be 0.
+pub(super) fn binary(operator: Binary, a: Whole, b: Whole) -> Option<Whole> {
+    let pairs = [(a.low, b.low), (a.low, b.high), (a.high, b.low), (a.high, b.high)];
+    let of = |compute: fn(i64, i64) -> i64| {
+        let results = pairs.map(|(a, b)| compute(a, b));
+        let first = results[0];
+        let (low, high) = results.iter().fold((first, first), |(low, high), value| (low.min(*value), high.max(*value)));
+        Whole::numbers(low, high)
+    };
+    match operator {
+        Binary::Add => Some(Whole::numbers(a.low + b.low, a.high + b.high)),
+        Binary::Subtract => Some(Whole::numbers(a.low - b.high, a.high - b.low)),
+        Binary::Multiply => Some(of(i64::saturating_mul)),
+        Binary::Divide | Binary::Remainder if b.low <= 0 && b.high >= 0 => None,
+        Binary::Divide => Some(of(|a, b| a / b)),
+        Binary::Remainder => {
+            let largest = b.low.abs().max(b.high.abs()) - 1;
+            let is_kept = b.low == b.high && a.low >= -largest && a.high <= largest;
+            let (low, high) = (if a.low < 0 { -largest } else { 0 }, if a.high > 0 { largest } else { 0 });
+            Some(if is_kept { a } else { Whole::numbers(low.max(a.low.min(0)), high.min(a.high.max(0))) })
+        }
+        _ => panic!("ranges: {operator:?} of two integers gives no integer"),
+    }
+}

@@ -1,0 +1,63 @@
+//! The events of a run of a block that counts its calls, in words. A block that does not has none.
+
+use crate::samples::Samples;
+use portable::Literal;
+use std::collections::BTreeSet;
+
+/// The error id of the rate of the calls.
+const CALL_RATE: u32 = 9;
+
+/// One call, as far as it is looked at.
+#[derive(Clone, Copy, Default)]
+struct Call {
+    counter: u32,
+    error_id: u32,
+    /// whether something is added
+    acts: bool,
+}
+
+/// The events of a run.
+pub fn events(inputs: &Samples, outputs: &Samples) -> BTreeSet<String> {
+    let place = |run: &Samples, name: &str| run.shape.signals.iter().position(|signal| signal.name == name);
+    let (Some(counter), Some(error_id)) = (place(inputs, "cycle_counter"), place(outputs, "error_id")) else {
+        return BTreeSet::new();
+    };
+    let v_add = place(outputs, "v_add");
+    let (mut given, mut answers, mut shown) = (Vec::new(), Vec::new(), BTreeSet::new());
+    let (mut before, mut last) = (Call::default(), Call::default());
+    for sample in 0..inputs.len() {
+        inputs.read(sample, &mut given);
+        outputs.read(sample, &mut answers);
+        let number = |value: Literal| if let Literal::U32(number) = value { number } else { 0 };
+        let acts = v_add.is_some_and(|v_add| match answers[v_add] {
+            Literal::F64(v) => v != 0.0,
+            Literal::F32(v) => v != 0.0,
+            _ => false,
+        });
+        let now = Call { counter: number(given[counter]), error_id: number(answers[error_id]), acts };
+        shown.extend(word(before, last, now).map(str::to_owned));
+        (before, last) = (last, now);
+    }
+    shown
+}
+
+/// What a call shows behind the two before it.
+fn word(before: Call, last: Call, now: Call) -> Option<&'static str> {
+    let is_fault = now.error_id == CALL_RATE;
+    let goes_on = now.acts && !is_fault;
+    let [more, more_before] = [now.counter.wrapping_sub(last.counter), last.counter.wrapping_sub(before.counter)];
+    match more {
+        _ if now.counter == 0 && last.counter == u32::MAX && goes_on => Some("the counter wraps"),
+        _ if now.counter == 0 && last.counter == 0 && goes_on => Some("calls are not counted"),
+        _ if now.counter == 0 || last.counter == 0 => None,
+        2 if is_fault && (last.acts || more_before == 2) => Some("fault 9 as calls are lost"),
+        0 if is_fault => Some("fault 9 as calls are doubled"),
+        2 if goes_on && last.acts => Some("a lost call is tolerated"),
+        0 if goes_on && last.acts => Some("a doubled call is tolerated"),
+        1.. if now.counter < last.counter && last.acts && !now.acts && !is_fault => {
+            Some("starts anew as the counter does")
+        }
+        4.. if last.acts && !now.acts && !is_fault => Some("starts anew after a pause"),
+        _ => None,
+    }
+}

@@ -1,0 +1,42 @@
+//! The rate of the calls of a spindle: an error that stays. No transition.
+
+use super::signals::Inputs;
+use super::state::{Coeffs, State};
+use super::transition::lead_time;
+use crate::angle::position_limit;
+use crate::call_rate;
+use crate::signal::{error_call_rate, error_none, sample_limit};
+use portable::{Real, in_range, portable};
+
+/// After a pause the commands begin where the spindle is: at its actual velocity, and where the position controller has its lag. What is not
+/// known of it stays as it was put out last.
+#[portable]
+pub fn catch_up<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) {
+    let v_largest = if coeffs.in_drive { coeffs.v_largest } else { sample_limit() };
+    if in_range(inputs.v_actual, v_largest) {
+        state.v = inputs.v_actual;
+        if in_range(inputs.x_actual, position_limit()) {
+            let lead = lead_time(coeffs, inputs);
+            let x_caught = inputs.x_actual + state.v * lead;
+            if in_range(x_caught, position_limit()) {
+                state.x = x_caught;
+            }
+        }
+    }
+}
+
+/// Looks at the rate of the calls. While the drive is on, a pause alone is an error that stays: what the spindle has done meanwhile is not known.
+#[portable]
+pub fn look_at_calls<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) {
+    if coeffs.call_rate.active {
+        let has_paused = call_rate::step(&mut state.call_rate, inputs.cycle_counter);
+        let is_late = has_paused && inputs.drive_on;
+        if is_late {
+            catch_up(state, coeffs, inputs);
+        }
+        if (is_late || call_rate::is_wrong(&state.call_rate, &coeffs.call_rate)) && state.lasting_error == error_none()
+        {
+            state.lasting_error = error_call_rate();
+        }
+    }
+}
