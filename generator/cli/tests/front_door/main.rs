@@ -230,7 +230,7 @@ fn every_number_is_explained() {
         assert!(out.starts_with(&format!("error_id {id} of a block: {why}\n")), "{out}");
         count += 1;
     }
-    assert_eq!(count, 35);
+    assert_eq!(count, 36);
     assert_eq!(axgen(folder.path(), &["explain", "error_id 12"]), axgen(folder.path(), &["explain", "12"]));
     assert_eq!(axgen(folder.path(), &["explain", "99"]).0, 2);
 }
