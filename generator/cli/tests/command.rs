@@ -259,7 +259,7 @@ fn a_bad_stimulus_is_told_with_its_place() {
     fs::write(folder.path().join("in.csv"), "v_motor,speed,v_motor\n").unwrap();
     let run = axgen(folder.path(), &["run", "machine.toml", "--axis", "X", "--stimulus", "in.csv"]);
     let inputs = "v_command, v_motor, v_direct, tuning_weight[0], tuning_weight[1], tuning_weight[2], tuning_limit, mode, \
-                  position_controlled, reset, task_cycle_ns";
+                  position_controlled, reset, task_cycle_ns, cycle_counter";
     assert_eq!(
         run.err,
         format!(
