@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  5de621ebeb52c01d0f5b0eb8d906051a
- * structure   79a9a00de4186acefbf13af7e15af100
- * checksum    5e5e36b0b0d42160d94f327cfce6035b
+ * structure   a6220dda06ae9a7db39c4702008ea9e8
+ * checksum    6a7c7f9792ccd53d84f5a6b51834024c
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_p_axis.h"

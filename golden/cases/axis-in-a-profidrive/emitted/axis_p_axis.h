@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  5de621ebeb52c01d0f5b0eb8d906051a
- * structure   79a9a00de4186acefbf13af7e15af100
- * checksum    b7b5ec79502824423450b581e6ab8e70
+ * structure   a6220dda06ae9a7db39c4702008ea9e8
+ * checksum    efe02ab0c32e7c8c435d57c3128ca8fa
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_P_AXIS_H
@@ -30,10 +30,10 @@ extern "C" {
 #define AXIS_P_AXIS_PARAMETERS_2 0x0f5b0eb8u
 #define AXIS_P_AXIS_PARAMETERS_3 0xd906051au
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_P_AXIS_STRUCTURE_0 0x79a9a00du
-#define AXIS_P_AXIS_STRUCTURE_1 0xe4186aceu
-#define AXIS_P_AXIS_STRUCTURE_2 0xfbf13af7u
-#define AXIS_P_AXIS_STRUCTURE_3 0xe15af100u
+#define AXIS_P_AXIS_STRUCTURE_0 0xa6220ddau
+#define AXIS_P_AXIS_STRUCTURE_1 0x06ae9a7du
+#define AXIS_P_AXIS_STRUCTURE_2 0xb39c4702u
+#define AXIS_P_AXIS_STRUCTURE_3 0x008ea9e8u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_P_AXIS_INPUTS_SIZE 48u
 #define AXIS_P_AXIS_OUTPUTS_SIZE 32u

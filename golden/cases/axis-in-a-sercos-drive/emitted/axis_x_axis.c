@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9014b604dd12f8224fb4d7d97b6b93de
- * structure   31eaf412f3b9ddc732f4133b158fcd6f
- * checksum    a79ea550d1971c99b016b21c8f0d9317
+ * structure   27a73cd45bca816f4c6f9df61dff4667
+ * checksum    f9349aec518f098bd7a8e0cb2a9a6722
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9014b604dd12f8224fb4d7d97b6b93de
- * structure   31eaf412f3b9ddc732f4133b158fcd6f
- * checksum    ffb0e96eda4493f7a6618cce19dc676c
+ * structure   27a73cd45bca816f4c6f9df61dff4667
+ * checksum    b6ebe53659d4c4cd0cef936f8d000275
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_AXIS_H
@@ -32,10 +32,10 @@ extern "C" {
 #define AXIS_X_AXIS_PARAMETERS_2 0x4fb4d7d9u
 #define AXIS_X_AXIS_PARAMETERS_3 0x7b6b93deu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_AXIS_STRUCTURE_0 0x31eaf412u
-#define AXIS_X_AXIS_STRUCTURE_1 0xf3b9ddc7u
-#define AXIS_X_AXIS_STRUCTURE_2 0x32f4133bu
-#define AXIS_X_AXIS_STRUCTURE_3 0x158fcd6fu
+#define AXIS_X_AXIS_STRUCTURE_0 0x27a73cd4u
+#define AXIS_X_AXIS_STRUCTURE_1 0x5bca816fu
+#define AXIS_X_AXIS_STRUCTURE_2 0x4c6f9df6u
+#define AXIS_X_AXIS_STRUCTURE_3 0x1dff4667u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_AXIS_INPUTS_SIZE 48u
 #define AXIS_X_AXIS_OUTPUTS_SIZE 40u

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  a7946ea0b07c6e724bf5e648d7f9875f
- * structure   8a38999eb3a93a4694eebfe4caa471f9
- * checksum    47392aa68c49dd7e8594e7dfa4cc1842
+ * structure   d61f70ee45ca40a0014211209c93a349
+ * checksum    0f8fc1b502a593195eae1c6b160bc4a0
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_f_axis.h"

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  a7946ea0b07c6e724bf5e648d7f9875f
- * structure   8a38999eb3a93a4694eebfe4caa471f9
- * checksum    6f44702e9355ab251e14ffc66fcd621b
+ * structure   d61f70ee45ca40a0014211209c93a349
+ * checksum    eafa741efaa55ce924d97dd239d12fff
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_F_AXIS_H
@@ -32,10 +32,10 @@ extern "C" {
 #define AXIS_F_AXIS_PARAMETERS_2 0x4bf5e648u
 #define AXIS_F_AXIS_PARAMETERS_3 0xd7f9875fu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_F_AXIS_STRUCTURE_0 0x8a38999eu
-#define AXIS_F_AXIS_STRUCTURE_1 0xb3a93a46u
-#define AXIS_F_AXIS_STRUCTURE_2 0x94eebfe4u
-#define AXIS_F_AXIS_STRUCTURE_3 0xcaa471f9u
+#define AXIS_F_AXIS_STRUCTURE_0 0xd61f70eeu
+#define AXIS_F_AXIS_STRUCTURE_1 0x45ca40a0u
+#define AXIS_F_AXIS_STRUCTURE_2 0x01421120u
+#define AXIS_F_AXIS_STRUCTURE_3 0x9c93a349u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_F_AXIS_INPUTS_SIZE 32u
 #define AXIS_F_AXIS_OUTPUTS_SIZE 28u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  2db12b55d2534ca103a8883bcea9d407
- * structure   ce092c42aad269edc2fefd2e173dac3c
- * checksum    213a080da853e2452b8165063c0c904d
+ * structure   02efe45d42632e32a5f9203a62eb7f3d
+ * checksum    c7f946f37410480c688431150a765f87
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_y2_axis.h"

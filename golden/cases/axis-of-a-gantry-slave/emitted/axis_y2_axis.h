@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  2db12b55d2534ca103a8883bcea9d407
- * structure   ce092c42aad269edc2fefd2e173dac3c
- * checksum    31063bfe25f813e06e0a075f133c0f69
+ * structure   02efe45d42632e32a5f9203a62eb7f3d
+ * checksum    080a48c15fd9d424bc688a59d8ce1ddd
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_Y2_AXIS_H
@@ -32,10 +32,10 @@ extern "C" {
 #define AXIS_Y2_AXIS_PARAMETERS_2 0x03a8883bu
 #define AXIS_Y2_AXIS_PARAMETERS_3 0xcea9d407u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_Y2_AXIS_STRUCTURE_0 0xce092c42u
-#define AXIS_Y2_AXIS_STRUCTURE_1 0xaad269edu
-#define AXIS_Y2_AXIS_STRUCTURE_2 0xc2fefd2eu
-#define AXIS_Y2_AXIS_STRUCTURE_3 0x173dac3cu
+#define AXIS_Y2_AXIS_STRUCTURE_0 0x02efe45du
+#define AXIS_Y2_AXIS_STRUCTURE_1 0x42632e32u
+#define AXIS_Y2_AXIS_STRUCTURE_2 0xa5f9203au
+#define AXIS_Y2_AXIS_STRUCTURE_3 0x62eb7f3du
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_Y2_AXIS_INPUTS_SIZE 32u
 #define AXIS_Y2_AXIS_OUTPUTS_SIZE 40u
