@@ -55,6 +55,16 @@ fn what_to_do(number: u32) -> &'static str {
             "\n\nThe set was changed, damaged, or read while somebody wrote it: write it again, all of it between two calls of the block \
              (docs/parameter-sets.md)."
         }
+        47 => {
+            "\n\nThe block waits, in position control that it has not taken up: let the spindle coast until it is slow enough."
+        }
+        48 => {
+            "\n\nThe spindle brakes by itself, until a reset. Write a larger Kv (P-AXIS-00099) or a lower v_velocity_control_on; look for a \
+             drive that does not follow (docs/spindle.md)."
+        }
+        49 => {
+            "\n\nThe request is lost, and nothing else: with v_velocity_control_on 1 a drive with position control serves it."
+        }
         _ => "",
     }
 }
