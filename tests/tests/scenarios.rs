@@ -148,6 +148,6 @@ fn position_control_in_the_cnc_changes_within_a_cycle() {
     let cycles = cycles("spindle-in-the-cnc");
     assert_eq!(states(&cycles), [4, 0, 1, 2, 3, 4, 0, 1, 2, 3, 4, 0]);
     let changing = |state| cycles.iter().filter(|cycle| cycle.state == state).count();
-    // TO_VELOCITY twice, TO_POSITION twice and at the start.
-    assert_eq!([changing(1), changing(4)], [2, 3]);
+    // TO_VELOCITY twice, TO_POSITION twice and three cycles at the start.
+    assert_eq!([changing(1), changing(4)], [2, 5]);
 }
